@@ -177,10 +177,14 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
   StateTolerances(input.tolerances, &blocks);
   const std::optional<SimulatedCourse> course = clock->Time(
       "simulation as it is", [&] { return SimulateAsItIs(input, measured, asked.simulate); });
+  // Where input is missing, the simulation under the levers is of another drive: what it does tells
+  // nothing of what the replays lack in this one.
+  const bool is_same_drive = course && diagnosis.missing_input.empty();
   diagnosis.discrepancy_corrections =
-      course ? CorrectDiscrepancies(ReplayDiscrepanciesOf(input, left, options.blocks, *course),
-                                    options.seed, options.search.threads, &blocks)
-             : UncorrectedChannels(input, blocks);
+      is_same_drive
+          ? CorrectDiscrepancies(ReplayDiscrepanciesOf(input, left, options.blocks, *course),
+                                 options.seed, options.search.threads, &blocks)
+          : UncorrectedChannels(input, blocks);
   diagnosis.excluded_samples = ExcludeLaggingSamples(&blocks);
   diagnosis.encoder_lead_s = EncoderLead_s(blocks);
   diagnosis.blocks = DiagnoseInTurn(input, diagnosis.sensors.estimate, left, std::move(blocks),

@@ -61,6 +61,20 @@ TEST_F(DiagnoseOnSoil, SaysNothingOfARecordingThatIsAsItsScenario) {
   EXPECT_EQ(alone[0], "effective_gauge");
 }
 
+TEST_F(DiagnoseOnSoil, TakesNothingFromASimulationOfAnotherDrive) {
+  // Driven by hand: the tracks move, the recorded levers rest, and a simulation under them stands.
+  Record("real");
+  Write("real/excavator1/commands.csv",
+        "t_ns,left_track,right_track,slew,swing,boom,arm,bucket,blade\n0,0,0,0,0,0,0,0,0\n");
+  Diagnose("real", "why");
+  const Json report = Report("why");
+  EXPECT_EQ(report["missing_input"].size(), 2u);
+  ASSERT_GT(report["discrepancy_corrections"].size(), 0u);
+  for (const Json& one : report["discrepancy_corrections"]) {
+    EXPECT_FALSE(one["applied"].get<bool>()) << one["channel"];
+  }
+}
+
 TEST_F(DiagnoseOnSoil, NamesAWrongRadiusOfTheSprocketsAndSimulatesIt) {
   Record("real", {"--set", "effects.excavator1.base.track_scale.scale=0.85"});
   EXPECT_EQ(Diagnose("real", "why"), Names{"track_scale"});
