@@ -10,6 +10,8 @@
 #include <csignal>
 #include <cstdlib>
 
+#include "dataset/lint/lint.h"
+
 namespace tera {
 namespace fs = std::filesystem;
 
@@ -41,6 +43,20 @@ Outcome Ended(int wait_status) {
   if (WIFEXITED(wait_status)) outcome.status = WEXITSTATUS(wait_status);
   if (WIFSIGNALED(wait_status)) outcome.signal = WTERMSIG(wait_status);
   return outcome;
+}
+
+/// Whatever the program writes as a dataset keeps the rules of datasets.
+void ExpectSoundDataset(const Arguments& arguments, const fs::path& directory) {
+  static const std::set<std::string> kWriters = {"generate", "replay", "resense", "import"};
+  const auto out = std::find(arguments.begin(), arguments.end(), "--out");
+  if (arguments.empty() || !kWriters.count(arguments[0]) || arguments.end() - out < 2) return;
+  const fs::path dataset = directory / *(out + 1);
+  if (!fs::exists(dataset / "dataset.yaml")) return;
+  for (const LintFinding& finding : Lint(dataset).findings) {
+    if (finding.rule->severity != Severity::kError) continue;
+    ADD_FAILURE() << dataset << ": " << finding.rule->id << " " << finding.channel << ": "
+                  << finding.places.front().message;
+  }
 }
 
 }  // namespace
@@ -80,7 +96,9 @@ Outcome TeraProcess::Wait() {
 }
 
 Outcome RunTera(const Arguments& arguments, const Surroundings& surroundings) {
-  return TeraProcess(arguments, surroundings).Wait();
+  const Outcome outcome = TeraProcess(arguments, surroundings).Wait();
+  if (outcome.status == 0) ExpectSoundDataset(arguments, surroundings.directory);
+  return outcome;
 }
 
 Outcome RunTeraOnTerminal(const Arguments& arguments, const fs::path& directory, int columns) {

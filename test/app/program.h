@@ -48,6 +48,7 @@ class TeraProcess {
   int wait_status_ = 0;
 };
 
+/// A run to its end. A dataset that it wrote is held to the rules of `tera lint`.
 Outcome RunTera(const Arguments& arguments, const Surroundings& surroundings);
 
 /// A run on a terminal of `columns`; `out` holds all that appears there.

@@ -104,6 +104,18 @@ def faults_of(page: Path, blocks: list, status: int, output: str) -> list:
             if not is_printed(text, text_of_block)]
 
 
+def lint_faults_of(page: Path, scratch: Path, environment: dict) -> list:
+    """Datasets that the commands left and that do not keep the rules of datasets."""
+    faults = []
+    for described in sorted((scratch / "out").rglob("dataset.yaml")):
+        dataset = described.parent.relative_to(scratch)
+        lint = subprocess.run(["tera", "lint", str(dataset)], cwd=scratch, env=environment, check=False,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8")
+        if lint.returncode != 0:
+            faults.append(f"{page}: {dataset} does not keep the rules of datasets:\n{lint.stdout}")
+    return faults
+
+
 def run(page: Path, build: Path, scratch: Path) -> list:
     blocks = blocks_of(page.read_text(encoding="utf-8"))
     if not blocks:
@@ -115,7 +127,7 @@ def run(page: Path, build: Path, scratch: Path) -> list:
     ended = subprocess.run(["bash", str(script)], cwd=scratch, env=environment, stdin=subprocess.DEVNULL, check=False,
                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, encoding="utf-8")
     print(ended.stdout)
-    return faults_of(page, blocks, ended.returncode, ended.stdout)
+    return faults_of(page, blocks, ended.returncode, ended.stdout) + lint_faults_of(page, scratch, environment)
 
 
 def main() -> int:
