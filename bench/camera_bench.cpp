@@ -1,5 +1,9 @@
 #include <benchmark/benchmark.h>
 
+#include <ctime>
+#include <map>
+#include <string>
+
 #include "core/stopwatch.h"
 #include "dig_site.h"
 #include "render/gl/rasterizer.h"
@@ -72,6 +76,37 @@ void CameraAllOutputs(benchmark::State& state, const std::string& name) {
   Expose(state, name, model, Scene::kMoving);
 }
 
+/// Milliseconds of processor time of each pass of an exposure as mounted, with a wait after each.
+void CameraPasses(benchmark::State& state, const std::string& name) {
+  const DigSite& site = TheDigSite();
+  Rasterizer rasterizer(site.model(), {});
+  const std::size_t s = site.IndexOf(name);
+  Camera camera(ModelOf(name), {kFramesPerSecond}, 0, 1, name);
+  std::map<std::string, double> sum_s;
+  std::clock_t last = 0;
+  const auto count = [&](const char* pass) {
+    const std::clock_t now = std::clock();
+    sum_s[pass] += static_cast<double>(now - last) / CLOCKS_PER_SEC;
+    last = now;
+  };
+  const auto frame = [&](std::size_t k) {
+    const Instant& instant = site.instants()[k % site.instants().size()];
+    last = std::clock();
+    benchmark::DoNotOptimize(
+        camera.Measure(static_cast<std::int64_t>(k), instant.X_WS[s], instant.scene, &rasterizer));
+    count("noise");
+  };
+  // Shaders are compiled and grounds of the first round sent before anything counts.
+  std::size_t k = 0;
+  while (k < site.instants().size()) frame(k++);
+  rasterizer.Watch(count);
+  sum_s.clear();
+  for (auto _ : state) frame(k++);
+  for (const auto& [pass, s_of_all] : sum_s) {
+    state.counters[pass] = 1e3 * s_of_all / static_cast<double>(state.iterations());
+  }
+}
+
 #define TERA_FOR_EACH_CAMERA(benchmark_of)               \
   BENCHMARK_CAPTURE(benchmark_of, front, "camera_front") \
       ->MeasureProcessCPUTime()                          \
@@ -93,6 +128,7 @@ TERA_FOR_EACH_CAMERA(CameraAsMounted);
 TERA_FOR_EACH_CAMERA(CameraStillScene);
 TERA_FOR_EACH_CAMERA(CameraColourOnly);
 TERA_FOR_EACH_CAMERA(CameraAllOutputs);
+TERA_FOR_EACH_CAMERA(CameraPasses);
 
 }  // namespace
 }  // namespace tera::bench

@@ -85,6 +85,7 @@ struct Rasterizer::Impl {
   std::vector<Pictures> pictures;  // one for each size and kind of colour met
   std::vector<LensPictures> lens_pictures;
   std::vector<Lens> lenses;
+  PassWatch watch;
 
   Impl(const SceneModel& scene, const EglOptions& options)
       : model(scene),
@@ -110,6 +111,11 @@ struct Rasterizer::Impl {
   void Develop(const Pictures& p);
   void Distort(const Lens& lens, int view, const Pictures& from, const LensPictures& to);
   void FillScreen() const;
+  void Done(const char* pass) const {
+    if (!watch) return;
+    glFinish();
+    watch(pass);
+  }
   /// Where the picture that a camera sees lies, and what it was made from.
   struct Shown {
     const GlObject& colour;
@@ -138,6 +144,8 @@ const GlInfo& Rasterizer::info() const { return impl_->context.info(); }
 const SceneModel& Rasterizer::model() const { return impl_->model; }
 
 std::int64_t Rasterizer::uploaded_tiles() const { return impl_->terrain.uploaded_tiles(); }
+
+void Rasterizer::Watch(PassWatch done) { impl_->watch = std::move(done); }
 
 std::int64_t Rasterizer::triangles_drawn() const {
   return impl_->nodes.triangles_drawn() + impl_->terrain.triangles_drawn() +
@@ -186,9 +194,11 @@ void Rasterizer::Impl::DrawGeometry(const View& view, const Pictures& p) {
   node_program.Use();
   node_program.Set("u_clip_from_relative", view.ClipFromRelative());
   nodes.Draw(NodeRenderer::Surface::kOpaque, &node_program);
+  Done("machines and obstacles");
   if (has_ground) {
     grains.Draw();
     terrain.Draw(view);
+    Done("ground");
   }
   glDisable(GL_DEPTH_TEST);
 }
@@ -319,16 +329,22 @@ void Rasterizer::Impl::DrawPinhole(const View& view, const SceneState& state, co
     grains.Place(*state.terrain, view.eye_W_m);
   }
   nodes.Reshape(state);
+  Done("changed ground");
   shadow_map.Update(state, view.eye_W_m, &nodes);
   lamps.Update(state, &nodes);
+  Done("shadow pictures");
   nodes.Place(state, view.eye_W_m, &view);
   DrawGeometry(view, p);
   Occlude(view, p);
+  Done("ambient occlusion");
   Shade(view, p);
+  Done("shading");
   DrawLights(view, p);
   DrawSky(view, p);
   DrawGlass(view, p);
+  Done("sky, glass, lights");
   Develop(p);
+  Done("tone and edges");
 }
 
 /// Fills what of the camera's picture comes from that view of its lens.
@@ -408,6 +424,7 @@ Rasterizer::Impl::Shown Rasterizer::Impl::Show(const CameraIntrinsics& camera, c
     shown.views.emplace_back(pinhole, X_WC * MakePose(Vec3::Zero(), R_CV));
     DrawPinhole(shown.views.back(), state, p);
     Distort(lens, static_cast<int>(v), p, q);
+    Done("lens");
     if (body != nullptr) {
       bodies->Draw(shown.views.back(), p, nodes, has_ground ? &grains : nullptr);
       bodies->UseLens(lens, static_cast<int>(v));
@@ -439,9 +456,13 @@ CameraFrame Rasterizer::Render(const CameraIntrinsics& camera, const Pose& X_WC,
   labels |= UsualLabels();  // boxes need the instances
   ReadLabels(shown.labels, width, height, X_WC.linear(), labels, &frame);
   frame.depth_m = ReadDepth(shown.depth, shown.depth_format, camera);
+  impl.Done("read-back");
   frame.boxes = FindBoxes(impl.model, state, X_WC, frame.instance);
+  impl.Done("boxes");
   impl.Measure(shown, state, &frame);
+  impl.Done("silhouettes");
   AddWholeObjects(impl.model, state, camera, X_WC, frame, &frame.boxes);
+  impl.Done("whole objects");
   return frame;
 }
 

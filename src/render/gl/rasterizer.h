@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 
 #include "core/types/label_channels.h"
@@ -43,6 +44,11 @@ class Rasterizer {
   std::int64_t uploaded_tiles() const;
   /// Triangles sent to the GPU since construction, those of shadows and of boxes' silhouettes too.
   std::int64_t triangles_drawn() const;
+
+  /// From now on `done` is told each pass of a picture when all of it has been drawn, for
+  /// measurements: waiting for that takes time of its own. Nothing: nobody is told.
+  using PassWatch = std::function<void(const char* pass)>;
+  void Watch(PassWatch done);
 
   /// What a camera at X_WC sees. Fills rgb, depth_m, boxes and the usual labels of the frame, and
   /// what `labels` names beside them of what shaders write; t_ns is state.t_ns. With `luminance` it
