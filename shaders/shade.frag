@@ -1,5 +1,7 @@
 #include "light.glsl"
+#ifdef LAMPS
 #include "lamps.glsl"
+#endif
 
 uniform sampler2D u_albedo;
 uniform sampler2D u_normal;
@@ -82,6 +84,7 @@ void main() {
   if (!is_ground) direct += fresnel * Specular(n_l, n_v, max(dot(n, h), 0.0), roughness);
   vec3 radiance = min(direct * sun, vec3(20.0)) * u_sun;
 
+#ifdef LAMPS
   for (int k = 0; k < u_lamp_count; ++k) {
     vec3 l;
     float light = LampLight(k, relative, n, l);
@@ -95,6 +98,7 @@ void main() {
     }
     radiance += min(reflected, vec3(20.0)) * light;
   }
+#endif
 
   float shut = float(texelFetch(u_label, pixel, 0).x >> 24) / 255.0;
   float open = sky_factor * occlusion * (1.0 - shut);

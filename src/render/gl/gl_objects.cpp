@@ -35,8 +35,10 @@ std::string ReadShader(const std::string& name) {
   return text;
 }
 
-GlObject CompileShader(GLenum stage, const std::string& name) {
-  const std::string text = "#version 450 core\n" + ReadShader(name);
+GlObject CompileShader(GLenum stage, const std::string& name, const Switches& switches) {
+  std::string text = "#version 450 core\n";
+  for (const std::string& on : switches) text += "#define " + on + "\n";
+  text += ReadShader(name);
   GlObject shader(glCreateShader(stage), [](unsigned id) { glDeleteShader(id); });
   const char* source = text.c_str();
   glShaderSource(shader.id(), 1, &source, nullptr);
@@ -118,10 +120,11 @@ GlObject MakeFramebuffer(const std::vector<unsigned>& colour, unsigned depth, bo
   return framebuffer;
 }
 
-Program::Program(const std::string& vertex_file, const std::string& fragment_file)
+Program::Program(const std::string& vertex_file, const std::string& fragment_file,
+                 const Switches& switches)
     : program_(glCreateProgram(), [](unsigned id) { glDeleteProgram(id); }) {
-  const GlObject vertex = CompileShader(GL_VERTEX_SHADER, vertex_file);
-  const GlObject fragment = CompileShader(GL_FRAGMENT_SHADER, fragment_file);
+  const GlObject vertex = CompileShader(GL_VERTEX_SHADER, vertex_file, switches);
+  const GlObject fragment = CompileShader(GL_FRAGMENT_SHADER, fragment_file, switches);
   glAttachShader(program_.id(), vertex.id());
   glAttachShader(program_.id(), fragment.id());
   glLinkProgram(program_.id());

@@ -51,13 +51,18 @@ GlObject MakeTexture(unsigned format, int width, int height, Filter filter, Wrap
 GlObject MakeFramebuffer(const std::vector<unsigned>& colour, unsigned depth,
                          bool with_stencil = false);
 
+/// Names that `#ifdef` lines of shaders ask for.
+using Switches = std::vector<std::string>;
+
 /// A linked vertex and fragment shader from files in shaders/.
 ///
-/// A line `#include "file.glsl"` pulls in another file of that folder. Throws InputError with the
-/// driver's log if a file is missing or does not compile.
+/// A line `#include "file.glsl"` pulls in another file of that folder. A branch that a uniform
+/// shuts still costs its time on a renderer that runs pixels in lockstep; what no switch names
+/// costs none. Throws InputError with the driver's log if a file is missing or does not compile.
 class Program {
  public:
-  Program(const std::string& vertex_file, const std::string& fragment_file);
+  Program(const std::string& vertex_file, const std::string& fragment_file,
+          const Switches& switches = {});
 
   void Use() const;
   // A uniform that the compiler removed is ignored.

@@ -67,9 +67,10 @@ struct Rasterizer::Impl {
   LampLights lamps;
   Silhouettes silhouettes;
   Program node_program{"node.vert", "node.frag"};
+  Program textured_program{"node.vert", "node.frag", {"TEXTURED"}};
   Program occlusion_program{"fullscreen.vert", "occlusion.frag"};
   Program blur_program{"fullscreen.vert", "blur.frag"};
-  Program shade_program{"fullscreen.vert", "shade.frag"};
+  Program shade_program;
   Program sky_program{"fullscreen.vert", "sky.frag"};
   Program emissive_program{"node.vert", "emissive.frag"};
   Program glass_program{"node.vert", "glass.frag"};
@@ -96,7 +97,9 @@ struct Rasterizer::Impl {
         terrain(model, daylight.sky().to_sun_W()),
         grains(model.soils),
         shadow_map(daylight.sky().to_sun_W()),
-        lamps(model.lamps) {}
+        lamps(model.lamps),
+        shade_program("fullscreen.vert", "shade.frag",
+                      model.lamps.empty() ? Switches{} : Switches{"LAMPS"}) {}
 
   Pictures& PicturesOf(int width_px, int height_px, bool linear);
   LensPictures& LensPicturesOf(int width_px, int height_px, bool linear);
@@ -191,11 +194,13 @@ void Rasterizer::Impl::DrawGeometry(const View& view, const Pictures& p) {
   glClearBufferfv(GL_DEPTH, 0, blank);  // infinitely far
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);
-  node_program.Use();
-  node_program.Set("u_clip_from_relative", view.ClipFromRelative());
-  nodes.Draw(NodeRenderer::Surface::kOpaque, &node_program);
+  for (const Program* program : {&node_program, &textured_program}) {
+    program->Set("u_clip_from_relative", view.ClipFromRelative());
+  }
+  nodes.DrawOpaque(node_program, textured_program);
   Done("machines and obstacles");
   if (has_ground) {
+    node_program.Use();
     grains.Draw();
     terrain.Draw(view);
     Done("ground");

@@ -211,19 +211,31 @@ void NodeRenderer::DrawBatch(int node, const GpuMesh& mesh, const Batch& batch) 
   triangles_drawn_ += batch.index_count / 3;
 }
 
-void NodeRenderer::DrawNode(int node, Surface surface, const Program* textured) const {
+void NodeRenderer::DrawNode(int node, Surface surface) const {
   const GpuMesh& mesh = MeshOf(model_.nodes[node]);
   glBindVertexArray(mesh.array->id());
   for (const Batch& batch : mesh.batches) {
-    if (batch.surface != surface) continue;
-    if (textured != nullptr) textures_.Bind(batch.look, *textured);
-    DrawBatch(node, mesh, batch);
+    if (batch.surface == surface) DrawBatch(node, mesh, batch);
   }
 }
 
-void NodeRenderer::Draw(Surface surface, const Program* textured) const {
+void NodeRenderer::Draw(Surface surface) const {
   for (const Placed& placed : surface == Surface::kGlass ? placed_glass_ : placed_opaque_) {
-    DrawNode(placed.node, surface, textured);
+    DrawNode(placed.node, surface);
+  }
+}
+
+void NodeRenderer::DrawOpaque(const Program& plain, const Program& textured) const {
+  for (const Placed& placed : placed_opaque_) {
+    const GpuMesh& mesh = MeshOf(model_.nodes[placed.node]);
+    glBindVertexArray(mesh.array->id());
+    for (const Batch& batch : mesh.batches) {
+      if (batch.surface != Surface::kOpaque) continue;
+      const bool is_plain = batch.look == TextureBank::kPlain;
+      (is_plain ? plain : textured).Use();
+      if (!is_plain) textures_.Bind(batch.look, textured);
+      DrawBatch(placed.node, mesh, batch);
+    }
   }
 }
 

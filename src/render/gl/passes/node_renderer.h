@@ -29,8 +29,10 @@ class NodeRenderer {
   void Place(const SceneState& state, const Vec3& eye_W_m, const View* view);
   /// Draws what Place found, with the program in use: attributes 0 position, 1 normal, 2 albedo
   /// (square roots) and opacity, 3 roughness and metallic; 4 to 6 rows of the pose, 7 the label,
-  /// 8 texture coordinates. `textured` is that program, if it reads textures.
-  void Draw(Surface surface, const Program* textured = nullptr) const;
+  /// 8 texture coordinates.
+  void Draw(Surface surface) const;
+  /// Draws the opaque ones with `plain` and, where a material has textures, with `textured`.
+  void DrawOpaque(const Program& plain, const Program& textured) const;
   /// Draws what gives light, with `program`, which is in use.
   void DrawLights(const Program& program) const;
   /// Draws what Place found, opaque and glass, each node with its body's number plus 1 as `u_body`
@@ -91,7 +93,7 @@ class NodeRenderer {
     return node.shape >= 0 ? shapes_[node.shape].mesh : meshes_[node.mesh];
   }
   GpuBuffers Upload(const Collected& collected) const;
-  void DrawNode(int node, Surface surface, const Program* textured = nullptr) const;
+  void DrawNode(int node, Surface surface) const;
   void DrawBatch(int node, const GpuMesh& mesh, const Batch& batch) const;
 
   const SceneModel& model_;

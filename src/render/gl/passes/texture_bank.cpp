@@ -61,10 +61,6 @@ int TextureBank::Add(const Material& material) {
 }
 
 void TextureBank::Bind(int number, const Program& program) const {
-  if (number == kPlain) {
-    program.Set("u_maps", 0);
-    return;
-  }
   const Look& look = looks_[number];
   const std::array<std::pair<const char*, unsigned>, 5> maps = {
       {{"u_base_colour", look.base_colour},

@@ -19,7 +19,7 @@ class TextureBank {
   int Add(const Material& material);
 
   bool gives_light(int number) const { return number != kPlain && looks_[number].gives_light; }
-  /// Sets what node.frag and emissive.frag read of a material, or of a plain one.
+  /// Sets what node.frag, with TEXTURED, and emissive.frag read of a material that is not plain.
   void Bind(int number, const Program& program) const;
 
  private:
