@@ -19,6 +19,22 @@ void TexelWindow::Extend(int i, int j) {
   j1 = first ? j + 1 : std::max(j1, j + 1);
 }
 
+void TexelWindow::Extend(const TexelWindow& other) {
+  if (other.empty()) return;
+  Extend(other.i0, other.j0);
+  Extend(other.i1 - 1, other.j1 - 1);
+}
+
+TexelWindow TexelWindow::Within(const TexelWindow& other) const {
+  return {std::max(i0, other.i0), std::max(j0, other.j0), std::min(i1, other.i1),
+          std::min(j1, other.j1)};
+}
+
+TexelWindow TexelWindow::Grown(int texels) const {
+  if (empty()) return *this;
+  return {i0 - texels, j0 - texels, i1 + texels, j1 + texels};
+}
+
 HeightTexels::HeightTexels(const TerrainGrid& grid)
     : texel_cells_((std::max(grid.nx, grid.ny) - 1) / kLargestTexture + 1),
       texel_m_(texel_cells_ * grid.cell_m) {
@@ -34,12 +50,18 @@ TexelWindow HeightTexels::Of(int a, int b) const {
   return {first(a), first(b), std::min(end(a), width_), std::min(end(b), height_)};
 }
 
-void HeightTexels::Read(const TerrainSurface& terrain, const TexelWindow& window) {
+TexelWindow HeightTexels::Read(const TerrainSurface& terrain, const TexelWindow& window) {
+  TexelWindow changed;
   for (int j = window.j0; j < window.j1; ++j) {
     for (int i = window.i0; i < window.i1; ++i) {
-      height_m_[index(i, j)] = terrain.height_m(i * texel_cells_, j * texel_cells_);
+      float& height_m = height_m_[index(i, j)];
+      const float now_m = terrain.height_m(i * texel_cells_, j * texel_cells_);
+      if (height_m == now_m) continue;
+      height_m = now_m;
+      changed.Extend(i, j);
     }
   }
+  return changed;
 }
 
 SkyView::SkyView(double texel_m) {
@@ -52,6 +74,7 @@ SkyView::SkyView(double texel_m) {
     for (std::size_t r = 0; r < kReaches_m.size(); ++r) {
       const int steps = std::max(1, static_cast<int>(std::lround(kReaches_m[r] * unit / texel_m)));
       directions_[d][r] = {x * steps, y * steps, static_cast<float>(steps * texel_m / unit)};
+      reach_texels_ = std::max(reach_texels_, steps);
     }
   }
 }

@@ -12,6 +12,11 @@ struct TexelWindow {
   int i0 = 0, j0 = 0, i1 = 0, j1 = 0;
   bool empty() const { return i1 <= i0 || j1 <= j0; }
   void Extend(int i, int j);
+  void Extend(const TexelWindow& other);
+  /// What both hold.
+  TexelWindow Within(const TexelWindow& other) const;
+  /// With `texels` more on each side; nothing remains nothing.
+  TexelWindow Grown(int texels) const;
 };
 
 /// Heights of a ground, one texel for every `texel_cells`-th vertex: all of them where the site is
@@ -30,7 +35,8 @@ class HeightTexels {
   float at(std::size_t k) const { return height_m_[k]; }
   /// Texels of tile (a, b) and of its border.
   TexelWindow Of(int a, int b) const;
-  void Read(const TerrainSurface& terrain, const TexelWindow& window);
+  /// Takes over the heights there; returns where they were others before.
+  TexelWindow Read(const TerrainSurface& terrain, const TexelWindow& window);
 
  private:
   int width_ = 0, height_ = 0, texel_cells_ = 1;
@@ -51,6 +57,8 @@ class SkyView {
   SkyView() = default;
   explicit SkyView(double texel_m);
   float Factor(const HeightTexels& heights, int i, int j) const;
+  /// Heights further away than this along either axis change nothing.
+  int reach_texels() const { return reach_texels_; }
 
  private:
   struct Sample {
@@ -58,6 +66,7 @@ class SkyView {
     float distance_m = 1;
   };
   std::array<std::array<Sample, 5>, 8> directions_;
+  int reach_texels_ = 0;
 };
 
 /// Height of the shadow that the ground casts over each texel: a point below it does not see the

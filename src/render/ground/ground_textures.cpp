@@ -88,6 +88,7 @@ GroundTextures::GroundTextures(const TerrainSurface& terrain,
       to_sun_W_(to_sun_W),
       origin_W_m_(terrain.origin_W_m),
       heights_(terrain),
+      cover_(heights_.index(0, heights_.height())),
       sky_view_(heights_.texel_m()),
       shadow_(to_sun_W),
       albedo_(heights_.width(), heights_.height(), false),
@@ -97,9 +98,24 @@ GroundTextures::GroundTextures(const TerrainSurface& terrain,
       MakeTexture(GL_R32F, heights_.width(), heights_.height(), Filter::kLinear, Wrap::kClamp);
 }
 
-void GroundTextures::PaintTexel(const TerrainSurface& terrain, int i, int j) {
-  const TerrainSurface::Cover cover =
-      terrain.at(i * heights_.texel_cells(), j * heights_.texel_cells()).cover;
+/// Takes over the covers there; returns where they were others before.
+TexelWindow GroundTextures::ReadCovers(const TerrainSurface& terrain, const TexelWindow& window) {
+  TexelWindow changed;
+  for (int j = window.j0; j < window.j1; ++j) {
+    for (int i = window.i0; i < window.i1; ++i) {
+      TerrainSurface::Cover& cover = cover_[heights_.index(i, j)];
+      const TerrainSurface::Cover now =
+          terrain.at(i * heights_.texel_cells(), j * heights_.texel_cells()).cover;
+      if (cover == now) continue;
+      cover = now;
+      changed.Extend(i, j);
+    }
+  }
+  return changed;
+}
+
+void GroundTextures::PaintTexel(int i, int j) {
+  const TerrainSurface::Cover cover = cover_[heights_.index(i, j)];
   const SoilAppearance& soil = soils_[std::min<std::size_t>(cover.soil, soils_.size() - 1)];
   const double saturation = cover.moisture / 255.0, loose = cover.looseness / 255.0;
   const double rut = cover.rut / 255.0;
@@ -127,41 +143,37 @@ void GroundTextures::PaintTexel(const TerrainSurface& terrain, int i, int j) {
 
 void GroundTextures::Update(const TerrainSurface& terrain, const std::vector<TileIndex>& changed) {
   if (changed.empty()) return;
-  // The sky factor of neighbouring tiles within reach changes too.
-  const int halo = static_cast<int>(std::ceil(kOcclusionReach_m / (kCells * terrain.cell_m)));
-  std::vector<bool> touched(terrain.tile_count(), false);
-  TexelWindow heights;
+  const int reach = std::max(sky_view_.reach_texels(), 1);       // the normal looks one texel far
+  const int halo = reach * heights_.texel_cells() / kCells + 1;  // in tiles
+  std::vector<TexelWindow> dirty(terrain.tile_count());
+  TexelWindow risen;
   for (const TileIndex& t : changed) {
-    const TexelWindow window = heights_.Of(t.x, t.y);
-    heights_.Read(terrain, window);
-    if (!window.empty()) {
-      heights.Extend(window.i0, window.j0);
-      heights.Extend(window.i1 - 1, window.j1 - 1);
-    }
+    const TexelWindow tile = heights_.Of(t.x, t.y);
+    const TexelWindow heights = heights_.Read(terrain, tile);
+    TexelWindow seen = heights.Grown(reach);
+    seen.Extend(ReadCovers(terrain, tile));
+    if (!painted_) seen = tile;
+    risen.Extend(heights);
     for (int b = std::max(t.y - halo, 0); b <= std::min(t.y + halo, terrain.tiles_y() - 1); ++b) {
       for (int a = std::max(t.x - halo, 0); a <= std::min(t.x + halo, terrain.tiles_x() - 1); ++a) {
-        touched[terrain.tile_index(a, b)] = true;
+        dirty[terrain.tile_index(a, b)].Extend(seen.Within(heights_.Of(a, b)));
       }
     }
   }
-  std::vector<TexelWindow> windows;
-  for (int b = 0; b < terrain.tiles_y(); ++b) {
-    for (int a = 0; a < terrain.tiles_x(); ++a) {
-      if (!touched[terrain.tile_index(a, b)]) continue;
-      const TexelWindow window = heights_.Of(a, b);
-      if (!window.empty()) windows.push_back(window);
-      for (int j = window.j0; j < window.j1; ++j) {
-        for (int i = window.i0; i < window.i1; ++i) PaintTexel(terrain, i, j);
-      }
+  for (const TexelWindow& window : dirty) {
+    for (int j = window.j0; j < window.j1; ++j) {
+      for (int i = window.i0; i < window.i1; ++i) PaintTexel(i, j);
     }
   }
   // Smaller levels straddle tiles, so that they are remade after all tiles are painted.
-  if (windows.size() == touched.size()) windows = {{0, 0, heights_.width(), heights_.height()}};
-  for (const TexelWindow& window : windows) {
+  if (!painted_) dirty = {{0, 0, heights_.width(), heights_.height()}};
+  painted_ = true;
+  for (const TexelWindow& window : dirty) {
+    if (window.empty()) continue;
     albedo_.Send(window);
     shape_.Send(window);
   }
-  SendShadow(shadow_.Update(heights_, heights));
+  SendShadow(shadow_.Update(heights_, risen));
 }
 
 void GroundTextures::SendShadow(const TexelWindow& w) const {

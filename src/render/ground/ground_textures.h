@@ -21,8 +21,8 @@ struct TileIndex {
 ///
 /// Model   albedo by soil; moisture darkens it as R = Rs + (Rd - Rs) exp(-c S), S the degree of
 ///         saturation, with Rs a fixed share of the dry albedo; loose soil is a little lighter,
-///         pressed ruts darker. Smaller levels of each texture are means of four texels. Only what
-///         has changed, or lies in a changed shadow, is remade.
+///         pressed ruts darker. Smaller levels of each texture are means of four texels. Only
+///         texels that have changed, see others that have, or lie in a changed shadow are remade.
 /// Source  Lobell, Asner 2002, "Moisture effects on soil reflectance", eq. 1.
 class GroundTextures {
  public:
@@ -60,13 +60,16 @@ class GroundTextures {
     void Upload(int level, const TexelWindow& window) const;
   };
 
-  void PaintTexel(const TerrainSurface& terrain, int i, int j);
+  TexelWindow ReadCovers(const TerrainSurface& terrain, const TexelWindow& window);
+  void PaintTexel(int i, int j);
   void SendShadow(const TexelWindow& window) const;
 
   std::vector<SoilAppearance> soils_;
   Vec3 to_sun_W_ = Vec3::UnitZ();
   Vec2 origin_W_m_ = Vec2::Zero();
   HeightTexels heights_;
+  std::vector<TerrainSurface::Cover> cover_;  ///< of each texel
+  bool painted_ = false;                      ///< whole, once
   SkyView sky_view_;
   GroundShadow shadow_;
   Pyramid albedo_, shape_;
