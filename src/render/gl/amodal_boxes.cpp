@@ -1,8 +1,10 @@
 #include "render/gl/amodal_boxes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace tera {
 namespace {
@@ -37,43 +39,55 @@ class WideProjection {
   double widest_ = 0;
 };
 
-/// What an object covers, with the pixels that hold it whole: from their outer borders.
+/// Where surfaces fall on the picture's plane, within it and beyond.
 class Extent {
  public:
   explicit Extent(const CameraIntrinsics& lens) : lens_(lens), project_(lens) {}
 
-  void AddTriangle(const std::array<Vec3, 3>& p_C_m) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3& a = p_C_m[k];
-      if (lens_.IsAngular() ? lens_.Sees(a) : a.z() >= lens_.near_m) box_px_.extend(project_(a));
-      const Vec3& b = p_C_m[(k + 1) % 3];
-      if (!lens_.IsAngular() && (a.z() < lens_.near_m) != (b.z() < lens_.near_m)) {
-        const double s = (lens_.near_m - a.z()) / (b.z() - a.z());
-        box_px_.extend(project_(a + s * (b - a)));
-      }
+  /// Each corner once, and where an edge leaves the space before the camera.
+  void AddTriangles(const std::vector<Vec3>& p_C_m, const std::vector<std::uint32_t>& indices) {
+    const std::size_t used = indices.size() / 3 * 3;
+    is_corner_.assign(p_C_m.size(), false);
+    for (std::size_t k = 0; k < used; ++k) is_corner_[indices[k]] = true;
+    std::size_t corners = 0, seen = 0;
+    for (std::size_t i = 0; i < p_C_m.size(); ++i) {
+      if (!is_corner_[i]) continue;
+      ++corners;
+      if (!IsBefore(p_C_m[i])) continue;
+      ++seen;
+      box_px_.extend(project_(p_C_m[i]));
+    }
+    if (lens_.IsAngular() || seen == 0 || seen == corners) return;
+    for (std::size_t k = 0; k < used; ++k) {
+      const Vec3& a = p_C_m[indices[k]];
+      const Vec3& b = p_C_m[indices[k % 3 == 2 ? k - 2 : k + 1]];
+      if (IsBefore(a) == IsBefore(b)) continue;
+      const double s = (lens_.near_m - a.z()) / (b.z() - a.z());
+      box_px_.extend(project_(a + s * (b - a)));
     }
   }
-  /// The pixels that show it.
-  void AddPixels(const ObjectBox& seen) {
-    box_px_.extend(Vec2(seen.x_min_px, seen.y_min_px));
-    box_px_.extend(Vec2(seen.x_max_px, seen.y_max_px));
-  }
   const Eigen::AlignedBox2d& box_px() const { return box_px_; }
-  /// The share of the box that lies beyond the picture.
-  double Truncation() const {
-    const Eigen::AlignedBox2d picture(Vec2(-kHalf_px, -kHalf_px),
-                                      Vec2(lens_.width_px - kHalf_px, lens_.height_px - kHalf_px));
-    const double area = box_px_.isEmpty() ? 0 : box_px_.volume();
-    if (!(area > 0)) return 0;
-    const Eigen::AlignedBox2d within = box_px_.intersection(picture);
-    return 1 - (within.isEmpty() ? 0 : within.volume()) / area;
-  }
 
  private:
+  bool IsBefore(const Vec3& p_C_m) const {
+    return lens_.IsAngular() ? lens_.Sees(p_C_m) : p_C_m.z() >= lens_.near_m;
+  }
+
   const CameraIntrinsics& lens_;
   WideProjection project_;
+  std::vector<bool> is_corner_;
   Eigen::AlignedBox2d box_px_;
 };
+
+/// The share of a box that lies beyond the picture.
+double Truncation(const Eigen::AlignedBox2d& box_px, const CameraIntrinsics& lens) {
+  const Eigen::AlignedBox2d picture(Vec2(-kHalf_px, -kHalf_px),
+                                    Vec2(lens.width_px - kHalf_px, lens.height_px - kHalf_px));
+  const double area = box_px.isEmpty() ? 0 : box_px.volume();
+  if (!(area > 0)) return 0;
+  const Eigen::AlignedBox2d within = box_px.intersection(picture);
+  return 1 - (within.isEmpty() ? 0 : within.volume()) / area;
+}
 
 bool Belongs(const SceneModel& model, std::uint16_t instance, std::uint16_t object) {
   return instance == object || (instance != 0 && model.instances[instance].parent == object);
@@ -89,12 +103,44 @@ void AddNode(const SceneModel& model, const SceneNode& node, const SceneState& s
   for (const MeshPart& part : shape ? shape->parts : model.meshes[node.mesh].parts) {
     p_C_m.clear();
     for (const Eigen::Vector3f& p : part.positions_m) p_C_m.push_back(X_CG * p.cast<double>());
-    for (std::size_t k = 0; k + 2 < part.indices.size(); k += 3) {
-      extent->AddTriangle(
-          {p_C_m[part.indices[k]], p_C_m[part.indices[k + 1]], p_C_m[part.indices[k + 2]]});
-    }
+    extent->AddTriangles(p_C_m, part.indices);
   }
 }
+
+/// What the nodes of each instance cover, found when it is asked for, once.
+class Extents {
+ public:
+  Extents(const SceneModel& model, const SceneState& state, const CameraIntrinsics& lens,
+          const Pose& X_CW)
+      : model_(model), state_(state), lens_(lens), X_CW_(X_CW), own_(model.instances.size()) {}
+
+  /// Of an instance, or of a whole with its parts.
+  Eigen::AlignedBox2d Of(std::uint16_t object) {
+    Eigen::AlignedBox2d box_px;
+    for (std::size_t i = 0; i < own_.size(); ++i) {
+      const auto instance = static_cast<std::uint16_t>(i);
+      if (Belongs(model_, instance, object)) box_px.extend(Own(instance));
+    }
+    return box_px;
+  }
+
+ private:
+  const Eigen::AlignedBox2d& Own(std::uint16_t instance) {
+    std::optional<Eigen::AlignedBox2d>& own = own_[instance];
+    if (own) return *own;
+    Extent extent(lens_);
+    for (const SceneNode& node : model_.nodes) {
+      if (node.instance == instance) AddNode(model_, node, state_, X_CW_, &extent);
+    }
+    return own.emplace(extent.box_px());
+  }
+
+  const SceneModel& model_;
+  const SceneState& state_;
+  const CameraIntrinsics& lens_;
+  const Pose& X_CW_;
+  std::vector<std::optional<Eigen::AlignedBox2d>> own_;
+};
 
 KeypointSight SightOf(const SceneModel& model, const SceneKeypoint& keypoint,
                       const CameraIntrinsics& lens, const Vec3& p_C_m, const Vec2& pixel_px,
@@ -130,18 +176,15 @@ void AddKeypoints(const SceneModel& model, const SceneState& state, const Camera
 void AddWholeObjects(const SceneModel& model, const SceneState& state, const CameraIntrinsics& lens,
                      const Pose& X_WC, const CameraFrame& frame, std::vector<ObjectBox>* boxes) {
   const Pose X_CW = X_WC.inverse();
+  Extents extents(model, state, lens, X_CW);
   for (ObjectBox& box : *boxes) {
-    Extent extent(lens);
-    for (const SceneNode& node : model.nodes) {
-      if (Belongs(model, node.instance, box.instance)) AddNode(model, node, state, X_CW, &extent);
-    }
+    Eigen::AlignedBox2d extent_px = extents.Of(box.instance);
     // A field's rim may cut an object where it has no corner.
-    extent.AddPixels(box);
-    if (!extent.box_px().isEmpty()) {
-      box.amodal_min_px = extent.box_px().min();
-      box.amodal_max_px = extent.box_px().max();
-    }
-    box.truncation = extent.Truncation();
+    extent_px.extend(Vec2(box.x_min_px, box.y_min_px));
+    extent_px.extend(Vec2(box.x_max_px, box.y_max_px));
+    box.amodal_min_px = extent_px.min();
+    box.amodal_max_px = extent_px.max();
+    box.truncation = Truncation(extent_px, lens);
     AddKeypoints(model, state, lens, X_CW, frame, &box);
   }
 }
