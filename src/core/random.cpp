@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/stream_key.h"
 #include "core/units.h"
 
 namespace tera {
@@ -27,14 +28,9 @@ std::uint64_t HashText(std::string_view text) {
 }
 
 Stream::Stream(std::uint64_t seed, std::string_view name) {
-  const std::uint64_t name_hash = HashText(name);
-  const r123::Philox4x32::ctr_type counter = {
-      {static_cast<std::uint32_t>(name_hash), static_cast<std::uint32_t>(name_hash >> 32), 0, 0}};
-  const r123::Philox4x32::key_type key = {
-      {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}};
-  const auto mixed = r123::Philox4x32()(counter, key);
-  key_[0] = mixed[0];
-  key_[1] = mixed[1];
+  const auto key = StreamKey(seed, HashText(name));
+  key_[0] = key[0];
+  key_[1] = key[1];
 }
 
 Stream::Block Stream::Draw(std::uint64_t index, std::uint32_t lane) const {

@@ -46,6 +46,7 @@ const std::map<std::string, std::set<std::string>> kMaySee = {
 const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"yaml-cpp/", "core"},
     {"Random123/", "core"},
+    {"immintrin.h", "core"},
     {"BulletCollision/", "physics"},
     {"BulletDynamics/", "physics"},
     {"LinearMath/", "physics"},

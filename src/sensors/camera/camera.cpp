@@ -4,13 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
 #include "core/check.h"
 #include "core/config/spelling.h"
 #include "core/units.h"
+#include "sensors/camera/pixel_noise.h"
 #include "sensors/camera/read_lens.h"
 
 namespace tera {
@@ -57,70 +57,6 @@ void CheckLabelsUnderShutter(const ConfigMap& config, const CameraModel& model) 
 void LimitDepth(const CameraModel& model, Image<float>* depth_m) {
   for (float& z_m : depth_m->data) {
     if (!(z_m >= model.depth_min_m && z_m <= model.depth_max_m)) z_m = 0;
-  }
-}
-
-/// Standard normal quantiles of the middles of 2^bits equal parts of (0, 1), scaled to unit
-/// variance: a look-up instead of logarithm and cosine for each pixel.
-template <int bits>
-class NormalQuantiles {
- public:
-  static constexpr int kBits = bits;
-
-  NormalQuantiles() {
-    double squares = 0;
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-      values_[i] = static_cast<float>(Quantile((i + 0.5) / values_.size()));
-      squares += values_[i] * values_[i] / values_.size();
-    }
-    for (float& v : values_) v /= static_cast<float>(std::sqrt(squares));
-  }
-  float operator[](std::uint64_t part) const { return values_[part & (values_.size() - 1)]; }
-
- private:
-  /// By bisection of the normal distribution function.
-  static double Quantile(double p) {
-    double low = -8, high = 8;
-    while (high - low > 1e-9) {
-      const double middle = 0.5 * (low + high);
-      (0.5 * std::erfc(-middle / std::sqrt(2.0)) < p ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
-  }
-
-  std::array<float, 1u << bits> values_;
-};
-
-/// The noise is one of disparity, f b / z: far away, where it is larger than the disparity itself,
-/// there is no measurement. 2^16 quantiles reach to 4.3 sigma; their steps stay below the
-/// millimetre that depth is stored in wherever noise is drawn often.
-void AddDepthNoise(const CameraModel& model, const Stream& noise, std::uint64_t first,
-                   Image<float>* depth_m) {
-  static const NormalQuantiles<16> normal;
-  constexpr double kDrawBits = 0x1.0p16;
-  const double scale_1pm = model.disparity_noise_px / (model.intrinsics.fx_px * model.baseline_m);
-  for (std::size_t i = 0; i < depth_m->data.size(); ++i) {
-    float& z_m = depth_m->data[i];
-    if (z_m <= 0) continue;
-    const auto draw = static_cast<std::uint64_t>(noise.Uniform(first + i) * kDrawBits);
-    const float disparity_left = 1 - static_cast<float>(scale_1pm) * z_m * normal[draw];
-    z_m = disparity_left > 0 ? z_m / disparity_left : 0;
-  }
-}
-
-/// Beside the rounding to 255 levels the steps of 2^12 quantiles do not show, and three values of a
-/// pixel come from one draw.
-void AddRgbNoise(double sigma, const Stream& noise, std::uint64_t first, Image<std::uint8_t>* rgb) {
-  static const NormalQuantiles<12> normal;
-  constexpr double kDrawBits = 0x1.0p48;
-  const auto gain = static_cast<float>(sigma);
-  for (std::size_t pixel = 0; 3 * pixel < rgb->data.size(); ++pixel) {
-    auto draw = static_cast<std::uint64_t>(noise.Uniform(first + pixel) * kDrawBits);
-    for (std::size_t c = 0; c < 3; ++c, draw >>= normal.kBits) {
-      std::uint8_t& value = rgb->data[3 * pixel + c];
-      const float noisy = static_cast<float>(value) + gain * normal[draw];
-      value = static_cast<std::uint8_t>(std::clamp(noisy, 0.0f, kMaxValue) + 0.5f);
-    }
   }
 }
 
@@ -263,7 +199,10 @@ CameraFrame Camera::Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer*
     frame.depth_m = {};
   } else {
     if (model_.disparity_noise_px > 0) {
-      AddDepthNoise(model_, depth_noise_, exposure * frame.depth_m.data.size(), &frame.depth_m);
+      const double scale_1pm =
+          model_.disparity_noise_px / (model_.intrinsics.fx_px * model_.baseline_m);
+      AddDisparityNoise(scale_1pm, depth_noise_, exposure * frame.depth_m.data.size(),
+                        &frame.depth_m);
     }
     LimitDepth(model_, &frame.depth_m);
   }

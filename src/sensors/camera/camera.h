@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/config/config.h"
-#include "core/random.h"
 #include "core/types/measurement.h"
+#include "core/uniform_bits.h"
 #include "render/gl/rasterizer.h"
 #include "sensors/camera/image_sensor.h"
 #include "sensors/camera/surface_labels.h"
@@ -76,7 +76,7 @@ class Camera {
   CameraModel model_;
   SampleClock clock_;
   TimeNs latency_ns_;
-  Stream depth_noise_, rgb_noise_;
+  UniformBits depth_noise_, rgb_noise_;
   std::optional<ImageSensor> image_sensor_;
   std::optional<ExposureControl> control_;  ///< of an image sensor
   SurfaceLabels surface_labels_;
