@@ -98,6 +98,7 @@ struct Rasterizer::Impl {
         grains(model.soils),
         shadow_map(daylight.sky().to_sun_W()),
         lamps(model.lamps),
+        silhouettes(model),
         shade_program("fullscreen.vert", "shade.frag",
                       model.lamps.empty() ? Switches{} : Switches{"LAMPS"}) {}
 

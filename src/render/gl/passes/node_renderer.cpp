@@ -271,8 +271,7 @@ void NodeRenderer::DrawOpaqueIf(
 
 void NodeRenderer::DrawInstance(std::uint16_t instance) const {
   const auto belongs = [&](const Placed& placed) {
-    const std::uint16_t own = model_.nodes[placed.node].instance;
-    return own == instance || model_.instances[own].parent == instance;
+    return model_.nodes[placed.node].instance == instance;
   };
   for (const Placed& placed : placed_opaque_) {
     if (belongs(placed)) DrawNode(placed.node, Surface::kOpaque);

@@ -41,7 +41,7 @@ class NodeRenderer {
   /// Draws the opaque nodes whose bounding sphere (centre in W, radius) `wanted` accepts.
   void DrawOpaqueIf(
       const std::function<bool(const Vec3& centre_W_m, double radius_m)>& wanted) const;
-  /// Draws the nodes of one instance and of its parts only, glass and opaque.
+  /// Draws the nodes of one instance only, glass and opaque.
   void DrawInstance(std::uint16_t instance) const;
 
   /// Whether anything of glass was placed.
