@@ -41,7 +41,8 @@ LampLights::LampLights(const std::vector<Lamp>& lamps) : lamps_(lamps) {
 }
 
 void LampLights::Update(const SceneState& state, NodeRenderer* nodes) {
-  if (lamps_.empty()) return;
+  if (lamps_.empty() || drawn_.IsOf(state)) return;
+  drawn_ = DrawnScene(state);
   X_WL_.clear();
   for (const Lamp& lamp : lamps_) {
     X_WL_.push_back(lamp.body < 0 ? lamp.X_BL : state.X_WB[lamp.body] * lamp.X_BL);
@@ -62,7 +63,7 @@ void LampLights::Update(const SceneState& state, NodeRenderer* nodes) {
     program_.Set("u_clip_from_W",
                  Eigen::Matrix4f(ClipFromWorld(lamps_[k], X_WL_[k]).cast<float>()));
     const Vec3 eye_W_m = X_WL_[k].translation(), beam_W = X_WL_[k].linear().col(0);
-    nodes->DrawOpaqueIf([&](const Vec3& centre_W_m, double radius_m) {
+    nodes->DrawOpaqueIf([&](const SceneNode&, const Vec3& centre_W_m, double radius_m) {
       return (centre_W_m - eye_W_m).dot(beam_W) > -radius_m;
     });
   }

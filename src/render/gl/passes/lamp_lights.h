@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "render/gl/gl_objects.h"
+#include "render/gl/passes/drawn_scene.h"
 #include "render/gl/passes/node_renderer.h"
 #include "render/scene.h"
 
@@ -11,13 +12,13 @@ namespace tera {
 /// Lamps on the GPU, each with the shadows that the nodes cast from it.
 ///
 /// Model   one depth texture with a perspective picture of the nodes for each lamp, side by side,
-///         drawn for each picture that a camera takes.
+///         drawn again only when a node has moved.
 /// Omits   shadows of the ground, light that lamps scatter in fog, their own glare.
 class LampLights {
  public:
   explicit LampLights(const std::vector<Lamp>& lamps);
 
-  /// Leaves `nodes` placed about the origin where there are lamps.
+  /// May leave `nodes` placed about the origin.
   void Update(const SceneState& state, NodeRenderer* nodes);
   /// Binds the texture to `unit` and sets the uniforms of lamps.glsl.
   void Bind(unsigned unit, const Vec3& eye_W_m, double exposure, const Program& program) const;
@@ -27,6 +28,7 @@ class LampLights {
   Program program_{"shadow.vert", "shadow.frag"};
   GlObject texture_, framebuffer_;
   std::vector<Pose> X_WL_;
+  DrawnScene drawn_;
 };
 
 }  // namespace tera

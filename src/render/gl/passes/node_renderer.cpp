@@ -262,10 +262,10 @@ void NodeRenderer::DrawBodies(const Program& program) const {
   draw(placed_glass_, Surface::kGlass);
 }
 
-void NodeRenderer::DrawOpaqueIf(
-    const std::function<bool(const Vec3& centre_W_m, double radius_m)>& wanted) const {
+void NodeRenderer::DrawOpaqueIf(const Wanted& wanted) const {
   for (const Placed& placed : placed_opaque_) {
-    if (wanted(placed.centre_W_m, placed.radius_m)) DrawNode(placed.node, Surface::kOpaque);
+    if (!wanted(model_.nodes[placed.node], placed.centre_W_m, placed.radius_m)) continue;
+    DrawNode(placed.node, Surface::kOpaque);
   }
 }
 

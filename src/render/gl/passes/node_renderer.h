@@ -38,9 +38,10 @@ class NodeRenderer {
   /// Draws what Place found, opaque and glass, each node with its body's number plus 1 as `u_body`
   /// of `program`, which is in use.
   void DrawBodies(const Program& program) const;
-  /// Draws the opaque nodes whose bounding sphere (centre in W, radius) `wanted` accepts.
-  void DrawOpaqueIf(
-      const std::function<bool(const Vec3& centre_W_m, double radius_m)>& wanted) const;
+  /// Draws the opaque nodes that `wanted` accepts by themselves and their bounding spheres.
+  using Wanted =
+      std::function<bool(const SceneNode& node, const Vec3& centre_W_m, double radius_m)>;
+  void DrawOpaqueIf(const Wanted& wanted) const;
   /// Draws the nodes of one instance only, glass and opaque.
   void DrawInstance(std::uint16_t instance) const;
 

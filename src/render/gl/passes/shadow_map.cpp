@@ -12,6 +12,13 @@ constexpr int kNearSide_px = 1536, kFarSide_px = 1024;
 constexpr double kNearRadius_m = 9.0;
 constexpr double kSnap_m = 4.0;  // of the near picture's centre, so that it seldom moves
 constexpr double kMargin_m = 0.5;
+constexpr std::size_t kKept = 6;  ///< pictures of what stands: a rig has cameras at a few places
+constexpr int kWidth_px = kNearSide_px + kFarSide_px,
+              kHeight_px = std::max(kNearSide_px, kFarSide_px);
+
+GlObject ShadowTexture() {
+  return MakeTexture(GL_DEPTH_COMPONENT16, kWidth_px, kHeight_px, Filter::kShadow, Wrap::kClamp);
+}
 
 Mat3 SunFrame(const Vec3& to_sun_W) {
   const Vec3 z = to_sun_W.normalized();
@@ -24,24 +31,15 @@ Mat3 SunFrame(const Vec3& to_sun_W) {
   return R;
 }
 
-bool SameShapes(const Shapes& a, const Shapes& b) {
-  return a.size() == b.size() &&
-         std::equal(a.begin(), a.end(), b.begin(),
-                    [](const auto& p, const auto& q) { return AreAlike(p.get(), q.get()); });
-}
-
-bool SamePoses(const std::vector<Pose>& a, const std::vector<Pose>& b) {
-  return a.size() == b.size() &&
-         std::equal(a.begin(), a.end(), b.begin(),
-                    [](const Pose& p, const Pose& q) { return p.matrix() == q.matrix(); });
+bool Same(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b) {
+  return a.min() == b.min() && a.max() == b.max();
 }
 
 }  // namespace
 
 ShadowMap::ShadowMap(const Vec3& to_sun_W)
     : R_LW_(SunFrame(to_sun_W)),
-      texture_(MakeTexture(GL_DEPTH_COMPONENT16, kNearSide_px + kFarSide_px,
-                           std::max(kNearSide_px, kFarSide_px), Filter::kShadow, Wrap::kClamp)),
+      texture_(ShadowTexture()),
       framebuffer_(MakeFramebuffer({}, texture_.id())),
       near_{0, kNearSide_px, {}},
       far_{kNearSide_px, kFarSide_px, {}} {}
@@ -49,11 +47,28 @@ ShadowMap::ShadowMap(const Vec3& to_sun_W)
 void ShadowMap::Update(const SceneState& state, const Vec3& eye_W_m, NodeRenderer* nodes) {
   Vec3 centre_W_m;
   for (int k = 0; k < 3; ++k) centre_W_m[k] = std::round(eye_W_m[k] / kSnap_m) * kSnap_m;
-  if (drawn_ && centre_W_m == drawn_centre_W_m_ && SamePoses(state.X_WB, drawn_poses_) &&
-      SameShapes(state.shapes, drawn_shapes_)) {
-    return;
-  }
-  Eigen::AlignedBox3d all = nodes->BoundsAlong(R_LW_, state);
+  if (centre_W_m == drawn_centre_W_m_ && drawn_.IsOf(state)) return;
+  if (TakeMoved(state)) standing_.clear();
+  Cover(centre_W_m, nodes->BoundsAlong(R_LW_, state));
+  nodes->Place(state, Vec3::Zero(), nullptr);
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  glDepthMask(GL_TRUE);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1.5f, 2.0f);
+  program_.Use();
+  glCopyImageSubData(StandingFor(*nodes).texture.id(), GL_TEXTURE_2D, 0, 0, 0, 0, texture_.id(),
+                     GL_TEXTURE_2D, 0, 0, 0, 0, kWidth_px, kHeight_px, 1);
+  Draw(framebuffer_, *nodes, false);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  drawn_ = DrawnScene(state);
+  drawn_centre_W_m_ = centre_W_m;
+}
+
+/// Lays the pictures about `centre_W_m` and what there is.
+void ShadowMap::Cover(const Vec3& centre_W_m, const Eigen::AlignedBox3d& all_L_m) {
+  Eigen::AlignedBox3d all = all_L_m;
   if (all.isEmpty()) all.extend(Vec3::Zero());
   far_.box_L_m = {all.min() - Vec3::Constant(kMargin_m), all.max() + Vec3::Constant(kMargin_m)};
   const Vec3 centre_L_m = R_LW_ * centre_W_m;
@@ -66,17 +81,54 @@ void ShadowMap::Update(const SceneState& state, const Vec3& eye_W_m, NodeRendere
       near_.box_L_m.max()[k] = centre_L_m[k] + kNearRadius_m;
     }
   }
-  nodes->Place(state, Vec3::Zero(), nullptr);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-  glDepthMask(GL_TRUE);
+}
+
+/// Whether a body moves that had not moved before.
+bool ShadowMap::TakeMoved(const SceneState& state) {
+  if (first_poses_.size() != state.X_WB.size()) {
+    first_poses_ = state.X_WB;
+    has_moved_.assign(first_poses_.size(), false);
+    return true;
+  }
+  bool more = false;
+  for (std::size_t b = 0; b < first_poses_.size(); ++b) {
+    if (has_moved_[b] || state.X_WB[b].matrix() == first_poses_[b].matrix()) continue;
+    has_moved_[b] = more = true;
+  }
+  return more;
+}
+
+const ShadowMap::Standing& ShadowMap::StandingFor(const NodeRenderer& nodes) {
+  const auto found = std::find_if(standing_.begin(), standing_.end(), [&](const Standing& s) {
+    return Same(s.near_box_L_m, near_.box_L_m) && Same(s.far_box_L_m, far_.box_L_m);
+  });
+  if (found != standing_.end()) {
+    std::rotate(found, found + 1, standing_.end());
+    return standing_.back();
+  }
+  Standing made;
+  if (standing_.size() == kKept) {
+    made = std::move(standing_.front());
+    standing_.erase(standing_.begin());
+  } else {
+    made.texture = ShadowTexture();
+    made.framebuffer = MakeFramebuffer({}, made.texture.id());
+  }
+  made.near_box_L_m = near_.box_L_m;
+  made.far_box_L_m = far_.box_L_m;
+  glBindFramebuffer(GL_FRAMEBUFFER, made.framebuffer.id());
   const float farthest = 1;
   glClearBufferfv(GL_DEPTH, 0, &farthest);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LESS);
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(1.5f, 2.0f);
-  program_.Use();
+  Draw(made.framebuffer, nodes, true);
+  return standing_.emplace_back(std::move(made));
+}
+
+/// Draws what stands, or what moves, from the sun.
+void ShadowMap::Draw(const GlObject& framebuffer, const NodeRenderer& nodes, bool standing) const {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  const auto is_wanted = [&](const SceneNode& node) {
+    return standing == (node.shape < 0 && !has_moved_[static_cast<std::size_t>(node.body)]);
+  };
   // Seen from the sun, a shadow lies where its node is: what the fine picture holds whole, the
   // coarse one does not need, and what lies outside the fine one cannot shade within it.
   const auto gap_m = [&](const Vec3& centre_W_m) {  // from the fine picture's border, inwards
@@ -86,14 +138,13 @@ void ShadowMap::Update(const SceneState& state, const Vec3& eye_W_m, NodeRendere
     return std::min(low.minCoeff(), high.minCoeff());
   };
   AimAt(near_);
-  nodes->DrawOpaqueIf([&](const Vec3& c, double r) { return gap_m(c) > -r; });
+  nodes.DrawOpaqueIf([&](const SceneNode& node, const Vec3& c, double r) {
+    return is_wanted(node) && gap_m(c) > -r;
+  });
   AimAt(far_);
-  nodes->DrawOpaqueIf([&](const Vec3& c, double r) { return gap_m(c) < r + kMargin_m; });
-  glDisable(GL_POLYGON_OFFSET_FILL);
-  drawn_ = true;
-  drawn_centre_W_m_ = centre_W_m;
-  drawn_poses_ = state.X_WB;
-  drawn_shapes_ = state.shapes;
+  nodes.DrawOpaqueIf([&](const SceneNode& node, const Vec3& c, double r) {
+    return is_wanted(node) && gap_m(c) < r + kMargin_m;
+  });
 }
 
 void ShadowMap::AimAt(const Picture& picture) const {
@@ -113,8 +164,7 @@ void ShadowMap::AimAt(const Picture& picture) const {
 
 void ShadowMap::Bind(unsigned unit, const Vec3& eye_W_m, const Program& program) const {
   glBindTextureUnit(unit, texture_.id());
-  const double width_px = kNearSide_px + kFarSide_px,
-               height_px = std::max(kNearSide_px, kFarSide_px);
+  const double width_px = kWidth_px, height_px = kHeight_px;
   const auto matrix = [&](const Picture& picture) {
     const Vec3 size = picture.box_L_m.sizes(), low = picture.box_L_m.min();
     Eigen::Matrix4d unit_L = Eigen::Matrix4d::Identity();  // the picture's box to [0, 1]
