@@ -55,7 +55,6 @@ float NodeShadow(vec3 relative, vec3 normal) {
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   float depth = texelFetch(u_depth, pixel, 0).x;
-  if (depth <= 0.0) discard;
   vec4 albedo_roughness = texelFetch(u_albedo, pixel, 0);
   vec4 normal_metallic = texelFetch(u_normal, pixel, 0);
   vec3 albedo = albedo_roughness.rgb * albedo_roughness.rgb;

@@ -29,7 +29,6 @@ Pictures::Pictures(int width, int height, bool linear_colour)
   geometry_target = MakeFramebuffer({albedo.id(), normal.id(), label.id()}, depth.id());
   open_target = MakeFramebuffer({open.id()}, 0);
   open_blurred_target = MakeFramebuffer({open_blurred.id()}, 0);
-  shade_target = MakeFramebuffer({radiance.id()}, 0);
   sky_target = MakeFramebuffer({radiance.id()}, depth.id());
   glass_label_target = MakeFramebuffer({label.id(), normal.id()}, depth.id());
   tone_target = MakeFramebuffer({toned.id()}, 0);
@@ -46,6 +45,7 @@ LensPictures::LensPictures(int width, int height, bool linear_colour)
   depth = texture(GL_R32F);
   normal = texture(GL_RGBA16);
   target = MakeFramebuffer({colour.id(), label.id(), depth.id(), normal.id()}, 0);
+  target_without_normals = MakeFramebuffer({colour.id(), label.id(), depth.id()}, 0);
 }
 
 }  // namespace tera

@@ -12,8 +12,8 @@ struct Pictures {
   GlObject open, open_blurred;            ///< sky left over by what is near, half resolution
   GlObject radiance;                      ///< linear, exposed
   GlObject toned, colour;                 ///< before and after the edge filter
-  GlObject geometry_target, open_target, open_blurred_target, shade_target, sky_target,
-      glass_label_target, tone_target, colour_target;
+  GlObject geometry_target, open_target, open_blurred_target, sky_target, glass_label_target,
+      tone_target, colour_target;
 
   Pictures() = default;
   Pictures(int width, int height, bool linear_colour);
@@ -23,7 +23,7 @@ struct Pictures {
 struct LensPictures {
   int width_px = 0, height_px = 0;
   bool linear = false;
-  GlObject colour, label, depth, normal, target;
+  GlObject colour, label, depth, normal, target, target_without_normals;
 
   LensPictures() = default;
   LensPictures(int width, int height, bool linear_colour);

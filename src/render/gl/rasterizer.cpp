@@ -79,6 +79,7 @@ struct Rasterizer::Impl {
   Program linear_program{"fullscreen.vert", "linear.frag"};
   Program edge_program{"fullscreen.vert", "edges.frag"};
   Program lens_program{"fullscreen.vert", "distort.frag"};
+  Program lens_normals_program{"fullscreen.vert", "distort.frag", {"NORMALS"}};
   std::optional<BodyPass> bodies;  // of the first picture that asks for them
   GlObject no_vertices = MakeVertexArray();
   GlObject far_below = FarBelow();
@@ -113,7 +114,8 @@ struct Rasterizer::Impl {
   void DrawLights(const View& view, const Pictures& p);
   void DrawGlass(const View& view, const Pictures& p);
   void Develop(const Pictures& p);
-  void Distort(const Lens& lens, int view, const Pictures& from, const LensPictures& to);
+  void Distort(const Lens& lens, int view, bool normals, const Pictures& from,
+               const LensPictures& to);
   void FillScreen() const;
   void Done(const char* pass) const {
     if (!watch) return;
@@ -129,10 +131,15 @@ struct Rasterizer::Impl {
     std::vector<View> views;
     std::vector<std::int64_t> seen;  ///< pixels of each instance in all views, behind a lens
   };
-  /// Draws it; counts what is seen if it is asked to, and reads the bodies where there is a place.
+  /// Of a picture, beside colour, depth and the label word.
+  struct Wanted {
+    bool normals = false;
+    bool counts = false;                   ///< of the pixels of each instance
+    Image<std::uint16_t>* body = nullptr;  ///< the place for bodies, if any
+  };
   Shown Show(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state,
-             const LuminancePicture* luminance, bool counts, Image<std::uint16_t>* body);
-  void Clear(const LensPictures& p) const;
+             const LuminancePicture* luminance, const Wanted& wanted);
+  void Clear(const LensPictures& p, bool normals) const;
   void Measure(const Shown& shown, const SceneState& state, CameraFrame* frame);
 };
 
@@ -229,7 +236,10 @@ void Rasterizer::Impl::Occlude(const View& view, const Pictures& p) {
 }
 
 void Rasterizer::Impl::Shade(const View& view, const Pictures& p) {
-  glBindFramebuffer(GL_FRAMEBUFFER, p.shade_target.id());
+  glBindFramebuffer(GL_FRAMEBUFFER, p.sky_target.id());
+  glEnable(GL_DEPTH_TEST);
+  glDepthMask(GL_FALSE);
+  glDepthFunc(GL_LESS);  // only where something was drawn
   shade_program.Use();
   constexpr unsigned kGround = 4, kShadow = 7;
   glBindTextureUnit(0, p.albedo.id());
@@ -258,6 +268,8 @@ void Rasterizer::Impl::Shade(const View& view, const Pictures& p) {
   daylight.Light(shade_program);
   SetView(view, shade_program);
   FillScreen();
+  glDepthMask(GL_TRUE);
+  glDisable(GL_DEPTH_TEST);
 }
 
 void Rasterizer::Impl::DrawSky(const View& view, const Pictures& p) {
@@ -354,22 +366,23 @@ void Rasterizer::Impl::DrawPinhole(const View& view, const SceneState& state, co
 }
 
 /// Fills what of the camera's picture comes from that view of its lens.
-void Rasterizer::Impl::Distort(const Lens& lens, int view, const Pictures& from,
+void Rasterizer::Impl::Distort(const Lens& lens, int view, bool normals, const Pictures& from,
                                const LensPictures& to) {
-  glBindFramebuffer(GL_FRAMEBUFFER, to.target.id());
+  glBindFramebuffer(GL_FRAMEBUFFER, (normals ? to.target : to.target_without_normals).id());
   glViewport(0, 0, to.width_px, to.height_px);
-  lens_program.Use();
+  const Program& program = normals ? lens_normals_program : lens_program;
+  program.Use();
   glBindTextureUnit(0, from.colour.id());
   glBindTextureUnit(1, from.depth.id());
   glBindTextureUnit(2, from.label.id());
   glBindTextureUnit(3, lens.map().id());
   glBindTextureUnit(4, from.normal.id());
-  lens_program.Set("u_colour", 0);
-  lens_program.Set("u_depth", 1);
-  lens_program.Set("u_label", 2);
-  lens_program.Set("u_map", 3);
-  lens_program.Set("u_normal", 4);
-  lens_program.Set("u_view", view);
+  program.Set("u_colour", 0);
+  program.Set("u_depth", 1);
+  program.Set("u_label", 2);
+  program.Set("u_map", 3);
+  program.Set("u_normal", 4);
+  program.Set("u_view", view);
   FillScreen();
 }
 
@@ -391,56 +404,56 @@ void Rasterizer::Impl::Measure(const Shown& shown, const SceneState& state, Came
   }
 }
 
-void Rasterizer::Impl::Clear(const LensPictures& p) const {
+void Rasterizer::Impl::Clear(const LensPictures& p, bool normals) const {
   const float dark[4] = {0, 0, 0, 0};
   const std::uint32_t nothing[4] = {0, 0, 0, 0};
-  glBindFramebuffer(GL_FRAMEBUFFER, p.target.id());
+  glBindFramebuffer(GL_FRAMEBUFFER, (normals ? p.target : p.target_without_normals).id());
   glClearBufferfv(GL_COLOR, 0, dark);
   glClearBufferuiv(GL_COLOR, 1, nothing);
   glClearBufferfv(GL_COLOR, 2, dark);
-  glClearBufferfv(GL_COLOR, 3, dark);
+  if (normals) glClearBufferfv(GL_COLOR, 3, dark);
 }
 
 Rasterizer::Impl::Shown Rasterizer::Impl::Show(const CameraIntrinsics& camera, const Pose& X_WC,
                                                const SceneState& state,
-                                               const LuminancePicture* luminance, bool counts,
-                                               Image<std::uint16_t>* body) {
+                                               const LuminancePicture* luminance,
+                                               const Wanted& wanted) {
   TERA_CHECK(static_cast<int>(state.X_WB.size()) >= model.body_count, state.X_WB.size());
   daylight.SetWhite(luminance ? std::optional(luminance->white_cdpm2) : std::nullopt);
   const bool linear = luminance != nullptr;
-  if (body != nullptr && !bodies) bodies.emplace();
+  if (wanted.body != nullptr && !bodies) bodies.emplace();
   if (!camera.Distorted()) {
     const Pictures& p = PicturesOf(camera.width_px, camera.height_px, linear);
     const View view(camera, X_WC);
     DrawPinhole(view, state, p);
-    if (body != nullptr) {
+    if (wanted.body != nullptr) {
       bodies->Draw(view, p, nodes, has_ground ? &grains : nullptr);
-      *body = bodies->Read();
+      *wanted.body = bodies->Read();
     }
     return {p.colour, {p.label, p.normal}, p.depth, GL_DEPTH_COMPONENT, {view}, {}};
   }
   const Lens& lens = LensOf(camera);
   const LensPictures& q = LensPicturesOf(camera.width_px, camera.height_px, linear);
   Shown shown{q.colour, {q.label, q.normal}, q.depth, GL_RED, {}, {}};
-  Clear(q);
-  if (body != nullptr) bodies->ClearLens(q.width_px, q.height_px);
+  Clear(q, wanted.normals);
+  if (wanted.body != nullptr) bodies->ClearLens(q.width_px, q.height_px);
   for (std::size_t v = 0; v < lens.views().size(); ++v) {
     const auto& [R_CV, pinhole] = lens.views()[v];
     const Pictures& p = PicturesOf(pinhole.width_px, pinhole.height_px, linear);
     shown.views.emplace_back(pinhole, X_WC * MakePose(Vec3::Zero(), R_CV));
     DrawPinhole(shown.views.back(), state, p);
-    Distort(lens, static_cast<int>(v), p, q);
+    Distort(lens, static_cast<int>(v), wanted.normals, p, q);
     Done("lens");
-    if (body != nullptr) {
+    if (wanted.body != nullptr) {
       bodies->Draw(shown.views.back(), p, nodes, has_ground ? &grains : nullptr);
       bodies->UseLens(lens, static_cast<int>(v));
       FillScreen();
     }
-    if (counts) {
+    if (wanted.counts) {
       AddTo(&shown.seen, CountPixels(ReadInstances(p.label, p.width_px, p.height_px), model));
     }
   }
-  if (body != nullptr) *body = bodies->ReadLens();
+  if (wanted.body != nullptr) *wanted.body = bodies->ReadLens();
   return shown;
 }
 
@@ -450,7 +463,8 @@ CameraFrame Rasterizer::Render(const CameraIntrinsics& camera, const Pose& X_WC,
   Impl& impl = *impl_;
   const EglContext::Current current(impl.context);
   const int width = camera.width_px, height = camera.height_px;
-  const Impl::Shown shown = impl.Show(camera, X_WC, state, luminance, true, body);
+  const Impl::Shown shown =
+      impl.Show(camera, X_WC, state, luminance, {labels[kNormalChannel], true, body});
   CameraFrame frame;
   frame.t_ns = state.t_ns;
   frame.t_available_ns = state.t_ns;
@@ -475,7 +489,7 @@ CameraFrame Rasterizer::Render(const CameraIntrinsics& camera, const Pose& X_WC,
 void Rasterizer::RenderLuminance(const CameraIntrinsics& camera, const Pose& X_WC,
                                  const SceneState& state, LuminancePicture* luminance) {
   const EglContext::Current current(impl_->context);
-  const Impl::Shown shown = impl_->Show(camera, X_WC, state, luminance, false, nullptr);
+  const Impl::Shown shown = impl_->Show(camera, X_WC, state, luminance, {});
   luminance->cdpm2 =
       ReadLuminance(shown.colour, camera.width_px, camera.height_px, luminance->white_cdpm2);
 }
