@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "core/check.h"
+#include "render/meshes/weld.h"
 
 namespace tera {
 namespace {
@@ -51,6 +52,17 @@ void AppendIndices(const MeshPart& part, std::uint32_t first_vertex,
   for (std::uint32_t index : part.indices) indices->push_back(first_vertex + index);
 }
 
+/// Rows of the pose, of the instance.
+void DescribePoses(GLuint array) {
+  for (GLuint row = 0; row < 3; ++row) {
+    glEnableVertexArrayAttrib(array, 4 + row);
+    glVertexArrayAttribFormat(array, 4 + row, 4, GL_FLOAT, GL_FALSE,
+                              row * 4 * static_cast<GLuint>(sizeof(float)));
+    glVertexArrayAttribBinding(array, 4 + row, 1);
+  }
+  glVertexArrayBindingDivisor(array, 1, 1);
+}
+
 void DescribeVertices(GLuint array) {
   const auto attribute = [&](GLuint index, GLint size, GLenum type, bool normalized,
                              std::size_t offset, GLuint binding) {
@@ -63,13 +75,17 @@ void DescribeVertices(GLuint array) {
   attribute(2, 4, GL_UNSIGNED_BYTE, true, offsetof(Vertex, albedo_opacity), 0);
   attribute(3, 4, GL_UNSIGNED_BYTE, true, offsetof(Vertex, roughness_metallic), 0);
   attribute(8, 2, GL_FLOAT, false, offsetof(Vertex, uv), 0);
-  for (GLuint row = 0; row < 3; ++row) {
-    attribute(4 + row, 4, GL_FLOAT, false, row * 4 * sizeof(float), 1);
-  }
+  DescribePoses(array);
   glEnableVertexArrayAttrib(array, 7);
   glVertexArrayAttribIFormat(array, 7, 1, GL_UNSIGNED_INT, offsetof(NodeInstance, label));
   glVertexArrayAttribBinding(array, 7, 1);
-  glVertexArrayBindingDivisor(array, 1, 1);
+}
+
+void DescribeBareVertices(GLuint array) {
+  glEnableVertexArrayAttrib(array, 0);
+  glVertexArrayAttribFormat(array, 0, 3, GL_FLOAT, GL_FALSE, 0);
+  glVertexArrayAttribBinding(array, 0, 0);
+  DescribePoses(array);
 }
 
 /// Mesh coordinates to W.
@@ -83,6 +99,8 @@ Eigen::Affine3d NodeToWorld(const SceneNode& node, const SceneState& state) {
 struct NodeRenderer::Collected {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
+  std::vector<Eigen::Vector3f> bare_vertices;
+  std::vector<std::uint32_t> bare_indices;
 
   GpuMesh Add(const std::vector<MeshPart>& parts, TextureBank* textures) {
     GpuMesh mesh;
@@ -107,6 +125,7 @@ struct NodeRenderer::Collected {
         mesh.batches.push_back(batch);
       }
     }
+    AddBare(parts, &mesh);
     return mesh;
   }
 
@@ -120,6 +139,21 @@ struct NodeRenderer::Collected {
     for (const Eigen::Vector3f& p : part.positions_m) mesh->box_G_m.extend(p.cast<double>());
     batch->index_count = static_cast<int>(indices.size()) - batch->first_index;
   }
+  void AddBare(const std::vector<MeshPart>& parts, GpuMesh* mesh) {
+    mesh->first_bare_vertex = static_cast<int>(bare_vertices.size());
+    Welded welded;
+    for (const Surface surface : {Surface::kOpaque, Surface::kGlass}) {
+      Batch& batch = surface == Surface::kOpaque ? mesh->bare_opaque : mesh->bare_glass;
+      const std::size_t begin = welded.indices.size();
+      for (const MeshPart& part : parts) {
+        if ((part.material.opacity < 1.0) == (surface == Surface::kGlass)) Weld(part, &welded);
+      }
+      batch = {surface, TextureBank::kPlain, static_cast<int>(bare_indices.size() + begin),
+               static_cast<int>(welded.indices.size() - begin)};
+    }
+    bare_vertices.insert(bare_vertices.end(), welded.positions_m.begin(), welded.positions_m.end());
+    bare_indices.insert(bare_indices.end(), welded.indices.begin(), welded.indices.end());
+  }
 };
 
 NodeRenderer::NodeRenderer(const SceneModel& model)
@@ -131,6 +165,7 @@ NodeRenderer::NodeRenderer(const SceneModel& model)
   constant_ = Upload(collected);
   for (GpuMesh& mesh : meshes_) {
     mesh.array = &constant_.array;
+    mesh.bare_array = &constant_.bare_array;
     for (const Batch& batch : mesh.batches) {
       has_lights_ = has_lights_ || textures_.gives_light(batch.look);
     }
@@ -149,6 +184,17 @@ NodeRenderer::GpuBuffers NodeRenderer::Upload(const Collected& collected) const 
   glVertexArrayVertexBuffer(array, 0, buffers.vertices.id(), 0, sizeof(Vertex));
   glVertexArrayVertexBuffer(array, 1, instances_.id(), 0, sizeof(NodeInstance));
   glVertexArrayElementBuffer(array, buffers.indices.id());
+
+  buffers.bare_vertices = MakeBuffer(collected.bare_vertices.size() * sizeof(Eigen::Vector3f),
+                                     collected.bare_vertices.data());
+  buffers.bare_indices = MakeBuffer(collected.bare_indices.size() * sizeof(std::uint32_t),
+                                    collected.bare_indices.data());
+  buffers.bare_array = MakeVertexArray();
+  const GLuint bare = buffers.bare_array.id();
+  DescribeBareVertices(bare);
+  glVertexArrayVertexBuffer(bare, 0, buffers.bare_vertices.id(), 0, sizeof(Eigen::Vector3f));
+  glVertexArrayVertexBuffer(bare, 1, instances_.id(), 0, sizeof(NodeInstance));
+  glVertexArrayElementBuffer(bare, buffers.bare_indices.id());
   return buffers;
 }
 
@@ -164,6 +210,7 @@ void NodeRenderer::Reshape(const SceneState& state) {
     shape.mesh = collected.Add(now->parts, &textures_);
     shape.buffers = Upload(collected);
     shape.mesh.array = &shape.buffers.array;
+    shape.mesh.bare_array = &shape.buffers.bare_array;
   }
 }
 
@@ -203,11 +250,12 @@ void NodeRenderer::Place(const SceneState& state, const Vec3& eye_W_m, const Vie
                        instances.data());
 }
 
-void NodeRenderer::DrawBatch(int node, const GpuMesh& mesh, const Batch& batch) const {
+/// Draws triangles for a node with the array that is bound.
+void NodeRenderer::DrawBatch(int node, int first_vertex, const Batch& batch) const {
   const auto offset = static_cast<std::uintptr_t>(batch.first_index) * sizeof(std::uint32_t);
   glDrawElementsInstancedBaseVertexBaseInstance(GL_TRIANGLES, batch.index_count, GL_UNSIGNED_INT,
                                                 reinterpret_cast<const void*>(offset), 1,
-                                                mesh.first_vertex, static_cast<GLuint>(node));
+                                                first_vertex, static_cast<GLuint>(node));
   triangles_drawn_ += batch.index_count / 3;
 }
 
@@ -215,8 +263,15 @@ void NodeRenderer::DrawNode(int node, Surface surface) const {
   const GpuMesh& mesh = MeshOf(model_.nodes[node]);
   glBindVertexArray(mesh.array->id());
   for (const Batch& batch : mesh.batches) {
-    if (batch.surface == surface) DrawBatch(node, mesh, batch);
+    if (batch.surface == surface) DrawBatch(node, mesh.first_vertex, batch);
   }
+}
+
+void NodeRenderer::DrawBare(int node, Surface surface) const {
+  const GpuMesh& mesh = MeshOf(model_.nodes[node]);
+  glBindVertexArray(mesh.bare_array->id());
+  DrawBatch(node, mesh.first_bare_vertex,
+            surface == Surface::kOpaque ? mesh.bare_opaque : mesh.bare_glass);
 }
 
 void NodeRenderer::Draw(Surface surface) const {
@@ -234,7 +289,7 @@ void NodeRenderer::DrawOpaque(const Program& plain, const Program& textured) con
       const bool is_plain = batch.look == TextureBank::kPlain;
       (is_plain ? plain : textured).Use();
       if (!is_plain) textures_.Bind(batch.look, textured);
-      DrawBatch(placed.node, mesh, batch);
+      DrawBatch(placed.node, mesh.first_vertex, batch);
     }
   }
 }
@@ -246,7 +301,7 @@ void NodeRenderer::DrawLights(const Program& program) const {
     for (const Batch& batch : mesh.batches) {
       if (!textures_.gives_light(batch.look)) continue;
       textures_.Bind(batch.look, program);
-      DrawBatch(placed.node, mesh, batch);
+      DrawBatch(placed.node, mesh.first_vertex, batch);
     }
   }
 }
@@ -265,7 +320,7 @@ void NodeRenderer::DrawBodies(const Program& program) const {
 void NodeRenderer::DrawOpaqueIf(const Wanted& wanted) const {
   for (const Placed& placed : placed_opaque_) {
     if (!wanted(model_.nodes[placed.node], placed.centre_W_m, placed.radius_m)) continue;
-    DrawNode(placed.node, Surface::kOpaque);
+    DrawBare(placed.node, Surface::kOpaque);
   }
 }
 
@@ -274,10 +329,10 @@ void NodeRenderer::DrawInstance(std::uint16_t instance) const {
     return model_.nodes[placed.node].instance == instance;
   };
   for (const Placed& placed : placed_opaque_) {
-    if (belongs(placed)) DrawNode(placed.node, Surface::kOpaque);
+    if (belongs(placed)) DrawBare(placed.node, Surface::kOpaque);
   }
   for (const Placed& placed : placed_glass_) {
-    if (belongs(placed)) DrawNode(placed.node, Surface::kGlass);
+    if (belongs(placed)) DrawBare(placed.node, Surface::kGlass);
   }
 }
 

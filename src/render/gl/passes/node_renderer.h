@@ -14,7 +14,8 @@ namespace tera {
 ///
 /// Model   all meshes lie in one vertex and one index buffer, each that changes in buffers of its
 ///         own; each node drawn is one entry of an instance buffer that holds its pose relative to
-///         the eye and its label.
+///         the eye and its label. Where only places matter (shadows, silhouettes), the triangles
+///         are drawn from positions alone, of which each is there once (Weld).
 class NodeRenderer {
  public:
   explicit NodeRenderer(const SceneModel& model);
@@ -38,11 +39,12 @@ class NodeRenderer {
   /// Draws what Place found, opaque and glass, each node with its body's number plus 1 as `u_body`
   /// of `program`, which is in use.
   void DrawBodies(const Program& program) const;
-  /// Draws the opaque nodes that `wanted` accepts by themselves and their bounding spheres.
+  /// Draws the opaque nodes that `wanted` accepts by themselves and their bounding spheres:
+  /// attributes 0 and 4 to 6 only.
   using Wanted =
       std::function<bool(const SceneNode& node, const Vec3& centre_W_m, double radius_m)>;
   void DrawOpaqueIf(const Wanted& wanted) const;
-  /// Draws the nodes of one instance only, glass and opaque.
+  /// Draws the nodes of one instance only, glass and opaque: attributes 0 and 4 to 6 only.
   void DrawInstance(std::uint16_t instance) const;
 
   /// Whether anything of glass was placed.
@@ -58,8 +60,8 @@ class NodeRenderer {
  private:
   /// Triangles of one material, or of all plain ones of a surface.
   struct Batch {
-    Surface surface;
-    int look;  ///< in the bank of textures
+    Surface surface = Surface::kOpaque;
+    int look = TextureBank::kPlain;  ///< in the bank of textures
     int first_index = 0, index_count = 0;
   };
   struct GpuMesh {
@@ -71,9 +73,13 @@ class NodeRenderer {
     }
     Eigen::AlignedBox3d box_G_m;
     const GlObject* array = nullptr;  ///< of the buffers that it lies in
+    Batch bare_opaque, bare_glass;    ///< of positions alone
+    int first_bare_vertex = 0;
+    const GlObject* bare_array = nullptr;
   };
   struct GpuBuffers {
     GlObject vertices, indices, array;
+    GlObject bare_vertices, bare_indices, bare_array;
   };
   /// A mesh that changes, as it was taken last.
   struct GpuShape {
@@ -95,7 +101,8 @@ class NodeRenderer {
   }
   GpuBuffers Upload(const Collected& collected) const;
   void DrawNode(int node, Surface surface) const;
-  void DrawBatch(int node, const GpuMesh& mesh, const Batch& batch) const;
+  void DrawBare(int node, Surface surface) const;
+  void DrawBatch(int node, int first_vertex, const Batch& batch) const;
 
   const SceneModel& model_;
   TextureBank textures_;
