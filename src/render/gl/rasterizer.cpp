@@ -393,7 +393,7 @@ void Rasterizer::Impl::Measure(const Shown& shown, const SceneState& state, Came
   std::vector<std::int64_t> alone(visible.size(), 0);
   for (const View& view : shown.views) {
     if (shown.views.size() > 1) nodes.Place(state, view.eye_W_m, &view);
-    const std::vector<std::int64_t> in_view = silhouettes.Count(view, nodes, visible);
+    const std::vector<std::int64_t> in_view = silhouettes.Count(view, state, nodes, visible);
     for (std::size_t k = 0; k < alone.size(); ++k) alone[k] += in_view[k];
   }
   for (std::size_t k = 0; k < visible.size(); ++k) {

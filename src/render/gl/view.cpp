@@ -35,6 +35,12 @@ Eigen::Matrix4f View::ClipFromRelative() const {
   return (clip_C * X_CR).cast<float>();
 }
 
+bool View::IsSame(const View& other) const {
+  return eye_W_m == other.eye_W_m && R_WC == other.R_WC && width_px == other.width_px &&
+         height_px == other.height_px && fx_px == other.fx_px && fy_px == other.fy_px &&
+         cx_px == other.cx_px && cy_px == other.cy_px && near_m == other.near_m;
+}
+
 bool View::Sees(const Vec3& box_min_W_m, const Vec3& box_max_W_m) const {
   for (const Plane& plane : planes_) {
     Vec3 farthest;  // corner of the box farthest along the plane's normal

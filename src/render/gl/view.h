@@ -22,6 +22,8 @@ struct View {
   View(const CameraIntrinsics& pinhole, const Pose& X_WC);
 
   Eigen::Matrix4f ClipFromRelative() const;
+  /// Whether both see the same, to the bit.
+  bool IsSame(const View& other) const;
   /// False only where the box, given in W, is wholly outside the picture.
   bool Sees(const Vec3& box_min_W_m, const Vec3& box_max_W_m) const;
   bool SeesSphere(const Vec3& centre_W_m, double radius_m) const;
