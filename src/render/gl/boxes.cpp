@@ -79,7 +79,8 @@ void Silhouettes::Begin(const View& view) {
 }
 
 /// Draws an instance, counting its pixels; leaves `kept_bit` on them.
-void Silhouettes::CountAlone(const NodeRenderer& nodes, std::uint16_t instance, unsigned kept_bit) {
+void Silhouettes::CountAlone(const View& view, const NodeRenderer& nodes, std::uint16_t instance,
+                             unsigned kept_bit) {
   if (mark_ == kMarks) {
     const GLint blank = 0;
     glStencilMask(kMarks);
@@ -92,7 +93,7 @@ void Silhouettes::CountAlone(const NodeRenderer& nodes, std::uint16_t instance, 
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
   glStencilFunc(GL_NOTEQUAL, static_cast<GLint>(kept_bit | mark_), kMarks);
   glBeginQuery(GL_SAMPLES_PASSED, queries_[instance].id());
-  nodes.DrawInstance(instance);
+  nodes.DrawInstance(instance, view);
   glEndQuery(GL_SAMPLES_PASSED);
 }
 
@@ -107,9 +108,9 @@ void Silhouettes::CountKept(std::uint16_t whole) {
   glEndQuery(GL_SAMPLES_PASSED);
 }
 
-void Silhouettes::Draw(const NodeRenderer& nodes, std::uint16_t object) {
-  if (objects_[object].parts.empty()) return CountAlone(nodes, object, 0);
-  for (const std::uint16_t part : objects_[object].parts) CountAlone(nodes, part, kKept);
+void Silhouettes::Draw(const View& view, const NodeRenderer& nodes, std::uint16_t object) {
+  if (objects_[object].parts.empty()) return CountAlone(view, nodes, object, 0);
+  for (const std::uint16_t part : objects_[object].parts) CountAlone(view, nodes, part, kKept);
   CountKept(object);
 }
 
@@ -126,7 +127,7 @@ std::vector<std::int64_t> Silhouettes::Count(const View& view, const SceneState&
     std::vector<Pose> now = PosesOf(objects_[object], state);
     if (!now.empty() && AreSame(now, memory.X_WB[object])) continue;
     memory.X_WB[object] = std::move(now);
-    Draw(nodes, object);
+    Draw(view, nodes, object);
     drawn.push_back(object);
   }
   glDisable(GL_STENCIL_TEST);

@@ -40,8 +40,9 @@ class Silhouettes {
   Memory& MemoryOf(const View& view);
   std::vector<Pose> PosesOf(const Object& object, const SceneState& state) const;
   void Begin(const View& view);
-  void Draw(const NodeRenderer& nodes, std::uint16_t object);
-  void CountAlone(const NodeRenderer& nodes, std::uint16_t instance, unsigned kept_bit);
+  void Draw(const View& view, const NodeRenderer& nodes, std::uint16_t object);
+  void CountAlone(const View& view, const NodeRenderer& nodes, std::uint16_t instance,
+                  unsigned kept_bit);
   void CountKept(std::uint16_t whole);
 
   std::vector<Object> objects_;  ///< by instance

@@ -141,18 +141,23 @@ struct NodeRenderer::Collected {
   }
   void AddBare(const std::vector<MeshPart>& parts, GpuMesh* mesh) {
     mesh->first_bare_vertex = static_cast<int>(bare_vertices.size());
-    Welded welded;
     for (const Surface surface : {Surface::kOpaque, Surface::kGlass}) {
-      Batch& batch = surface == Surface::kOpaque ? mesh->bare_opaque : mesh->bare_glass;
-      const std::size_t begin = welded.indices.size();
+      std::vector<const MeshPart*> chosen;
       for (const MeshPart& part : parts) {
-        if ((part.material.opacity < 1.0) == (surface == Surface::kGlass)) Weld(part, &welded);
+        if ((part.material.opacity < 1.0) == (surface == Surface::kGlass)) chosen.push_back(&part);
       }
-      batch = {surface, TextureBank::kPlain, static_cast<int>(bare_indices.size() + begin),
-               static_cast<int>(welded.indices.size() - begin)};
+      const Welded welded = Weld(chosen);
+      const auto first = static_cast<int>(bare_indices.size());
+      const auto closed = static_cast<int>(welded.closed),
+                 all = static_cast<int>(welded.indices.size());
+      (surface == Surface::kOpaque ? mesh->bare_opaque : mesh->bare_glass) = {
+          {surface, TextureBank::kPlain, first, closed},
+          {surface, TextureBank::kPlain, first + closed, all - closed}};
+      const auto shift = static_cast<std::uint32_t>(bare_vertices.size() - mesh->first_bare_vertex);
+      for (const std::uint32_t index : welded.indices) bare_indices.push_back(shift + index);
+      bare_vertices.insert(bare_vertices.end(), welded.positions_m.begin(),
+                           welded.positions_m.end());
     }
-    bare_vertices.insert(bare_vertices.end(), welded.positions_m.begin(), welded.positions_m.end());
-    bare_indices.insert(bare_indices.end(), welded.indices.begin(), welded.indices.end());
   }
 };
 
@@ -267,11 +272,17 @@ void NodeRenderer::DrawNode(int node, Surface surface) const {
   }
 }
 
-void NodeRenderer::DrawBare(int node, Surface surface) const {
+/// Of closed surfaces half the triangles, the counter-clockwise ones, if that is asked for.
+void NodeRenderer::DrawBare(int node, Surface surface, bool half_of_closed) const {
   const GpuMesh& mesh = MeshOf(model_.nodes[node]);
+  const Bare& bare = surface == Surface::kOpaque ? mesh.bare_opaque : mesh.bare_glass;
   glBindVertexArray(mesh.bare_array->id());
-  DrawBatch(node, mesh.first_bare_vertex,
-            surface == Surface::kOpaque ? mesh.bare_opaque : mesh.bare_glass);
+  if (bare.closed.index_count > 0) {
+    if (half_of_closed) glEnable(GL_CULL_FACE);
+    DrawBatch(node, mesh.first_bare_vertex, bare.closed);
+    glDisable(GL_CULL_FACE);
+  }
+  if (bare.open.index_count > 0) DrawBatch(node, mesh.first_bare_vertex, bare.open);
 }
 
 void NodeRenderer::Draw(Surface surface) const {
@@ -320,20 +331,21 @@ void NodeRenderer::DrawBodies(const Program& program) const {
 void NodeRenderer::DrawOpaqueIf(const Wanted& wanted) const {
   for (const Placed& placed : placed_opaque_) {
     if (!wanted(model_.nodes[placed.node], placed.centre_W_m, placed.radius_m)) continue;
-    DrawBare(placed.node, Surface::kOpaque);
+    DrawBare(placed.node, Surface::kOpaque, false);
   }
 }
 
-void NodeRenderer::DrawInstance(std::uint16_t instance) const {
-  const auto belongs = [&](const Placed& placed) {
-    return model_.nodes[placed.node].instance == instance;
+void NodeRenderer::DrawInstance(std::uint16_t instance, const View& view) const {
+  const auto draw = [&](const std::vector<Placed>& placed, Surface surface) {
+    for (const Placed& one : placed) {
+      if (model_.nodes[one.node].instance != instance) continue;
+      // What the near plane cuts is no longer closed.
+      const double ahead_m = (one.centre_W_m - view.eye_W_m).dot(view.R_WC.col(2));
+      DrawBare(one.node, surface, ahead_m - one.radius_m > view.near_m);
+    }
   };
-  for (const Placed& placed : placed_opaque_) {
-    if (belongs(placed)) DrawBare(placed.node, Surface::kOpaque);
-  }
-  for (const Placed& placed : placed_glass_) {
-    if (belongs(placed)) DrawBare(placed.node, Surface::kGlass);
-  }
+  draw(placed_opaque_, Surface::kOpaque);
+  draw(placed_glass_, Surface::kGlass);
 }
 
 Eigen::AlignedBox3d NodeRenderer::BoundsAlong(const Mat3& R_LW, const SceneState& state) const {

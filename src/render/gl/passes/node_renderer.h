@@ -44,8 +44,9 @@ class NodeRenderer {
   using Wanted =
       std::function<bool(const SceneNode& node, const Vec3& centre_W_m, double radius_m)>;
   void DrawOpaqueIf(const Wanted& wanted) const;
-  /// Draws the nodes of one instance only, glass and opaque: attributes 0 and 4 to 6 only.
-  void DrawInstance(std::uint16_t instance) const;
+  /// Draws the nodes of one instance only, glass and opaque, into its silhouette in `view`:
+  /// attributes 0 and 4 to 6 only.
+  void DrawInstance(std::uint16_t instance, const View& view) const;
 
   /// Whether anything of glass was placed.
   bool has_glass() const { return !placed_glass_.empty(); }
@@ -64,6 +65,10 @@ class NodeRenderer {
     int look = TextureBank::kPlain;  ///< in the bank of textures
     int first_index = 0, index_count = 0;
   };
+  /// Triangles of positions alone, those of closed surfaces apart.
+  struct Bare {
+    Batch closed, open;
+  };
   struct GpuMesh {
     std::vector<Batch> batches;
     int first_vertex = 0;
@@ -73,7 +78,7 @@ class NodeRenderer {
     }
     Eigen::AlignedBox3d box_G_m;
     const GlObject* array = nullptr;  ///< of the buffers that it lies in
-    Batch bare_opaque, bare_glass;    ///< of positions alone
+    Bare bare_opaque, bare_glass;
     int first_bare_vertex = 0;
     const GlObject* bare_array = nullptr;
   };
@@ -101,7 +106,7 @@ class NodeRenderer {
   }
   GpuBuffers Upload(const Collected& collected) const;
   void DrawNode(int node, Surface surface) const;
-  void DrawBare(int node, Surface surface) const;
+  void DrawBare(int node, Surface surface, bool half_of_closed) const;
   void DrawBatch(int node, int first_vertex, const Batch& batch) const;
 
   const SceneModel& model_;
