@@ -331,7 +331,7 @@ void NodeRenderer::DrawBodies(const Program& program) const {
 void NodeRenderer::DrawOpaqueIf(const Wanted& wanted) const {
   for (const Placed& placed : placed_opaque_) {
     if (!wanted(model_.nodes[placed.node], placed.centre_W_m, placed.radius_m)) continue;
-    DrawBare(placed.node, Surface::kOpaque, false);
+    DrawBare(placed.node, Surface::kOpaque, true);
   }
 }
 

@@ -40,7 +40,8 @@ class NodeRenderer {
   /// of `program`, which is in use.
   void DrawBodies(const Program& program) const;
   /// Draws the opaque nodes that `wanted` accepts by themselves and their bounding spheres:
-  /// attributes 0 and 4 to 6 only.
+  /// attributes 0 and 4 to 6 only. Of closed surfaces only those triangles are drawn that run
+  /// counter-clockwise in the picture, which has to hold all of each node along its rays.
   using Wanted =
       std::function<bool(const SceneNode& node, const Vec3& centre_W_m, double radius_m)>;
   void DrawOpaqueIf(const Wanted& wanted) const;
