@@ -16,6 +16,7 @@ void AddExportCommand(CLI::App* app);
 void AddImportCommand(CLI::App* app);
 void AddImportRigCommand(CLI::App* app);
 void AddOverviewCommand(CLI::App* app);
+void AddRealismCommand(CLI::App* app);
 void AddLayoutCommand(CLI::App* app);
 void AddLintCommand(CLI::App* app);
 void AddProveCommand(CLI::App* app);

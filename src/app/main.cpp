@@ -30,6 +30,7 @@ int Run(int argc, char** argv) {
   tera::AddLayoutCommand(&app);
   tera::AddLintCommand(&app);
   tera::AddOverviewCommand(&app);
+  tera::AddRealismCommand(&app);
   tera::AddProveCommand(&app);
   tera::AddReplayCommand(&app);
   tera::AddResenseCommand(&app);

@@ -1,0 +1,114 @@
+#include "dataset/realism/realism.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/error.h"
+#include "core/types/labels.h"
+#include "dataset/format/recording.h"
+#include "dataset/realism/picture_statistics.h"
+
+namespace tera {
+namespace {
+
+constexpr int kSmallest_px = 64;
+constexpr std::int64_t kFewestPixels = 1000;  ///< of a class that is told
+
+SurfaceRealism Told(const std::string& name, const SurfaceSums& sums) {
+  return {name,          sums.pixels(),  sums.mscn_shape(), sums.step_kurtosis(),
+          sums.chroma(), sums.noise_dn()};
+}
+
+void RequireSize(const std::filesystem::path& dataset, const std::string& folder,
+                 const CameraFrame& frame) {
+  const int least_px = std::min(frame.rgb.width_px, frame.rgb.height_px);
+  if (least_px >= kSmallest_px) return;
+  throw InputError(fmt::format(
+      "{}: pictures of {} x {} px found, need at least {} px to a side for "
+      "a spectrum; record larger ones",
+      (dataset / folder).string(), frame.rgb.width_px, frame.rgb.height_px, kSmallest_px));
+}
+
+}  // namespace
+
+Realism MeasureRealism(const std::filesystem::path& dataset, int every_frame) {
+  const Recording recording(dataset);
+  SurfaceSums whole;
+  std::vector<SurfaceSums> of_class(kSemanticClasses.size());
+  Realism realism;
+  realism.slope_least = std::numeric_limits<double>::infinity();
+  realism.slope_most = -realism.slope_least;
+  for (const std::string& folder : recording.SensorsOf(ChannelForm::kPictures)) {
+    const std::vector<TimeNs> times = recording.FrameTimes(folder);
+    for (std::size_t k = 0; k < times.size(); k += static_cast<std::size_t>(every_frame)) {
+      const CameraFrame frame = recording.LoadFrame(folder, times[k]);
+      if (frame.rgb.empty()) break;
+      RequireSize(dataset, folder, frame);
+      AddPicture(frame.rgb, frame.semantic, &whole, &of_class);
+      const double slope = AmplitudeSlope(Luminance(frame.rgb));
+      realism.slope_mean += slope;
+      realism.slope_least = std::min(realism.slope_least, slope);
+      realism.slope_most = std::max(realism.slope_most, slope);
+      realism.colourfulness += Colourfulness(frame.rgb);
+      ++realism.pictures;
+    }
+  }
+  if (realism.pictures == 0) {
+    throw InputError(fmt::format("{}: holds no colour pictures; need a camera with rgb: true",
+                                 dataset.string()));
+  }
+  realism.slope_mean /= realism.pictures;
+  realism.colourfulness /= realism.pictures;
+  realism.surfaces.push_back(Told("all", whole));
+  for (std::size_t c = 0; c < of_class.size(); ++c) {
+    if (of_class[c].pixels() < kFewestPixels) continue;
+    realism.surfaces.push_back(Told(std::string(kSemanticClasses[c].name), of_class[c]));
+  }
+  return realism;
+}
+
+std::string RealismTable(const Realism& r) {
+  std::string table =
+      fmt::format("{} pictures\n\n{:<22} {:<24} photographs\n", r.pictures, "", "this dataset");
+  table += fmt::format(
+      "{:<22} {:<24} {}\n", "amplitude slope",
+      fmt::format("{:.2f} ({:.2f} to {:.2f})", r.slope_mean, r.slope_least, r.slope_most),
+      "-1.2 (-1.5 to -0.8), Tolhurst et al. 1992");
+  table += fmt::format(
+      "{:<22} {:<24} {}\n", "colourfulness", fmt::format("{:.1f}", r.colourfulness),
+      "0 grey, 15 slight, 33 moderate, 45 average, 59 quite, Hasler and Suesstrunk 2003");
+  table += fmt::format("\n{:<16} {:>10} {:>11} {:>18} {:>12} {:>9}\n", "class", "pixels",
+                       "MSCN shape", "gradient kurtosis", "chroma C*ab", "noise DN");
+  for (const SurfaceRealism& s : r.surfaces) {
+    table += fmt::format("{:<16} {:>10} {:>11.2f} {:>18.1f} {:>12.1f} {:>9.2f}\n", s.name, s.pixels,
+                         s.mscn_shape, s.gradient_kurtosis, s.chroma, s.noise_dn);
+  }
+  table += fmt::format("{:<16} {:>10} {:>11} {:>18} {:>12} {:>9}\n", "photographs", "", "near 2",
+                       "about 17", "-", "-");
+  table += "  MSCN: near a Gaussian's 2, Ruderman 1994; gradient: Huang and Mumford 1999\n";
+  return table;
+}
+
+std::string RealismJson(const Realism& r) {
+  nlohmann::ordered_json json = {
+      {"pictures", r.pictures},
+      {"amplitude_slope",
+       {{"mean", r.slope_mean}, {"least", r.slope_least}, {"most", r.slope_most}}},
+      {"colourfulness", r.colourfulness},
+      {"surfaces", nlohmann::ordered_json::array()}};
+  for (const SurfaceRealism& s : r.surfaces) {
+    json["surfaces"].push_back({{"class", s.name},
+                                {"pixels", s.pixels},
+                                {"mscn_shape", s.mscn_shape},
+                                {"gradient_kurtosis", s.gradient_kurtosis},
+                                {"chroma_cab", s.chroma},
+                                {"noise_dn", s.noise_dn}});
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace tera
