@@ -2,21 +2,26 @@
 
 import pathlib
 
+import people
 import person
 import site_objects
 import vehicles
+import yard_objects
 from gltf_writer import write_glb
 
 FILES = {
     "warthog": vehicles.skid_steer,
     "truck": vehicles.truck,
+    "truck_wheels": vehicles.truck_with_wheels,
     "person": person.nodes,
+    "people": people.nodes,
     "rock": site_objects.rocks,
     "cone": site_objects.cone,
     "barrier": site_objects.barrier,
     "tree": site_objects.trees,
     "container": site_objects.container,
     "fixed_arm": site_objects.fixed_arm,
+    "yard": yard_objects.nodes,
 }
 
 if __name__ == "__main__":
@@ -25,3 +30,4 @@ if __name__ == "__main__":
         write_glb(pathlib.Path(__file__).parent / f"{file}.glb", bodies)
         for node, body in bodies.items():
             print(f"{file}/{node:10s} {body.triangle_count():6d} triangles")
+    people.write_presets(pathlib.Path(__file__).parent.parent / "config" / "obstacles")

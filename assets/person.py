@@ -54,16 +54,16 @@ def _stack(rows, sides=20, power=2.5):
                  for z, x, depth, width in path])
 
 
-def _along(angle_deg):
+def along(angle_deg):
     """Downward direction swung forwards by an angle."""
     return np.array([math.sin(math.radians(angle_deg)), 0, -math.cos(math.radians(angle_deg))])
 
 
-def _leg(gait):
+def leg(gait):
     """Paints and solids of the left leg, and where its ankle is."""
-    knee = HIP + THIGH * _along(gait.hip_deg)
-    ankle = knee + SHANK * _along(gait.hip_deg - gait.knee_deg)
-    thigh, shank = _along(gait.hip_deg), _along(gait.hip_deg - gait.knee_deg)
+    knee = HIP + THIGH * along(gait.hip_deg)
+    ankle = knee + SHANK * along(gait.hip_deg - gait.knee_deg)
+    thigh, shank = along(gait.hip_deg), along(gait.hip_deg - gait.knee_deg)
 
     def knot(place, depth, width):
         return (*place, depth, width)
@@ -89,8 +89,8 @@ def _leg(gait):
             (paint.REFLECTIVE, band[0]))
 
 
-def _arm(gait):
-    upper, lower = _along(gait.arm_deg), _along(gait.arm_deg + gait.elbow_deg)
+def arm(gait):
+    upper, lower = along(gait.arm_deg), along(gait.arm_deg + gait.elbow_deg)
     outward = np.array([0.0, 0.10, 0.0])
     elbow = SHOULDER + UPPER_ARM * (upper + outward)
     wrist = elbow + FOREARM * (lower + 0.3 * outward)
@@ -110,7 +110,7 @@ def _arm(gait):
     return ((paint.SHIRT, sleeve), (paint.GLOVE, cuff), (paint.GLOVE, palm), (paint.GLOVE, thumb))
 
 
-def _trunk(body):
+def trunk(body):
     pelvis = [(0.825, 0.0, 0.070, 0.125), (0.87, -0.005, 0.105, 0.172), (0.94, -0.005, 0.118, 0.180),
               (1.02, 0.0, 0.112, 0.166), (1.06, 0.0, 0.105, 0.160)]
     body.add(paint.TROUSERS, _stack(pelvis), crease_deg=60)
@@ -129,7 +129,7 @@ def _trunk(body):
     body.add(paint.REFLECTIVE, brace, mirrored(brace), crease_deg=50)
 
 
-def _head(body):
+def head(body):
     body.add(paint.SKIN, _limb([(-0.022, 0, 1.47, 0.058, 0.058), (-0.010, 0, 1.54, 0.054, 0.054),
                                 (0.0, 0, 1.60, 0.052, 0.050)]), crease_deg=60)
     face = [(1.545, 0.052, 0.022, 0.018), (1.560, 0.035, 0.058, 0.046), (1.60, 0.016, 0.088, 0.066),
@@ -161,13 +161,13 @@ def worker(gaits):
     """A worker with the given gait of the left and of the right side."""
     parts = []
     for number, gait in enumerate(gaits):
-        for color, solid in (*_leg(gait), *_arm(gait)):
+        for color, solid in (*leg(gait), *arm(gait)):
             parts.append((color, mirrored(solid) if number else solid))
     lowest = min(solid[..., 2].min() for _, solid in parts)
     body = Body()
     upright = Body()
-    _trunk(upright)
-    _head(upright)
+    trunk(upright)
+    head(upright)
     for color, (triangles, normals) in upright.by_paint().items():
         body.add_shaded(color, moved(triangles, (0, 0, -lowest)), normals)
     for color, solid in parts:

@@ -8,8 +8,8 @@ import math
 import numpy as np
 
 import paint
-from solids import (Body, bar, both_sides, box, cylinder, extrude, lathe, loft, pin, round_corners,
-                    rounded_rectangle, slab, smooth_path, tube, turned)
+from solids import (Body, bar, both_sides, box, cylinder, extrude, lathe, loft, moved, pin,
+                    round_corners, rounded_rectangle, slab, smooth_path, tube, turned)
 
 TRUCK_HALF_LENGTH, TRUCK_HALF_WIDTH = 3.75, 1.25
 TYRE_RADIUS = 0.50
@@ -33,10 +33,17 @@ def _truck_wheel(x, y, width, dished):
     return tyre, rim
 
 
-def _running_gear(body):
+def _wheel_place(number):
+    """Width of a wheel of that axle, and how far from the middle it stands."""
+    return (0.32, 1.05) if number == 0 else (0.58, 0.92)
+
+
+def _running_gear(body, with_wheels=True):
     for number, x in enumerate(AXLES):
         for side in (-1, 1):
-            width, y = (0.32, 1.05) if number == 0 else (0.58, 0.92)
+            if not with_wheels:
+                continue
+            width, y = _wheel_place(number)
             tyre, rim = _truck_wheel(x, side * y, width, side)
             body.add(paint.RUBBER, tyre, crease_deg=40)
             body.add(paint.STEEL, rim)
@@ -146,6 +153,41 @@ def truck():
     _cab(body)
     _tipping_bed(body)
     return {"body": body}
+
+
+def _rolling_wheel(width, dished):
+    """A wheel about its centre, its axle along y; bolts and the blocks of its tread show its turn."""
+    tyre, rim = _truck_wheel(0.0, 0.0, width, dished)
+    body = Body()
+    body.add(paint.RUBBER, moved(tyre, (0, 0, -TYRE_RADIUS)), crease_deg=40)
+    body.add(paint.STEEL, moved(rim, (0, 0, -TYRE_RADIUS)))
+    face = width / 2 - 0.03
+    for k in range(10):
+        a = 2 * math.pi * k / 10
+        x, z = 0.115 * math.cos(a), 0.115 * math.sin(a)
+        ends = sorted((dished * (face - 0.10), dished * (face + 0.015)))
+        body.add(paint.CHARCOAL, cylinder((x, ends[0], z), (x, ends[1], z), 0.017, 6))
+    reach = width / 2 - 0.07
+    for k in range(36):
+        block = [(-0.022, TYRE_RADIUS - 0.012), (0.022, TYRE_RADIUS - 0.012),
+                 (0.018, TYRE_RADIUS + 0.006), (-0.018, TYRE_RADIUS + 0.006)]
+        for low, high in ((-reach, -0.02), (0.02, reach)):
+            body.add(paint.RUBBER, turned(extrude(block, "y", low, high), "y",
+                                          10 * k + (5 if low > 0 else 0)))
+    return body
+
+
+def truck_with_wheels():
+    """The tipper in parts: chassis, cab and bed; a front and a rear wheel of either side."""
+    body = Body()
+    _running_gear(body, with_wheels=False)
+    _cab(body)
+    _tipping_bed(body)
+    bodies = {"body": body}
+    for name, number in (("front", 0), ("rear", 1)):
+        for side, dished in (("left", 1), ("right", -1)):
+            bodies[f"{name}_{side}"] = _rolling_wheel(_wheel_place(number)[0], dished)
+    return bodies
 
 
 def _robot_hull(body):

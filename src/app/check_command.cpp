@@ -9,8 +9,12 @@
 #include "app/arguments/argument_checks.h"
 #include "app/arguments/scenario_options.h"
 #include "app/commands.h"
+#include "core/error.h"
 #include "core/units.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/format/png.h"
 #include "physics/description/urdf_left_out.h"
+#include "sim/run/episode_sheet.h"
 #include "sim/scene_assembly.h"
 
 namespace tera {
@@ -53,8 +57,11 @@ void PrintLeftOut(const std::vector<InputFile>& inputs) {
   }
 }
 
-/// Reads each of the episodes, and says what was drawn.
-void PrintEpisodes(ScenarioOptions options, int count) {
+constexpr int kMostTiles = 400;
+
+/// Reads each of the episodes, and says what was drawn; `visit` sees each.
+template <typename Visit>
+void ForEpisodes(ScenarioOptions options, int count, const Visit& visit) {
   for (int episode = 0; episode < count; ++episode) {
     options.episode = static_cast<std::uint64_t>(episode);
     const LoadedScenario loaded = Load(options);
@@ -62,7 +69,17 @@ void PrintEpisodes(ScenarioOptions options, int count) {
     fmt::print("\nepisode {}:\n", episode);
     for (const std::string& value : loaded.scenario.drawn) fmt::print("  {}\n", value);
     if (loaded.scenario.drawn.empty()) fmt::print("  nothing is drawn\n");
+    visit(loaded.scenario);
   }
+}
+
+/// Reads and draws each of the episodes, on one sheet.
+void WriteSheet(const ScenarioOptions& options, int count, const std::string& file) {
+  PreparePng();
+  EpisodeSheet sheet;
+  ForEpisodes(options, count, [&](const Scenario& scenario) { sheet.Add(scenario, {}); });
+  WriteWholeFile(file, EncodeRgbPng(sheet.Draw()));
+  fmt::print("\n{}: {} episodes\n", file, count);
 }
 
 void RunCheck(const ScenarioOptions& options) {
@@ -91,6 +108,7 @@ void AddCheckCommand(CLI::App* app) {
   struct Arguments {
     ScenarioOptions scenario;
     int sample = 0;
+    std::string sheet;
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
@@ -100,9 +118,19 @@ void AddCheckCommand(CLI::App* app) {
       ->add_option("--sample", arguments->sample,
                    "Draw and read as many episodes of the scenario's randomise:")
       ->check(WholeNumberBetween(1, 10000));
+  command->add_option("--sheet", arguments->sheet,
+                      "Picture (PNG) to write of the first instant of those episodes");
   command->callback([arguments] {
-    if (arguments->sample == 0) return RunCheck(arguments->scenario);
-    PrintEpisodes(arguments->scenario, arguments->sample);
+    if (arguments->sheet.empty()) {
+      if (arguments->sample == 0) return RunCheck(arguments->scenario);
+      ForEpisodes(arguments->scenario, arguments->sample, [](const Scenario&) {});
+    } else {
+      if (arguments->sample == 0 || arguments->sample > kMostTiles) {
+        throw InputError(fmt::format("--sheet: {} episodes to draw; need --sample 1 to {}",
+                                     arguments->sample, kMostTiles));
+      }
+      WriteSheet(arguments->scenario, arguments->sample, arguments->sheet);
+    }
     fmt::print("\nvalid\n");
   });
 }

@@ -10,6 +10,7 @@
 #include "core/motion.h"
 #include "core/types/labels.h"
 #include "core/types/terrain_surface.h"
+#include "render/ground/ground_paint.h"
 #include "render/lamp.h"
 #include "render/meshes/mesh.h"
 
@@ -89,6 +90,7 @@ struct SceneModel {
   std::vector<SceneInstance> instances;  ///< instances[0] is "none"
   std::vector<SceneKeypoint> keypoints;
   std::vector<SoilAppearance> soils;
+  std::shared_ptr<const GroundPaint> ground_paint;  ///< null: the ground has its soils' colours
   Environment environment;
   std::vector<Lamp> lamps;  ///< at most kMostLamps
   int body_count = 0;

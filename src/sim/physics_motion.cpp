@@ -32,8 +32,9 @@ void PhysicsMotion::Start(const Begin& begin, WorldState* world) {
     obstacles.push_back(
         {obstacle.name, obstacle.collision, world->obstacles[o], RigidPartOf(obstacle).rise_m});
   }
-  physics_ = std::make_unique<PhysicsWorld>(placements, obstacles, kStandardGravity_mps2,
-                                            WorldStart{scenario_.seed, begin.first_step});
+  physics_ = std::make_unique<PhysicsWorld>(
+      placements, obstacles, kStandardGravity_mps2, WorldStart{scenario_.seed, begin.first_step},
+      scenario_.site_mesh ? scenario_.site_mesh->Walls() : SiteWalls{});
   world->machines = physics_->machines();
 }
 

@@ -94,6 +94,7 @@ SceneAssembly::SceneAssembly(const Scenario& scenario) : scenario_(scenario) {
   }
   for (std::size_t m = 0; m < scenario.machines.size(); ++m) AddMachine(scenario, m);
   for (const ScenarioObstacle& obstacle : scenario.obstacles) AddObstacle(obstacle);
+  if (scenario.site_mesh) AddSiteMesh(*scenario.site_mesh, scenario.site->surface());
   for (std::size_t m = 0; m < scenario.machines.size(); ++m) AddWhole(scenario, m);
   for (const ScenarioLamp& lamp : scenario.lamps) AddLamp(lamp);
 }
@@ -253,6 +254,35 @@ void SceneAssembly::AddObstacle(const ScenarioObstacle& obstacle) {
     model_.keypoints.push_back({point.name, instance, body, obstacle.visual.scale * point.p_B_m,
                                 obstacle.visual.scale * point.radius_m});
   }
+  for (const ObstacleWheel& wheel : obstacle.wheels) {
+    AddNode(wheel.visual, AddBody(), obstacle.label, instance);
+  }
+}
+
+void SceneAssembly::AddSiteMesh(const SiteMesh& site, const TerrainSurface& ground) {
+  model_.textures.insert(site.textures.begin(), site.textures.end());
+  const int body = AddBody();
+  for (const SiteMeshPart& part : site.parts) {
+    SceneNode node;
+    node.mesh = static_cast<int>(model_.meshes.size());
+    node.body = body;
+    node.label = part.label;
+    node.instance = AddInstance(part.name, part.label, body);
+    model_.meshes.push_back(part.mesh);
+    model_.meshes.back().name = "environment.mesh#" + part.name;
+    model_.nodes.push_back(node);
+    GrowBox(node);
+  }
+  if (!site.paint) return;
+  GroundPaint paint = *site.paint;
+  for (int j = 0; j < paint.ny; ++j) {
+    for (int i = 0; i < paint.nx; ++i) {
+      const Vec2 p_m = paint.low_W_m + paint.cell_m * Vec2(i, j);
+      paint.start_m[static_cast<std::size_t>(j) * paint.nx + i] =
+          static_cast<float>(ground.HeightAt(p_m.x(), p_m.y()));
+    }
+  }
+  model_.ground_paint = std::make_shared<const GroundPaint>(std::move(paint));
 }
 
 std::uint16_t SceneAssembly::AddInstance(const std::string& name, SemanticClass label, int body) {
@@ -299,7 +329,18 @@ std::vector<Pose> SceneAssembly::BodyPoses(const Instant& state) const {
   std::vector<Pose> poses;
   poses.reserve(model_.body_count);
   for (std::size_t m = 0; m < state.machines.size(); ++m) AppendMachinePoses(state, m, &poses);
-  for (const BodyState& obstacle : state.obstacles) poses.push_back(obstacle.X_WB);
+  for (std::size_t o = 0; o < state.obstacles.size(); ++o) {
+    const ScenarioObstacle& obstacle = scenario_.obstacles[o];
+    const Pose& X_WB = state.obstacles[o].X_WB;
+    poses.push_back(X_WB);
+    for (const ObstacleWheel& wheel : obstacle.wheels) {
+      const double scale = obstacle.visual.scale;
+      const double angle_rad = TravelOf(obstacle, state.t_ns) / (scale * wheel.radius_m);
+      poses.push_back(X_WB * MakePose(scale * wheel.axle_B_m) *
+                      Eigen::AngleAxisd(angle_rad, Vec3::UnitY()));
+    }
+  }
+  if (scenario_.site_mesh) poses.push_back(Pose::Identity());
   TERA_CHECK(static_cast<int>(poses.size()) == model_.body_count, poses.size(), model_.body_count);
   return poses;
 }

@@ -13,10 +13,10 @@ namespace tera {
 /// bodies for each state.
 ///
 /// Model   one body for each link, wheel, track shoe, rocker and coupler, cylinder barrel and rod,
-///         shovel's soil and obstacle; one labelled instance for each link, track, wheel, shovel's
-///         soil and obstacle, named "machine/part" or after the obstacle; one more for each machine
-///         as a whole, whose parts all of these are but the soil. Soil in a shovel is a
-///         mesh that changes (CarriedSoil).
+///         shovel's soil, obstacle and wheel of one, one for the site's mesh; one labelled instance
+///         for each link, track, wheel, shovel's soil, obstacle and part of that mesh, named
+///         "machine/part" or after the obstacle; one more for each machine as a whole, whose parts
+///         all of these are but the soil. Soil in a shovel is a mesh that changes (CarriedSoil).
 class SceneAssembly {
  public:
   /// Throws InputError where a mesh cannot be loaded, with the place that names it.
@@ -45,6 +45,8 @@ class SceneAssembly {
   /// Joints and edges, of no instance until the machine as a whole has one.
   void AddMachineKeypoints(const MachineModel& machine, const std::vector<int>& link_body);
   void AddObstacle(const ScenarioObstacle& obstacle);
+  /// The mesh of the site, and the colours of its ground.
+  void AddSiteMesh(const SiteMesh& site, const TerrainSurface& ground);
   void AddWhole(const Scenario& scenario, std::size_t m);
   void AddLamp(const ScenarioLamp& lamp);
   std::uint16_t AddInstance(const std::string& name, SemanticClass label, int body);

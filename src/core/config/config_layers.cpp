@@ -5,6 +5,17 @@
 #include <algorithm>
 
 namespace tera::internal {
+namespace {
+
+/// Sets the style of all collections; each has its own, which a setting of the emitter does not
+/// change.
+void MakeFlow(YAML::Node node) {
+  if (!node.IsMap() && !node.IsSequence()) return;
+  node.SetStyle(YAML::EmitterStyle::Flow);
+  for (auto entry : node) MakeFlow(node.IsMap() ? entry.second : entry);
+}
+
+}  // namespace
 
 /// yaml-cpp's operator[] is avoided: on a const node it throws for absent keys, on a mutable one it
 /// may insert.
@@ -50,8 +61,10 @@ std::string PlaceOf(const YAML::Node& node, const Layer& layer) {
 }
 
 std::string OnOneLine(const YAML::Node& node) {
+  YAML::Node flat = YAML::Clone(node);
+  MakeFlow(flat);
   YAML::Emitter emitter;
-  emitter << YAML::Flow << node;
+  emitter << flat;
   std::string text = emitter.c_str();
   std::replace(text.begin(), text.end(), '\n', ' ');
   return text;

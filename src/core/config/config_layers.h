@@ -67,6 +67,7 @@ struct ConfigDocument {
   }
 
   static void LeaveUnread(const ConfigMap& config) { config.node_->unread = true; }
+  static ConfigNode& NodeOf(const ConfigMap& config) { return *config.node_; }
   static bool Unread(const ConfigMap& config) { return config.node_->unread; }
   static void LayBeneath(const ConfigMap& config, const std::string& file,
                          const std::vector<GivenNumber>& numbers);

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "core/config/config_beneath.h"
 #include "core/config/config_faults.h"
 #include "core/config/config_layers.h"
+#include "core/config/config_peek.h"
 
 /// Mappings in mappings, in files and by name; faults and places.
 
@@ -49,6 +51,14 @@ std::vector<Layer> LayersOf(ConfigNode& node, std::string_view key) {
     }
   }
   return layers;
+}
+
+/// The value at a path of keys. Nodes are not assigned: that would change what they refer to.
+std::optional<YAML::Node> ValueAt(const YAML::Node& map, std::span<const std::string> path) {
+  if (path.empty()) return map;
+  if (!map.IsMap()) return std::nullopt;
+  const auto value = internal::ValueIn(map, path.front());
+  return value ? ValueAt(*value, path.subspan(1)) : std::nullopt;
 }
 
 bool TakesAway(const YAML::Node& node) { return node.IsScalar() && node.Scalar() == kNothing; }
@@ -209,6 +219,25 @@ std::string ChoiceOfKeys(const ConfigMap& config, std::string_view key,
   std::string choice = config.Choice(key, allowed);
   if (FaultCount(config) > faults_before) internal::ConfigDocument::LeaveUnread(config);
   return choice;
+}
+
+bool HasBelow(const ConfigMap& config, std::string_view key, std::string_view inner) {
+  const std::vector<Layer>& layers = internal::ConfigDocument::NodeOf(config).layers;
+  return std::any_of(layers.begin(), layers.end(), [&](const Layer& layer) {
+    const auto map = internal::ValueIn(layer.node, key);
+    return map && map->IsMap() && internal::ValueIn(*map, inner).has_value();
+  });
+}
+
+std::vector<std::string> ItemsAt(const ConfigMap& config, const std::vector<std::string>& path) {
+  std::vector<std::string> items;
+  for (const Layer& layer : internal::ConfigDocument::NodeOf(config).layers) {
+    const auto list = ValueAt(layer.node, path);
+    if (!list || !list->IsSequence()) continue;
+    for (const auto& item : *list) items.push_back(internal::OnOneLine(item));
+    break;
+  }
+  return items;
 }
 
 bool IsUnread(const ConfigMap& config) { return internal::ConfigDocument::Unread(config); }

@@ -11,11 +11,14 @@
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 #include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
 
+#include <optional>
+
 #include "core/check.h"
 #include "physics/dynamics/bullet_types.h"
 #include "physics/dynamics/climb_tag.h"
 #include "physics/dynamics/machine_dynamics.h"
 #include "physics/dynamics/soft_row_solver.h"
+#include "physics/dynamics/static_walls.h"
 
 namespace tera {
 namespace {
@@ -137,18 +140,20 @@ struct PhysicsWorld::Impl {
   SoftRowSolver solver;
   MidpointWorld world;
   std::vector<std::unique_ptr<KinematicObstacle>> obstacles;
+  std::optional<StaticWalls> walls;
   std::vector<std::unique_ptr<MachineDynamics>> machines;
   std::vector<MachineState> states;
 };
 
 PhysicsWorld::PhysicsWorld(const std::vector<MachinePlacement>& machines,
                            const std::vector<ObstacleBody>& obstacles, double gravity_mps2,
-                           const WorldStart& start)
+                           const WorldStart& start, const SiteWalls& walls)
     : impl_(std::make_unique<Impl>(gravity_mps2)) {
   for (const ObstacleBody& obstacle : obstacles) {
     impl_->obstacles.push_back(std::make_unique<KinematicObstacle>(obstacle, &impl_->world));
   }
-  const bool meets_others = machines.size() > 1 || !obstacles.empty();
+  if (!walls.empty()) impl_->walls.emplace(walls, kObstacleFriction, &impl_->world);
+  const bool meets_others = machines.size() > 1 || !obstacles.empty() || !walls.empty();
   for (const MachinePlacement& placement : machines) {
     impl_->states.push_back(InitialState(placement));
     impl_->machines.push_back(

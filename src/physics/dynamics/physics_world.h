@@ -7,6 +7,7 @@
 
 #include "core/motion.h"
 #include "physics/description/machine_placement.h"
+#include "physics/dynamics/site_walls.h"
 
 namespace tera {
 
@@ -21,7 +22,8 @@ struct ObstacleBody {
   double rise_m = std::numeric_limits<double>::infinity();
 };
 
-/// Multibody dynamics of all machines (Bullet btMultiBody, Featherstone), with obstacles.
+/// Multibody dynamics of all machines (Bullet btMultiBody, Featherstone), with obstacles and the
+/// site's walls.
 ///
 /// Frames  W, link frames B as in MachineModel.
 /// Model   levers -> Actuation -> velocity motors limited in effort, with friction; running gears
@@ -29,15 +31,15 @@ struct ObstacleBody {
 ///         wrenches act on the links; carried soil adds its mass to the tool's link. Velocities
 ///         are those at the end of a step and poses follow them (semi-implicit), so that soil
 ///         forces given for the present pose act stably. Joints with cylinders are limited by
-///         relief (see Hydraulics). Boxes of different machines, and of machines and obstacles,
-///         collide without bouncing; but links with running gear drive over obstacles that it can
-///         climb, on which the ground bears them (see Soil::AddObstacle).
+///         relief (see Hydraulics). Boxes of different machines, and of machines and obstacles
+///         and walls, collide without bouncing; but links with running gear drive over obstacles
+///         that it can climb, on which the ground bears them (see Soil::AddObstacle).
 /// Omits   the reaction of a gear's inertia on its link, collision within one machine.
 class PhysicsWorld {
  public:
   PhysicsWorld(const std::vector<MachinePlacement>& machines,
                const std::vector<ObstacleBody>& obstacles, double gravity_mps2,
-               const WorldStart& start = {});
+               const WorldStart& start = {}, const SiteWalls& walls = {});
   ~PhysicsWorld();
 
   /// Advances by `dt_s`. `inputs` one for each machine, `obstacles` where the obstacles are at the

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "render/ground/soil_colour.h"
 
@@ -83,8 +84,10 @@ void GroundTextures::Pyramid::Send(TexelWindow w) {
 }
 
 GroundTextures::GroundTextures(const TerrainSurface& terrain,
-                               const std::vector<SoilAppearance>& soils, const Vec3& to_sun_W)
+                               const std::vector<SoilAppearance>& soils,
+                               std::shared_ptr<const GroundPaint> paint, const Vec3& to_sun_W)
     : soils_(soils),
+      paint_(std::move(paint)),
       to_sun_W_(to_sun_W),
       origin_W_m_(terrain.origin_W_m),
       heights_(terrain),
@@ -122,7 +125,13 @@ void GroundTextures::PaintTexel(int i, int j) {
   const double tone = SoilTone(saturation, loose) * (1 - kRutDarker * rut);
   const std::size_t at = 4 * heights_.index(i, j);
   std::uint8_t* albedo = &albedo_.levels[0].texels[at];
-  for (int k = 0; k < 3; ++k) albedo[k] = Unorm8(std::sqrt(std::max(soil.albedo[k] * tone, 0.0)));
+  Vec3 colour = tone * soil.albedo;
+  if (paint_) {
+    const int cells = heights_.texel_cells();
+    colour = paint_->Over(colour, terrain.x_m(i * cells), terrain.y_m(j * cells), heights_.at(i, j),
+                          loose);
+  }
+  for (int k = 0; k < 3; ++k) albedo[k] = Unorm8(std::sqrt(std::max(colour[k], 0.0)));
   albedo[3] = Unorm8(sky_view_.Factor(heights_, i, j));
 
   const int il = std::max(i - 1, 0), ir = std::min(i + 1, heights_.width() - 1);

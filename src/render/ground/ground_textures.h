@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/types/terrain_surface.h"
@@ -21,14 +22,15 @@ struct TileIndex {
 ///
 /// Model   albedo by soil; moisture darkens it as R = Rs + (Rd - Rs) exp(-c S), S the degree of
 ///         saturation, with Rs a fixed share of the dry albedo; loose soil is a little lighter,
-///         pressed ruts darker. Smaller levels of each texture are means of four texels. Only
-///         texels that have changed, see others that have, or lie in a changed shadow are remade.
+///         pressed ruts darker; a paint of the site, if there is one, lies over what is as it was.
+///         Smaller levels of each texture are means of four texels. Only texels that have changed,
+///         see others that have, or lie in a changed shadow are remade.
 /// Source  Lobell, Asner 2002, "Moisture effects on soil reflectance", eq. 1.
 class GroundTextures {
  public:
   GroundTextures() = default;
   GroundTextures(const TerrainSurface& terrain, const std::vector<SoilAppearance>& soils,
-                 const Vec3& to_sun_W);
+                 std::shared_ptr<const GroundPaint> paint, const Vec3& to_sun_W);
 
   /// Takes over the changed tiles.
   void Update(const TerrainSurface& terrain, const std::vector<TileIndex>& changed);
@@ -65,6 +67,7 @@ class GroundTextures {
   void SendShadow(const TexelWindow& window) const;
 
   std::vector<SoilAppearance> soils_;
+  std::shared_ptr<const GroundPaint> paint_;
   Vec3 to_sun_W_ = Vec3::UnitZ();
   Vec2 origin_W_m_ = Vec2::Zero();
   HeightTexels heights_;

@@ -30,7 +30,10 @@ GlObject DetailTexture() {
 }  // namespace
 
 TerrainRenderer::TerrainRenderer(const SceneModel& model, const Vec3& to_sun_W)
-    : soils_(model.soils), detail_(DetailTexture()), to_sun_W_(to_sun_W) {}
+    : soils_(model.soils),
+      paint_(model.ground_paint),
+      detail_(DetailTexture()),
+      to_sun_W_(to_sun_W) {}
 
 void TerrainRenderer::Restart(const TerrainSurface& terrain) {
   grid_ = terrain;
@@ -38,7 +41,7 @@ void TerrainRenderer::Restart(const TerrainSurface& terrain) {
   pools_.clear();
   pools_.emplace_back(1);
   if (terrain.base_cells() > 1) pools_.emplace_back(terrain.base_cells());
-  textures_ = GroundTextures(terrain, soils_, to_sun_W_);
+  textures_ = GroundTextures(terrain, soils_, paint_, to_sun_W_);
   apron_ = Apron(Surroundings(terrain, soils_));
 }
 

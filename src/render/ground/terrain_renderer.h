@@ -48,6 +48,7 @@ class TerrainRenderer {
   void DrawApron(const View& view) const;
 
   const std::vector<SoilAppearance> soils_;
+  const std::shared_ptr<const GroundPaint> paint_;
   TerrainGrid grid_;
   std::vector<Tile> tiles_;
   std::vector<TilePool> pools_;  ///< of refined tiles, then of undisturbed ones

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -101,11 +100,6 @@ std::shared_ptr<const Texture> Read(const std::filesystem::path& file, const tin
   return entry = std::make_shared<const Texture>(std::move(texture));
 }
 
-double LinearOf(std::uint8_t srgb) {
-  const double x = srgb / 255.0;
-  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-}
-
 }  // namespace
 
 bool KeepImageBytes(tinygltf::Image* image, int, std::string*, std::string*, int, int,
@@ -148,16 +142,6 @@ MaterialTextures ReadTextures(const std::filesystem::path& file, const tinygltf:
   textures.normal_scale = material.normalTexture.scale;
   textures.occlusion_strength = material.occlusionTexture.strength;
   return textures;
-}
-
-Vec3 MeanAlbedo(const Texture& texture) {
-  std::array<double, 256> linear;
-  for (int k = 0; k < 256; ++k) linear[k] = LinearOf(static_cast<std::uint8_t>(k));
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t p = 0; p < texture.rgba.size(); p += kChannels) {
-    sum += Vec3(linear[texture.rgba[p]], linear[texture.rgba[p + 1]], linear[texture.rgba[p + 2]]);
-  }
-  return sum * kChannels / static_cast<double>(texture.rgba.size());
 }
 
 }  // namespace tera

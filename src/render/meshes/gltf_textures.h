@@ -27,7 +27,4 @@ MaterialTextures ReadTextures(const std::filesystem::path& file, const tinygltf:
 /// The set of coordinates of a material's textures, which is one; nothing where it has none.
 std::optional<int> UvSetOf(const std::filesystem::path& file, const tinygltf::Material& material);
 
-/// Mean of a texture that holds sRGB, linear.
-Vec3 MeanAlbedo(const Texture& texture);
-
 }  // namespace tera

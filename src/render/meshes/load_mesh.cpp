@@ -19,6 +19,15 @@ void RequireFile(const std::filesystem::path& file) {
       fmt::format("{}: no such mesh file; need a glTF, OBJ, STL or DAE file", file.string()));
 }
 
+Mesh Load(const std::filesystem::path& file, const std::string& node, Textures* textures,
+          NodeFrame frame) {
+  RequireFile(file);
+  Mesh mesh = IsGltf(file) ? LoadGltf(file, node, textures, frame)
+                           : LoadWithAssimp(file, node, textures, frame);
+  mesh.name = MeshName(file, node);
+  return mesh;
+}
+
 }  // namespace
 
 std::string MeshName(const std::filesystem::path& file, const std::string& node) {
@@ -26,10 +35,12 @@ std::string MeshName(const std::filesystem::path& file, const std::string& node)
 }
 
 Mesh LoadMesh(const std::filesystem::path& file, const std::string& node, Textures* textures) {
-  RequireFile(file);
-  Mesh mesh = IsGltf(file) ? LoadGltf(file, node, textures) : LoadWithAssimp(file, node);
-  mesh.name = MeshName(file, node);
-  return mesh;
+  return Load(file, node, textures, NodeFrame::kOwn);
+}
+
+Mesh LoadPlacedMesh(const std::filesystem::path& file, const std::string& node,
+                    Textures* textures) {
+  return Load(file, node, textures, NodeFrame::kScene);
 }
 
 Mesh LoadMesh(const std::filesystem::path& file, const std::string& node) {

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "render/meshes/mesh_file.h"
+#include "render/meshes/picture_file.h"
 
 namespace tera {
 namespace {
@@ -39,7 +40,7 @@ const aiScene* ReadScene(const std::filesystem::path& file, Assimp::Importer* im
   importer->SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   const aiScene* scene =
       importer->ReadFile(file.string(), aiProcess_Triangulate | aiProcess_SortByPType |
-                                            aiProcess_JoinIdenticalVertices);
+                                            aiProcess_JoinIdenticalVertices | aiProcess_FlipUVs);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     Refuse(file, fmt::format("not a readable mesh ({}); need glTF, OBJ, STL or DAE",
                              importer->GetErrorString()));
@@ -47,14 +48,24 @@ const aiScene* ReadScene(const std::filesystem::path& file, Assimp::Importer* im
   return scene;
 }
 
-Material ReadMaterial(const aiMaterial& source) {
+Material ReadMaterial(const std::filesystem::path& file, const aiMaterial& source,
+                      Textures* textures) {
   Material material;
+  aiString picture;
+  if (source.GetTexture(aiTextureType_DIFFUSE, 0, &picture) == aiReturn_SUCCESS) {
+    material.textures.base_colour =
+        ReadPictureFile(file, source.GetName().C_Str(), picture.C_Str(), textures);
+  }
   aiColor3D colour;
   if (source.Get(AI_MATKEY_COLOR_DIFFUSE, colour) == aiReturn_SUCCESS) {
     material.albedo = {colour.r, colour.g, colour.b};
   }
   float opacity = 1.0f;
   if (source.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS) material.opacity = opacity;
+  if (material.textures.base_colour) {
+    const Vec3 mean = MeanAlbedo(*material.textures.base_colour);
+    material.lidar_reflectance = material.albedo.cwiseProduct(mean).mean();
+  }
   return material;
 }
 
@@ -65,14 +76,37 @@ Eigen::Affine3f ToEigen(const aiMatrix4x4& m) {
   return X;
 }
 
-void AddNode(const aiScene& scene, const aiNode& node, const Eigen::Affine3f& X_root_parent,
+/// Texture coordinates, where the part has a texture.
+void AddUvs(const std::filesystem::path& file, const aiMesh& source, MeshPart* part) {
+  if (!part->material.textures.any()) return;
+  if (!source.HasTextureCoords(0)) {
+    Refuse(file, fmt::format("has triangles of mesh '{}', whose material has a picture, without "
+                             "texture coordinates; export it again with them",
+                             source.mName.C_Str()));
+  }
+  for (unsigned i = 0; i < source.mNumVertices; ++i) {
+    const aiVector3D& uv = source.mTextureCoords[0][i];
+    part->uvs.emplace_back(uv.x, uv.y);
+  }
+}
+
+/// What all parts of a file have in common.
+struct Source {
+  const std::filesystem::path& file;
+  const aiScene& scene;
+  Textures* textures;
+};
+
+void AddNode(const Source& from, const aiNode& node, const Eigen::Affine3f& X_root_parent,
              bool is_root, Mesh* mesh) {
   const Eigen::Affine3f X = is_root ? X_root_parent : X_root_parent * ToEigen(node.mTransformation);
   const Eigen::Matrix3f normal_map = X.linear().inverse().transpose();
   for (unsigned m = 0; m < node.mNumMeshes; ++m) {
-    const aiMesh& source = *scene.mMeshes[node.mMeshes[m]];
+    const aiMesh& source = *from.scene.mMeshes[node.mMeshes[m]];
     MeshPart part;
-    part.material = ReadMaterial(*scene.mMaterials[source.mMaterialIndex]);
+    part.material =
+        ReadMaterial(from.file, *from.scene.mMaterials[source.mMaterialIndex], from.textures);
+    AddUvs(from.file, source, &part);
     for (unsigned i = 0; i < source.mNumVertices; ++i) {
       const aiVector3D& p = source.mVertices[i];
       part.positions_m.push_back(X * Eigen::Vector3f(p.x, p.y, p.z));
@@ -88,7 +122,7 @@ void AddNode(const aiScene& scene, const aiNode& node, const Eigen::Affine3f& X_
     mesh->parts.push_back(std::move(part));
   }
   for (unsigned c = 0; c < node.mNumChildren; ++c) {
-    AddNode(scene, *node.mChildren[c], X, false, mesh);
+    AddNode(from, *node.mChildren[c], X, false, mesh);
   }
 }
 
@@ -99,7 +133,8 @@ void CollectNames(const aiNode& node, std::vector<std::string>* names) {
 
 }  // namespace
 
-Mesh LoadWithAssimp(const std::filesystem::path& file, const std::string& node) {
+Mesh LoadWithAssimp(const std::filesystem::path& file, const std::string& node, Textures* textures,
+                    NodeFrame frame) {
   Mesh mesh;
   Assimp::Importer importer;
   importer.SetIOHandler(new NotingFiles(&mesh.files));  // the importer deletes it
@@ -113,7 +148,13 @@ Mesh LoadWithAssimp(const std::filesystem::path& file, const std::string& node) 
       Refuse(file, fmt::format("has no node '{}'{}", node, NodeHint(node, names)));
     }
   }
-  AddNode(*scene, *start, Eigen::Affine3f::Identity(), !node.empty(), &mesh);
+  Eigen::Affine3f X = Eigen::Affine3f::Identity();
+  if (frame == NodeFrame::kScene && !node.empty()) {
+    for (const aiNode* at = start; at != nullptr; at = at->mParent) {
+      X = ToEigen(at->mTransformation) * X;
+    }
+  }
+  AddNode({file, *scene, textures}, *start, X, !node.empty(), &mesh);
   FinishMesh(file, &mesh);
   return mesh;
 }

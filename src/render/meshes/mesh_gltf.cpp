@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "render/meshes/gltf_textures.h"
 #include "render/meshes/mesh_file.h"
+#include "render/meshes/picture_file.h"
 
 namespace tera {
 namespace {
@@ -290,9 +291,27 @@ std::vector<std::string> NamesOf(const tinygltf::Model& model) {
   return names;
 }
 
+/// Where the node stands in its scene, in the file's y-up axes.
+Eigen::Affine3d PlaceOf(const std::filesystem::path& file, const tinygltf::Model& model,
+                        int index) {
+  Eigen::Affine3d X = NodeTransform(model.nodes[index]);
+  for (int depth = 0; depth <= kMaxNodeDepth; ++depth) {
+    const auto parent =
+        std::find_if(model.nodes.begin(), model.nodes.end(), [&](const tinygltf::Node& node) {
+          return std::find(node.children.begin(), node.children.end(), index) !=
+                 node.children.end();
+        });
+    if (parent == model.nodes.end()) return X;
+    X = NodeTransform(*parent) * X;
+    index = static_cast<int>(parent - model.nodes.begin());
+  }
+  Refuse(file, "has a broken node hierarchy; export it again");
+}
+
 }  // namespace
 
-Mesh LoadGltf(const std::filesystem::path& file, const std::string& node, Textures* textures) {
+Mesh LoadGltf(const std::filesystem::path& file, const std::string& node, Textures* textures,
+              NodeFrame frame) {
   Mesh mesh;
   const tinygltf::Model model = ReadModel(file, &mesh.files);
   Reader reader{file, model, &mesh, textures};
@@ -305,7 +324,9 @@ Mesh LoadGltf(const std::filesystem::path& file, const std::string& node, Textur
     if (found == names.end()) {
       Refuse(file, fmt::format("has no node '{}'{}", node, NodeHint(node, names)));
     }
-    reader.AddNode(static_cast<int>(found - names.begin()), identity, true, 0);
+    const int index = static_cast<int>(found - names.begin());
+    reader.AddNode(index, frame == NodeFrame::kScene ? PlaceOf(file, model, index) : identity, true,
+                   0);
   }
   FinishMesh(file, &mesh);
   return mesh;

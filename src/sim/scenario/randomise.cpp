@@ -12,14 +12,16 @@
 #include <numeric>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "core/random.h"
+#include "sim/scenario/random_site.h"
 
 namespace tera {
 namespace {
 
 constexpr int kMostTries = 1000;  ///< of a place that is far enough from all others
-constexpr std::array<std::string_view, 4> kKinds = {"key", "together", "keys", "places"};
+constexpr std::array<std::string_view, 5> kKinds = {"key", "together", "keys", "places", "site"};
 constexpr std::array<std::string_view, 5> kOfKey = {"uniform", "log_uniform", "normal", "integer",
                                                     "choice"};
 
@@ -43,7 +45,8 @@ Interval IntervalAt(const ConfigMap& entry, std::string_view key, const Range& r
 /// Draws the entries of one episode.
 class Draw {
  public:
-  Draw(std::uint64_t seed, std::uint64_t episode) : seed_(seed), episode_(episode) {}
+  Draw(const ConfigMap& scenario, std::uint64_t seed, std::uint64_t episode)
+      : scenario_(scenario), seed_(seed), episode_(episode) {}
 
   void Entry(const ConfigMap& entry);
   std::vector<Config::GivenValue> Take() { return std::move(values_); }
@@ -60,8 +63,11 @@ class Draw {
   void Together(const ConfigMap& entry);
   void Correlated(const ConfigMap& entry);
   void Places(const ConfigMap& entry);
+  void WholeSite(const ConfigMap& entry);
 
+  const ConfigMap& scenario_;
   std::uint64_t seed_, episode_;
+  bool has_site_ = false;
   std::vector<Config::GivenValue> values_;
 };
 
@@ -88,6 +94,7 @@ void Draw::Entry(const ConfigMap& entry) {
   if (*kind == "together") Together(entry);
   if (*kind == "keys") Correlated(entry);
   if (*kind == "places") Places(entry);
+  if (*kind == "site") WholeSite(entry);
 }
 
 /// The index that is drawn of `count`, by `weights` if there are any.
@@ -251,11 +258,23 @@ void Draw::Places(const ConfigMap& entry) {
   }
 }
 
+void Draw::WholeSite(const ConfigMap& entry) {
+  const SiteDraw draw{seed_, episode_, &scenario_, &values_};
+  const ConfigMap site = entry.Map("site");
+  if (std::exchange(has_site_, true)) site.Fault("", "is the second site, need one entry");
+  std::vector<Config::GivenValue> lists;
+  for (auto& [key, yaml] : DrawSite(site, draw)) {
+    lists.push_back({key, std::move(yaml), fmt::format("{} (drawn)", entry.Place())});
+  }
+  // Below what others draw for items of the same lists.
+  values_.insert(values_.begin(), lists.begin(), lists.end());
+}
+
 }  // namespace
 
 std::vector<Config::GivenValue> DrawEpisode(const ConfigMap& scenario, std::uint64_t seed,
                                             std::uint64_t episode) {
-  Draw draw(seed, episode);
+  Draw draw(scenario, seed, episode);
   for (const ConfigMap& entry : scenario.List("randomise")) draw.Entry(entry);
   std::vector<Config::GivenValue> values = draw.Take();
   for (const Config::GivenValue& value : values) {

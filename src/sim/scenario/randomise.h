@@ -17,7 +17,8 @@ namespace tera {
 ///         draws one of several sets of keys; `keys: [...]` with `mean`, `sigma` and
 ///         `correlation` draws normal numbers, each two of them correlated so; `places: [...]` of
 ///         mappings with `xy_m` and `yaw_deg`, in the rectangle `x_m`, `y_m` at headings `yaw_deg`,
-///         at least `apart_m` from each other and `clear_m` from the points `clear_of_m`.
+///         at least `apart_m` from each other and `clear_m` from the points `clear_of_m`; `site` is
+///         a whole site (DrawSite), behind what other entries drew.
 /// Faults  what is no such entry, at its place. That a key is there and admits a value is up to
 ///         whoever reads it; each value has the place of its entry.
 std::vector<Config::GivenValue> DrawEpisode(const ConfigMap& scenario, std::uint64_t seed,

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/config/config_faults.h"
+#include "core/config/config_peek.h"
 #include "core/config/plain_name.h"
 #include "core/config/spelling.h"
 #include "core/units.h"
@@ -28,6 +29,7 @@ constexpr double kMostSeed = 9e15;  ///< below 2^53: every YAML reader keeps it 
 constexpr double kSlowest_hz = 100, kFastest_hz = 5000;  ///< steps that machines and soil bear
 constexpr double kSlowestPoses_hz = 0.01;
 constexpr double kDefaultRate_hz = 500, kDefaultSettle_s = 1.5, kLongestSettle_s = 60;
+constexpr double kLeastWheel_m = 0.05, kLargestWheel_m = 3;
 constexpr double kLeastBed_m = 0.3, kLargestBed_m = 30;
 constexpr SiteOrigin kDefaultOrigin = {47.3763, 8.5477, 460.0};
 
@@ -193,6 +195,20 @@ SoilBed ReadBed(const ConfigMap& config) {
   return bed;
 }
 
+/// `wheels`, nodes of the obstacle's own mesh file; nothing is written where it has none.
+void ReadWheels(const ConfigMap& config, ScenarioObstacle* obstacle) {
+  if (!config.Has("wheels")) return;
+  for (const ConfigMap& item : config.List("wheels")) {
+    ObstacleWheel wheel;
+    wheel.visual = obstacle->visual;
+    wheel.visual.node = item.Text("node", "wheel");
+    wheel.visual.place = item.Place();
+    wheel.axle_B_m = item.Vector3("xyz_m", Any("m"));
+    wheel.radius_m = item.Number("radius_m", Between(kLeastWheel_m, kLargestWheel_m, "m"));
+    obstacle->wheels.push_back(std::move(wheel));
+  }
+}
+
 ScenarioObstacle ReadObstacle(const ConfigMap& config) {
   config.ApplyPreset("preset");
   ScenarioObstacle obstacle;
@@ -218,6 +234,7 @@ ScenarioObstacle ReadObstacle(const ConfigMap& config) {
                                   point.Number("radius_m", AtLeast(0, "m"), 0)});
   }
   if (const auto bed = config.OptionalMap("bed")) obstacle.bed = ReadBed(*bed);
+  ReadWheels(config, &obstacle);
   obstacle.xy_W_m = config.Vector2("xy_m", Any("m"));
   obstacle.yaw_rad = config.Number("yaw_deg", Between(-360, 360, "deg"), 0) * kDeg;
   obstacle.height_above_ground_m = config.Number("height_above_ground_m", Any("m"), 0);
@@ -258,6 +275,8 @@ void RequireUniqueNames(const ConfigMap& config, const Scenario& scenario) {
   };
   for (const ScenarioMachine& m : scenario.machines) require(m.placement.name, "machines");
   for (const ScenarioObstacle& o : scenario.obstacles) require(o.name, "obstacles");
+  if (!scenario.site_mesh) return;
+  for (const SiteMeshPart& part : scenario.site_mesh->parts) require(part.name, "environment");
 }
 
 }  // namespace
@@ -281,7 +300,13 @@ Scenario ReadScenario(const ConfigMap& config) {
       config.Number("physics_rate_hz", Between(kSlowest_hz, kFastest_hz, "Hz"), kDefaultRate_hz);
   scenario.settle_s =
       config.Number("settle_s", Between(0, kLongestSettle_s, "s"), kDefaultSettle_s);
-  Site site = Site::Read(config.Map("terrain"), scenario.seed);
+  std::optional<GivenGround> ground;
+  if (HasBelow(config, "environment", "mesh")) {
+    const ConfigMap environment = config.Map("environment");
+    scenario.site_mesh = ReadSiteMesh(environment.Map("mesh"), config.Map("terrain"));
+    if (scenario.site_mesh) ground = scenario.site_mesh->ground;
+  }
+  Site site = Site::Read(config.Map("terrain"), scenario.seed, ground);
   scenario.record = ReadTerrainRecord(config.OptionalMap("record"), site.surface());
   if (const auto record = config.OptionalMap("record")) {
     scenario.poses_hz =
@@ -349,6 +374,17 @@ BodyState ObstacleAt(const ScenarioObstacle& obstacle, TimeNs t_ns, const Terrai
   state.X_WB = MakePose(Vec3(xy_m.x(), xy_m.y(), z_m), RotationFromRpy(0, 0, yaw_rad));
   state.v_WB_mps = Vec3(velocity_mps.x(), velocity_mps.y(), 0);
   return state;
+}
+
+double TravelOf(const ScenarioObstacle& obstacle, TimeNs t_ns) {
+  double travel_m = 0;
+  const double t_s = ToSeconds(t_ns);
+  for (std::size_t i = 1; i < obstacle.path.size(); ++i) {
+    const PathPoint &from = obstacle.path[i - 1], &to = obstacle.path[i];
+    const double share = std::clamp((t_s - from.t_s) / (to.t_s - from.t_s), 0.0, 1.0);
+    travel_m += share * (to.xy_W_m - from.xy_W_m).norm();
+  }
+  return travel_m;
 }
 
 }  // namespace tera

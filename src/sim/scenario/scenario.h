@@ -16,6 +16,7 @@
 #include "sensors/sensor.h"
 #include "sim/operators/operator_plan.h"
 #include "sim/scenario/scenario_lamp.h"
+#include "sim/scenario/site_mesh.h"
 #include "sim/scenario/terrain_record.h"
 #include "soil/site/site.h"
 
@@ -42,6 +43,13 @@ struct ObstacleKeypoint {
   double radius_m = 0;  ///< how deep below its surface it may lie and still be seen
 };
 
+/// A wheel of an obstacle: it turns as the obstacle moves along its path, forwards.
+struct ObstacleWheel {
+  Visual visual;                 ///< its middle at its origin, its axle along y
+  Vec3 axle_B_m = Vec3::Zero();  ///< in the frame of the obstacle's mesh
+  double radius_m = 1;
+};
+
 /// Something on the site that is not a machine: rock, barrier, cone, person, truck.
 struct ScenarioObstacle {
   std::string name;
@@ -54,6 +62,7 @@ struct ScenarioObstacle {
   double height_above_ground_m = 0;
   std::vector<PathPoint> path;  ///< empty: stands still
   std::vector<ObstacleKeypoint> keypoints;
+  std::vector<ObstacleWheel> wheels;
 };
 
 /// A site, what stands and moves on it, and how it is measured: everything a run needs, and nothing
@@ -66,7 +75,8 @@ struct Scenario {
   double settle_s = 0;  ///< simulated before t = 0, levers neutral, so that machines rest
   SiteOrigin origin;
   Environment environment;
-  std::shared_ptr<const Site> site;  ///< raised by the effects of the machines
+  std::shared_ptr<const Site> site;           ///< raised by the effects of the machines
+  std::shared_ptr<const SiteMesh> site_mesh;  ///< or null
   std::vector<ScenarioMachine> machines;
   std::vector<ScenarioObstacle> obstacles;
   std::vector<ScenarioLamp> lamps;
@@ -88,5 +98,8 @@ RigidObstacle RigidPartOf(const ScenarioObstacle& obstacle);
 
 /// Pose and velocity of an obstacle at `t_ns` on the given ground, upright.
 BodyState ObstacleAt(const ScenarioObstacle& obstacle, TimeNs t_ns, const TerrainSurface& ground);
+
+/// How far it has come along its path at `t_ns`.
+double TravelOf(const ScenarioObstacle& obstacle, TimeNs t_ns);
 
 }  // namespace tera

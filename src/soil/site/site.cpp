@@ -4,8 +4,9 @@
 
 namespace tera {
 
-Site Site::Read(const ConfigMap& config, std::uint64_t seed) {
-  const SitePlan plan = ReadSite(config, seed);
+Site Site::Read(const ConfigMap& config, std::uint64_t seed,
+                const std::optional<GivenGround>& given) {
+  const SitePlan plan = ReadSite(config, seed, given);
   return {BuildColumns(plan), plan.georeference};
 }
 

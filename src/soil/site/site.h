@@ -7,6 +7,7 @@
 
 #include "core/config/config.h"
 #include "soil/columns/columns.h"
+#include "soil/site/given_ground.h"
 #include "soil/soil.h"
 
 namespace tera {
@@ -19,8 +20,9 @@ namespace tera {
 class Site {
  public:
   /// Reads the mapping: size, cell, soils, relief or GeoTIFF, strips, piles, pits. Faults go to
-  /// `config`. `seed` feeds the relief's streams.
-  static Site Read(const ConfigMap& config, std::uint64_t seed);
+  /// `config`. `seed` feeds the relief's streams. `given` stands in the place of a GeoTIFF.
+  static Site Read(const ConfigMap& config, std::uint64_t seed,
+                   const std::optional<GivenGround>& given = std::nullopt);
 
   /// Raises undisturbed ground, before machines are placed on it.
   void Raise(const RaisedGround& raised) { columns_.Raise(raised); }

@@ -41,12 +41,16 @@ std::vector<PilePlan> ReadPiles(const ConfigMap& config, const TerrainGrid& grid
   std::vector<PilePlan> piles;
   for (const ConfigMap& item : config.List("piles")) {
     PilePlan pile;
-    pile.xy_W_m = item.Vector2("xy_m", Any("m"));
-    if ((pile.xy_W_m.array() < low_m.array()).any() ||
-        (pile.xy_W_m.array() > high_m.array()).any()) {
-      item.Fault("xy_m", fmt::format("lies beyond the site, x {:g} to {:g} m, y {:g} to {:g} m",
-                                     low_m.x(), high_m.x(), low_m.y(), high_m.y()));
-    }
+    const auto place = [&](const char* key) {
+      const Vec2 p_m = item.Vector2(key, Any("m"));
+      if ((p_m.array() < low_m.array()).any() || (p_m.array() > high_m.array()).any()) {
+        item.Fault(key, fmt::format("lies beyond the site, x {:g} to {:g} m, y {:g} to {:g} m",
+                                    low_m.x(), high_m.x(), low_m.y(), high_m.y()));
+      }
+      return p_m;
+    };
+    pile.xy_W_m = pile.end_W_m = place("xy_m");
+    if (item.Has("to_m")) pile.end_W_m = place("to_m");
     pile.height_m = item.Number("height_m", Between(0, 20, "m"));
     pile.soil = soils->Index(item, "soil", item.Text("soil"));
     piles.push_back(pile);
@@ -66,6 +70,16 @@ std::optional<ElevationGrid> ReadGeotiff(const ConfigMap& config) {
     config.Fault("geotiff", e.what());
     return std::nullopt;
   }
+}
+
+/// The given heights as an elevation file's would be.
+ElevationGrid GridOf(const GivenGround& given) {
+  ElevationGrid grid;
+  grid.nx = given.nx;
+  grid.ny = given.ny;
+  grid.cell_x_m = grid.cell_y_m = given.cell_m;
+  grid.height_m = given.height_m;
+  return grid;
 }
 
 /// Largest number of squares, a divisor of a tile's, that is not longer than `spacing_m`, but
@@ -160,12 +174,65 @@ TerrainGrid ReadGrid(const ConfigMap& config, const std::optional<ElevationGrid>
   return grid;
 }
 
+/// The point of the segment from a pile's one end to the other that is nearest to `p_m`.
+Vec2 NearestOfCrest(const PilePlan& pile, const Vec2& p_m) {
+  const Vec2 along_m = pile.end_W_m - pile.xy_W_m;
+  const double squared = along_m.squaredNorm();
+  if (squared == 0) return pile.xy_W_m;
+  return pile.xy_W_m + std::clamp((p_m - pile.xy_W_m).dot(along_m) / squared, 0.0, 1.0) * along_m;
+}
+
+/// Puts a pile in place: its crest `height_m` above the ground below, its sides at repose.
+void Heap(const PilePlan& pile, Columns* columns) {
+  const SoilType& soil = columns->soils()[pile.soil];
+  const double slope = std::tan(soil.repose_angle_rad);
+  const auto crest_m = [&](const Vec2& p_m) {
+    return columns->HeightAt(p_m.x(), p_m.y()) + pile.height_m;
+  };
+  const bool is_cone = pile.xy_W_m == pile.end_W_m;
+  const double top_m = crest_m(pile.xy_W_m);
+  // The foot may lie lower than the ground under the top: look as far again.
+  const double reach_m = 2 * pile.height_m / slope;
+  const Vec2 low_m = pile.xy_W_m.cwiseMin(pile.end_W_m),
+             high_m = pile.xy_W_m.cwiseMax(pile.end_W_m);
+  const int i0 = std::max(0, columns->NearestI(low_m.x() - reach_m));
+  const int i1 = std::min(columns->nx() - 1, columns->NearestI(high_m.x() + reach_m));
+  const int j0 = std::max(0, columns->NearestJ(low_m.y() - reach_m));
+  const int j1 = std::min(columns->ny() - 1, columns->NearestJ(high_m.y() + reach_m));
+  struct Rise {
+    int i, j;
+    double thickness_m;
+  };
+  std::vector<Rise> rises;  // found before the first is there: a crest lies on the ground below it
+  for (int j = j0; j <= j1; ++j) {
+    for (int i = i0; i <= i1; ++i) {
+      const Vec2 p_m(columns->x_m(i), columns->y_m(j));
+      const Vec2 crest = NearestOfCrest(pile, p_m);
+      const double r_m = (p_m - crest).norm();
+      const double z_m = is_cone ? top_m : crest_m(crest);
+      const double thickness_m = z_m - slope * r_m - columns->TopAt(i, j);
+      if (r_m <= reach_m && thickness_m > 0) rises.push_back({i, j, thickness_m});
+    }
+  }
+  for (const Rise& rise : rises) {
+    const double volume_m3 = rise.thickness_m * columns->area_m2();
+    columns->Deposit(columns->Touch(rise.i, rise.j),
+                     Spoil{volume_m3 * LooseDensity_kgpm3(soil), volume_m3, pile.soil,
+                           static_cast<float>(soil.moisture)});
+  }
+}
+
 }  // namespace
 
-SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed) {
+SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed,
+                  const std::optional<GivenGround>& given) {
   SitePlan plan;
-  const auto elevation = ReadGeotiff(config);
+  auto elevation = ReadGeotiff(config);
   if (elevation) plan.georeference = elevation->origin;
+  if (elevation && given) {
+    config.Fault("geotiff", "the ground is that of environment.mesh too; need one of the two");
+  }
+  if (given) elevation = GridOf(*given);
   const auto classes = ReadClassFile(config, plan.georeference);
   if (classes && !elevation) plan.georeference = classes->origin;
   UndisturbedGround& ground = plan.ground;
@@ -210,27 +277,7 @@ Columns BuildColumns(const SitePlan& plan) {
   if (soils.empty()) soils.emplace_back();
   Columns columns(plan.ground, std::move(soils));
   for (const PitPlan& pit : plan.pits) Dig(pit, &columns);
-  for (const PilePlan& pile : plan.piles) {
-    const SoilType& soil = columns.soils()[pile.soil];
-    const double slope = std::tan(soil.repose_angle_rad);
-    const double z_m = columns.HeightAt(pile.xy_W_m.x(), pile.xy_W_m.y()) + pile.height_m;
-    // The foot may lie lower than the ground under the top: look as far again.
-    const double reach_m = 2 * pile.height_m / slope;
-    const int i0 = std::max(0, columns.NearestI(pile.xy_W_m.x() - reach_m));
-    const int i1 = std::min(columns.nx() - 1, columns.NearestI(pile.xy_W_m.x() + reach_m));
-    const int j0 = std::max(0, columns.NearestJ(pile.xy_W_m.y() - reach_m));
-    const int j1 = std::min(columns.ny() - 1, columns.NearestJ(pile.xy_W_m.y() + reach_m));
-    for (int j = j0; j <= j1; ++j) {
-      for (int i = i0; i <= i1; ++i) {
-        const double r_m = (Vec2(columns.x_m(i), columns.y_m(j)) - pile.xy_W_m).norm();
-        const double thickness_m = z_m - slope * r_m - columns.TopAt(i, j);
-        if (r_m > reach_m || thickness_m <= 0) continue;
-        const double volume_m3 = thickness_m * columns.area_m2();
-        columns.Deposit(columns.Touch(i, j), Spoil{volume_m3 * LooseDensity_kgpm3(soil), volume_m3,
-                                                   pile.soil, static_cast<float>(soil.moisture)});
-      }
-    }
-  }
+  for (const PilePlan& pile : plan.piles) Heap(pile, &columns);
   columns.MarkStart();
   return columns;
 }

@@ -7,12 +7,13 @@
 #include "core/config/config.h"
 #include "soil/columns/columns.h"
 #include "soil/columns/pit.h"
+#include "soil/site/given_ground.h"
 
 namespace tera {
 
-/// A cone of loose soil.
+/// A cone of loose soil, or with another end a berm: a ridge from one to the other.
 struct PilePlan {
-  Vec2 xy_W_m = Vec2::Zero();
+  Vec2 xy_W_m = Vec2::Zero(), end_W_m = Vec2::Zero();  ///< of a cone the same
   double height_m = 0;
   std::uint8_t soil = 0;
 };
@@ -27,8 +28,10 @@ struct SitePlan {
 };
 
 /// Reads `size_m cell_m soil soils layers soil_classes custom_soils strips regions relief geotiff
-/// piles pits`. Faults go to `config`; a GeoTIFF that cannot be used is one of them.
-SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed);
+/// piles pits`. Faults go to `config`; a GeoTIFF that cannot be used is one of them, and one beside
+/// `given`, which is the ground in its place.
+SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed,
+                  const std::optional<GivenGround>& given = std::nullopt);
 
 /// The columns of a site, its pits dug and its piles in place at their angle of repose.
 Columns BuildColumns(const SitePlan& plan);

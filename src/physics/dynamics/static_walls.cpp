@@ -1,0 +1,23 @@
+#include "physics/dynamics/static_walls.h"
+
+#include "physics/dynamics/bullet_types.h"
+
+namespace tera {
+
+StaticWalls::StaticWalls(const SiteWalls& walls, double friction, btMultiBodyDynamicsWorld* world)
+    : world_(world) {
+  for (std::size_t t = 0; t + 2 < walls.indices.size(); t += 3) {
+    const std::uint32_t* i = &walls.indices[t];
+    triangles_.addTriangle(ToBullet(walls.corners_W_m[i[0]]), ToBullet(walls.corners_W_m[i[1]]),
+                           ToBullet(walls.corners_W_m[i[2]]));
+  }
+  const bool compressed = true;
+  shape_ = std::make_unique<btBvhTriangleMeshShape>(&triangles_, compressed);
+  body_ = std::make_unique<btRigidBody>(0.0, nullptr, shape_.get());
+  body_->setFriction(friction);
+  body_->setUserPointer(&tag_);
+  world->addRigidBody(body_.get(), btBroadphaseProxy::StaticFilter,
+                      btBroadphaseProxy::DefaultFilter);
+}
+
+}  // namespace tera

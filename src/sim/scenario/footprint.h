@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "core/motion.h"
+
+namespace tera {
+
+/// The rectangle of ground that something takes up.
+///
+/// Frames  W; turned by `yaw_rad` from x towards y.
+struct Footprint {
+  Vec2 middle_W_m = Vec2::Zero();
+  double yaw_rad = 0;
+  Vec2 half_m = Vec2::Zero();  ///< along and across its heading
+
+  Vec2 Along() const { return {std::cos(yaw_rad), std::sin(yaw_rad)}; }
+  Vec2 Across() const { return {-std::sin(yaw_rad), std::cos(yaw_rad)}; }
+  std::array<Vec2, 4> Corners_W_m() const;
+};
+
+/// Whether two come nearer to each other than `gap_m`, by the axes that may separate them; at
+/// corners that face each other a little sooner.
+///
+/// Source  Gottschalk, Lin and Manocha 1996, "OBBTree", for the test.
+bool Meet(const Footprint& a, const Footprint& b, double gap_m);
+
+}  // namespace tera

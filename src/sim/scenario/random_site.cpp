@@ -1,0 +1,314 @@
+#include "sim/scenario/random_site.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/config/config_peek.h"
+#include "core/random.h"
+#include "core/units.h"
+#include "sim/scenario/footprint.h"
+#include "sim/scenario/standing_things.h"
+
+namespace tera {
+namespace {
+
+constexpr std::uint32_t kMostTries = 1000;  ///< of a free place
+constexpr double kMostOfAKind = 100;
+/// Run over rise of a heap's foot: the shallowest repose of the shipped soils is about 30 deg.
+constexpr double kFootOverHeight = 1.8;
+
+/// Draws one kind after the other, and remembers what is taken.
+class SitePlanner {
+ public:
+  SitePlanner(const ConfigMap& entry, const SiteDraw& draw);
+
+  void HaulRoad();
+  void Trenches();
+  void Berms();
+  void Stockpiles();
+  void Fences();
+  void Things(const char* kind);
+  std::vector<std::pair<std::string, std::string>> Take();
+
+ private:
+  using List = std::vector<std::string>;
+  struct Spread {
+    double lower = 0, upper = 0;
+    double At(double share) const { return lower + share * (upper - lower); }
+  };
+
+  Stream StreamOf(const std::string& of) const { return {draw_.seed, "randomise/site/" + of}; }
+  double Share(const Stream& stream, std::uint32_t what) const {
+    return stream.Uniform(draw_.episode, what);
+  }
+  Spread SpreadAt(const ConfigMap& config, const char* key, const Range& range) const;
+  int Count(const ConfigMap& config, const std::string& kind) const;
+  std::string OneOf(const ConfigMap& config, const char* key, const Stream& stream) const;
+  /// A free place for a rectangle, which is then taken; a fault and nothing where there is none.
+  std::optional<Footprint> Place(const ConfigMap& config, const std::string& kind,
+                                 const Stream& stream, const Vec2& half_m, bool follows_road);
+  bool IsFree(const Footprint& wanted) const;
+  /// Draws `count` of a kind, each by draw_one(config, stream, number).
+  template <typename DrawOne>
+  void ForEach(const char* kind, const DrawOne& draw_one);
+
+  static constexpr std::uint32_t kYaw = 0, kSize = 1, kOther = 2, kChoice = 3, kPlaces = 8;
+
+  const ConfigMap& entry_;
+  const SiteDraw& draw_;
+  Spread x_m_, y_m_;
+  double gap_m_ = 0;
+  bool reads_only_ = false;
+  std::optional<double> road_yaw_rad_;
+  std::vector<Footprint> taken_;
+  List regions_, pits_, piles_, obstacles_;
+};
+
+SitePlanner::SitePlanner(const ConfigMap& entry, const SiteDraw& draw)
+    : entry_(entry), draw_(draw) {
+  x_m_ = SpreadAt(entry, "x_m", Any("m"));
+  y_m_ = SpreadAt(entry, "y_m", Any("m"));
+  gap_m_ = entry.Number("gap_m", AtLeast(0, "m"), 0.8);
+  const double clear_m = entry.Number("clear_m", AtLeast(0, "m"), 7);
+  taken_ = StandingThings(*draw.scenario, *draw.drawn, clear_m);
+}
+
+SitePlanner::Spread SitePlanner::SpreadAt(const ConfigMap& config, const char* key,
+                                          const Range& range) const {
+  const std::vector<double> ends = config.Numbers(key, range, 2, 2);
+  if (ends.size() != 2) return {};
+  if (ends[1] < ends[0]) config.Fault(key, "ends lie the other way about, need [least, most]");
+  return {ends[0], std::max(ends[0], ends[1])};
+}
+
+int SitePlanner::Count(const ConfigMap& config, const std::string& kind) const {
+  const Spread of = SpreadAt(config, "count", Between(0, kMostOfAKind, ""));
+  if (of.lower != std::floor(of.lower) || of.upper != std::floor(of.upper)) {
+    config.Fault("count", "need whole numbers");
+  }
+  const double share = Share(StreamOf(kind), 0);
+  return static_cast<int>(of.lower + std::floor(share * (of.upper - of.lower + 1)));
+}
+
+std::string SitePlanner::OneOf(const ConfigMap& config, const char* key,
+                               const Stream& stream) const {
+  const std::vector<std::string> all = config.Texts(key);
+  if (all.empty()) {
+    config.Fault(key, "nothing to choose from, need a list of one or more");
+    return "";
+  }
+  const double count = static_cast<double>(all.size());
+  return all[static_cast<std::size_t>(Share(stream, kChoice) * count)];
+}
+
+bool SitePlanner::IsFree(const Footprint& wanted) const {
+  for (const Vec2& corner : wanted.Corners_W_m()) {
+    if (corner.x() < x_m_.lower || corner.x() > x_m_.upper || corner.y() < y_m_.lower ||
+        corner.y() > y_m_.upper) {
+      return false;
+    }
+  }
+  return std::none_of(taken_.begin(), taken_.end(),
+                      [&](const Footprint& other) { return Meet(wanted, other, gap_m_); });
+}
+
+std::optional<Footprint> SitePlanner::Place(const ConfigMap& config, const std::string& kind,
+                                            const Stream& stream, const Vec2& half_m,
+                                            bool follows_road) {
+  if (reads_only_) return std::nullopt;
+  constexpr double kStray_rad = 4 * kDeg, kAcross = 0.25;  // share of those across the road
+  for (std::uint32_t k = 0; k < kMostTries; ++k) {
+    const auto draw = [&](std::uint32_t what) { return Share(stream, kPlaces + 4 * k + what); };
+    Footprint wanted{.middle_W_m = Vec2(x_m_.At(draw(0)), y_m_.At(draw(1))),
+                     .yaw_rad = (2 * draw(2) - 1) * kPi,
+                     .half_m = half_m};
+    if (follows_road && road_yaw_rad_) {
+      wanted.yaw_rad =
+          *road_yaw_rad_ + kStray_rad * (2 * draw(2) - 1) + (draw(3) < kAcross ? 0.5 * kPi : 0);
+    }
+    if (!IsFree(wanted)) continue;
+    taken_.push_back(wanted);
+    return wanted;
+  }
+  config.Fault("", fmt::format("no free place found for one of {} in {} tries; widen x_m and y_m, "
+                               "or lessen count, gap_m or clear_m",
+                               kind, kMostTries));
+  return std::nullopt;
+}
+
+template <typename DrawOne>
+void SitePlanner::ForEach(const char* kind, const DrawOne& draw_one) {
+  const auto config = entry_.OptionalMap(kind);
+  if (!config) return;
+  const int count = Count(*config, kind);
+  // Even of none the keys are read, so that a mistyped one is told in every episode.
+  reads_only_ = count == 0;
+  for (int n = 1; n <= std::max(count, 1); ++n) {
+    draw_one(*config, StreamOf(fmt::format("{}/{}", kind, n)), n);
+  }
+}
+
+std::string PointText(const Vec2& p_m) { return fmt::format("[{:.3f}, {:.3f}]", p_m.x(), p_m.y()); }
+
+std::string OutlineText(const std::vector<Vec2>& outline_m) {
+  std::vector<std::string> corners;
+  for (const Vec2& corner : outline_m) corners.push_back(PointText(corner));
+  return fmt::format("[{}]", fmt::join(corners, ", "));
+}
+
+double Degrees(double yaw_rad) { return std::remainder(yaw_rad, 2 * kPi) / kDeg; }
+
+/// From one side of the area to the other, with one bend in the middle.
+void SitePlanner::HaulRoad() {
+  const auto config = entry_.OptionalMap("haul_road");
+  if (!config) return;
+  const Stream stream = StreamOf("haul_road");
+  const double width_m = SpreadAt(*config, "width_m", Between(1, 30, "m")).At(Share(stream, kSize));
+  const std::string soil = OneOf(*config, "soils", stream);
+  const bool along_x = Share(stream, kYaw) < 0.5;
+  const Spread& from = along_x ? x_m_ : y_m_;
+  const Spread& side = along_x ? y_m_ : x_m_;
+  const auto at = [&](double way, std::uint32_t what) {
+    const double aside_m = side.At(0.15 + 0.7 * Share(stream, kPlaces + what));
+    return along_x ? Vec2(from.At(way), aside_m) : Vec2(aside_m, from.At(way));
+  };
+  const Vec2 begin = at(0, 0), bend = at(0.3 + 0.4 * Share(stream, kOther), 1), end = at(1, 2);
+  road_yaw_rad_ = std::atan2((end - begin).y(), (end - begin).x());
+  const auto left = [&](const Vec2& from_m, const Vec2& to_m) {
+    const Vec2 way = (to_m - from_m).normalized();
+    return Vec2(0.5 * width_m * Vec2(-way.y(), way.x()));
+  };
+  const Vec2 first = left(begin, bend), last = left(bend, end), middle = left(begin, end);
+  // It goes on over the site's border, as roads do.
+  constexpr double kBeyond_m = 500;
+  const Vec2 from_far = begin - kBeyond_m * (bend - begin).normalized();
+  const Vec2 to_far = end + kBeyond_m * (end - bend).normalized();
+  regions_.push_back(fmt::format("{{outline_m: {}, soil: {}}}",
+                                 OutlineText({from_far + first, from_far - first, bend - middle,
+                                              to_far - last, to_far + last, bend + middle}),
+                                 soil));
+  for (const auto& [a, b] : {std::pair(begin, bend), std::pair(bend, end)}) {
+    const Vec2 way = b - a;
+    taken_.push_back({.middle_W_m = 0.5 * (a + b),
+                      .yaw_rad = std::atan2(way.y(), way.x()),
+                      .half_m = Vec2(0.5 * way.norm(), 0.5 * width_m)});
+  }
+}
+
+void SitePlanner::Trenches() {
+  ForEach("trenches", [&](const ConfigMap& config, const Stream& stream, int) {
+    const double length_m =
+        SpreadAt(config, "length_m", Between(0.5, 200, "m")).At(Share(stream, kSize));
+    const double width_m =
+        SpreadAt(config, "width_m", Between(0.3, 20, "m")).At(Share(stream, kSize + 3));
+    const double depth_m =
+        SpreadAt(config, "depth_m", Between(0.05, 10, "m")).At(Share(stream, kSize + 4));
+    const Vec2 half_m(0.5 * length_m, 0.5 * width_m);
+    const auto at = Place(config, "trenches", stream, half_m, true);
+    if (!at) return;
+    const std::array<Vec2, 4> corners = at->Corners_W_m();
+    pits_.push_back(fmt::format("{{outline_m: {}, depth_m: {:.3f}}}",
+                                OutlineText({corners.begin(), corners.end()}), depth_m));
+  });
+}
+
+void SitePlanner::Berms() {
+  ForEach("berms", [&](const ConfigMap& config, const Stream& stream, int) {
+    const double length_m =
+        SpreadAt(config, "length_m", Between(0.5, 200, "m")).At(Share(stream, kSize));
+    const double height_m =
+        SpreadAt(config, "height_m", Between(0.1, 10, "m")).At(Share(stream, kSize + 3));
+    const std::string soil = OneOf(config, "soils", stream);
+    const double foot_m = kFootOverHeight * height_m;
+    const auto at = Place(config, "berms", stream, Vec2(0.5 * length_m + foot_m, foot_m), true);
+    if (!at) return;
+    const Vec2 half = 0.5 * length_m * at->Along();
+    piles_.push_back(fmt::format("{{xy_m: {}, to_m: {}, height_m: {:.3f}, soil: {}}}",
+                                 PointText(at->middle_W_m - half), PointText(at->middle_W_m + half),
+                                 height_m, soil));
+  });
+}
+
+void SitePlanner::Stockpiles() {
+  ForEach("stockpiles", [&](const ConfigMap& config, const Stream& stream, int) {
+    const double height_m =
+        SpreadAt(config, "height_m", Between(0.1, 10, "m")).At(Share(stream, kSize));
+    const std::string soil = OneOf(config, "soils", stream);
+    const auto at =
+        Place(config, "stockpiles", stream, Vec2::Constant(kFootOverHeight * height_m), false);
+    if (!at) return;
+    piles_.push_back(fmt::format("{{xy_m: {}, height_m: {:.3f}, soil: {}}}",
+                                 PointText(at->middle_W_m), height_m, soil));
+  });
+}
+
+/// Panels in a row; a run is one rectangle.
+void SitePlanner::Fences() {
+  ForEach("fences", [&](const ConfigMap& config, const Stream& stream, int number) {
+    const double panel_m = config.Number("panel_m", Between(0.5, 20, "m"), 3.5);
+    const Spread of = SpreadAt(config, "panels", Between(1, 50, ""));
+    const auto panels =
+        static_cast<int>(of.lower + std::floor(Share(stream, kSize) * (of.upper - of.lower + 1)));
+    const std::string file = OneOf(config, "of", stream);
+    constexpr double kHalfDepth_m = 0.4;
+    const auto at =
+        Place(config, "fences", stream, Vec2(0.5 * panels * panel_m, kHalfDepth_m), true);
+    if (!at) return;
+    for (int k = 0; k < panels; ++k) {
+      const Vec2 p_m = at->middle_W_m + (k - 0.5 * (panels - 1)) * panel_m * at->Along();
+      obstacles_.push_back(
+          fmt::format("{{name: fence_{}_{}, preset: '{}', xy_m: {}, yaw_deg: {:.2f}}}", number,
+                      k + 1, file, PointText(p_m), Degrees(at->yaw_rad)));
+    }
+  });
+}
+
+void SitePlanner::Things(const char* kind) {
+  ForEach(kind, [&](const ConfigMap& config, const Stream& stream, int number) {
+    const Vec2 size_m = config.Vector2("size_m", Between(0.1, 50, "m"));
+    const std::string file = OneOf(config, "of", stream);
+    const auto at = Place(config, kind, stream, 0.5 * size_m, false);
+    if (!at) return;
+    obstacles_.push_back(fmt::format("{{name: {}_{}, preset: '{}', xy_m: {}, yaw_deg: {:.2f}}}",
+                                     kind, number, file, PointText(at->middle_W_m),
+                                     Degrees(at->yaw_rad)));
+  });
+}
+
+std::vector<std::pair<std::string, std::string>> SitePlanner::Take() {
+  std::vector<std::pair<std::string, std::string>> values;
+  const auto give = [&](const std::vector<std::string>& path, const List& added) {
+    if (added.empty()) return;
+    List all = ItemsAt(*draw_.scenario, path);
+    all.insert(all.end(), added.begin(), added.end());
+    values.emplace_back(fmt::format("{}", fmt::join(path, ".")),
+                        fmt::format("[{}]", fmt::join(all, ", ")));
+  };
+  give({"terrain", "regions"}, regions_);
+  give({"terrain", "pits"}, pits_);
+  give({"terrain", "piles"}, piles_);
+  give({"obstacles"}, obstacles_);
+  return values;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> DrawSite(const ConfigMap& entry,
+                                                          const SiteDraw& draw) {
+  SitePlanner planner(entry, draw);
+  planner.HaulRoad();
+  planner.Trenches();
+  planner.Stockpiles();
+  planner.Things("parked");
+  planner.Berms();
+  planner.Fences();
+  planner.Things("people");
+  planner.Things("things");
+  return planner.Take();
+}
+
+}  // namespace tera
