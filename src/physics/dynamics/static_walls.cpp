@@ -8,8 +8,11 @@ StaticWalls::StaticWalls(const SiteWalls& walls, double friction, btMultiBodyDyn
     : world_(world) {
   for (std::size_t t = 0; t + 2 < walls.indices.size(); t += 3) {
     const std::uint32_t* i = &walls.indices[t];
-    triangles_.addTriangle(ToBullet(walls.corners_W_m[i[0]]), ToBullet(walls.corners_W_m[i[1]]),
-                           ToBullet(walls.corners_W_m[i[2]]));
+    const btVector3 a = ToBullet(walls.corners_W_m[i[0]]), b = ToBullet(walls.corners_W_m[i[1]]),
+                    c = ToBullet(walls.corners_W_m[i[2]]);
+    // Either way about: out of a triangle's back Bullet pushes a box too little.
+    triangles_.addTriangle(a, b, c);
+    triangles_.addTriangle(a, c, b);
   }
   const bool compressed = true;
   shape_ = std::make_unique<btBvhTriangleMeshShape>(&triangles_, compressed);
