@@ -23,7 +23,7 @@ machines:
   - name: rover
     machine: tera:config/machines/warthog.yaml
     operator: {type: idle}
-    rig: {sensors: [{name: camera, preset: tera:config/sensors/rgb_640.yaml, link: body, xyz_m: [0.8, 0, 1],
+    rig: {sensors: [{name: camera, preset: tera:config/sensors/rgb_640.yaml, link: chassis, xyz_m: [0.8, 0, 1],
                      width_px: 96, height_px: 72, rate_hz: 5}]}
 randomise:
   - {key: environment.sun_elevation_deg, uniform: [10, 60]}

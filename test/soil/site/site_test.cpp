@@ -153,6 +153,24 @@ TEST(Site, PileIsAConeOfLooseSoilAtItsReposeAngleAndStaysSo) {
   EXPECT_NEAR(ground.HeightAt(1, -2), 1.0, 0.03);
 }
 
+TEST(Site, ABermIsARidgeFromEndToEndWhoseCrestFollowsTheGround) {
+  const double slope = 0.1, height_m = 0.8;
+  const auto soil = MakeGround(
+      "size_m: [16, 10]\ncell_m: 0.05\nsoil: dirt\nrelief: {slope_deg: 5.710593, "
+      "slope_direction_deg: 0}\npiles: [{xy_m: [-4, 1], to_m: [4, 1], height_m: 0.8, soil: "
+      "gravel}]\n");
+  const TerrainSurface& ground = soil->surface();
+  for (const double x_m : {-4.0, -1.5, 0.0, 3.0, 4.0}) {
+    EXPECT_NEAR(ground.HeightAt(x_m, 1), slope * x_m + height_m, 2e-3) << x_m;
+  }
+  // Gravel rests at 32 deg: beside the crest its side falls by tan 32 deg, beyond the end too.
+  const double fall = std::tan(32 * kDeg);
+  EXPECT_NEAR(ground.HeightAt(1, 1.5), slope * 1 + height_m - 0.5 * fall, 2e-3);
+  EXPECT_NEAR(ground.HeightAt(1, 0.2), slope * 1 + height_m - 0.8 * fall, 2e-3);
+  EXPECT_NEAR(ground.HeightAt(4.5, 1), slope * 4 + height_m - 0.5 * fall, 2e-3);
+  EXPECT_NEAR(ground.HeightAt(0, 3), 0, 1e-6);
+}
+
 TEST(Site, EveryFaultOfATerrainIsNamed) {
   EXPECT_THAT(FaultsOf("soil: drt\n"),
               AllOf(HasSubstr("site.yaml:1:7: soil: no soil named 'drt'"),
@@ -170,6 +188,9 @@ TEST(Site, EveryFaultOfATerrainIsNamed) {
               HasSubstr("piles[0].height_m: -1 is out of range"));
   EXPECT_THAT(FaultsOf("size_m: [4, 4]\npiles: [{xy_m: [0, 2.1], height_m: 1, soil: sand}]\n"),
               HasSubstr("piles[0].xy_m: lies beyond the site, x -2 to 2 m, y -2 to 2 m"));
+  EXPECT_THAT(FaultsOf("size_m: [4, 4]\npiles: [{xy_m: [0, 0], to_m: [3, 0], height_m: 1, soil: "
+                       "sand}]\n"),
+              HasSubstr("piles[0].to_m: lies beyond the site"));
   EXPECT_THAT(
       FaultsOf("size_m: [4, 4]\nlayers:\n  - {soil: dirt, from_m: 0, to_m: 0.4}\n"
                "  - {soil: sand, from_m: 0.3}\n"),
