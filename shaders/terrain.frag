@@ -51,6 +51,12 @@ vec4 Stone(vec2 place, float cell_m, uint layer, float share, float pixel_m, out
 void main() {
   vec4 albedo = texture(u_ground_albedo, v_texture);
   vec4 shape = texture(u_ground_shape, v_texture);
+  if (shape.w < 0.0) {  // water: level, smooth, and mirroring as no ground does
+    o_albedo_roughness = vec4(albedo.rgb * 0.75, 0.06);
+    o_normal_metallic = vec4(0.5, 0.5, 1.0, 0.0);
+    o_label = 1u;
+    return;
+  }
   vec4 stones = texture(u_detail, v_position_W * kStones) * 2.0 - 1.0;
   vec4 crumbs = texture(u_detail, kTurnCrumbs * v_position_W * kCrumbs) * 2.0 - 1.0;
   vec4 patches = texture(u_detail, kTurn * v_position_W * kPatches, kPatchLevel) * 2.0 - 1.0;

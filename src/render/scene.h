@@ -11,6 +11,8 @@
 #include "core/types/labels.h"
 #include "core/types/terrain_surface.h"
 #include "render/ground/ground_paint.h"
+#include "render/air/dust_volume.h"
+#include "render/air/weather.h"
 #include "render/lamp.h"
 #include "render/meshes/mesh.h"
 
@@ -80,6 +82,7 @@ struct Environment {
   double exposure_ev100 = 15.0;
   std::optional<double> cloud_cover;  ///< 0 to 1
   std::optional<double> sky_illuminance_lx;
+  Weather weather;
 };
 
 /// The constant part.
@@ -125,6 +128,8 @@ struct SceneState {
   std::vector<Pose> X_WB;  ///< one for each body
   const TerrainSurface* terrain = nullptr;
   Shapes shapes;
+  const DustVolume* dust = nullptr;  ///< in the air; null where there is none
+  double exposure_s = 0.004;         ///< for which falling drops are seen
 };
 
 }  // namespace tera

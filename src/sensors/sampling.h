@@ -20,6 +20,12 @@ class RayScene;
 class SiteFrame;
 struct SensorDescription;
 
+/// What the air of a scene carries.
+struct SensedAir {
+  const DustVolume* dust = nullptr;  ///< null: none
+  double rain_mmph = 0;
+};
+
 /// The scene around a rig, for sensors that see it. It is that of the step which is being sampled.
 class SensedScene {
  public:
@@ -33,6 +39,8 @@ class SensedScene {
   /// Poses X_WB of all bodies at a time, which may be as early as the oldest that a sampler needs
   /// (SensorSampler::SceneNeededSince).
   virtual std::vector<Pose> BodiesAt(TimeNs t_ns) const = 0;
+  /// The air at the end of the step.
+  virtual SensedAir air() const { return {}; }
   virtual Rasterizer* rasterizer() const = 0;
   virtual RayScene* ray_scene() const = 0;
   /// Threads that rays may use; no measurement depends on it.

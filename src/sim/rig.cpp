@@ -25,6 +25,7 @@ Rig::Rig(const Scenario& scenario, const SceneAssembly& assembly, const EglOptio
       units_.push_back({m, kind.form, kind.sampler(place)});
     }
   }
+  if (Has(ChannelForm::kPictures) || Has(ChannelForm::kScans)) scene_.FollowAir(scenario);
   if (Has(ChannelForm::kPictures)) scene_.MakeRasterizer(egl);
   if (Has(ChannelForm::kScans)) scene_.MakeRayScene();
   if (std::any_of(units_.begin(), units_.end(),

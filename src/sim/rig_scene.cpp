@@ -32,6 +32,10 @@ void RigScene::Advance(const WorldStep& step) {
   after_ = &step.after;
   ground_ = &step.ground;
   shapes_known_ = false;
+  if (scenario_ != nullptr && scenario_->environment.weather.dust) {
+    if (!dust_) dust_.emplace(*scenario_, step.before, step.ground);
+    dust_->Step(step);
+  }
   if (!keeps_past_) return;
   TERA_CHECK(history_.empty() || after_->t_ns > history_.back().t_ns, after_->t_ns);
   history_.push_back({after_->t_ns, assembly_.BodyPoses(*after_)});
@@ -46,6 +50,13 @@ Shapes RigScene::ShapesNow() const {
   if (!shapes_known_) shapes_ = assembly_.ShapesOf(*after_);
   shapes_known_ = true;
   return shapes_;
+}
+
+SensedAir RigScene::air() const {
+  SensedAir air;
+  if (dust_) air.dust = &dust_->volume();
+  if (scenario_ != nullptr) air.rain_mmph = scenario_->environment.weather.rain_mmph;
+  return air;
 }
 
 std::vector<Pose> RigScene::BodiesBetween(double s) const {

@@ -2,11 +2,13 @@
 
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "render/gl/rasterizer.h"
 #include "render/rays/ray_scene.h"
 #include "sensors/sampling.h"
+#include "sim/dust/site_dust.h"
 #include "sim/scene_assembly.h"
 #include "sim/world_state.h"
 
@@ -26,6 +28,9 @@ class RigScene : public SensedScene {
   void MakeRayScene();
   /// For sensors that look back: from then on past poses are kept.
   void KeepPast() { keeps_past_ = true; }
+  /// For sensors that look through the air: from then on the scenario's dust is followed, if it has
+  /// any.
+  void FollowAir(const Scenario& scenario) { scenario_ = &scenario; }
 
   /// Goes on to a step, whose states and ground must stay where they are until the next call.
   void Advance(const WorldStep& step);
@@ -35,6 +40,7 @@ class RigScene : public SensedScene {
   Shapes ShapesNow() const override;
   std::vector<Pose> BodiesBetween(double s) const override;
   std::vector<Pose> BodiesAt(TimeNs t_ns) const override;
+  SensedAir air() const override;
   Rasterizer* rasterizer() const override { return rasterizer_.get(); }
   RayScene* ray_scene() const override { return ray_scene_.get(); }
   int threads() const override { return threads_; }
@@ -56,6 +62,8 @@ class RigScene : public SensedScene {
   mutable bool shapes_known_ = false;
   bool keeps_past_ = false;
   std::deque<Moment> history_;
+  const Scenario* scenario_ = nullptr;  ///< of which the air is followed
+  std::optional<SiteDust> dust_;
 };
 
 }  // namespace tera

@@ -31,11 +31,12 @@ import yaml
 COCO = ["nose", "left_eye", "right_eye", "left_ear", "right_ear", "left_shoulder", "right_shoulder", "left_elbow", "right_elbow",
         "left_wrist", "right_wrist", "left_hip", "right_hip", "left_knee", "right_knee", "left_ankle", "right_ankle"]
 KNOWN = ["semantic", "instance", "normal", "distance", "flow_to_previous", "flow_to_this", "scene_flow_to_previous",
-         "ground_soil", "ground_state", "ground_change", "ground_age"]
+         "ground_soil", "ground_state", "ground_change", "ground_age", "dust_optical_depth"]
 FORM = {"rgb": (np.uint8, 3), "depth": (np.uint16, 1), "semantic": (np.uint8, 1), "instance": (np.uint16, 1),
         "normal": (np.uint16, 3), "distance": (np.uint16, 1), "flow_to_previous": (np.uint16, 3), "flow_to_this": (np.uint16, 3),
         "scene_flow_to_previous": (np.uint16, 3), "ground_soil": (np.uint8, 1), "ground_state": (np.uint8, 3),
-        "ground_change": (np.uint16, 1), "ground_age": (np.uint16, 1)}
+        "ground_change": (np.uint16, 1), "ground_age": (np.uint16, 1),
+        "dust_optical_depth": (np.uint16, 1)}
 
 # C (x right, y down, z forward) in S (x forward, y left, z up).
 R_SC = np.array([[0.0, 0, 1], [-1, 0, 0], [0, -1, 0]])

@@ -179,6 +179,12 @@ class Frame:
         return age_s
 
     @cached_property
+    def dust_optical_depth(self) -> np.ndarray | None:
+        """H x W float32: of the dust before what each pixel shows; exp(-it) of the light passes."""
+        code = self._picture("dust_optical_depth")
+        return None if code is None else code.astype(np.float32) / 1000
+
+    @cached_property
     def boxes(self) -> list[Box]:
         """Objects in view; empty where none were recorded."""
         file = self._folder / "boxes" / (self._filename.rsplit(".", 1)[0] + ".json")

@@ -20,7 +20,8 @@ namespace tera {
 enum class LabelSource {
   kLabelWord,      ///< 32 bits that a shader writes of each pixel, of which each channel has some
   kSurfaceNormal,  ///< RGBA16 that a shader writes, n / 2 + 1/2 in W; all 0 where no surface is
-  kSurfaces        ///< computed by the camera from depth, bodies, ground and earlier pictures
+  kSurfaces,       ///< computed by the camera from depth, bodies, ground and earlier pictures
+  kAir             ///< computed by the camera from depth and what is in the air
 };
 
 /// How a channel is coloured for people to look at.
@@ -48,7 +49,7 @@ struct LabelChannel {
   std::string_view caption;  ///< of the overview
 };
 
-inline constexpr std::array<LabelChannel, 11> kLabelChannels = {{
+inline constexpr std::array<LabelChannel, 12> kLabelChannels = {{
     {"semantic", &CameraFrame::semantic, 1, true, LabelSource::kLabelWord, 0,
      LabelColours::kClasses, "classes"},
     {"instance", &CameraFrame::instance, 1, true, LabelSource::kLabelWord, 8,
@@ -71,6 +72,8 @@ inline constexpr std::array<LabelChannel, 11> kLabelChannels = {{
      LabelColours::kRise, "cut and fill"},
     {"ground_age", &CameraFrame::ground_age, 1, false, LabelSource::kSurfaces, 0,
      LabelColours::kNearness, "time since touched"},
+    {"dust_optical_depth", &CameraFrame::dust_optical_depth, 1, false, LabelSource::kAir, 0,
+     LabelColours::kNearness, "optical depth of dust"},
 }};
 
 /// Channels by their place in the table.
@@ -80,7 +83,7 @@ inline constexpr std::size_t kSemanticChannel = 0, kInstanceChannel = 1, kNormal
                              kDistanceChannel = 3, kFlowToPreviousChannel = 4,
                              kFlowToThisChannel = 5, kSceneFlowToPreviousChannel = 6,
                              kGroundSoilChannel = 7, kGroundStateChannel = 8,
-                             kGroundChangeChannel = 9, kGroundAgeChannel = 10;
+                             kGroundChangeChannel = 9, kGroundAgeChannel = 10, kDustChannel = 11;
 
 inline LabelSet UsualLabels() {
   LabelSet usual;

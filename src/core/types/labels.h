@@ -28,6 +28,8 @@ enum class SemanticClass : std::uint8_t {
   kStructure = 15,
   kSoilInBucket = 16,
   kVegetation = 17,
+  kDust = 18,  ///< in the air, of scans alone
+  kRain = 19,  ///< falling drops, of scans alone
 };
 
 struct SemanticClassInfo {
@@ -37,7 +39,7 @@ struct SemanticClassInfo {
 };
 
 /// All classes in order of value.
-inline constexpr std::array<SemanticClassInfo, 18> kSemanticClasses = {{
+inline constexpr std::array<SemanticClassInfo, 20> kSemanticClasses = {{
     {SemanticClass::kSky, "sky", {135, 190, 235}},
     {SemanticClass::kTerrain, "terrain", {134, 96, 67}},
     {SemanticClass::kUndercarriage, "undercarriage", {90, 90, 100}},
@@ -56,6 +58,8 @@ inline constexpr std::array<SemanticClassInfo, 18> kSemanticClasses = {{
     {SemanticClass::kStructure, "structure", {180, 170, 150}},
     {SemanticClass::kSoilInBucket, "soil_in_bucket", {90, 60, 30}},
     {SemanticClass::kVegetation, "vegetation", {60, 140, 60}},
+    {SemanticClass::kDust, "dust", {235, 205, 150}},
+    {SemanticClass::kRain, "rain", {120, 160, 255}},
 }};
 
 constexpr std::string_view NameOf(SemanticClass label) {

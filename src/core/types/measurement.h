@@ -139,6 +139,7 @@ struct CameraFrame {
   Image<std::uint8_t> ground_soil;              ///< PixelOfSoil
   Image<std::uint8_t> ground_state;  ///< looseness, moisture and rut as in TerrainSurface::Cover
   Image<std::uint16_t> ground_change, ground_age;  ///< PixelOfRise, PixelOfAge
+  Image<std::uint16_t> dust_optical_depth;         ///< PixelOfOpticalDepth
   std::vector<ObjectBox> boxes;
 };
 

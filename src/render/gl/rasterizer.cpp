@@ -15,10 +15,12 @@
 #include "render/gl/object_boxes.h"
 #include "render/gl/passes/body_pass.h"
 #include "render/gl/passes/daylight.h"
+#include "render/gl/passes/dust_pass.h"
 #include "render/gl/passes/grain_renderer.h"
 #include "render/gl/passes/lamp_lights.h"
 #include "render/gl/passes/lens.h"
 #include "render/gl/passes/node_renderer.h"
+#include "render/gl/passes/rain_pass.h"
 #include "render/gl/passes/shadow_map.h"
 #include "render/gl/pictures.h"
 #include "render/gl/read_labels.h"
@@ -81,6 +83,8 @@ struct Rasterizer::Impl {
   Program lens_program{"fullscreen.vert", "distort.frag"};
   Program lens_normals_program{"fullscreen.vert", "distort.frag", {"NORMALS"}};
   std::optional<BodyPass> bodies;  // of the first picture that asks for them
+  std::optional<DustPass> dust;    // of the first picture with dust in the air
+  std::optional<RainPass> rain;    // where it rains
   GlObject no_vertices = MakeVertexArray();
   GlObject far_below = FarBelow();
   bool has_ground = false;
@@ -101,7 +105,10 @@ struct Rasterizer::Impl {
         lamps(model.lamps),
         silhouettes(model),
         shade_program("fullscreen.vert", "shade.frag",
-                      model.lamps.empty() ? Switches{} : Switches{"LAMPS"}) {}
+                      model.lamps.empty() ? Switches{} : Switches{"LAMPS"}) {
+    const Weather& weather = model.environment.weather;
+    if (weather.rain_mmph > 0) rain.emplace(weather);
+  }
 
   Pictures& PicturesOf(int width_px, int height_px, bool linear);
   LensPictures& LensPicturesOf(int width_px, int height_px, bool linear);
@@ -361,6 +368,12 @@ void Rasterizer::Impl::DrawPinhole(const View& view, const SceneState& state, co
   DrawSky(view, p);
   DrawGlass(view, p);
   Done("sky, glass, lights");
+  if (state.dust != nullptr) {
+    if (!dust) dust.emplace();
+    dust->Draw(view, *state.dust, daylight, p, no_vertices);
+  }
+  if (rain) rain->Draw(view, state, daylight, p);
+  Done("dust, rain");
   Develop(p);
   Done("tone and edges");
 }

@@ -47,7 +47,9 @@ void ReadLabels(const LabelOutputs& outputs, int width_px, int height_px, const 
                 LabelSet labels, CameraFrame* frame) {
   const std::vector<std::uint32_t> words = ReadWords(outputs.word, width_px, height_px);
   ForEachLabel(*frame, [&](const LabelChannel& channel, auto& picture) {
-    if (!labels[IndexOf(channel)] || channel.source == LabelSource::kSurfaces) return;
+    const bool is_drawn =
+        channel.source != LabelSource::kSurfaces && channel.source != LabelSource::kAir;
+    if (!labels[IndexOf(channel)] || !is_drawn) return;
     picture = std::remove_reference_t<decltype(picture)>(width_px, height_px, channel.components);
     if (channel.source == LabelSource::kLabelWord) {
       Extract(words, channel.first_bit, &picture);

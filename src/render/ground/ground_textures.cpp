@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "render/ground/ground_cover.h"
+#include "render/ground/hollows.h"
 #include "render/ground/soil_colour.h"
 
 namespace tera {
@@ -15,6 +17,7 @@ constexpr int kCells = TerrainGrid::kTileCells;
 constexpr double kRutDarker = 0.22;
 constexpr double kTypicalGrain_m = 0.01;
 constexpr float kUndisturbedDetail = 0.45f;  // of the relief of loose soil
+constexpr double kSnowSmooths = 0.8;         // of the ground's relief
 
 std::uint8_t Unorm8(double value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255.0));
@@ -85,9 +88,11 @@ void GroundTextures::Pyramid::Send(TexelWindow w) {
 
 GroundTextures::GroundTextures(const TerrainSurface& terrain,
                                const std::vector<SoilAppearance>& soils,
-                               std::shared_ptr<const GroundPaint> paint, const Vec3& to_sun_W)
+                               std::shared_ptr<const GroundPaint> paint, const Weather& weather,
+                               const Vec3& to_sun_W)
     : soils_(soils),
       paint_(std::move(paint)),
+      weather_(weather),
       to_sun_W_(to_sun_W),
       origin_W_m_(terrain.origin_W_m),
       heights_(terrain),
@@ -99,6 +104,16 @@ GroundTextures::GroundTextures(const TerrainSurface& terrain,
   if (soils_.empty()) soils_.push_back(SoilAppearance{});
   shadow_texture_ =
       MakeTexture(GL_R32F, heights_.width(), heights_.height(), Filter::kLinear, Wrap::kClamp);
+  if (weather_.puddle_depth_m <= 0) return;
+  HeightTexels all(terrain);
+  all.Read(terrain, {0, 0, all.width(), all.height()});
+  std::vector<float> height_m;
+  for (std::size_t k = 0; k < all.index(0, all.height()); ++k) height_m.push_back(all.at(k));
+  water_m_ = WaterLevels(height_m, all.width(), all.height(), weather_.puddle_depth_m);
+}
+
+bool GroundTextures::IsUnderWater(std::size_t texel) const {
+  return !water_m_.empty() && water_m_[texel] > heights_.at(texel);
 }
 
 /// Takes over the covers there; returns where they were others before.
@@ -120,18 +135,18 @@ TexelWindow GroundTextures::ReadCovers(const TerrainSurface& terrain, const Texe
 void GroundTextures::PaintTexel(int i, int j) {
   const TerrainSurface::Cover cover = cover_[heights_.index(i, j)];
   const SoilAppearance& soil = soils_[std::min<std::size_t>(cover.soil, soils_.size() - 1)];
-  const double saturation = cover.moisture / 255.0, loose = cover.looseness / 255.0;
+  const bool is_water = IsUnderWater(heights_.index(i, j));
+  const double saturation = is_water ? 1.0 : SurfaceSaturation(weather_, cover.moisture / 255.0);
+  const double loose = cover.looseness / 255.0;
   const double rut = cover.rut / 255.0;
   const double tone = SoilTone(saturation, loose) * (1 - kRutDarker * rut);
   const std::size_t at = 4 * heights_.index(i, j);
   std::uint8_t* albedo = &albedo_.levels[0].texels[at];
-  Vec3 colour = tone * soil.albedo;
+  Vec3 bare = tone * soil.albedo;
   if (paint_) {
-    const int cells = heights_.texel_cells();
-    colour = paint_->Over(colour, terrain.x_m(i * cells), terrain.y_m(j * cells), heights_.at(i, j),
-                          loose);
+    const Vec2 p_W_m = origin_W_m_ + heights_.texel_m() * Vec2(i, j);
+    bare = paint_->Over(bare, p_W_m.x(), p_W_m.y(), heights_.at(i, j), loose);
   }
-  for (int k = 0; k < 3; ++k) albedo[k] = Unorm8(std::sqrt(std::max(colour[k], 0.0)));
   albedo[3] = Unorm8(sky_view_.Factor(heights_, i, j));
 
   const int il = std::max(i - 1, 0), ir = std::min(i + 1, heights_.width() - 1);
@@ -141,13 +156,21 @@ void GroundTextures::PaintTexel(int i, int j) {
   const double slope_y =
       (heights_.at(i, jr) - heights_.at(i, jl)) / ((jr - jl) * heights_.texel_m());
   const Vec3 normal = Vec3(-slope_x, -slope_y, 1).normalized();
-  const double grain = std::sqrt(std::clamp(soil.grain_size_m / kTypicalGrain_m, 0.05, 4.0));
+  const double snow = is_water ? 0.0 : SnowShare(weather_, cover, normal.z());
+  for (int k = 0; k < 3; ++k) {
+    albedo[k] = Unorm8(std::sqrt(std::max(bare[k] + snow * (kSnowAlbedo[k] - bare[k]), 0.0)));
+  }
+  const double grain = std::sqrt(std::clamp(soil.grain_size_m / kTypicalGrain_m, 0.05, 4.0)) *
+                       (1 - kSnowSmooths * snow);
   std::uint8_t* shape = &shape_.levels[0].texels[at];
   shape[0] = Snorm8(normal.x());
   shape[1] = Snorm8(normal.y());
   shape[2] = Snorm8(loose);
   shape[3] = Snorm8(0.5 * grain * (kUndisturbedDetail + (1 - kUndisturbedDetail) * loose) *
                     (1 - 0.5 * rut));
+  if (!is_water) return;
+  shape[0] = shape[1] = shape[2] = 0;
+  shape[3] = Snorm8(-1);
 }
 
 void GroundTextures::Update(const TerrainSurface& terrain, const std::vector<TileIndex>& changed) {

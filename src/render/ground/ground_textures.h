@@ -24,13 +24,17 @@ struct TileIndex {
 ///         saturation, with Rs a fixed share of the dry albedo; loose soil is a little lighter,
 ///         pressed ruts darker; a paint of the site, if there is one, lies over what is as it was.
 ///         Smaller levels of each texture are means of four texels. Only texels that have changed,
-///         see others that have, or lie in a changed shadow are remade.
+///         see others that have, or lie in a changed shadow are remade. Rain saturates the surface,
+///         snow covers it (ground_cover.h), water stands in hollows (hollows.h): its shape is
+///         level, and its detail's roughness, negative, says that it is water.
 /// Source  Lobell, Asner 2002, "Moisture effects on soil reflectance", eq. 1.
 class GroundTextures {
  public:
   GroundTextures() = default;
+  /// Water stands in the hollows that `terrain` has.
   GroundTextures(const TerrainSurface& terrain, const std::vector<SoilAppearance>& soils,
-                 std::shared_ptr<const GroundPaint> paint, const Vec3& to_sun_W);
+                 std::shared_ptr<const GroundPaint> paint, const Weather& weather,
+                 const Vec3& to_sun_W);
 
   /// Takes over the changed tiles.
   void Update(const TerrainSurface& terrain, const std::vector<TileIndex>& changed);
@@ -64,14 +68,17 @@ class GroundTextures {
 
   TexelWindow ReadCovers(const TerrainSurface& terrain, const TexelWindow& window);
   void PaintTexel(int i, int j);
+  bool IsUnderWater(std::size_t texel) const;
   void SendShadow(const TexelWindow& window) const;
 
   std::vector<SoilAppearance> soils_;
   std::shared_ptr<const GroundPaint> paint_;
+  Weather weather_;
   Vec3 to_sun_W_ = Vec3::UnitZ();
   Vec2 origin_W_m_ = Vec2::Zero();
   HeightTexels heights_;
   std::vector<TerrainSurface::Cover> cover_;  ///< of each texel
+  std::vector<float> water_m_;  ///< level in each texel's hollow; empty where no water stands
   bool painted_ = false;                      ///< whole, once
   SkyView sky_view_;
   GroundShadow shadow_;

@@ -7,7 +7,9 @@
 #include <limits>
 
 #include "core/check.h"
+#include "render/ground/ground_cover.h"
 #include "render/ground/ground_detail.h"
+#include "render/ground/soil_colour.h"
 
 namespace tera {
 namespace {
@@ -32,6 +34,7 @@ GlObject DetailTexture() {
 TerrainRenderer::TerrainRenderer(const SceneModel& model, const Vec3& to_sun_W)
     : soils_(model.soils),
       paint_(model.ground_paint),
+      weather_(model.environment.weather),
       detail_(DetailTexture()),
       to_sun_W_(to_sun_W) {}
 
@@ -41,7 +44,7 @@ void TerrainRenderer::Restart(const TerrainSurface& terrain) {
   pools_.clear();
   pools_.emplace_back(1);
   if (terrain.base_cells() > 1) pools_.emplace_back(terrain.base_cells());
-  textures_ = GroundTextures(terrain, soils_, paint_, to_sun_W_);
+  textures_ = GroundTextures(terrain, soils_, paint_, weather_, to_sun_W_);
   apron_ = Apron(Surroundings(terrain, soils_));
 }
 
@@ -98,6 +101,11 @@ void TerrainRenderer::DrawApron(const View& view) const {
   apron_program_.Set("u_clip_from_relative", view.ClipFromRelative());
   apron_program_.Set("u_eye_W", Eigen::Vector3f(view.eye_W_m.cast<float>()));
   apron_program_.Set("u_detail", 0);
+  const TerrainSurface::Cover undisturbed;
+  const double wet = weather_.rain_mmph > 0 ? SoilTone(1, 0) : 1.0;
+  apron_program_.Set("u_tone", static_cast<float>(std::sqrt(wet)));
+  apron_program_.Set("u_snow", static_cast<float>(SnowShare(weather_, undisturbed, 1)));
+  apron_program_.Set("u_snow_root", Eigen::Vector3f(kSnowAlbedo.cwiseSqrt().cast<float>()));
   glBindTextureUnit(0, detail_.id());
   apron_.Draw();
   triangles_drawn_ += apron_.triangles();

@@ -49,6 +49,7 @@ class TerrainRenderer {
 
   const std::vector<SoilAppearance> soils_;
   const std::shared_ptr<const GroundPaint> paint_;
+  const Weather weather_;
   TerrainGrid grid_;
   std::vector<Tile> tiles_;
   std::vector<TilePool> pools_;  ///< of refined tiles, then of undisturbed ones

@@ -221,7 +221,7 @@ RayScene::Impl::Impl(const SceneModel& scene_model)
   }
   FindShapes();
   for (std::size_t b = 0; b < bodies.size(); ++b) AddInstance(b);
-  ground = std::make_unique<RayTerrain>(device.get(), scene.get(), model.soils);
+  ground = std::make_unique<RayTerrain>(device.get(), scene.get(), model);
   rtcCommitScene(scene.get());
   errors.Check();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/ground/ground_cover.h"
 #include "render/meshes/grain_shape.h"
 
 namespace tera {
@@ -9,6 +10,7 @@ namespace {
 
 /// Share of its dry reflectance that a saturated soil keeps.
 constexpr double kSaturatedReflectance = 0.5;
+constexpr double kSaturated = 255;  ///< as a cover has it
 
 float* Vertices(RTCGeometry geometry) {
   return static_cast<float*>(rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_VERTEX, 0));
@@ -65,9 +67,19 @@ void RayTerrain::NewTile(Patch* tile, int squares_x, int squares_y) {
   tile->reflectance.resize(squares);
 }
 
-float RayTerrain::Reflectance(std::uint8_t soil, std::uint8_t moisture) const {
+float RayTerrain::Reflectance(std::uint8_t soil, double saturation) const {
   const double dry = soils_.at(soil).albedo.mean();
-  return static_cast<float>(dry * (1.0 - (1.0 - kSaturatedReflectance) * moisture / 255.0));
+  return static_cast<float>(dry * (1.0 - (1.0 - kSaturatedReflectance) * saturation / 255.0));
+}
+
+/// Of the ground at a vertex, as the weather has it.
+float RayTerrain::ReflectanceAt(const TerrainSurface& terrain, int i, int j) const {
+  const TerrainSurface::Cover cover = terrain.at(i, j).cover;
+  const float bare = Reflectance(cover.soil, weather_.rain_mmph > 0 ? kSaturated : cover.moisture);
+  if (weather_.snow_depth_m <= 0) return bare;
+  const Vec3 normal_W = terrain.NormalAt(terrain.x_m(i), terrain.y_m(j));
+  const auto snow = static_cast<float>(SnowShare(weather_, cover, normal_W.z()));
+  return bare + snow * (static_cast<float>(kSnowReflectance) - bare);
 }
 
 void RayTerrain::RebuildTile(const TerrainSurface& terrain, int a, int b) {
@@ -90,7 +102,7 @@ void RayTerrain::RebuildTile(const TerrainSurface& terrain, int a, int b) {
       *vertex++ = v.height_m;
       if (i == squares_x || j == squares_y) continue;
       tile.reflectance[static_cast<std::size_t>(j) * squares_x + i] =
-          Reflectance(v.cover.soil, v.cover.moisture);
+          ReflectanceAt(terrain, vi, vj);
     }
   }
   rtcUpdateGeometryBuffer(tile.geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0);

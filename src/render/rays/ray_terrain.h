@@ -5,6 +5,7 @@
 
 #include "render/ground/surroundings.h"
 #include "render/rays/embree_objects.h"
+#include "render/scene.h"
 
 namespace tera {
 
@@ -14,8 +15,8 @@ namespace tera {
 class RayTerrain {
  public:
   /// Adds to and takes from `scene`, which its owner commits.
-  RayTerrain(RTCDevice device, RTCScene scene, std::vector<SoilAppearance> soils)
-      : device_(device), scene_(scene), soils_(std::move(soils)) {}
+  RayTerrain(RTCDevice device, RTCScene scene, const SceneModel& model)
+      : device_(device), scene_(scene), soils_(model.soils), weather_(model.environment.weather) {}
 
   void Update(const TerrainSurface& terrain);
 
@@ -40,11 +41,13 @@ class RayTerrain {
   void RebuildLand(const TerrainSurface& terrain);
   void RebuildGrains(const TerrainSurface& terrain);
   void Detach(Patch* patch);
-  float Reflectance(std::uint8_t soil, std::uint8_t moisture) const;
+  float Reflectance(std::uint8_t soil, double saturation) const;
+  float ReflectanceAt(const TerrainSurface& terrain, int i, int j) const;
 
   RTCDevice device_;
   RTCScene scene_;
   std::vector<SoilAppearance> soils_;
+  Weather weather_;
   std::vector<Patch> tiles_;
   Surroundings surroundings_;
   Patch land_, grains_;

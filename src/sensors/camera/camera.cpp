@@ -10,6 +10,7 @@
 #include "core/check.h"
 #include "core/config/spelling.h"
 #include "core/units.h"
+#include "sensors/camera/dust_sight.h"
 #include "sensors/camera/pixel_noise.h"
 #include "sensors/camera/read_lens.h"
 
@@ -46,7 +47,9 @@ LabelSet ReadLabelSet(const ConfigMap& config) {
 void CheckLabelsUnderShutter(const ConfigMap& config, const CameraModel& model) {
   if (!model.image_sensor->shutter || model.image_sensor->shutter->readout_s == 0) return;
   for (const LabelChannel& channel : kLabelChannels) {
-    if (!model.labels[IndexOf(channel)] || channel.source != LabelSource::kSurfaces) continue;
+    const bool is_of_an_instant =
+        channel.source == LabelSource::kSurfaces || channel.source == LabelSource::kAir;
+    if (!model.labels[IndexOf(channel)] || !is_of_an_instant) continue;
     config.Fault("labels", fmt::format("'{}' is of one instant, but image_sensor.shutter reads the "
                                        "rows one after the other; need readout_s: 0, or to leave "
                                        "it out",
@@ -140,13 +143,18 @@ TimeNs Camera::Reach() const {
 
 CameraFrame Camera::See(const SceneAt& scene_at, TimeNs t_ns, Rasterizer* rasterizer,
                         LuminancePicture* luminance, Image<std::uint16_t>* body) const {
+  const auto exposed_at = [&](TimeNs at_ns) {
+    SeenScene seen = scene_at(at_ns);
+    if (control_) seen.state.exposure_s = control_->Settings().exposure_s;
+    return seen;
+  };
   if (luminance != nullptr && model_.image_sensor->shutter) {
     const double exposure_s = control_->Settings().exposure_s;
     return Sweep(
-        {*model_.image_sensor->shutter, exposure_s, model_.intrinsics, model_.labels, scene_at},
+        {*model_.image_sensor->shutter, exposure_s, model_.intrinsics, model_.labels, exposed_at},
         t_ns, rasterizer, luminance, body);
   }
-  const SeenScene seen = scene_at(t_ns);
+  const SeenScene seen = exposed_at(t_ns);
   return rasterizer->Render(model_.intrinsics, seen.X_WC, seen.state, model_.labels, luminance,
                             body);
 }
@@ -186,6 +194,13 @@ CameraFrame Camera::Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer*
   if (surface_labels_.any()) {
     surface_labels_.Fill(scene_at(clock_.Due(k)), frame.depth_m, body, &frame);
   }
+  Image<float> dust;
+  const bool is_dusty = rasterizer->model().environment.weather.dust.has_value();
+  if (model_.labels[kDustChannel] || (is_dusty && model_.depth)) {
+    if (!rays_) rays_.emplace(model_.intrinsics);
+    dust = DustOpticalDepths(*rays_, scene_at(clock_.Due(k)), frame.depth_m);
+  }
+  if (!dust.empty()) frame.dust_optical_depth = DustLabel(dust);
   frame.t_available_ns = frame.t_ns + Reach() + latency_ns_;
   const auto exposure = static_cast<std::uint64_t>(k);
   if (!model_.rgb) {
@@ -201,9 +216,10 @@ CameraFrame Camera::Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer*
     if (model_.disparity_noise_px > 0) {
       const double scale_1pm =
           model_.disparity_noise_px / (model_.intrinsics.fx_px * model_.baseline_m);
-      AddDisparityNoise(scale_1pm, depth_noise_, exposure * frame.depth_m.data.size(),
+      AddDisparityNoise(scale_1pm, depth_noise_, exposure * frame.depth_m.data.size(), dust,
                         &frame.depth_m);
     }
+    if (!dust.empty()) LoseDepthInDust(dust, &frame.depth_m);
     LimitDepth(model_, &frame.depth_m);
   }
   ForEachLabel(frame, [&](const LabelChannel& channel, auto& picture) {

@@ -9,6 +9,7 @@
 #include "core/uniform_bits.h"
 #include "render/gl/rasterizer.h"
 #include "sensors/camera/image_sensor.h"
+#include "sensors/camera/pixel_rays.h"
 #include "sensors/camera/surface_labels.h"
 #include "sensors/camera/sweep.h"
 #include "sensors/frame_content.h"
@@ -44,7 +45,9 @@ Pose OpticalInSensor();
 ///         z^2 sigma_d / (f b) where that is small, and 0 outside its limits; colour is sRGB at
 ///         the scene's exposure plus N(0, sigma^2), clipped, or what an image sensor makes of the
 ///         scene's luminance (image_sensor.h), whose exposure and balance may follow the pictures
-///         before (exposure_control.h). Noise is drawn for each pixel alone.
+///         before (exposure_control.h). Noise is drawn for each pixel alone. Behind dust of optical
+///         depth t the noise of the disparity is exp(t) as large, and there is no depth where less
+///         than kLeastContrast (dust_sight.h) is left.
 /// Omits   glare, dirt; the holes and the smoothing of a real stereo matcher.
 /// Source  lens: Brown 1971, "Close-range camera calibration"; sigma_z: Khoshelham and Elberink
 ///         2012, "Accuracy and resolution of Kinect depth data for indoor mapping applications".
@@ -80,6 +83,7 @@ class Camera {
   std::optional<ImageSensor> image_sensor_;
   std::optional<ExposureControl> control_;  ///< of an image sensor
   SurfaceLabels surface_labels_;
+  std::optional<PixelRays> rays_;  ///< of the first picture that looks through dust
 };
 
 }  // namespace tera

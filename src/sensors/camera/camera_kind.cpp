@@ -46,6 +46,7 @@ class CameraSampler : public SensorSampler {
     seen.state.t_ns = t_ns;
     seen.state.terrain = &step.scene.ground();
     seen.state.shapes = step.scene.ShapesNow();
+    seen.state.dust = step.scene.air().dust;
     if (LooksBack()) {
       seen.X_WC = X_WS_.At(t_ns) * OpticalInSensor();
       seen.state.X_WB = step.scene.BodiesAt(t_ns);

@@ -9,6 +9,7 @@
 #include "core/check.h"
 #include "core/units.h"
 #include "render/rays/threads.h"
+#include "sensors/lidar/air_echoes.h"
 #include "sensors/yaml_list.h"
 
 namespace tera {
@@ -47,6 +48,12 @@ struct Sweep {
   /// The head starts looking backwards (-x), so that the seam of a revolution lies behind.
   double Azimuth(int column) const { return kPi + Spin(model) * column / model.columns; }
 };
+
+/// Relative power of the weakest return; 0 without a limit.
+double LeastPower(const LidarModel& model) {
+  const double R10_m = model.range_at_10_percent_m;
+  return R10_m > 0 ? kDarkTarget / (R10_m * R10_m) : 0.0;
+}
 
 Vec3 Direction(double elevation_rad, double azimuth_rad) {
   return {std::cos(elevation_rad) * std::cos(azimuth_rad),
@@ -93,7 +100,8 @@ Lidar::Lidar(const LidarModel& model, const SampleClock& clock, TimeNs latency_n
     : model_(model),
       clock_(clock),
       latency_ns_(latency_ns),
-      range_noise_(seed, stream_name + "/range") {
+      range_noise_(seed, stream_name + "/range"),
+      air_draws_(seed, stream_name + "/air") {
   const std::size_t beams = model_.elevation_rad.size();
   TERA_CHECK(model_.azimuth_offset_rad.size() == beams, model_.azimuth_offset_rad.size());
   TERA_CHECK(model_.firing_offset_s.size() == beams, model_.firing_offset_s.size());
@@ -107,6 +115,22 @@ Lidar::Lidar(const LidarModel& model, const SampleClock& clock, TimeNs latency_n
         {.d_H = Direction(model_.elevation_rad[b], model_.azimuth_offset_rad[b] + turned_rad),
          .offset_ns = FromSeconds(offset_s)});
   }
+}
+
+/// What is left of a surface's echo behind the air, or the echo of what is in the air, if that is
+/// stronger; `hit` is then where that is.
+double Lidar::Through(const AirEchoes& air, const Ray& ray, std::uint64_t number, double echo,
+                      RayHit* hit) {
+  const double range_m = hit->hit ? hit->range_m : ray.max_range_m;
+  const AirEchoes::Passage passage = air.Along(ray, range_m, number);
+  echo *= passage.two_way;
+  const double power = hit->hit ? echo / (range_m * range_m) : 0.0;
+  if (!passage.echo || passage.echo->power() <= power) return echo;
+  hit->hit = true;
+  hit->range_m = static_cast<float>(passage.echo->range_m);
+  hit->label = passage.echo->label;
+  hit->instance = 0;
+  return passage.echo->echo;
 }
 
 /// One block of columns of a revolution, from poses to points.
@@ -149,17 +173,17 @@ void Lidar::Aim(std::int64_t k, int begin, int end, const PoseTrack& X_WS, Block
   block->hits.resize(block->rays.size());
 }
 
-void Lidar::Detect(std::int64_t k, int begin, const Block& block,
+void Lidar::Detect(std::int64_t k, int begin, const AirEchoes& air, const Block& block,
                    std::vector<LidarPoint>* points) const {
   const std::size_t beams = model_.elevation_rad.size();
   const auto first = (static_cast<std::uint64_t>(k) * model_.columns + begin) * beams;
-  const double R10_m = model_.range_at_10_percent_m;
-  const double least_power = R10_m > 0 ? kDarkTarget / (R10_m * R10_m) : 0.0;
+  const double least_power = LeastPower(model_);
   for (std::size_t i = 0; i < block.hits.size(); ++i) {
-    const RayHit& hit = block.hits[i];
-    if (!hit.hit || hit.range_m < model_.min_range_m) continue;
+    RayHit hit = block.hits[i];
     const double cosine = -hit.normal_W.dot(block.rays[i].direction_W);
-    const double echo = hit.reflectance * std::max(cosine, 0.0);
+    double echo = hit.reflectance * std::max(cosine, 0.0);
+    if (air.any()) echo = Through(air, block.rays[i], first + i, echo, &hit);
+    if (!hit.hit || hit.range_m < model_.min_range_m) continue;
     const double r_m = hit.range_m;
     if (echo < least_power * r_m * r_m) continue;
     double measured_m = r_m;
@@ -177,8 +201,10 @@ void Lidar::Detect(std::int64_t k, int begin, const Block& block,
   }
 }
 
-LidarScan Lidar::Measure(std::int64_t k, const PoseTrack& X_WS, const RayScene& scene,
-                         int threads) const {
+LidarScan Lidar::Measure(std::int64_t k, const PoseTrack& X_WS, const RayScene& scene, int threads,
+                         const SensedAir& air) const {
+  const AirEchoes echoes({model_.min_range_m, model_.max_range_m, LeastPower(model_)}, air,
+                         air_draws_);
   const int blocks = (model_.columns + kColumnsPerBlock - 1) / kColumnsPerBlock;
   std::vector<std::vector<LidarPoint>> points(blocks);
   std::atomic<int> next = 0;
@@ -189,7 +215,7 @@ LidarScan Lidar::Measure(std::int64_t k, const PoseTrack& X_WS, const RayScene& 
       const int end = std::min(begin + kColumnsPerBlock, model_.columns);
       Aim(k, begin, end, X_WS, &block);
       scene.Trace(block.rays, block.hits, 1);
-      Detect(k, begin, block, &points[b]);
+      Detect(k, begin, echoes, block, &points[b]);
     }
   };
   RunOnThreads(std::min(threads, blocks), work);

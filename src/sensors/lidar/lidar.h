@@ -7,8 +7,11 @@
 #include "core/random.h"
 #include "core/types/measurement.h"
 #include "render/rays/ray_scene.h"
+#include "sensors/sampling.h"
 
 namespace tera {
+
+class AirEchoes;
 
 /// Spinning multi-beam lidar as its data sheet has it.
 struct LidarModel {
@@ -33,8 +36,9 @@ std::string LidarModelYaml(const LidarModel& model);
 /// Model   every ray at its own time and pose; relative power rho cos(theta) / r^2, a return when
 ///         it exceeds that of a 10 % target at `range_at_10_percent_m`; range r + N(0, sigma^2),
 ///         noise of ray i of revolution k drawn at index k * rays + i; intensity rho cos(theta).
-/// Omits   beam divergence, multiple returns, noise growing with weak power, crosstalk, rain and
-///         dust; rays without a return, which leave no point.
+///         Dust and rain weaken returns and give some of their own, as AirEchoes has it.
+/// Omits   beam divergence at surfaces, multiple returns, noise growing with weak power, crosstalk,
+///         fog; rays without a return, which leave no point.
 /// Source  the radar equation for a target that fills the beam and scatters diffusely, as in Wagner
 ///         et al. 2006, "Gaussian decomposition and calibration of a novel small-footprint
 ///         full-waveform digitising airborne laser scanner"; each preset names its data sheet.
@@ -52,13 +56,16 @@ class Lidar {
   /// Revolution k, from clock.Due(k) to clock.Due(k + 1). `scene` must have been updated over just
   /// that interval; `X_WS` must cover it. A scan is available when its revolution is complete and
   /// `latency_ns` has passed. Uses up to `threads` threads; the result does not depend on them.
-  LidarScan Measure(std::int64_t k, const PoseTrack& X_WS, const RayScene& scene,
-                    int threads) const;
+  LidarScan Measure(std::int64_t k, const PoseTrack& X_WS, const RayScene& scene, int threads,
+                    const SensedAir& air = {}) const;
 
  private:
   struct Block;
   void Aim(std::int64_t k, int begin, int end, const PoseTrack& X_WS, Block* block) const;
-  void Detect(std::int64_t k, int begin, const Block& block, std::vector<LidarPoint>* points) const;
+  static double Through(const AirEchoes& air, const Ray& ray, std::uint64_t number, double echo,
+                        RayHit* hit);
+  void Detect(std::int64_t k, int begin, const AirEchoes& air, const Block& block,
+              std::vector<LidarPoint>* points) const;
 
   /// A beam in the frame H of the head at the start of its column.
   struct Beam {
@@ -69,7 +76,7 @@ class Lidar {
   LidarModel model_;
   SampleClock clock_;
   TimeNs latency_ns_;
-  Stream range_noise_;
+  Stream range_noise_, air_draws_;
   std::vector<Beam> beams_;
 };
 

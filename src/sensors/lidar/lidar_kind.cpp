@@ -50,7 +50,7 @@ class LidarSampler : public SensorSampler {
           scene.BodiesAt(start_ns + (end_ns - start_ns) * k / (Lidar::kScenePoses - 1)));
     }
     scene.ray_scene()->Update(poses, scene.ground(), scene.ShapesNow());
-    LidarScan scan = lidar_.Measure(next_, X_WS_, *scene.ray_scene(), scene.threads());
+    LidarScan scan = lidar_.Measure(next_, X_WS_, *scene.ray_scene(), scene.threads(), scene.air());
     slots_.Apply(next_, times, &scan);
     output_.sink->Write(output_.channel, std::move(scan));
   }

@@ -11,6 +11,7 @@
 #include "core/config/spelling.h"
 #include "core/units.h"
 #include "core/utc_time.h"
+#include "sim/scenario/read_weather.h"
 #include "sim/scenario/sun.h"
 
 namespace tera {
@@ -109,6 +110,7 @@ Environment ReadEnvironment(const ConfigMap& config, const SiteOrigin& origin) {
   const double metered_ev100 = is_timed ? MeteredEv100(environment) : environment.exposure_ev100;
   environment.exposure_ev100 =
       config.Number("exposure_ev100", Between(-5, 25, "EV"), metered_ev100);
+  ReadWeather(config, &environment);
   return environment;
 }
 

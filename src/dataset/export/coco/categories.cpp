@@ -31,6 +31,9 @@ const char* SupercategoryOf(SemanticClass label) {
       return "site";
     case SemanticClass::kSoilInBucket:
       return "load";
+    case SemanticClass::kDust:
+    case SemanticClass::kRain:
+      return "air";
   }
   return "";
 }
@@ -47,7 +50,8 @@ OrderedJson CategoryJson(const SemanticClassInfo& info) {
 int CategoryOf(SemanticClass label) { return static_cast<int>(label) + 1; }
 
 bool IsThing(SemanticClass label) {
-  return label != SemanticClass::kSky && label != SemanticClass::kTerrain;
+  return label != SemanticClass::kSky && label != SemanticClass::kTerrain &&
+         label != SemanticClass::kDust && label != SemanticClass::kRain;
 }
 
 OrderedJson ThingCategories() {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "render/ground/ground_cover.h"
 #include "render/ground/lattice_noise.h"
 
 namespace tera {
@@ -127,6 +128,7 @@ Eigen::Vector3f LevelSum(const RadianceOf& radiance_of) {
 Sky::Sky(const Environment& environment)
     : turbidity_(environment.turbidity),
       cloud_cover_(environment.cloud_cover),
+      snow_share_(static_cast<float>(SnowShare(environment.weather, TerrainSurface::Cover(), 1))),
       cloud_noise_("render/clouds", 8, 6) {
   Vec3 s = environment.to_sun_W.normalized();
   if (s.z() < std::sin(kMinSunHeight_rad)) {
@@ -295,8 +297,13 @@ void Sky::ProjectDiffuse() {
     if (pass == 1) {
       ground_ = (level + sun_lx_ * static_cast<float>(to_sun_W_.z())) *
                 static_cast<float>(kGroundAlbedo / kPi);
-      // Ground has the colour of soil.
+      // Ground has the colour of soil, or of the snow on it.
       ground_ = ground_.cwiseProduct(Eigen::Vector3f(1.2f, 0.98f, 0.78f));
+      if (snow_share_ > 0) {
+        const Eigen::Vector3f white = (level + sun_lx_ * static_cast<float>(to_sun_W_.z()))
+                                          .cwiseProduct((kSnowAlbedo / kPi).cast<float>());
+        ground_ += snow_share_ * (white - ground_);
+      }
     }
     for (int h = 0; h < kHeights; ++h) {
       const double z = -1 + (h + 0.5) * 2.0 / kHeights;

@@ -73,6 +73,7 @@ class Sky {
   std::optional<double> cloud_cover_;  ///< of Environment
   float cloud_threshold_ = 0;          ///< of the noise
   float cloud_zenith_cdpm2_ = 0;       ///< luminance of a cloud at the zenith
+  float snow_share_;                   ///< of the ground around
   LatticeNoise cloud_noise_;
   Eigen::Vector3f sun_lx_, zenith_, ground_;
   std::vector<Eigen::Vector3f> texels_;

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/random.h"
+#include "render/air/dust_volume.h"
+#include "sim/dust/dust_field.h"
+#include "sim/dust/dust_sources.h"
+
+namespace tera {
+
+/// The dust of a scenario: one field, raised by the work and shared by all that look through it. It
+/// follows from what moves and from the ground alone, so that a scene that is played back has the
+/// same.
+///
+/// Frames  W.
+/// Model   a square of air about the middle of the machines where they start, above the ground of
+///         then; DustSources puts in, `emission_factor` times, DustField moves it, in steps of
+///         kStep_ns. The wind gusts: an Ornstein-Uhlenbeck process along and across it, with 2.4
+///         and 1.9 times the friction velocity as standard deviations, that forgets in kGust_s.
+///         Light meets the field with whirls smaller than its cells (DustEddies).
+/// Source  Panofsky and Dutton 1984, Atmospheric Turbulence, section 7.4 (standard deviations in
+///         the neutral surface layer).
+class SiteDust {
+ public:
+  static constexpr TimeNs kStep_ns = 40 * kNsPerSecond / 1000;
+  static constexpr double kGust_s = 4;
+
+  /// Keeps a reference to `scenario`, which has dust.
+  SiteDust(const Scenario& scenario, const Instant& start, const TerrainSurface& ground);
+  /// Goes on by a step of the physics.
+  void Step(const WorldStep& step);
+
+  /// As light meets it after the last of its own steps.
+  const DustVolume& volume() const;
+  const DustField& field() const { return field_; }
+
+ private:
+  Vec2 Gust(double dt_s);
+
+  const Scenario& scenario_;
+  DustSources sources_;
+  DustField field_;
+  Stream gusts_;
+  Vec2 gust_along_mps_ = Vec2::Zero();  ///< along and across the wind
+  Vec3 eddies_mps_;
+  std::uint64_t steps_ = 0;
+  TimeNs stepped_ns_;
+  std::vector<DustPuff> puffs_;
+  mutable DustVolume volume_;
+  mutable bool is_current_ = false;
+};
+
+}  // namespace tera

@@ -1,0 +1,93 @@
+#include "sim/scenario/read_weather.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "core/units.h"
+#include "render/air/rain.h"
+
+namespace tera {
+namespace {
+
+constexpr double kMostWind_mps = 40, kMostRain_mmph = 200;
+constexpr double kMostWater_m = 0.5, kMostSnow_m = 0.5;
+constexpr double kMostCells = 4e6;
+constexpr double kLeastCloud = 0.5;  ///< under which rain falls
+constexpr double kWarmestSnow_degc = 5, kColdestRain_degc = -10;
+constexpr double kVisibleContrast = 0.02;  ///< Koschmieder's
+
+DustModel ReadDust(const ConfigMap& config) {
+  DustModel dust;
+  dust.emission_factor =
+      config.Number("emission_factor", Between(0, 1000, ""), dust.emission_factor);
+  dust.silt_percent = config.Number("silt_percent", Between(0.1, 50, "%"), dust.silt_percent);
+  dust.extent_m = config.Number("extent_m", Between(10, 400, "m"), dust.extent_m);
+  dust.height_m = config.Number("height_m", Between(2, 50, "m"), dust.height_m);
+  dust.cell_m = config.Number("cell_m", Between(0.1, 2, "m"), dust.cell_m);
+  const double cells = dust.extent_m * dust.extent_m * dust.height_m / std::pow(dust.cell_m, 3);
+  if (cells > kMostCells) {
+    config.Fault("cell_m", fmt::format("{} m makes {:.2g} cells of {} x {} x {} m of air; need at "
+                                       "most {:.0g}, so larger cells or less air",
+                                       dust.cell_m, cells, dust.extent_m, dust.extent_m,
+                                       dust.height_m, kMostCells));
+  }
+  return dust;
+}
+
+void CheckTemperature(const ConfigMap& config, const Weather& weather) {
+  const std::optional<double> degc =
+      config.OptionalNumber("temperature_degc", Between(-60, 60, "C"));
+  if (!degc) return;
+  if (weather.snow_depth_m > 0 && *degc > kWarmestSnow_degc) {
+    config.Fault("snow_depth_m", fmt::format("snow lies on the ground at {} C; need at most {} C, "
+                                             "or no snow",
+                                             *degc, kWarmestSnow_degc));
+  }
+  if (weather.rain_mmph > 0 && *degc < kColdestRain_degc) {
+    config.Fault("rain_mmph", fmt::format("rain falls at {} C; need at least {} C, or no rain",
+                                          *degc, kColdestRain_degc));
+  }
+}
+
+void CheckSky(const ConfigMap& config, const Environment& environment) {
+  if (environment.weather.rain_mmph <= 0) return;
+  const double cover = environment.cloud_cover.value_or(0);
+  if (cover >= kLeastCloud) return;
+  config.Fault("rain_mmph",
+               fmt::format("rain falls from {}; need cloud_cover of at least {}, or no rain",
+                           environment.cloud_cover
+                               ? fmt::format("a sky with cloud_cover {}", cover)
+                               : std::string("a sky without cloud_cover, which is clear"),
+                           kLeastCloud));
+}
+
+/// Visibility through fog and rain at once: extinctions add.
+double VisibilityInRain_m(double visibility_m, const Rain& rain) {
+  const double one_m = -std::log(kVisibleContrast);
+  return one_m / (one_m / visibility_m + rain.Extinction_1pm());
+}
+
+}  // namespace
+
+void ReadWeather(const ConfigMap& config, Environment* environment) {
+  Weather& weather = environment->weather;
+  const auto number = [&](const char* key, const Range& range) {
+    return config.OptionalNumber(key, range).value_or(0);
+  };
+  weather.wind.speed_mps = number("wind_mps", Between(0, kMostWind_mps, "m/s"));
+  weather.wind.from_rad = number("wind_from_deg", Between(-360, 360, "deg")) * kDeg;
+  weather.rain_mmph = number("rain_mmph", Between(0, kMostRain_mmph, "mm/h"));
+  weather.puddle_depth_m = number("puddle_depth_m", Between(0, kMostWater_m, "m"));
+  weather.snow_depth_m = number("snow_depth_m", Between(0, kMostSnow_m, "m"));
+  if (const auto dust = config.OptionalMap("dust")) weather.dust = ReadDust(*dust);
+  CheckTemperature(config, weather);
+  CheckSky(config, *environment);
+  if (weather.rain_mmph > 0) {
+    environment->fog_visibility_m =
+        VisibilityInRain_m(environment->fog_visibility_m, Rain(weather.rain_mmph));
+  }
+}
+
+}  // namespace tera

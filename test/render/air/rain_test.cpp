@@ -1,0 +1,61 @@
+#include "render/air/rain.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+/// Integral over drops of all sizes of what a drop of that diameter has, for each m^3.
+template <typename OfDrop>
+double Sum_1pm3(const Rain& rain, OfDrop of_drop) {
+  constexpr double kStep_m = 2e-6;
+  double sum = 0;
+  for (double d = 0; d < 0.02; d += kStep_m) {
+    const double count = rain.CountAbove_1pm3(d) - rain.CountAbove_1pm3(d + kStep_m);
+    sum += count * of_drop(d + 0.5 * kStep_m);
+  }
+  return sum;
+}
+
+TEST(Rain, ItsWaterIsMarshallAndPalmersMoment) {
+  // Liquid water pi rho N0 / L^4 (the fourth moment's closed form): of 10 mm/h L is 2.528 / mm, so
+  // that 0.615 g/m^3 are in the air.
+  const Rain rain(10);
+  const double water_kgpm3 = Sum_1pm3(rain, [](double d) { return 1000 * kPi / 6 * d * d * d; });
+  EXPECT_NEAR(rain.slope_1pm(), 2528, 1);
+  EXPECT_NEAR(water_kgpm3, 0.615e-3, 0.001e-3);
+}
+
+TEST(Rain, ItsFluxIsNearTheRateThatItIsNamedBy) {
+  // The exponential spectrum with measured fall speeds gives the rate back within a tenth or two.
+  for (const double rate_mmph : {1.0, 10.0, 50.0}) {
+    const double flux_mmph =
+        Sum_1pm3(Rain(rate_mmph),
+                 [](double d) { return kPi / 6 * d * d * d * Rain::FallSpeed_mps(d); }) *
+        1000 * 3600;
+    EXPECT_NEAR(flux_mmph / rate_mmph, 1, 0.2) << rate_mmph;
+  }
+}
+
+TEST(Rain, ExtinctionIsTwiceTheCrossSectionOfItsDrops) {
+  const Rain rain(25);
+  const double twice_area = Sum_1pm3(rain, [](double d) { return 2 * kPi / 4 * d * d; });
+  EXPECT_NEAR(rain.Extinction_1pm(), twice_area, 1e-4 * twice_area);
+  // Atlas 1953: visibilities of some kilometres in rain of that rate.
+  EXPECT_NEAR(-std::log(0.02) / rain.Extinction_1pm(), 1420, 30);
+  EXPECT_EQ(Rain(0).Extinction_1pm(), 0);
+}
+
+TEST(Rain, DropsFallAsGunnAndKinzerMeasured) {
+  // 4.03, 6.49 and 8.83 m/s of 1, 2 and 4 mm (Gunn and Kinzer 1949, table 2).
+  EXPECT_NEAR(Rain::FallSpeed_mps(1e-3), 4.03, 0.1);
+  EXPECT_NEAR(Rain::FallSpeed_mps(2e-3), 6.49, 0.1);
+  EXPECT_NEAR(Rain::FallSpeed_mps(4e-3), 8.83, 0.15);
+}
+
+}  // namespace
+}  // namespace tera
