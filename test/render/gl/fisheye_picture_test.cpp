@@ -54,7 +54,7 @@ TEST_P(FisheyePicture, ThingsLandWhereTheLensProjectsThem) {
   const Pose X_WC = LookAt(kEye, kTarget);
   constexpr double kHalf_m = 0.17, kDistance_m = 2.5;
   std::vector<Pose> plates_C;
-  for (const double off_axis_deg : {14.0, 30.0, 46.0, 62.0, 80.0, 91.0}) {
+  for (const double off_axis_deg : {14.0, 30.0, 38.0, 46.0, 62.0, 80.0, 91.0}) {
     for (int k = 0; k < 6; ++k) {
       const double about_rad = (60 * k + 7 + 0.5 * off_axis_deg) * kDeg;
       plates_C.push_back(Facing(off_axis_deg * kDeg, about_rad, kDistance_m + 0.1 * k, 0.3 * k));
@@ -78,14 +78,9 @@ TEST_P(FisheyePicture, ThingsLandWhereTheLensProjectsThem) {
       error[k] += (MeanPixel(frame, box) - expected) / kTurns;
     }
   }
-  // One of the 36, 30 degrees off the axis and wholly visible, is off by 0.11 and 0.18 px; why is
-  // not known.
-  int beyond_a_tenth = 0;
-  for (std::size_t k = 0; k < error.size(); ++k) {
-    beyond_a_tenth += error[k].norm() > 0.1;
-    EXPECT_LT(error[k].norm(), 0.2) << k;
-  }
-  EXPECT_LE(beyond_a_tenth, 1);
+  // Pinhole pictures whose rows run along the lens' put a plate at 30 degrees off by 0.12 and 0.18
+  // px, one at 38 degrees by 0.12 px: 5 and 2 of their pixels there are 3 and 1 of the lens'.
+  for (std::size_t k = 0; k < error.size(); ++k) EXPECT_LT(error[k].norm(), 0.1) << k;
 }
 
 INSTANTIATE_TEST_SUITE_P(Laws, FisheyePicture,

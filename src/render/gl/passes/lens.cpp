@@ -9,12 +9,14 @@
 #include <optional>
 
 #include "core/error.h"
+#include "core/units.h"
 #include "render/gl/angular_lens.h"
 
 namespace tera {
 namespace {
 
 constexpr int kNoView = -1;
+constexpr double kFaceTurn_rad = 5 * kDeg;
 
 void RequireRays(const CameraIntrinsics& camera) {
   const auto pixel_px = camera.PixelWithoutRay();
@@ -35,13 +37,15 @@ std::vector<std::optional<Vec3>> RaysOf(const CameraIntrinsics& camera) {
   return rays;
 }
 
-/// Directions of a cube's faces: ahead, right, left, below, above, behind.
+/// Directions of a cube's faces: ahead, right, left, below, above, behind, each turned about its
+/// own axis: rows of its pixels that ran along the lens' would lie beside them by the same part of
+/// a pixel over long stretches, and all of an edge there would be off by that part.
 std::array<Mat3, 6> CubeFaces() {
   const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
   const auto facing = [](const Vec3& right, const Vec3& down, const Vec3& ahead) {
     Mat3 R_CV;
     R_CV << right, down, ahead;
-    return R_CV;
+    return Mat3(R_CV * Eigen::AngleAxisd(kFaceTurn_rad, Vec3::UnitZ()));
   };
   return {facing(x, y, z),  facing(-z, y, x), facing(z, y, -x),
           facing(x, -z, y), facing(x, z, -y), facing(-x, y, -z)};

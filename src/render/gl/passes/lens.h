@@ -19,7 +19,8 @@ struct LensView {
 /// to theirs.
 ///
 /// Model   one picture where no ray leaves the axis by more than kWidestOfOne_rad, and of
-///         perspective lenses always; else the faces of a cube that have rays, each cut to them.
+///         perspective lenses always; else the faces of a cube that have rays, each cut to them,
+///         and turned a little so that their pixels and the lens' do not run along each other.
 ///         The pictures are finer than the lens' own by kOversampling where the lens is finest, so
 ///         that the nearest pixel's label is never further off than 0.4 px.
 class Lens {
