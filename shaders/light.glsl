@@ -2,6 +2,7 @@
 // the exposure, so that 1 is the brightest that the picture holds before the tone curve.
 
 const float kPi = 3.14159265;
+const vec3 kLuminous = vec3(0.2126, 0.7152, 0.0722);  // of linear sRGB
 
 uniform vec3 u_to_sun_W;
 uniform vec3 u_sun;            // illuminance facing the sun

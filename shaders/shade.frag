@@ -24,7 +24,8 @@ uniform vec4 u_shadow_far_square;
 uniform vec2 u_shadow_texel_m;
 uniform vec2 u_shadow_texel;
 
-out vec4 o_radiance;
+layout(location = 0) out vec4 o_radiance;
+layout(location = 1) out vec2 o_light;  // illuminance, and the share of the sun; not always taken
 
 bool Inside(vec3 p, float margin) {
   return all(greaterThan(p.xy, vec2(margin))) && all(lessThan(p.xy, vec2(1.0 - margin)));
@@ -83,12 +84,15 @@ void main() {
   if (!is_ground) direct += fresnel * Specular(n_l, n_v, max(dot(n, h), 0.0), roughness);
   vec3 radiance = min(direct * sun, vec3(20.0)) * u_sun;
 
+  float light_on_it = dot(u_sun * (n_l * sun), kLuminous);
+
 #ifdef LAMPS
   for (int k = 0; k < u_lamp_count; ++k) {
     vec3 l;
     float light = LampLight(k, relative, n, l);
     float n_lamp = max(dot(n, l), 0.0);
     if (light * n_lamp <= 0.0) continue;
+    light_on_it += light * n_lamp;
     vec3 half_way = normalize(v + l);
     vec3 reflected = albedo * ((1.0 - metallic) * n_lamp / kPi);
     if (!is_ground) {
@@ -101,7 +105,10 @@ void main() {
 
   float shut = float(texelFetch(u_label, pixel, 0).x >> 24) / 255.0;
   float open = sky_factor * occlusion * (1.0 - shut);
-  radiance += albedo * ((1.0 - metallic) * open) * SkyDiffuse(n);
+  vec3 sky = SkyDiffuse(n);
+  radiance += albedo * ((1.0 - metallic) * open) * sky;
+  light_on_it += kPi * open * dot(sky, kLuminous);
+  o_light = vec2(light_on_it, n_l > 0.0 && u_sun.g > 0.0 ? sun : 0.0);
   if (!is_ground) {
     vec3 env = f0 + (max(vec3(1.0 - roughness), f0) - f0) * FresnelPower(n_v);
     radiance += env * open * Reflected(reflect(-v, n), roughness);

@@ -44,6 +44,7 @@ struct SceneInstance {
   int body = -1;  ///< body whose frame carries the box
   Vec3 box_min_B_m = Vec3::Zero(), box_max_B_m = Vec3::Zero();
   int shape = -1;            ///< shape whose box is its box; the one above is that of its place
+  double capacity_m3 = 0;    ///< of what its shape shows, heaped
   std::uint16_t parent = 0;  ///< the whole that this is a part of; 0: of none
   bool is_whole = false;     ///< its box is found from its parts, whatever they do
 };
@@ -110,6 +111,7 @@ struct SceneModel {
 struct ShapedMesh {
   std::vector<double> key;  ///< what the mesh follows from: the same numbers, the same mesh
   std::vector<MeshPart> parts;
+  double volume_m3 = 0, mass_kg = 0;                            ///< of soil
   Vec3 box_min_B_m = Vec3::Zero(), box_max_B_m = Vec3::Zero();  ///< of what it shows
 };
 

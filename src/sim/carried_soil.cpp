@@ -161,6 +161,8 @@ std::shared_ptr<const ShapedMesh> CarriedSoil::Shape(const SoilReaction::Load& l
     part.material.albedo += shares[s] * LooseAlbedo(soils_[s]);
   }
   auto shape = std::make_shared<ShapedMesh>();
+  shape->volume_m3 = load.volume_m3;
+  shape->mass_kg = load.mass_kg;
   shape->key = {load.volume_m3, up_B.x(), up_B.y(), up_B.z()};
   shape->key.insert(shape->key.end(), load.soil_kg.begin(), load.soil_kg.end());
   shape->box_min_B_m = Vec3::Constant(std::numeric_limits<double>::infinity());

@@ -236,6 +236,7 @@ void SceneAssembly::AddLoads(const MachinePlacement& placement, std::size_t m,
         AddInstance(placement.name + "/" + shovel.name + "_soil", node.label, node.body);
     SceneInstance& instance = model_.instances[node.instance];
     instance.shape = node.shape;
+    instance.capacity_m3 = shovel.capacity_m3;
     for (const Vec2& p : shovel.profile_B_m) {
       const Vec3 half_m(0, 0.5 * shovel.width_m, 0), p_B_m(p.x(), 0, p.y());
       instance.box_min_B_m = instance.box_min_B_m.cwiseMin(p_B_m - half_m);

@@ -57,6 +57,7 @@ class Box:
     amodal_px: np.ndarray | None = None  #: left, top, right, bottom of all that it would cover alone
     truncation: float | None = None  #: share of that beyond the picture
     keypoints: tuple[Keypoint, ...] = ()
+    light: dict | None = None  #: blur_px, most_blur_px, luminance_cdpm2, illuminance_lx, shadow, where labelled
 
 
 class Flow:
@@ -185,19 +186,39 @@ class Frame:
         return None if code is None else code.astype(np.float32) / 1000
 
     @cached_property
-    def boxes(self) -> list[Box]:
-        """Objects in view; empty where none were recorded."""
+    def _objects(self) -> dict:
         file = self._folder / "boxes" / (self._filename.rsplit(".", 1)[0] + ".json")
         if not file.exists():
-            return []
+            return {"boxes": []}
         with file.open(encoding="utf-8") as text:
-            entries = json.load(text)["boxes"]
+            return json.load(text)
+
+    @cached_property
+    def boxes(self) -> list[Box]:
+        """Objects in view; empty where none were recorded."""
         return [Box(b["instance"], b["name"], b["class"], b.get("parent", 0), b["x_min_px"], b["y_min_px"],
                     b["x_max_px"], b["y_max_px"], b["visible_px"], b["visibility"],
                     pose_matrix(np.array(b["p_CO_m"]), np.array(b["q_CO_wxyz"])), np.array(b["size_O_m"]),
                     np.array(b["amodal_px"]) if "amodal_px" in b else None, b.get("truncation"),
-                    tuple(_keypoint(k) for k in b.get("keypoints", [])))
-                for b in entries]
+                    tuple(_keypoint(k) for k in b.get("keypoints", [])), b.get("light"))
+                for b in self._objects["boxes"]]
+
+    @property
+    def exposure(self) -> dict | None:
+        """exposure_s, f_number, gain_db, ev, saturation_cdpm2, balance; None where they were not labelled."""
+        return self._objects.get("exposure")
+
+    @property
+    def loads(self) -> list[dict]:
+        """What each shovel carries: instance, name, visible_px, volume_m3, mass_kg, fill, released_kgps (not of
+        the first frame); empty where it was not labelled."""
+        return self._objects.get("loads", [])
+
+    @cached_property
+    def lens_soiling(self) -> np.ndarray | None:
+        """H x W float32: share of the light that comes undeviated through the soiled glass."""
+        code = self._picture("lens_soiling")
+        return None if code is None else code.astype(np.float32) / 255
 
 
 def _keypoint(k: dict) -> Keypoint:

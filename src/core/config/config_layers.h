@@ -71,6 +71,7 @@ struct ConfigDocument {
   static bool Unread(const ConfigMap& config) { return config.node_->unread; }
   static void LayBeneath(const ConfigMap& config, const std::string& file,
                          const std::vector<GivenNumber>& numbers);
+  static bool LiesBelow(const ConfigMap& config, std::string_view key, std::string_view upper);
 
   /// The mapping at `key` of `config`, which `none` in its place takes away: nothing below that
   /// counts. Without a value where it is absent or taken away, and after a fault: another value

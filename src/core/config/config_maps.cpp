@@ -258,4 +258,14 @@ void internal::ConfigDocument::LayBeneath(const ConfigMap& config, const std::st
   const Layer own = LowestWritten(*config.node_);
   config.node_->layers.push_back({map, file, own.directory, own.path, true});
 }
+
+bool LiesBelow(const ConfigMap& config, std::string_view key, std::string_view upper) {
+  return internal::ConfigDocument::LiesBelow(config, key, upper);
+}
+
+bool internal::ConfigDocument::LiesBelow(const ConfigMap& config, std::string_view key,
+                                         std::string_view upper) {
+  const auto below = Find(*config.node_, key), above = Find(*config.node_, upper);
+  return below && above && below->layer > above->layer;
+}
 }  // namespace tera

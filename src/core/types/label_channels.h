@@ -21,7 +21,8 @@ enum class LabelSource {
   kLabelWord,      ///< 32 bits that a shader writes of each pixel, of which each channel has some
   kSurfaceNormal,  ///< RGBA16 that a shader writes, n / 2 + 1/2 in W; all 0 where no surface is
   kSurfaces,       ///< computed by the camera from depth, bodies, ground and earlier pictures
-  kAir             ///< computed by the camera from depth and what is in the air
+  kAir,            ///< computed by the camera from depth and what is in the air
+  kOptics          ///< of the camera's own lens and glass
 };
 
 /// How a channel is coloured for people to look at.
@@ -74,6 +75,8 @@ inline constexpr std::array<LabelChannel, 12> kLabelChannels = {{
      LabelColours::kNearness, "time since touched"},
     {"dust_optical_depth", &CameraFrame::dust_optical_depth, 1, false, LabelSource::kAir, 0,
      LabelColours::kNearness, "optical depth of dust"},
+    {"lens_soiling", &CameraFrame::lens_soiling, 1, false, LabelSource::kOptics, 0,
+     LabelColours::kNearness, "light through the soiled glass"},
 }};
 
 /// Channels by their place in the table.
@@ -83,7 +86,8 @@ inline constexpr std::size_t kSemanticChannel = 0, kInstanceChannel = 1, kNormal
                              kDistanceChannel = 3, kFlowToPreviousChannel = 4,
                              kFlowToThisChannel = 5, kSceneFlowToPreviousChannel = 6,
                              kGroundSoilChannel = 7, kGroundStateChannel = 8,
-                             kGroundChangeChannel = 9, kGroundAgeChannel = 10, kDustChannel = 11;
+                             kGroundChangeChannel = 9, kGroundAgeChannel = 10, kDustChannel = 11,
+                             kLensSoilingChannel = 12;
 
 inline LabelSet UsualLabels() {
   LabelSet usual;

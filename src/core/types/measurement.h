@@ -100,6 +100,16 @@ struct Keypoint {
   KeypointSight sight = KeypointSight::kOutside;
 };
 
+/// How much light of an object came into one image, and how far it was smeared there: means over
+/// its visible pixels.
+struct ObjectLight {
+  double blur_px = 0;          ///< way of its points on the picture while the shutter was open
+  double most_blur_px = 0;     ///< the longest of these ways
+  double luminance_cdpm2 = 0;  ///< towards the camera, before its lens
+  double illuminance_lx = 0;   ///< on its surface, from sun, sky and lamps
+  double shadow = 0;           ///< share that the sun does not reach; 1 without a sun
+};
+
 /// A labelled object in one image.
 ///
 /// Frames  `X_CO` pose of the object's box frame O (centre of its box) in the camera optical frame
@@ -120,6 +130,25 @@ struct ObjectBox {
   Pose X_CO = Pose::Identity();
   Vec3 size_O_m = Vec3::Zero();
   std::vector<Keypoint> keypoints;
+  std::optional<ObjectLight> light;  ///< of a camera that labels it
+};
+
+/// What a camera had set for one image.
+struct PictureExposure {
+  double exposure_s = 0, f_number = 0, gain_db = 0;
+  double saturation_cdpm2 = 0;  ///< luminance on the axis that fills the range of green
+  Vec3 balance = Vec3::Ones();  ///< factors on red, green and blue
+};
+
+/// What one shovel carries at the time of an image, seen or not.
+struct CarriedLoad {
+  std::uint16_t instance = 0;  ///< of the soil, as in the instance picture: its mask
+  std::string name;
+  std::int64_t visible_px = 0;
+  double volume_m3 = 0, mass_kg = 0;
+  double fill = 0;                      ///< volume over the shovel's heaped capacity
+  std::optional<double> released_kgps;  ///< what it lost a second since the image before; none: the
+                                        ///< first
 };
 
 /// One exposure. Images that the camera does not produce are empty. All share one pixel grid.
@@ -140,7 +169,10 @@ struct CameraFrame {
   Image<std::uint8_t> ground_state;  ///< looseness, moisture and rut as in TerrainSurface::Cover
   Image<std::uint16_t> ground_change, ground_age;  ///< PixelOfRise, PixelOfAge
   Image<std::uint16_t> dust_optical_depth;         ///< PixelOfOpticalDepth
+  Image<std::uint8_t> lens_soiling;                ///< share of light that comes through, of 255
   std::vector<ObjectBox> boxes;
+  std::optional<PictureExposure> exposure;  ///< of a camera that labels it
+  std::vector<CarriedLoad> loads;           ///< of a camera that labels them
 };
 
 /// One lidar return, in the sensor frame at the time of its own ray.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
@@ -12,6 +13,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Vec3 Vector3(const Json& list) {
+  return {list.at(0).get<double>(), list.at(1).get<double>(), list.at(2).get<double>()};
+}
+
 Json ToJson(const Keypoint& point) {
   const Vec3& p = point.p_C_m;
   Json json = {{"name", point.name},
@@ -19,6 +24,64 @@ Json ToJson(const Keypoint& point) {
                {"p_C_m", {p.x(), p.y(), p.z()}}};
   if (point.pixel_px) json["pixel_px"] = {point.pixel_px->x(), point.pixel_px->y()};
   return json;
+}
+
+Json ToJson(const ObjectLight& light) {
+  return {{"blur_px", light.blur_px},
+          {"most_blur_px", light.most_blur_px},
+          {"luminance_cdpm2", light.luminance_cdpm2},
+          {"illuminance_lx", light.illuminance_lx},
+          {"shadow", light.shadow}};
+}
+
+ObjectLight LightFromJson(const Json& json) {
+  ObjectLight light;
+  json.at("blur_px").get_to(light.blur_px);
+  json.at("most_blur_px").get_to(light.most_blur_px);
+  json.at("luminance_cdpm2").get_to(light.luminance_cdpm2);
+  json.at("illuminance_lx").get_to(light.illuminance_lx);
+  json.at("shadow").get_to(light.shadow);
+  return light;
+}
+
+Json ToJson(const PictureExposure& exposure) {
+  const Vec3& balance = exposure.balance;
+  return {{"exposure_s", exposure.exposure_s},
+          {"f_number", exposure.f_number},
+          {"gain_db", exposure.gain_db},
+          {"ev", std::log2(exposure.f_number * exposure.f_number / exposure.exposure_s)},
+          {"saturation_cdpm2", exposure.saturation_cdpm2},
+          {"balance", {balance.x(), balance.y(), balance.z()}}};
+}
+
+PictureExposure ExposureFromJson(const Json& json) {
+  PictureExposure exposure;
+  json.at("exposure_s").get_to(exposure.exposure_s);
+  json.at("f_number").get_to(exposure.f_number);
+  json.at("gain_db").get_to(exposure.gain_db);
+  json.at("saturation_cdpm2").get_to(exposure.saturation_cdpm2);
+  exposure.balance = Vector3(json.at("balance"));
+  return exposure;
+}
+
+Json ToJson(const CarriedLoad& load) {
+  Json json = {{"instance", load.instance},     {"name", load.name},
+               {"visible_px", load.visible_px}, {"volume_m3", load.volume_m3},
+               {"mass_kg", load.mass_kg},       {"fill", load.fill}};
+  if (load.released_kgps) json["released_kgps"] = *load.released_kgps;
+  return json;
+}
+
+CarriedLoad LoadFromJson(const Json& json) {
+  CarriedLoad load;
+  json.at("instance").get_to(load.instance);
+  json.at("name").get_to(load.name);
+  json.at("visible_px").get_to(load.visible_px);
+  json.at("volume_m3").get_to(load.volume_m3);
+  json.at("mass_kg").get_to(load.mass_kg);
+  json.at("fill").get_to(load.fill);
+  if (json.contains("released_kgps")) load.released_kgps = json.at("released_kgps").get<double>();
+  return load;
 }
 
 Json ToJson(const ObjectBox& box) {
@@ -43,14 +106,11 @@ Json ToJson(const ObjectBox& box) {
                {"p_CO_m", {p.x(), p.y(), p.z()}},
                {"q_CO_wxyz", {q.w(), q.x(), q.y(), q.z()}},
                {"size_O_m", {size.x(), size.y(), size.z()}}};
+  if (box.light) json["light"] = ToJson(*box.light);
   if (box.keypoints.empty()) return json;
   json["keypoints"] = Json::array();
   for (const Keypoint& point : box.keypoints) json["keypoints"].push_back(ToJson(point));
   return json;
-}
-
-Vec3 Vector3(const Json& list) {
-  return {list.at(0).get<double>(), list.at(1).get<double>(), list.at(2).get<double>()};
 }
 
 Keypoint KeypointFromJson(const Json& json) {
@@ -90,6 +150,7 @@ ObjectBox FromJson(const Json& json) {
     box.amodal_max_px = {px.at(2).get<double>(), px.at(3).get<double>()};
     json.at("truncation").get_to(box.truncation);
   }
+  if (json.contains("light")) box.light = LightFromJson(json.at("light"));
   if (!json.contains("keypoints")) return box;
   for (const Json& point : json.at("keypoints")) box.keypoints.push_back(KeypointFromJson(point));
   return box;
@@ -97,19 +158,25 @@ ObjectBox FromJson(const Json& json) {
 
 }  // namespace
 
-std::string EncodeBoxes(TimeNs t_ns, const std::vector<ObjectBox>& boxes) {
-  Json list = Json::array();
-  for (const ObjectBox& box : boxes) list.push_back(ToJson(box));
-  return Json{{"t_ns", t_ns}, {"boxes", list}}.dump(1) + '\n';
+std::string EncodeBoxes(const CameraFrame& frame) {
+  Json document = {{"t_ns", frame.t_ns}};
+  if (frame.exposure) document["exposure"] = ToJson(*frame.exposure);
+  if (!frame.loads.empty()) document["loads"] = Json::array();
+  for (const CarriedLoad& load : frame.loads) document["loads"].push_back(ToJson(load));
+  document["boxes"] = Json::array();
+  for (const ObjectBox& box : frame.boxes) document["boxes"].push_back(ToJson(box));
+  return document.dump(1) + '\n';
 }
 
-std::vector<ObjectBox> ReadBoxes(const std::filesystem::path& file) {
+void ReadBoxes(const std::filesystem::path& file, CameraFrame* frame) {
   const std::string text = ReadWholeFile(file);
   try {
-    std::vector<ObjectBox> boxes;
     const Json document = Json::parse(text);
-    for (const Json& box : document.at("boxes")) boxes.push_back(FromJson(box));
-    return boxes;
+    if (document.contains("exposure")) frame->exposure = ExposureFromJson(document.at("exposure"));
+    if (document.contains("loads")) {
+      for (const Json& load : document.at("loads")) frame->loads.push_back(LoadFromJson(load));
+    }
+    for (const Json& box : document.at("boxes")) frame->boxes.push_back(FromJson(box));
   } catch (const nlohmann::json::exception& e) {
     throw InputError(
         fmt::format("{}: not a file of boxes: {}; write it again", file.string(), e.what()));
@@ -117,6 +184,12 @@ std::vector<ObjectBox> ReadBoxes(const std::filesystem::path& file) {
     throw InputError(
         fmt::format("{}: {}; need a class of docs/reference/dataset.md", file.string(), e.what()));
   }
+}
+
+std::vector<ObjectBox> ReadBoxes(const std::filesystem::path& file) {
+  CameraFrame frame;
+  ReadBoxes(file, &frame);
+  return frame.boxes;
 }
 
 }  // namespace tera

@@ -373,7 +373,7 @@ CameraFrame Recording::LoadFrame(const std::string& folder, TimeNs t_ns) const {
     const fs::path png = file(channel.name, "png");
     if (has(png)) ReadPng(png, channel.components, &picture);
   });
-  if (has(file("boxes", "json"))) frame.boxes = ReadBoxes(file("boxes", "json"));
+  if (has(file("boxes", "json"))) ReadBoxes(file("boxes", "json"), &frame);
   if (!any) {
     throw InputError(fmt::format("{}: there is no image of t_ns {}; data.csv names one",
                                  (directory_ / folder).string(), t_ns));

@@ -279,7 +279,7 @@ void DatasetWriter::Impl::WriteCamera(const std::string& folder, const CameraFra
     files.push_back(WriteFile(name(channel.name, "png"), EncodePng(picture)));
   });
   if (!frame.instance.empty()) {
-    files.push_back(WriteFile(name("boxes", "json"), EncodeBoxes(frame.t_ns, frame.boxes)));
+    files.push_back(WriteFile(name("boxes", "json"), EncodeBoxes(frame)));
   }
   TERA_CHECK(!files.empty(), folder, frame.t_ns);
   frame_log->Append(folder, frame.t_ns, files);

@@ -19,6 +19,7 @@
 #include "render/gl/passes/grain_renderer.h"
 #include "render/gl/passes/lamp_lights.h"
 #include "render/gl/passes/lens.h"
+#include "render/gl/passes/light_pass.h"
 #include "render/gl/passes/node_renderer.h"
 #include "render/gl/passes/rain_pass.h"
 #include "render/gl/passes/shadow_map.h"
@@ -85,6 +86,8 @@ struct Rasterizer::Impl {
   std::optional<BodyPass> bodies;  // of the first picture that asks for them
   std::optional<DustPass> dust;    // of the first picture with dust in the air
   std::optional<RainPass> rain;    // where it rains
+  std::optional<LightPass> light_pass;
+  bool wants_light = false;  // of the picture that is being drawn
   GlObject no_vertices = MakeVertexArray();
   GlObject far_below = FarBelow();
   bool has_ground = false;
@@ -143,6 +146,7 @@ struct Rasterizer::Impl {
     bool normals = false;
     bool counts = false;                   ///< of the pixels of each instance
     Image<std::uint16_t>* body = nullptr;  ///< the place for bodies, if any
+    Image<float>* light = nullptr;         ///< and for the light on what is seen
   };
   Shown Show(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state,
              const LuminancePicture* luminance, const Wanted& wanted);
@@ -160,6 +164,10 @@ Rasterizer::~Rasterizer() { impl_->current.Take(); }
 const GlInfo& Rasterizer::info() const { return impl_->context.info(); }
 
 const SceneModel& Rasterizer::model() const { return impl_->model; }
+
+Vec3 Rasterizer::sun_illuminance_lx() const {
+  return impl_->daylight.sky().sun_illuminance_lx().cast<double>();
+}
 
 std::int64_t Rasterizer::uploaded_tiles() const { return impl_->terrain.uploaded_tiles(); }
 
@@ -243,7 +251,7 @@ void Rasterizer::Impl::Occlude(const View& view, const Pictures& p) {
 }
 
 void Rasterizer::Impl::Shade(const View& view, const Pictures& p) {
-  glBindFramebuffer(GL_FRAMEBUFFER, p.sky_target.id());
+  glBindFramebuffer(GL_FRAMEBUFFER, wants_light ? light_pass->TargetOf(p) : p.sky_target.id());
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
   glDepthFunc(GL_LESS);  // only where something was drawn
@@ -435,6 +443,8 @@ Rasterizer::Impl::Shown Rasterizer::Impl::Show(const CameraIntrinsics& camera, c
   daylight.SetWhite(luminance ? std::optional(luminance->white_cdpm2) : std::nullopt);
   const bool linear = luminance != nullptr;
   if (wanted.body != nullptr && !bodies) bodies.emplace();
+  wants_light = wanted.light != nullptr;
+  if (wants_light && !light_pass) light_pass.emplace();
   if (!camera.Distorted()) {
     const Pictures& p = PicturesOf(camera.width_px, camera.height_px, linear);
     const View view(camera, X_WC);
@@ -443,6 +453,7 @@ Rasterizer::Impl::Shown Rasterizer::Impl::Show(const CameraIntrinsics& camera, c
       bodies->Draw(view, p, nodes, has_ground ? &grains : nullptr);
       *wanted.body = bodies->Read();
     }
+    if (wants_light) *wanted.light = light_pass->Read(daylight.exposure());
     return {p.colour, {p.label, p.normal}, p.depth, GL_DEPTH_COMPONENT, {view}, {}};
   }
   const Lens& lens = LensOf(camera);
@@ -450,6 +461,7 @@ Rasterizer::Impl::Shown Rasterizer::Impl::Show(const CameraIntrinsics& camera, c
   Shown shown{q.colour, {q.label, q.normal}, q.depth, GL_RED, {}, {}};
   Clear(q, wanted.normals);
   if (wanted.body != nullptr) bodies->ClearLens(q.width_px, q.height_px);
+  if (wants_light) light_pass->ClearLens(q.width_px, q.height_px);
   for (std::size_t v = 0; v < lens.views().size(); ++v) {
     const auto& [R_CV, pinhole] = lens.views()[v];
     const Pictures& p = PicturesOf(pinhole.width_px, pinhole.height_px, linear);
@@ -462,22 +474,28 @@ Rasterizer::Impl::Shown Rasterizer::Impl::Show(const CameraIntrinsics& camera, c
       bodies->UseLens(lens, static_cast<int>(v));
       FillScreen();
     }
+    if (wants_light) {
+      light_pass->UseLens(lens, static_cast<int>(v));
+      FillScreen();
+    }
     if (wanted.counts) {
       AddTo(&shown.seen, CountPixels(ReadInstances(p.label, p.width_px, p.height_px), model));
     }
   }
   if (wanted.body != nullptr) *wanted.body = bodies->ReadLens();
+  if (wants_light) *wanted.light = light_pass->ReadLens(daylight.exposure());
   return shown;
 }
 
 CameraFrame Rasterizer::Render(const CameraIntrinsics& camera, const Pose& X_WC,
                                const SceneState& state, LabelSet labels,
-                               LuminancePicture* luminance, Image<std::uint16_t>* body) {
+                               LuminancePicture* luminance, Image<std::uint16_t>* body,
+                               Image<float>* light) {
   Impl& impl = *impl_;
   const EglContext::Current current(impl.context);
   const int width = camera.width_px, height = camera.height_px;
   const Impl::Shown shown =
-      impl.Show(camera, X_WC, state, luminance, {labels[kNormalChannel], true, body});
+      impl.Show(camera, X_WC, state, luminance, {labels[kNormalChannel], true, body, light});
   CameraFrame frame;
   frame.t_ns = state.t_ns;
   frame.t_available_ns = state.t_ns;

@@ -40,6 +40,8 @@ class Rasterizer {
 
   const GlInfo& info() const;
   const SceneModel& model() const;
+  /// Of the sun on a plane that faces it, in the primaries of sRGB.
+  Vec3 sun_illuminance_lx() const;
   /// Terrain tiles sent to the GPU since construction.
   std::int64_t uploaded_tiles() const;
   /// Triangles sent to the GPU since construction, those of shadows and of boxes' silhouettes too.
@@ -53,10 +55,11 @@ class Rasterizer {
   /// What a camera at X_WC sees. Fills rgb, depth_m, boxes and the usual labels of the frame, and
   /// what `labels` names beside them of what shaders write; t_ns is state.t_ns. With `luminance` it
   /// is that which is filled in the place of rgb; `body`, if asked for, becomes the picture of
-  /// bodies (body_picture.h).
+  /// bodies (body_picture.h), and `light` of two channels: the illuminance of what each pixel
+  /// shows, in lx, and the share of the sun that reaches it.
   CameraFrame Render(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state,
                      LabelSet labels = {}, LuminancePicture* luminance = nullptr,
-                     Image<std::uint16_t>* body = nullptr);
+                     Image<std::uint16_t>* body = nullptr, Image<float>* light = nullptr);
   /// That luminance alone.
   void RenderLuminance(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state,
                        LuminancePicture* luminance);

@@ -48,7 +48,7 @@ void ReadLabels(const LabelOutputs& outputs, int width_px, int height_px, const 
   const std::vector<std::uint32_t> words = ReadWords(outputs.word, width_px, height_px);
   ForEachLabel(*frame, [&](const LabelChannel& channel, auto& picture) {
     const bool is_drawn =
-        channel.source != LabelSource::kSurfaces && channel.source != LabelSource::kAir;
+        channel.source == LabelSource::kLabelWord || channel.source == LabelSource::kSurfaceNormal;
     if (!labels[IndexOf(channel)] || !is_drawn) return;
     picture = std::remove_reference_t<decltype(picture)>(width_px, height_px, channel.components);
     if (channel.source == LabelSource::kLabelWord) {

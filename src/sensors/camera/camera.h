@@ -9,19 +9,33 @@
 #include "core/uniform_bits.h"
 #include "render/gl/rasterizer.h"
 #include "sensors/camera/image_sensor.h"
+#include "sensors/camera/load_labels.h"
+#include "sensors/camera/optics/optics.h"
 #include "sensors/camera/pixel_rays.h"
+#include "sensors/camera/ranging/stereo.h"
+#include "sensors/camera/ranging/time_of_flight.h"
 #include "sensors/camera/surface_labels.h"
 #include "sensors/camera/sweep.h"
 #include "sensors/frame_content.h"
 
 namespace tera {
 
+/// What a camera says of the objects in its picture beside their boxes.
+struct ObjectLabels {
+  bool exposure = false;  ///< ObjectLight of each, PictureExposure of all
+  bool load = false;      ///< CarriedLoad of each shovel
+};
+
 /// What a camera is: its optics, its outputs and their noise.
 struct CameraModel : PictureContent {
   double disparity_noise_px = 0;  ///< sigma_d of the depth, 1 sigma; 0 switches it off
   double baseline_m = 0.05;       ///< b, between the two eyes of a depth camera
   double rgb_noise = 0;           ///< 1 sigma of the sRGB value in 0..255, without an image sensor
-  std::optional<ImageSensorModel> image_sensor;  ///< none: colour at the scene's exposure
+  std::optional<ImageSensorModel> image_sensor;     ///< none: colour at the scene's exposure
+  std::optional<OpticsModel> optics;                ///< before an image sensor; none: ideal
+  std::optional<StereoModel> stereo;                ///< depth is matched between two eyes
+  std::optional<TimeOfFlightModel> time_of_flight;  ///< or measured by light's own time
+  ObjectLabels object_labels;
 };
 
 CameraModel ReadCameraModel(const ConfigMap& config);
@@ -48,7 +62,10 @@ Pose OpticalInSensor();
 ///         before (exposure_control.h). Noise is drawn for each pixel alone. Behind dust of optical
 ///         depth t the noise of the disparity is exp(t) as large, and there is no depth where less
 ///         than kLeastContrast (dust_sight.h) is left.
-/// Omits   glare, dirt; the holes and the smoothing of a real stereo matcher.
+///         Before an image sensor the lens may blur and scatter, and its glass be dirty (optics.h).
+///         Depth may instead be that of a stereo matcher (stereo.h) or of time of flight
+///         (time_of_flight.h), both of the instant of the stamp.
+/// Omits   of the depth with noise the holes and the smoothing of a real stereo matcher.
 /// Source  lens: Brown 1971, "Close-range camera calibration"; sigma_z: Khoshelham and Elberink
 ///         2012, "Accuracy and resolution of Kinect depth data for indoor mapping applications".
 class Camera {
@@ -63,7 +80,7 @@ class Camera {
   CameraFrame Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer* rasterizer);
   /// Whether a picture follows from those before, so that none may be left out.
   bool HasMemory() const {
-    return surface_labels_.HasMemory() ||
+    return surface_labels_.HasMemory() || model_.object_labels.load ||
            (control_ && (control_->meters_exposure() || control_->meters_balance()));
   }
   /// The time from the first light of a picture to its stamp, and from there to the last, at most.
@@ -71,8 +88,23 @@ class Camera {
   const CameraModel& model() const { return model_; }
 
  private:
+  /// Where pictures beside those of the frame go, if they are asked for.
+  struct Beside {
+    LuminancePicture* luminance;
+    Image<std::uint16_t>* body;
+    Image<float>* light;
+  };
   CameraFrame See(const SceneAt& scene_at, TimeNs t_ns, Rasterizer* rasterizer,
-                  LuminancePicture* luminance, Image<std::uint16_t>* body) const;
+                  const Beside& beside) const;
+  /// What is said of objects and of the whole picture, of a frame with its exact depth.
+  void Label(const SceneAt& scene_at, const Rasterizer& rasterizer, const Beside& beside,
+             CameraFrame* frame);
+  /// Optical depth of the dust before what each pixel shows; empty where nothing needs it.
+  Image<float> Dust(const SeenScene& scene, const Rasterizer& rasterizer,
+                    const Image<float>& depth_m);
+  /// What the depth sensor makes of picture k, whose depth is exact, through `dust`.
+  Image<float> Range(std::int64_t k, const SeenScene& scene, const Image<float>& dust,
+                     Image<float> depth_m, Rasterizer* rasterizer) const;
   /// sRGB of picture k, which the control takes note of.
   Image<std::uint8_t> Sense(const Image<float>& luminance_cdpm2, std::int64_t k);
 
@@ -83,7 +115,11 @@ class Camera {
   std::optional<ImageSensor> image_sensor_;
   std::optional<ExposureControl> control_;  ///< of an image sensor
   SurfaceLabels surface_labels_;
-  std::optional<PixelRays> rays_;  ///< of the first picture that looks through dust
+  std::optional<Optics> optics_;
+  std::optional<Stereo> stereo_;
+  std::optional<TimeOfFlight> time_of_flight_;
+  std::optional<PixelRays> rays_;  ///< where objects' light is labelled, or dust is in the air
+  LoadLabels load_labels_;
 };
 
 }  // namespace tera

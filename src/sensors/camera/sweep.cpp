@@ -79,10 +79,10 @@ std::vector<ObjectBox> BoxesOf(const SceneModel& model, const CameraIntrinsics& 
 }  // namespace
 
 CameraFrame Sweep(const SweptView& view, TimeNs t_ns, Rasterizer* rasterizer,
-                  LuminancePicture* luminance, Image<std::uint16_t>* body) {
+                  LuminancePicture* luminance, Image<std::uint16_t>* body, Image<float>* light_on) {
   const SeenScene middle = view.scene_at(t_ns);
-  CameraFrame frame =
-      rasterizer->Render(view.lens, middle.X_WC, middle.state, view.labels, luminance, body);
+  CameraFrame frame = rasterizer->Render(view.lens, middle.X_WC, middle.state, view.labels,
+                                         luminance, body, light_on);
   const double motion_px = Motion_px(view, rasterizer->model(), middle, frame, t_ns);
   const Exposures exposures(view.shutter, view.exposure_s, view.lens.height_px,
                             Exposures::PicturesFor(view.shutter, motion_px));

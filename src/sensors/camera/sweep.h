@@ -34,8 +34,9 @@ struct SweptView {
 ///         As many instants as the motion on the picture asks for (ImageMotion_px).
 /// Omits   motion of the ground, and of soil in a shovel, within the picture: one stands for all.
 ///
-/// `body`, if asked for, becomes the picture of bodies at `t_ns`.
+/// `body` and `light`, if asked for, become those pictures of Rasterizer::Render at `t_ns`.
 CameraFrame Sweep(const SweptView& view, TimeNs t_ns, Rasterizer* rasterizer,
-                  LuminancePicture* luminance, Image<std::uint16_t>* body = nullptr);
+                  LuminancePicture* luminance, Image<std::uint16_t>* body = nullptr,
+                  Image<float>* light = nullptr);
 
 }  // namespace tera
