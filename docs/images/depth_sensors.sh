@@ -7,7 +7,7 @@ tera=${TERA:-build/release/tera}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-camera='type: camera, link: upper, xyz_m: [1.2, 0, 1.9], rpy_deg: [0, 25, 0], rate_hz: 1, width_px: 480, height_px: 360,
+camera='type: camera, link: upper, xyz_m: [0.7, 0.9, 2.1], rpy_deg: [0, 17, 52], rate_hz: 1, width_px: 480, height_px: 360,
        horizontal_fov_deg: 70, baseline_m: 0.1, labels: false, depth: true, depth_max_m: 12'
 {
   echo "name: depth_sensors"
@@ -21,7 +21,7 @@ camera='type: camera, link: upper, xyz_m: [1.2, 0, 1.9], rpy_deg: [0, 25, 0], ra
     rig: {sensors: [
       {name: noise, $camera, disparity_noise_px: 0.08},
       {name: passive, $camera, stereo: {disparities_px: 64}},
-      {name: dots, $camera, stereo: {disparities_px: 64, projector: {intensity_cd: 100000, cell_deg: 0.7}}},
+      {name: dots, $camera, stereo: {disparities_px: 64, projector: {intensity_cd: 1000000, cell_deg: 0.7}}},
       {name: flight, $camera, time_of_flight: {multipath: false}},
       {name: multipath, $camera, time_of_flight: {}}]}
 YAML

@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
-# Draws docs/images/optics.jpg: what a camera on an excavator sees through an ideal lens, one that is focused on 2 m,
-# and with glare and ghosts of a low sun; through dust and specks, and through drops, beside the label of both.
+# Draws docs/images/optics.jpg: what a camera on an excavator sees through an ideal lens, with glare and ghosts of a low
+# sun, through dust and specks, and through drops; a longer lens that is ideal, one focused near and one focused far, and
+# the label of dust, specks and drops together.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 tera=${TERA:-build/release/tera}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-camera='type: camera, link: upper, xyz_m: [0.6, 0.35, 2.1], rpy_deg: [0, 8, 0], rate_hz: 1, width_px: 640, height_px: 480,
-       horizontal_fov_deg: 60'
-sensor() { echo "image_sensor: {exposure_s: $1, f_number: $2, pixel_um: 6}"; }
+camera='type: camera, link: upper, xyz_m: [0.6, 0.35, 2.1], rpy_deg: [0, 8, 0], rate_hz: 1, width_px: 640, height_px: 480'
+wide="$camera, horizontal_fov_deg: 60, image_sensor: {exposure_s: 0.001, f_number: 8, pixel_um: 6}"
+long="$camera, horizontal_fov_deg: 30, image_sensor: {exposure_s: 0.00001, f_number: 1.4, pixel_um: 20, full_well_e: 90000}, labels: false"
 dust='film: 0.15, specks: 60, speck_mm: 0.7' drops='drops: 14, drop_mm: 3'
 {
   echo "name: optics"
@@ -22,17 +23,19 @@ dust='film: 0.15, specks: 60, speck_mm: 0.7' drops='drops: 14, drop_mm: 3'
     start: {joints_deg: {boom: 40, arm: -95, bucket: -20}}
     operator: {type: idle}
     rig: {sensors: [
-      {name: ideal, $camera, labels: false, $(sensor 0.002 8)},
-      {name: focused, $camera, labels: false, $(sensor 0.00006 1.4), optics: {focus_m: 2}},
-      {name: glare, $camera, labels: false, $(sensor 0.002 8), optics: {glare: {scattered: 0.03}, flare: {ghosts: 9, reflectance: 0.02}}},
-      {name: dust, $camera, labels: [lens_soiling], $(sensor 0.002 8), optics: {soiling: {distance_mm: 30, $dust}}},
-      {name: drops, $camera, labels: [lens_soiling], $(sensor 0.002 8), optics: {soiling: {distance_mm: 30, $drops}}},
-      {name: both, $camera, labels: [lens_soiling], $(sensor 0.002 8), optics: {soiling: {distance_mm: 30, $dust, $drops}}}]}
+      {name: ideal, $wide, labels: false},
+      {name: glare, $wide, labels: false, optics: {glare: {scattered: 0.03}, flare: {ghosts: 9, reflectance: 0.02}}},
+      {name: dust, $wide, labels: false, optics: {soiling: {distance_mm: 30, $dust}}},
+      {name: drops, $wide, labels: false, optics: {soiling: {distance_mm: 30, $drops}}},
+      {name: sharp, $long},
+      {name: near, $long, optics: {focus_m: 3}},
+      {name: far, $long, optics: {focus_m: 12}},
+      {name: both, $wide, labels: [lens_soiling], optics: {soiling: {distance_mm: 30, $dust, $drops}}}]}
 YAML
   sed -n '/^obstacles:/,$p' config/scenarios/quickstart.yaml | sed 's#\.\./obstacles#tera:config/obstacles#'
 } > "$scratch/scenario.yaml"
 TERA_DATA_DIR=$PWD "$tera" generate "$scratch/scenario.yaml" --out "$scratch/run" "$@"
-picture() { echo "$scratch/run/excavator1/$1/$2/0.png"; }
-ffmpeg -y -loglevel error -i "$(picture ideal rgb)" -i "$(picture focused rgb)" -i "$(picture glare rgb)" \
-  -i "$(picture dust rgb)" -i "$(picture drops rgb)" -i "$(picture both lens_soiling)" \
-  -filter_complex '[5]format=rgb24[l];[0][1][2]hstack=3[a];[3][4][l]hstack=3[b];[a][b]vstack,scale=1440:-1' -q:v 4 docs/images/optics.jpg
+picture() { echo "$scratch/run/excavator1/$1/${2:-rgb}/0.png"; }
+ffmpeg -y -loglevel error -i "$(picture ideal)" -i "$(picture glare)" -i "$(picture dust)" -i "$(picture drops)" \
+  -i "$(picture sharp)" -i "$(picture near)" -i "$(picture far)" -i "$(picture both lens_soiling)" \
+  -filter_complex '[7]format=rgb24[l];[0][1][2][3]hstack=4[a];[4][5][6][l]hstack=4[b];[a][b]vstack,scale=1800:-1' -q:v 4 docs/images/optics.jpg

@@ -110,6 +110,23 @@ TEST(BadInput, AReadoutThatIsLongerThanFromPictureToPictureIsRefusedWithItsPlace
                       HasSubstr("need at most 0.05 s")));
 }
 
+TEST(BadInput, OpticsWithoutAnImageSensorAreRefusedWithTheirPlace) {
+  const std::string scenario = SmallScenario(
+      "{name: cam, type: camera, link: chassis, rate_hz: 1, width_px: 64, height_px: 48, "
+      "horizontal_fov_deg: 90, optics: {focus_m: 2.25}}");
+  ExpectScenarioRefused(scenario, AllOf(HasSubstr("machines[0].rig.sensors[1].optics: "),
+                                        HasSubstr("need image_sensor")));
+}
+
+TEST(BadInput, AStereoMatcherWithAnEvenBlockIsRefusedWithItsPlace) {
+  const std::string scenario = SmallScenario(
+      "{name: cam, type: camera, link: chassis, rate_hz: 1, width_px: 64, height_px: 48, "
+      "horizontal_fov_deg: 90, depth: true, stereo: {disparities_px: 16, block_px: 12}}");
+  ExpectScenarioRefused(scenario, AllOf(StartsWith(At(scenario, "12}") +
+                                                   "machines[0].rig.sensors[1].stereo.block_px: "),
+                                        HasSubstr("need 11 or 13")));
+}
+
 TEST(BadInput, AFisheyeThatFoldsItsPictureIsRefusedWithItsPlace) {
   const std::string scenario = SmallScenario(
       "{name: cam, type: camera, link: chassis, rate_hz: 1, width_px: 64, height_px: 48, "

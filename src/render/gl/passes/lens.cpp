@@ -40,12 +40,12 @@ std::vector<std::optional<Vec3>> RaysOf(const CameraIntrinsics& camera) {
 /// Directions of a cube's faces: ahead, right, left, below, above, behind, each turned about its
 /// own axis: rows of its pixels that ran along the lens' would lie beside them by the same part of
 /// a pixel over long stretches, and all of an edge there would be off by that part.
-std::array<Mat3, 6> CubeFaces() {
+std::array<Mat3, 6> CubeFaces(double turn_rad) {
   const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
-  const auto facing = [](const Vec3& right, const Vec3& down, const Vec3& ahead) {
+  const auto facing = [&](const Vec3& right, const Vec3& down, const Vec3& ahead) {
     Mat3 R_CV;
     R_CV << right, down, ahead;
-    return Mat3(R_CV * Eigen::AngleAxisd(kFaceTurn_rad, Vec3::UnitZ()));
+    return Mat3(R_CV * Eigen::AngleAxisd(turn_rad, Vec3::UnitZ()));
   };
   return {facing(x, y, z),  facing(-z, y, x), facing(z, y, -x),
           facing(x, -z, y), facing(x, z, -y), facing(-x, y, -z)};
@@ -64,8 +64,9 @@ Split SplitBetweenViews(const CameraIntrinsics& camera,
   });
   Split split;
   split.view_of_ray.assign(rays.size(), kNoView);
-  const std::array<Mat3, 6> faces = CubeFaces();
-  const std::size_t face_count = !camera.IsAngular() || is_narrow ? 1 : faces.size();
+  const bool is_one = !camera.IsAngular() || is_narrow;
+  const std::array<Mat3, 6> faces = CubeFaces(is_one ? 0 : kFaceTurn_rad);
+  const std::size_t face_count = is_one ? 1 : faces.size();
   for (std::size_t f = 0; f < face_count; ++f) {
     bool is_used = false;
     for (std::size_t i = 0; i < rays.size(); ++i) {

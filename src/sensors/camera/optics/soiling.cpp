@@ -41,15 +41,18 @@ Soiling::Soiling(const SoilingModel& model, const CameraIntrinsics& camera, doub
     : camera_(camera),
       px_per_mm_(camera.fx_px / model.distance_mm),
       disc_px_(std::min(pupil_mm * px_per_mm_, kMostDisc_px)),
-      clear_(camera.width_px, camera.height_px) {
-  std::fill(clear_.data.begin(), clear_.data.end(), 1.0f);
+      film_(camera.width_px, camera.height_px) {
+  std::fill(film_.data.begin(), film_.data.end(), 1.0f);
+  specks_ = film_;
   if (model.film > 0) AddFilm(model.film, stream_name);
   std::uint64_t number = 0;
   for (int k = 0; k < model.specks; ++k) {
     AddSpeck(SpotOf(number++, model.speck_mm, kSpeckSpread, draw), draw);
   }
-  Spread(&clear_);
-  transmitted_ = clear_;
+  Spread(&film_);
+  Spread(&specks_);
+  transmitted_ = film_;
+  for (std::size_t i = 0; i < film_.data.size(); ++i) transmitted_.data[i] *= specks_.data[i];
   if (model.drops == 0) return;
   drops_ = Image<float>(camera.width_px, camera.height_px);
   source_px_ = Image<float>(camera.width_px, camera.height_px, 2);
@@ -74,10 +77,10 @@ void Soiling::AddFilm(double film, const std::string& stream_name) {
   constexpr int kPeriod = 6, kOctaves = 6;
   const LatticeNoise noise(stream_name + "/film", kPeriod, kOctaves);
   const double over_px = 1.0 / std::max(camera_.width_px, camera_.height_px);
-  for (int y = 0; y < clear_.height_px; ++y) {
-    for (int x = 0; x < clear_.width_px; ++x) {
+  for (int y = 0; y < film_.height_px; ++y) {
+    for (int x = 0; x < film_.width_px; ++x) {
       const double density = 2 * double(noise.At(x * over_px, y * over_px));  // about 1
-      clear_.at(x, y) *= static_cast<float>(std::clamp(1 - film * density, 0.0, 1.0));
+      film_.at(x, y) *= static_cast<float>(std::clamp(1 - film * density, 0.0, 1.0));
     }
   }
 }
@@ -86,14 +89,14 @@ void Soiling::AddSpeck(const Spot& spot, const Stream& draw) {
   const double opacity = 0.5 + 0.48 * draw.Uniform(spot.number, 4);
   const auto phase = [&](std::uint32_t k) { return 2 * kPi * draw.Uniform(spot.number, 5 + k); };
   const double a = phase(0), b = phase(1), c = phase(2);
-  ForPixelsAbout(clear_, spot.middle_px, 1.5 * spot.radius_px + 1,
+  ForPixelsAbout(specks_, spot.middle_px, 1.5 * spot.radius_px + 1,
                  [&](int x, int y, const Vec2& from_px) {
                    const double t = std::atan2(from_px.y(), from_px.x());
                    const double rim_px =
                        spot.radius_px * (1 + 0.2 * std::sin(2 * t + a) +
                                          0.13 * std::sin(3 * t + b) + 0.09 * std::sin(7 * t + c));
                    const double cover = std::clamp(rim_px - from_px.norm() + 0.5, 0.0, 1.0);
-                   clear_.at(x, y) *= static_cast<float>(1 - opacity * cover);
+                   specks_.at(x, y) *= static_cast<float>(1 - opacity * cover);
                  });
 }
 
@@ -155,10 +158,12 @@ void Soiling::Apply(const Vec3& sun_lx, Image<float>* picture) const {
   for (std::size_t i = 0; i < picture->data.size(); ++i) {
     const std::size_t pixel = i / 3;
     const float drop = covered.empty() ? 0 : covered.data[pixel];
-    const float clear = clear_.data[pixel];
+    const float film = film_.data[pixel], specks = specks_.data[pixel];
     const double veil_cdpm2 = mean[static_cast<int>(i % 3)] + sun_lx[i % 3] / kPi;
-    picture->data[i] = clear * ((1 - drop) * picture->data[i] + through.data[i]) +
-                       static_cast<float>(kScattered * (1 - double(clear)) * veil_cdpm2);
+    const double scattered =
+        kScattered * double(specks * (1 - film)) + kSpeckScattered * double(1 - specks);
+    picture->data[i] = film * specks * ((1 - drop) * picture->data[i] + through.data[i]) +
+                       static_cast<float>(scattered * veil_cdpm2);
   }
 }
 

@@ -16,10 +16,11 @@ namespace tera {
 /// Model   What lies on the glass is far out of focus: its picture is spread over a disc of the
 ///         diameter A / distance, A the pupil's. A film is denser and thinner by smooth noise about
 ///         its mean; a speck is a patch with an uneven rim that takes most of the light. Of the
-///         light that dust and dirt take, kScattered arrives evenly from the whole picture, and of
-///         the sun's on the glass as from a diffuse sheet. A drop is a cap of a sphere of water,
-///         which turns rays by (n - 1) times its slope: it shows the scene small and upside down.
-///         Places, sizes (log-normal) and shapes are drawn from the camera's stream; they stay.
+///         light that a film takes, kScattered arrives evenly from the whole picture, and of the
+///         sun's on the glass as from a diffuse sheet; of what a speck takes kSpeckScattered. A
+///         drop is a cap of a sphere of water, which turns rays by (n - 1) times its slope: it
+///         shows the scene small and upside down. Places, sizes (log-normal) and shapes are drawn
+///         from the camera's stream; they stay.
 /// Omits   colours of dirt; dispersion and reflections of drops; drops that run; rays through a
 ///         drop that would be turned by more than its slope allows.
 /// Source  the pupil's disc and attenuation plus scattered light: Gu, Ramamoorthi, Belhumeur,
@@ -42,7 +43,7 @@ class Soiling {
   /// `sun_lx` is the illuminance of the sun on the glass.
   void Apply(const Vec3& sun_lx, Image<float>* picture) const;
 
-  static constexpr double kScattered = 0.4;
+  static constexpr double kScattered = 0.4, kSpeckScattered = 0.04;
   static constexpr double kWater = 1.33;  ///< refractive index
 
  private:
@@ -59,7 +60,8 @@ class Soiling {
 
   CameraIntrinsics camera_;
   double px_per_mm_, disc_px_;
-  Image<float> clear_;        ///< share that film and specks let through
+  Image<float> film_;         ///< share that a film lets through
+  Image<float> specks_;       ///< and that specks do
   Image<float> drops_;        ///< share of drops
   Image<float> source_px_;    ///< 2 channels: what a drop's pixel shows
   Image<float> transmitted_;  ///< of all

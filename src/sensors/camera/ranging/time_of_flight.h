@@ -18,7 +18,7 @@ struct TimeOfFlightModel {
   double frequency_hz = 20e6;
   int parts = 3;              ///< of a pixel, either way, whose light is mixed
   bool multipath = true;      ///< light that comes over one other surface
-  double noise = 0.01;        ///< 1 sigma of each of a phasor's two numbers, over that of a white
+  double noise = 3e-4;        ///< 1 sigma of each of a phasor's two numbers, over that of a white
                               ///< surface that faces the camera at 1 m
   double least_signal = 0.0;  ///< in the same measure: what is weaker is no measurement
 };

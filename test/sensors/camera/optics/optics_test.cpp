@@ -75,7 +75,7 @@ TEST_F(CameraBeforeTheSun, BehindItTheSunVeilsNothing) {
 }
 
 TEST_F(CameraBeforeTheSun, TheLabelOfSoilingIsWhatComesThrough) {
-  const OpticsModel model{.soiling = SoilingModel{.film = 0.2, .specks = 30}};
+  const OpticsModel model{.soiling = SoilingModel{.film = 0.2}};
   const Image<std::uint8_t> label = Optics(model, lens_, 4, 3.45, 1, "m/camera").SoilingLabel();
   // Even light of 1000: T + scattered (1 - T) of it arrive, without a sun.
   seen_.X_WC = MakePose({1, 2, 40}, 0, 0, 180 * kDeg) * OpticalInSensor();

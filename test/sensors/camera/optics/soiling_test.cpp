@@ -57,8 +57,8 @@ TEST(Soiling, SmallSpecksAreOutOfFocus) {
   EXPECT_GT(darkest({.distance_mm = 20, .specks = 1, .speck_mm = 0.05}), 0.9);
 }
 
-TEST(Soiling, OfTheLightThatDirtTakesAShareComesAsAVeil) {
-  const Soiling soiling = On({.film = 0.3, .specks = 20});
+TEST(Soiling, OfTheLightThatAFilmTakesAShareComesAsAVeil) {
+  const Soiling soiling = On({.film = 0.3});
   Image<float> picture = Even(1000);
   soiling.Apply(Vec3::Zero(), &picture);
   for (std::size_t i = 0; i < picture.data.size(); i += 101) {
@@ -70,6 +70,16 @@ TEST(Soiling, OfTheLightThatDirtTakesAShareComesAsAVeil) {
   const double clear = double(soiling.transmitted().at(100, 100));
   EXPECT_NEAR(sunlit.at(100, 100, 1) - picture.at(100, 100, 1),
               Soiling::kScattered * (1 - clear) * 5e4 / 3.14159265, 1);
+}
+
+TEST(Soiling, SpecksAreDarkBesideAFilm) {
+  const Soiling soiling = On({.specks = 20, .speck_mm = 2});
+  Image<float> picture = Even(1000);
+  soiling.Apply(Vec3::Zero(), &picture);
+  for (std::size_t i = 0; i < picture.data.size(); i += 101) {
+    const double clear = double(soiling.transmitted().data[i / 3]);
+    EXPECT_NEAR(picture.data[i], 1000 * (clear + Soiling::kSpeckScattered * (1 - clear)), 0.5);
+  }
 }
 
 // A flat cap of a sphere of radius R is a plano-convex lens of the focal length R / (n - 1), which
