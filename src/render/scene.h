@@ -111,8 +111,8 @@ struct SceneModel {
 struct ShapedMesh {
   std::vector<double> key;  ///< what the mesh follows from: the same numbers, the same mesh
   std::vector<MeshPart> parts;
-  double volume_m3 = 0, mass_kg = 0;                            ///< of soil
   Vec3 box_min_B_m = Vec3::Zero(), box_max_B_m = Vec3::Zero();  ///< of what it shows
+  double volume_m3 = 0, mass_kg = 0;                            ///< of soil
 };
 
 /// One for each of SceneModel::shape_count; null where there is nothing to be seen. None at all
