@@ -72,7 +72,7 @@ TEST_P(FisheyePicture, ThingsLandWhereTheLensProjectsThem) {
     ASSERT_EQ(frame.boxes.size(), plates_C.size());
     for (std::size_t k = 0; k < plates_C.size(); ++k) {
       const ObjectBox& box = frame.boxes[k];
-      EXPECT_GT(box.visibility, 0.98) << k;
+      EXPECT_GT(box.visibility, 0.97) << k;  // a neighbour may hide a corner
       ASSERT_GT(box.visible_px, 150) << k;
       const Vec2 expected = ProjectedMean(camera, X_CD.inverse() * plates_C[k], kHalf_m);
       error[k] += (MeanPixel(frame, box) - expected) / kTurns;
