@@ -85,8 +85,9 @@ void AddBagOptions(CLI::App* command, Arguments* arguments) {
       ->transform(OneOf(kImages));
   command
       ->add_option("--moved", arguments->moved,
-                   "Of bags, clouds and formats of one lidar: OLD=NEW: an input that dataset.yaml "
-                   "lists as OLD, or below the folder OLD, is now at NEW; may be repeated")
+                   "Of bags, clouds, nuscenes and formats of one lidar: OLD=NEW: an input that "
+                   "dataset.yaml lists as OLD, or below the folder OLD, is now at NEW; may be "
+                   "repeated")
       ->take_all();
 }
 
@@ -113,6 +114,14 @@ void AddWebdatasetOptions(CLI::App* command, Arguments* arguments) {
                       "person or organization, for README.md and croissant.json");
 }
 
+void AddNuscenesOptions(CLI::App* command, Arguments* arguments) {
+  constexpr double kMostKeyFrames_hz = 1000;
+  command
+      ->add_option("--key-frames-hz", arguments->options.key_frames_hz,
+                   "Of nuscenes: how often everything in view is annotated; 2")
+      ->check(CLI::Range(1e-3, kMostKeyFrames_hz));
+}
+
 /// An option that would do nothing is a mistake.
 void RequireNoIdleOption(const CLI::App& command, const ExportOptions& options) {
   const auto require = [&](const std::string& option, bool is_used, const std::string& of) {
@@ -126,12 +135,14 @@ void RequireNoIdleOption(const CLI::App& command, const ExportOptions& options) 
   require("--images", bag, "bags");
   require("--compression", ros2 && options.storage == BagStorage::kMcap,
           "--to rosbag2 --storage mcap");
-  require("--moved", UsesJointTrees(options.format), "bags, clouds and formats of one lidar");
+  require("--moved", UsesJointTrees(options.format),
+          "bags, clouds, nuscenes and formats of one lidar");
   require("--lidar", IsOfOneLidar(options.format), "--to kitti and --to semantickitti");
   require("--camera", IsOfOneCamera(options.format), "--to kitti");
   require("--card", options.format == ExportFormat::kWebdataset, "--to webdataset");
   require("--shard-mb", options.format == ExportFormat::kWebdataset, "--to webdataset");
   require("--start-utc", options.format != ExportFormat::kSemanticKitti, "formats that have dates");
+  require("--key-frames-hz", options.format == ExportFormat::kNuscenes, "--to nuscenes");
   require("--layout", options.format == ExportFormat::kKitti, "--to kitti");
 }
 
@@ -154,6 +165,7 @@ void AddExportCommand(CLI::App* app) {
   AddBagOptions(command, arguments.get());
   AddKittiOptions(command, arguments.get());
   AddWebdatasetOptions(command, arguments.get());
+  AddNuscenesOptions(command, arguments.get());
   command->callback([arguments, command] {
     RequireNoIdleOption(*command, arguments->options);
     RunExport(*arguments);

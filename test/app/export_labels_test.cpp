@@ -103,6 +103,9 @@ TEST_F(ExportLabels, CocosMasksBoxesAndSegmentsAreThoseOfTheDataset) {
   EXPECT_GE(seen["annotations"], 80);
   EXPECT_GE(seen["wholes"], 12);
   EXPECT_GE(seen["segments"], 80);
+  EXPECT_GE(seen["keypoints"], 200);
+  EXPECT_GE(seen["seen_keypoints"], 50);
+  EXPECT_EQ(seen["keypoint_categories"], json({"person", "vehicle_1"}));
 }
 
 TEST_F(ExportLabels, CocosFilesAreAsTheirSchemaSays) {
@@ -112,7 +115,8 @@ TEST_F(ExportLabels, CocosFilesAreAsTheirSchemaSays) {
   }
   Exported({"coco", "--start-utc", "2024-05-01T12:00:00Z"}, "dated");
   const auto seen = OutputOf(fmt::format(
-      "node {0}/check_schema.mjs '{1}' {0}/coco.schema.json {2}/instances.json {2}/panoptic.json",
+      "node {0}/check_schema.mjs '{1}' {0}/coco.schema.json {2}/instances.json {2}/panoptic.json "
+      "{2}/keypoints.json",
       TERA_SOURCE_DIR "/test/app/judges", TERA_NODE_MODULES, Path("dated/annotations").string()));
   EXPECT_TRUE(seen);
 }
@@ -130,6 +134,20 @@ TEST_F(ExportLabels, KittisFoldersAreThoseOfItsDevelopmentKits) {
   EXPECT_GT(seen["truncated"], 0.5);
   EXPECT_GT(seen["most_moved_m"], 0.05);
   EXPECT_GT(seen["travelled_m"], 0.3);
+}
+
+TEST_F(ExportLabels, NuscenesTablesPosesAndBoxesAreThoseOfTheDataset) {
+  Exported({"nuscenes", "--key-frames-hz", "5"}, "nuscenes");
+  const json seen = Judged("check_nuscenes.py", "run nuscenes digger 5");
+  EXPECT_EQ(seen["samples"], 5);  // at 0.05 s and on
+  EXPECT_EQ(seen["data"], 27);    // 11, 6 and 10
+  EXPECT_EQ(seen["channels"], json({"CAM_BOOM_EYE", "CAM_FRONT", "LIDAR_TOP"}));
+  EXPECT_GE(seen["annotations"], 20);
+  EXPECT_GE(seen["points_in_boxes"], 500);
+  EXPECT_EQ(seen["categories"],
+            json({"human.pedestrian.construction_worker", "movable_object.barrier",
+                  "movable_object.trafficcone", "static.vegetation", "vehicle.construction",
+                  "vehicle.truck"}));
 }
 
 TEST_F(ExportLabels, SemanticKittisLabelsAndPosesAreThoseOfTheDataset) {

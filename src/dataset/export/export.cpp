@@ -46,6 +46,8 @@ WriteFormat WriterOf(ExportFormat format) {
       return ExportSemanticKitti;
     case ExportFormat::kWebdataset:
       return ExportWebdataset;
+    case ExportFormat::kNuscenes:
+      return ExportNuscenes;
   }
   TERA_CHECK(false, static_cast<int>(format));
   return nullptr;

@@ -52,5 +52,6 @@ void ExportCoco(ExportJob* job);
 void ExportKitti(ExportJob* job);
 void ExportSemanticKitti(ExportJob* job);
 void ExportWebdataset(ExportJob* job);
+void ExportNuscenes(ExportJob* job);
 
 }  // namespace tera

@@ -31,7 +31,8 @@ enum class ExportFormat {
   kCoco,
   kKitti,
   kSemanticKitti,
-  kWebdataset
+  kWebdataset,
+  kNuscenes
 };
 
 struct ExportFormatName {
@@ -40,7 +41,7 @@ struct ExportFormatName {
 };
 
 /// All formats in order of value.
-inline constexpr std::array<ExportFormatName, 13> kExportFormats = {
+inline constexpr std::array<ExportFormatName, 14> kExportFormats = {
     {{ExportFormat::kTum, "tum"},
      {ExportFormat::kEuroc, "euroc"},
      {ExportFormat::kNmea, "nmea"},
@@ -53,7 +54,8 @@ inline constexpr std::array<ExportFormatName, 13> kExportFormats = {
      {ExportFormat::kCoco, "coco"},
      {ExportFormat::kKitti, "kitti"},
      {ExportFormat::kSemanticKitti, "semantickitti"},
-     {ExportFormat::kWebdataset, "webdataset"}}};
+     {ExportFormat::kWebdataset, "webdataset"},
+     {ExportFormat::kNuscenes, "nuscenes"}}};
 
 /// Whether a format is a bag of ROS messages, which alone takes `images`; that of ROS 2 also
 /// `storage` and `compression`.
@@ -67,8 +69,9 @@ constexpr bool IsOfOneLidar(ExportFormat format) {
 }
 /// Whether a format may need to know how machines hang together.
 constexpr bool UsesJointTrees(ExportFormat format) {
-  return IsBag(format) || IsOfOneLidar(format) || format == ExportFormat::kPcd ||
-         format == ExportFormat::kPly || format == ExportFormat::kLas;
+  return IsBag(format) || IsOfOneLidar(format) || format == ExportFormat::kNuscenes ||
+         format == ExportFormat::kPcd || format == ExportFormat::kPly ||
+         format == ExportFormat::kLas;
 }
 
 /// The benchmarks of KITTI, each a folder of its own.
@@ -84,6 +87,9 @@ inline constexpr std::array<KittiLayoutName, 5> kKittiLayouts = {
      {KittiLayout::kTracking, "tracking"},
      {KittiLayout::kOdometry, "odometry"},
      {KittiLayout::kDepth, "depth"}}};
+
+/// nuScenes' own rate of key frames.
+inline constexpr double kDefaultKeyFrames_hz = 2;
 
 /// Of a size that is read at once from any storage, and of which a machine holds several.
 inline constexpr std::int64_t kDefaultShardBytes = 256'000'000;
@@ -108,6 +114,7 @@ struct ExportOptions {
   BagImages images = BagImages::kRaw;
   std::vector<KittiLayout> kitti_layouts;         ///< empty: all
   std::string camera, lidar;                      ///< of formats of one: paths; empty: the first
+  double key_frames_hz = kDefaultKeyFrames_hz;    ///< of nuScenes: how often all is annotated
   std::int64_t shard_bytes = kDefaultShardBytes;  ///< of WebDataset: about how large archives are
   std::filesystem::path
       card;  ///< of WebDataset: what its card says of its publisher; empty: no card

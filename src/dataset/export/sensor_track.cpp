@@ -102,6 +102,14 @@ std::string SensorPoseFile(const std::string& sensor) {
   return "truth/" + MachineOf(sensor) + "/sensors/" + fs::path(sensor).filename().string() + ".csv";
 }
 
+SensorPoses MachineTrack(const ExportJob& job, const std::string& machine) {
+  const std::string file = "truth/" + machine + "/pose.csv";
+  if (!job.recording.Has(file)) FailUnplaced(job, machine, "there is no " + file);
+  const SensorPoses track = RecordedTrack(job.recording, file);
+  if (track.count == 0) FailUnplaced(job, machine, file + " has no rows");
+  return track;
+}
+
 SensorPoses SensorTrack(ExportJob* job, const std::string& sensor) {
   const std::string own = SensorPoseFile(sensor);
   const SensorPoses track =

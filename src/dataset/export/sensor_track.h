@@ -32,4 +32,7 @@ std::string SensorPoseFile(const std::string& sensor);
 /// Throws InputError where it has neither.
 SensorPoses SensorTrack(ExportJob* job, const std::string& sensor);
 
+/// Where a machine's root link was. Throws InputError where that was not recorded.
+SensorPoses MachineTrack(const ExportJob& job, const std::string& machine);
+
 }  // namespace tera

@@ -157,9 +157,48 @@ def check_panoptic(dataset, folder):
     return {"segments": count}
 
 
+PERSON = ("nose left_eye right_eye left_ear right_ear left_shoulder right_shoulder left_elbow right_elbow left_wrist right_wrist "
+          "left_hip right_hip left_knee right_knee left_ankle right_ankle").split()
+
+
+def check_keypoints(dataset, folder):
+    """Every annotation that has key points, and no other, with COCO's members, and points that are the dataset's."""
+    document = json.loads((folder / "annotations/keypoints.json").read_text())
+    instances = json.loads((folder / "annotations/instances.json").read_text())
+    need(document["images"] == instances["images"], "other images than instances.json has")
+    images, plain = {i["id"]: i for i in document["images"]}, {a["id"]: a for a in instances["annotations"]}
+    categories = {c["id"]: c for c in document["categories"]}
+    need(len(categories) == len(document["categories"]), "ids of categories")
+    need(len({c["name"] for c in categories.values()}) == len(categories), "names of categories")
+    for c in categories.values():
+        need(len(set(c["keypoints"])) == len(c["keypoints"]) > 0, c)
+        need(all(1 <= end <= len(c["keypoints"]) for bone in c["skeleton"] for end in bone), c)
+        need(c["name"] != "person" or c["keypoints"] == PERSON and len(c["skeleton"]) == 19, c)
+    found, seen, kinds = 0, 0, set()
+    for a in document["annotations"]:
+        need({k: v for k, v in plain[a["id"]].items() if k != "category_id"}.items() <= a.items(), a)
+        category, image = categories[a["category_id"]], images[a["image_id"]]
+        points = {p["name"]: p for p in dataset.boxes(image)[a["instance_id"]]["keypoints"]}
+        need(set(points) == set(category["keypoints"]), a["name"], category)
+        need(category["class_id"] == dataset.classes[dataset.instances[a["instance_id"]]["class"]], a["name"], category)
+        numbers = np.array(a["keypoints"]).reshape(-1, 3)
+        for name, (x, y, v) in zip(category["keypoints"], numbers):
+            point = points[name]
+            need(v == point["sight"], a["name"], name, v)
+            need((x, y) == (tuple(point["pixel_px"]) if v else (0, 0)), a["name"], name, x, y)
+            need(not v or -0.5 <= x <= image["width"] - 0.5 and -0.5 <= y <= image["height"] - 0.5, name, x, y)
+        need(a["num_keypoints"] == np.count_nonzero(numbers[:, 2]), a["name"], a["num_keypoints"])
+        found, seen = found + a["num_keypoints"], seen + np.count_nonzero(numbers[:, 2] == 2)
+        kinds.add(category["name"])
+    with_points = sum(1 for a in instances["annotations"]
+                      if dataset.boxes(images[a["image_id"]])[a["instance_id"]].get("keypoints"))
+    need(with_points == len(document["annotations"]), with_points, "objects with key points")
+    return {"keypoints": int(found), "seen_keypoints": int(seen), "keypoint_categories": sorted(kinds)}
+
+
 def main():
     dataset, folder = Dataset(Path(sys.argv[1])), Path(sys.argv[2])
-    print(json.dumps(check_instances(dataset, folder) | check_panoptic(dataset, folder)))
+    print(json.dumps(check_instances(dataset, folder) | check_panoptic(dataset, folder) | check_keypoints(dataset, folder)))
 
 
 if __name__ == "__main__":

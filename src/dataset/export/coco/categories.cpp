@@ -5,6 +5,15 @@
 namespace tera {
 namespace {
 
+OrderedJson CategoryJson(const SemanticClassInfo& info) {
+  return {{"id", CategoryOf(info.label)},
+          {"name", std::string(info.name)},
+          {"supercategory", SupercategoryOf(info.label)},
+          {"class_id", static_cast<int>(info.label)}};
+}
+
+}  // namespace
+
 const char* SupercategoryOf(SemanticClass label) {
   switch (label) {
     case SemanticClass::kSky:
@@ -37,15 +46,6 @@ const char* SupercategoryOf(SemanticClass label) {
   }
   return "";
 }
-
-OrderedJson CategoryJson(const SemanticClassInfo& info) {
-  return {{"id", CategoryOf(info.label)},
-          {"name", std::string(info.name)},
-          {"supercategory", SupercategoryOf(info.label)},
-          {"class_id", static_cast<int>(info.label)}};
-}
-
-}  // namespace
 
 int CategoryOf(SemanticClass label) { return static_cast<int>(label) + 1; }
 

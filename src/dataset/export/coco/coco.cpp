@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "dataset/export/coco/categories.h"
+#include "dataset/export/coco/keypoint_categories.h"
 #include "dataset/export/coco/panoptic_segments.h"
 #include "dataset/export/export_job.h"
 #include "dataset/export/json_lists.h"
@@ -63,33 +64,39 @@ void AddBox(const ObjectBox& box, OrderedJson* annotation) {
                              {"size_O_m", {size.x(), size.y(), size.z()}}};
 }
 
-/// The two files of annotations and what numbers their entries.
+/// The files of annotations and what numbers their entries.
 class CocoFiles {
  public:
   explicit CocoFiles(ExportJob* job)
       : job_(*job),
         table_(job->recording),
         instances_(job->folder / "annotations/instances.json"),
-        panoptic_(job->folder / "annotations/panoptic.json") {
+        panoptic_(job->folder / "annotations/panoptic.json"),
+        keypoints_(job->folder / "annotations/keypoints.json") {
     instances_.Put("info", InfoJson(job_));
     instances_.Put("licenses", OrderedJson::array());
     instances_.Put("categories", ThingCategories());
     panoptic_.Put("info", InfoJson(job_));
     panoptic_.Put("licenses", OrderedJson::array());
     panoptic_.Put("categories", PanopticCategories());
+    keypoints_.Put("info", InfoJson(job_));
+    keypoints_.Put("licenses", OrderedJson::array());
   }
 
   void AddImages(RecordStream* stream) {
     instances_.BeginList("images");
     panoptic_.BeginList("images");
+    keypoints_.BeginList("images");
     std::int64_t id = 0;
     for (Record record; stream->Next(&record);) {
       const OrderedJson image = ImageJson(++id, job_, stream->path(record.channel), record.t_ns);
       instances_.Add(image);
       panoptic_.Add(image);
+      keypoints_.Add(image);
     }
     instances_.BeginList("annotations");
     panoptic_.BeginList("annotations");
+    keypoints_.BeginList("annotations");
   }
 
   /// Of the image after the one before.
@@ -104,6 +111,9 @@ class CocoFiles {
   void Commit() {
     instances_.Commit();
     panoptic_.Commit();
+    if (keypoint_categories_.empty()) return;
+    keypoints_.Put("categories", keypoint_categories_.Json());
+    keypoints_.Commit();
   }
 
  private:
@@ -140,6 +150,9 @@ class CocoFiles {
                                     [&](const ObjectBox& b) { return b.instance == instance; });
       if (box != frame.boxes.end()) AddBox(*box, &annotation);
       instances_.Add(annotation);
+      if (box == frame.boxes.end() || box->keypoints.empty()) continue;
+      keypoint_categories_.Annotate(*box, &annotation);
+      keypoints_.Add(annotation);
     }
   }
 
@@ -162,17 +175,20 @@ class CocoFiles {
 
   const ExportJob& job_;
   InstanceTable table_;
-  JsonLists instances_, panoptic_;
+  JsonLists instances_, panoptic_, keypoints_;
+  KeypointCategories keypoint_categories_;
   std::int64_t image_ = 0, annotation_ = 0;
 };
 
 }  // namespace
 
-/// images/CAMERA_<t_ns>.png, annotations/instances.json with a mask of each object and
-/// annotations/panoptic.json with the pictures annotations/panoptic/CAMERA_<t_ns>.png, of the
-/// cameras that have colour, classes and instances.
+/// images/CAMERA_<t_ns>.png, annotations/instances.json with a mask of each object,
+/// annotations/keypoints.json where objects have key points, and annotations/panoptic.json with the
+/// pictures annotations/panoptic/CAMERA_<t_ns>.png, of the cameras that have colour, classes and
+/// instances.
 ///
-/// Source  COCO, "Data format": object detection and panoptic segmentation; Lin et al. 2014,
+/// Source  COCO, "Data format": object and keypoint detection and panoptic segmentation; Lin et al.
+/// 2014,
 ///         "Microsoft COCO: Common objects in context"; Kirillov et al. 2019, "Panoptic
 ///         segmentation".
 void ExportCoco(ExportJob* job) {

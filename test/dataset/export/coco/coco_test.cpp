@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "dataset/export/export.h"
 #include "dataset/files/checked_file.h"
+#include "dataset/format/object_boxes.h"
 #include "dataset/format/png.h"
 #include "dataset/format/sample_recording.h"
 
@@ -115,6 +116,83 @@ TEST_F(CocoTest, APanopticPictureHasNumbersOfSegmentsAsColours) {
   EXPECT_EQ(segments[4]["category_id"], 2);
   EXPECT_EQ(segments[4]["area"], 2);
   EXPECT_EQ(segments[4]["bbox"], json({0, 2, 3, 1}));
+}
+
+constexpr std::array<const char*, 17> kBackwards = {
+    "right_ankle",    "left_ankle",    "right_knee", "left_knee",   "right_hip",
+    "left_hip",       "right_wrist",   "left_wrist", "right_elbow", "left_elbow",
+    "right_shoulder", "left_shoulder", "right_ear",  "left_ear",    "right_eye",
+    "left_eye",       "nose"};
+
+ObjectBox BoxWith(std::uint16_t instance, SemanticClass label, std::vector<Keypoint> points) {
+  ObjectBox box;
+  box.instance = instance;
+  box.label = label;
+  box.keypoints = std::move(points);
+  return box;
+}
+
+// A person's points come in COCO's order, whatever theirs; the nose is the first. What lies beyond
+// the picture has no place, and counts as not labelled.
+TEST_F(CocoTest, KeyPointsAreInTheOrderOfTheirCategory) {
+  std::vector<Keypoint> person;
+  for (const char* name : kBackwards) {
+    person.push_back({name, Vec3(0, 0, 5), Vec2(3.25, 1.5), KeypointSight::kHidden});
+  }
+  person.back().sight = KeypointSight::kSeen;
+  person.front() = {"right_ankle", Vec3(0, 2, 5), Vec2(3.5, 80), KeypointSight::kOutside};
+  const std::vector<Keypoint> machine = {
+      {"boom_pin", Vec3(0, 0, 4), Vec2(1, 1), KeypointSight::kSeen},
+      {"arm_pin", Vec3(0, 0, -1), std::nullopt, KeypointSight::kOutside}};
+  WriteWholeFile(recording() / "digger/front/boxes/0.json",
+                 EncodeBoxes(0, {BoxWith(kMachine, SemanticClass::kVehicle, machine),
+                                 BoxWith(kPerson, SemanticClass::kPerson, person),
+                                 BoxWith(kBoom, SemanticClass::kBoom, {})}));
+  const json document = Exported("annotations/keypoints.json");
+  ASSERT_EQ(document["images"].size(), 1u);
+  ASSERT_EQ(document["annotations"].size(), 2u);
+  const json& of_machine = document["annotations"][0];
+  EXPECT_EQ(of_machine["keypoints"], json({1.0, 1.0, 2, 0.0, 0.0, 0}));
+  EXPECT_EQ(of_machine["num_keypoints"], 1);
+  EXPECT_EQ(of_machine["area"], 4);
+  EXPECT_EQ(of_machine["category_id"], 1001);
+  const json& of_person = document["annotations"][1];
+  ASSERT_EQ(of_person["keypoints"].size(), 3u * 17);
+  EXPECT_EQ(of_person["keypoints"][2], 2);   // the nose is seen
+  EXPECT_EQ(of_person["keypoints"][5], 1);   // the left eye hidden
+  EXPECT_EQ(of_person["keypoints"][50], 0);  // the right ankle outside
+  EXPECT_EQ(of_person["keypoints"][49], 0.0);
+  EXPECT_EQ(of_person["num_keypoints"], 16);
+  EXPECT_EQ(of_person["id"], Exported("annotations/instances.json")["annotations"][3]["id"]);
+  const json& categories = document["categories"];
+  ASSERT_EQ(categories.size(), 2u);
+  EXPECT_EQ(categories[0]["name"], "vehicle_1");
+  EXPECT_EQ(categories[0]["keypoints"], json({"boom_pin", "arm_pin"}));
+  EXPECT_EQ(categories[1]["id"], 12);  // class 11, person
+  EXPECT_EQ(categories[1]["keypoints"][16], "right_ankle");
+  EXPECT_EQ(categories[1]["skeleton"].size(), 19u);
+}
+
+TEST_F(CocoTest, ObjectsWithOtherPointsAreOfAnotherCategory) {
+  const auto point = [](const char* name) {
+    return Keypoint{name, Vec3(0, 0, 4), Vec2(1, 1), KeypointSight::kSeen};
+  };
+  WriteWholeFile(
+      recording() / "digger/front/boxes/0.json",
+      EncodeBoxes(0, {BoxWith(kMachine, SemanticClass::kVehicle, {point("a"), point("b")}),
+                      BoxWith(kBoom, SemanticClass::kVehicle, {point("b"), point("a")}),
+                      BoxWith(kPerson, SemanticClass::kPerson, {point("nose")})}));
+  const json categories = Exported("annotations/keypoints.json")["categories"];
+  ASSERT_EQ(categories.size(), 3u);
+  EXPECT_EQ(categories[1]["name"], "vehicle_2");
+  EXPECT_EQ(categories[1]["id"], 1002);
+  EXPECT_EQ(categories[2]["name"], "person_1");
+  EXPECT_EQ(categories[2]["skeleton"], json::array());
+}
+
+TEST_F(CocoTest, WithoutKeyPointsThereIsNoFileOfThem) {
+  Exported("annotations/instances.json");
+  EXPECT_FALSE(fs::exists(out() / "annotations/keypoints.json"));
 }
 
 TEST_F(CocoTest, PicturesAreTheRecordingsOwn) {

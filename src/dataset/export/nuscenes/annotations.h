@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "dataset/export/nuscenes/nuscenes_rig.h"
+#include "dataset/export/nuscenes/nuscenes_tables.h"
+
+namespace tera {
+
+/// An object in view of a machine's cameras at one time.
+///
+/// Frames  W world; O the object's box frame (x forward, y left, z up), origin in its centre.
+struct AnnotatedObject {
+  std::uint16_t instance = 0;
+  SemanticClass label = SemanticClass::kSky;
+  Pose X_WO = Pose::Identity();
+  Vec3 size_O_m = Vec3::Zero();
+  double visibility = 0;  ///< the greatest of all cameras
+  std::int64_t lidar_points = 0;
+};
+
+/// What the pictures nearest to `t_ns`, at most `most_apart_ns` from it, show: objects that are
+/// part of nothing, the machine itself and what it carries left out.
+///
+/// Model   a box is in W where the camera saw it, at the time of the picture; between the last
+///         picture before `t_ns` and the first after it, both of which have it, on the straight way
+///         from one to the other.
+std::vector<AnnotatedObject> ObjectsAt(const Recording& recording, const NuScenesRig& rig,
+                                       TimeNs t_ns, TimeNs most_apart_ns);
+
+/// Adds how many of `points_W_m` lie within each object's box.
+void CountPoints(const std::vector<Vec3>& points_W_m, std::vector<AnnotatedObject>* objects);
+
+/// The tables `sample_annotation` and `instance` of a scene. An annotation is written when the
+/// next of its object is known.
+class AnnotationWriter {
+ public:
+  AnnotationWriter(const NuTokens& tokens, std::size_t scene, NuTables* tables)
+      : tokens_(tokens), scene_(scene), tables_(tables) {}
+
+  /// Samples come in order.
+  void Add(std::int64_t sample, const std::vector<AnnotatedObject>& objects);
+  void Finish();
+
+ private:
+  struct Track {
+    OrderedJson last;
+    std::string first_token, last_token;
+    std::int64_t count = 0;
+    SemanticClass label = SemanticClass::kSky;
+  };
+
+  const NuTokens& tokens_;
+  std::size_t scene_;
+  NuTables* tables_;
+  std::map<std::uint16_t, Track> tracks_;
+};
+
+/// Token of the level that a visible share is of: up to 40, 60, 80 and 100 %.
+std::string VisibilityToken(double visibility);
+
+}  // namespace tera

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+
+#include "dataset/export/json_lists.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/format/recording.h"
+
+namespace tera {
+
+/// The tables of nuScenes. The number is part of the tokens of their rows.
+enum class NuTable : std::uint8_t {
+  kCategory,
+  kAttribute,
+  kVisibility,
+  kInstance,
+  kSensor,
+  kCalibratedSensor,
+  kEgoPose,
+  kLog,
+  kScene,
+  kSample,
+  kSampleData,
+  kSampleAnnotation,
+  kMap,
+  kLidarseg
+};
+
+/// Names of rows: 32 hexadecimal digits, of which the first tell the recording, so that rows of two
+/// exports may stand in one table. They follow from a row's place alone, so that a row can name the
+/// one after it before that is written.
+class NuTokens {
+ public:
+  explicit NuTokens(const Recording& recording);
+
+  /// Of row `entry` of list `list` of a table.
+  std::string Of(NuTable table, std::size_t list, std::int64_t entry) const;
+  /// As Of; empty, as nuScenes has what is not there, unless `entry` is from 0 to `count` - 1.
+  std::string IfAny(NuTable table, std::size_t list, std::int64_t entry, std::int64_t count) const;
+
+ private:
+  std::string recording_;
+};
+
+/// All tables as files of a folder, NAME.json, each a list of objects that may be larger than
+/// memory.
+class NuTables {
+ public:
+  explicit NuTables(const std::filesystem::path& folder);
+
+  void Add(NuTable table, const OrderedJson& row);
+  void Commit();
+
+ private:
+  std::map<NuTable, CheckedFile> files_;
+  std::set<NuTable> begun_;  ///< those that have a row
+};
+
+/// Three numbers, and w, x, y, z with w >= 0, as nuScenes has them.
+OrderedJson TranslationJson(const Pose& pose);
+OrderedJson RotationJson(const Pose& pose);
+
+}  // namespace tera
