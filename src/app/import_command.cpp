@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -51,6 +52,19 @@ void PrintNotes(const ImportedChannel& channel) {
   }
 }
 
+/// How clocks differ, and what a mapping would say of it.
+void PrintClocks(const ImportReport& report) {
+  for (const ClockDifference& d : report.clocks) {
+    fmt::print(
+        "clock of {}: {:.4f} +- {:.4f} s ahead of that of {} at {:.3f} s, and {} {:.1f} +- {:.1f} "
+        "ppm\n  by {} of the one and {} of the other, which correlate by {:.2f}; {} stretches; "
+        "nothing was changed\n",
+        d.channel, d.ahead_s, d.ahead_bound_s, d.reference, ToSeconds(d.from_ns),
+        d.drift < 0 ? "loses" : "gains", 1e6 * std::abs(d.drift), 1e6 * d.drift_bound, d.what,
+        d.reference_what, d.correlation, d.stretches);
+  }
+}
+
 void PrintReport(const ImportReport& report) {
   fmt::print("{:<32} {:>9} {:>11} {:>12} {:>12}  {}\n", "channel", "rows", "rate", "from s", "to s",
              "file");
@@ -63,6 +77,7 @@ void PrintReport(const ImportReport& report) {
   if (report.zero_ns != 0) {
     fmt::print("times count from {:.9f} s of the files\n", ToSeconds(report.zero_ns));
   }
+  PrintClocks(report);
 }
 
 }  // namespace
@@ -74,7 +89,7 @@ void AddImportCommand(CLI::App* app) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app->add_subcommand(
-      "import", "Turn logs of a real machine (CSV, ROS bags) into TERA's format");
+      "import", "Turn logs of a real machine (CSV, ROS bags, NMEA, ...) into TERA's format");
   CLI::Option* mapping = command->add_option("MAPPING", arguments->mapping,
                                              "Mapping file (YAML, see docs/reference/dataset.md)");
   CLI::Option* out =
@@ -84,7 +99,7 @@ void AddImportCommand(CLI::App* app) {
   check->excludes(out);
   command
       ->add_option("--suggest", arguments->suggested,
-                   "Print a first mapping of this CSV file or ROS bag instead")
+                   "Print a first mapping of this log or folder of data instead")
       ->excludes(mapping)
       ->excludes(out)
       ->excludes(check);

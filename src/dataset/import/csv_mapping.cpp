@@ -12,6 +12,8 @@
 #include "core/config/spelling.h"
 #include "core/error.h"
 #include "core/units.h"
+#include "dataset/import/logs/foreign_log.h"
+#include "dataset/import/logs/ulog.h"
 
 namespace tera {
 namespace {
@@ -151,9 +153,9 @@ CsvForm ReadCsvForm(const ConfigMap& config) {
   return form;
 }
 
-/// A time of a bag has a form of its own and needs no unit.
-ColumnMapping ReadTime(const ConfigMap& time, bool is_of_bag) {
-  if (is_of_bag && !time.Has("unit")) {
+/// A time of a bag, or of a log of known form, has a form of its own and needs no unit.
+ColumnMapping ReadTime(const ConfigMap& time, bool has_stamps) {
+  if (has_stamps && !time.Has("unit")) {
     return {.column = time.Text("column"), .offset = time.Number("offset", Any("s"), 0.0)};
   }
   constexpr double kFarthest_s = 9e9;  // beyond, nanoseconds do not fit into 64 bits
@@ -190,7 +192,18 @@ std::optional<BagTopic> ReadTopic(const ConfigMap& channel, const std::filesyste
 RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top) {
   RowSource source;
   source.file = channel.Has("file") ? channel.File("file") : top.File("file");
-  source.topic = ReadTopic(channel, source.file);
+  source.log_type = TypeOfLog(source.file);
+  if (source.log_type == kUlogType) {
+    source.log_topic = channel.Text("topic");
+  } else {
+    source.topic = ReadTopic(channel, source.file);
+  }
+  if (source.log_type == kKittiType) {
+    for (const auto& frame :
+         std::filesystem::directory_iterator(source.file.parent_path() / "data")) {
+      channel.AlsoReads(frame.path());
+    }
+  }
   if (const auto form = (channel.Has("csv") ? channel : top).OptionalMap("csv")) {
     source.form = ReadCsvForm(*form);
   }
@@ -199,12 +212,16 @@ RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top) {
     source.time.column = HasHeader(*source.topic) ? kHeaderStamp : kLogTime;
     return source;
   }
+  if (!source.log_type.empty() && !channel.Has("time") && !top.Has("time")) {
+    source.time.column = kLogTimeColumn;
+    return source;
+  }
   const ConfigMap time = channel.Has("time") ? channel.Map("time") : top.Map("time");
   if (const auto interval = time.OptionalNumber("interval", Positive(""))) {
     source.interval_s = *interval * UnitFactor(time, Dimension::kTime);
     source.time.offset = time.Number("offset", Any("s"), 0.0);
   } else {
-    source.time = ReadTime(time, source.topic.has_value());
+    source.time = ReadTime(time, !TypeOf(source).empty() || source.topic);
   }
   return source;
 }
@@ -291,10 +308,9 @@ class MappedRows {
   Place time_place_;
 };
 
-std::unique_ptr<const RowTable> TableOf(const RowSource& source,
-                                        const std::vector<ColumnMapping>& columns,
-                                        LeftOutRows* left_out) {
-  if (!source.topic) return std::make_unique<CsvFile>(source.file, source.form, left_out);
+/// Of columns, time and rules, each once.
+std::vector<std::string> PathsOf(const RowSource& source,
+                                 const std::vector<ColumnMapping>& columns) {
   std::vector<std::string> paths;
   const auto add = [&](const std::string& path) {
     if (!path.empty() && std::find(paths.begin(), paths.end(), path) == paths.end()) {
@@ -304,10 +320,28 @@ std::unique_ptr<const RowTable> TableOf(const RowSource& source,
   for (const ColumnMapping& column : columns) add(column.column);
   add(source.time.column);
   for (const RowRule& rule : source.rules) add(rule.column);
-  return std::make_unique<TopicTable>(source.file, *source.topic, paths, left_out);
+  return paths;
+}
+
+std::unique_ptr<const RowTable> TableOf(const RowSource& source,
+                                        const std::vector<ColumnMapping>& columns,
+                                        LeftOutRows* left_out) {
+  if (source.log_type == kUlogType) {
+    std::vector<std::string> paths = PathsOf(source, columns);
+    std::erase(paths, kLogTimeColumn);
+    return ReadUlog(source.file, source.log_topic, paths, left_out);
+  }
+  if (!source.log_type.empty()) return ReadLog(source.file, source.log_type, left_out);
+  if (!source.topic) return std::make_unique<CsvFile>(source.file, source.form, left_out);
+  return std::make_unique<TopicTable>(source.file, *source.topic, PathsOf(source, columns),
+                                      left_out);
 }
 
 }  // namespace
+
+std::string TypeOf(const RowSource& source) {
+  return source.topic ? source.topic->type : source.log_type;
+}
 
 std::string PlaceOf(const RowSource& source, int line) {
   return source.topic ? MessagePlace(source.file, *source.topic, line)

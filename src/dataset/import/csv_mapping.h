@@ -59,6 +59,8 @@ struct RowSource {
   std::filesystem::path file;
   CsvForm form;
   std::optional<BagTopic> topic;  ///< of the bag that the file is
+  std::string log_type;           ///< of a log of known form (foreign_log.h), else empty
+  std::string log_topic;          ///< of a ULog
   ColumnMapping time;             ///< gives seconds
   /// Where rows have no time: from each to the next, left out ones too; `time` is the first one's.
   std::optional<double> interval_s;
@@ -67,7 +69,8 @@ struct RowSource {
 
 /// Reads `file:`, `topic:`, `csv:`, `time:` and `valid_if:` of a channel; `file`, `csv` and `time`
 /// default to those of the mapping's top level. A time is a column or `{interval:, unit:,
-/// offset:}`; of a topic it defaults to its header's stamp, or to when its messages were recorded.
+/// offset:}`; of a topic it defaults to its header's stamp, or to when its messages were recorded,
+/// of a log of known form to its own column `time`.
 /// Looks the topic up in its bag.
 RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top);
 
@@ -83,6 +86,9 @@ struct MappedRow {
 /// is given, to which such rows are added.
 std::vector<MappedRow> ReadRows(const RowSource& source, const std::vector<ColumnMapping>& columns,
                                 TimeNs zero_ns = 0, LeftOutRows* left_out = nullptr);
+
+/// What its rows are, of a topic's type or a log's; empty where only the mapping knows.
+std::string TypeOf(const RowSource& source);
 
 /// "log.csv:12", "log.mcap: /imu message 12".
 std::string PlaceOf(const RowSource& source, int line);

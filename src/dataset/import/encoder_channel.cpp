@@ -223,13 +223,13 @@ ImportJob ReadEncoder(const ConfigMap& config, const ConfigMap& top, Mapping* ma
     const std::vector<MappedRow> rows = run->Read(folder, source, columns);
     std::vector<JointColumns> found = joints;
     DropMissing(source, rows, &found);
+    const std::vector<EncoderSample> samples = EncoderSamples(found, rows);
+    run->AddMotion(source, MotionOf(axes, samples));
     DatasetWriter* writer = run->writer();
     if (writer == nullptr) return;
     const ChannelId encoder =
         writer->AddChannel(EncoderChannel(folder, SensorText(sensor, source, rows), axes));
-    for (const EncoderSample& sample : EncoderSamples(found, rows)) {
-      writer->Write(encoder, RowOf(sample));
-    }
+    for (const EncoderSample& sample : samples) writer->Write(encoder, RowOf(sample));
   };
 }
 

@@ -38,6 +38,9 @@ Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options) {
   for (const ConfigMap& item : top.List("imus")) {
     mapping.jobs.push_back(ReadImu(item, top, &mapping));
   }
+  for (const ConfigMap& item : top.List("gyros")) {
+    mapping.jobs.push_back(ReadGyro(item, top, &mapping));
+  }
   for (const ConfigMap& item : top.List("gnss")) {
     if (!top.Has("origin")) item.Fault("", "need the mapping's origin for east, north and up");
     mapping.jobs.push_back(ReadGnss(item, top, &mapping));
@@ -52,7 +55,8 @@ Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options) {
     mapping.jobs.push_back(ReadPose(*pose, top, &mapping));
   }
   if (mapping.jobs.empty()) {
-    top.Fault("", "imports nothing, need at least one of imus, gnss, encoders, tables and pose");
+    top.Fault("",
+              "imports nothing, need at least one of imus, gyros, gnss, encoders, tables and pose");
   }
   return mapping;
 }

@@ -7,6 +7,7 @@
 
 #include "core/config/config.h"
 #include "core/time.h"
+#include "dataset/import/clocks/clock_difference.h"
 
 namespace tera {
 
@@ -39,7 +40,8 @@ struct ImportedChannel {
 
 struct ImportReport {
   std::vector<ImportedChannel> channels;
-  TimeNs zero_ns = 0;  ///< of the recording, in the files' times
+  TimeNs zero_ns = 0;                   ///< of the recording, in the files' times
+  std::vector<ClockDifference> clocks;  ///< told, and never put right
 };
 
 }  // namespace tera

@@ -74,6 +74,21 @@ std::vector<MappedRow> ImportRun::Read(const std::string& path, const RowSource&
   return rows;
 }
 
+void ImportRun::AddMotion(const RowSource& source, std::vector<MotionSeries> series) {
+  if (series.empty()) return;
+  const std::string topic = source.topic ? source.topic->name : "";  // a ULog has one clock
+  const std::string time = source.interval_s ? "by interval" : source.time.column;
+  motions_.push_back({.path = last()->path,
+                      .clock = source.file.string() + "\n" + topic + "\n" + time,
+                      .interval_s = ToSeconds(last()->interval_ns),
+                      .series = std::move(series)});
+}
+
+ImportReport ImportRun::TakeReport() {
+  report_.clocks = ClockDifferences(motions_);
+  return std::move(report_);
+}
+
 RowSource ReadSource(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
   mapping->sources.push_back(ReadRowSource(config, top));
   return mapping->sources.back();
@@ -91,9 +106,9 @@ std::string ReadPath(const ConfigMap& config, const std::string& ending, Mapping
 
 ColumnKeys::ColumnKeys(const ConfigMap& channel, const RowSource& source, std::string_view makes,
                        std::string_view key)
-    : given_(channel.OptionalMap("columns")), type_(source.topic ? source.topic->type : "") {
+    : given_(channel.OptionalMap("columns")), type_(TypeOf(source)) {
   if (given_) return;
-  if (!source.topic) {
+  if (!source.topic && !StandardColumnOf(type_, key)) {
     channel.Map("columns");  // is missing
   } else if (!type_.empty() && !StandardColumnOf(type_, key)) {
     channel.Fault("topic", fmt::format("is of {}; need {}, or 'columns' that say which fields are "

@@ -31,16 +31,20 @@ class ImportRun {
                               const RowCheck& check = nullptr);
   /// The channel that Read told of last.
   ImportedChannel* last() { return &report_.channels.back(); }
+  /// What the channel that Read told of last tells of motions, for the comparison of clocks.
+  void AddMotion(const RowSource& source, std::vector<MotionSeries> series);
   /// None where nothing is to be written.
   DatasetWriter* writer() const { return writer_; }
   const ImportOptions& options() const { return options_; }
-  ImportReport TakeReport() { return std::move(report_); }
+  /// With the clocks compared.
+  ImportReport TakeReport();
 
  private:
   const ImportOptions& options_;
   DatasetWriter* writer_;
   TimeNs zero_ns_;
   ImportReport report_;
+  std::vector<ChannelMotion> motions_;
 };
 
 /// Writes one channel; made while the mapping is read, run when it is known to be sound.
@@ -62,7 +66,7 @@ RowSource ReadSource(const ConfigMap& config, const ConfigMap& top, Mapping* map
 std::string ReadPath(const ConfigMap& config, const std::string& ending, Mapping* mapping);
 
 /// The columns of a channel: from its `columns:`, and those that are not there, of a topic of a
-/// standard type, from its fields.
+/// standard type or a log of known form, from its fields.
 class ColumnKeys {
  public:
   /// `makes` names the type whose fields such channels are made of, as far as it has one for `key`.
@@ -75,7 +79,7 @@ class ColumnKeys {
 
  private:
   std::optional<ConfigMap> given_;
-  std::string type_;  ///< of the topic
+  std::string type_;  ///< of the topic or the log
 };
 
 /// What sensor.yaml can say of a sensor that was not simulated.
@@ -84,11 +88,14 @@ struct ImportedSensor {
   std::string link;  ///< empty where the mapping does not say where the sensor was
   Pose X_LS = Pose::Identity();
 };
+/// Of a channel's `name` and `mount`.
+ImportedSensor ReadSensorMount(const ConfigMap& config, const std::string& type);
 std::string SensorText(const ImportedSensor& sensor, const RowSource& source,
                        const std::vector<MappedRow>& rows);
 
 // Channels by the keys of the mapping.
 ImportJob ReadImu(const ConfigMap& config, const ConfigMap& top, Mapping* mapping);
+ImportJob ReadGyro(const ConfigMap& config, const ConfigMap& top, Mapping* mapping);
 ImportJob ReadGnss(const ConfigMap& config, const ConfigMap& top, Mapping* mapping);
 ImportJob ReadEncoder(const ConfigMap& config, const ConfigMap& top, Mapping* mapping);
 ImportJob ReadPose(const ConfigMap& config, const ConfigMap& top, Mapping* mapping);

@@ -32,19 +32,6 @@ void Append(const std::vector<ColumnMapping>& more, std::vector<ColumnMapping>* 
   all->insert(all->end(), more.begin(), more.end());
 }
 
-ImportedSensor ReadSensorMount(const ConfigMap& config, const std::string& type) {
-  ImportedSensor sensor{type, config.Text("name"), "", Pose::Identity()};
-  if (const auto mount = config.OptionalMap("mount")) {
-    sensor.link = mount->Text("link");
-    sensor.X_LS = mount->PoseXyzRpy();
-    if (!sensor.link.empty() && !IsPlainNameWithPoints(sensor.link)) {
-      mount->Fault("link", fmt::format("'{}' cannot name a link; need letters, digits, '_', '-'",
-                                       sensor.link));
-    }
-  }
-  return sensor;
-}
-
 /// Rotation R_SF of the file's axes F in the sensor frame S, from `rpy_deg`.
 Mat3 ReadAxes(const ConfigMap& config) {
   const Vec3 rpy_rad = config.Vector3("rpy_deg", Between(-360, 360, "deg"), Vec3::Zero()) * kDeg;
@@ -90,7 +77,8 @@ void RequireNumbers(const MappedRow& row, const RowSource& source, const FixRead
     if (!std::isnan(v[column])) continue;
     throw InputError(PlaceOf(source, row.line) +
                      ": has a fix, but its position or variance is no number; leave such rows out "
-                     "by valid_if");
+                     "by valid_if, or give what is missing, for instance columns: {var_e: "
+                     "{constant: 4}, var_n: {constant: 4}, var_u: {constant: 9}}");
   }
 }
 
@@ -145,6 +133,19 @@ void ClampLevers(std::vector<MappedRow>* rows, ImportedChannel* channel) {
 
 }  // namespace
 
+ImportedSensor ReadSensorMount(const ConfigMap& config, const std::string& type) {
+  ImportedSensor sensor{type, config.Text("name"), "", Pose::Identity()};
+  if (const auto mount = config.OptionalMap("mount")) {
+    sensor.link = mount->Text("link");
+    sensor.X_LS = mount->PoseXyzRpy();
+    if (!sensor.link.empty() && !IsPlainNameWithPoints(sensor.link)) {
+      mount->Fault("link", fmt::format("'{}' cannot name a link; need letters, digits, '_', '-'",
+                                       sensor.link));
+    }
+  }
+  return sensor;
+}
+
 ImportJob ReadImu(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
   const std::string folder = ReadPath(config, "", mapping);
   const ImportedSensor sensor = ReadSensorMount(config, "imu");
@@ -155,14 +156,16 @@ ImportJob ReadImu(const ConfigMap& config, const ConfigMap& top, Mapping* mappin
   Append(ReadColumns(keys, {"ax", "ay", "az"}, Dimension::kAcceleration), &columns);
   return [=](ImportRun* run) {
     const std::vector<MappedRow> rows = run->Read(folder, source, columns);
+    const auto sample = [&](std::size_t row) {
+      const std::vector<double>& v = rows[row].values;
+      return ImuSample{rows[row].t_ns, rows[row].t_ns, R_SF * Vec3(v[0], v[1], v[2]),
+                       R_SF * Vec3(v[3], v[4], v[5])};
+    };
+    run->AddMotion(source, MotionOf(rows.size(), SampleOfRow<ImuSample>(sample)));
     DatasetWriter* writer = run->writer();
     if (writer == nullptr) return;
     const ChannelId imu = writer->AddChannel(ImuChannel(folder, SensorText(sensor, source, rows)));
-    for (const MappedRow& row : rows) {
-      const std::vector<double>& v = row.values;
-      writer->Write(imu, RowOf(ImuSample{row.t_ns, row.t_ns, R_SF * Vec3(v[0], v[1], v[2]),
-                                         R_SF * Vec3(v[3], v[4], v[5])}));
-    }
+    for (std::size_t row = 0; row < rows.size(); ++row) writer->Write(imu, RowOf(sample(row)));
   };
 }
 
@@ -189,12 +192,14 @@ ImportJob ReadGnss(const ConfigMap& config, const ConfigMap& top, Mapping* mappi
     const std::vector<MappedRow> rows =
         run->Read(folder, source, columns,
                   [&](const MappedRow& row) { GnssOf(row, source, reading, origin); });
+    std::vector<GnssSample> samples;
+    for (const MappedRow& row : rows) samples.push_back(GnssOf(row, source, reading, origin));
+    run->AddMotion(source, MotionOf(samples));
     DatasetWriter* writer = run->writer();
     if (writer == nullptr) return;
     const ChannelId gnss =
         writer->AddChannel(GnssChannel(folder, SensorText(sensor, source, rows)));
-    for (const MappedRow& row : rows)
-      writer->Write(gnss, RowOf(GnssOf(row, source, reading, origin)));
+    for (const GnssSample& sample : samples) writer->Write(gnss, RowOf(sample));
   };
 }
 
@@ -211,12 +216,15 @@ ImportJob ReadPose(const ConfigMap& config, const ConfigMap& top, Mapping* mappi
   return [=, file = "truth/" + mapping->machine + "/pose.csv"](ImportRun* run) {
     const std::vector<MappedRow> rows =
         run->Read(file, source, columns, [&](const MappedRow& row) { PoseOf(row, source); });
+    const auto sample = [&](std::size_t row) {
+      return TruthPose{rows[row].t_ns, X_WR * PoseOf(rows[row], source) * X_FB};
+    };
+    run->AddMotion(source, MotionOf(rows.size(), SampleOfRow<TruthPose>(sample)));
     DatasetWriter* writer = run->writer();
     if (writer == nullptr) return;
     const ChannelId pose = writer->AddChannel(PoseChannel(file, /*with_velocity=*/false));
-    for (const MappedRow& row : rows) {
-      const Pose X_WB = X_WR * PoseOf(row, source) * X_FB;
-      writer->Write(pose, RowOf(TruthPose{row.t_ns, X_WB}, /*with_velocity=*/false));
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+      writer->Write(pose, RowOf(sample(row), /*with_velocity=*/false));
     }
   };
 }

@@ -247,5 +247,27 @@ TEST_F(ForeignCsv, FileWithoutAnythingIsTold) {
   }
 }
 
+TEST_F(ForeignCsv, AGyroOfOneAxisIsAChannelOfItsOwn) {
+  Log("t,rate\n0,90\n1,-45\n");
+  Import(std::string(kSeconds) +
+         "gyros: [{name: cab, mount: {link: upper, xyz_m: [0, 0, 1], rpy_deg: [0, 0, 0]}, columns: "
+         "{wz: {column: rate, unit: deg/s}}}]\n");
+  const Recording recording(Out());
+  EXPECT_EQ(recording.TypeOf("digger/cab"), "gyro");
+  const TableRecording rows = recording.LoadRows("digger/cab");
+  EXPECT_EQ(rows.columns, (std::vector<std::string>{"wz_radps"}));
+  EXPECT_NEAR(rows.rows[1][0], -0.78539816339744831, 1e-15);
+  EXPECT_THAT(ReadWholeFile(Out() / "digger/cab/sensor.yaml"), HasSubstr("parent_link: upper"));
+  EXPECT_THAT(recording.SeriesChannels(), ::testing::Contains("digger/cab"));
+  EXPECT_THAT([&] { Import(std::string(kSeconds) + "gyros: [{name: cab, columns: {}}]\n"); },
+              ThrowsMessage<InputError>(HasSubstr("need at least one of wx, wy and wz")));
+  EXPECT_THAT(
+      [&] {
+        Import(std::string(kSeconds) +
+               "gyros: [{name: cab, columns: {w: {column: rate, unit: deg/s}}}]\n");
+      },
+      ThrowsMessage<InputError>(HasSubstr("unknown key")));
+}
+
 }  // namespace
 }  // namespace tera

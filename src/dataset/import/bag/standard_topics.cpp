@@ -6,6 +6,7 @@
 #include "dataset/import/bag/byte_cursor.h"
 #include "dataset/import/bag/message_reader.h"
 #include "dataset/import/bag/topic_table.h"
+#include "dataset/import/logs/foreign_log.h"
 
 namespace tera {
 namespace {
@@ -47,6 +48,38 @@ constexpr std::array<Row, 7> kTransform = {{{"x", "translation.x"},
                                             {"qy", "rotation.y"},
                                             {"qz", "rotation.z"}}};
 
+constexpr std::array<Row, 7> kPos = {{{"lat", "latitude", kDeg},
+                                      {"lon", "longitude", kDeg},
+                                      {"alt", "height"},
+                                      {"fix", "fix"},
+                                      {"var_e", "var_e"},
+                                      {"var_n", "var_n"},
+                                      {"var_u", "var_u"}}};
+/// Rows of NMEA without a fix have no place, and without GST no variances.
+constexpr std::array<Row, 7> kNmea = {{{"lat", "latitude", kDeg, true},
+                                       {"lon", "longitude", kDeg, true},
+                                       {"alt", "altitude", 1.0, true},
+                                       {"fix", "fix"},
+                                       {"var_e", "var_e", 1.0, true},
+                                       {"var_n", "var_n", 1.0, true},
+                                       {"var_u", "var_u", 1.0, true}}};
+constexpr std::array<Row, 16> kKitti = {{{"wx", "wx"},
+                                         {"wy", "wy"},
+                                         {"wz", "wz"},
+                                         {"ax", "ax"},
+                                         {"ay", "ay"},
+                                         {"az", "az"},
+                                         {"lat", "lat", kDeg},
+                                         {"lon", "lon", kDeg},
+                                         {"alt", "alt"},
+                                         {"x", "x"},
+                                         {"y", "y"},
+                                         {"z", "z"},
+                                         {"qw", "qw"},
+                                         {"qx", "qx"},
+                                         {"qy", "qy"},
+                                         {"qz", "qz"}}};
+
 template <typename Rows>
 std::optional<StandardColumn> Find(const Rows& rows, std::string_view key,
                                    const std::string& above) {
@@ -81,6 +114,9 @@ class FirstMessage : public BagVisitor {
 std::optional<StandardColumn> StandardColumnOf(std::string_view type, std::string_view key) {
   if (type == kImuType) return Find(kImu, key, "");
   if (type == kFixType) return Find(kFix, key, "");
+  if (type == kPosType) return Find(kPos, key, "");
+  if (type == kNmeaType) return Find(kNmea, key, "");
+  if (type == kKittiType) return Find(kKitti, key, "");
   if (type == "geometry_msgs/PoseStamped") return Find(kPose, key, "pose.");
   if (type == "geometry_msgs/TransformStamped") return Find(kTransform, key, "transform.");
   if (type == "nav_msgs/Odometry" || type == "geometry_msgs/PoseWithCovarianceStamped") {

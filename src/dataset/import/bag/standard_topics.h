@@ -8,8 +8,8 @@
 
 #include "dataset/import/bag/bag_source.h"
 
-/// Which fields of ROS's standard messages are which columns of a channel, so that a mapping need
-/// not say so.
+/// Which fields of ROS's standard messages, and of logs of known form, are which columns of a
+/// channel, so that a mapping need not say so.
 
 namespace tera {
 
@@ -22,7 +22,8 @@ struct StandardColumn {
 /// The field of a type that the mapping's key, "wx" or "lat", means. None where the type is not one
 /// of those that a channel of that key is made of by itself:
 /// sensor_msgs/Imu, sensor_msgs/NavSatFix, nav_msgs/Odometry, geometry_msgs/PoseStamped,
-/// geometry_msgs/PoseWithCovarianceStamped, geometry_msgs/TransformStamped.
+/// geometry_msgs/PoseWithCovarianceStamped, geometry_msgs/TransformStamped, and the types of
+/// foreign_log.h.
 std::optional<StandardColumn> StandardColumnOf(std::string_view type, std::string_view key);
 
 inline constexpr std::string_view kImuType = "sensor_msgs/Imu";

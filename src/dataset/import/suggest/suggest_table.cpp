@@ -9,6 +9,7 @@
 
 #include "dataset/import/bag/bag_source.h"
 #include "dataset/import/csv_file.h"
+#include "dataset/import/logs/foreign_log.h"
 #include "dataset/import/suggest/guess.h"
 #include "dataset/import/suggest/suggest.h"
 
@@ -241,7 +242,9 @@ class TableGuess {
 std::string SuggestForTable(const std::filesystem::path& log) { return TableGuess(log).Yaml(); }
 
 std::string SuggestMapping(const std::filesystem::path& log) {
-  return HasNameOfBag(log) ? SuggestForBag(log) : SuggestForTable(log);
+  if (HasNameOfBag(log)) return SuggestForBag(log);
+  if (std::filesystem::is_directory(log)) return SuggestForFolder(log);
+  return TypeOfLog(log).empty() ? SuggestForTable(log) : SuggestForLog(log);
 }
 
 }  // namespace tera

@@ -1,0 +1,93 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+
+#include "core/error.h"
+#include "core/motion.h"
+#include "core/units.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/import/logs/foreign_log.h"
+#include "dataset/import/logs/log_time.h"
+#include "dataset/import/logs/number_table.h"
+#include "dataset/import/wgs84.h"
+
+namespace tera {
+namespace {
+
+/// In the order of dataformat.txt.
+constexpr std::array<const char*, 30> kFields = {
+    "lat",          "lon",     "alt",     "roll",    "pitch",   "yaw",    "vn", "ve",
+    "vf",           "vl",      "vu",      "ax",      "ay",      "az",     "af", "al",
+    "au",           "wx",      "wy",      "wz",      "wf",      "wl",     "wu", "pos_accuracy",
+    "vel_accuracy", "navstat", "numsats", "posmode", "velmode", "orimode"};
+constexpr std::size_t kLat = 0, kLon = 1, kAlt = 2, kRoll = 3, kPitch = 4, kYaw = 5;
+
+/// "2011-09-26 13:02:25.964389445".
+std::optional<TimeNs> TimeOf(std::string_view text) {
+  constexpr std::size_t kDate = 10;
+  if (text.size() <= kDate || text[kDate] != ' ') return std::nullopt;
+  const auto day_ns = DateOfText(text.substr(0, kDate));
+  const auto time_ns = TimeOfDayText(text.substr(kDate + 1));
+  if (!day_ns || !time_ns) return std::nullopt;
+  return *day_ns + *time_ns;
+}
+
+/// The numbers of a frame's file; fewer where one is none.
+std::vector<double> NumbersOf(const std::filesystem::path& file) {
+  std::string text = ReadWholeFile(file);
+  while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
+  std::vector<double> numbers;
+  for (const std::string_view field : FieldsOf(text, ' ')) {
+    const auto value = WholeNumber(field);
+    if (!value) break;
+    numbers.push_back(*value);
+  }
+  return numbers;
+}
+
+/// Where a frame was and how it was turned, from the first one's place.
+std::vector<NumberTable::Cell> PoseOf(const std::vector<double>& v, const GeodeticPlace& origin) {
+  const Vec3 p_m = EnuFromGeodetic({v[kLat] * kDeg, v[kLon] * kDeg, v[kAlt]}, origin);
+  const Quat q(RotationFromRpy(v[kRoll], v[kPitch], v[kYaw]));
+  return {{"x", p_m.x()}, {"y", p_m.y()}, {"z", p_m.z()}, {"qw", q.w()},
+          {"qx", q.x()},  {"qy", q.y()},  {"qz", q.z()}};
+}
+
+}  // namespace
+
+std::unique_ptr<const RowTable> ReadKittiLog(const std::filesystem::path& timestamps,
+                                             LeftOutRows* left_out) {
+  std::vector<std::string> columns(kFields.begin(), kFields.end());
+  columns.insert(columns.end(), {"x", "y", "z", "qw", "qx", "qy", "qz"});
+  auto table = std::make_unique<NumberTable>(timestamps, columns);
+  std::optional<GeodeticPlace> origin;
+  LogLines lines(timestamps);
+  for (std::string line; lines.Next(&line);) {
+    if (line.empty()) continue;
+    const std::filesystem::path file =
+        timestamps.parent_path() / "data" / fmt::format("{:010}.txt", lines.number() - 1);
+    const auto t_ns = TimeOf(line);
+    if (!t_ns) {
+      lines.Fault(fmt::format("'{}' is no time", line), left_out);
+      continue;
+    }
+    std::error_code ignored;
+    const bool is_there = std::filesystem::is_regular_file(file, ignored);
+    const std::vector<double> values = is_there ? NumbersOf(file) : std::vector<double>();
+    if (values.size() != kFields.size()) {
+      lines.Fault(fmt::format("{} {}, need {} numbers", file.string(),
+                              is_there ? fmt::format("has {}", values.size()) : "is not there",
+                              kFields.size()),
+                  left_out);
+      continue;
+    }
+    if (!origin) origin = GeodeticPlace{values[kLat] * kDeg, values[kLon] * kDeg, values[kAlt]};
+    std::vector<NumberTable::Cell> cells = PoseOf(values, *origin);
+    for (std::size_t k = 0; k < values.size(); ++k) cells.push_back({kFields[k], values[k]});
+    table->AddRow(lines.number(), *t_ns, cells);
+  }
+  return table;
+}
+
+}  // namespace tera

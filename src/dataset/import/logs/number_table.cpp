@@ -1,0 +1,118 @@
+#include "dataset/import/logs/number_table.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "core/check.h"
+#include "core/config/spelling.h"
+#include "core/error.h"
+#include "dataset/files/checked_file.h"
+
+namespace tera {
+namespace {
+
+constexpr std::size_t kTimeColumn = 0;
+
+}  // namespace
+
+NumberTable::NumberTable(std::filesystem::path file, std::vector<std::string> columns)
+    : file_(std::move(file)), names_{"time"} {
+  names_.insert(names_.end(), columns.begin(), columns.end());
+  for (std::size_t c = 0; c < names_.size(); ++c) place_of_[names_[c]] = c;
+}
+
+void NumberTable::AddRow(int line, TimeNs t_ns, const std::vector<Cell>& cells) {
+  lines_.push_back(line);
+  t_ns_.push_back(t_ns);
+  const std::size_t begin = numbers_.size();
+  numbers_.resize(begin + names_.size() - 1, std::numeric_limits<double>::quiet_NaN());
+  for (const Cell& cell : cells) {
+    const auto place = place_of_.find(cell.column);
+    TERA_CHECK(place != place_of_.end() && place->second != kTimeColumn);
+    if (std::isfinite(cell.value)) numbers_[begin + place->second - 1] = cell.value;
+  }
+}
+
+std::size_t NumberTable::Column(const std::string& name) const {
+  const auto found = place_of_.find(name);
+  if (found != place_of_.end()) return found->second;
+  throw InputError(
+      fmt::format("{}: has no column '{}'{}", file_.string(), name, DidYouMean(name, names_)));
+}
+
+std::optional<double> NumberTable::NumberIfAny(std::size_t row, std::size_t column) const {
+  if (column == kTimeColumn) return ToSeconds(t_ns_[row]);
+  const double value = numbers_[row * (names_.size() - 1) + column - 1];
+  return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
+double NumberTable::Number(std::size_t row, std::size_t column) const {
+  const std::optional<double> value = NumberIfAny(row, column);
+  if (!value) Fail(row, column, "need a number");
+  return *value;
+}
+
+std::optional<TimeNs> NumberTable::Stamp(std::size_t row, std::size_t column) const {
+  return column == kTimeColumn ? std::optional(t_ns_[row]) : std::nullopt;
+}
+
+bool NumberTable::IsPresent(std::size_t row, std::size_t column) const {
+  return NumberIfAny(row, column).has_value();
+}
+
+bool NumberTable::Repeats(std::size_t row, std::size_t column) const {
+  return NumberIfAny(row, column) == NumberIfAny(row - 1, column);
+}
+
+void NumberTable::Fail(std::size_t row, std::size_t column, const std::string& finding) const {
+  const std::optional<double> value = NumberIfAny(row, column);
+  throw InputError(fmt::format("{}:{}: '{}': found {}, {}", file_.string(), lines_[row],
+                               names_[column], value ? fmt::format("{}", *value) : "nothing",
+                               finding));
+}
+
+LogLines::LogLines(const std::filesystem::path& file) : file_(file), text_(ReadWholeFile(file)) {}
+
+bool LogLines::Next(std::string* line) {
+  if (at_ >= text_.size()) return false;
+  const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+  *line = text_.substr(at_, end - at_);
+  if (line->ends_with('\r')) line->pop_back();
+  at_ = end + 1;
+  ++number_;
+  return true;
+}
+
+void LogLines::Fault(const std::string& finding, LeftOutRows* left_out) const {
+  const std::string fault = fmt::format("{}:{}: {}", file_.string(), number_, finding);
+  if (left_out == nullptr) {
+    throw InputError(fault + "; mend it, or leave such lines out by --skip-bad-rows");
+  }
+  left_out->Add(fault);
+}
+
+std::optional<double> WholeNumber(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_number =
+      status == std::errc() && stop == text.data() + text.size() && std::isfinite(value);
+  return is_number ? std::optional(value) : std::nullopt;
+}
+
+std::vector<std::string_view> FieldsOf(std::string_view line, char separator) {
+  std::vector<std::string_view> fields;
+  std::size_t begin = 0;
+  for (std::size_t k = 0; k <= line.size(); ++k) {
+    const bool blank = k < line.size() && separator == ' ' && line[k] == '\t';
+    if (k < line.size() && line[k] != separator && !blank) continue;
+    if (separator != ' ' || k > begin) fields.push_back(line.substr(begin, k - begin));
+    begin = k + 1;
+  }
+  return fields;
+}
+
+}  // namespace tera

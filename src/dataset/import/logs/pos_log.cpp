@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+
+#include "core/error.h"
+#include "dataset/import/logs/foreign_log.h"
+#include "dataset/import/logs/log_time.h"
+#include "dataset/import/logs/number_table.h"
+
+namespace tera {
+namespace {
+
+/// Behind the two fields of the time, in order.
+constexpr std::array<const char*, 13> kFields = {"latitude", "longitude", "height", "Q",    "ns",
+                                                 "sdn",      "sde",       "sdu",    "sdne", "sdeu",
+                                                 "sdun",     "age",       "ratio"};
+constexpr std::size_t kTimeFields = 2, kNeeded = kTimeFields + 8;  // up to sdu
+
+enum class TimeSystem { kUtc, kGps, kJapan };
+
+/// GGA's quality of RTKLIB's: fixed, float, SBAS, differential, single, precise point.
+double QualityOf(double q) {
+  constexpr std::array<double, 7> kQuality = {0, 4, 5, 2, 2, 1, 5};
+  const auto index = static_cast<std::size_t>(q);
+  return q >= 0 && index < kQuality.size() ? kQuality[index] : -1;
+}
+
+/// "2026/05/01 12:00:00.000", or a week of GPS time and its seconds.
+std::optional<TimeNs> TimeOf(std::string_view first, std::string_view second, TimeSystem system) {
+  constexpr int kMostWeeks = 10'000;
+  constexpr TimeNs kJapanAhead_ns = 9 * 3600 * kNsPerSecond;
+  const auto week = WholeNumber(first);
+  if (week) {
+    const auto seconds_ns = SecondsOfText(second);
+    if (!seconds_ns || *week < 0 || *week > kMostWeeks) return std::nullopt;
+    const TimeNs gps_ns = GpsWeek(static_cast<int>(*week)) + *seconds_ns;
+    return gps_ns - GpsAheadOfUtc(gps_ns);
+  }
+  const auto day_ns = DateOfText(first), time_ns = TimeOfDayText(second);
+  if (!day_ns || !time_ns) return std::nullopt;
+  const TimeNs t_ns = *day_ns + *time_ns;
+  if (system == TimeSystem::kGps) return t_ns - GpsAheadOfUtc(t_ns);
+  return system == TimeSystem::kJapan ? t_ns - kJapanAhead_ns : t_ns;
+}
+
+/// What the line of columns says of the times; a solution in other coordinates is refused.
+TimeSystem ReadHeader(const std::string& line, const std::filesystem::path& file, int number) {
+  for (const char* other : {"x-ecef", "e-baseline"}) {
+    if (line.find(other) == std::string::npos) continue;
+    throw InputError(fmt::format(
+        "{}:{}: its solution is in {}; need latitude, longitude and height: out-solformat = llh of "
+        "RTKLIB's options",
+        file.string(), number, other));
+  }
+  if (line.find("latitude(d'") != std::string::npos) {
+    throw InputError(
+        fmt::format("{}:{}: its angles are in degrees, minutes and seconds; need "
+                    "degrees: out-degform = deg of RTKLIB's options",
+                    file.string(), number));
+  }
+  if (line.find("GPST") != std::string::npos) return TimeSystem::kGps;
+  return line.find("JST") != std::string::npos ? TimeSystem::kJapan : TimeSystem::kUtc;
+}
+
+/// Whether a remark is the line that names the columns; others are about the program and its input.
+bool NamesColumns(const std::string& line) {
+  if (line.find(" : ") != std::string::npos || line.find("(lat/lon") != std::string::npos ||
+      line.find("(x/y/z") != std::string::npos) {
+    return false;
+  }
+  return line.find("height") != std::string::npos || line.find("-ecef") != std::string::npos ||
+         line.find("-baseline") != std::string::npos;
+}
+
+void AddSolution(const std::vector<std::string_view>& fields, TimeSystem system,
+                 const LogLines& lines, LeftOutRows* left_out, NumberTable* table) {
+  if (fields.size() < kNeeded) {
+    lines.Fault(fmt::format("found {} fields, need {}", fields.size(), kNeeded), left_out);
+    return;
+  }
+  const auto t_ns = TimeOf(fields[0], fields[1], system);
+  if (!t_ns) {
+    lines.Fault(fmt::format("'{} {}' is no time", fields[0], fields[1]), left_out);
+    return;
+  }
+  std::vector<NumberTable::Cell> cells;
+  for (std::size_t f = 0; f < kFields.size() && kTimeFields + f < fields.size(); ++f) {
+    const std::string_view text = fields[kTimeFields + f];
+    const auto value = WholeNumber(text);
+    if (!value) {
+      lines.Fault(fmt::format("{} is '{}', need a number", kFields[f], text), left_out);
+      return;
+    }
+    cells.push_back({kFields[f], *value});
+  }
+  constexpr std::size_t kQ = 3, kSdn = 5, kSde = 6, kSdu = 7;
+  const auto squared = [&](std::size_t k) { return cells[k].value * cells[k].value; };
+  cells.insert(cells.end(), {{"fix", QualityOf(cells[kQ].value)},
+                             {"var_n", squared(kSdn)},
+                             {"var_e", squared(kSde)},
+                             {"var_u", squared(kSdu)}});
+  table->AddRow(lines.number(), *t_ns, cells);
+}
+
+}  // namespace
+
+std::unique_ptr<const RowTable> ReadPosLog(const std::filesystem::path& file,
+                                           LeftOutRows* left_out) {
+  std::vector<std::string> columns(kFields.begin(), kFields.end());
+  columns.insert(columns.end(), {"fix", "var_n", "var_e", "var_u"});
+  auto table = std::make_unique<NumberTable>(file, columns);
+  std::optional<TimeSystem> system;
+  LogLines lines(file);
+  for (std::string line; lines.Next(&line);) {
+    if (line.starts_with('%')) {
+      if (NamesColumns(line)) system = ReadHeader(line, file, lines.number());
+      continue;
+    }
+    const char separator = line.find(',') != std::string::npos ? ',' : ' ';
+    const std::vector<std::string_view> fields = FieldsOf(line, separator);
+    if (fields.empty()) continue;
+    if (!system) {
+      throw InputError(
+          fmt::format("{}:{}: no line of column names stands before it; need the "
+                      "header that RTKLIB writes, which says what times are of",
+                      file.string(), lines.number()));
+    }
+    AddSolution(fields, *system, lines, left_out, table.get());
+  }
+  return table;
+}
+
+}  // namespace tera
