@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -123,6 +124,57 @@ machines:
   ASSERT_EQ(in.status, 0) << in.err;
   EXPECT_EQ(Recording(scratch.path() / "in").LoadImu("machine/excavator1_imu_boom").size(),
             Recording(scratch.path() / "run").LoadImu("excavator1/imu_boom").size());
+}
+
+/// What two loggers write of a boom that moves in bumps: one its gyro at 50 Hz, the other its
+/// encoder, by a clock that is 3 s ahead and gains 50 ppm; `other` has bumps of its own.
+void WriteTwoLogs(const fs::path& folder, bool other) {
+  const auto rate_radps = [](double t_s, unsigned seed) {
+    double sum = 0;
+    for (unsigned k = 0; k < 40; ++k) {  // a bump about every three seconds
+      seed = seed * 1664525u + 1013904223u;
+      const double place = seed / 4294967296.0;
+      seed = seed * 1664525u + 1013904223u;
+      const double height = seed / 4294967296.0 - 0.5;
+      const double u = (t_s - 3 * (k + place)) / 0.6;
+      sum += height * std::exp(-0.5 * u * u);
+    }
+    return sum;
+  };
+  std::string gyro = "t,wx,wy,wz\n", encoder = "t,boom\n";
+  for (int k = 0; k < 6000; ++k) {
+    const double t_s = 0.02 * k;
+    gyro += fmt::format("{},0,{},0\n", t_s, rate_radps(t_s, 1));
+    encoder += fmt::format("{},{}\n", 3 + t_s * (1 + 50e-6), rate_radps(t_s, other ? 2 : 1));
+  }
+  WriteWholeFile(folder / "gyro.csv", gyro);
+  WriteWholeFile(folder / "encoder.csv", encoder);
+  WriteWholeFile(folder / "clocks.yaml", R"(name: two
+machine: digger
+time: {column: t, unit: s}
+gyros: [{name: gyro, file: gyro.csv, columns: {wy: {column: wy, unit: rad/s}}}]
+encoders: [{name: joints, file: encoder.csv, joints: [{name: boom, rate: {column: boom, unit: rad/s}}]}]
+)");
+}
+
+TEST(ImportCommand, ClocksOfTwoLoggersAreComparedAndNotChanged) {
+  const ScratchDirectory scratch;
+  WriteTwoLogs(scratch.path(), /*other=*/false);
+  const Outcome checked = RunTera({"import", "clocks.yaml", "--check"}, {scratch.path()});
+  ASSERT_EQ(checked.status, 0) << checked.err;
+  EXPECT_THAT(checked.out,
+              AllOf(ContainsRegex("clock of digger/joints: [23]\\.[09][0-9]+ \\+- 0\\.0[0-9]+ s "
+                                  "ahead of that of digger/gyro at "),
+                    HasSubstr("gains "), HasSubstr("nothing was changed")));
+  const Outcome imported = RunTera({"import", "clocks.yaml", "--out", "in"}, {scratch.path()});
+  ASSERT_EQ(imported.status, 0) << imported.err;
+  EXPECT_THAT(imported.out, HasSubstr("clock of digger/joints"));
+  const EncoderRecording in = Recording(scratch.path() / "in").LoadEncoder("digger/joints");
+  EXPECT_EQ(in.samples.front().t_ns, 3 * kNsPerSecond);
+  WriteTwoLogs(scratch.path(), /*other=*/true);
+  const Outcome others = RunTera({"import", "clocks.yaml", "--check"}, {scratch.path()});
+  ASSERT_EQ(others.status, 0) << others.err;
+  EXPECT_EQ(others.out.find("clock of"), std::string::npos) << others.out;
 }
 
 TEST(ImportCommand, NeedsAPlaceUnlessItOnlyChecks) {
