@@ -37,6 +37,28 @@ class RealRecording : public testing::Test {
   const ScratchDirectory scratch_;
 };
 
+// RTKLIB's own solution of a receiver that was carried about for 75 minutes (gnss_rtk), in GPS
+// time: its first line says 21:28:42, which was 18 s earlier by UTC.
+TEST(RealReceiver, ASolutionOfRtklibComesInBySuggestion) {
+  const fs::path log = fs::path(TERA_RECORDINGS) / "gnss_rtk/demo5_b34f_f.pos";
+  if (!fs::is_regular_file(log)) GTEST_SKIP() << "no " << log;
+  const ScratchDirectory scratch;
+  const Outcome suggested = RunTera({"import", "--suggest", log.string()}, {scratch.path()});
+  ASSERT_EQ(suggested.status, 0) << suggested.err;
+  WriteWholeFile(scratch.path() / "mapping.yaml", suggested.out);
+  const Outcome in = RunTera({"import", "mapping.yaml", "--out", "in"}, {scratch.path()});
+  ASSERT_EQ(in.status, 0) << in.err;
+  EXPECT_THAT(in.out, HasSubstr("times count from 1608845304.000000000 s"));  // 21:28:24 UTC
+  const auto fixes = Recording(scratch.path() / "in").LoadGnss("machine/gnss");
+  ASSERT_EQ(fixes.size(), 4521u);
+  EXPECT_EQ(fixes.front().fix, GnssFix::kRtkFloat);
+  EXPECT_EQ(fixes.back().fix, GnssFix::kRtkFixed);
+  EXPECT_EQ(fixes.back().t_ns, 4520 * kNsPerSecond);
+  EXPECT_NEAR(fixes.back().lat_deg, 40.096655547, 1e-12);
+  EXPECT_NEAR(fixes.back().alt_m, 1580.4040, 1e-9);
+  EXPECT_NEAR(fixes.back().variance_enu_m2.x(), 0.0047 * 0.0047, 1e-12);
+}
+
 TEST_F(RealRecording, AParkedVehicleFeelsGravityAndDoesNotTurn) {
   Import("parked.csv", "parked");
   const Recording parked(scratch_.path() / "parked");
