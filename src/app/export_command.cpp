@@ -66,8 +66,14 @@ ExportReport ExportWithProgress(const Arguments& arguments) {
 
 void RunExport(const Arguments& arguments) {
   const ExportReport report = ExportWithProgress(arguments);
-  fmt::print("{}: {} records in {} files, {:.1f} MB\n", arguments.out, report.records, report.files,
-             1e-6 * static_cast<double>(report.bytes));
+  const std::string messages = IsBag(arguments.options.format)
+                                   ? fmt::format("{} messages of ", report.messages)
+                                   : std::string();
+  fmt::print("{}: {}{} records in {} files, {:.1f} MB\n", arguments.out, messages, report.records,
+             report.files, 1e-6 * static_cast<double>(report.bytes));
+  if (report.absent.count == 0) return;
+  fmt::print("  {} pictures are not there and have no message, the first: {}\n",
+             report.absent.count, report.absent.first.string());
 }
 
 /// Options of bags, which mean nothing to other formats.

@@ -15,16 +15,18 @@
 namespace tera {
 namespace {
 
-PositionOfStroke PositionOf(const ConfigMap& machine, const ConfigMap& joint) {
+CylinderStroke StrokeOf(const ConfigMap& machine, const ConfigMap& joint) {
   const auto model = std::make_shared<const MachineModel>(ReadMachine(machine));
   const std::string name = joint.Text("name");
   for (const Cylinder& cylinder : model->cylinders) {
     if (model->joints[cylinder.joint].name != name) continue;
-    return
-        [model, &cylinder](double stroke_m) { return JointOfStroke(*model, cylinder, stroke_m); };
+    const StrokeRange strokes = StrokesOf(*model, cylinder);
+    return {
+        [model, &cylinder](double stroke_m) { return JointOfStroke(*model, cylinder, stroke_m); },
+        strokes.least_m, strokes.most_m};
   }
   joint.Fault("stroke", "no cylinder of the machine model moves a joint '" + name + "'");
-  return nullptr;
+  return {};
 }
 
 std::string RateText(const ImportedChannel& channel) {
@@ -49,6 +51,12 @@ void PrintNotes(const ImportedChannel& channel) {
     fmt::print(
         "  {} lever values beyond full, up to {:.4g}: are they in per cent, or not levers?\n",
         channel.levers_beyond_full, channel.largest_lever);
+  }
+  if (channel.strokes_beyond > 0) {
+    fmt::print(
+        "  {} strokes beyond the joint's travel, by up to {:.3g} m: are unit, offset and machine "
+        "right?\n",
+        channel.strokes_beyond, channel.furthest_beyond_m);
   }
 }
 
@@ -121,7 +129,7 @@ void AddImportCommand(CLI::App* app) {
     if (arguments->out.empty() && !arguments->options.checks_only) {
       throw InputError("--out: is missing; name the recording's new directory, or ask for --check");
     }
-    arguments->options.position_of_stroke = PositionOf;
+    arguments->options.cylinder_stroke = StrokeOf;
     PrintReport(ImportCsv(arguments->mapping, arguments->out, arguments->options));
   });
 }

@@ -61,6 +61,16 @@ machines:
   EXPECT_GT(std::abs(in.samples[1].q_rad[0] - in.samples[0].q_rad[0]), 10 * kDeg);
 }
 
+TEST(ImportCommand, StrokesThatTheMachineCannotHaveAreTold) {
+  // Of two the unit is that of another sensor: centimetres as millimetres would fit, metres do not.
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "mapping.yaml", kStrokes);
+  WriteWholeFile(scratch.path() / "log.csv", "t,arm_mm\n0,300\n0.1,3000\n0.2,3100\n");
+  const Outcome outcome = RunTera({"import", "mapping.yaml", "--check"}, {scratch.path()});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("\n  2 strokes beyond the joint's travel, by up to 2."));
+}
+
 TEST(ImportCommand, StrokeOfAJointWithoutACylinderIsRefused) {
   const ScratchDirectory scratch;
   WriteWholeFile(scratch.path() / "mapping.yaml", kStrokes);

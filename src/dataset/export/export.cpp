@@ -113,6 +113,8 @@ ExportReport Export(const fs::path& dataset, const fs::path& out, const ExportOp
   WriterOf(options.format)(&job);
   ExportReport report;
   report.records = job.records;
+  report.messages = job.messages;
+  report.absent = job.absent;
   CountFiles(folder.temporary(), &report);
   folder.Commit();
   return report;

@@ -11,6 +11,8 @@ namespace tera {
 
 struct ExportReport {
   std::int64_t records = 0, files = 0, bytes = 0;
+  std::int64_t messages = 0;  ///< of a bag, where a record becomes any number of them
+  AbsentPictures absent;      ///< left out of a bag
 };
 
 /// Writes the recording `dataset` as the new folder `out`, in pieces: no more of it is in memory

@@ -19,7 +19,9 @@ struct ExportJob {
   const std::filesystem::path& folder;  ///< to write into; it is there and empty
   std::string name;                     ///< of the folder in its final place
   const ExportOptions& options;
-  std::int64_t records = 0;  ///< read so far
+  std::int64_t records = 0;   ///< read so far
+  std::int64_t messages = 0;  ///< of a bag, written so far
+  AbsentPictures absent = {};
   std::optional<std::vector<JointTree>> known_joint_trees = std::nullopt;
 
   /// The next record of a stream, which must be in order of time, with progress told.

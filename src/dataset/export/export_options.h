@@ -98,6 +98,16 @@ enum class BagStorage { kMcap, kSqlite3 };
 /// Pictures as pixels, or as the recording's PNG files.
 enum class BagImages { kRaw, kCompressed };
 
+/// Pictures that a recording names and does not have.
+struct AbsentPictures {
+  std::int64_t count = 0;
+  std::filesystem::path first;
+
+  void Add(const std::filesystem::path& file) {
+    if (count++ == 0) first = file;
+  }
+};
+
 /// What an export has come to.
 struct ExportProgress {
   double recorded_s = 0, duration_s = 0;

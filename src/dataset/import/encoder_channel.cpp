@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "core/config/plain_name.h"
@@ -24,7 +25,7 @@ struct JointColumns {
   EncoderAxis axis;
   int angle = -1;
   int rate = -1;
-  PositionOfStroke of_stroke = nullptr;  ///< where the angle's column is a cylinder's stroke
+  std::optional<CylinderStroke> cylinder = std::nullopt;  ///< whose stroke the angle's column is
 };
 
 /// Angles over time by the trapezoidal rule, 0 at the first row.
@@ -56,7 +57,7 @@ std::vector<EncoderSample> EncoderSamples(const std::vector<JointColumns>& joint
     for (const JointColumns& joint : joints) {
       const double position =
           joint.angle < 0 ? 0.0 : row.values[static_cast<std::size_t>(joint.angle)];
-      sample.q_rad.push_back(joint.of_stroke ? joint.of_stroke(position) : position);
+      sample.q_rad.push_back(joint.cylinder ? joint.cylinder->position(position) : position);
       sample.qd_radps.push_back(joint.rate < 0 ? 0.0
                                                : row.values[static_cast<std::size_t>(joint.rate)]);
     }
@@ -67,6 +68,23 @@ std::vector<EncoderSample> EncoderSamples(const std::vector<JointColumns>& joint
     if (joints[j].rate < 0) DifferentiateAngle(j, &samples);
   }
   return samples;
+}
+
+/// Counts strokes that the joint's travel does not give its cylinder.
+void CountStrokesBeyond(const std::vector<JointColumns>& joints, const std::vector<MappedRow>& rows,
+                        ImportedChannel* channel) {
+  constexpr double kSlack_m = 1e-3;  // of buffers and pins, and of what a sensor of strokes tells
+  for (const JointColumns& joint : joints) {
+    if (!joint.cylinder) continue;
+    for (const MappedRow& row : rows) {
+      const double stroke_m = row.values[static_cast<std::size_t>(joint.angle)];
+      const double beyond_m =
+          std::max(joint.cylinder->least_m - stroke_m, stroke_m - joint.cylinder->most_m);
+      if (beyond_m <= kSlack_m) continue;
+      ++channel->strokes_beyond;
+      channel->furthest_beyond_m = std::max(channel->furthest_beyond_m, beyond_m);
+    }
+  }
 }
 
 /// An angle from the way that a wheel or a track has rolled.
@@ -99,8 +117,8 @@ bool ReadIndirect(const ConfigMap& config, const ConfigMap& top, const Mapping& 
     config.Fault("stroke",
                  "needs the machine's geometry; give the mapping a machine_model, for "
                  "instance tera:config/machines/tb235.yaml");
-  } else if (mapping.options.position_of_stroke) {
-    joint->of_stroke = mapping.options.position_of_stroke(top.MapOrFile("machine_model"), config);
+  } else if (mapping.options.cylinder_stroke) {
+    joint->cylinder = mapping.options.cylinder_stroke(top.MapOrFile("machine_model"), config);
   } else {
     config.Fault("stroke", "cannot be read here; need the angle");
   }
@@ -201,7 +219,7 @@ JointColumns ReadJoint(const ConfigMap& config, const ConfigMap& top, const Mapp
 ImportJob ReadEncoder(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
   const std::string folder = ReadPath(config, "", mapping);
   const ImportedSensor sensor{"encoder", config.Text("name"), "", Pose::Identity()};
-  const RowSource source = ReadSource(config, top, mapping);
+  const RowSource source = ReadRowSource(config, top);
   std::vector<ColumnMapping> columns;
   std::vector<JointColumns> joints;
   std::vector<EncoderAxis> axes;
@@ -221,6 +239,7 @@ ImportJob ReadEncoder(const ConfigMap& config, const ConfigMap& top, Mapping* ma
   }
   return [=](ImportRun* run) {
     const std::vector<MappedRow> rows = run->Read(folder, source, columns);
+    CountStrokesBeyond(joints, rows, run->last());
     std::vector<JointColumns> found = joints;
     DropMissing(source, rows, &found);
     const std::vector<EncoderSample> samples = EncoderSamples(found, rows);

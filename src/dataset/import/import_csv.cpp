@@ -61,16 +61,17 @@ Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options) {
   return mapping;
 }
 
-/// The earliest time of all channels.
-std::optional<TimeNs> FirstOf(const Mapping& mapping, const ImportOptions& options) {
+/// The earliest time of all rows that come in, in the files' times; 0 where none does.
+TimeNs FirstOf(const Mapping& mapping, const ImportOptions& options) {
+  // Whether a row comes in is known when its channel has been made of it.
+  ImportRun run(options, nullptr, 0);
+  for (const ImportJob& job : mapping.jobs) job(&run);
   std::optional<TimeNs> first_ns;
-  for (const RowSource& source : mapping.sources) {
-    LeftOutRows ignored;
-    const auto rows = ReadRows(source, {}, 0, options.skips_bad_rows ? &ignored : nullptr);
-    if (rows.empty()) continue;
-    first_ns = std::min(first_ns.value_or(rows.front().t_ns), rows.front().t_ns);
+  for (const ImportedChannel& channel : run.TakeReport().channels) {
+    if (channel.rows == 0) continue;
+    first_ns = std::min(first_ns.value_or(channel.first_ns), channel.first_ns);
   }
-  return first_ns;
+  return first_ns.value_or(0);
 }
 
 void RequireOwnZero(const std::filesystem::path& mapping, const ImportReport& report) {
@@ -101,7 +102,7 @@ ImportReport ImportCsv(const std::filesystem::path& mapping_file, const std::fil
   const Config config = Config::FromFile(mapping_file, options.overrides);
   Mapping mapping = ReadMapping(config.root(), options);
   config.Finish();
-  const TimeNs zero_ns = mapping.starts_at_zero ? FirstOf(mapping, options).value_or(0) : TimeNs{0};
+  const TimeNs zero_ns = mapping.starts_at_zero ? FirstOf(mapping, options) : TimeNs{0};
   const auto run_jobs = [&](DatasetWriter* writer) {
     ImportRun run(options, writer, zero_ns);
     for (const ImportJob& job : mapping.jobs) job(&run);

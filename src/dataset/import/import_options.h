@@ -11,8 +11,11 @@
 
 namespace tera {
 
-/// A joint's position from a cylinder's stroke, m.
-using PositionOfStroke = std::function<double(double stroke_m)>;
+/// A joint's position from a cylinder's stroke, and the strokes that the joint's travel gives it.
+struct CylinderStroke {
+  std::function<double(double stroke_m)> position;
+  double least_m = 0, most_m = 0;
+};
 
 struct ImportOptions {
   /// key.path=value texts as of --set, above all `file=recording.csv`.
@@ -21,8 +24,7 @@ struct ImportOptions {
   bool checks_only = false;     ///< reads all and writes nothing
   /// Gives it for a joint of the machine that the mapping's key `machine_model` describes; a fault
   /// of `joint` where no cylinder moves it. The format of recordings itself knows no machines.
-  std::function<PositionOfStroke(const ConfigMap& machine, const ConfigMap& joint)>
-      position_of_stroke;
+  std::function<CylinderStroke(const ConfigMap& machine, const ConfigMap& joint)> cylinder_stroke;
 };
 
 /// What came of one channel.
@@ -35,7 +37,9 @@ struct ImportedChannel {
   TimeNs longest_gap_ns = 0;   ///< from a row to the next
   std::int64_t irregular = 0;  ///< intervals that differ from the median by more than half of it
   std::int64_t clamped_levers = 0, levers_beyond_full = 0;
-  double largest_lever = 0;  ///< of those beyond full
+  double largest_lever = 0;         ///< of those beyond full
+  std::int64_t strokes_beyond = 0;  ///< what the joint's travel gives its cylinder
+  double furthest_beyond_m = 0;
 };
 
 struct ImportReport {

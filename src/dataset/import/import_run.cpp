@@ -89,11 +89,6 @@ ImportReport ImportRun::TakeReport() {
   return std::move(report_);
 }
 
-RowSource ReadSource(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
-  mapping->sources.push_back(ReadRowSource(config, top));
-  return mapping->sources.back();
-}
-
 std::string ReadPath(const ConfigMap& config, const std::string& ending, Mapping* mapping) {
   const std::string name = config.Text("name");
   const std::string path = mapping->machine + "/" + name + ending;

@@ -55,13 +55,10 @@ struct Mapping {
   std::string machine;
   std::set<std::string> paths;  ///< of channels
   std::vector<ImportJob> jobs;
-  std::vector<RowSource> sources;  ///< of the jobs
-  bool starts_at_zero = false;     ///< times are counted from the first measurement
+  bool starts_at_zero = false;  ///< times are counted from the first measurement
   const ImportOptions& options;
 };
 
-/// ReadRowSource, noted in the mapping.
-RowSource ReadSource(const ConfigMap& config, const ConfigMap& top, Mapping* mapping);
 /// The machine's folder or file for the channel that `name` names, with `ending`.
 std::string ReadPath(const ConfigMap& config, const std::string& ending, Mapping* mapping);
 

@@ -204,7 +204,7 @@ std::string BalanceText(std::vector<Difference> differences) {
   for (const Difference& d : differences) {
     better += d.verdict() == Difference::Verdict::kBetter;
     undecided += d.verdict() == Difference::Verdict::kUndecided;
-    if (d.verdict() == Difference::Verdict::kWorse) worse.push_back(d.figure);
+    if (d.verdict() == Difference::Verdict::kWorse) worse.push_back(Describe(AsFigure(d)));
   }
   std::string text = fmt::format(
       "better in {} of {} figures, worse in {}, {} without a difference that this cycle can show",
@@ -212,8 +212,8 @@ std::string BalanceText(std::vector<Difference> differences) {
   constexpr std::size_t kNamed = 6;
   const std::size_t more = worse.size() - std::min(kNamed, worse.size());
   worse.resize(worse.size() - more);
-  if (!worse.empty()) text += fmt::format("; worse above all: {}", fmt::join(worse, ", "));
-  return more > 0 ? fmt::format("{} and {} more", text, more) : text;
+  if (!worse.empty()) text += fmt::format(". Worse above all: {}", fmt::join(worse, "; "));
+  return more > 0 ? fmt::format("{}; and {} more", text, more) : text;
 }
 
 std::string Table(const LayoutReport& first, const LayoutReport& other) {

@@ -1,5 +1,7 @@
 #include "physics/actuation/joint_of_stroke.h"
 
+#include <algorithm>
+
 #include "physics/actuation/linkage.h"
 
 namespace tera {
@@ -24,6 +26,14 @@ double JointOfStroke(const MachineModel& model, const Cylinder& cylinder, double
     (is_beyond ? high_rad : low_rad) = middle_rad;
   }
   return 0.5 * (low_rad + high_rad);
+}
+
+StrokeRange StrokesOf(const MachineModel& model, const Cylinder& cylinder) {
+  const Joint& joint = model.joints[cylinder.joint];
+  const double at_low_m = ReachOf(model, cylinder, joint.lower_rad).length_m;
+  const double at_high_m = ReachOf(model, cylinder, joint.upper_rad).length_m;
+  return {std::min(at_low_m, at_high_m) - cylinder.shortest_m,
+          std::max(at_low_m, at_high_m) - cylinder.shortest_m};
 }
 
 }  // namespace tera

@@ -11,4 +11,10 @@ namespace tera {
 /// Machines are read only where cylinders pass no dead centre, so that there is one such position.
 double JointOfStroke(const MachineModel& model, const Cylinder& cylinder, double stroke_m);
 
+/// The strokes at the ends of the joint's travel, the shorter one first, m.
+struct StrokeRange {
+  double least_m = 0, most_m = 0;
+};
+StrokeRange StrokesOf(const MachineModel& model, const Cylinder& cylinder);
+
 }  // namespace tera

@@ -1,5 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
 #include "core/units.h"
 #include "sim/operators/dig_cycle.h"
 
@@ -13,6 +17,27 @@ constexpr double kLeastArm_m = 1e-3;  ///< between pins, below which an arm has 
 bool HangsOn(const MachineModel& model, int link, int ancestor) {
   while (link > 0 && link != ancestor) link = model.joints[link - 1].parent;
   return link == ancestor;
+}
+
+/// Reports joints that no lever moves; true if there is nothing to report.
+bool CheckLevers(const ConfigMap& config, const MachineModel& model, const DigPlan& plan) {
+  const std::pair<std::string_view, int> needed[] = {{"slew", plan.joints.slew},
+                                                     {"boom", plan.joints.boom},
+                                                     {"arm", plan.joints.arm},
+                                                     {"bucket", plan.joints.bucket}};
+  bool good = true;
+  for (const auto& [key, joint] : needed) {
+    const int index = joint;
+    if (std::ranges::any_of(model.levers, [=](const Lever& l) { return l.joint == index; })) {
+      continue;
+    }
+    config.Fault(config.Has(key) ? key : "type",
+                 fmt::format("machine '{}' has no lever that moves joint '{}'; a dig cycle needs "
+                             "one each for slew, boom, arm and bucket",
+                             model.kind, model.joints[index].name));
+    good = false;
+  }
+  return good;
 }
 
 /// Reports joints that are no planar arm on a slewing post; true if there is nothing to report.
@@ -112,7 +137,9 @@ std::optional<DigPlan> ReadDigPlan(const ConfigMap& config, const MachineModel& 
 
   const bool complete = plan.joints.slew >= 0 && plan.joints.boom >= 0 && plan.joints.arm >= 0 &&
                         plan.joints.bucket >= 0 && plan.tip_frame >= 0 && plan.shovel >= 0;
-  if (!complete || !CheckArm(config, model, plan)) return std::nullopt;
+  if (!complete || !CheckArm(config, model, plan) || !CheckLevers(config, model, plan)) {
+    return std::nullopt;
+  }
   return plan;
 }
 

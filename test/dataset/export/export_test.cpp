@@ -1,5 +1,6 @@
 #include "dataset/export/export.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -138,6 +139,46 @@ TEST_F(ExportTest, TumHasSecondsPositionAndQuaternionWithWLast) {
   const Pose X_WB = MakePose(Vec3(1.2, 2, -0.5), 0.1, -0.2, 3.0);
   EXPECT_TRUE(Quat(qw, qx, qy, qz).toRotationMatrix().isApprox(X_WB.linear(), 1e-12));
   EXPECT_GE(qw, 0);
+}
+
+TEST_F(ExportTest, MessagesThatAreToldAreThoseOfTheBag) {
+  const ExportReport report = To(ExportFormat::kRosbag2);
+  const std::string metadata = ReadWholeFile(out() / "metadata.yaml");
+  const std::string topics = metadata.substr(0, metadata.find("compression_format"));
+  std::int64_t in_topics = 0;
+  const std::string key = "\n      message_count: ";
+  for (std::size_t at = 0; (at = topics.find(key, at)) != std::string::npos; ++at) {
+    in_topics += std::stoll(topics.substr(at + key.size()));
+  }
+  EXPECT_EQ(report.messages, in_topics) << metadata;
+  EXPECT_THAT(metadata, HasSubstr(fmt::format("\n  message_count: {}\n", report.messages)));
+  EXPECT_NE(report.messages, report.records);
+}
+
+TEST_F(ExportTest, APictureThatIsNotThereIsTold) {
+  fs::remove(recording() / "digger/front/rgb/200000000.png");
+  fs::remove(recording() / "digger/front/depth/300000000.png");
+  for (const BagImages images : {BagImages::kRaw, BagImages::kCompressed}) {
+    const ExportReport report =
+        Export(recording(), out(), {.format = ExportFormat::kBag, .images = images});
+    EXPECT_EQ(report.absent.count, 2);
+    EXPECT_EQ(report.absent.first, recording() / "digger/front/rgb/200000000.png");
+    fs::remove_all(out());
+  }
+}
+
+TEST_F(ExportTest, ADamagedPictureIsNotPutIntoABag) {
+  const fs::path picture = recording() / "digger/front/rgb/200000000.png";
+  const std::string whole = ReadWholeFile(picture);
+  std::string flipped = whole, longer = whole + "x";
+  flipped[whole.size() / 2] ^= 1;
+  for (const std::string& bytes :
+       {flipped, longer, whole.substr(0, whole.size() - 1), whole.substr(8), std::string()}) {
+    WriteWholeFile(picture, bytes);
+    EXPECT_THAT(
+        FaultOf({.format = ExportFormat::kRosbag2, .images = BagImages::kCompressed}, out()),
+        AllOf(HasSubstr("rgb/200000000.png: not a whole PNG")));
+  }
 }
 
 TEST_F(ExportTest, AStartMovesAllTimes) {

@@ -184,6 +184,23 @@ TEST_F(ForeignCsv, ZeroIsThatOfTheEarliestChannel) {
   EXPECT_EQ(Recording(Out()).LoadTable("digger/late.csv").t_ns.front(), 2'000'000'000);
 }
 
+TEST_F(ForeignCsv, ZeroIsOfNoRowThatWasLeftOut) {
+  // Of the first rows the value, the fix and the quaternion cannot be read.
+  Log("t,x,w\n10,ERR,0.5\n12,1.5,1\n13,3,1\n");
+  const std::string axes =
+      "x: {constant: 0}, y: {constant: 0}, z: {constant: 0}, qx: {constant: 0}, qy: {constant: "
+      "0}, qz: {constant: 0}";
+  for (const std::string& keys :
+       {"tables: [{name: levels, columns: {a: {column: x, unit: '1'}}}]\n" + std::string(),
+        "pose: {columns: {qw: {column: w, unit: '1'}, " + axes + "}}\n"}) {
+    const ImportReport report =
+        Import("zero: start\n" + std::string(kSeconds) + keys, {.skips_bad_rows = true});
+    EXPECT_EQ(report.zero_ns, 12 * kNsPerSecond) << keys;
+    EXPECT_EQ(report.channels.at(0).first_ns, 0) << keys;
+    EXPECT_EQ(report.channels.at(0).left_out, 1) << keys;
+  }
+}
+
 TEST_F(ForeignCsv, LeversAHairBeyondFullAreFull) {
   Log("t,x,y\n0,1.000001,-1.00005\n1,0.5,1.3\n");
   const ImportReport report = Import(kSeconds + Table("x", "y", "commands"));

@@ -27,6 +27,13 @@ TEST(JointOfStroke, IsWhatTheLawOfCosinesSays) {
   }
 }
 
+TEST(JointOfStroke, TravelGivesItsCylinderStrokesFromEndToEnd) {
+  const MachineModel model = MachineFromText(kCylinderArm);
+  const StrokeRange strokes = StrokesOf(model, model.cylinders.front());
+  EXPECT_NEAR(strokes.least_m, 0, 1e-5);
+  EXPECT_NEAR(strokes.most_m, Length_m(-40) - Length_m(70), 1e-5);
+}
+
 TEST(JointOfStroke, GoesStraightOnBeyondTheTravel) {
   const MachineModel model = MachineFromText(kCylinderArm);
   const Cylinder& ram = model.cylinders.front();

@@ -194,11 +194,15 @@ TEST(ReadOperatorPlan, NamesTheJointThatADigCycleLacks) {
   }
 }
 
-/// What is wrong with a dig cycle of the excavator, or nothing.
-std::string DigFaults(const std::string& keys) {
+MachineModel Excavator() {
   const Config machine = Config::FromFile(DataRoot() / "config/machines/tb235.yaml");
-  const MachineModel model = ReadMachine(machine.root());
+  MachineModel model = ReadMachine(machine.root());
   machine.Finish();
+  return model;
+}
+
+/// What is wrong with a dig cycle of the machine, or nothing.
+std::string DigFaults(const std::string& keys, const MachineModel& model = Excavator()) {
   const Config config = Config::FromText("{type: dig_cycle, " + keys + "}", "operator.yaml");
   try {
     ReadOperatorPlan(config.root(), model);
@@ -217,6 +221,16 @@ TEST(ReadOperatorPlan, RefusesJointsThatAreNoArmOnASlewingPost) {
   EXPECT_THAT(DigFaults("bucket: blade"),
               HasSubstr("operator.yaml:1:27: bucket: joint 'blade' moves link 'blade'"));
   EXPECT_THAT(DigFaults("slew: blade"), HasSubstr("slew: joint 'blade' does not turn the boom"));
+}
+
+TEST(ReadOperatorPlan, RefusesADigCycleOfJointsThatNoLeverMoves) {
+  MachineModel model = Excavator();
+  std::erase_if(model.levers, [](const Lever& lever) { return lever.name == "arm"; });
+  EXPECT_THAT(DigFaults("cycles: 2", model),
+              HasSubstr("type: machine 'tb235' has no lever that moves joint 'arm'"));
+  EXPECT_THAT(DigFaults("arm: arm", model), HasSubstr("arm: machine 'tb235' has no lever"));
+  model.levers.clear();
+  EXPECT_THAT(DigFaults("cycles: 2", model), HasSubstr("joint 'slew'"));
 }
 
 TEST(ReadOperatorPlan, RefusesMoreDigCyclesThanAnyRunHolds) {

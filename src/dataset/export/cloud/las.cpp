@@ -29,7 +29,8 @@ void AppendDouble(double value, std::string* bytes) {
 }
 
 std::uint8_t ClassOf(std::uint8_t label) {
-  constexpr std::uint8_t kGround = 2, kHighVegetation = 5, kBuilding = 6, kFirstOfUsers = 64;
+  constexpr std::uint8_t kUnclassified = 1, kGround = 2, kHighVegetation = 5, kBuilding = 6;
+  constexpr int kFirstOfUsers = 64, kLastOfUsers = 255;
   switch (static_cast<SemanticClass>(label)) {
     case SemanticClass::kTerrain:
       return kGround;
@@ -38,6 +39,7 @@ std::uint8_t ClassOf(std::uint8_t label) {
     case SemanticClass::kStructure:
       return kBuilding;
     default:
+      if (kFirstOfUsers + label > kLastOfUsers) return kUnclassified;
       return static_cast<std::uint8_t>(kFirstOfUsers + label);
   }
 }

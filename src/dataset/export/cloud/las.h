@@ -12,11 +12,11 @@ namespace tera {
 ///
 /// Model   coordinates in tenths of millimetres of W. Classes: terrain 2 (ground), vegetation 5
 ///         (high vegetation), structure 6 (building), all others 64 + SemanticClass, of those that
-///         the standard leaves to users. Intensity over 65535. GPS time: seconds of the recording.
-///         Point source: lidar + 1. User data: the low 8 bits of the instance.
+///         the standard leaves to users, which end with label 191: beyond it 1 (unclassified).
+///         Intensity over 65535. GPS time: seconds of the recording. Point source: lidar + 1. User
+///         data: the low 8 bits of the instance.
 /// Omits   rings; a coordinate reference system of the earth: W is a local one, named in a record
-/// of
-///         OGC WKT.
+///         of OGC WKT.
 /// Source  ASPRS, "LAS specification 1.4 - R15", 2019.
 class LasFile {
  public:

@@ -1,6 +1,7 @@
 #include "dataset/export/picture/labelled_frame.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +18,8 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr std::string_view kPngStart("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR", 16);
+
 bool IsThere(const fs::path& file) {
   std::error_code ignored;
   return fs::is_regular_file(file, ignored);
@@ -27,13 +30,28 @@ bool IsThere(const fs::path& file) {
       fmt::format("{}: not a whole PNG; need one, write the file again", file.string()));
 }
 
-/// A number of the header, high byte first.
-int HeaderNumber(std::string_view header, std::size_t at) {
+/// A number of a PNG, high byte first.
+std::uint32_t NumberAt(std::string_view png, std::size_t at) {
   std::uint32_t value = 0;
   for (std::size_t k = at; k < at + 4; ++k) {
-    value = value << 8 | static_cast<unsigned char>(header[k]);
+    value = value << 8 | static_cast<unsigned char>(png[k]);
   }
-  return static_cast<int>(value);
+  return value;
+}
+
+/// Whether chunks, each with the sum of its bytes, follow one another from IHDR to IEND.
+bool HasWholeChunks(std::string_view png) {
+  constexpr std::size_t kSignatureBytes = 8, kAround = 12;  // length, name and sum of a chunk
+  for (std::size_t at = kSignatureBytes; png.size() - at >= kAround;) {
+    const std::size_t length = NumberAt(png, at);
+    if (length > png.size() - at - kAround) return false;
+    const std::string_view summed = png.substr(at + 4, 4 + length);
+    const auto sum = crc32_z(0, reinterpret_cast<const Bytef*>(summed.data()), summed.size());
+    at += kAround + length;
+    if (NumberAt(png, at - 4) != sum) return false;
+    if (summed.starts_with("IEND")) return at == png.size();
+  }
+  return false;
 }
 
 void RequireKnownClasses(const Image<std::uint8_t>& semantic, const fs::path& file) {
@@ -85,19 +103,17 @@ LabelledFrame LoadLabels(const Recording& recording, const std::string& camera, 
 }
 
 PictureSize SizeOfPng(const fs::path& file) {
-  constexpr std::string_view kStart("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR", 16);
   std::array<char, 24> header{};
   std::ifstream stream(file, std::ios::binary);
   stream.read(header.data(), header.size());
   const std::string_view bytes(header.data(), header.size());
-  if (!stream || !bytes.starts_with(kStart)) FailPng(file);
-  return {HeaderNumber(bytes, 16), HeaderNumber(bytes, 20)};
+  if (!stream || !bytes.starts_with(kPngStart)) FailPng(file);
+  return {static_cast<int>(NumberAt(bytes, 16)), static_cast<int>(NumberAt(bytes, 20))};
 }
 
 std::string ReadWholePng(const fs::path& file) {
-  constexpr std::string_view kEnd = "IEND\xae\x42\x60\x82";
   std::string bytes = ReadWholeFile(file);
-  if (!bytes.ends_with(kEnd)) FailPng(file);
+  if (!bytes.starts_with(kPngStart) || !HasWholeChunks(bytes)) FailPng(file);
   return bytes;
 }
 

@@ -10,10 +10,10 @@
 #include "core/error.h"
 #include "core/types/label_channels.h"
 #include "core/types/sample_rows.h"
+#include "dataset/export/picture/labelled_frame.h"
 #include "dataset/export/record_views.h"
 #include "dataset/export/ros/joint_table.h"
 #include "dataset/export/ros/static_transforms.h"
-#include "dataset/files/checked_file.h"
 #include "dataset/format/sensor_sheet.h"
 #include "dataset/ros/from_samples.h"
 #include "dataset/ros/names.h"
@@ -47,11 +47,6 @@ std::string RosName(std::string_view name) {
   return taken;
 }
 
-fs::path PictureFile(const ExportJob& job, const std::string& camera, std::string_view kind,
-                     TimeNs t_ns) {
-  return job.recording.directory() / camera / kind / fmt::format("{}.png", t_ns);
-}
-
 }  // namespace
 
 RosTopics::RosTopics(ExportJob* job, BagWriter* bag)
@@ -80,6 +75,7 @@ void RosTopics::Write(TopicId topic, TimeNs t_ns, const Message& message) {
   Put(message, &serializer_);
   const TimeNs known_ns = std::max<TimeNs>(0, t_ns);
   bag_->Write(topic, known_ns, serializer_.bytes());
+  ++job_->messages;
   if (told_) told_(topic, known_ns);
 }
 
@@ -200,11 +196,14 @@ void RosTopics::AddCamera(const std::string& path) {
     if (!compressed) frame = job_->recording.LoadFrame(path, record.t_ns);
     frame.t_ns = stamp_ns;
     for (const Pictures& own : pictures) {
-      const fs::path file = PictureFile(*job_, path, own.kind, record.t_ns);
-      if (!fs::exists(file)) continue;
+      const fs::path file = FrameFile(job_->recording, path, own.kind, record.t_ns);
+      if (!fs::exists(file)) {
+        job_->absent.Add(file);
+        continue;
+      }
       if (compressed) {
         Write(own.topic, at_ns,
-              ros::CompressedImage{{stamp_ns, frame_id}, "png", ReadWholeFile(file)});
+              ros::CompressedImage{{stamp_ns, frame_id}, "png", ReadWholePng(file)});
       } else if (own.label != nullptr) {
         Write(own.topic, at_ns, ros::LabelMessage(*own.label, frame, frame_id));
       } else {

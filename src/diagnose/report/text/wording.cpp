@@ -15,8 +15,11 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 /// The decimal exponent of a value that is not 0: 2 for 523, -1 for 0.18.
 int ExponentOf(double value) { return static_cast<int>(std::floor(std::log10(std::abs(value)))); }
 
-/// A value rounded to a power of ten and written without an exponent.
+/// A value rounded to a power of ten and written without an exponent; halves go away from 0, as a
+/// reader would round what was written with more digits, also where a double lies just below one.
 std::string Fixed(double value, int lowest_power) {
+  constexpr double kBelowHalf = 1e-12;  // relative: thousands of times a double's resolution
+  value *= 1 + kBelowHalf;
   if (lowest_power <= 0) return fmt::format("{:.{}f}", value, -lowest_power);
   const double unit = std::pow(10.0, lowest_power);
   return fmt::format("{:.0f}", std::round(value / unit) * unit);

@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/units.h"
+#include "dataset/export/cloud/las.h"
 #include "dataset/export/export.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/format/sample_recording.h"
@@ -132,6 +133,20 @@ TEST_F(MapsTest, ALasSaysWhereItsPointsAreAndHowMany) {
   EXPECT_EQ(las[points + 16], 2);     // ground
   EXPECT_EQ(At<std::uint16_t>(las, points + 20), 1);
   EXPECT_EQ(At<double>(las, points + 30 + 22), 1.0);
+}
+
+// Classes 64 to 255 are the users' own, 0 to 63 the standard's.
+TEST(LasFile, LabelsWithoutAPlaceAmongTheUsersClassesAreUnclassified) {
+  const DatasetInfo info;
+  LasFile las(info);
+  const auto class_of = [&](int label) {
+    MapPoint point;
+    point.label = static_cast<std::uint8_t>(label);
+    return static_cast<unsigned char>(las.Record(point)[16]);
+  };
+  EXPECT_EQ(class_of(11), 75);  // a person
+  EXPECT_EQ(class_of(191), 255);
+  for (int label = 192; label < 256; ++label) EXPECT_EQ(class_of(label), 1) << label;
 }
 
 TEST_F(MapsTest, PosesOfTheSensorThatWereRecordedComeFirst) {

@@ -13,7 +13,7 @@ TEST(Wording, PosesTurnAndStandInPlaces) {
 TEST(Wording, GivesAsManyDigitsAsANumberIsKnownTo) {
   EXPECT_EQ(WithSigma(0.1812, 0.0213), "0.18 ± 0.02");
   EXPECT_EQ(WithSigma(52345, 870), "52300 ± 900");
-  EXPECT_EQ(WithSigma(1.2345, 0.0149), "1.234 ± 0.015");
+  EXPECT_EQ(WithSigma(1.2345, 0.0149), "1.235 ± 0.015");
   EXPECT_EQ(WithSigma(-0.00123, 0.00098), "-0.0012 ± 0.0010");
   EXPECT_EQ(WithSigma(20.04, {}), "20");
   EXPECT_EQ(Significant(0.0996, 2), "0.1");
@@ -21,6 +21,15 @@ TEST(Wording, GivesAsManyDigitsAsANumberIsKnownTo) {
   EXPECT_EQ(Significant(0, 2), "0");
   EXPECT_EQ(Significant(1.234e-7, 2), "1.2e-07");
   EXPECT_EQ(ProbabilityText(1e-9), "p < 0.0001");
+}
+
+TEST(Wording, RoundsHalvesAsAReaderDoes) {
+  const double delay_s = 0.12 - 0.005;  // a double below 0.115
+  EXPECT_EQ(WithSigma(delay_s, 0.021), "0.12 ± 0.02");
+  EXPECT_EQ(WithSigma(-delay_s, 0.021), "-0.12 ± 0.02");
+  EXPECT_EQ(Significant(0.145, 2), "0.15");
+  EXPECT_EQ(Significant(1.005, 3), "1.01");
+  EXPECT_EQ(Significant(0.11499999, 2), "0.11");
 }
 
 TEST(Wording, CallsAVariableByWhoseItIs) {
