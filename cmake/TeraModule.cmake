@@ -10,7 +10,8 @@ function(tera_module NAME)
   target_precompile_headers(tera_${NAME} PRIVATE <Eigen/Geometry> <fmt/format.h> <memory> <string>
     <vector>)
   if(NOT ARG_PROGRAM_ONLY)
-    install(TARGETS tera_${NAME} EXPORT teraTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(TARGETS tera_${NAME} EXPORT teraTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+      COMPONENT development)
   endif()
 endfunction()
 

@@ -1,15 +1,21 @@
 #!/usr/bin/env bash
 # Installs what is needed, builds, simulates config/scenarios/quickstart.yaml and draws an overview. What an earlier run
-# has done already is kept, as long as the program and its data are the same.
+# has done already is kept, as long as the program and its data are the same. Says every ten seconds what it is at, into a pipe too.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 packages() { sed -n "s/^\($1\): //p" scripts/packages.txt; }
-# shellcheck disable=SC2046
-scripts/install_packages.sh $(packages build) $(packages libraries) $(packages serve) $(packages run)
 
-[ -e build/release/CMakeCache.txt ] || cmake --preset release -DTERA_BUILD_TESTS=OFF -DTERA_BUILD_BENCH=OFF >/dev/null
-cmake --build --preset release --target tera
+. scripts/said.sh
+
+# shellcheck disable=SC2046
+said "installing packages" scripts/install_packages.sh $(packages build) $(packages libraries) $(packages run)
+
+# Of the program's commands the guides need more than the quickstart; what is there already stays whole.
+if [ ! -e build/release/CMakeCache.txt ]; then
+  said "configuring" cmake --preset release -DTERA_BUILD_TESTS=OFF -DTERA_BUILD_BENCH=OFF -DTERA_WHOLE_PROGRAM=OFF
+fi
+said "compiling" cmake --build --preset release --target tera
 
 out=out/quickstart
 made_from=$(cat build/release/tera $(git ls-files config shaders assets 2>/dev/null || find config shaders assets -type f | sort) |
@@ -23,7 +29,7 @@ if [ ! -d $out ]; then
   echo "simulating config/scenarios/quickstart.yaml: some minutes without a GPU"
   build/release/tera generate config/scenarios/quickstart.yaml --out $out --resume
 fi
-[ -e $out/overview.mp4 ] || build/release/tera overview $out
+[ -e $out/overview.mp4 ] || said "drawing the overview" build/release/tera overview $out
 
 cat <<TXT
 
@@ -31,3 +37,10 @@ The dataset is in        $out   (docs/reference/dataset.md says what is what)
 A picture of all of it:  $out/overview.png
 The cameras as a film:   $out/overview.mp4
 TXT
+if grep -q '^TERA_WHOLE_PROGRAM:BOOL=OFF' build/release/CMakeCache.txt; then
+  cat <<TXT
+
+build/release/tera has the commands of the quickstart alone. The rest (diagnose, layout, prove, resense, serve, ros2):
+  scripts/build.sh
+TXT
+fi

@@ -24,5 +24,8 @@ void AddReplayCommand(CLI::App* app);
 void AddResenseCommand(CLI::App* app);
 void AddRos2Command(CLI::App* app);
 void AddServeCommand(CLI::App* app);
+/// `app` is the whole program, of whose commands these two speak.
+void AddCompletionCommand(CLI::App* app);
+void AddManualCommand(CLI::App* app);
 
 }  // namespace tera

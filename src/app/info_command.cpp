@@ -3,9 +3,9 @@
 #include <memory>
 #include <thread>
 
+#include "app/about/version.h"
 #include "app/arguments/argument_checks.h"
 #include "app/commands.h"
-#include "app/version.h"
 #include "core/config/config.h"
 #include "render/gl/rasterizer.h"
 #include "render/rays/ray_scene.h"

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <string>
 
+#include "app/about/about_program.h"
 #include "app/arguments/misspelt.h"
 #include "app/commands.h"
-#include "app/version.h"
 #include "core/error.h"
 
 namespace {
@@ -18,7 +18,8 @@ constexpr int kBadInput = 2;
 int Run(int argc, char** argv) {
   CLI::App app{"TERA, a sensor-centric perception simulator for autonomous excavators"};
   app.require_subcommand(1);
-  app.set_version_flag("--version", std::string("tera ") + tera::kVersion);
+  app.set_version_flag("--version", tera::AboutProgram(),
+                       "Print the version, and what this program was built from and how");
   tera::AddGenerateCommand(&app);
   tera::AddCheckCommand(&app);
   tera::AddInfoCommand(&app);
@@ -36,6 +37,8 @@ int Run(int argc, char** argv) {
   tera::AddResenseCommand(&app);
   tera::AddRos2Command(&app);
   tera::AddServeCommand(&app);
+  tera::AddCompletionCommand(&app);
+  tera::AddManualCommand(&app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::RuntimeError& e) {

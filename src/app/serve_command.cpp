@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "app/about/version.h"
 #include "app/arguments/argument_checks.h"
 #include "app/arguments/scenario_options.h"
 #include "app/commands.h"
-#include "app/version.h"
 #include "serve/live_stage.h"
 #include "serve/scenario_source.h"
 #include "serve/server.h"

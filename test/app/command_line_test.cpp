@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "app/other_program.h"
 #include "app/program.h"
 
 // The commands besides `generate`, and what they have in common.
@@ -15,9 +16,9 @@ using testing::Not;
 using testing::StartsWith;
 namespace fs = std::filesystem;
 
-const char* const kCommands[] = {"generate", "check",      "info",   "compare",
-                                 "import",   "import-rig", "layout", "overview",
-                                 "replay",   "resense",    "ros2",   "serve"};
+const char* const kCommands[] = {"generate",   "check",  "info",     "compare",   "import",
+                                 "import-rig", "layout", "overview", "replay",    "resense",
+                                 "ros2",       "serve",  "manual",   "completion"};
 
 TEST(CommandLine, EveryCommandHasHelp) {
   const ScratchDirectory scratch;
@@ -90,10 +91,57 @@ TEST(CommandLine, AMisspeltOptionOrCommandIsNamedWithWhatItResembles) {
               StartsWith("'generat': no such command (did you mean 'generate'?)\n"));
 }
 
-TEST(CommandLine, VersionIsOneLine) {
+TEST(CommandLine, VersionStandsAloneOnTheFirstLineBeforeHowItWasBuilt) {
   const Outcome outcome = RunTera({"--version"}, {fs::temp_directory_path()});
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.out, ContainsRegex("^tera [0-9]+\\.[0-9]+\\.[0-9]+\n$"));
+  EXPECT_THAT(outcome.out, ContainsRegex("^tera [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  for (const char* line :
+       {"\ncompiler +[A-Za-z]+ [0-9.]+\n", "\nbuild +[A-Za-z]+\n",
+        "\nlibraries +assimp [0-9.]+, .*EGL 1\\.[0-9], .*Embree 3\\.[0-9.]+, .*OpenCV [0-9.]+"}) {
+    EXPECT_THAT(outcome.out, ContainsRegex(line));
+  }
+}
+
+TEST(CommandLine, VersionNamesTheCommitOfARepository) {
+  if (!fs::exists(TERA_SOURCE_DIR "/.git") || !HasProgram("git")) {
+    GTEST_SKIP() << "needs git and the sources in a repository of theirs";
+  }
+  const Outcome outcome = RunTera({"--version"}, {fs::temp_directory_path()});
+  EXPECT_THAT(outcome.out, ContainsRegex("\ncommit +[0-9a-f]{12}( and changes)?\n"));
+}
+
+TEST(CommandLine, BashCompletesWhatTheProgramTakes) {
+  const ScratchDirectory scratch;
+  const Outcome script = RunTera({"completion", "bash"}, {scratch.path()});
+  ASSERT_EQ(script.status, 0) << script.err;
+  WriteWholeFile(scratch.path() / "script", script.out);
+  const auto offered = [&](const std::string& words) {
+    WriteWholeFile(scratch.path() / "commands",
+                   "source ./script\nCOMP_WORDS=(" + words +
+                       ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_tera\necho ${COMPREPLY[@]}\n");
+    return OutputOf("cd " + scratch.path().string() + " && bash --norc commands")
+        .value_or("failed");
+  };
+  EXPECT_EQ(offered("tera repl"), "replay\n");
+  EXPECT_EQ(offered("tera layout ''"), "evaluate compare optimise\n");
+  EXPECT_EQ(offered("tera export run --storage ''"), "mcap sqlite3\n");
+  EXPECT_EQ(offered("tera generate a.yaml --keep"), "--keep-state\n");
+  EXPECT_EQ(offered("tera completion ''"), "bash fish zsh\n");
+}
+
+TEST(CommandLine, ManualHasAPageForEveryCommand) {
+  const ScratchDirectory scratch;
+  ASSERT_EQ(RunTera({"manual", "--out", "man"}, {scratch.path()}).status, 0);
+  for (const char* command : kCommands) {
+    const std::string page =
+        ReadWholeFile(scratch.path() / "man" / (std::string("tera-") + command + ".1"));
+    EXPECT_THAT(page, HasSubstr(".SH SYNOPSIS\n\\fBtera ")) << command;
+  }
+  EXPECT_THAT(ReadWholeFile(scratch.path() / "man/tera-layout-evaluate.1"),
+              HasSubstr("\\fB\\-\\-study\\fR \\fITEXT\\fR"));
+  const Outcome again = RunTera({"manual", "--out", "man"}, {scratch.path()});
+  EXPECT_EQ(again.status, 2);
+  EXPECT_THAT(again.err, StartsWith("man: is not an empty directory"));
 }
 
 TEST(Info, NamesVersionsRendererAndThreads) {

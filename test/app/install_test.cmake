@@ -46,6 +46,15 @@ if(NOT EXISTS ${SCRATCH}/elsewhere/run/rover1/camera/rgb/0.png)
   message(FATAL_ERROR "the installed program drew no picture")
 endif()
 
+# What is said of the program by itself came along.
+foreach(file share/man/man1/tera.1.gz share/man/man1/tera-layout-evaluate.1.gz share/bash-completion/completions/tera
+    share/zsh/vendor-completions/_tera share/fish/vendor_completions.d/tera.fish share/doc/tera-sim/copyright)
+  file(SIZE ${moved}/${file} size)
+  if(size LESS 200)
+    message(FATAL_ERROR "${moved}/${file} has ${size} bytes")
+  endif()
+endforeach()
+
 # find_package(tera), link, run.
 run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${SCRATCH}/consumer -G ${GENERATOR}
   -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${moved})

@@ -11,6 +11,7 @@
 namespace tera {
 namespace {
 
+constexpr double kPipeLine_s = 10;  ///< between lines of progress where nobody sees a bar
 constexpr double kShown_s = 0.005;  ///< less is 0.00 in the table: a stage that the run has not
 
 void PrintReport(const GenerateReport& report, const std::string& out) {
@@ -34,7 +35,7 @@ void PrintReport(const GenerateReport& report, const std::string& out) {
 
 /// The run; the line of its progress has ended when this returns.
 GenerateReport RunWithProgress(const DatasetRun& run, const RunOptions& options) {
-  ProgressBar bar;
+  ProgressBar bar(kPipeLine_s);
   const StopMessage on_stop(
       fmt::format("\nstopped; the same command with --resume finishes {}\n", options.out.string()));
   return run({.out = options.out,

@@ -1,0 +1,42 @@
+#include <fmt/format.h>
+
+#include <string>
+
+#include "app/commands.h"
+#include "core/error.h"
+
+// Commands of a program that was built for the quickstart alone, without the libraries that they
+// call.
+
+namespace tera {
+namespace {
+
+void AddLeftOut(const std::string& name, const std::string& description, CLI::App* app) {
+  CLI::App* command = app->add_subcommand(name, description + " (not in this build)");
+  command->allow_extras();
+  command->callback([name] {
+    throw InputError(
+        fmt::format("tera {}: left out of this build, which is that of the quickstart; "
+                    "scripts/build.sh builds the whole program",
+                    name));
+  });
+}
+
+}  // namespace
+
+void AddDiagnoseCommand(CLI::App* app) {
+  AddLeftOut("diagnose", "Find why a recording differs from its simulation", app);
+}
+void AddLayoutCommand(CLI::App* app) { AddLeftOut("layout", "Where should the sensors go?", app); }
+void AddProveCommand(CLI::App* app) {
+  AddLeftOut("prove", "Hide effects in recordings and score the diagnosis of them", app);
+}
+void AddResenseCommand(CLI::App* app) {
+  AddLeftOut("resense", "Measure a recorded scene with another rig", app);
+}
+void AddRos2Command(CLI::App* app) { AddLeftOut("ros2", "Run a scenario live for ROS 2", app); }
+void AddServeCommand(CLI::App* app) {
+  AddLeftOut("serve", "Let a program step a scenario over a socket", app);
+}
+
+}  // namespace tera
