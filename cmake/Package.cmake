@@ -12,8 +12,8 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tera-sim)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-# What is loaded at run time: Mesa's drivers, which draw where there is no GPU, and the programs of `tera overview`.
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libegl-mesa0, libgl1-mesa-dri")
+# What libepoxy opens at run time, Mesa's drivers, which draw where there is no GPU, and the programs of `tera overview`.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libegl1, libegl-mesa0, libgl1, libgl1-mesa-dri")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "ffmpeg, gdal-bin, gnuplot-nox")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS
   "python3-numpy, python3-opencv, python3-yaml, python3-grpcio, python3-protobuf, tera-sim-dev")
