@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "core/motion.h"
 
 namespace tera {
@@ -12,7 +10,6 @@ namespace tera {
 /// Model   luminous intensity I(a) = I0 (1 - (a / h)^2)^2 at an angle a from the beam, nothing from
 ///         the half angle h on; I0 so that all of it is flux_lm. White light of D65.
 struct Lamp {
-  std::string name;
   int body = -1;  ///< index into SceneState::X_WB; -1: fixed in W
   Pose X_BL = Pose::Identity();
   double flux_lm = 0;

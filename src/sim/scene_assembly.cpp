@@ -100,10 +100,7 @@ SceneAssembly::SceneAssembly(const Scenario& scenario) : scenario_(scenario) {
 }
 
 void SceneAssembly::AddLamp(const ScenarioLamp& lamp) {
-  Lamp added{.name = lamp.name,
-             .X_BL = lamp.X_PL,
-             .flux_lm = lamp.flux_lm,
-             .half_angle_rad = lamp.half_angle_rad};
+  Lamp added{.X_BL = lamp.X_PL, .flux_lm = lamp.flux_lm, .half_angle_rad = lamp.half_angle_rad};
   if (lamp.machine.empty()) {
     Vec3 p_W_m = lamp.X_PL.translation();
     p_W_m.z() += scenario_.site->surface().HeightAt(p_W_m.x(), p_W_m.y());

@@ -26,10 +26,7 @@ Stage NightBeforeAWall() {
 
 /// At `eye`, its beam along +y of W.
 Lamp LampAt(const Vec3& eye_W_m) {
-  return {.name = "lamp",
-          .X_BL = MakePose(eye_W_m, 0, 0, 90 * kDeg),
-          .flux_lm = 3000,
-          .half_angle_rad = 30 * kDeg};
+  return {.X_BL = MakePose(eye_W_m, 0, 0, 90 * kDeg), .flux_lm = 3000, .half_angle_rad = 30 * kDeg};
 }
 
 double Luminance(const LuminancePicture& picture, int x, int y) {

@@ -65,7 +65,6 @@ void SetDaylight(const ConfigMap& config, const SiteOrigin& origin, Environment*
 ScenarioLamp ReadLamp(const ConfigMap& config, const MachineOfName& machine_of) {
   constexpr double kNarrowest_deg = 1, kWidest_deg = 150, kBrightest_lm = 1e7;
   ScenarioLamp lamp;
-  lamp.name = config.Text("name");
   lamp.machine = config.Text("machine", "");
   lamp.X_PL = config.PoseXyzRpy();
   lamp.flux_lm = config.Number("flux_lm", Between(0, kBrightest_lm, "lm"));

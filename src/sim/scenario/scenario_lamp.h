@@ -10,7 +10,6 @@ namespace tera {
 ///
 /// Frames  P the link, or W with heights above the ground; L the lamp, its beam along x.
 struct ScenarioLamp {
-  std::string name;
   std::string machine, link;  ///< empty: fixed in W
   Pose X_PL = Pose::Identity();
   double flux_lm = 0;

@@ -71,12 +71,12 @@ TEST(ReadLight, RefusesASunThatShinesAtNight) {
 }
 
 TEST(ReadLight, LampsHangOnLinksOrStandOnTheSite) {
-  const Scenario scenario = Read(
-      Site("lamps:\n"
-           "  - {name: work, machine: excavator1, link: boom, xyz_m: [1, 0, 0.3], rpy_deg: [0, 20, "
-           "0], flux_lm: 2500, beam_deg: 60}\n"
-           "  - {name: mast, xyz_m: [4, 4, 6], rpy_deg: [0, 45, -135], flux_lm: 40000, beam_deg: "
-           "100}\n"));
+  const Scenario scenario =
+      Read(Site("lamps:\n"
+                "  - {machine: excavator1, link: boom, xyz_m: [1, 0, 0.3], rpy_deg: [0, 20, "
+                "0], flux_lm: 2500, beam_deg: 60}\n"
+                "  - {xyz_m: [4, 4, 6], rpy_deg: [0, 45, -135], flux_lm: 40000, beam_deg: "
+                "100}\n"));
   ASSERT_EQ(scenario.lamps.size(), 2u);
   EXPECT_EQ(scenario.lamps[0].link, "boom");
   EXPECT_NEAR(scenario.lamps[0].half_angle_rad, 30 * kDeg, 1e-12);
@@ -86,15 +86,16 @@ TEST(ReadLight, LampsHangOnLinksOrStandOnTheSite) {
 
 TEST(ReadLight, RefusesLampsOnWhatIsNotThere) {
   const std::string rest = ", xyz_m: [0, 0, 1], flux_lm: 100, beam_deg: 60}\n";
-  EXPECT_THAT(FaultsOf(Site("lamps:\n  - {name: a, machine: excavator2" + rest)),
+  EXPECT_THAT(FaultsOf(Site("lamps:\n  - {machine: excavator2" + rest)),
               HasSubstr("lamps[0].machine: 'excavator2' is no machine of this scenario"));
-  EXPECT_THAT(FaultsOf(Site("lamps:\n  - {name: a, machine: excavator1, link: bom" + rest)),
+  EXPECT_THAT(FaultsOf(Site("lamps:\n  - {machine: excavator1, link: bom" + rest)),
               HasSubstr("'bom' is no link of excavator1 (did you mean 'boom'?)"));
-  EXPECT_THAT(
-      FaultsOf(Site("lamps:\n  - {name: a, xyz_m: [0, 0, 1], flux_lm: -1, beam_deg: 60}\n")),
-      HasSubstr("lamps[0].flux_lm: -1 is out of range"));
+  EXPECT_THAT(FaultsOf(Site("lamps:\n  - {xyz_m: [0, 0, 1], flux_lm: -1, beam_deg: 60}\n")),
+              HasSubstr("lamps[0].flux_lm: -1 is out of range"));
+  EXPECT_THAT(FaultsOf(Site("lamps:\n  - {name: mast" + rest)),
+              HasSubstr("lamps[0].name: unknown key"));
   std::string nine = "lamps:\n";
-  for (int k = 0; k < 9; ++k) nine += "  - {name: l" + std::to_string(k) + rest;
+  for (int k = 0; k < 9; ++k) nine += "  - {" + rest.substr(2);
   EXPECT_THAT(FaultsOf(Site(nine)), HasSubstr("lamps: 9 lamps; need at most 8"));
 }
 
