@@ -1,3 +1,10 @@
+# What most sources include is precompiled once, for all modules: they have the same options.
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/module_headers.cpp CONTENT "")
+add_library(tera_module_headers OBJECT ${PROJECT_BINARY_DIR}/module_headers.cpp)
+target_link_libraries(tera_module_headers PRIVATE tera_options)
+target_precompile_headers(tera_module_headers PRIVATE <Eigen/Geometry> <algorithm> <filesystem> <fmt/format.h> <functional> <map>
+  <memory> <optional> <string> <variant> <vector>)
+
 # tera_module(NAME [PROGRAM_ONLY] SOURCES ... PUBLIC ... PRIVATE ...): the static library tera_NAME of
 # one folder of src/, with what it links. PUBLIC are other modules; third-party libraries are PRIVATE
 # so that their headers stay inside the folder. A module that only the program uses is not installed.
@@ -7,8 +14,7 @@ function(tera_module NAME)
   add_library(tera::${NAME} ALIAS tera_${NAME})
   set_target_properties(tera_${NAME} PROPERTIES EXPORT_NAME ${NAME})
   target_link_libraries(tera_${NAME} PUBLIC tera_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
-  target_precompile_headers(tera_${NAME} PRIVATE <Eigen/Geometry> <fmt/format.h> <memory> <string>
-    <vector>)
+  target_precompile_headers(tera_${NAME} REUSE_FROM tera_module_headers)
   if(NOT ARG_PROGRAM_ONLY)
     install(TARGETS tera_${NAME} EXPORT teraTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
       COMPONENT development)
@@ -23,7 +29,7 @@ function(tera_test NAME)
   add_executable(${NAME} ${ARG_SOURCES})
   target_link_libraries(${NAME} PRIVATE ${ARG_LINK} GTest::gmock GTest::gtest_main)
   target_include_directories(${NAME} PRIVATE ${CMAKE_SOURCE_DIR}/test)
-  target_precompile_headers(${NAME} REUSE_FROM tera_test_headers)
+  target_precompile_headers(${NAME} REUSE_FROM ${TERA_TEST_HEADERS})
   if(ARG_SLOW)
     list(JOIN ARG_SLOW ":" slow)
     tera_discover_tests(${NAME} "-${slow}" "${ARG_LABELS}")
