@@ -1,0 +1,28 @@
+#include "dataset/import/bag/bag_source.h"
+#include "untrusted_file.h"
+
+// MCAP, ROS 1 bags and SQLite 3 bags, by their first bytes, to the damage and without.
+
+namespace {
+
+/// Takes all messages of all topics, up to a number that a small file can only claim to have.
+class TakesAll : public tera::BagVisitor {
+ public:
+  Wish Wants(const tera::BagTopic&) override { return Wish::kTake; }
+  bool Take(std::size_t, const tera::BagMessage&) override { return ++taken_ < 100'000; }
+
+ private:
+  int taken_ = 0;
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  for (const bool to_the_damage : {false, true}) {
+    tera::ReadAsFile("log.bag", data, size, [&](const std::filesystem::path& file) {
+      TakesAll visitor;
+      tera::ReadBag(file, &visitor, to_the_damage);
+    });
+  }
+  return 0;
+}

@@ -1,0 +1,18 @@
+#include "core/config/config.h"
+#include "untrusted_file.h"
+
+// YAML as every configuration is read: anchors, merges, nesting, overrides, and what is said of
+// unknown keys.
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return tera::ReadAsFile("a.yaml", data, size, [](const std::filesystem::path& file) {
+    const tera::Config config = tera::Config::FromFile(file, {"seed=3", "machines[0].name=a"});
+    config.ResolvedYaml();
+    config.root().Text("name");
+    for (const tera::ConfigMap& item : config.root().List("machines")) {
+      item.PoseXyzRpy();
+      item.OptionalMap("rig");
+    }
+    config.Finish();
+  });
+}

@@ -1,0 +1,12 @@
+#include "core/config/config.h"
+#include "physics/description/machine.h"
+#include "untrusted_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return tera::ReadAsFile("a.urdf", data, size, [](const std::filesystem::path&) {
+    const tera::Config config =
+        tera::Config::FromText("{kind: a, urdf: a.urdf}", (tera::FuzzFolder() / "a.yaml").string());
+    tera::ReadMachine(config.root());
+    config.Finish();
+  });
+}
