@@ -104,6 +104,14 @@ OGRSpatialReference SitePlane(const SiteOrigin& origin) {
   return plane;
 }
 
+std::string WktOf(const OGRSpatialReference& system) {
+  char* text = nullptr;
+  system.exportToWkt(&text);
+  std::string wkt = text ? text : "";
+  CPLFree(text);
+  return wkt;
+}
+
 SiteOrigin MiddleOf(const std::filesystem::path& file, const RasterFrame& frame) {
   OGRSpatialReference wgs84;
   wgs84.SetWellKnownGeogCS("WGS84");

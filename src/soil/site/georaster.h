@@ -62,6 +62,9 @@ std::vector<T> ReadBand(const std::filesystem::path& file, GDALDataset* raster, 
 /// Transverse Mercator about `origin`, whose axes are east and north there.
 OGRSpatialReference SitePlane(const SiteOrigin& origin);
 
+/// OGC WKT of a reference system.
+std::string WktOf(const OGRSpatialReference& system);
+
 /// Geodetic place of the middle of a file, height zero.
 SiteOrigin MiddleOf(const std::filesystem::path& file, const RasterFrame& frame);
 

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/motion.h"
+
+namespace tera {
+
+/// The places of a file's points.
+///
+/// Frames  that of the file, in metres: a map's easting, northing and height, or any other.
+struct PointCloud {
+  std::vector<Vec3> p_m;
+  std::string map;  ///< the reference system that the file names: OGC WKT or "EPSG:n"; or empty
+  std::int64_t without_place = 0;  ///< points with a coordinate that is not finite, left out
+  std::int64_t marked = 0;         ///< points that a LAS file marks as noise or withheld, left out
+};
+
+}  // namespace tera

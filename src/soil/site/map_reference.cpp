@@ -1,0 +1,88 @@
+#include "soil/site/map_reference.h"
+
+#include <fmt/format.h>
+
+#include "core/error.h"
+#include "soil/site/georaster.h"
+
+namespace tera {
+namespace {
+
+OGRSpatialReference Parse(const std::string& place, const std::string& definition) {
+  OGRSpatialReference system;
+  // A name is never taken as a file's or a page's.
+  if (definition.empty() ||
+      system.SetFromUserInput(definition.c_str(),
+                              OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) !=
+          OGRERR_NONE) {
+    throw InputError(
+        fmt::format("{}: reference system '{:.60}' is not understood; need EPSG:n or "
+                    "OGC WKT",
+                    place, definition));
+  }
+  system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return system;
+}
+
+/// What heights are counted from, which is then taken off.
+std::string TakeVertical(const std::string& place, OGRSpatialReference* system) {
+  const char* name = system->GetAttrValue("VERT_CS");
+  if (!name) return "";
+  const std::string vertical = name;
+  if (system->GetTargetLinearUnits("VERT_CS") != 1.0) {
+    throw InputError(
+        fmt::format("{}: heights of '{}' are not in metres; convert them first, e.g. "
+                    "with pdal or gdalwarp",
+                    place, vertical));
+  }
+  system->StripVertical();
+  return vertical;
+}
+
+}  // namespace
+
+std::optional<MapReference> ReadMapReference(const std::string& place,
+                                             const std::string& definition) {
+  const QuietGdal quiet;
+  OGRSpatialReference system = Parse(place, definition);
+  if (system.IsLocal()) return std::nullopt;
+  MapReference map;
+  map.vertical = TakeVertical(place, &system);
+  map.name = system.GetName() ? system.GetName() : "unnamed";
+  if (!system.IsProjected()) {
+    throw InputError(
+        fmt::format("{}: '{}' is in degrees or no map's plane; reproject it to a "
+                    "projected system in metres, e.g. with gdalwarp or pdal",
+                    place, map.name));
+  }
+  if (system.GetLinearUnits() != 1.0) {
+    throw InputError(
+        fmt::format("{}: '{}' has a unit of {} m, need metres; reproject it, e.g. "
+                    "with gdalwarp or pdal",
+                    place, map.name, system.GetLinearUnits()));
+  }
+  map.wkt = WktOf(system);
+  return map;
+}
+
+MapReference LocalMapReference(const SiteOrigin& origin) {
+  const QuietGdal quiet;
+  return {WktOf(SitePlane(origin)), "site plane", ""};
+}
+
+std::vector<Vec2> PlacesInW(const MapReference& map, const SiteOrigin& origin,
+                            const std::vector<Vec2>& places_m) {
+  const QuietGdal quiet;
+  std::vector<double> x, y;
+  for (const Vec2& place : places_m) {
+    x.push_back(place.x());
+    y.push_back(place.y());
+  }
+  if (places_m.empty()) return {};
+  Conversion(map.name, Parse(map.name, map.wkt), SitePlane(origin)).Apply(&x, &y);
+  std::vector<Vec2> converted;
+  for (std::size_t k = 0; k < x.size(); ++k) converted.emplace_back(x[k], y[k]);
+  return converted;
+}
+
+}  // namespace tera
