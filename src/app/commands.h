@@ -20,6 +20,7 @@ void AddRealismCommand(CLI::App* app);
 void AddLayoutCommand(CLI::App* app);
 void AddLintCommand(CLI::App* app);
 void AddProveCommand(CLI::App* app);
+void AddRegisterCommand(CLI::App* app);
 void AddReplayCommand(CLI::App* app);
 void AddResenseCommand(CLI::App* app);
 void AddRos2Command(CLI::App* app);
@@ -27,5 +28,6 @@ void AddServeCommand(CLI::App* app);
 /// `app` is the whole program, of whose commands these two speak.
 void AddCompletionCommand(CLI::App* app);
 void AddManualCommand(CLI::App* app);
+void AddSiteCommand(CLI::App* app);
 
 }  // namespace tera

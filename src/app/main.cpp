@@ -33,12 +33,14 @@ int Run(int argc, char** argv) {
   tera::AddOverviewCommand(&app);
   tera::AddRealismCommand(&app);
   tera::AddProveCommand(&app);
+  tera::AddRegisterCommand(&app);
   tera::AddReplayCommand(&app);
   tera::AddResenseCommand(&app);
   tera::AddRos2Command(&app);
   tera::AddServeCommand(&app);
   tera::AddCompletionCommand(&app);
   tera::AddManualCommand(&app);
+  tera::AddSiteCommand(&app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::RuntimeError& e) {

@@ -34,11 +34,12 @@ const std::map<std::string, std::set<std::string>> kMaySee = {
     {"resimulate", {"core", "physics", "soil", "render", "dataset", "sensors", "sim"}},
     {"diagnose", {"core", "physics", "soil", "render", "dataset", "sensors", "sim", "resimulate"}},
     {"layout", {"core", "physics", "soil", "render", "dataset", "sensors", "sim", "resimulate"}},
+    {"survey", {"core", "soil", "dataset"}},
     {"serve", {"core", "physics", "soil", "render", "dataset", "sensors", "sim"}},
     {"ros2", {"core", "physics", "soil", "render", "dataset", "sensors", "sim"}},
     {"app",
      {"core", "physics", "soil", "render", "dataset", "sensors", "sim", "resimulate", "diagnose",
-      "layout", "serve", "ros2", "blind"}},
+      "layout", "survey", "serve", "ros2", "blind"}},
 };
 
 /// Headers of a library by their beginning, and the folders that may include them. A header that is
@@ -67,6 +68,8 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"nlohmann/", "dataset"},
     {"nlohmann/", "diagnose"},
     {"nlohmann/", "layout"},
+    {"nlohmann/", "survey"},
+    {"pcl/", "survey"},
     {"boost/math/", "diagnose"},
     {"boost/math/", "layout"},
     {"boost/math/", "sim"},

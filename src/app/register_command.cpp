@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/arguments/argument_checks.h"
+#include "app/commands.h"
+#include "core/error.h"
+#include "core/units.h"
+#include "dataset/files/checked_file.h"
+#include "survey/align/registration.h"
+#include "survey/align/registration_json.h"
+#include "survey/points/raster_steps.h"
+#include "survey/points/read_survey.h"
+
+namespace tera {
+namespace {
+
+// Exit statuses of a registration that gives no whole pose.
+constexpr int kNoOverlap = 3, kNotConverged = 4, kOpen = 5;
+
+struct Arguments {
+  std::filesystem::path a, b, json;
+  std::vector<double> start;
+  RegistrationRequest request;
+};
+
+void PrintPose(const Registration& found) {
+  const Vec3 rpy_deg = RpyFromRotation(found.X_AB.linear()) / kDeg;
+  const Vec3 p_m = found.X_AB.translation();
+  fmt::print("X_AB: x {:.4f} y {:.4f} z {:.4f} m, roll {:.4f} pitch {:.4f} yaw {:.4f} deg\n",
+             p_m.x(), p_m.y(), p_m.z(), rpy_deg.x(), rpy_deg.y(), rpy_deg.z());
+  const Vec6 sigma = found.centre_covariance.diagonal().cwiseSqrt();
+  fmt::print(
+      "1 sigma: x {:.4f} y {:.4f} z {:.4f} m, about x {:.4f} y {:.4f} z {:.4f} deg, of B "
+      "at ({:.2f}, {:.2f}, {:.2f}) of A\n",
+      sigma[0], sigma[1], sigma[2], sigma[3] / kDeg, sigma[4] / kDeg, sigma[5] / kDeg,
+      found.centre_A_m.x(), found.centre_A_m.y(), found.centre_A_m.z());
+}
+
+void PrintOpen(const Registration& found) {
+  if (found.open.empty()) return;
+  fmt::print("the geometry leaves open: {}\n",
+             found.open_axes.empty() ? "no axis as a whole"
+                                     : fmt::format("{}", fmt::join(found.open_axes, ", ")));
+  for (const OpenMotion& motion : found.open) {
+    const Vec3 &along = motion.along, &at_m = motion.through_A_m;
+    if (motion.is_turn) {
+      fmt::print("  a turn about ({:.2f}, {:.2f}, {:.2f}) through ({:.2f}, {:.2f}, {:.2f}) of A\n",
+                 along.x(), along.y(), along.z(), at_m.x(), at_m.y(), at_m.z());
+    } else {
+      fmt::print("  a shift along ({:.2f}, {:.2f}, {:.2f})\n", along.x(), along.y(), along.z());
+    }
+  }
+}
+
+void RequireOneMap(const Arguments& arguments, const Survey& a, const Survey& b) {
+  if (!a.map || !b.map || a.map->wkt == b.map->wkt) return;
+  throw InputError(fmt::format("{}: is in '{}', and {} in '{}'; reproject one of them",
+                               arguments.b.string(), b.map->name, arguments.a.string(),
+                               a.map->name));
+}
+
+std::vector<Vec3> PointsOf(const Survey& survey) {
+  return survey.pixel_m ? WithoutSteps(survey.p_m, *survey.pixel_m) : survey.p_m;
+}
+
+void RunRegister(Arguments arguments) {
+  const Survey a = ReadSurvey(arguments.a), b = ReadSurvey(arguments.b);
+  RequireOneMap(arguments, a, b);
+  if (!arguments.start.empty()) {
+    const std::vector<double>& s = arguments.start;
+    arguments.request.X_AB_start =
+        MakePose(Vec3(s[0], s[1], s[2]), s[3] * kDeg, s[4] * kDeg, s[5] * kDeg);
+  }
+  const Registration found = Register(PointsOf(a), PointsOf(b), arguments.request);
+  fmt::print("status: {}\n", NameOf(found.status));
+  if (found.status != RegistrationStatus::kNoOverlap) PrintPose(found);
+  fmt::print("overlap: {:.1f} % of A, {:.1f} % of B; {} partners, {:.4f} m apart (rms)\n",
+             100 * found.overlap_of_A, 100 * found.overlap_of_B, found.partners, found.residual_m);
+  PrintOpen(found);
+  if (!arguments.json.empty()) {
+    WriteWholeFile(arguments.json,
+                   RegistrationJson(found, arguments.a.string(), arguments.b.string()));
+  }
+  switch (found.status) {
+    case RegistrationStatus::kRegistered:
+      return;
+    case RegistrationStatus::kNoOverlap:
+      throw CLI::RuntimeError(kNoOverlap);
+    case RegistrationStatus::kNotConverged:
+      throw CLI::RuntimeError(kNotConverged);
+    case RegistrationStatus::kOpen:
+      throw CLI::RuntimeError(kOpen);
+  }
+}
+
+}  // namespace
+
+void AddRegisterCommand(CLI::App* app) {
+  constexpr int kPoseNumbers = 6;
+  constexpr double kLeast_m = 0.001, kMost_m = 100;
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app->add_subcommand(
+      "register", "Align two scans, or a scan and a terrain: how B lies in A, and how well");
+  command->add_option("A", arguments->a, "Points (.pcd, .ply, .las) or elevations (.tif)")
+      ->required();
+  command->add_option("B", arguments->b, "The same; X_AB is its pose in A")->required();
+  command
+      ->add_option("--start", arguments->start,
+                   "X Y Z ROLL PITCH YAW (m, deg): X_AB to begin with; without it all 0")
+      ->expected(kPoseNumbers);
+  command
+      ->add_option("--gate", arguments->request.gate_m,
+                   "Farthest in m that a point may be from its partner at the start; 1")
+      ->check(NumberBetween(kLeast_m, kMost_m, "metres"));
+  command
+      ->add_option("--voxel", arguments->request.voxel_m,
+                   "Points are thinned to one in a cube of so many m; 0.1")
+      ->check(NumberBetween(kLeast_m, kMost_m, "metres"));
+  command
+      ->add_option("--least-overlap", arguments->request.least_overlap,
+                   "Share of one of the two that must have partners in the other; 0.2")
+      ->check(NumberBetween(0, 1, "of all"));
+  command->add_option("--json", arguments->json, "File to write, see docs/reference/survey.md");
+  command->callback([arguments] { RunRegister(*arguments); });
+}
+
+}  // namespace tera

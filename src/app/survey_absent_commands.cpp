@@ -1,0 +1,24 @@
+#include "app/commands.h"
+#include "core/error.h"
+
+// `tera site` and `tera register` of a program that was built without PCL.
+
+namespace tera {
+namespace {
+
+void AddAbsent(CLI::App* app, const std::string& name, const std::string& what) {
+  CLI::App* command = app->add_subcommand(name, what + " (not in this build: needs PCL)");
+  command->allow_extras();
+  command->callback([name] {
+    throw InputError("tera " + name +
+                     ": built without PCL; install libpcl-dev, then configure and build again");
+  });
+}
+
+}  // namespace
+
+void AddSiteCommand(CLI::App* app) { AddAbsent(app, "site", "Make a site of a survey"); }
+
+void AddRegisterCommand(CLI::App* app) { AddAbsent(app, "register", "Align two clouds"); }
+
+}  // namespace tera

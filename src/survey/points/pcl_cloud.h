@@ -1,0 +1,25 @@
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <vector>
+
+#include "core/motion.h"
+
+namespace tera {
+
+using PclCloud = pcl::PointCloud<pcl::PointXYZ>;
+
+/// Points as PCL has them: floats, so that they ought to be counted from near by.
+inline PclCloud::Ptr ToPcl(const std::vector<Vec3>& p_m) {
+  auto cloud = std::make_shared<PclCloud>();
+  cloud->reserve(p_m.size());
+  for (const Vec3& p : p_m) {
+    cloud->push_back(pcl::PointXYZ(static_cast<float>(p.x()), static_cast<float>(p.y()),
+                                   static_cast<float>(p.z())));
+  }
+  return cloud;
+}
+
+}  // namespace tera

@@ -1,0 +1,114 @@
+#include "survey/site/survey_site.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "survey/points/outliers.h"
+#include "survey/points/read_survey.h"
+#include "survey/site/cell_size.h"
+#include "survey/site/ground_filter.h"
+
+namespace tera {
+namespace {
+
+constexpr double kLargestSite_m = 2000;  ///< that a scenario can have
+
+/// A place near the points from which floats are exact enough: in whole steps of hundred metres, or
+/// of a raster the corner of a pixel, so that cells are its pixels.
+Vec3 BaseOf(const Survey& survey) {
+  constexpr double kStep_m = 100;
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& p : survey.p_m) sum += p;
+  const auto count = static_cast<double>(survey.p_m.size());
+  Vec3 base_m = kStep_m * (sum / (kStep_m * count)).array().round().matrix();
+  if (survey.pixel_m) base_m.head<2>() = survey.p_m.front().head<2>() - 0.5 * *survey.pixel_m;
+  return base_m;
+}
+
+void RequireSite(const std::filesystem::path& file, const std::vector<Vec3>& p_m) {
+  Vec3 low_m = p_m.front(), high_m = low_m;
+  for (const Vec3& p : p_m) {
+    low_m = low_m.cwiseMin(p);
+    high_m = high_m.cwiseMax(p);
+  }
+  const Vec3 size_m = high_m - low_m;
+  if (std::max(size_m.x(), size_m.y()) > kLargestSite_m) {
+    throw InputError(
+        fmt::format("{}: {:.0f} x {:.0f} m found, a site has at most {} m to a side; "
+                    "cut it out, e.g. with pdal or gdalwarp -te",
+                    file.string(), size_m.x(), size_m.y(), kLargestSite_m));
+  }
+  constexpr double kSmallestSite_m = 1;
+  if (std::min(size_m.x(), size_m.y()) < kSmallestSite_m) {
+    throw InputError(
+        fmt::format("{}: {:.2f} x {:.2f} m found, a site has at least {} m to a side; "
+                    "need x and y in metres, z up",
+                    file.string(), size_m.x(), size_m.y(), kSmallestSite_m));
+  }
+}
+
+std::vector<Vec3> WithoutOutliers(const std::vector<Vec3>& p_m, const OutlierRule& rule) {
+  const std::vector<bool> is_outlier = FindOutliers(p_m, rule);
+  std::vector<Vec3> kept_m;
+  for (std::size_t k = 0; k < p_m.size(); ++k) {
+    if (!is_outlier[k]) kept_m.push_back(p_m[k]);
+  }
+  return kept_m;
+}
+
+/// Moves a site to where its survey lies.
+void Move(const Vec3& by_m, SurveySite* site) {
+  site->terrain.grid.low_m += by_m.head<2>();
+  for (float& z : site->terrain.height_m) z = static_cast<float>(z + by_m.z());
+  for (SurveyThing& thing : site->things) {
+    thing.footprint.middle_m += by_m.head<2>();
+    thing.foot_m += by_m.z();
+    thing.top_m += by_m.z();
+    thing.ground_m += by_m.z();
+  }
+}
+
+}  // namespace
+
+SurveySite MakeSurveySite(const std::filesystem::path& file, const SiteRequest& request) {
+  Survey survey = ReadSurvey(file, request.map);
+  SurveySite site;
+  site.has_map = survey.map.has_value();
+  site.map = survey.map ? *survey.map : LocalMapReference(request.origin);
+  site.points = static_cast<std::int64_t>(survey.p_m.size());
+  site.left_out = survey.left_out;
+  const Vec3 base_m = BaseOf(survey);
+  for (Vec3& p : survey.p_m) p -= base_m;
+
+  const std::vector<Vec3> p_m = WithoutOutliers(survey.p_m, OutlierRule());
+  site.outliers = site.points - static_cast<std::int64_t>(p_m.size());
+  RequireSite(file, p_m);
+  const auto wanted_m = request.cell_m   ? request.cell_m
+                        : survey.pixel_m ? std::optional(survey.pixel_m->maxCoeff())
+                                         : std::nullopt;
+  const double cell_m = CellSize(file, p_m, wanted_m);
+
+  // Windows of the filter are some twenty squares at most.
+  constexpr double kSquares = 20;
+  const GroundRule rule = {.square_m = std::max(cell_m, request.largest_thing_m / kSquares),
+                           .largest_thing_m = request.largest_thing_m,
+                           .steepest_rad = request.steepest_rad};
+  const std::vector<float> above_m = HeightsAboveGround(p_m, rule);
+  site.ground_points =
+      std::count_if(above_m.begin(), above_m.end(), [](float above) { return above <= 0; });
+  site.terrain = MakeTerrain(p_m, above_m, cell_m);
+  if (site.terrain.CountOf(HeightSource::kMeasured) == 0) {
+    throw InputError(fmt::format("{}: no ground found among {} points; need z up, in metres",
+                                 file.string(), p_m.size()));
+  }
+  site.things =
+      FindThings(p_m, above_m, site.terrain,
+                 {.gap_m = std::max(request.gap_m, 3 * cell_m), .voxel_m = std::min(cell_m, 0.1)});
+  Move(base_m + (site.has_map ? Vec3::Zero() : Vec3(0, 0, request.origin.height_m)), &site);
+  return site;
+}
+
+}  // namespace tera

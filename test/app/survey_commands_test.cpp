@@ -1,0 +1,212 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "app/refused.h"
+#include "core/units.h"
+#include "survey/survey_files.h"
+#include "survey/surveyed_yard.h"
+
+// `tera site` and `tera register` as their user runs them.
+
+namespace tera {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+using testing_survey::kBoxes;
+using testing_survey::LasOf;
+using testing_survey::PlyOf;
+using testing_survey::WriteBytes;
+namespace fs = std::filesystem;
+
+/// Where the yard's south-western corner lies in UTM zone 32N.
+const Vec3 kMap_m(600'000, 5'250'000, 420);
+
+json JsonOf(const fs::path& file) { return json::parse(ReadWholeFile(file)); }
+
+class SurveyCommands : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    scratch_ = std::make_unique<ScratchDirectory>();
+    std::vector<Vec3> on_map_m;
+    for (const Vec3& p : testing_survey::YardScanner(5).Scan(0.2)) on_map_m.push_back(p + kMap_m);
+    WriteBytes(scratch_->path() / "yard.las", LasOf(on_map_m, kMap_m, 32632));
+    made_ = RunTera({"site", "yard.las", "--out", "site"}, {scratch_->path()});
+    ASSERT_EQ(made_.status, 0) << made_.err;
+  }
+  static void TearDownTestSuite() { scratch_.reset(); }
+
+  static fs::path File(const std::string& name) { return scratch_->path() / name; }
+
+  static std::unique_ptr<ScratchDirectory> scratch_;
+  static Outcome made_;
+};
+
+std::unique_ptr<ScratchDirectory> SurveyCommands::scratch_;
+Outcome SurveyCommands::made_;
+
+TEST_F(SurveyCommands, ASiteSaysWhatItIsMadeOf) {
+  EXPECT_THAT(made_.out, AllOf(HasSubstr("map: WGS 84 / UTM zone 32N"), HasSubstr("things: 4"),
+                               HasSubstr("cells of 0.2 m"), HasSubstr("scenario: site/site.yaml")));
+  for (const char* name : {"terrain.tif", "mask.tif", "site.yaml", "site.json",
+                           "things/thing_001.obj", "things/thing_004.obj"}) {
+    EXPECT_TRUE(fs::exists(File("site") / name)) << name;
+  }
+}
+
+TEST_F(SurveyCommands, TheScenarioIsReadAndStandsOnTheEarthWhereTheSurveyDoes) {
+  const Outcome check = RunTera({"check", "site/site.yaml"}, {scratch_->path()});
+  EXPECT_EQ(check.status, 0) << check.err;
+  const json report = JsonOf(File("site/site.json"));
+  // Easting 600 020, northing 5 250 015 of zone 32 by GeographicLib's GeoConvert -g.
+  EXPECT_NEAR(report["origin"]["lat_deg"].get<double>(), 47.39593, 1e-5);
+  EXPECT_NEAR(report["origin"]["lon_deg"].get<double>(), 10.32544, 1e-5);
+  EXPECT_NEAR(report["origin"]["height_m"].get<double>(), 420 + 0.05 * 20, 0.1);
+}
+
+// North of the map is turned against true north by the difference of longitude from the zone's
+// meridian (9 deg) times the sine of the latitude, and its scale on the ellipsoid is 0.9996 times
+// 1 + (100 km)^2 / 2R^2.
+TEST_F(SurveyCommands, ThingsAreTurnedFromTheMapsNorthToTrueNorth) {
+  const json report = JsonOf(File("site/site.json"));
+  const double turn_rad = (10.3254 - 9) * std::sin(47.3959 * kDeg) * kDeg;
+  const double scale = 0.9996 * (1 + 0.5 * std::pow(100'020 / 6.38e6, 2));
+  ASSERT_EQ(report["things"].size(), kBoxes.size());
+  const double cell_m = report["terrain"]["cell_m"];
+  // The middle of the raster, which reaches over whole cells about the yard.
+  const Vec2 size_m(report["terrain"]["columns"].get<int>() * cell_m,
+                    report["terrain"]["rows"].get<int>() * cell_m);
+  EXPECT_LT((size_m - Vec2(40, 30)).cwiseAbs().maxCoeff(), 0.5);
+  const Eigen::Rotation2Dd turn(-turn_rad);
+  for (std::size_t k = 1; k < kBoxes.size(); ++k) {
+    const auto place = [&](std::size_t thing) {
+      const json& xy = report["things"][thing]["xy_W_m"];
+      return Vec2(xy[0].get<double>(), xy[1].get<double>());
+    };
+    const Vec2 expected = turn * (kBoxes[k].at_m - kBoxes[0].at_m) / scale;
+    EXPECT_LT((place(k) - place(0) - expected).norm(), 0.08) << k;
+  }
+  const double yaw_deg = report["things"][0]["yaw_deg"];
+  EXPECT_NEAR(yaw_deg, (kBoxes[0].yaw_rad - turn_rad) / kDeg, 1.0);
+  EXPECT_GT(std::abs(turn_rad / kDeg), 0.9);
+}
+
+TEST_F(SurveyCommands, AScanIsRegisteredWithTheSurveyAndLessWithItsTerrain) {
+  // A view of the yard from a scanner of its own frame.
+  const Pose X_MS = MakePose(kMap_m + Vec3(20, 14, 3), 0, 0, 25 * kDeg);
+  std::vector<Vec3> scan_m;
+  for (const Vec3& p : testing_survey::YardScanner(6).Scan(0.2)) {
+    const Vec3 p_S = X_MS.inverse() * (p + kMap_m);
+    if (p_S.norm() < 12) scan_m.push_back(p_S);
+  }
+  WriteBytes(File("scan.ply"), PlyOf(scan_m));
+  const auto registered = [&](const std::string& with) {
+    return RunTera({"register", with, "scan.ply", "--start", "600020.3", "5250013.8", "423.1", "0",
+                    "0", "24", "--json", "pose.json"},
+                   {scratch_->path()});
+  };
+  const Outcome found = registered("yard.las");
+  EXPECT_EQ(found.status, 0) << found.out << found.err;
+  EXPECT_THAT(found.out, HasSubstr("status: registered"));
+  const json pose = JsonOf(File("pose.json"));
+  EXPECT_EQ(pose["status"], "registered");
+  EXPECT_EQ(pose["covariance"].size(), 6u);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(pose["X_AB"]["xyz_m"][static_cast<std::size_t>(axis)].get<double>(),
+                X_MS.translation()[axis], 0.01);
+  }
+  EXPECT_NEAR(pose["X_AB"]["rpy_deg"][2].get<double>(), 25, 0.1);
+
+  // Of the ground a plane and a cone are left, about whose axis all of it may be turned.
+  const Outcome less = registered("site/terrain.tif");
+  EXPECT_EQ(less.status, 5) << less.out << less.err;
+  const json motions = JsonOf(File("pose.json"))["open_motions"];
+  ASSERT_EQ(motions.size(), 1u);
+  EXPECT_EQ(motions[0]["kind"], "turn");
+  EXPECT_NEAR(std::abs(motions[0]["along"][2].get<double>()), 1, 0.02);
+  const Vec2 pile_m = kMap_m.head<2>() + testing_survey::kPile_m;
+  EXPECT_NEAR(motions[0]["through_A_m"][0].get<double>(), pile_m.x(), 0.5);
+  EXPECT_NEAR(motions[0]["through_A_m"][1].get<double>(), pile_m.y(), 0.5);
+}
+
+TEST_F(SurveyCommands, WhatCannotBeRegisteredEndsWithAStatusOfItsOwn) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> place(-8, 8);
+  std::normal_distribution<double> noise(0, 0.01);
+  std::vector<Vec3> floor_m, far_m;
+  for (int k = 0; k < 5000; ++k) {
+    floor_m.emplace_back(place(random), place(random), noise(random));
+    far_m.emplace_back(floor_m.back() + Vec3(100, 0, 0));
+  }
+  WriteBytes(File("floor.ply"), PlyOf(floor_m));
+  WriteBytes(File("far.ply"), PlyOf(far_m));
+  const Outcome open =
+      RunTera({"register", "floor.ply", "floor.ply", "--json", "open.json"}, {scratch_->path()});
+  EXPECT_EQ(open.status, 5);
+  EXPECT_THAT(open.out, HasSubstr("the geometry leaves open: x, y, yaw"));
+  EXPECT_EQ(JsonOf(File("open.json"))["open_axes"], json({"x", "y", "yaw"}));
+  const Outcome apart = RunTera({"register", "floor.ply", "far.ply"}, {scratch_->path()});
+  EXPECT_EQ(apart.status, 3);
+  EXPECT_THAT(apart.out, HasSubstr("status: no_overlap"));
+}
+
+TEST(SurveyInput, ThatCannotBeUsedLeavesNothingBehind) {
+  const ScratchDirectory scratch;
+  const auto refuse = [&](const std::string& name, const std::string& bytes,
+                          const testing::Matcher<const std::string&>& message) {
+    WriteBytes(scratch.path() / name, bytes);
+    ExpectRefused(scratch, {"site", name, "--out", "site"}, message);
+    ExpectRefused(scratch, {"register", name, name, "--json", "pose.json"}, message);
+  };
+  refuse("notes.las", "easting northing\n1 2\n", StartsWith("notes.las: does not begin as a LAS"));
+  refuse("notes.txt", "1 2 3\n", HasSubstr("need .pcd, .ply, .las or .tif"));
+  refuse("packed.laz", "LASF", HasSubstr("LAZ is compressed"));
+  refuse("text.tif", "no raster", StartsWith("text.tif: not readable as a GeoTIFF"));
+  refuse("none.ply", PlyOf({}), HasSubstr("no point has a place"));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  refuse("nan.ply", PlyOf({{nan, 0, 0}, {0, nan, 0}}), HasSubstr("2 without finite coordinates"));
+  const std::string whole = PlyOf({{0, 0, 0}, {1, 1, 1}});
+  refuse("cut.ply", whole.substr(0, whole.size() - 9), HasSubstr("cut.ply: cut off"));
+  ExpectRefused(scratch, {"site", "gone.las", "--out", "site"}, HasSubstr("gone.las"));
+}
+
+TEST(SurveyInput, ThatDoesNotFitASiteIsRefusedWithWhatToDo) {
+  const ScratchDirectory scratch;
+  std::vector<Vec3> wide_m, coarse_m;
+  for (int j = 0; j < 40; ++j) {
+    for (int i = 0; i < 40; ++i) {
+      wide_m.emplace_back(250.0 * i, 250.0 * j, 0);
+      coarse_m.emplace_back(0.5 * i, 0.5 * j, 0.01 * ((i * 7 + j * 3) % 5));
+    }
+  }
+  WriteBytes(scratch.path() / "wide.ply", PlyOf(wide_m));
+  WriteBytes(scratch.path() / "coarse.ply", PlyOf(coarse_m));
+  WriteBytes(scratch.path() / "feet.las", LasOf(coarse_m, Vec3::Zero(), 2263));
+  WriteBytes(scratch.path() / "degrees.las", LasOf(coarse_m, Vec3::Zero(), 4326));
+  WriteBytes(scratch.path() / "map.las", LasOf(coarse_m, Vec3::Zero(), 32632));
+  const auto refuse = [&](const Arguments& more,
+                          const testing::Matcher<const std::string&>& message) {
+    Arguments arguments = {"site"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    arguments.insert(arguments.end(), {"--out", "site"});
+    ExpectRefused(scratch, arguments, message);
+  };
+  refuse({"wide.ply", "--cell", "0.01"}, HasSubstr("9750 x 9750 m found, a site has at most 2000"));
+  refuse({"coarse.ply", "--cell", "0.05"}, HasSubstr("use --cell 0.5"));
+  refuse({"feet.las"}, HasSubstr("need metres"));
+  refuse({"degrees.las"}, HasSubstr("reproject it"));
+  refuse({"map.las", "--map", "EPSG:25832"}, HasSubstr("leave out --map"));
+  refuse({"coarse.ply", "--map", "EPSG:nought"}, HasSubstr("--map: reference system"));
+  refuse({"map.las", "--origin", "47", "8", "400"}, HasSubstr("--origin: the survey is in"));
+  fs::create_directories(scratch.path() / "site" / "old");
+  refuse({"coarse.ply"}, HasSubstr("site: is not an empty directory"));
+}
+
+}  // namespace
+}  // namespace tera
