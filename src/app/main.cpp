@@ -41,6 +41,7 @@ int Run(int argc, char** argv) {
   tera::AddCompletionCommand(&app);
   tera::AddManualCommand(&app);
   tera::AddSiteCommand(&app);
+  tera::AddViewCommand(&app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::RuntimeError& e) {

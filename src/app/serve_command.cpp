@@ -1,8 +1,5 @@
 #include <fmt/format.h>
-#include <poll.h>
-#include <unistd.h>
 
-#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -13,6 +10,7 @@
 #include "app/arguments/argument_checks.h"
 #include "app/arguments/scenario_options.h"
 #include "app/commands.h"
+#include "app/progress/stop_signals.h"
 #include "serve/live_stage.h"
 #include "serve/scenario_source.h"
 #include "serve/server.h"
@@ -26,34 +24,6 @@ struct Arguments {
   ServerOptions server{.port = 50051, .name = std::string("tera ") + kVersion};
   std::optional<std::string> record;
   bool stop_with_stdin = false;
-};
-
-bool StandardInputIsClosed() {
-  pollfd input = {.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
-  if (poll(&input, 1, 0) <= 0) return false;
-  char unread[256];
-  return read(STDIN_FILENO, unread, sizeof unread) <= 0;
-}
-
-/// Ctrl-C and SIGTERM, kept from all threads that are started while it lives and waited for by one.
-class StopSignals {
- public:
-  StopSignals() {
-    sigemptyset(&signals_);
-    sigaddset(&signals_, SIGINT);
-    sigaddset(&signals_, SIGTERM);
-    pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
-  }
-  /// Also until the end of standard input, if `or_stdin`.
-  void Wait(bool or_stdin) const {
-    constexpr timespec kLookAgain = {.tv_sec = 0, .tv_nsec = 100'000'000};
-    while (sigtimedwait(&signals_, nullptr, &kLookAgain) < 0) {
-      if (or_stdin && StandardInputIsClosed()) return;
-    }
-  }
-
- private:
-  sigset_t signals_;
 };
 
 void RunServe(const Arguments& arguments) {

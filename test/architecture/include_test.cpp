@@ -37,9 +37,10 @@ const std::map<std::string, std::set<std::string>> kMaySee = {
     {"survey", {"core", "soil", "dataset"}},
     {"serve", {"core", "physics", "soil", "render", "dataset", "sensors", "sim"}},
     {"ros2", {"core", "physics", "soil", "render", "dataset", "sensors", "sim"}},
+    {"view", {"core", "dataset"}},
     {"app",
      {"core", "physics", "soil", "render", "dataset", "sensors", "sim", "resimulate", "diagnose",
-      "layout", "survey", "serve", "ros2", "blind"}},
+      "layout", "survey", "serve", "ros2", "view", "blind"}},
 };
 
 /// Headers of a library by their beginning, and the folders that may include them. A header that is
@@ -70,6 +71,8 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"nlohmann/", "layout"},
     {"nlohmann/", "survey"},
     {"pcl/", "survey"},
+    {"nlohmann/", "view"},
+    {"httplib.h", "view"},
     {"boost/math/", "diagnose"},
     {"boost/math/", "layout"},
     {"boost/math/", "sim"},

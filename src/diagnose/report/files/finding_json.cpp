@@ -33,6 +33,22 @@ std::string ShapeOf(const CurveShape& shape) {
   return shape.outside ? text + " outside" : text;
 }
 
+/// The error as a function of a regime's variable, with its 90 % band, where it was visited.
+Json CurveOf(const RegimeCurve& curve) {
+  Json json = {{"at", Json::array()},
+               {"mean", Json::array()},
+               {"low", Json::array()},
+               {"high", Json::array()}};
+  for (Eigen::Index bin = 0; bin < curve.at.size(); ++bin) {
+    if (curve.count[bin] <= 0) continue;
+    json["at"].push_back(JsonNumber(curve.at[bin]));
+    json["mean"].push_back(JsonNumber(curve.mean[bin]));
+    json["low"].push_back(JsonNumber(curve.low[bin]));
+    json["high"].push_back(JsonNumber(curve.high[bin]));
+  }
+  return json;
+}
+
 Json RegimeOf(const Location& location) {
   if (location.regimes.empty()) return nullptr;
   const Regime& regime = location.regimes.front();
@@ -42,7 +58,8 @@ Json RegimeOf(const Location& location) {
           {"low", has_range ? JsonNumber(regime.shape.low) : Json(nullptr)},
           {"high", has_range ? JsonNumber(regime.shape.high) : Json(nullptr)},
           {"shape", ShapeOf(regime.shape)},
-          {"p", JsonNumber(regime.p)}};
+          {"p", JsonNumber(regime.p)},
+          {"curve", CurveOf(regime.curve)}};
 }
 
 /// The location, which named and unexplained findings both have.

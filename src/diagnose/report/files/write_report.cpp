@@ -7,11 +7,26 @@
 #include "diagnose/report/files/diagnosis_json.h"
 #include "diagnose/report/files/effects_yaml.h"
 #include "diagnose/report/files/ground_map_file.h"
+#include "diagnose/report/files/series_csv.h"
 #include "diagnose/report/page/html_report.h"
 #include "diagnose/report/page/perception_figures.h"
 #include "diagnose/report/text/next_manoeuvre_text.h"
 
 namespace tera {
+namespace {
+
+/// Each channel that was judged, over time.
+void WriteSeries(const std::filesystem::path& directory, const Diagnosis& diagnosis) {
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (!HasSeries(diagnosed)) continue;
+    for (std::size_t c = 0; c < diagnosed.block.channels.size(); ++c) {
+      WriteWholeFile(directory / SeriesFileName(diagnosed.block.channels[c].name),
+                     SeriesCsv(diagnosed, c));
+    }
+  }
+}
+
+}  // namespace
 
 void WriteReport(const std::filesystem::path& directory, const Diagnosis& diagnosis,
                  const std::string& recording) {
@@ -25,6 +40,7 @@ void WriteReport(const std::filesystem::path& directory, const Diagnosis& diagno
     WriteWholeFile(directory / ("ground_" + sensor.target + ".csv"), GroundCsv(sensor.ground));
   }
   WriteGroundMaps(directory, diagnosis);
+  WriteSeries(directory, diagnosis);
 }
 
 void RequireNewFolder(const std::filesystem::path& out) {

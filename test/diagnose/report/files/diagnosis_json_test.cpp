@@ -38,7 +38,29 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
         "low": -0.2,
         "high": 0.2,
         "shape": "odd local",
-        "p": 0.001
+        "p": 0.001,
+        "curve": {
+          "at": [
+            -0.5,
+            0.0,
+            0.5
+          ],
+          "mean": [
+            -0.1,
+            0.0,
+            0.1
+          ],
+          "low": [
+            -0.12,
+            -0.02,
+            0.08
+          ],
+          "high": [
+            -0.08,
+            0.02,
+            0.12
+          ]
+        }
       },
       "mechanism": "dead_band",
       "slot": "lever_map",

@@ -15,14 +15,18 @@
 namespace tera {
 namespace {
 
-TEST(WriteReport, LeavesThreeWholeFiles) {
+TEST(WriteReport, LeavesThreeWholeFilesAndASeriesOfEachChannel) {
   const std::filesystem::path folder = OwnFolder() / "report";
   const Diagnosis diagnosis = Of(BoomWithDeadBand());
   WriteReport(folder, diagnosis, "run");
   EXPECT_EQ(ReadWholeFile(folder / "diagnosis.json"), DiagnosisJson(diagnosis));
   EXPECT_EQ(ReadWholeFile(folder / "effects.yaml"), EffectsYaml(diagnosis, "run"));
   EXPECT_EQ(ReadWholeFile(folder / "report.html"), HtmlReport(diagnosis, "run"));
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 3);
+  const std::string series = ReadWholeFile(folder / "series_excavator1_encoders_boom_radps.csv");
+  EXPECT_EQ(series.substr(0, series.find("1000000000")),
+            "t_ns,measured_radps,simulated_before_radps,simulated_after_radps,error_before_radps,"
+            "error_after_radps\n0,3,2,3,1,0\n500000000,3,2,3,1,0\n");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 4);
 }
 
 TEST(WriteReport, AddsTheLeversToDriveNext) {

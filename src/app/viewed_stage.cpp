@@ -1,0 +1,138 @@
+#include "app/viewed_stage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.h"
+#include "dataset/format/recording.h"
+#include "sim/run/recorded_run.h"
+#include "sim/scene_assembly.h"
+
+namespace tera {
+namespace {
+
+constexpr double kObstacle_hz = 10;  ///< at which poses of what moves are kept
+
+std::vector<float> Flat(const std::vector<Eigen::Vector3f>& points) {
+  std::vector<float> numbers;
+  numbers.reserve(3 * points.size());
+  for (const Eigen::Vector3f& p : points) numbers.insert(numbers.end(), p.data(), p.data() + 3);
+  return numbers;
+}
+
+StageMesh StageMeshOf(const Mesh& mesh) {
+  StageMesh staged;
+  for (const MeshPart& part : mesh.parts) {
+    staged.parts.push_back({.positions_m = Flat(part.positions_m),
+                            .normals = Flat(part.normals),
+                            .colours = Flat(part.albedos),
+                            .indices = part.indices,
+                            .colour = part.material.albedo,
+                            .opacity = part.material.opacity});
+  }
+  return staged;
+}
+
+std::string MotionOf(JointType type) {
+  if (type == JointType::kFixed) return "fixed";
+  return type == JointType::kPrismatic ? "slides" : "turns";
+}
+
+void AddJoints(const MachineModel& model, StageMachine* machine) {
+  for (const Link& link : model.links) machine->links.push_back(link.name);
+  for (const Joint& joint : model.joints) {
+    machine->joints.push_back({joint.name, MotionOf(joint.type), joint.parent, joint.child,
+                               joint.X_PJ, joint.axis_J, joint.initial_rad});
+  }
+}
+
+void AddRunningGear(const MachineModel& model, StageMachine* machine) {
+  for (const RunningGear& gear : model.ground_tools.gears) {
+    machine->gears.push_back({gear.name, gear.link, gear.ShoeRadius_m()});
+  }
+  for (const WheelVisual& wheel : model.wheel_visuals) {
+    machine->wheels.push_back({wheel.gear, wheel.axle_B_m});
+  }
+  for (const TrackVisual& track : model.track_visuals) {
+    machine->tracks.push_back({track.gear, track.shoe_count, track.path_B_m});
+  }
+}
+
+void AddLinkages(const MachineModel& model, StageMachine* machine) {
+  for (const FourBar& one : model.linkages) {
+    machine->linkages.push_back({one.joint, one.rocker_pin_P_m, one.coupler_pin_B_m, one.rocker_m,
+                                 one.coupler_m, one.branch});
+  }
+  for (const Cylinder& one : model.cylinders) {
+    machine->cylinders.push_back({one.joint, one.barrel_link, one.rod_link, one.linkage, one.count,
+                                  one.barrel_pin_m, one.rod_pin_m, one.spacing_m});
+  }
+  for (const Shovel& shovel : model.ground_tools.shovels) {
+    if (shovel.capacity_m3 > 0) machine->loads.push_back(shovel.link);
+  }
+}
+
+int BodiesOf(const StageMachine& machine) {
+  std::size_t bodies = machine.links.size() + machine.wheels.size() + 2 * machine.linkages.size() +
+                       machine.loads.size();
+  for (const StageMachine::Track& track : machine.tracks) bodies += track.shoes;
+  for (const StageMachine::Cylinder& one : machine.cylinders) bodies += 2 * one.count;
+  return static_cast<int>(bodies);
+}
+
+StageMachine StageMachineOf(const MachinePlacement& placement, int first_body) {
+  StageMachine machine{.name = placement.name, .first_body = first_body};
+  AddJoints(placement.model, &machine);
+  AddRunningGear(placement.model, &machine);
+  AddLinkages(placement.model, &machine);
+  return machine;
+}
+
+StageObstacle StageObstacleOf(const Scenario& scenario, const ScenarioObstacle& obstacle,
+                              int body) {
+  StageObstacle staged{.name = obstacle.name, .body = body, .X_WB_at_s = {}};
+  const double end_s = obstacle.path.empty() ? 0 : obstacle.path.back().t_s;
+  const int steps = static_cast<int>(std::ceil(end_s * kObstacle_hz));
+  for (int k = 0; k <= steps; ++k) {
+    const double t_s = k / kObstacle_hz;
+    staged.X_WB_at_s.emplace_back(
+        t_s, ObstacleAt(obstacle, FromSeconds(t_s), scenario.site->surface()).X_WB);
+  }
+  return staged;
+}
+
+Stage StageOf(const Scenario& scenario) {
+  const SceneAssembly assembly(scenario);
+  const SceneModel& model = assembly.model();
+  Stage stage;
+  for (const ScenarioMachine& machine : scenario.machines) {
+    stage.machines.push_back(StageMachineOf(machine.placement, stage.bodies));
+    stage.bodies += BodiesOf(stage.machines.back());
+  }
+  for (const ScenarioObstacle& obstacle : scenario.obstacles) {
+    stage.obstacles.push_back(StageObstacleOf(scenario, obstacle, stage.bodies++));
+  }
+  for (const Mesh& mesh : model.meshes) stage.meshes.push_back(StageMeshOf(mesh));
+  for (const SceneNode& node : model.nodes) {
+    if (node.shape >= 0) continue;
+    stage.nodes.push_back({node.mesh, node.body, node.X_BG, node.scale, node.instance});
+  }
+  return stage;
+}
+
+}  // namespace
+
+Stage StageOfRecording(const std::filesystem::path& recording,
+                       const std::vector<std::string>& moved) {
+  if (!Recording(recording).info().simulated) {
+    throw InputError(
+        fmt::format("{}: is a real recording, of which no scenario says what its "
+                    "machine looks like",
+                    recording.string()));
+  }
+  return StageOf(LoadRecordedScenario(recording, {}, moved).scenario);
+}
+
+}  // namespace tera

@@ -1,0 +1,87 @@
+#include "view/viewed.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "view/small_recording.h"
+
+namespace tera {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+std::string Refusal(const std::filesystem::path& path) {
+  try {
+    OpenViewed(path);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(Viewed, TellsOfADatasetWhatThePageNeeds) {
+  const Viewed viewed = OpenViewed(SmallRecording("told"));
+  EXPECT_EQ(viewed.kind, Viewed::Kind::kDataset);
+  const json index = json::parse(IndexJson({viewed}))["viewed"][0];
+  EXPECT_EQ(index["name"], "told");
+  EXPECT_EQ(index["simulated"], false);
+  EXPECT_EQ(index["duration_s"], 2.0);
+  EXPECT_EQ(index["origin"]["height_m"], 460.0);
+  EXPECT_EQ(index["has_stage"], false);
+  EXPECT_EQ(index["machines"], json({"digger"}));
+  EXPECT_EQ(index["classes"][10]["name"], "truck");
+  EXPECT_EQ(index["instances"][0]["name"], "truck");
+  const json& commands = index["channels"][0];
+  EXPECT_EQ(commands["file"], "digger/commands.csv");
+  EXPECT_EQ(commands["form"], "rows");
+  EXPECT_EQ(commands["bytes"], std::string("t_ns,boom\n0,0.5\n1000000000,-1\n").size());
+  const json& camera = index["channels"][1];
+  EXPECT_EQ(camera["form"], "pictures");
+  EXPECT_EQ(camera["pictures"], json({"rgb"}));
+  EXPECT_EQ(camera["sheet"]["X_PS"], json({1.0, 2.0, 3.0, 1.0, 0.0, 0.0, 0.0}));
+  EXPECT_EQ(camera["sheet"]["lens"]["cx_px"], 3.5);
+  EXPECT_EQ(index["channels"][2]["form"], "scans");
+}
+
+TEST(Viewed, TellsOfADiagnosisWhatItFoundAndItsFiles) {
+  const std::filesystem::path folder = OwnFolder() / "why";
+  WriteFileAt(folder / "diagnosis.json", R"({"format": 2, "verdict": ["named"], "findings": []})");
+  WriteFileAt(folder / "ground_lidar.tif", "map");
+  WriteFileAt(folder / "report.html", "page");
+  const Viewed viewed = OpenViewed(folder);
+  EXPECT_EQ(viewed.kind, Viewed::Kind::kDiagnosis);
+  const json index = json::parse(IndexJson({viewed}))["viewed"][0];
+  EXPECT_EQ(index["diagnosis"]["verdict"], json({"named"}));
+  EXPECT_EQ(index["grounds"], json({{"ground_lidar.tif", 3}}));
+  EXPECT_EQ(index["series"], json::object());
+}
+
+TEST(Viewed, RefusesWhatIsNeither) {
+  const std::filesystem::path empty = OwnFolder() / "empty", broken = OwnFolder() / "broken";
+  std::filesystem::create_directories(empty);
+  EXPECT_THAT(Refusal(empty), HasSubstr("holds neither dataset.yaml nor diagnosis.json; need"));
+  EXPECT_THAT(Refusal(OwnFolder() / "none"), HasSubstr("is no folder; need"));
+  WriteFileAt(broken / "diagnosis.json", R"({"findings": [)");
+  EXPECT_THAT(Refusal(broken), HasSubstr("is no JSON with `verdict` and `findings`; need"));
+  WriteFileAt(broken / "diagnosis.json", R"([1, 2])");
+  EXPECT_THAT(Refusal(broken), HasSubstr("is no JSON with `verdict` and `findings`; need"));
+}
+
+TEST(Viewed, SaysHowToFinishARunThatWasStopped) {
+  const std::filesystem::path stopped = OwnFolder() / "run.incomplete";
+  WriteFileAt(stopped / "INCOMPLETE.txt", "finish it");
+  EXPECT_THAT(Refusal(stopped), HasSubstr("--resume"));
+}
+
+TEST(Viewed, TakesNoMoreDatasetsThanStandSideBySide) {
+  const Viewed one = OpenViewed(SmallRecording("one"));
+  EXPECT_NO_THROW(RequireFewDatasets({one, one}));
+  EXPECT_THROW(RequireFewDatasets({one, one, one}), InputError);
+}
+
+}  // namespace
+}  // namespace tera
