@@ -15,7 +15,8 @@ class Browser:
 
     OPTIONS = ("--headless=new", "--no-sandbox", "--remote-debugging-pipe", "--disable-extensions", "--no-first-run", "--mute-audio",
                "--disable-background-networking", "--disable-component-update", "--disable-sync", "--use-angle=swiftshader",
-               "--enable-unsafe-swiftshader", "--hide-scrollbars", "--force-color-profile=srgb", "--enable-precise-memory-info")
+               "--enable-unsafe-swiftshader", "--disable-gpu-rasterization", "--disable-accelerated-2d-canvas", "--disable-gpu-compositing",
+               "--hide-scrollbars", "--force-color-profile=srgb", "--enable-precise-memory-info")
 
     def __init__(self, width=1600, height=950, program=None):
         self.profile = tempfile.mkdtemp(prefix="tera_view_")

@@ -38,6 +38,11 @@ export class Calls {
     return Promise.all([this.tables, ...this.frames].map((lane) => lane.call("open", args)));
   }
 
+  /** Whether anything waits for a table; who reads on for later only lets it go first. */
+  get is_asked() {
+    return this.tables.waiting.size > 0;
+  }
+
   call(method, args) {
     if (TABLES.has(method)) return this.tables.call(method, args);
     const lane = this.frames.reduce((best, one) => (one.waiting.size < best.waiting.size ? one : best));

@@ -15,6 +15,7 @@ import { on, setTime, state, tell } from "./state.js";
 
 const FIRST_PLOTS = 4;
 const PLOTTED_FIRST = ["encoder", "imu", "gnss", "table"];
+const LARGEST_FIRST = 64e6;  // bytes of a table that is plotted unasked
 
 /** Index and packed files of an exported page, or what the server says. */
 async function readIndex() {
@@ -117,7 +118,7 @@ async function findTimes() {
 async function firstPlots(plots) {
   const dataset = state.datasets[0];
   if (!dataset) return;
-  const wanted = dataset.tables.filter((channel) => !channel.path.startsWith("truth/") && channel.type !== "pose");
+  const wanted = dataset.tables.filter((channel) => !channel.path.startsWith("truth/") && channel.type !== "pose" && channel.bytes < LARGEST_FIRST);
   const ranked = wanted.toSorted((a, b) => PLOTTED_FIRST.indexOf(a.type) - PLOTTED_FIRST.indexOf(b.type));
   const firsts = ranked.filter((channel, k) => ranked.findIndex((other) => other.type === channel.type) === k);
   let left = FIRST_PLOTS;

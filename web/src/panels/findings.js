@@ -33,7 +33,7 @@ function regimeText(regime) {
 function curveChart(curve, element) {
   const colour = lineColour(1), axis = { stroke: themeColour("muted"), grid: { stroke: themeColour("line"), width: 1 }, ticks: { show: false }, font: "10px system-ui, sans-serif" };
   return new uPlot({
-    width: 250, height: 130, legend: { show: false }, cursor: { show: false }, scales: { x: { time: false } },
+    width: Math.max(120, element.clientWidth || 200), height: 130, legend: { show: false }, cursor: { show: false }, scales: { x: { time: false } },
     axes: [{ ...axis, size: 20 }, { ...axis, size: 44, values: (_, ticks) => ticks.map((v) => number(v, 2)) }],
     bands: [{ series: [3, 2], fill: `${colour}33` }],
     series: [{}, { stroke: colour, width: 1.6, points: { show: false } }, { stroke: "transparent", points: { show: false } }, { stroke: "transparent", points: { show: false } }],
@@ -47,7 +47,7 @@ export class Findings {
     this.findings = diagnosis.findings.map((finding, k) => ({
       ...finding, is_unexplained: finding.mechanism === "unexplained", intervals_s: finding.intervals_s ?? [], is_chosen: false, rank: k,
       get colour() {
-        return this.is_unexplained ? themeColour("faint") : lineColour(k + 5);
+        return this.is_unexplained ? themeColour("faint") : lineColour(k + 2);
       },
       title: finding.mechanism === "unexplained" ? "unexplained" : words(finding.mechanism),
     }));
@@ -79,7 +79,14 @@ export class Findings {
       finding.class.length > 1 ? h("p", {}, `Not told apart from ${finding.class.filter((c) => c !== finding.mechanism).map(words).join(", ")}.`) : null,
       finding.evidence.p_confirmed !== null ? h("p.hint", {}, `chosen with p ${number(finding.evidence.p_chosen, 2)}, confirmed with p ${number(finding.evidence.p_confirmed, 2)}`) : null,
       chips.length ? h("div.chips", {}, chips, more > 0 ? h("span.hint", {}, `and ${more} more`) : null) : null);
-    if (curve) requestAnimationFrame(() => curveChart(curve, chart));
+    if (curve) {
+      const draw = () => {
+        finding.chart?.destroy();
+        finding.chart = curveChart(curve, chart);
+      };
+      requestAnimationFrame(draw);
+      on("theme", draw);
+    }
     return finding.card;
   }
 

@@ -8,7 +8,7 @@ import { nameAndUnit } from "../dataset.js";
 import { h, number, themeColour, toggle } from "../dom.js";
 import { on, set, setTime, setWindow, state, tell } from "../state.js";
 
-const REFINED_BLOCKS = 8;
+const REFINED_BLOCKS = 2;
 const PLOT_HEIGHT = 128;
 
 /** The columns of a table by unit: [[unit, [column ...]]]. */
@@ -144,7 +144,8 @@ export class Plots {
         const answer = await owner.call("refine", { path: plot.file, blocks: REFINED_BLOCKS });
         more = answer.more;
         plot.status.textContent = more ? `reading ${Math.round(100 * answer.share)} %` : "";
-        await new Promise((resolve) => setTimeout(resolve, 5));
+        do await new Promise((resolve) => setTimeout(resolve, 10));
+        while (owner.calls.is_asked);
       }
     }
     plot.is_refining = false;
