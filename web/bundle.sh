@@ -7,7 +7,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 out=$1
 page=$out/tera-view.html
 mkdir -p "$out/cache" "$out/node_modules/tera-worker"
-rm -f "$out/missing.txt"
+rm -f "$out/missing.txt" "$out/made.stamp"
 
 give_up() {
   echo "$1" >"$out/missing.txt"
@@ -55,3 +55,4 @@ esbuild "$here/src/style.css" "${options[@]}" --outfile="$out/main.css" || give_
   sed '1,/<!--script-->/d' "$here/page.html"
 } >"$page.part"
 mv "$page.part" "$page"
+touch "$out/made.stamp"
