@@ -50,7 +50,7 @@ struct LabelChannel {
   std::string_view caption;  ///< of the overview
 };
 
-inline constexpr std::array<LabelChannel, 12> kLabelChannels = {{
+inline constexpr std::array<LabelChannel, 13> kLabelChannels = {{
     {"semantic", &CameraFrame::semantic, 1, true, LabelSource::kLabelWord, 0,
      LabelColours::kClasses, "classes"},
     {"instance", &CameraFrame::instance, 1, true, LabelSource::kLabelWord, 8,

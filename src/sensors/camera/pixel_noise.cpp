@@ -57,14 +57,16 @@ void ForEachDraw(const UniformBits& noise, std::uint64_t first, std::size_t pixe
 /// 2^16 quantiles reach to 4.3 sigma; their steps stay below the millimetre that depth is stored in
 /// wherever noise is drawn often.
 void AddDisparityNoise(double scale_1pm, const UniformBits& noise, std::uint64_t first,
-                       Image<float>* depth_m) {
+                       const Image<float>& dust, Image<float>* depth_m) {
   static const NormalQuantiles<16> normal;
   constexpr int kUnused = UniformBits::kBits - normal.kBits;
   const auto scale = static_cast<float>(scale_1pm);
   ForEachDraw(noise, first, depth_m->data.size(), [&](std::size_t i, std::uint64_t draw) {
     float& z_m = depth_m->data[i];
     if (z_m <= 0) return;
-    const float disparity_left = 1 - scale * z_m * normal[draw >> kUnused];
+    float disparity_off = scale * z_m * normal[draw >> kUnused];
+    if (!dust.empty()) disparity_off *= std::exp(dust.data[i]);
+    const float disparity_left = 1 - disparity_off;
     z_m = disparity_left > 0 ? z_m / disparity_left : 0;
   });
 }

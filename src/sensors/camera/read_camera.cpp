@@ -44,7 +44,9 @@ LabelSet ReadLabelSet(const ConfigMap& config) {
 void CheckLabelsUnderShutter(const ConfigMap& config, const CameraModel& model) {
   if (!model.image_sensor->shutter || model.image_sensor->shutter->readout_s == 0) return;
   for (const LabelChannel& channel : kLabelChannels) {
-    if (!model.labels[IndexOf(channel)] || channel.source != LabelSource::kSurfaces) continue;
+    const bool is_of_an_instant =
+        channel.source == LabelSource::kSurfaces || channel.source == LabelSource::kAir;
+    if (!model.labels[IndexOf(channel)] || !is_of_an_instant) continue;
     config.Fault("labels", fmt::format("'{}' is of one instant, but image_sensor.shutter reads the "
                                        "rows one after the other; need readout_s: 0, or to leave "
                                        "it out",

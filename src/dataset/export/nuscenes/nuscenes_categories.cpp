@@ -9,8 +9,10 @@ namespace {
 
 constexpr std::string_view NameOfCategory(SemanticClass label) {
   switch (label) {
-    case SemanticClass::kSky:
-      return "noise";  // no ray hits it
+    case SemanticClass::kSky:  // no ray hits it
+    case SemanticClass::kDust:
+    case SemanticClass::kRain:
+      return "noise";
     case SemanticClass::kTerrain:
       return "flat.terrain";
     case SemanticClass::kUndercarriage:

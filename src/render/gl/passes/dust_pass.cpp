@@ -114,7 +114,8 @@ void DustPass::Draw(const View& view, const DustVolume& dust, const Daylight& da
   daylight.Light(march_);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 
-  glBindFramebuffer(GL_FRAMEBUFFER, p.shade_target.id());
+  glBindFramebuffer(GL_FRAMEBUFFER, p.sky_target.id());
+  glDepthMask(GL_FALSE);  // of the depth that is read
   glViewport(0, 0, view.width_px, view.height_px);
   blend_.Use();
   glBindTextureUnit(1, half.light.id());
@@ -124,6 +125,7 @@ void DustPass::Draw(const View& view, const DustVolume& dust, const Daylight& da
   glBlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
 }
 
 }  // namespace tera

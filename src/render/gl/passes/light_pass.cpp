@@ -18,7 +18,8 @@ Image<float> ReadLight(const GlObject& light, int width_px, int height_px, doubl
 
 }  // namespace
 
-void LightPass::Fit(int width_px, int height_px, unsigned radiance, Target* target) {
+void LightPass::Fit(int width_px, int height_px, unsigned radiance, unsigned depth,
+                    Target* target) {
   if (target->width_px == width_px && target->height_px == height_px &&
       target->radiance == radiance) {
     return;
@@ -28,12 +29,12 @@ void LightPass::Fit(int width_px, int height_px, unsigned radiance, Target* targ
   target->radiance = radiance;
   target->framebuffer = {};
   target->light = MakeTexture(GL_RG32F, width_px, height_px, Filter::kNearest, Wrap::kClamp);
-  target->framebuffer = radiance != 0 ? MakeFramebuffer({radiance, target->light.id()}, 0)
+  target->framebuffer = radiance != 0 ? MakeFramebuffer({radiance, target->light.id()}, depth)
                                       : MakeFramebuffer({target->light.id()}, 0);
 }
 
 unsigned LightPass::TargetOf(const Pictures& p) {
-  Fit(p.width_px, p.height_px, p.radiance.id(), &pinhole_);
+  Fit(p.width_px, p.height_px, p.radiance.id(), p.depth.id(), &pinhole_);
   glBindFramebuffer(GL_FRAMEBUFFER, pinhole_.framebuffer.id());
   glClearBufferfv(GL_COLOR, 1, kDark);
   return pinhole_.framebuffer.id();
@@ -44,7 +45,7 @@ Image<float> LightPass::Read(double exposure) const {
 }
 
 void LightPass::ClearLens(int width_px, int height_px) {
-  Fit(width_px, height_px, 0, &lens_);
+  Fit(width_px, height_px, 0, 0, &lens_);
   glBindFramebuffer(GL_FRAMEBUFFER, lens_.framebuffer.id());
   glClearBufferfv(GL_COLOR, 0, kDark);
 }

@@ -31,7 +31,7 @@ class LightPass {
     unsigned radiance = 0;  ///< texture that is attached
     GlObject light, framebuffer;
   };
-  static void Fit(int width_px, int height_px, unsigned radiance, Target* target);
+  static void Fit(int width_px, int height_px, unsigned radiance, unsigned depth, Target* target);
 
   Program lens_program_{"fullscreen.vert", "distort_light.frag"};
   Target pinhole_, lens_;
