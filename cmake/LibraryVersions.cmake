@@ -4,6 +4,7 @@ set(rows
   "assimp src/render assimp_VERSION"
   "Bullet src/physics BULLET_VERSION"
   "CLI11 src/app CLI11_VERSION"
+  "cpp-httplib src/view HTTPLIB_VERSION"
   "EGL src/render EGL_VERSION"
   "Eigen . Eigen3_VERSION"
   "Embree src/render embree_VERSION"
@@ -29,6 +30,7 @@ if(TERA_WHOLE_PROGRAM)
     "SUNDIALS blind SUNDIALS_VERSION")
   note(CycloneDDS tera::ros2 src/ros2 CycloneDDS_VERSION "tera ros2")
   note(gRPC tera::serve src/serve GRPC_grpc++_VERSION "tera serve")
+  note(PCL tera::survey src/survey PCL_VERSION "tera site and tera register")
 else()
   set(absent "what the quickstart has no need of")
 endif()

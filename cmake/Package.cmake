@@ -28,7 +28,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 file(STRINGS scripts/packages.txt libraries REGEX "^libraries: ")
 string(REGEX REPLACE "^libraries: " "" libraries "${libraries}")
 string(REPLACE " " ";" libraries "${libraries}")
-list(REMOVE_ITEM libraries libboost-math-dev libceres-dev libcli11-dev libmujoco-dev libpagmo-dev libsundials-dev)
+list(REMOVE_ITEM libraries libboost-math-dev libceres-dev libcli11-dev libcpp-httplib-dev libmujoco-dev libpagmo-dev libsundials-dev)
 list(JOIN libraries ", " libraries)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "tera-sim (= ${PROJECT_VERSION}), ${libraries}")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION

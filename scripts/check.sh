@@ -33,7 +33,7 @@ tidy() {
   install build libraries serve run test ros2 survey tidy
   cmake --preset tidy >/dev/null
   # What is generated has to be there before it is included.
-  cmake --build --preset tidy --parallel "$jobs" --target tera_messages tera_ros2_types_generate
+  cmake --build --preset tidy --parallel "$jobs" --target tera_messages tera_ros2_types_generate tera_commit
   local found=build/tidy/found.txt
   if ! run-clang-tidy -quiet -p build/tidy -j "$jobs" "${1:-$PWD/(src|blind)/}" >$found 2>build/tidy/stderr.txt; then
     grep -Ev '^(clang-tidy-14 .*)?$' $found

@@ -7,8 +7,12 @@ cd "$(dirname "$0")/.."
 packages() { sed -n "s/^\($1\): //p" scripts/packages.txt; }
 # shellcheck disable=SC2046
 scripts/install_packages.sh $(packages build) $(packages libraries) $(packages serve) $(packages run) $(packages ros2) \
-  $(packages package)
+  $(packages survey) $(packages package)
 
 cmake --preset package >/dev/null
 cmake --build --preset package
+[ -e build/package/web/tera-view.html ] || {
+  echo "package: the page of tera view was not built, see above; need it in the package" >&2
+  exit 1
+}
 (cd build/package && cpack)

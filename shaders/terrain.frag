@@ -51,12 +51,6 @@ vec4 Stone(vec2 place, float cell_m, uint layer, float share, float pixel_m, out
 void main() {
   vec4 albedo = texture(u_ground_albedo, v_texture);
   vec4 shape = texture(u_ground_shape, v_texture);
-  if (shape.w < 0.0) {  // water: level, smooth, and mirroring as no ground does
-    o_albedo_roughness = vec4(albedo.rgb * 0.75, 0.06);
-    o_normal_metallic = vec4(0.5, 0.5, 1.0, 0.0);
-    o_label = 1u;
-    return;
-  }
   vec4 stones = texture(u_detail, v_position_W * kStones) * 2.0 - 1.0;
   vec4 crumbs = texture(u_detail, kTurnCrumbs * v_position_W * kCrumbs) * 2.0 - 1.0;
   vec4 patches = texture(u_detail, kTurn * v_position_W * kPatches, kPatchLevel) * 2.0 - 1.0;
@@ -66,7 +60,14 @@ void main() {
   float much = clamp(0.8 + 1.8 * patches.x + 1.2 * zones.x, 0.2, 1.7);
   vec2 slope = shape.xy - grain * (stones.yz * 0.60 + (crumbs.yz * kTurnCrumbs) * (0.55 * much) +
                                    (0.7 + 0.8 * loose) * (patches.yz * kTurn));
-  float pixel_m = 0.5 * length(fwidth(v_position_W)), stony = smoothstep(0.38, 0.62, grain);
+  float pixel_m = 0.5 * length(fwidth(v_position_W));
+  if (shape.w < 0.0) {  // water: level, smooth, and mirroring as no ground does
+    o_albedo_roughness = vec4(albedo.rgb * 0.75, 0.06);
+    o_normal_metallic = vec4(0.5, 0.5, 1.0, 0.0);
+    o_label = 1u;
+    return;
+  }
+  float stony = smoothstep(0.38, 0.62, grain);
   float sky = albedo.a * (1.0 + grain * min(0.30 * stones.w + 0.30 * much * crumbs.w, 0.0));
   // Dark between the grains, and patches lighter and darker; square roots of albedo here.
   float tone = 1.0 + 0.18 * zones.x + 0.22 * patches.x +

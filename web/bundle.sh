@@ -18,11 +18,12 @@ give_up() {
 
 command -v esbuild >/dev/null || give_up "esbuild is not installed; apt-get install esbuild, then build again"
 command -v curl >/dev/null || give_up "curl is not installed; apt-get install curl, then build again"
+command -v openssl >/dev/null || give_up "openssl is not installed; apt-get install openssl, then build again"
 
 fetch() {  # NAME VERSION URL INTEGRITY
   local tarball=$out/cache/$1-$2.tgz
   local digest
-  [ -e "$tarball" ] || curl -fsSL --max-time 120 -o "$tarball.part" "$3" ||
+  [ -e "$tarball" ] || curl -fsSL --connect-timeout 10 --max-time 120 -o "$tarball.part" "$3" ||
     give_up "$3 cannot be fetched; build again with a network, or put that file at $tarball"
   [ -e "$tarball" ] || mv "$tarball.part" "$tarball"
   digest=sha512-$(openssl dgst -sha512 -binary "$tarball" | base64 -w0)
@@ -40,7 +41,7 @@ done < <(sed -n '/"pins"/,/\]/s/^ *"\(.* sha512-[^"]*\)".*/\1/p' "$here/package.
 
 # The worker is text within the page, so that one file is all there is.
 export NODE_PATH=$out/node_modules
-options=(--bundle --minify --charset=utf8 --target=es2022 --log-level=warning --legal-comments=none)
+options=(--bundle --minify --charset=utf8 --target=es2022 --log-level=warning --legal-comments=eof)
 esbuild "$here/src/worker/worker.js" "${options[@]}" --format=iife --outfile="$out/node_modules/tera-worker/worker.txt" ||
   give_up "esbuild failed on web/src/worker/worker.js"
 esbuild "$here/src/main.js" "${options[@]}" --format=iife --loader:.txt=text --outfile="$out/main.js" ||

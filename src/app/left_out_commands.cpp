@@ -31,6 +31,7 @@ void AddLayoutCommand(CLI::App* app) { AddLeftOut("layout", "Where should the se
 void AddProveCommand(CLI::App* app) {
   AddLeftOut("prove", "Hide effects in recordings and score the diagnosis of them", app);
 }
+void AddRegisterCommand(CLI::App* app) { AddLeftOut("register", "Align two clouds", app); }
 void AddResenseCommand(CLI::App* app) {
   AddLeftOut("resense", "Measure a recorded scene with another rig", app);
 }
@@ -38,5 +39,6 @@ void AddRos2Command(CLI::App* app) { AddLeftOut("ros2", "Run a scenario live for
 void AddServeCommand(CLI::App* app) {
   AddLeftOut("serve", "Let a program step a scenario over a socket", app);
 }
+void AddSiteCommand(CLI::App* app) { AddLeftOut("site", "Make a site of a survey", app); }
 
 }  // namespace tera

@@ -106,7 +106,9 @@ void AddRegisterCommand(CLI::App* app) {
   constexpr double kLeast_m = 0.001, kMost_m = 100;
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app->add_subcommand(
-      "register", "Align two scans, or a scan and a terrain: how B lies in A, and how well");
+      "register",
+      "Align two scans, or a scan and a terrain: how B lies in A, and how well; exit status 3 "
+      "without overlap, 4 where it does not converge, 5 where a direction stays open");
   command->add_option("A", arguments->a, "Points (.pcd, .ply, .las) or elevations (.tif)")
       ->required();
   command->add_option("B", arguments->b, "The same; X_AB is its pose in A")->required();

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "dataset/files/checked_file.h"
 #include "view/excerpt_parts.h"
 #include "view/page.h"
 
@@ -18,6 +17,8 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostRows = 2000;  ///< of a table
 constexpr std::size_t kRarest = 1000;    ///< frame that is still worth having
 constexpr double kBytesPerMb = 1e6;
+constexpr std::uint64_t kHead = 1 << 12;  ///< bytes of what stands about index and files
+constexpr std::uint64_t kPlace = 48;      ///< bytes of where a file is, beside its name
 
 std::string Base64(const std::string& bytes) {
   static constexpr char kDigits[] =
@@ -64,8 +65,7 @@ void AddTables(const std::string& prefix, Part* part, Pack* pack) {
   for (Json& channel : part->index["channels"]) {
     if (channel["form"] != "rows") continue;
     const std::string file = channel["file"];
-    const std::string thin =
-        ThinnedTable(ReadWholeFile(part->viewed->folder.root() / file), kMostRows);
+    const std::string thin = ThinnedTable(part->viewed->folder.Read(file), kMostRows);
     channel["bytes"] = thin.size();
     pack->Add(prefix + file, thin);
   }
@@ -78,7 +78,7 @@ void AddGrounds(const std::string& prefix, Part* part, Pack* pack) {
     if (name != "height_start.tif" && name != "height_end.tif") continue;
     kept.push_back(name);
     const std::string file = "truth/terrain/" + name;
-    pack->Add(prefix + file, ReadWholeFile(part->viewed->folder.root() / file));
+    pack->Add(prefix + file, part->viewed->folder.Read(file));
   }
   part->index["terrain"] = kept;
 }
@@ -86,7 +86,7 @@ void AddGrounds(const std::string& prefix, Part* part, Pack* pack) {
 void AddFilesOfDiagnosis(const std::string& prefix, const Part& part, Pack* pack) {
   for (const char* list : {"grounds", "series"}) {
     for (const auto& [name, bytes] : part.index[list].items()) {
-      pack->Add(prefix + name, ReadWholeFile(part.viewed->folder.root() / name));
+      pack->Add(prefix + name, part.viewed->folder.Read(name));
     }
   }
 }
@@ -125,9 +125,22 @@ std::uint64_t BytesOfFrames(const std::vector<Part>& parts, std::size_t n) {
   return sum;
 }
 
+/// Bytes of where the files of each n-th frame are.
+std::uint64_t BytesOfPlaces(const std::vector<Part>& parts, std::size_t n) {
+  std::uint64_t sum = 0;
+  for (const Part& part : parts) {
+    for (const FrameList& frames : part.frames) {
+      for (const std::string& file : frames.Files(n)) sum += file.size() + kPlace;
+    }
+  }
+  return sum;
+}
+
 /// The smallest n at which each n-th frame fits.
 std::size_t Spread(const std::vector<Part>& parts, std::uint64_t base, std::uint64_t most) {
-  const auto page = [&](std::size_t n) { return base + (BytesOfFrames(parts, n) + 2) / 3 * 4; };
+  const auto page = [&](std::size_t n) {
+    return base + BytesOfPlaces(parts, n) + (BytesOfFrames(parts, n) + 2) / 3 * 4;
+  };
   for (std::size_t n = 1; n <= kRarest; ++n) {
     if (page(n) <= most) return n;
   }
@@ -145,7 +158,7 @@ void AddFrames(const std::string& prefix, const Part& part, std::size_t n, Pack*
     const FrameList& frames = part.frames[next++];
     pack->Add(prefix + channel["file"].get<std::string>(), frames.Table(n));
     for (const std::string& file : frames.Files(n)) {
-      pack->Add(prefix + file, ReadWholeFile(part.viewed->folder.root() / file));
+      pack->Add(prefix + file, part.viewed->folder.Read(file));
     }
   }
 }
@@ -187,8 +200,10 @@ Excerpt MakeExcerpt(const std::vector<Viewed>& viewed, const std::string& page,
   for (std::size_t k = 0; k < viewed.size(); ++k) {
     parts.push_back(Open(std::to_string(k) + "/", viewed[k], &pack));
   }
-  constexpr std::uint64_t kIndex = 1 << 18;  // what the index and the names of files take
-  const std::size_t n = Spread(parts, page.size() + kIndex + pack.size() / 3 * 4, most_bytes);
+  std::uint64_t index = kHead;
+  for (const Part& part : parts) index += part.index.dump().size();
+  for (const auto& [name, place] : pack.places().items()) index += name.size() + kPlace;
+  const std::size_t n = Spread(parts, page.size() + index + pack.size() / 3 * 4, most_bytes);
   std::vector<Viewed> indexed = viewed;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     AddFrames(std::to_string(k) + "/", parts[k], n, &pack);

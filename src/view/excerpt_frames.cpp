@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <sstream>
 
-#include "dataset/files/checked_file.h"
 #include "view/excerpt_parts.h"
 
 namespace tera {
@@ -24,7 +23,7 @@ std::vector<std::string> NamesOf(const std::string& channel, const std::string& 
 
 FrameList::FrameList(const ServedFolder& folder, const std::string& channel,
                      const std::vector<std::string>& pictures) {
-  std::istringstream table(ReadWholeFile(folder.root() / channel / "data.csv"));
+  std::istringstream table(folder.Read(channel + "/data.csv"));
   std::getline(table, head_);
   for (std::string line; std::getline(table, line);) {
     if (line.empty()) continue;

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "core/error.h"
+#include "dataset/files/checked_file.h"
 
 namespace tera {
 namespace {
@@ -47,6 +48,17 @@ std::optional<std::filesystem::path> ServedFolder::Find(std::string_view relativ
   if (error || !IsBelow(root_, file)) return std::nullopt;
   if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
   return file;
+}
+
+std::string ServedFolder::Read(std::string_view relative) const {
+  const auto file = Find(relative);
+  if (!file) {
+    throw InputError(
+        fmt::format("{}: '{}' is no file below it; need one that is there, without "
+                    "'..' and links that lead out",
+                    root_.string(), relative));
+  }
+  return ReadWholeFile(*file);
 }
 
 std::string ReadPart(const std::filesystem::path& file, std::uint64_t begin, std::size_t length) {

@@ -21,6 +21,8 @@ class ServedFolder {
   const std::filesystem::path& root() const { return root_; }
   /// The real place of a file, or nothing where there is none that may be read.
   std::optional<std::filesystem::path> Find(std::string_view relative) const;
+  /// All of a file. Throws InputError where there is none that may be read.
+  std::string Read(std::string_view relative) const;
 
  private:
   std::filesystem::path root_;

@@ -149,6 +149,8 @@ class ViewServer::Running {
           port, kLoopback));
     }
     hosts_ = {fmt::format("{}:{}", kLoopback, port_), fmt::format("localhost:{}", port_)};
+    constexpr int kUsualPort = 80;  // which browsers leave out
+    if (port_ == kUsualPort) hosts_.insert({kLoopback, "localhost"});
   }
 
   /// Reading alone, and asked for by this computer's name: a page from elsewhere whose name was

@@ -109,7 +109,8 @@ std::string PageOf(const CommandHelp& program, const CommandHelp& command,
                  ".TP\n0\nAll was done.\n.TP\n1\nThe answer is no (\\fBtera lint\\fR has found "
                  "something), or the program has a fault of its own.\n.TP\n2\nSomething that was "
                  "given cannot be used; the message says where, what was found, what is needed "
-                 "and what to do.\n") +
+                 "and what to do.\n.TP\n3 and more\nWhat the description of a command "
+                 "says.\n") +
          Section("SEE ALSO", SeeAlso(program, command) + "\n");
 }
 

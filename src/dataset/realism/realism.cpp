@@ -25,6 +25,14 @@ SurfaceRealism Told(const std::string& name, const SurfaceSums& sums) {
 
 void RequireSize(const std::filesystem::path& dataset, const std::string& folder,
                  const CameraFrame& frame) {
+  const Image<std::uint8_t>& semantic = frame.semantic;
+  if (!semantic.empty() &&
+      (semantic.width_px != frame.rgb.width_px || semantic.height_px != frame.rgb.height_px)) {
+    throw InputError(fmt::format(
+        "{}: a picture of {} x {} px with classes of {} x {} px; need classes of the same size",
+        (dataset / folder).string(), frame.rgb.width_px, frame.rgb.height_px, semantic.width_px,
+        semantic.height_px));
+  }
   const int least_px = std::min(frame.rgb.width_px, frame.rgb.height_px);
   if (least_px >= kSmallest_px) return;
   throw InputError(fmt::format(

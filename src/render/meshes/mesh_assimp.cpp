@@ -155,6 +155,14 @@ Mesh LoadWithAssimp(const std::filesystem::path& file, const std::string& node, 
     }
   }
   AddNode({file, *scene, textures}, *start, X, !node.empty(), &mesh);
+  for (unsigned m = 0; m < scene->mNumMaterials; ++m) {
+    aiString picture;
+    if (scene->mMaterials[m]->GetTexture(aiTextureType_DIFFUSE, 0, &picture) != aiReturn_SUCCESS) {
+      continue;
+    }
+    const std::filesystem::path read = file.parent_path() / picture.C_Str();
+    if (textures->contains(read.string())) mesh.files.push_back(read);
+  }
   FinishMesh(file, &mesh);
   return mesh;
 }

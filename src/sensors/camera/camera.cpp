@@ -108,18 +108,18 @@ void Camera::Label(const SceneAt& scene_at, const Rasterizer& rasterizer, const 
       scene_at, frame->t_ns, blurs ? settings.exposure_s : 0, frame);
 }
 
-Image<float> Camera::Dust(const SeenScene& scene, const Rasterizer& rasterizer,
+Image<float> Camera::Dust(const SceneAt& scene_at, TimeNs t_ns, const Rasterizer& rasterizer,
                           const Image<float>& depth_m) {
   const bool is_dusty = rasterizer.model().environment.weather.dust.has_value();
   if (!model_.labels[kDustChannel] && !(is_dusty && model_.depth)) return {};
   if (!rays_) rays_.emplace(model_.intrinsics);
-  return DustOpticalDepths(*rays_, scene, depth_m);
+  return DustOpticalDepths(*rays_, scene_at(t_ns), depth_m);
 }
 
-Image<float> Camera::Range(std::int64_t k, const SeenScene& scene, const Image<float>& dust,
+Image<float> Camera::Range(std::int64_t k, const SceneAt& scene_at, const Image<float>& dust,
                            Image<float> depth_m, Rasterizer* rasterizer) const {
-  if (stereo_) return stereo_->Measure(k, scene, rasterizer);
-  if (time_of_flight_) return time_of_flight_->Measure(k, scene, rasterizer);
+  if (stereo_) return stereo_->Measure(k, scene_at(clock_.Due(k)), rasterizer);
+  if (time_of_flight_) return time_of_flight_->Measure(k, scene_at(clock_.Due(k)), rasterizer);
   if (model_.disparity_noise_px > 0) {
     const auto first = static_cast<std::uint64_t>(k) * depth_m.data.size();
     const double scale_1pm =
@@ -166,7 +166,7 @@ CameraFrame Camera::Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer*
   CameraFrame frame = See(scene_at, clock_.Due(k), rasterizer, beside);
   frame.t_ns = clock_.Due(k);
   Label(scene_at, *rasterizer, beside, &frame);
-  const Image<float> dust = Dust(scene_at(frame.t_ns), *rasterizer, frame.depth_m);
+  const Image<float> dust = Dust(scene_at, frame.t_ns, *rasterizer, frame.depth_m);
   if (!dust.empty()) frame.dust_optical_depth = DustLabel(dust);
   if (optics_) {
     optics_->Apply(scene_at(frame.t_ns), frame.depth_m, rasterizer, &luminance.cdpm2);
@@ -183,7 +183,7 @@ CameraFrame Camera::Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer*
   if (!model_.depth) {
     frame.depth_m = {};
   } else {
-    frame.depth_m = Range(k, scene_at(frame.t_ns), dust, std::move(frame.depth_m), rasterizer);
+    frame.depth_m = Range(k, scene_at, dust, std::move(frame.depth_m), rasterizer);
     if (!dust.empty()) LoseDepthInDust(dust, &frame.depth_m);
     LimitDepth(model_, &frame.depth_m);
   }

@@ -100,10 +100,10 @@ class Camera {
   void Label(const SceneAt& scene_at, const Rasterizer& rasterizer, const Beside& beside,
              CameraFrame* frame);
   /// Optical depth of the dust before what each pixel shows; empty where nothing needs it.
-  Image<float> Dust(const SeenScene& scene, const Rasterizer& rasterizer,
+  Image<float> Dust(const SceneAt& scene_at, TimeNs t_ns, const Rasterizer& rasterizer,
                     const Image<float>& depth_m);
   /// What the depth sensor makes of picture k, whose depth is exact, through `dust`.
-  Image<float> Range(std::int64_t k, const SeenScene& scene, const Image<float>& dust,
+  Image<float> Range(std::int64_t k, const SceneAt& scene_at, const Image<float>& dust,
                      Image<float> depth_m, Rasterizer* rasterizer) const;
   /// sRGB of picture k, which the control takes note of.
   Image<std::uint8_t> Sense(const Image<float>& luminance_cdpm2, std::int64_t k);

@@ -81,6 +81,16 @@ void ReadDepthSensor(const ConfigMap& config, CameraModel* model) {
                  "needs pictures of a pinhole, but this lens distorts; need a camera without "
                  "lens and its coefficients");
   }
+  constexpr int kFinest_px = 8192;  // of the picture that parts are taken from
+  const int side_px = std::max(model->intrinsics.width_px, model->intrinsics.height_px);
+  if (model->time_of_flight && model->time_of_flight->parts * side_px > kFinest_px) {
+    config.Map("time_of_flight")
+        .Fault("parts", fmt::format("{} of a picture {} px wide or high are {} px; need {} px at "
+                                    "most, {} parts, or a smaller picture",
+                                    model->time_of_flight->parts, side_px,
+                                    model->time_of_flight->parts * side_px, kFinest_px,
+                                    std::max(1, kFinest_px / side_px)));
+  }
   if (model->stereo && model->stereo->disparities_px + 32 > model->intrinsics.width_px) {
     config.Map("stereo").Fault(
         "disparities_px",

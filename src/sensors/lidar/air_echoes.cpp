@@ -81,7 +81,8 @@ void AirEchoes::MeetDust(const Ray& ray, double range_m, std::uint64_t number,
   passage->two_way *= std::exp(-2 * depth);
 }
 
-void AirEchoes::MeetDrop(double range_m, std::uint64_t number, Passage* passage) const {
+void AirEchoes::MeetDrop(const Ray& ray, double range_m, std::uint64_t number,
+                         Passage* passage) const {
   if (drops_before_.empty()) return;
   const double met = -std::log(draws_.Uniform(number, kDrop));
   const auto after = std::upper_bound(drops_before_.begin(), drops_before_.end(), met);
@@ -92,10 +93,14 @@ void AirEchoes::MeetDrop(double range_m, std::uint64_t number, Passage* passage)
   if (r_m >= range_m) return;
   const double diameter_m =
       Rain(rain_mmph_).DiameterAt(LeastDrop_m(r_m), draws_.Uniform(number, kSize));
+  const double dust = dust_ ? OpticalDepth(*dust_, ray.origin_W_m.cast<double>(),
+                                           ray.direction_W.cast<double>(), r_m)
+                            : 0;
   const Echo echo{r_m,
                   kPi * kPi * diameter_m * diameter_m / (2 * kDropRatio_sr * BeamArea_m2(r_m)) *
-                      std::exp(-2 * extinction_1pm_ * r_m),
+                      std::exp(-2 * (extinction_1pm_ * r_m + dust)),
                   SemanticClass::kRain};
+  if (echo.power() <= limits_.least_power) return;
   if (!passage->echo || echo.power() > passage->echo->power()) passage->echo = echo;
 }
 
@@ -103,7 +108,7 @@ AirEchoes::Passage AirEchoes::Along(const Ray& ray, double range_m, std::uint64_
   Passage passage;
   passage.two_way = std::exp(-2 * extinction_1pm_ * range_m);
   if (dust_ != nullptr) MeetDust(ray, range_m, number, &passage);
-  MeetDrop(range_m, number, &passage);
+  MeetDrop(ray, range_m, number, &passage);
   if (limits_.least_power <= 0) passage.echo.reset();
   return passage;
 }

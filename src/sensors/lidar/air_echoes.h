@@ -61,7 +61,7 @@ class AirEchoes {
   double LeastDrop_m(double range_m) const;
   static double BeamArea_m2(double range_m);
   void MeetDust(const Ray& ray, double range_m, std::uint64_t number, Passage* passage) const;
-  void MeetDrop(double range_m, std::uint64_t number, Passage* passage) const;
+  void MeetDrop(const Ray& ray, double range_m, std::uint64_t number, Passage* passage) const;
 
   const DustVolume* dust_;
   double rain_mmph_, extinction_1pm_ = 0;

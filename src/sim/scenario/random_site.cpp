@@ -251,6 +251,10 @@ void SitePlanner::Fences() {
   ForEach("fences", [&](const ConfigMap& config, const Stream& stream, int number) {
     const double panel_m = config.Number("panel_m", Between(0.5, 20, "m"), 3.5);
     const Spread of = SpreadAt(config, "panels", Between(1, 50, ""));
+    if (std::floor(of.lower) != of.lower || std::floor(of.upper) != of.upper) {
+      config.Fault("panels", fmt::format("from {} to {}; need whole numbers", of.lower, of.upper));
+      return;
+    }
     const auto panels =
         static_cast<int>(of.lower + std::floor(Share(stream, kSize) * (of.upper - of.lower + 1)));
     const std::string file = OneOf(config, "of", stream);

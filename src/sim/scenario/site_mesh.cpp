@@ -79,7 +79,7 @@ int VerticesOver(double size_m, double cell_m) {
 
 /// The largest rectangle about W's origin that the mesh has ground for, or what the terrain says.
 Vec2 SiteSize_m(const ConfigMap& terrain, const Extent& extent) {
-  if (terrain.Has("size_m")) return terrain.Vector2("size_m", Any("m"));
+  if (terrain.Has("size_m")) return terrain.Vector2("size_m", Positive("m"));
   return 2 * extent.high_m.cwiseMin(-extent.low_m);
 }
 
@@ -97,13 +97,14 @@ void SetGround(const ConfigMap& config, const ConfigMap& terrain, const Mesh& me
                         extent.low_m.x(), extent.high_m.x(), extent.low_m.y(), extent.high_m.y()));
     return;
   }
-  const int nx = VerticesOver(size_m.x(), cell_m), ny = VerticesOver(size_m.y(), cell_m);
-  if (static_cast<double>(nx) * ny > kMostVertices) {
-    config.Fault("cell_m", fmt::format("{} x {} heights are more than {}; need a larger cell_m or "
-                                       "a smaller terrain.size_m",
-                                       nx, ny, kMostVertices));
+  const Vec2 vertices = (size_m / cell_m).array() + 1;
+  if (!(vertices.prod() <= kMostVertices)) {
+    config.Fault("cell_m", fmt::format("{:.0f} x {:.0f} heights are more than {}; need a larger "
+                                       "cell_m or a smaller terrain.size_m",
+                                       vertices.x(), vertices.y(), kMostVertices));
     return;
   }
+  const int nx = VerticesOver(size_m.x(), cell_m), ny = VerticesOver(size_m.y(), cell_m);
   const Vec2 low_m = -0.5 * cell_m * Vec2(nx - 1, ny - 1);
   TopOfMesh top = TopOf(mesh, low_m, cell_m, nx, ny);
   const auto is_gap = [](float z_m) { return std::isnan(z_m); };

@@ -21,8 +21,7 @@ Stage Site() {
   stage.model.instances[1].parent = stage.model.instances[2].parent = whole;
   stage.model.instances.push_back(
       {.name = "machine", .label = SemanticClass::kVehicle, .body = 0, .is_whole = true});
-  stage.model.lamps.push_back({.name = "lamp",
-                               .X_BL = MakePose(Vec3(3, -2, 3), 0, 40 * kDeg, 150 * kDeg),
+  stage.model.lamps.push_back({.X_BL = MakePose(Vec3(3, -2, 3), 0, 40 * kDeg, 150 * kDeg),
                                .flux_lm = 5e6,
                                .half_angle_rad = 40 * kDeg});
   return stage;

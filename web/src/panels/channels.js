@@ -47,13 +47,13 @@ export class Channels {
       this.rows.push({ row, channel });
       return row;
     }
-    const { columns, is_empty } = await dataset.call("table", { path: channel.file });
+    const { columns, is_empty, error } = await dataset.call("table", { path: channel.file });
     const groups = is_empty ? [] : groupsOf(columns, channel.path);
     const buttons = groups.map(([unit, of]) => {
       const button = h("button.unit", { type: "button", title: `${of.join(", ")}: plot or not`, onclick: () => this.plots.toggle(dataset, channel, unit, of) }, unit || (of.length === 1 ? of[0] : `${of.length} columns`));
       return { button, unit };
     });
-    const row = h("div.channel", { "data-path": channel.path, title: size(channel.bytes) }, h("span", {}, short), h("span.units", {}, is_empty || !groups.length ? h("span.hint", {}, is_empty ? "empty" : "no columns") : buttons.map((one) => one.button)));
+    const row = h("div.channel", { "data-path": channel.path, title: size(channel.bytes) }, h("span", {}, short), h("span.units", {}, is_empty || !groups.length ? h("span.hint", {}, error ?? (is_empty ? "empty" : "no columns")) : buttons.map((one) => one.button)));
     this.rows.push({ row, channel, buttons });
     return row;
   }

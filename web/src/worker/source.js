@@ -16,11 +16,12 @@ export class ServedFiles {
   }
 }
 
-/** Files that were packed into the page: `places` maps a path to [begin, length] in `bytes`. */
+/** Files that were packed into the page: `places` maps a path to [begin, length] in `bytes`; `base` tells datasets apart. */
 export class PackedFiles {
-  constructor(places, bytes) {
+  constructor(places, bytes, base) {
     this.places = places;
     this.bytes = bytes;
+    this.base = base;
   }
 
   async read(path, begin = 0, end = Infinity) {

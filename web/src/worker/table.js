@@ -111,7 +111,7 @@ export class Table {
 
   /** A line belongs to the block in which it begins. */
   async block(k) {
-    const key = `${this.files.base ?? ""}|${this.path}|${k}`;
+    const key = `${this.files.base}|${this.path}|${k}`;
     const known = kept.get(key);
     if (known) {
       keep(key, known);
@@ -242,7 +242,7 @@ export class Table {
     if (!this.envelope || this.share_read >= 1) return false;
     this.next = this.next ?? 0;
     for (let k = 0; k < blocks && this.next < this.blocks; ++k, ++this.next) {
-      const key = `${this.files.base ?? ""}|${this.path}|${this.next}`;
+      const key = `${this.files.base}|${this.path}|${this.next}`;
       const was_kept = kept.has(key);
       this.envelope.add(await this.block(this.next));
       if (!was_kept) kept.delete(key);

@@ -28,16 +28,17 @@ const methods = {
     const bytes = pack && new Uint8Array(pack.bytes);
     sources = list.map(({ base, sizes, classes, prefix }) => ({
       files: pack ? new PackedFiles(Object.fromEntries(Object.entries(pack.places)
-        .filter(([name]) => name.startsWith(prefix)).map(([name, place]) => [name.slice(prefix.length), place])), bytes)
+        .filter(([name]) => name.startsWith(prefix)).map(([name, place]) => [name.slice(prefix.length), place])), bytes, prefix)
         : new ServedFiles(base),
       sizes, classes,
     }));
     return true;
   },
 
+  /** Columns and times; of a table that cannot be read `error`, and nothing in it. */
   async table({ source, path }) {
-    const table = await tableOf(source, path);
-    return { columns: table.columns, is_empty: table.is_empty, from_s: table.first_ns / NS, to_s: table.last_ns / NS };
+    const table = await tableOf(source, path).catch((error) => ({ columns: [], is_empty: true, error: error.message }));
+    return { error: table.error, columns: table.columns, is_empty: table.is_empty, from_s: table.first_ns / NS, to_s: table.last_ns / NS };
   },
 
   async series({ source, path, columns, from_s, to_s, points }) {
@@ -93,7 +94,8 @@ const methods = {
   async frames({ source, path }) {
     const key = `${source}|${path}`;
     if (!frame_lists.has(key)) {
-      const text = new TextDecoder().decode(await sources[source].files.read(path));
+      const bytes = await sources[source].files.read(path).catch(() => new Uint8Array(0));  // no frames, then
+      const text = new TextDecoder().decode(bytes);
       const lines = text.split("\n").slice(1).filter((line) => line !== "").map((line) => line.trim().split(","));
       frame_lists.set(key, { t_s: Float64Array.from(lines, (l) => Number(l[0]) / NS), names: lines.map((l) => l[1]) });
     }

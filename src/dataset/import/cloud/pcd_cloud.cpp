@@ -13,6 +13,8 @@
 namespace tera {
 namespace {
 
+constexpr std::uint64_t kMostExpanded = 264;  // times, by LZF: a run of 264 bytes takes three
+
 struct Field {
   std::string name;
   char type = 'F';
@@ -182,6 +184,9 @@ void ReadCompressed(const std::filesystem::path& file, const Header& header, std
                                   header.points, header.points * header.record_bytes, plain));
   }
   if (plain == 0) return;
+  if (plain > kMostExpanded * packed) {
+    RefuseCloud(file, "its packed data are damaged; copy the file again");
+  }
   std::string columns(plain, '\0');
   if (lzf_decompress(body.data(), packed, columns.data(), plain) != plain) {
     RefuseCloud(file, "its packed data are damaged; copy the file again");

@@ -12,6 +12,7 @@ namespace tera {
 namespace {
 
 constexpr int kDeepest = 16;
+constexpr std::size_t kLongestPath = 512;  // of a field, whose elements each keep it
 constexpr std::size_t kMostBytes = 65536;  // of a message
 
 struct BasicType {
@@ -95,6 +96,7 @@ void UlogFormats::AddField(std::string_view type, const std::string& path, int d
     if (count == 0) throw BadBytes{"has an array without a length, " + path};
     type = type.substr(0, bracket);
   }
+  if (path.size() > kLongestPath) throw BadBytes{"has a field with a name that nobody could write"};
   const BasicType* const basic = BasicOf(type);
   for (std::size_t k = 0; k < count; ++k) {
     const std::string element = is_array ? fmt::format("{}[{}]", path, k) : path;

@@ -63,9 +63,12 @@ void LampLights::Update(const SceneState& state, NodeRenderer* nodes) {
     program_.Set("u_clip_from_W",
                  Eigen::Matrix4f(ClipFromWorld(lamps_[k], X_WL_[k]).cast<float>()));
     const Vec3 eye_W_m = X_WL_[k].translation(), beam_W = X_WL_[k].linear().col(0);
-    nodes->DrawOpaqueIf([&](const SceneNode&, const Vec3& centre_W_m, double radius_m) {
-      return (centre_W_m - eye_W_m).dot(beam_W) > -radius_m;
-    });
+    const auto ahead_m = [&](const Vec3& p_W_m) { return (p_W_m - eye_W_m).dot(beam_W); };
+    nodes->DrawOpaqueIf([&](const SceneNode&, const Vec3& centre_W_m,
+                            double radius_m) { return ahead_m(centre_W_m) > -radius_m; },
+                        [&](const SceneNode&, const Vec3& centre_W_m, double radius_m) {
+                          return ahead_m(centre_W_m) - radius_m > kNear_m;
+                        });
   }
   glDisable(GL_POLYGON_OFFSET_FILL);
 }

@@ -279,7 +279,9 @@ void NodeRenderer::DrawBare(int node, Surface surface, bool half_of_closed) cons
   glBindVertexArray(mesh.bare_array->id());
   if (bare.closed.index_count > 0) {
     if (half_of_closed) glEnable(GL_CULL_FACE);
+    if (model_.nodes[node].scale < 0) glFrontFace(GL_CW);  // mirrored
     DrawBatch(node, mesh.first_bare_vertex, bare.closed);
+    glFrontFace(GL_CCW);
     glDisable(GL_CULL_FACE);
   }
   if (bare.open.index_count > 0) DrawBatch(node, mesh.first_bare_vertex, bare.open);
@@ -328,10 +330,11 @@ void NodeRenderer::DrawBodies(const Program& program) const {
   draw(placed_glass_, Surface::kGlass);
 }
 
-void NodeRenderer::DrawOpaqueIf(const Wanted& wanted) const {
+void NodeRenderer::DrawOpaqueIf(const Wanted& wanted, const Wanted& is_whole) const {
   for (const Placed& placed : placed_opaque_) {
-    if (!wanted(model_.nodes[placed.node], placed.centre_W_m, placed.radius_m)) continue;
-    DrawBare(placed.node, Surface::kOpaque, true);
+    const SceneNode& node = model_.nodes[placed.node];
+    if (!wanted(node, placed.centre_W_m, placed.radius_m)) continue;
+    DrawBare(placed.node, Surface::kOpaque, is_whole(node, placed.centre_W_m, placed.radius_m));
   }
 }
 

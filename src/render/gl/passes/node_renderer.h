@@ -40,11 +40,11 @@ class NodeRenderer {
   /// of `program`, which is in use.
   void DrawBodies(const Program& program) const;
   /// Draws the opaque nodes that `wanted` accepts by themselves and their bounding spheres:
-  /// attributes 0 and 4 to 6 only. Of closed surfaces only those triangles are drawn that run
-  /// counter-clockwise in the picture, which has to hold all of each node along its rays.
+  /// attributes 0 and 4 to 6 only. Of the closed surfaces of those that `is_whole`, none of which
+  /// the near plane cuts, only triangles are drawn that run counter-clockwise in the picture.
   using Wanted =
       std::function<bool(const SceneNode& node, const Vec3& centre_W_m, double radius_m)>;
-  void DrawOpaqueIf(const Wanted& wanted) const;
+  void DrawOpaqueIf(const Wanted& wanted, const Wanted& is_whole) const;
   /// Draws the nodes of one instance only, glass and opaque, into its silhouette in `view`:
   /// attributes 0 and 4 to 6 only.
   void DrawInstance(std::uint16_t instance, const View& view) const;

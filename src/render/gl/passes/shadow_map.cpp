@@ -137,14 +137,16 @@ void ShadowMap::Draw(const GlObject& framebuffer, const NodeRenderer& nodes, boo
                high = near_.box_L_m.max().head<2>() - p_L;
     return std::min(low.minCoeff(), high.minCoeff());
   };
+  // The pictures hold all of each node along its rays: their near plane cuts none.
+  const auto is_whole = [](const SceneNode&, const Vec3&, double) { return true; };
   AimAt(near_);
-  nodes.DrawOpaqueIf([&](const SceneNode& node, const Vec3& c, double r) {
-    return is_wanted(node) && gap_m(c) > -r;
-  });
+  nodes.DrawOpaqueIf([&](const SceneNode& node, const Vec3& c,
+                         double r) { return is_wanted(node) && gap_m(c) > -r; },
+                     is_whole);
   AimAt(far_);
-  nodes.DrawOpaqueIf([&](const SceneNode& node, const Vec3& c, double r) {
-    return is_wanted(node) && gap_m(c) < r + kMargin_m;
-  });
+  nodes.DrawOpaqueIf([&](const SceneNode& node, const Vec3& c,
+                         double r) { return is_wanted(node) && gap_m(c) < r + kMargin_m; },
+                     is_whole);
 }
 
 void ShadowMap::AimAt(const Picture& picture) const {

@@ -60,7 +60,7 @@ StereoModel ReadStereo(const ConfigMap& config) {
                  fmt::format("{} is no multiple of 16; need {} or {}", m.disparities_px,
                              m.disparities_px / 16 * 16, m.disparities_px / 16 * 16 + 16));
   }
-  m.block_px = static_cast<int>(config.Integer("block_px", Between(1, 31, "px"), m.block_px));
+  m.block_px = static_cast<int>(config.Integer("block_px", Between(1, 11, "px"), m.block_px));
   if (m.block_px % 2 == 0) {
     config.Fault("block_px", fmt::format("{} is even; need {} or {}, with a middle", m.block_px,
                                          m.block_px - 1, m.block_px + 1));

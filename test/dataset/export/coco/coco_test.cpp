@@ -132,6 +132,13 @@ ObjectBox BoxWith(std::uint16_t instance, SemanticClass label, std::vector<Keypo
   return box;
 }
 
+/// The file of a picture's boxes.
+std::string FileOf(std::vector<ObjectBox> boxes) {
+  CameraFrame frame;
+  frame.boxes = std::move(boxes);
+  return EncodeBoxes(frame);
+}
+
 // A person's points come in COCO's order, whatever theirs; the nose is the first. What lies beyond
 // the picture has no place, and counts as not labelled.
 TEST_F(CocoTest, KeyPointsAreInTheOrderOfTheirCategory) {
@@ -145,9 +152,9 @@ TEST_F(CocoTest, KeyPointsAreInTheOrderOfTheirCategory) {
       {"boom_pin", Vec3(0, 0, 4), Vec2(1, 1), KeypointSight::kSeen},
       {"arm_pin", Vec3(0, 0, -1), std::nullopt, KeypointSight::kOutside}};
   WriteWholeFile(recording() / "digger/front/boxes/0.json",
-                 EncodeBoxes(0, {BoxWith(kMachine, SemanticClass::kVehicle, machine),
-                                 BoxWith(kPerson, SemanticClass::kPerson, person),
-                                 BoxWith(kBoom, SemanticClass::kBoom, {})}));
+                 FileOf({BoxWith(kMachine, SemanticClass::kVehicle, machine),
+                         BoxWith(kPerson, SemanticClass::kPerson, person),
+                         BoxWith(kBoom, SemanticClass::kBoom, {})}));
   const json document = Exported("annotations/keypoints.json");
   ASSERT_EQ(document["images"].size(), 1u);
   ASSERT_EQ(document["annotations"].size(), 2u);
@@ -177,11 +184,10 @@ TEST_F(CocoTest, ObjectsWithOtherPointsAreOfAnotherCategory) {
   const auto point = [](const char* name) {
     return Keypoint{name, Vec3(0, 0, 4), Vec2(1, 1), KeypointSight::kSeen};
   };
-  WriteWholeFile(
-      recording() / "digger/front/boxes/0.json",
-      EncodeBoxes(0, {BoxWith(kMachine, SemanticClass::kVehicle, {point("a"), point("b")}),
-                      BoxWith(kBoom, SemanticClass::kVehicle, {point("b"), point("a")}),
-                      BoxWith(kPerson, SemanticClass::kPerson, {point("nose")})}));
+  WriteWholeFile(recording() / "digger/front/boxes/0.json",
+                 FileOf({BoxWith(kMachine, SemanticClass::kVehicle, {point("a"), point("b")}),
+                         BoxWith(kBoom, SemanticClass::kVehicle, {point("b"), point("a")}),
+                         BoxWith(kPerson, SemanticClass::kPerson, {point("nose")})}));
   const json categories = Exported("annotations/keypoints.json")["categories"];
   ASSERT_EQ(categories.size(), 3u);
   EXPECT_EQ(categories[1]["name"], "vehicle_2");
