@@ -10,9 +10,9 @@
 #include "core/motion.h"
 #include "core/types/labels.h"
 #include "core/types/terrain_surface.h"
-#include "render/ground/ground_paint.h"
 #include "render/air/dust_volume.h"
 #include "render/air/weather.h"
+#include "render/ground/ground_paint.h"
 #include "render/lamp.h"
 #include "render/meshes/mesh.h"
 

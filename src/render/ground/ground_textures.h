@@ -79,7 +79,7 @@ class GroundTextures {
   HeightTexels heights_;
   std::vector<TerrainSurface::Cover> cover_;  ///< of each texel
   std::vector<float> water_m_;  ///< level in each texel's hollow; empty where no water stands
-  bool painted_ = false;                      ///< whole, once
+  bool painted_ = false;        ///< whole, once
   SkyView sky_view_;
   GroundShadow shadow_;
   Pyramid albedo_, shape_;

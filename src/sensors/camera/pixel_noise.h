@@ -9,8 +9,8 @@ namespace tera {
 
 /// Divides each depth z that is not 0 by 1 - s z n, n standard normal, s being the noise of the
 /// disparity over focal length and baseline: far away, where the noise is larger than the disparity
-/// itself, there is no measurement. Behind dust, of which `dust` has the optical depth at each pixel
-/// or nothing, it grows as the contrast falls. Pixel i has draw `first` + i.
+/// itself, there is no measurement. Behind dust, of which `dust` has the optical depth at each
+/// pixel or nothing, it grows as the contrast falls. Pixel i has draw `first` + i.
 void AddDisparityNoise(double scale_1pm, const UniformBits& noise, std::uint64_t first,
                        const Image<float>& dust, Image<float>* depth_m);
 
