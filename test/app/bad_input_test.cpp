@@ -122,7 +122,7 @@ TEST(BadInput, AStereoMatcherWithAnEvenBlockIsRefusedWithItsPlace) {
   const std::string scenario = SmallScenario(
       "{name: cam, type: camera, link: chassis, rate_hz: 1, width_px: 64, height_px: 48, "
       "horizontal_fov_deg: 90, depth: true, stereo: {disparities_px: 16, block_px: 6}}");
-  ExpectScenarioRefused(scenario, AllOf(StartsWith(At(scenario, "12}") +
+  ExpectScenarioRefused(scenario, AllOf(StartsWith(At(scenario, "6}}") +
                                                    "machines[0].rig.sensors[1].stereo.block_px: "),
                                         HasSubstr("need 5 or 7")));
 }
