@@ -263,6 +263,13 @@ class ViewInBrowser(unittest.TestCase):
         brightest = self.browser.run("tera.cameras.cards[0].canvas.getContext('2d').getImageData(0, 0, 96, 72).data.reduce((m, v, k) => k % 4 === 3 ? m : Math.max(m, v), 0)")
         self.assertEqual(brightest, 0)  # the pictures are the same
 
+    def test_keeps_the_datasets_of_one_file_apart(self):
+        self.tera("view", "a", "b", "--export", "both.html", "--size", "10")
+        self.show((self.folder / "both.html").as_uri())
+        self.to(0.5)
+        both = self.values("digger/joints")
+        self.assertAlmostEqual(both["A" + self.shifted] - both["B" + self.shifted], 0.25, 12)
+
     def test_is_one_file_that_needs_no_server(self):
         said = self.tera("view", "b", "why", "--export", "page.html", "--size", "5")
         self.assertRegex(said, r"page\.html: [\d.]+ MB\. An excerpt: ")
