@@ -76,6 +76,16 @@ TEST(Excerpt, IsNoLargerThanAskedFor) {
   }
 }
 
+TEST(Excerpt, TakesNoFileFromOutsideTheFolder) {
+  const std::filesystem::path recording = SmallRecording("leading_out");
+  const std::filesystem::path secret = recording.parent_path() / "secret.csv";
+  WriteFileAt(secret, "t_ns,key\n0,12345\n");
+  const std::filesystem::path table = recording / "digger/commands.csv";
+  std::filesystem::remove(table);
+  std::filesystem::create_symlink(secret, table);
+  EXPECT_THROW(MakeExcerpt({OpenViewed(recording)}, kPage, kPlenty), InputError);
+}
+
 TEST(Excerpt, LetsNoTextOfTheDataEndItsScript) {
   const std::filesystem::path why = OwnFolder() / "sly";
   WriteFileAt(why / "diagnosis.json",
