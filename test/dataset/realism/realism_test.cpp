@@ -60,6 +60,17 @@ TEST(Realism, TellsClassesApartAndCountsPictures) {
   EXPECT_DOUBLE_EQ(json["amplitude_slope"]["mean"], all.slope_mean);
 }
 
+TEST(Realism, RefusesClassesOfAnotherSizeThanTheirPicture) {
+  const ScratchDirectory scratch;
+  WriteRecording(scratch.path() / "d", 1, 128, 96);
+  WriteRecording(scratch.path() / "other", 1, 96, 96);
+  const std::string classes = "m/camera/semantic/0.png";
+  std::filesystem::copy_file(scratch.path() / "other" / classes, scratch.path() / "d" / classes,
+                             std::filesystem::copy_options::overwrite_existing);
+  EXPECT_THAT([&] { MeasureRealism(scratch.path() / "d", 1); },
+              ThrowsMessage<InputError>(HasSubstr("need classes of the same size")));
+}
+
 TEST(Realism, RefusesWhatHasNoPicturesOrTooSmallOnes) {
   const ScratchDirectory scratch;
   WriteRecording(scratch.path() / "small", 1, 63, 80);

@@ -18,9 +18,9 @@ CameraModel Read(const std::string& keys, std::string* resolved = nullptr) {
   return std::get<CameraModel>(s.model);
 }
 
-std::string Refusal(const std::string& keys) {
+std::string Refusal(const std::string& keys, const std::string& camera = kCamera) {
   try {
-    Read(kCamera + keys);
+    Read(camera + keys);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -97,6 +97,12 @@ TEST(ReadCamera, DepthSensorsThatCannotBeAreRefused) {
   ExpectRefused(depth + "stereo: {disparities_px: 16}, time_of_flight: {}",
                 "time_of_flight: given beside stereo; keep one");
   ExpectRefused(depth + "time_of_flight: {frequency_hz: 20}", "frequency_hz: 20 is out of range");
+  std::string wide = kCamera;
+  wide.replace(wide.find("64"), 2, "2000");
+  const std::string refusal = Refusal(depth + "time_of_flight: {parts: 5}", wide);
+  EXPECT_NE(refusal.find("2000 px wide or high are 10000 px; need 8192 px at most, 4 parts"),
+            std::string::npos)
+      << refusal;
   ExpectRefused(depth + "stereo: {disparities_px: 16, projector: {}}",
                 "projector.intensity_cd: missing");
 }

@@ -171,6 +171,9 @@ TEST_F(RandomSite, FaultsSayWhereTheyAre) {
               ThrowsMessage<InputError>(HasSubstr("nothing to choose from")));
   EXPECT_THAT(load("things: {count: [1, 1], size_m: [1, 1], of: ['no.yaml']}"),
               ThrowsMessage<InputError>(HasSubstr("'no.yaml' does not exist")));
+  EXPECT_THAT(
+      load("fences: {count: [1, 1], panels: [1.5, 2.7], of: ['tera:config/obstacles/fence.yaml']}"),
+      ThrowsMessage<InputError>(HasSubstr("panels: from 1.5 to 2.7; need whole numbers")));
   EXPECT_THAT([&] { Load(site("gap_m: 1") + site("gap_m: 1").substr(1), 0); },
               ThrowsMessage<InputError>(HasSubstr("is the second site")));
   EXPECT_THAT(load("gap_m: -1"), ThrowsMessage<InputError>(HasSubstr("gap_m: -1 is out of range")));

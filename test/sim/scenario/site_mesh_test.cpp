@@ -185,6 +185,10 @@ TEST_F(SiteMeshFile, FaultsSayWhereTheyAre) {
               AllOf(HasSubstr("environment.mesh.file"), HasSubstr("does not exist")));
   EXPECT_THAT(FaultsOf(Yaml("ground: {node: ground}", "size_m: [17, 16], soil: dirt")),
               AllOf(HasSubstr("environment.mesh.ground"), HasSubstr("have nothing below")));
+  EXPECT_THAT(FaultsOf(Yaml("ground: {node: ground}", "size_m: [1e12, 1e12], soil: dirt")),
+              HasSubstr("heights are more than"));
+  EXPECT_THAT(FaultsOf(Yaml("ground: {node: ground}", "size_m: [-4, 4], soil: dirt")),
+              HasSubstr("terrain.size_m"));
   EXPECT_THAT(FaultsOf(Yaml("ground: {node: ground}, xyz_m: [20, 0, 0]")),
               HasSubstr("not around W's origin"));
   EXPECT_THAT(FaultsOf(Yaml("parts: [{node: wall, name: excavator1}]")),

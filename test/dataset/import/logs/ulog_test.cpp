@@ -219,6 +219,11 @@ TEST_F(UlogTest, HostileBytesAreFaults) {
                         .Offer(1, "t")
                         .Data(1, time)),
               HasSubstr("a format that no message can hold"));
+  // Each of 65 535 numbers keeps its path: of 60 kB each they would fill four gigabytes.
+  const std::string long_name(60000, 'a');
+  EXPECT_THAT(
+      fault(Ulog().Format("t:uint8_t[65535] " + long_name + ";").Offer(1, "t").Data(1, time)),
+      HasSubstr("a field with a name that nobody could write"));
   EXPECT_THAT(fault(Ulog().Format("t:float[0] a;").Offer(1, "t").Data(1, time)),
               HasSubstr("an array without a length"));
   EXPECT_THAT(fault(Ulog().Format("t:float a;").Offer(1, "t").Data(1, time)),
