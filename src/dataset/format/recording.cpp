@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <charconv>
 #include <fstream>
+#include <future>
 #include <utility>
+#include <vector>
 
 #include "core/check.h"
 #include "core/config/config.h"
@@ -367,13 +369,21 @@ CameraFrame Recording::LoadFrame(const std::string& folder, TimeNs t_ns) const {
     any = any || there;
     return there;
   };
-  if (has(file("rgb", "png"))) frame.rgb = ReadRgbPng(file("rgb", "png"));
-  if (has(file("depth", "png"))) frame.depth_m = DepthMetres(ReadGrey16Png(file("depth", "png")));
+  // Decoding takes most of the time of whoever reads frames: pictures are decoded side by side.
+  PreparePng();
+  std::vector<std::future<void>> decoded;
+  const auto decode = [&](const fs::path& png, auto read) {
+    if (has(png)) decoded.push_back(std::async(std::launch::async, [png, read] { read(png); }));
+  };
+  decode(file("rgb", "png"), [&](const fs::path& png) { frame.rgb = ReadRgbPng(png); });
+  decode(file("depth", "png"),
+         [&](const fs::path& png) { frame.depth_m = DepthMetres(ReadGrey16Png(png)); });
   ForEachLabel(frame, [&](const LabelChannel& channel, auto& picture) {
-    const fs::path png = file(channel.name, "png");
-    if (has(png)) ReadPng(png, channel.components, &picture);
+    decode(file(channel.name, "png"), [components = channel.components, own = &picture](
+                                          const fs::path& png) { ReadPng(png, components, own); });
   });
   if (has(file("boxes", "json"))) ReadBoxes(file("boxes", "json"), &frame);
+  for (std::future<void>& picture : decoded) picture.get();
   if (!any) {
     throw InputError(fmt::format("{}: there is no image of t_ns {}; data.csv names one",
                                  (directory_ / folder).string(), t_ns));

@@ -87,90 +87,97 @@ std::size_t McapWriter::AddTopic(const Topic& topic) {
   AppendText("offered_qos_profiles", &metadata);
   AppendText(QosProfiles(topic.quality), &metadata);
   std::string content;
-  AppendNumber(static_cast<std::uint16_t>(channels_.size()), &content);
+  AppendNumber(static_cast<std::uint16_t>(messages_.size()), &content);
   AppendNumber(schema->second, &content);
   AppendText(topic.name, &content);
   AppendText("cdr", &content);
   AppendMap(metadata, &content);
   channel_records_ += RecordBytes(kChannel, content);
-  channels_.emplace_back();
-  return channels_.size() - 1;
+  messages_.push_back(0);
+  return messages_.size() - 1;
 }
 
 void McapWriter::Write(std::size_t topic, TimeNs t_ns, std::string_view message) {
   TERA_CHECK(t_ns >= 0, t_ns);
-  if (!defined_) chunk_ = schema_records_ + channel_records_;
+  if (!defined_) chunk_.records = schema_records_ + channel_records_;
   defined_ = true;
-  Channel& channel = channels_.at(topic);
+  const auto id = static_cast<std::uint16_t>(topic);
   const auto log_ns = static_cast<std::uint64_t>(t_ns);
-  channel.in_chunk.emplace_back(log_ns, chunk_.size());
+  std::string& records = chunk_.records;
+  chunk_.places[id].emplace_back(log_ns, records.size());
   // The message's fields go straight into the chunk: messages are large.
   constexpr std::uint64_t kFieldBytes = 2 + 4 + 8 + 8;
-  AppendNumber(static_cast<std::uint8_t>(kMessage), &chunk_);
-  AppendNumber(kFieldBytes + message.size(), &chunk_);
-  AppendNumber(static_cast<std::uint16_t>(topic), &chunk_);
-  AppendNumber(static_cast<std::uint32_t>(channel.messages), &chunk_);
-  AppendNumber(log_ns, &chunk_);
-  AppendNumber(log_ns, &chunk_);  // published
-  chunk_.append(message);
-  ++channel.messages;
-  chunk_span_.Include(log_ns);
+  AppendNumber(static_cast<std::uint8_t>(kMessage), &records);
+  AppendNumber(kFieldBytes + message.size(), &records);
+  AppendNumber(id, &records);
+  AppendNumber(static_cast<std::uint32_t>(messages_.at(topic)), &records);
+  AppendNumber(log_ns, &records);
+  AppendNumber(log_ns, &records);  // published
+  records.append(message);
+  ++messages_[topic];
+  chunk_.span.Include(log_ns);
   span_.Include(log_ns);
-  if (chunk_.size() >= kChunkBytes) EndChunk();
+  if (records.size() >= kChunkBytes) EndChunk();
 }
 
 void McapWriter::EndChunk() {
-  if (chunk_.empty()) return;
-  const std::string packed = Compressed(compression_, chunk_);
+  AppendChunk();
+  if (chunk_.records.empty()) return;
+  packing_ = std::async(std::launch::async,
+                        [compression = compression_, chunk = std::move(chunk_)]() mutable {
+                          const std::uint32_t crc = Crc(0, chunk.records);
+                          std::string packed = Compressed(compression, chunk.records);
+                          return PackedChunk{std::move(chunk), crc, std::move(packed)};
+                        });
+  chunk_ = {};
+}
+
+void McapWriter::AppendChunk() {
+  if (!packing_.valid()) return;
+  const auto [chunk, crc, packed] = packing_.get();
   ChunkEntry entry;
-  entry.first_ns = chunk_span_.first_ns;
-  entry.last_ns = chunk_span_.last_ns;
+  entry.first_ns = chunk.span.first_ns;
+  entry.last_ns = chunk.span.last_ns;
   entry.offset = static_cast<std::uint64_t>(file_.bytes());
   entry.packed_bytes = packed.size();
-  entry.bytes = chunk_.size();
+  entry.bytes = chunk.records.size();
   std::string content;
   AppendNumber(entry.first_ns, &content);
   AppendNumber(entry.last_ns, &content);
   AppendNumber(entry.bytes, &content);
-  AppendNumber(Crc(0, chunk_), &content);
+  AppendNumber(crc, &content);
   AppendText(NameOf(compression_), &content);
   AppendNumber(entry.packed_bytes, &content);
   content += packed;
   AppendRecord(kChunk, content);
   const auto after_chunk = static_cast<std::uint64_t>(file_.bytes());
   entry.length = after_chunk - entry.offset;
-  for (std::size_t c = 0; c < channels_.size(); ++c) {
-    auto& in_chunk = channels_[c].in_chunk;
-    if (in_chunk.empty()) continue;
-    const auto id = static_cast<std::uint16_t>(c);
+  for (const auto& [id, places] : chunk.places) {
     entry.index_offsets[id] = static_cast<std::uint64_t>(file_.bytes());
-    std::string places, index;
-    for (const auto& [t_ns, offset] : in_chunk) {
-      AppendNumber(t_ns, &places);
-      AppendNumber(offset, &places);
+    std::string entries, index;
+    for (const auto& [t_ns, offset] : places) {
+      AppendNumber(t_ns, &entries);
+      AppendNumber(offset, &entries);
     }
     AppendNumber(id, &index);
-    AppendMap(places, &index);
+    AppendMap(entries, &index);
     AppendRecord(kMessageIndex, index);
-    in_chunk.clear();
   }
   entry.index_length = static_cast<std::uint64_t>(file_.bytes()) - after_chunk;
   chunks_.push_back(std::move(entry));
-  chunk_.clear();
-  chunk_span_ = {};
 }
 
 std::string McapWriter::Statistics() const {
   std::uint64_t messages = 0;
   std::string counts, content;
-  for (std::size_t c = 0; c < channels_.size(); ++c) {
-    messages += channels_[c].messages;
+  for (std::size_t c = 0; c < messages_.size(); ++c) {
+    messages += messages_[c];
     AppendNumber(static_cast<std::uint16_t>(c), &counts);
-    AppendNumber(channels_[c].messages, &counts);
+    AppendNumber(messages_[c], &counts);
   }
   AppendNumber(messages, &content);
   AppendNumber(static_cast<std::uint16_t>(schemas_.size()), &content);
-  AppendNumber(static_cast<std::uint32_t>(channels_.size()), &content);
+  AppendNumber(static_cast<std::uint32_t>(messages_.size()), &content);
   AppendNumber(std::uint32_t{0}, &content);  // attachments
   AppendNumber(std::uint32_t{0}, &content);  // metadata
   AppendNumber(static_cast<std::uint32_t>(chunks_.size()), &content);
@@ -235,6 +242,7 @@ void McapWriter::WriteSummary() {
 
 void McapWriter::Finish() {
   EndChunk();
+  AppendChunk();
   std::string data_end;
   AppendNumber(crc_, &data_end);
   AppendRecord(kDataEnd, data_end);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <future>
 #include <map>
 #include <string>
 #include <string_view>
@@ -17,8 +18,9 @@ namespace tera {
 /// An MCAP file of profile `ros2`: messages in compressed chunks with an index of each, and at the
 /// end schemas, channels, statistics and the index of the chunks, found by offsets.
 ///
-/// Model   a chunk ends when it holds kChunkBytes; only it, and 40 bytes or so of each earlier one
-///         for the index, are in memory. CRC-32 of each chunk, of the data and of the summary.
+/// Model   a chunk ends when it holds kChunkBytes, and is compressed on a thread of its own while
+///         the next is filled; only these two, and 40 bytes or so of each earlier one for the
+///         index, are in memory. CRC-32 of each chunk, of the data and of the summary.
 /// Source  "MCAP file format specification", mcap.dev, version 0.
 class McapWriter : public BagWriter {
  public:
@@ -33,11 +35,6 @@ class McapWriter : public BagWriter {
   static constexpr std::size_t kChunkBytes = 4 * 1024 * 1024;
 
  private:
-  struct Channel {
-    std::uint64_t messages = 0;
-    /// Of the chunk that is being filled: time and place of each message.
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> in_chunk;
-  };
   struct ChunkEntry {
     std::uint64_t first_ns = 0, last_ns = 0, offset = 0, length = 0;
     std::map<std::uint16_t, std::uint64_t> index_offsets;
@@ -49,10 +46,25 @@ class McapWriter : public BagWriter {
     bool empty = true;
     void Include(std::uint64_t t_ns);
   };
+  /// Messages on their way into the file.
+  struct Chunk {
+    std::string records;
+    TimeSpan span;
+    /// By channel: time and place of each message.
+    std::map<std::uint16_t, std::vector<std::pair<std::uint64_t, std::uint64_t>>> places;
+  };
+  struct PackedChunk {
+    Chunk chunk;
+    std::uint32_t crc = 0;
+    std::string packed;
+  };
 
   void Append(std::string_view bytes);
   void AppendRecord(std::uint8_t opcode, std::string_view content);
+  /// Begins to compress the chunk that has been filled.
   void EndChunk();
+  /// Waits for the chunk that is being compressed, if there is one, and appends it and its index.
+  void AppendChunk();
   void WriteSummary();
   std::string Statistics() const;
   std::string ChunkIndex(const ChunkEntry& chunk) const;
@@ -62,9 +74,10 @@ class McapWriter : public BagWriter {
   std::uint32_t crc_ = 0;  ///< of everything since the start of the file or of the summary
   std::map<std::string_view, std::uint16_t> schemas_;
   std::string schema_records_, channel_records_;
-  std::vector<Channel> channels_;
-  std::string chunk_;
-  TimeSpan chunk_span_, span_;
+  std::vector<std::uint64_t> messages_;  ///< by channel, so far
+  Chunk chunk_;                          ///< being filled
+  std::future<PackedChunk> packing_;     ///< the one before it
+  TimeSpan span_;
   std::vector<ChunkEntry> chunks_;
   bool defined_ = false;  ///< schemas and channels stand in the first chunk
 };
