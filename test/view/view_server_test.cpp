@@ -78,6 +78,15 @@ TEST_F(ServerOfASmallRecording, SendsPageIndexSceneAndFiles) {
               testing::AllOf(StartsWith("HTTP/1.1 200"), Not(HasSubstr("first picture"))));
 }
 
+// Packing for a reader on the same computer would only take time: Brotli needs a second for the page.
+TEST_F(ServerOfASmallRecording, PacksNothing) {
+  for (const char* const path : {"/", "/index.json", "/stage/0"}) {
+    const std::string answer = Request("GET", path, "Accept-Encoding: gzip, deflate, br\r\n");
+    EXPECT_THAT(answer, StartsWith("HTTP/1.1 200")) << path;
+    EXPECT_THAT(answer, Not(HasSubstr("Content-Encoding"))) << path;
+  }
+}
+
 TEST_F(ServerOfASmallRecording, SendsRangesOfFiles) {
   const std::string path = "/data/0/digger/commands.csv";  // "t_ns,boom\n0,0.5\n..."
   const std::string middle = Request("GET", path, "Range: bytes=5-8\r\n");

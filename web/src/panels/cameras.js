@@ -7,7 +7,7 @@ import { h, number, select, toggle } from "../dom.js";
 import { on, set, state, tell } from "../state.js";
 import { lastNotAbove } from "../worker/table.js";
 
-const KEPT_PICTURES = 30;
+const KEPT_PICTURES = 12;  // of one camera; each takes some 2 to 5 MB
 
 /** One camera of A, with that of B of the same path where there is one. */
 class CameraCard {

@@ -13,7 +13,7 @@ import { lastNotAbove } from "../worker/table.js";
 
 const NOON = { sky: 0xffffff, ground: 0x8a7a6a };
 const TRAIL_STEPS = 400;
-const KEPT_SCANS = 24;
+const KEPT_SCANS = 12;
 
 /** Whether WebGL is drawn by the processor, which then has no time for smooth edges. */
 function isSoftware() {

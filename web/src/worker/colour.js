@@ -25,24 +25,27 @@ export function numberColour(n, out = [0, 0, 0]) {
 
 const NEAREST_MM = 500, FURTHEST_MM = 30000;
 
-function paint(picture, colourOf) {
-  const { width, height, samples, values } = picture;
-  const rgba = new Uint8ClampedArray(width * height * 4), rgb = [0, 0, 0], known = samples === 1 ? new Map() : null;
-  for (let k = 0; k < width * height; ++k) {
-    let packed;
-    if (known) {
-      packed = known.get(values[k]);
-      if (packed === undefined) {
-        const shown = colourOf(values, k, rgb);
-        packed = shown ? [rgb[0], rgb[1], rgb[2], 255] : [0, 0, 0, 0];
-        known.set(values[k], packed);
-      }
-    } else {
-      packed = colourOf(values, samples * k, rgb) ? [rgb[0], rgb[1], rgb[2], 255] : [0, 0, 0, 0];
+const OPAQUE = 0xff000000;
+
+/** RGBA of each pixel; `colourOf(values, at, rgb)` sets its colour, and is false where it has none. Of pictures of one number each number is asked for once. */
+function paint({ width, height, samples, values }, colourOf) {
+  const rgba = new Uint32Array(width * height), rgb = [0, 0, 0];
+  const packed = (at) => {
+    if (!colourOf(values, at, rgb)) return 0;
+    const [r, g, b] = rgb.map(Math.round);
+    return (OPAQUE | (b << 16) | (g << 8) | r) >>> 0;
+  };
+  if (samples > 1) {
+    for (let k = 0; k < rgba.length; ++k) rgba[k] = packed(samples * k);
+  } else {
+    const known = new Float64Array(1 << (8 * values.BYTES_PER_ELEMENT)).fill(-1);
+    for (let k = 0; k < rgba.length; ++k) {
+      const value = values[k];
+      if (known[value] < 0) known[value] = packed(k);
+      rgba[k] = known[value];
     }
-    rgba.set(packed, 4 * k);
   }
-  return rgba;
+  return new Uint8ClampedArray(rgba.buffer);
 }
 
 function flowColour(values, at, rgb) {

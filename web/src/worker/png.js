@@ -4,24 +4,38 @@ import { inflate } from "./inflate.js";
 
 const SAMPLES = { 0: 1, 2: 3 };
 
+/** One row back from its filter, in place behind the row above it; `above` is null for the first. */
+function unfilterRow(filter, row, above, pixel_bytes) {
+  const n = row.length;
+  if (filter === 0) return;
+  if (filter === 1) {
+    for (let i = pixel_bytes; i < n; ++i) row[i] += row[i - pixel_bytes];
+    return;
+  }
+  if (filter === 2) {
+    if (above) for (let i = 0; i < n; ++i) row[i] += above[i];
+    return;
+  }
+  for (let i = 0; i < n; ++i) {
+    const left = i >= pixel_bytes ? row[i - pixel_bytes] : 0, up = above ? above[i] : 0;
+    if (filter === 3) {
+      row[i] += (left + up) >> 1;
+    } else {
+      const corner = i >= pixel_bytes && above ? above[i - pixel_bytes] : 0;
+      const p = left + up - corner, a = Math.abs(p - left), b = Math.abs(p - up), c = Math.abs(p - corner);
+      row[i] += a <= b && a <= c ? left : b <= c ? up : corner;
+    }
+  }
+}
+
 function unfilter(raw, width, height, pixel_bytes) {
   const stride = width * pixel_bytes, out = new Uint8Array(stride * height);
+  let above = null;
   for (let y = 0; y < height; ++y) {
-    const filter = raw[y * (stride + 1)], from = y * (stride + 1) + 1, to = y * stride, up = to - stride;
-    for (let i = 0; i < stride; ++i) {
-      const left = i >= pixel_bytes ? out[to + i - pixel_bytes] : 0;
-      const above = y > 0 ? out[up + i] : 0;
-      let guess = 0;
-      if (filter === 1) guess = left;
-      else if (filter === 2) guess = above;
-      else if (filter === 3) guess = (left + above) >> 1;
-      else if (filter === 4) {
-        const corner = i >= pixel_bytes && y > 0 ? out[up + i - pixel_bytes] : 0;
-        const p = left + above - corner, a = Math.abs(p - left), b = Math.abs(p - above), c = Math.abs(p - corner);
-        guess = a <= b && a <= c ? left : b <= c ? above : corner;
-      }
-      out[to + i] = raw[from + i] + guess;
-    }
+    const from = y * (stride + 1), row = out.subarray(y * stride, (y + 1) * stride);
+    row.set(raw.subarray(from + 1, from + 1 + stride));
+    unfilterRow(raw[from], row, above, pixel_bytes);
+    above = row;
   }
   return out;
 }
