@@ -364,6 +364,7 @@ class Dataset:
             if i.get("parent"):
                 self.parts.setdefault(i["parent"], []).append(i["id"])
         self.tracks = {}
+        self.cell_m = self.scenario["terrain"].get("cell_m", 0.05)
         self.machines = {m["name"]: m for m in self.scenario.get("machines", [])}
         self.obstacles = {o["name"]: o for o in self.scenario.get("obstacles", [])}
         self.body = {i: self._body(v["name"]) for i, v in self.instances.items()}
@@ -1095,6 +1096,22 @@ def site_extent(data):
     return np.array(size, float) / 2
 
 
+def near_on_ground(p_w, mask, reach_m):
+    """Pixels that show a place within `reach_m`, seen from above, of one that a pixel of the mask shows."""
+    if not mask.any():
+        return mask
+    low = p_w[mask][:, :2].min(0) - 2 * reach_m
+    squares = np.floor((p_w[..., :2] - low) / (reach_m / 4)).astype(int)
+    extent = squares[mask].max(0) + 9
+    grid = np.zeros(extent[::-1], np.uint8)
+    grid[squares[mask][:, 1], squares[mask][:, 0]] = 1
+    grid = cv2.dilate(grid, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (9, 9)))
+    inside = ((squares >= 0) & (squares < extent)).all(-1)
+    near = np.zeros(mask.shape, bool)
+    near[inside] = grid[squares[inside][:, 1], squares[inside][:, 0]] > 0
+    return near
+
+
 def check_ground(j, data, cam, f, before, first_t, where):
     lens, semantic = cam.lens, f.image["semantic"]
     soil = f.image.get("ground_soil")
@@ -1143,18 +1160,11 @@ def check_ground(j, data, cam, f, before, first_t, where):
                          lens.pixels[touched])
         if change is not None:
             # What was never touched has not risen: but the grain of interpolation (1 mm) at columns beside such as were.
-            # Ground is drawn through the middles of columns of 5 cm, and age is that of the nearest: beside a dug column its slope
-            # reaches half into one that is not. Left out within a column and a half of touched ground in view; some of it is hidden.
+            # Ground is drawn through the middles of columns, and age is that of the nearest: beside a dug column its slope
+            # reaches half into one that is not. Left out within two columns of touched ground in view; some of it is hidden.
             calm = ground & (age == 65535)
-            if touched.any() and p_w is not None:
-                cell = 0.025
-                half_ = 40.0 if half is None else float(half.max()) + 1
-                n = int(2 * half_ / cell)
-                grid = np.zeros((n, n), np.uint8)
-                at_ = np.clip(((p_w[..., :2] + half_) / cell).astype(int), 0, n - 1)
-                grid[at_[touched][:, 1], at_[touched][:, 0]] = 1
-                grid = cv2.dilate(grid, cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (9, 9)))
-                calm &= grid[at_[..., 1], at_[..., 0]] == 0
+            if p_w is not None:
+                calm &= ~near_on_ground(p_w, touched, 2 * data.cell_m)
             j.share("ground: untouched has not changed", (np.abs(rise) <= 0.0015)[calm], 0.99, where, f.t, "px", places=lens.pixels[calm])
     if before is not None and "flow_to_previous" in f.image and age is not None and before.image.get("ground_age") is not None:
         flow, state = decoded_flow(f.image["flow_to_previous"])
@@ -1184,6 +1194,8 @@ def check_ground(j, data, cam, f, before, first_t, where):
             # At a wall the pixel before shows another column: only where change is alike about the pixel, in both pictures.
             low, high = spread(np.where(ground, c, 0))
             m = use & (moved_ > 20) & (chi - clo < 20) & (high - low < 20)
+            if p_w is not None:  # the slope beside a column that was touched reaches half into the next, as above
+                fresh |= near_on_ground(p_w, fresh & ground, data.cell_m)
             j.share("ground: what rises or falls is touched", fresh[m], 0.9, where, f.t, "px", least_n=20, places=lens.pixels[m])
     # Against the rasters of the ground at the end.
     if change is not None and p_w is not None and f.t == data.end_ns:
