@@ -109,10 +109,27 @@ CsvFile::CsvFile(const std::filesystem::path& path, LastLine last_line)
       throw InputError(fmt::format("{}:{}: found {} fields, need {} as in the header",
                                    path_.string(), line, fields.size(), columns_.size()));
     }
-    fields_.insert(fields_.end(), fields.begin(), fields.end());
-    line_of_row_.push_back(line);
+    AddRow(fields, line);
   }
   NameColumns(columns_, 1);
+}
+
+void CsvFile::AddRow(const std::vector<std::string_view>& fields, int line) {
+  if (fields_.empty()) {  // room for all at once: growing would need twice as much
+    const auto lines = static_cast<std::size_t>(std::count(text_->begin(), text_->end(), '\n'));
+    fields_.reserve((lines + 1) * columns_.size());
+    line_of_row_.reserve(lines + 1);
+  }
+  for (const std::string_view field : fields) {
+    constexpr std::size_t kLongestField = (1 << 24) - 1;
+    if (field.size() > kLongestField) {
+      throw InputError(fmt::format("{}:{}: a field of {} bytes; need at most {}", path_.string(),
+                                   line, field.size(), kLongestField));
+    }
+    const auto begin = field.empty() ? 0 : static_cast<std::uint64_t>(field.data() - text_->data());
+    fields_.push_back({begin, field.size()});
+  }
+  line_of_row_.push_back(line);
 }
 
 void CsvFile::NameColumns(std::vector<std::string> names, int line) {
@@ -153,8 +170,7 @@ CsvFile::CsvFile(const std::filesystem::path& path, const CsvForm& form, LeftOut
     ++ordinal;
     if (fields.size() == columns_.size()) {
       ordinals_.push_back(ordinal - 1);
-      fields_.insert(fields_.end(), fields.begin(), fields.end());
-      line_of_row_.push_back(number);
+      AddRow(fields, number);
       continue;
     }
     const std::string fault =

@@ -93,6 +93,13 @@ TEST_F(ForeignCsv, LastLineThatWasCutOffIsTold) {
   EXPECT_THAT(report.channels[0].first_fault, HasSubstr("log.txt:4:"));
 }
 
+TEST_F(ForeignCsv, AFieldThatNoTableHasIsRefused) {
+  Log("t,x,y\n0,1.5," + std::string(1 << 24, '7') + "\n");
+  EXPECT_THAT([&] { Import(kSeconds + Table("x", "y")); },
+              ThrowsMessage<InputError>(HasSubstr("log.txt:2: a field of 16777216 bytes")));
+  EXPECT_FALSE(fs::exists(Out()));
+}
+
 TEST_F(ForeignCsv, BadRowsAreLeftOutAndCounted) {
   Log("t,x,y\n0,1.5,-2\n0.5,ERR,1\n0.6,1,2,3\n0.2,9,9\n1,3,4e-3\n1,8,8\n");
   EXPECT_THAT([&] { Import(kSeconds + Table("x", "y")); },
