@@ -129,14 +129,15 @@ SensorDiagnosisOptions SensorOptionsOf(const DiagnosisCase& asked,
 
 /// The whole simulation with what was found, where it is wanted and something was found.
 std::optional<WholeSimulation> WholeOf(const DiagnosisCase& asked, const DiagnosisOptions& options,
-                                       TimeNs start_ns, const std::vector<DiagnosedBlock>& blocks,
+                                       const Measurements& measured,
+                                       const std::vector<DiagnosedBlock>& blocks,
                                        const std::optional<SimulatedCourse>& as_it_is,
                                        StageClock* clock) {
   if (!asked.simulate || FindingsToSimulate(blocks).empty()) return std::nullopt;
   if (IsOutOfTime(blocks)) return WholeSimulation{.obstacle = "the time was over"};
   return clock->Time("whole simulation", [&] {
-    return SimulateWhole(asked.input, *asked.recording, start_ns, options.blocks.base_interval_s,
-                         blocks, as_it_is, asked.simulate);
+    return SimulateWhole(asked.input, measured, options.blocks.base_interval_s, blocks, as_it_is,
+                         asked.simulate);
   });
 }
 
@@ -200,7 +201,7 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
     diagnosis.held_out.push_back(
         ValidateHeldOut(diagnosis.blocks, options.blocks, options.seed, &one));
   }
-  diagnosis.whole = WholeOf(asked, options, measured.start_ns, diagnosis.blocks, course, clock);
+  diagnosis.whole = WholeOf(asked, options, left, diagnosis.blocks, course, clock);
   diagnosis.perception = std::move(asked.perception);
   return diagnosis;
 }

@@ -155,4 +155,8 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
   return measured;
 }
 
+const std::vector<TruthPose>& BasePoses(const Measurements& measured) {
+  return measured.poses.empty() ? measured.estimated_poses : measured.poses;
+}
+
 }  // namespace tera

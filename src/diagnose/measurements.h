@@ -16,4 +16,7 @@ struct MeasurementOptions {
 Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& recording,
                             const MeasurementOptions& options = {});
 
+/// The poses against which the base is replayed: the measured ones, else those by all sensors.
+const std::vector<TruthPose>& BasePoses(const Measurements& measured);
+
 }  // namespace tera

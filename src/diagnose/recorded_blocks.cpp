@@ -131,11 +131,6 @@ void AddEfforts(const DiagnosisInput& input, const Measurements& measured,
   }
 }
 
-/// The poses against which the base is replayed.
-const std::vector<TruthPose>& BasePoses(const Measurements& measured) {
-  return measured.poses.empty() ? measured.estimated_poses : measured.poses;
-}
-
 bool MeasuresGears(const DiagnosisInput& input, const Measurements& measured) {
   const auto& gears = input.model->ground_tools.gears;
   const bool all = std::all_of(gears.begin(), gears.end(), [&](const RunningGear& gear) {
@@ -176,6 +171,13 @@ void AddBase(const DiagnosisInput& input, const Measurements& measured, const Bl
     if (!why.empty()) out->motion_unknown.push_back(why);
     return;
   }
+  if (!HaveCommonTime(*input.model, measured.encoders, BasePoses(measured))) {
+    out->motion_unknown.push_back(input.machine +
+                                  "/base: its motion and what its tracks or wheels did have no "
+                                  "time in common; need clocks that count from the same event "
+                                  "(`time` of the import)");
+    return;
+  }
   // The gears' encoders bound the time.
   const BaseLog log = MakeBaseLog(*input.model, measured.encoders, BasePoses(measured),
                                   options.base_interval_s, ArrivalsOf(measured));
@@ -210,8 +212,13 @@ void AddMotionDiscrepancy(const DiagnosisInput& input, const Measurements& measu
     return MakeBaseLog(*input.model, encoders, poses, options.base_interval_s);
   };
   const std::vector<TruthPose>& poses = BasePoses(measured);
+  const std::vector<TruthPose> simulated_poses = AsSimulated(course, poses);
+  if (!HaveCommonTime(*input.model, measured.encoders, poses) ||
+      !HaveCommonTime(*input.model, simulated, simulated_poses)) {
+    return;
+  }
   auto left = MotionDiscrepancy(*input.model, log_of(measured.encoders, poses),
-                                log_of(simulated, AsSimulated(course, poses)));
+                                log_of(simulated, simulated_poses));
   if (!left.empty()) out->push_back({input.machine + "/base/forward_mps", std::move(left)});
 }
 

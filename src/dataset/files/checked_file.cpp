@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -111,10 +110,8 @@ std::string ReadWholeFile(const std::filesystem::path& path) {
                                  std::strerror(errno)));
   }
   std::string bytes;
-  struct stat status {};
-  if (::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0) {
-    bytes.reserve(static_cast<std::size_t>(status.st_size));
-  }
+  std::error_code no_size;
+  if (const auto size = std::filesystem::file_size(path, no_size); !no_size) bytes.reserve(size);
   char block[kBufferBytes];
   ssize_t count = 0;
   while ((count = ::read(descriptor, block, sizeof block)) > 0) bytes.append(block, count);

@@ -12,6 +12,7 @@
 #include "diagnose/blocks/candidate_list.h"
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/discrepancy/as_simulated.h"
+#include "diagnose/measurements.h"
 #include "diagnose/replay/base_log.h"
 #include "physics/actuation/axes.h"
 
@@ -68,17 +69,14 @@ double PathLength_m(const std::vector<TruthPose>& poses) {
 
 class Comparison {
  public:
-  Comparison(const DiagnosisInput& input, const Recording& recording, TimeNs start_ns,
-             double base_interval_s, const std::vector<DiagnosedBlock>& blocks)
+  Comparison(const DiagnosisInput& input, const Measurements& measured, double base_interval_s,
+             const std::vector<DiagnosedBlock>& blocks)
       : input_(input),
-        recording_(recording),
+        measured_(measured),
         base_interval_s_(base_interval_s),
         blocks_(blocks),
-        start_ns_(start_ns),
-        zero_ns_(ComparedFrom(ZeroOf(start_ns), input.commands)) {
-    const std::string poses = "truth/" + input.machine + "/pose.csv";
-    if (recording.Has(poses)) poses_ = recording.LoadPose(poses).poses;
-  }
+        start_ns_(measured.start_ns),
+        zero_ns_(ComparedFrom(ZeroOf(measured.start_ns), input.commands)) {}
 
   WholeSimulation Run(const std::optional<SimulatedCourse>& as_it_is,
                       const SimulateMachine& simulate) const;
@@ -99,11 +97,10 @@ class Comparison {
   }
 
   const DiagnosisInput& input_;
-  const Recording& recording_;
+  const Measurements& measured_;
   double base_interval_s_;
   const std::vector<DiagnosedBlock>& blocks_;
   TimeNs start_ns_, zero_ns_;
-  std::vector<TruthPose> poses_;
 };
 
 double Comparison::Until_s() const {
@@ -114,27 +111,22 @@ double Comparison::Until_s() const {
   return std::min(until_s, kCompared_s);
 }
 
-/// The simulation's poses at the times of the recorded ones.
+/// The simulation's poses at the times of the measured ones.
 std::vector<TruthPose> Comparison::PosesOf(const SimulatedCourse& course, double until_s) const {
-  std::vector<TruthPose> poses = AsSimulated(course, poses_);
+  std::vector<TruthPose> poses = AsSimulated(course, BasePoses(measured_));
   std::erase_if(poses,
                 [&](const TruthPose& pose) { return ToSeconds(pose.t_ns - zero_ns_) > until_s; });
   return poses;
 }
 
-/// The base's channels in the simulation over the intervals of the recorded poses; empty where
-/// there are none.
+/// The base's channels in the simulation over the intervals of the measured poses; empty where it
+/// ends before any.
 std::vector<std::vector<double>> Comparison::OfBase(const DiagnosedBlock& diagnosed,
                                                     const SimulatedCourse& course) const {
   const ReplayBlock& block = diagnosed.block;
-  std::vector<NamedEncoders> encoders;
-  for (const std::string& channel : recording_.ChannelsOf(kEncoderChannel)) {
-    if (channel.starts_with(input_.machine + "/")) {
-      encoders.push_back({channel, recording_.LoadEncoder(channel)});
-    }
-  }
-  const BaseLog log =
-      MakeBaseLog(*input_.model, encoders, PosesOf(course, Until_s()), base_interval_s_);
+  const std::vector<TruthPose> poses = PosesOf(course, Until_s());
+  if (!HaveCommonTime(*input_.model, measured_.encoders, poses)) return {};
+  const BaseLog log = MakeBaseLog(*input_.model, measured_.encoders, poses, base_interval_s_);
   std::vector<std::vector<double>> values(3, std::vector<double>(block.samples(), NAN));
   for (const BaseInterval& interval : log.intervals) {
     const double place =
@@ -224,7 +216,7 @@ WholeSimulation Comparison::Run(const std::optional<SimulatedCourse>& as_it_is,
     AddBlock(diagnosed, before, after, &out);
   }
   std::vector<TruthPose> recorded;
-  for (const TruthPose& pose : poses_) {
+  for (const TruthPose& pose : BasePoses(measured_)) {
     const double t_s = ToSeconds(pose.t_ns - zero_ns_);
     if (t_s >= 0 && t_s <= duration_s) recorded.push_back(pose);
   }
@@ -239,8 +231,9 @@ WholeSimulation Comparison::Run(const std::optional<SimulatedCourse>& as_it_is,
 SimulatedFindings FindingsToSimulate(const std::vector<DiagnosedBlock>& blocks) {
   SimulatedFindings found;
   for (const DiagnosedBlock& diagnosed : blocks) {
-    const Structure terms = WithoutPoseTerms(diagnosed.diagnosis.search.found.terms);
-    found.terms.insert(found.terms.end(), terms.begin(), terms.end());
+    for (const Finding& finding : diagnosed.diagnosis.findings) {
+      if (finding.term.candidate->target != kPoses) found.terms.push_back(finding.term);
+    }
     for (const Proposal& proposal : diagnosed.proposals) {
       if (!proposal.learned) continue;
       found.learned.push_back({diagnosed.block.name, proposal.learned->effect});
@@ -259,12 +252,11 @@ std::optional<SimulatedCourse> SimulateAsItIs(const DiagnosisInput& input,
                   {zero_ns, std::min(ToSeconds(*last_ns - zero_ns), kLongest_s)});
 }
 
-WholeSimulation SimulateWhole(const DiagnosisInput& input, const Recording& recording,
-                              TimeNs start_ns, double base_interval_s,
-                              const std::vector<DiagnosedBlock>& blocks,
+WholeSimulation SimulateWhole(const DiagnosisInput& input, const Measurements& measured,
+                              double base_interval_s, const std::vector<DiagnosedBlock>& blocks,
                               const std::optional<SimulatedCourse>& before,
                               const SimulateMachine& simulate) {
-  return Comparison(input, recording, start_ns, base_interval_s, blocks).Run(before, simulate);
+  return Comparison(input, measured, base_interval_s, blocks).Run(before, simulate);
 }
 
 }  // namespace tera

@@ -27,7 +27,8 @@ struct SimulatedFindings {
   bool empty() const { return terms.empty() && learned.empty(); }
 };
 
-/// All that was found in some blocks and can be simulated; poses have no part in a simulation.
+/// What `effects.yaml` says of some blocks: what was named and learned, not what is within
+/// tolerance or unconfirmed; poses have no part in a simulation.
 SimulatedFindings FindingsToSimulate(const std::vector<DiagnosedBlock>& blocks);
 
 /// Simulates the scenario under recorded levers with what was found in its machine; with nothing:
@@ -51,11 +52,10 @@ std::optional<SimulatedCourse> SimulateAsItIs(const DiagnosisInput& input,
 ///         s before the first lever moves. Path: along poses half a second apart.
 /// Omits   inertial units, whose findings nothing here shows.
 ///
-/// `start_ns` is the time from which the blocks count; `before`, if there is one, is the scenario
-/// as it is.
-WholeSimulation SimulateWhole(const DiagnosisInput& input, const Recording& recording,
-                              TimeNs start_ns, double base_interval_s,
-                              const std::vector<DiagnosedBlock>& blocks,
+/// `measured` is what the blocks were made of; `before`, if there is one, is the scenario as it is.
+/// What of a block no simulation covers is named in `not_simulated`.
+WholeSimulation SimulateWhole(const DiagnosisInput& input, const Measurements& measured,
+                              double base_interval_s, const std::vector<DiagnosedBlock>& blocks,
                               const std::optional<SimulatedCourse>& before,
                               const SimulateMachine& simulate);
 

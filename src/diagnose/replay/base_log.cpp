@@ -76,6 +76,33 @@ GearSamples SamplesOf(const std::string& gear, const std::vector<NamedEncoders>&
       fmt::format("no encoder measures {}; a replay of the base needs every gear", gear));
 }
 
+/// From when to when all gears and the poses were measured; the end lies before where they have no
+/// time in common.
+struct CommonTime {
+  TimeNs first_ns = 0, last_ns = -1;
+};
+
+CommonTime CommonTimeOf(const std::vector<GearSamples>& gears,
+                        const std::vector<TruthPose>& poses) {
+  if (poses.empty()) return {};
+  CommonTime common{poses.front().t_ns, poses.back().t_ns};
+  for (const GearSamples& gear : gears) {
+    if (gear.t_ns.empty()) return {};
+    common.first_ns = std::max(common.first_ns, gear.t_ns.front());
+    common.last_ns = std::min(common.last_ns, gear.t_ns.back());
+  }
+  return common;
+}
+
+std::vector<GearSamples> GearsOf(const MachineModel& model,
+                                 const std::vector<NamedEncoders>& encoders) {
+  std::vector<GearSamples> gears;
+  for (const RunningGear& gear : model.ground_tools.gears) {
+    gears.push_back(SamplesOf(gear.name, encoders));
+  }
+  return gears;
+}
+
 double Yaw_rad(const Mat3& R) { return std::atan2(R(1, 0), R(0, 0)); }
 
 PlanarTwist MeanTwist(const Pose& X_WA, const Pose& X_WB, const Vec3& contact_B_m, double dt_s) {
@@ -176,19 +203,17 @@ BaseInterval IntervalOf(const std::vector<TruthPose>& poses, std::size_t a, std:
 
 }  // namespace
 
+bool HaveCommonTime(const MachineModel& model, const std::vector<NamedEncoders>& encoders,
+                    const std::vector<TruthPose>& poses) {
+  const auto [first_ns, last_ns] = CommonTimeOf(GearsOf(model, encoders), poses);
+  return first_ns < last_ns;
+}
+
 BaseLog MakeBaseLog(const MachineModel& model, const std::vector<NamedEncoders>& encoders,
                     const std::vector<TruthPose>& poses, double interval_s,
                     const std::optional<PoseTimes>& arrivals) {
-  std::vector<GearSamples> gears;
-  TimeNs first_ns = poses.empty() ? 0 : poses.front().t_ns;
-  TimeNs last_ns = poses.empty() ? -1 : poses.back().t_ns;
-  for (const RunningGear& gear : model.ground_tools.gears) {
-    gears.push_back(SamplesOf(gear.name, encoders));
-    if (gears.back().t_ns.empty()) last_ns = first_ns - 1;
-    if (last_ns < first_ns) break;
-    first_ns = std::max(first_ns, gears.back().t_ns.front());
-    last_ns = std::min(last_ns, gears.back().t_ns.back());
-  }
+  const std::vector<GearSamples> gears = GearsOf(model, encoders);
+  const auto [first_ns, last_ns] = CommonTimeOf(gears, poses);
   if (first_ns >= last_ns) {
     throw InputError(
         "gears and poses have no time in common; need clocks that count from the same "

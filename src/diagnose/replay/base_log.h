@@ -45,6 +45,11 @@ struct BaseLog {
   bool may_be_arrivals = false;  ///< the stamps of poses
 };
 
+/// Whether there is a time at which all gears and the base's poses are known, as MakeBaseLog needs.
+/// Throws InputError where the encoders lack a gear.
+bool HaveCommonTime(const MachineModel& model, const std::vector<NamedEncoders>& encoders,
+                    const std::vector<TruthPose>& poses);
+
 /// Joints that no encoder measures stay as the model has them at first. Throws InputError where
 /// gears and poses have no time in common, or the encoders lack a gear. `interval_s` is the least
 /// length of an interval: shorter ones hold more noise than motion; `arrivals` when the poses were
