@@ -11,6 +11,7 @@
 #include "diagnose/proposal/propose.h"
 #include "diagnose/search/fit/excluded_samples.h"
 #include "diagnose/sensors/estimated_poses.h"
+#include "diagnose/sensors/late_poses.h"
 #include "diagnose/tolerances/within_tolerance.h"
 
 namespace tera {
@@ -163,6 +164,7 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
   options.blocks.needs_any =
       options.blocks.needs_any && diagnosis.sensors.estimate.channels.empty();
   Measurements left = WithoutExplained(input, diagnosis.sensors.estimate, measured);
+  StampPosesAnew(diagnosis.sensors.estimate, &left);
   if (left.poses.empty()) left.estimated_poses = EstimatedPoses(diagnosis.sensors.estimate);
   std::vector<ReplayBlock> blocks = BlocksOf(input, left, options.blocks, &diagnosis.not_compared);
   RemoveEstimated(input, diagnosis.sensors.estimate, &blocks);
