@@ -11,13 +11,17 @@
 
 #include "core/error.h"
 #include "core/in_parallel.h"
+#include "core/units.h"
 #include "diagnose/blocks/axis_block.h"
 #include "diagnose/blocks/base_block.h"
 #include "diagnose/blocks/effort_block.h"
 #include "diagnose/blocks/gnss_block.h"
 #include "diagnose/blocks/imu_block.h"
+#include "diagnose/blocks/measured_heading.h"
+#include "diagnose/blocks/measured_poses.h"
 #include "diagnose/discrepancy/as_simulated.h"
 #include "diagnose/input_checks.h"
+#include "diagnose/sensors/sensor_parameters.h"
 
 namespace tera {
 namespace {
@@ -181,9 +185,15 @@ void AddBase(const DiagnosisInput& input, const Measurements& measured, const Bl
   // The gears' encoders bound the time.
   const BaseLog log = MakeBaseLog(*input.model, measured.encoders, BasePoses(measured),
                                   options.base_interval_s, ArrivalsOf(measured));
+  const bool has_poses = !measured.poses.empty();
   if (auto block = MakeBaseBlock(*input.model, log, input.machine + "/base",
-                                 measured.poses_were_measured && !measured.poses.empty())) {
-    block->rest_shows_noise = !measured.poses.empty();
+                                 measured.poses_were_measured && has_poses)) {
+    if (measured.poses_were_measured || !has_poses) {
+      const ParameterTable table{.stated = input.tolerances};
+      LetHeadingErr(table.HalfWidthOf(std::string(kPoses), "mount_rotation", "yaw_deg") * kDeg,
+                    &*block);
+    }
+    block->rest_shows_noise = has_poses;
     out->blocks.push_back(std::move(*block));
   }
 }
