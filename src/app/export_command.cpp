@@ -168,6 +168,9 @@ void AddExportCommand(CLI::App* app) {
                    "Date and time of the recording's time 0, 2026-05-01T12:00:00Z; without it "
                    "times begin at 0, or in formats that need a date on 2024-01-01")
       ->check(IsUtcTime());
+  command->add_flag("--resume", arguments->options.resume,
+                    "Go on with an export that was stopped, where the format is of many files; "
+                    "begin it again where it is not");
   AddBagOptions(command, arguments.get());
   AddKittiOptions(command, arguments.get());
   AddWebdatasetOptions(command, arguments.get());

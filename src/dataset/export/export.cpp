@@ -10,6 +10,8 @@
 #include "core/check.h"
 #include "core/error.h"
 #include "dataset/export/export_job.h"
+#include "dataset/export/stopped_export.h"
+#include "dataset/files/frame_log.h"
 #include "dataset/files/whole_folder.h"
 
 namespace tera {
@@ -93,6 +95,19 @@ void RequirePlainPaths(const Recording& recording) {
   }
 }
 
+/// Writes the format, and where it is stopped by a fault keeps what `resume` can go on with.
+void WriteFrames(ExportJob* job, WholeFolder* folder) {
+  FrameLog whole(job->folder);
+  job->whole_frames = &whole;
+  try {
+    WriterOf(job->options.format)(job);
+  } catch (...) {
+    if (job->options.resume && job->frames_written) folder->Keep();
+    throw;
+  }
+  whole.Remove();
+}
+
 void CountFiles(const fs::path& folder, ExportReport* report) {
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_regular_file()) continue;
@@ -107,10 +122,18 @@ ExportReport Export(const fs::path& dataset, const fs::path& out, const ExportOp
   const Recording recording(dataset);
   RequirePlainPaths(recording);
   RequireNewPlace(dataset, out);
-  WholeFolder folder(out);
+  if (!options.resume) RequireNoStoppedExport(out);
+  WholeFolder folder(out,
+                     options.resume ? WholeFolder::Left::kIsKept : WholeFolder::Left::kIsRefused);
+  BeginExport(ExportKey(recording, options), options.format, &folder);
   ExportJob job{recording, folder.temporary(),
                 (out.has_filename() ? out : out.parent_path()).filename().string(), options};
-  WriterOf(options.format)(&job);
+  if (GoesOnByFrames(options.format)) {
+    WriteFrames(&job, &folder);
+  } else {
+    WriterOf(options.format)(&job);
+  }
+  EndExport(folder.temporary());
   ExportReport report;
   report.records = job.records;
   report.messages = job.messages;

@@ -19,7 +19,9 @@ struct ExportReport {
 /// than one record of each channel and what the format gathers before it writes.
 ///
 /// Throws InputError where the recording cannot be read or has nothing for the format, and where
-/// `out` is there already or cannot be written; then nothing is left behind.
+/// `out` is there already or cannot be written; then nothing is left behind but, with `resume` and
+/// in a format that goes on by frames, the frames that are whole. What a stopped export has left is
+/// refused without `resume`, and with it where it is of another one.
 ExportReport Export(const std::filesystem::path& dataset, const std::filesystem::path& out,
                     const ExportOptions& options);
 

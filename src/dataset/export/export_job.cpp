@@ -4,7 +4,9 @@
 
 #include <iterator>
 
+#include "core/check.h"
 #include "core/error.h"
+#include "dataset/files/frame_log.h"
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -23,6 +25,23 @@ bool ExportJob::Next(RecordStream* stream, Record* record) {
     options.progress({ToSeconds(record->t_ns), recording.info().duration_s, records});
   }
   return true;
+}
+
+bool ExportJob::IsWritten(const std::string& of, std::int64_t frame) const {
+  TERA_CHECK(whole_frames != nullptr, of);
+  return whole_frames->WasWhole(of, frame);
+}
+
+void ExportJob::Written(const std::string& of, std::int64_t frame,
+                        const std::vector<fs::path>& files) {
+  TERA_CHECK(whole_frames != nullptr, of);
+  std::vector<FrameLog::File> entries;
+  for (const fs::path& file : files) {
+    entries.push_back(
+        {file.lexically_relative(folder).string(), static_cast<std::int64_t>(fs::file_size(file))});
+  }
+  whole_frames->Append(of, frame, entries);
+  frames_written = true;
 }
 
 const std::vector<JointTree>& ExportJob::JointTrees() {

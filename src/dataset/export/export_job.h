@@ -13,6 +13,8 @@
 
 namespace tera {
 
+class FrameLog;
+
 /// What a format is written from and where. Each format is one function of it.
 struct ExportJob {
   const Recording& recording;
@@ -22,10 +24,18 @@ struct ExportJob {
   std::int64_t records = 0;   ///< read so far
   std::int64_t messages = 0;  ///< of a bag, written so far
   AbsentPictures absent = {};
+  FrameLog* whole_frames = nullptr;  ///< of formats that go on by frames
+  bool frames_written = false;       ///< some are there to be gone on with
   std::optional<std::vector<JointTree>> known_joint_trees = std::nullopt;
 
   /// The next record of a stream, which must be in order of time, with progress told.
   bool Next(RecordStream* stream, Record* record);
+  /// Whether the files of a frame are whole already, from an export that was stopped. `of` is a
+  /// channel or another list of frames, `frame` a time or a number in it.
+  bool IsWritten(const std::string& of, std::int64_t frame) const;
+  /// Says that they are whole now.
+  void Written(const std::string& of, std::int64_t frame,
+               const std::vector<std::filesystem::path>& files);
   /// Asked for at the first call.
   const std::vector<JointTree>& JointTrees();
   const JointTree* JointTreeOf(const std::string& machine);  ///< null: not known

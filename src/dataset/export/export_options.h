@@ -62,6 +62,13 @@ inline constexpr std::array<ExportFormatName, 14> kExportFormats = {
 constexpr bool IsBag(ExportFormat format) {
   return format == ExportFormat::kRosbag2 || format == ExportFormat::kBag;
 }
+/// Whether a format is of so many files that an export of it which was stopped goes on with those
+/// that are whole; of others it begins again.
+constexpr bool GoesOnByFrames(ExportFormat format) {
+  return format == ExportFormat::kKitti || format == ExportFormat::kSemanticKitti ||
+         format == ExportFormat::kCoco || format == ExportFormat::kNuscenes ||
+         format == ExportFormat::kWebdataset;
+}
 /// Whether a format is of one lidar, and of one camera besides.
 constexpr bool IsOfOneCamera(ExportFormat format) { return format == ExportFormat::kKitti; }
 constexpr bool IsOfOneLidar(ExportFormat format) {
@@ -116,6 +123,9 @@ struct ExportProgress {
 
 struct ExportOptions {
   ExportFormat format = ExportFormat::kTum;
+  /// Go on with what a stopped export with these options has left; and where this one is stopped by
+  /// a fault, leave what can be gone on with.
+  bool resume = false;
   /// UTC of the recording's time 0, in ns since 1970. Without it, times stay what they are, but in
   /// formats that must have a date, where it is kDefaultStart_ns.
   std::optional<TimeNs> start_utc_ns;

@@ -17,17 +17,27 @@ fs::path IncompleteOf(const fs::path& directory) {
   return root;
 }
 
-WholeFolder::WholeFolder(const fs::path& folder)
+WholeFolder::WholeFolder(const fs::path& folder, Left left)
     : folder_(folder.has_filename() ? folder : folder.parent_path()),
       temporary_(IncompleteOf(folder)) {
   MakeFolder(temporary_);
   lock_ = std::make_unique<FolderLock>(temporary_);
-  RequireNoneStopped(folder);
+  if (left == Left::kIsRefused) RequireNoneStopped(folder);
+  kept_ = HoldsSomething(temporary_);
 }
 
 WholeFolder::~WholeFolder() {
   std::error_code ignored;
-  if (!committed_) fs::remove_all(temporary_, ignored);
+  if (!committed_ && !kept_) fs::remove_all(temporary_, ignored);
+}
+
+void WholeFolder::Clear() {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(temporary_)) {
+    fs::remove_all(entry.path(), error);
+    if (error) FailFile(entry.path(), "cannot be removed", error.value());
+  }
+  kept_ = false;
 }
 
 void WholeFolder::Commit() {

@@ -16,23 +16,33 @@ std::filesystem::path IncompleteOf(const std::filesystem::path& directory);
 /// as a report, is gone again where it is not completed.
 class WholeFolder {
  public:
+  /// What is done where a stopped run has left something.
+  enum class Left {
+    kIsRefused,
+    kIsKept  ///< it is there to be gone on with, and stays also without Commit
+  };
+
   /// Makes the folder beside, with its parents. Throws InputError where it cannot be made, where
-  /// another run writes it, or where a stopped one has left something.
-  explicit WholeFolder(const std::filesystem::path& folder);
-  /// Without Commit, removes what was written.
+  /// another run writes it, or where a stopped one has left something that is refused.
+  explicit WholeFolder(const std::filesystem::path& folder, Left left = Left::kIsRefused);
+  /// Without Commit or Keep, removes what was written.
   ~WholeFolder();
   WholeFolder(const WholeFolder&) = delete;
   WholeFolder& operator=(const WholeFolder&) = delete;
 
   /// Where to write before Commit.
   const std::filesystem::path& temporary() const { return temporary_; }
+  /// Removes what is in it, and without Commit or Keep also what comes.
+  void Clear();
+  /// What is in it stays, also without Commit.
+  void Keep() { kept_ = true; }
   /// Gives the folder its name. Throws InputError.
   void Commit();
 
  private:
   std::filesystem::path folder_, temporary_;
   std::unique_ptr<FolderLock> lock_;
-  bool committed_ = false;
+  bool committed_ = false, kept_ = false;
 };
 
 /// Throws InputError where a run that was stopped has left something beside a folder.

@@ -43,6 +43,21 @@ TEST(WholeFolder, KeepsWhatAnotherRunHasLeft) {
   EXPECT_EQ(ReadWholeFile(beside / "page.html"), "mine");
 }
 
+TEST(WholeFolder, GoesOnWithWhatAnotherRunHasLeftAndClearsItWhereAsked) {
+  const fs::path place = OwnFolder() / "resumed", beside = OwnFolder() / "resumed.incomplete";
+  fs::create_directory(beside);
+  WriteWholeFile(beside / "page.html", "mine");
+  { WholeFolder folder(place, WholeFolder::Left::kIsKept); }
+  EXPECT_EQ(ReadWholeFile(beside / "page.html"), "mine");
+  {
+    WholeFolder folder(place, WholeFolder::Left::kIsKept);
+    folder.Clear();
+    EXPECT_TRUE(fs::is_empty(beside));
+    WriteWholeFile(beside / "page.html", "half of");
+  }
+  EXPECT_FALSE(fs::exists(beside));
+}
+
 TEST(WholeFolder, IsOfOneRunAtATime) {
   WholeFolder first(OwnFolder() / "once");
   EXPECT_THAT([] { WholeFolder second(OwnFolder() / "once"); },

@@ -25,6 +25,10 @@ std::string PictureName(const std::string& camera, TimeNs t_ns) {
   return fmt::format("{}_{}.png", FlatName(camera), t_ns);
 }
 
+fs::path PanopticFile(const ExportJob& job, const std::string& name) {
+  return job.folder / "annotations/panoptic" / name;
+}
+
 std::string DateOf(TimeNs unix_ns) {
   const CivilTime t = CivilTimeOf(unix_ns);
   return fmt::format("{:04}-{:02}-{:02} {:02}:{:02}:{:02}", t.year, t.month, t.day, t.hour,
@@ -99,13 +103,13 @@ class CocoFiles {
     keypoints_.BeginList("annotations");
   }
 
-  /// Of the image after the one before.
-  void AddAnnotations(const std::string& camera, TimeNs t_ns) {
+  /// Of the image after the one before. Its picture of segments is drawn, unless that is there.
+  void AddAnnotations(const std::string& camera, TimeNs t_ns, bool is_drawn) {
     ++image_;
     const LabelledFrame frame = LoadLabels(job_.recording, camera, t_ns);
     RequireSizeOfImage(frame, camera);
     AddObjects(frame, FrameFile(job_.recording, camera, "instance", t_ns));
-    AddSegments(frame, camera);
+    AddSegments(frame, camera, is_drawn);
   }
 
   void Commit() {
@@ -156,7 +160,7 @@ class CocoFiles {
     }
   }
 
-  void AddSegments(const LabelledFrame& frame, const std::string& camera) {
+  void AddSegments(const LabelledFrame& frame, const std::string& camera, bool is_drawn) {
     const PanopticPicture picture =
         PanopticOf(frame, table_, FrameFile(job_.recording, camera, "instance", frame.t_ns));
     OrderedJson segments = OrderedJson::array();
@@ -169,7 +173,7 @@ class CocoFiles {
                           {"instance_id", segment.instance}});
     }
     const std::string name = PictureName(camera, frame.t_ns);
-    WriteWholeFile(job_.folder / "annotations/panoptic" / name, EncodeRgbPng(picture.rgb));
+    if (!is_drawn) WriteWholeFile(PanopticFile(job_, name), EncodeRgbPng(picture.rgb));
     panoptic_.Add({{"image_id", image_}, {"file_name", name}, {"segments_info", segments}});
   }
 
@@ -203,10 +207,14 @@ void ExportCoco(ExportJob* job) {
   files.AddImages(&images);
   RecordStream stream(job->recording, cameras);
   for (Record record; job->Next(&stream, &record);) {
-    const std::string& camera = cameras[record.channel];
-    WriteWholeFile(job->folder / "images" / PictureName(camera, record.t_ns),
-                   ReadWholePng(FrameFile(job->recording, camera, "rgb", record.t_ns)));
-    files.AddAnnotations(camera, record.t_ns);
+    const std::string &camera = cameras[record.channel], name = PictureName(camera, record.t_ns);
+    const bool is_written = job->IsWritten(camera, record.t_ns);
+    const fs::path image = job->folder / "images" / name;
+    if (!is_written) {
+      WriteWholeFile(image, ReadWholePng(FrameFile(job->recording, camera, "rgb", record.t_ns)));
+    }
+    files.AddAnnotations(camera, record.t_ns, is_written);
+    if (!is_written) job->Written(camera, record.t_ns, {image, PanopticFile(*job, name)});
   }
   files.Commit();
 }

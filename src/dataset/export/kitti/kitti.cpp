@@ -67,6 +67,8 @@ const KittiLayoutName* FirstOf(const std::vector<KittiLayout>& layouts,
 void WriteLinked(const std::vector<fs::path>& places, std::string_view bytes) {
   for (std::size_t k = 0; k < places.size(); ++k) {
     std::error_code failed;
+    // What a stopped export has left of a frame that was not whole.
+    fs::remove(places[k], failed);
     if (k > 0) fs::create_hard_link(places.front(), places[k], failed);
     if (k == 0 || failed) WriteWholeFile(places[k], bytes);
   }
@@ -76,6 +78,7 @@ class KittiExport {
  public:
   explicit KittiExport(ExportJob* job)
       : job_(*job),
+        log_(job),
         layouts_(LayoutsOf(job->options)),
         rig_(ReadKittiRig(job)),
         rectifier_(rig_.lens),
@@ -85,6 +88,7 @@ class KittiExport {
     deep_ = FirstOf(layouts_, {kDepth});
     pictured_ = FirstOf(layouts_, {kRaw, kObject, kTracking, kOdometry});
     steady_ = FirstOf(layouts_, {kRaw, kTracking, kOdometry});
+    tracked_ = FirstOf(layouts_, {kTracking});
     for (const KittiLayout layout : layouts_) writers_.push_back(Made(layout, job_, rig_));
   }
 
@@ -95,15 +99,18 @@ class KittiExport {
     KittiFrame frame;
     frame.number = number_++;
     frame.times = pair;
+    frame.is_written = job_.IsWritten(rig_.lidar.path, frame.number);
     frame.X_WC = rig_.X_WC(pair.picture_ns);
     frame.X_WS = rig_.X_WS(pair.picture_ns);
     if (steady_) RequireSteady(frame);
-    if (labelled_) frame.labels = Labels(pair.picture_ns);
-    if (deep_) {
+    // The labels of tracks are one file for all frames, which is made anew.
+    if (frame.is_written ? tracked_ : labelled_) frame.labels = Labels(pair.picture_ns);
+    if (deep_ && !frame.is_written) {
       frame.depth_mm = rectifier_.Nearest(ReadGrey16Png(Needed("depth", pair.picture_ns, *deep_)));
     }
-    if (pictured_) WritePictureAndPoints(frame);
+    if (pictured_ && !frame.is_written) WritePictureAndPoints(frame);
     for (const auto& writer : writers_) writer->Add(frame);
+    if (!frame.is_written) log_->Written(rig_.lidar.path, frame.number, FilesOf(frame.number));
   }
 
   void Commit() {
@@ -133,6 +140,16 @@ class KittiExport {
         "--camera and --lidar, or --layout object,depth",
         job_.recording.directory().string(), rig_.camera, rig_.lidar.path,
         moved.translation().norm(), turned_rad / kDeg, frame.times.picture_ns, steady_->name));
+  }
+
+  std::vector<fs::path> FilesOf(int number) const {
+    std::vector<fs::path> files;
+    for (const auto& writer : writers_) {
+      if (const auto place = writer->Picture(number)) files.push_back(*place);
+      if (const auto place = writer->Points(number)) files.push_back(*place);
+      for (const fs::path& own : writer->FilesOf(number)) files.push_back(own);
+    }
+    return files;
   }
 
   std::vector<KittiLabel> Labels(TimeNs t_ns) const {
@@ -170,12 +187,14 @@ class KittiExport {
   }
 
   const ExportJob& job_;
+  ExportJob* log_;  ///< the same, which is told what is whole
   std::vector<KittiLayout> layouts_;
   KittiRig rig_;
   Rectifier rectifier_;
   InstanceTable table_;
-  /// One of the layouts that have labels, depth, pictures, and one calibration for all; null: none.
-  const KittiLayoutName *labelled_, *deep_, *pictured_, *steady_;
+  /// One of the layouts that have labels, depth, pictures, one calibration for all, and tracks;
+  /// null: none.
+  const KittiLayoutName *labelled_, *deep_, *pictured_, *steady_, *tracked_;
   std::vector<std::unique_ptr<KittiLayoutWriter>> writers_;
   Pose X_CS_first_ = Pose::Identity();
   int number_ = 0;

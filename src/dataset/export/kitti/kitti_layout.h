@@ -18,6 +18,7 @@ namespace tera {
 struct KittiFrame {
   int number = 0;  ///< from 0
   FramePair times;
+  bool is_written = false;  ///< its files are whole already, from an export that was stopped
   Pose X_WC, X_WS;
   std::vector<KittiLabel> labels;  ///< where a layout has some
   Image<std::uint16_t> depth_mm;   ///< rectified; where a layout has it
@@ -34,6 +35,9 @@ class KittiLayoutWriter {
   /// Where the picture and the points of a frame belong; nothing where the layout has none.
   virtual std::optional<std::filesystem::path> Picture(int /*frame*/) const { return std::nullopt; }
   virtual std::optional<std::filesystem::path> Points(int /*frame*/) const { return std::nullopt; }
+  /// Files of a frame alone that the layout writes itself. Of a frame that is written they are
+  /// not written again.
+  virtual std::vector<std::filesystem::path> FilesOf(int /*frame*/) const { return {}; }
   /// Frames come in order, each once.
   virtual void Add(const KittiFrame& frame) = 0;
   virtual void Commit() {}

@@ -22,8 +22,12 @@ class ObjectLayout : public KittiLayoutWriter {
   std::optional<fs::path> Points(int frame) const override {
     return File("velodyne", frame, "bin");
   }
+  std::vector<fs::path> FilesOf(int frame) const override {
+    return {File("calib", frame, "txt"), File("label_2", frame, "txt")};
+  }
 
   void Add(const KittiFrame& frame) override {
+    if (frame.is_written) return;
     WriteWholeFile(File("calib", frame.number, "txt"),
                    fmt::format("{}R0_rect: {}\nTr_velo_to_cam: {}\nTr_imu_to_velo: {}\n",
                                ProjectionLines(rig_.lens), NumbersText(Mat3::Identity()),

@@ -68,13 +68,18 @@ class DepthLayout : public KittiLayoutWriter {
     WriteWholeFile(job.folder / "depth/calib_cam_to_cam.txt", CameraCalibrationText(job, rig.lens));
   }
 
+  std::vector<fs::path> FilesOf(int frame) const override {
+    return {folder_ / fmt::format("{:010}.png", frame)};
+  }
+
   void Add(const KittiFrame& frame) override {
+    if (frame.is_written) return;
     constexpr double kUnitsPerMillimetre = 256.0 / 1000.0;
     Image<std::uint16_t> depth = frame.depth_mm;
     for (std::uint16_t& value : depth.data) {
       value = static_cast<std::uint16_t>(std::lround(value * kUnitsPerMillimetre));
     }
-    WriteWholeFile(folder_ / fmt::format("{:010}.png", frame.number), EncodeGrey16Png(depth));
+    WriteWholeFile(FilesOf(frame.number).front(), EncodeGrey16Png(depth));
   }
 
  private:

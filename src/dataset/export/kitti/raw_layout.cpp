@@ -28,14 +28,18 @@ class RawLayout : public KittiLayoutWriter {
     return drive_ / "velodyne_points/data" / fmt::format("{:010}.bin", frame);
   }
 
+  std::vector<fs::path> FilesOf(int frame) const override {
+    return {drive_ / "oxts/data" / fmt::format("{:010}.txt", frame)};
+  }
+
   void Add(const KittiFrame& frame) override {
     if (frame.number == 0) WriteCalibration(frame.X_CS());
     const std::string now = TimestampLine(job_, frame.times.picture_ns);
     for (CheckedFile* file : {&pictures_, &points_, &oxts_}) file->Append(now);
     starts_.Append(TimestampLine(job_, frame.times.scan_ns));
     ends_.Append(TimestampLine(job_, frame.times.scan_ns + rig_.lidar.period_ns));
-    WriteWholeFile(drive_ / "oxts/data" / fmt::format("{:010}.txt", frame.number),
-                   OxtsOf(job_, rig_, frame));
+    if (frame.is_written) return;
+    WriteWholeFile(FilesOf(frame.number).front(), OxtsOf(job_, rig_, frame));
   }
 
   void Commit() override {

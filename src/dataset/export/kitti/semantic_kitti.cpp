@@ -75,6 +75,15 @@ std::string LabelBytes(const LidarScan& scan, const fs::path& file, ClassCounts*
   return bytes;
 }
 
+/// Counts the points of a scan that was written before.
+void CountLabels(const fs::path& labels, ClassCounts* counts) {
+  const std::string bytes = ReadWholeFile(labels);
+  for (std::size_t at = 0; at + sizeof(std::uint32_t) <= bytes.size();
+       at += sizeof(std::uint32_t)) {
+    ++counts->at(static_cast<unsigned char>(bytes[at]));
+  }
+}
+
 /// The sequence's camera 0: at the lidar's origin, without a picture.
 std::string CalibrationText(const Pose& X_SC) {
   Eigen::Matrix<double, 3, 4> P = Eigen::Matrix<double, 3, 4>::Identity();
@@ -111,19 +120,25 @@ void ExportSemanticKitti(ExportJob* job) {
   int frame = 0;
   RecordStream stream(job->recording, std::vector<std::string>{lidar});
   for (Record record; job->Next(&stream, &record); ++frame) {
-    const LidarScan scan = job->recording.LoadScan(lidar, record.t_ns);
-    const Pose X_WC = X_WS.At(scan.t_ns) * X_SC;
+    const Pose X_WC = X_WS.At(record.t_ns) * X_SC;
     if (frame == 0) {
       X_CW_first = X_WC.inverse();
-      first_ns = scan.t_ns;
+      first_ns = record.t_ns;
     }
-    const std::string name = fmt::format("{:06}", frame);
-    WriteWholeFile(velodyne / (name + ".bin"), VelodyneBytes(SteadyScan(scan, X_WS, scan.t_ns)));
-    const fs::path file =
-        job->recording.directory() / lidar / "scans" / fmt::format("{}.pcd", scan.t_ns);
-    WriteWholeFile(labels / (name + ".label"), LabelBytes(scan, file, &counts));
     poses.Append(PoseText(X_CW_first * X_WC) + "\n");
-    times.Append(SecondsText(scan.t_ns - first_ns) + "\n");
+    times.Append(SecondsText(record.t_ns - first_ns) + "\n");
+    const std::string name = fmt::format("{:06}", frame);
+    const fs::path of_points = velodyne / (name + ".bin"), of_labels = labels / (name + ".label");
+    if (job->IsWritten(lidar, record.t_ns)) {
+      CountLabels(of_labels, &counts);
+      continue;
+    }
+    const LidarScan scan = job->recording.LoadScan(lidar, record.t_ns);
+    const fs::path file =
+        job->recording.directory() / lidar / "scans" / fmt::format("{}.pcd", record.t_ns);
+    WriteWholeFile(of_points, VelodyneBytes(SteadyScan(scan, X_WS, record.t_ns)));
+    WriteWholeFile(of_labels, LabelBytes(scan, file, &counts));
+    job->Written(lidar, record.t_ns, {of_points, of_labels});
   }
   poses.Commit();
   times.Commit();

@@ -193,19 +193,28 @@ void NuScenesScene::WriteFrame(std::size_t s, std::size_t f) {
 
 void NuScenesScene::WriteFiles(std::size_t s, TimeNs t_ns, const std::string& file,
                                const std::string& key_token) {
-  if (rig_.sensors[s].is_camera()) {
-    WriteWholeFile(job_->folder / file, files_[s].PictureBytes(t_ns));
-    return;
-  }
-  const std::vector<LidarPoint> points = files_[s].Points(t_ns);
-  const std::string categories = files_[s].Categories(points, t_ns, own_);
-  WriteWholeFile(job_->folder / file, NuScenesPointBytes(points));
-  if (key_token.empty()) return;
+  const NuScenesSensor& sensor = rig_.sensors[s];
+  const bool is_labelled = !sensor.is_camera() && !key_token.empty();
   const std::string labels =
       fmt::format("lidarseg/{}/{}_lidarseg.bin", kNuScenesVersion, key_token);
-  WriteWholeFile(job_->folder / labels, categories);
-  tables_->Add(NuTable::kLidarseg,
-               {{"token", key_token}, {"sample_data_token", key_token}, {"filename", labels}});
+  if (is_labelled) {
+    tables_->Add(NuTable::kLidarseg,
+                 {{"token", key_token}, {"sample_data_token", key_token}, {"filename", labels}});
+  }
+  if (job_->IsWritten(sensor.path, t_ns)) return;
+  std::vector<std::filesystem::path> written = {job_->folder / file};
+  if (sensor.is_camera()) {
+    WriteWholeFile(written.front(), files_[s].PictureBytes(t_ns));
+  } else {
+    const std::vector<LidarPoint> points = files_[s].Points(t_ns);
+    const std::string categories = files_[s].Categories(points, t_ns, own_);
+    WriteWholeFile(written.front(), NuScenesPointBytes(points));
+    if (is_labelled) {
+      written.push_back(job_->folder / labels);
+      WriteWholeFile(written.back(), categories);
+    }
+  }
+  job_->Written(sensor.path, t_ns, written);
 }
 
 std::string NuScenesScene::MountToken(std::size_t s, TimeNs t_ns) {

@@ -5,12 +5,35 @@
 #include <algorithm>
 
 #include "dataset/export/sensor_names.h"
+#include "dataset/export/webdataset/tar_names.h"
 
 namespace tera {
 
 Shards::Shards(const std::filesystem::path& folder, const std::string& sensor,
                std::int64_t most_bytes)
-    : folder_(folder), most_bytes_(most_bytes), archives_{sensor, FlatName(sensor), {}, {}} {}
+    : folder_(folder), most_bytes_(most_bytes), archives_{sensor, FlatName(sensor), {}, {}} {
+  while (const auto names = NamesInTar(folder_ / FileName())) TakeArchive(*names);
+}
+
+void Shards::AddEnding(const std::string& ending) {
+  std::vector<std::string>& endings = archives_.endings;
+  if (std::find(endings.begin(), endings.end(), ending) == endings.end()) {
+    endings.push_back(ending);
+  }
+}
+
+void Shards::TakeArchive(const std::vector<std::string>& names) {
+  std::int64_t samples = 0;
+  for (const std::string& name : names) {
+    const std::size_t point = name.find('.');
+    const TimeNs t_ns = std::stoll(name.substr(0, point));
+    if (last_ns_ != t_ns) ++samples;
+    last_ns_ = t_ns;
+    AddEnding(name.substr(point + 1));
+  }
+  const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(folder_ / FileName()));
+  archives_.archives.push_back({FileName(), samples, bytes});
+}
 
 std::string Shards::FileName() const {
   return fmt::format("{}-{:06}.tar", archives_.name, archives_.archives.size());
@@ -25,12 +48,7 @@ void Shards::Add(TimeNs t_ns, const std::vector<SamplePart>& parts) {
     shard_->Add(archives_.name, fmt::format("{:020}.{}", t_ns, part.ending), part.bytes);
   }
   ++samples_;
-  for (const SamplePart& part : parts) {
-    std::vector<std::string>& endings = archives_.endings;
-    if (std::find(endings.begin(), endings.end(), part.ending) == endings.end()) {
-      endings.push_back(part.ending);
-    }
-  }
+  for (const SamplePart& part : parts) AddEnding(part.ending);
 }
 
 void Shards::CommitShard() {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,12 +25,15 @@ struct SamplePart {
 /// Source  "The WebDataset Format"; `wids` of the same project.
 class Shards {
  public:
-  /// NAME is the sensor's FlatName.
+  /// NAME is the sensor's FlatName. Archives that an export which was stopped has left whole are
+  /// counted in.
   Shards(const std::filesystem::path& folder, const std::string& sensor, std::int64_t most_bytes);
 
   /// Parts are NAME/<t_ns in 20 digits>.ENDING. A sample is never split: one that is larger than an
   /// archive may be has one of its own.
   void Add(TimeNs t_ns, const std::vector<SamplePart>& parts);
+  /// Whether the sample of this time is in such an archive. Samples come in order of time.
+  bool Has(TimeNs t_ns) const { return last_ns_ && t_ns <= *last_ns_; }
   void Commit();
   /// What was committed.
   const SensorArchives& archives() const { return archives_; }
@@ -37,12 +41,16 @@ class Shards {
  private:
   std::string FileName() const;
   void CommitShard();
+  void AddEnding(const std::string& ending);
+  /// Counts an archive of these files in.
+  void TakeArchive(const std::vector<std::string>& names);
 
   std::filesystem::path folder_;
   std::int64_t most_bytes_;
   SensorArchives archives_;
   std::unique_ptr<TarWriter> shard_;
-  std::int64_t samples_ = 0;  ///< in the shard that is open
+  std::int64_t samples_ = 0;       ///< in the shard that is open
+  std::optional<TimeNs> last_ns_;  ///< of the archives that were there
 };
 
 }  // namespace tera

@@ -50,10 +50,12 @@ class SensorSamples {
   }
 
   void Add(TimeNs t_ns) {
+    if (shards_.Has(t_ns)) return;
     std::vector<SamplePart> parts = is_lidar_ ? ScanParts(t_ns) : PictureParts(t_ns);
     parts.push_back({"json", About(t_ns).dump() + "\n"});
     shards_.Add(t_ns, parts);
   }
+  bool HasArchive() const { return !shards_.archives().archives.empty(); }
   const SensorArchives& Commit() {
     shards_.Commit();
     return shards_.archives();
@@ -123,7 +125,11 @@ void ExportWebdataset(ExportJob* job) {
     samples.push_back(std::make_unique<SensorSamples>(job, sensors[s], s >= cameras));
   }
   RecordStream stream(job->recording, sensors);
-  for (Record record; job->Next(&stream, &record);) samples[record.channel]->Add(record.t_ns);
+  for (Record record; job->Next(&stream, &record);) {
+    SensorSamples& of_sensor = *samples[record.channel];
+    of_sensor.Add(record.t_ns);
+    job->frames_written = job->frames_written || of_sensor.HasArchive();
+  }
   std::vector<SensorArchives> archives;
   for (const auto& sensor : samples) archives.push_back(sensor->Commit());
   if (!facts) return;

@@ -7,6 +7,7 @@
 #include "core/error.h"
 #include "dataset/export/export.h"
 #include "dataset/export/webdataset/npy.h"
+#include "dataset/export/webdataset/tar_names.h"
 #include "dataset/export/webdataset/tar_writer.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/format/sample_recording.h"
@@ -48,6 +49,26 @@ TEST(TarWriter, ANameThatHasNoRoomIsRefused) {
   TarWriter tar(scratch.path() / "a.tar");
   EXPECT_THROW(tar.Add("f", std::string(101, 'n'), ""), InputError);
   EXPECT_THROW(tar.Add(std::string(156, 'f'), "n", ""), InputError);
+}
+
+TEST(NamesInTar, AreThoseOfAWholeArchiveAlone) {
+  const ScratchDirectory scratch;
+  const fs::path file = scratch.path() / "a.tar";
+  EXPECT_FALSE(NamesInTar(file));
+  TarWriter tar(file);
+  tar.Add("folder", "1.rgb.png", std::string(600, 'x'));
+  tar.Add("folder", "1.json", "");
+  tar.Commit();
+  const std::string bytes = ReadWholeFile(file);
+  EXPECT_EQ(NamesInTar(file), (std::vector<std::string>{"1.rgb.png", "1.json"}));
+  for (std::size_t size = 0; size < bytes.size(); size += 256) {
+    WriteWholeFile(file, bytes.substr(0, size));
+    EXPECT_FALSE(NamesInTar(file)) << size;
+  }
+  std::string longer = bytes;
+  longer.replace(124, 11, "77777777777");
+  WriteWholeFile(file, longer);
+  EXPECT_FALSE(NamesInTar(file));
 }
 
 // The format's own example: what follows the header begins at a multiple of 64.

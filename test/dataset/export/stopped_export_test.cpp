@@ -1,0 +1,198 @@
+#include "dataset/export/stopped_export.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "core/error.h"
+#include "dataset/export/export.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/format/sample_recording.h"
+
+// Exports that are stopped by a damaged file in the middle, and go on when it is mended.
+
+namespace tera {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+constexpr TimeNs kFrame_ns = 100'000'000;
+constexpr int kFrames = 5;
+constexpr const char* kLens =
+    "model:\n  width_px: 4\n  height_px: 3\n  fx_px: 2\n  fy_px: 2\n  cx_px: 1.5\n  cy_px: 1\n";
+
+std::string Sheet(const std::string& type, const std::string& more) {
+  return "type: " + type +
+         "\nname: x\nparent_link: chassis\nX_parent_sensor:\n  xyz_m: [1, 0, 2]\n"
+         "  quaternion_wxyz: [1, 0, 0, 0]\nrate_hz: 10\nlatency_s: 0\n" +
+         more;
+}
+
+CameraFrame FrameAt(int k) {
+  CameraFrame frame;
+  frame.t_ns = k * kFrame_ns + kFrame_ns / 2;
+  frame.rgb = Image<std::uint8_t>(4, 3, 3);
+  frame.rgb.data[0] = static_cast<std::uint8_t>(k);
+  frame.depth_m = Image<float>(4, 3);
+  frame.semantic = Image<std::uint8_t>(4, 3);
+  frame.instance = Image<std::uint16_t>(4, 3);
+  return frame;
+}
+
+LidarScan ScanAt(int k) {
+  LidarPoint point;
+  point.x_m = 5.0f + static_cast<float>(k);
+  point.label = static_cast<std::uint8_t>(k + 1);
+  return {k * kFrame_ns, k * kFrame_ns, {point}};
+}
+
+std::vector<JointTree> Tree() { return {JointTree{"digger", "chassis"}}; }
+
+class StoppedExport : public testing::Test {
+ protected:
+  StoppedExport() {
+    DatasetWriter writer(run(), SampleInfo(), {});
+    const ChannelId front =
+        writer.AddChannel(CameraChannel("digger/front", Sheet("camera", kLens)));
+    const ChannelId lidar = writer.AddChannel(LidarChannel("digger/lidar", Sheet("lidar", "")));
+    const ChannelId pose = writer.AddChannel(PoseChannel("truth/digger/pose.csv"));
+    const ChannelId joints =
+        writer.AddChannel(TableChannel("truth/digger/joints.csv", {"boom_rad", "boom_radps"}));
+    for (int k = 0; k <= kFrames; ++k) {
+      const TimeNs t_ns = k * kFrame_ns;
+      writer.Write(pose, RowOf(TruthPose{t_ns, MakePose(Vec3(k, 0, 0))}));
+      writer.Write(joints, RowSample{t_ns, t_ns, {0, 0}});
+      if (k == kFrames) break;
+      writer.Write(lidar, ScanAt(k));
+      writer.Write(front, FrameAt(k));
+    }
+    writer.Finish();
+  }
+  fs::path run() const { return scratch_.path() / "run"; }
+  fs::path out() const { return scratch_.path() / "out"; }
+  fs::path half() const { return scratch_.path() / "out.incomplete"; }
+
+  std::string FaultOf(const ExportOptions& options) {
+    try {
+      Export(run(), out(), options);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "no fault";
+  }
+  /// A stopped export of these options that has left this file.
+  void LeaveHalf(const ExportOptions& options, const std::string& name) {
+    fs::create_directories(half());
+    WriteWholeFile(half() / "INCOMPLETE.export", ExportKey(Recording(run()), options));
+    WriteWholeFile(half() / name, "half");
+  }
+  /// Stops an export at frame 2, lets it go on, and counts the files that were not written again.
+  int KeptOf(ExportOptions options, const std::string& damaged) {
+    options.joint_trees = Tree;
+    Export(run(), out(), options);
+    const auto whole = AllFiles(out());
+    fs::remove_all(out());
+
+    options.resume = true;
+    const std::string bytes = ReadWholeFile(run() / damaged);
+    WriteWholeFile(run() / damaged, bytes.substr(0, bytes.size() / 2));
+    EXPECT_THAT(FaultOf(options), HasSubstr(damaged));
+    EXPECT_FALSE(fs::exists(out()));
+    ExportOptions without = options;
+    without.resume = false;
+    EXPECT_THAT(FaultOf(without), HasSubstr("go on with it by the same command and --resume"));
+
+    const auto old = fs::file_time_type::clock::now() - std::chrono::hours(1);
+    for (const auto& [name, content] : AllFiles(half())) fs::last_write_time(half() / name, old);
+    // What a kill leaves: frames that are not whole, and files that have not got their name.
+    for (const auto& [name, content] : whole) {
+      if (fs::exists((half() / name).parent_path()) && !fs::exists(half() / name)) {
+        WriteWholeFile(half() / name, "ha");
+      }
+    }
+    WriteWholeFile(run() / damaged, bytes);
+    Export(run(), out(), options);
+    EXPECT_EQ(AllFiles(out()), whole);
+    EXPECT_FALSE(fs::exists(half()));
+    int kept = 0;
+    for (const auto& [name, content] : whole) kept += fs::last_write_time(out() / name) == old;
+    return kept;
+  }
+
+  ScratchDirectory scratch_;
+};
+
+constexpr const char* kPicture = "digger/front/rgb/250000000.png";
+constexpr const char* kScan = "digger/lidar/scans/200000000.pcd";
+
+// Two frames are whole: of each two copies of picture and points in all three layouts that have
+// them, calib and label_2 of object, oxts of raw, and depth.
+TEST_F(StoppedExport, OfKittiGoesOnWithTheFramesThatAreWhole) {
+  EXPECT_EQ(KeptOf({.format = ExportFormat::kKitti}, kPicture), 2 * (2 * 4 + 2 + 1 + 1));
+}
+
+TEST_F(StoppedExport, OfTracksHasTheLabelsOfAllFrames) {
+  EXPECT_EQ(KeptOf({.format = ExportFormat::kKitti,
+                    .kitti_layouts = {KittiLayout::kTracking, KittiLayout::kObject}},
+                   kScan),
+            2 * (2 * 2 + 2));
+}
+
+TEST_F(StoppedExport, OfSemanticKittiCountsTheLabelsOfAllScans) {
+  EXPECT_EQ(KeptOf({.format = ExportFormat::kSemanticKitti}, kScan), 2 * 2);
+}
+
+TEST_F(StoppedExport, OfCocoNumbersAllImages) {
+  EXPECT_EQ(KeptOf({.format = ExportFormat::kCoco}, kPicture), 2 * 2);
+}
+
+// Annotations are made first, so what is damaged must not be needed for them: a picture. By then
+// three scans and two pictures are whole; scans 0 and 2 are of samples and have labels.
+TEST_F(StoppedExport, OfNuscenesHasItsTablesOfAllFrames) {
+  EXPECT_EQ(KeptOf({.format = ExportFormat::kNuscenes, .key_frames_hz = 5}, kPicture), 3 + 2 + 2);
+}
+
+// An archive is whole when the sample behind it comes: of scans those before 2, of pictures that of
+// 0.
+TEST_F(StoppedExport, OfWebdatasetGoesOnWithTheArchivesThatAreWhole) {
+  EXPECT_EQ(KeptOf({.format = ExportFormat::kWebdataset, .shard_bytes = 1}, kPicture), 2 + 1);
+}
+
+TEST_F(StoppedExport, OfOneFileBeginsAgain) {
+  ExportOptions options = {.format = ExportFormat::kTum};
+  LeaveHalf(options, "half.tum.part");
+  EXPECT_THAT(FaultOf(options), HasSubstr("go on with it by the same command and --resume"));
+  options.resume = true;
+  Export(run(), out(), options);
+  const auto files = AllFiles(out());
+  ASSERT_EQ(files.size(), 1u);
+  EXPECT_THAT(files.at("digger.tum"), HasSubstr("\n0.400000000 4 0 0 "));
+}
+
+TEST_F(StoppedExport, OfOtherOptionsOrAnotherDatasetIsLeftAsItIs) {
+  ExportOptions options = {.format = ExportFormat::kCoco, .resume = true};
+  LeaveHalf(options, "mine.png");
+  options.start_utc_ns = 5;
+  EXPECT_THAT(FaultOf(options), AllOf(HasSubstr("out.incomplete: is of another export"),
+                                      HasSubstr("delete it to start afresh")));
+  options.start_utc_ns.reset();
+  WriteWholeFile(run() / "digger/front/data.csv",
+                 ReadWholeFile(run() / "digger/front/data.csv") + "900000000,900000000.png\n");
+  EXPECT_THAT(FaultOf(options), HasSubstr("is of another export"));
+  fs::remove(half() / "INCOMPLETE.export");
+  EXPECT_THAT(FaultOf(options), HasSubstr("holds no export that was stopped"));
+  EXPECT_EQ(ReadWholeFile(half() / "mine.png"), "half");
+}
+
+TEST_F(StoppedExport, ThatHasNothingWholeLeavesNothing) {
+  WriteWholeFile(run() / "digger/front/rgb/50000000.png", "half");
+  const ExportOptions options = {.format = ExportFormat::kCoco, .resume = true};
+  EXPECT_THAT(FaultOf(options), HasSubstr("50000000.png"));
+  EXPECT_FALSE(fs::exists(half()));
+}
+
+}  // namespace
+}  // namespace tera
