@@ -11,7 +11,9 @@
 #include "app/progress/progress_bar.h"
 #include "core/error.h"
 #include "dataset/export/export.h"
+#include "dataset/format/recording.h"
 #include "sim/joint_trees.h"
+#include "sim/recorded_ground.h"
 
 namespace tera {
 namespace {
@@ -55,6 +57,9 @@ std::map<std::string, ExportFormat> FormatsByName() {
 ExportReport ExportWithProgress(const Arguments& arguments) {
   ExportOptions options = arguments.options;
   options.joint_trees = [&] { return RecordedJointTrees(arguments.dataset, arguments.moved); };
+  if (IsBag(options.format)) {
+    options.read_ground = ReaderOfGround(Recording(arguments.dataset).info());
+  }
   options.shard_bytes = arguments.shard_mb * kBytesPerMb;
   ProgressBar bar(kPipeLine_s);
   if (!arguments.start_utc.empty()) options.start_utc_ns = UtcTime(arguments.start_utc);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "app/other_program.h"
 #include "app/refused.h"
 #include "core/motion.h"
+#include "core/units.h"
 #include "dataset/format/recording.h"
 
 // `tera export` as its user runs it, and its formats as programs read them that nobody of this
@@ -271,6 +273,54 @@ TEST_F(ExportCommand, Ros1BagIsReadByAnotherLibrary) {
   const json& sent = (*bag)["topics"]["/digger/imu_boom"]["last"]["message"];
   EXPECT_EQ(VectorOf(sent["linear_acceleration"]), imu.f_S_mps2);
   EXPECT_EQ(sent["header"]["stamp"]["nsec"], imu.t_ns);
+}
+
+// Ground that rises at 5 deg towards 30 deg north of east: 14 x 10 m, of which columns stand at the
+// borders too. A grid map begins in the north-east and ends in the south-west.
+TEST_F(ExportCommand, GroundIsAGridMapInTheWorld) {
+  SKIP_WITHOUT_NODE();
+  WriteWholeFile(Path("slope.yaml"), R"(name: slope
+seed: 5
+duration_s: 0.3
+site: {lat_deg: 46.78, lon_deg: -71.27, height_m: 90}
+terrain: {size_m: [14, 10], cell_m: 0.1, soil: dirt, relief: {slope_deg: 5, slope_direction_deg: 30}}
+record: {terrain: [height, change, soil_class], pixel_m: 0.1, every_s: 0.2}
+machines:
+  - {name: digger, machine: tera:config/machines/tb235.yaml, operator: {type: idle}}
+)");
+  const Outcome made = RunTera({"generate", "slope.yaml", "--out", "slope"}, {Path("")});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const double height_m = std::tan(5 * kDeg) * (7 * std::cos(30 * kDeg) + 5 * std::sin(30 * kDeg));
+  const auto ones = [](const json& layer) { return layer["data"]["length"].get<int>(); };
+  for (const Arguments& to : {Arguments{"rosbag2"}, Arguments{"bag"}}) {
+    Arguments arguments = {"export", "slope", "--out", "ground_" + to[0], "--to", to[0]};
+    const Outcome outcome = RunTera(arguments, {Path("")});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const bool ros1 = to[0] == "bag";
+    const auto bag =
+        BagAt(Path(ros1 ? "ground_bag/ground_bag.bag" : "ground_rosbag2/ground_rosbag2_0.mcap"));
+    ASSERT_TRUE(bag);
+    const json& ground = (*bag)["topics"]["/truth/terrain"];
+    EXPECT_EQ(ground["type"], ros1 ? "grid_map_msgs/GridMap" : "grid_map_msgs/msg/GridMap");
+    EXPECT_EQ(ground["count"], 3);
+    EXPECT_EQ(ground["second"]["time"], "200000000");
+    EXPECT_EQ(ground["last"]["time"], "300000000");
+    const json& map = ground["first"]["message"];
+    const json& header = ros1 ? map["info"]["header"] : map["header"];
+    EXPECT_EQ(header["frame_id"], "map");
+    EXPECT_NEAR(map["info"]["length_x"].get<double>(), 14.1, 1e-9);
+    EXPECT_NEAR(map["info"]["length_y"].get<double>(), 10.1, 1e-9);
+    EXPECT_NEAR(VectorOf(map["info"]["pose"]["position"]).norm(), 0, 1e-9);
+    EXPECT_EQ(map["layers"], json({"elevation", "soil_class"}));
+    EXPECT_EQ(ground["last"]["message"]["layers"], json({"change", "elevation", "soil_class"}));
+    const json& elevation = map["data"][0];
+    EXPECT_EQ(ones(elevation), 141 * 101);
+    EXPECT_EQ(elevation["layout"]["dim"][0]["label"], "column_index");
+    EXPECT_EQ(elevation["layout"]["dim"][0]["size"], 101);
+    EXPECT_EQ(elevation["layout"]["dim"][1]["size"], 141);
+    EXPECT_NEAR(elevation["data"]["first"].get<double>(), height_m, 1e-4);
+    EXPECT_NEAR(elevation["data"]["last"].get<double>(), -height_m, 1e-4);
+  }
 }
 
 // The joints and mounts that lead to the inertial unit, against the pose that was recorded.

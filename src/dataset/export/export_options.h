@@ -11,6 +11,7 @@
 
 #include "core/time.h"
 #include "dataset/export/bag/compression.h"
+#include "dataset/export/ros/ground_squares.h"
 #include "dataset/export/ros/joint_tree.h"
 
 /// What a recording can be written as, and how; docs/reference/export.md says what each format
@@ -141,6 +142,8 @@ struct ExportOptions {
   /// Gives the joint trees of the recording's machines where a format needs them; of a machine
   /// without one, nothing but its root has a place.
   std::function<std::vector<JointTree>()> joint_trees;
+  /// Reads the ground's rasters where a format has them; without it they are left out.
+  ReadGround read_ground;
   std::function<void(const ExportProgress&)> progress;
 };
 

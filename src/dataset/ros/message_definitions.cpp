@@ -20,8 +20,8 @@ struct Definition {
   std::string_view type, text;
 };
 
-/// Source  the published definitions of common_interfaces, geometry2 and rcl_interfaces.
-constexpr std::array<Definition, 42> kDefinitions = {{
+/// Source  the published definitions of common_interfaces, geometry2, rcl_interfaces and grid_map.
+constexpr std::array<Definition, 45> kDefinitions = {{
     {"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},
     {"std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"},
     {"std_msgs/Float64", "float64 data\n"},
@@ -32,6 +32,7 @@ constexpr std::array<Definition, 42> kDefinitions = {{
     {"std_msgs/MultiArrayDimension", "string label\nuint32 size\nuint32 stride\n"},
     {"std_msgs/MultiArrayLayout", "std_msgs/MultiArrayDimension[] dim\nuint32 data_offset\n"},
     {"std_msgs/Float64MultiArray", "std_msgs/MultiArrayLayout layout\nfloat64[] data\n"},
+    {"std_msgs/Float32MultiArray", "std_msgs/MultiArrayLayout layout\nfloat32[] data\n"},
     {"rosgraph_msgs/Clock", "builtin_interfaces/Time clock\n"},
     {"geometry_msgs/Vector3", "float64 x\nfloat64 y\nfloat64 z\n"},
     {"geometry_msgs/Point", "float64 x\nfloat64 y\nfloat64 z\n"},
@@ -97,6 +98,12 @@ constexpr std::array<Definition, 42> kDefinitions = {{
     {"sensor_msgs/PointCloud2",
      "std_msgs/Header header\nuint32 height\nuint32 width\nsensor_msgs/PointField[] fields\n"
      "bool is_bigendian\nuint32 point_step\nuint32 row_step\nuint8[] data\nbool is_dense\n"},
+    {"grid_map_msgs/GridMapInfo",
+     "float64 resolution\nfloat64 length_x\nfloat64 length_y\ngeometry_msgs/Pose pose\n"},
+    {"grid_map_msgs/GridMap",
+     "std_msgs/Header header\ngrid_map_msgs/GridMapInfo info\nstring[] layers\n"
+     "string[] basic_layers\nstd_msgs/Float32MultiArray[] data\nuint16 outer_start_index\n"
+     "uint16 inner_start_index\n"},
 }};
 
 /// A line as a type and the rest of it, which begins with the blank.
@@ -134,7 +141,12 @@ std::string Ros1Line(std::string_view owner, std::string_view line) {
 std::string Text(std::string_view type, WireForm form) {
   if (form == WireForm::kCdr) return std::string(DefinitionOf(type));
   std::string text = type == kHeader ? "uint32 seq\n" : "";
-  for (const std::string_view line : Lines(DefinitionOf(type))) text += Ros1Line(type, line) + "\n";
+  // There a grid map has its header in its info.
+  if (type == "grid_map_msgs/GridMapInfo") text = "Header header\n";
+  for (const std::string_view line : Lines(DefinitionOf(type))) {
+    const std::string own = Ros1Line(type, line) + "\n";
+    if (type != "grid_map_msgs/GridMap" || own != "Header header\n") text += own;
+  }
   return text;
 }
 

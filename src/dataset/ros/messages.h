@@ -138,6 +138,25 @@ struct PointCloud2 {
   std::vector<std::uint8_t> data;
 };
 
+/// grid_map_msgs/msg/GridMap: layers of numbers on the squares of a plane, NaN where none is known.
+/// Not published live.
+///
+/// Model   rows run down x, columns down y, both from the corner that has the most of both; a layer
+///         is column after column. No layer is needed for a square to be valid but `elevation`.
+/// Source  ANYbotics/grid_map, grid_map_msgs, branches ros2 (master of ROS 1 has the header in the
+///         message's `info`) and grid_map_ros, GridMapRosConverter.
+struct GridMap {
+  struct Layer {
+    std::string name;
+    std::vector<float> values;
+  };
+  Header header;
+  double resolution_m = 0;
+  std::uint32_t rows = 0, columns = 0;
+  Pose middle = Pose::Identity();
+  std::vector<Layer> layers;
+};
+
 /// What a live simulation publishes.
 using Message = std::variant<Clock, Float64, PoseStamped, TfMessage, Odometry, JointState, Imu,
                              NavSatFix, Image, CameraInfo, PointCloud2>;

@@ -1,5 +1,7 @@
 #include "dataset/ros/names.h"
 
+#include <cctype>
+
 #include "dataset/format/channel.h"
 
 namespace tera::ros {
@@ -24,6 +26,18 @@ std::string SensorTopicOf(const std::string& sensor, std::string_view type) {
 
 std::string LabelTopic(const LabelChannel& channel) {
   return std::string(channel.name) + "/image_raw";
+}
+
+std::string AllowedName(std::string_view name) {
+  std::string taken;
+  for (const char c : name) {
+    const bool begins = taken.empty() || taken.back() == '/';
+    const bool digit = std::isdigit(static_cast<unsigned char>(c)) != 0;
+    const bool letter = std::isalpha(static_cast<unsigned char>(c)) != 0;
+    if (digit && begins) taken += '_';
+    taken += digit || letter || c == '/' ? c : '_';
+  }
+  return taken;
 }
 
 }  // namespace tera::ros

@@ -28,6 +28,10 @@ std::string OpticalFrameOf(const std::string& machine, const std::string& camera
 /// becomes `gps`, the name that ROS users look for.
 std::string SensorTopicOf(const std::string& sensor, std::string_view type);
 
+/// A name as ROS takes it: what is no letter, digit, '_' or '/' becomes '_', and a word that begins
+/// with a digit gets one before it.
+std::string AllowedName(std::string_view name);
+
 // Topics of a sensor, below its own; kSensorItself: the sensor's own.
 inline const std::string kSensorItself;
 inline const std::string kFixTopic = "fix";

@@ -41,6 +41,14 @@ void PutPose(const Pose& pose, Serializer* out) {
   PutQuaternion(Quat(pose.linear()).normalized(), out);
 }
 
+/// A std_msgs/MultiArrayDimension.
+void PutDimension(const std::string& label, std::uint32_t size, std::uint32_t stride,
+                  Serializer* out) {
+  out->Put(label);
+  out->Put(size);
+  out->Put(stride);
+}
+
 void PutUnknownCovariance(Serializer* out) { out->Put(std::array<double, kSixBySix>{}); }
 
 }  // namespace
@@ -155,6 +163,33 @@ void Put(const PointCloud2& message, Serializer* out) {
   out->Put(static_cast<std::uint32_t>(message.data.size()));
   out->Put(message.data);
   out->Put(true);  // dense: no point is missing
+}
+
+void Put(const GridMap& message, Serializer* out) {
+  const std::uint32_t size = message.rows * message.columns;
+  PutHeader(message.header, out);
+  out->Put(message.resolution_m);
+  out->Put(message.resolution_m * message.rows);
+  out->Put(message.resolution_m * message.columns);
+  PutPose(message.middle, out);
+  out->PutLength(message.layers.size());
+  for (const GridMap::Layer& layer : message.layers) out->Put(layer.name);
+  std::vector<std::string> basic;
+  for (const GridMap::Layer& layer : message.layers) {
+    if (layer.name == "elevation") basic.push_back(layer.name);
+  }
+  out->PutLength(basic.size());
+  for (const std::string& name : basic) out->Put(name);
+  out->PutLength(message.layers.size());
+  for (const GridMap::Layer& layer : message.layers) {
+    out->PutLength(2);
+    PutDimension("column_index", message.columns, size, out);
+    PutDimension("row_index", message.rows, message.rows, out);
+    out->Put(std::uint32_t{0});  // where the numbers begin
+    out->Put(layer.values);
+  }
+  // The buffer of a map that moves may begin elsewhere; this one does not.
+  for (int start = 0; start < 2; ++start) out->Put(std::uint16_t{0});
 }
 
 }  // namespace tera::ros

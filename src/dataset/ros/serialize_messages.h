@@ -6,7 +6,8 @@
 #include "dataset/ros/serializer.h"
 
 /// Messages as bytes: their fields in the order of the ROS definitions, which ROS 1 and ROS 2 share
-/// but for the header, whose number of ROS 1 is always 0 here.
+/// but for the header, whose number of ROS 1 is always 0 here, and the place of a grid map's
+/// header.
 
 namespace tera::ros {
 
@@ -22,6 +23,7 @@ void Put(const Image& message, Serializer* out);
 void Put(const CompressedImage& message, Serializer* out);
 void Put(const CameraInfo& message, Serializer* out);
 void Put(const PointCloud2& message, Serializer* out);
+void Put(const GridMap& message, Serializer* out);
 
 /// "sensor_msgs/Imu"
 template <typename Message>
@@ -73,6 +75,10 @@ struct TypeName<CameraInfo> {
 template <>
 struct TypeName<PointCloud2> {
   static constexpr std::string_view value = "sensor_msgs/PointCloud2";
+};
+template <>
+struct TypeName<GridMap> {
+  static constexpr std::string_view value = "grid_map_msgs/GridMap";
 };
 
 }  // namespace tera::ros

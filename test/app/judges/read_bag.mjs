@@ -14,13 +14,13 @@ const require = createRequire(path.join(path.resolve(modules), "anchor.js"));
 const { parse } = require("@foxglove/rosmsg");
 const { MessageReader } = require("@foxglove/rosmsg2-serialization");
 
-// Bytes are told by number and sum: pictures and clouds are large.
+// Many numbers are told by how many there are, their sum, the first and the last: pictures, clouds and maps are large.
 const shown = (key, value) => {
   if (typeof value === "bigint") return value.toString();
   if (ArrayBuffer.isView(value) && value.length > 64) {
     let sum = 0;
     for (const byte of value) sum += Number(byte);
-    return { length: value.length, sum };
+    return { length: value.length, sum, first: value[0], last: value[value.length - 1] };
   }
   if (ArrayBuffer.isView(value)) return Array.from(value, (v) => (Number.isFinite(v) ? v : String(v)));
   if (typeof value === "number" && !Number.isFinite(value)) return String(value);
@@ -109,11 +109,12 @@ function databaseOf(database, parseQosProfiles) {
     open: async () => {},
     close: async () => database.close(),
     readTopics: async () => [...topics().values()],
-    readMessages: async function* () {
+    readMessages: async function* (options) {
       const byId = topics();
       const sql = "SELECT topic_id, timestamp, data FROM messages ORDER BY timestamp, id";
       for (const [id, time, data] of rows(sql)) {
-        yield { topic: byId.get(id), timestamp: stampOf(time), data };
+        const topic = byId.get(id);
+        if (options.topics.includes(topic.name)) yield { topic, timestamp: stampOf(time), data };
       }
     },
     timeRange: async () => {
@@ -135,8 +136,10 @@ async function readSqlite() {
     encoding: topic.serializationFormat,
     qos: topic.offeredQosProfiles,
   }));
-  // By ROS's own definitions: the bag carries none.
-  for await (const { topic, timestamp, value } of bag.readMessages()) {
+  // By ROS's own definitions: the bag carries none. Grid maps are of a package beside ROS.
+  const known = (await bag.readTopics()).filter((topic) => !topic.type.startsWith("grid_map_msgs/"));
+  const names = known.map((topic) => topic.name);
+  for await (const { topic, timestamp, value } of bag.readMessages({ topics: names })) {
     take(topic.name, topic.type, BigInt(timestamp.sec) * 1000000000n + BigInt(timestamp.nsec), value);
   }
   await bag.close();

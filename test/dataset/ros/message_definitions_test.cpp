@@ -80,7 +80,10 @@ TEST(MessageDefinitions, DigestsAreThoseOfRos1) {
       {"sensor_msgs/Image", "060021388200f6f0f447d0fcd9c64743"},
       {"sensor_msgs/CompressedImage", "8f7a12909da2c9d3332d540a0977563f"},
       {"sensor_msgs/CameraInfo", "c9a58c1b0b154e0e6da7578cb991d214"},
-      {"sensor_msgs/PointCloud2", "1158d486dd51d683ce2f1be655c3c181"}};
+      {"sensor_msgs/PointCloud2", "1158d486dd51d683ce2f1be655c3c181"},
+      {"std_msgs/Float32MultiArray", "6a40e0ffa6a17a503ac3f8616991b1f6"},
+      {"grid_map_msgs/GridMapInfo", "43ee5430e1c253682111cb6bedac0ef9"},
+      {"grid_map_msgs/GridMap", "95681e052b1f73bf87b7eb984382b401"}};
   for (const auto& [type, digest] : expected) EXPECT_EQ(Md5Sum(type), digest) << type;
 }
 

@@ -150,8 +150,9 @@ class CocoFiles {
           {"instance_id", instance},
           {"name", object.name},
           {"parent_instance_id", object.parent}};
-      const auto box = std::find_if(frame.boxes.begin(), frame.boxes.end(),
-                                    [&](const ObjectBox& b) { return b.instance == instance; });
+      const auto box =
+          std::find_if(frame.boxes.begin(), frame.boxes.end(),
+                       [id = instance](const ObjectBox& b) { return b.instance == id; });
       if (box != frame.boxes.end()) AddBox(*box, &annotation);
       instances_.Add(annotation);
       if (box == frame.boxes.end() || box->keypoints.empty()) continue;

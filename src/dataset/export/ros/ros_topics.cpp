@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
+#include <limits>
 #include <utility>
 
 #include "core/error.h"
@@ -33,20 +33,6 @@ constexpr TopicQuality kLatest = {1, false, false};
 
 constexpr SampleClock kClock = {100.0, 0};  ///< of /clock
 
-/// A name as ROS takes it: what is no letter, digit, '_' or '/' becomes '_', and a word that begins
-/// with a digit gets one before it.
-std::string RosName(std::string_view name) {
-  std::string taken;
-  for (const char c : name) {
-    const bool begins = taken.empty() || taken.back() == '/';
-    const bool digit = std::isdigit(static_cast<unsigned char>(c)) != 0;
-    const bool letter = std::isalpha(static_cast<unsigned char>(c)) != 0;
-    if (digit && begins) taken += '_';
-    taken += digit || letter || c == '/' ? c : '_';
-  }
-  return taken;
-}
-
 }  // namespace
 
 RosTopics::RosTopics(ExportJob* job, BagWriter* bag)
@@ -54,12 +40,18 @@ RosTopics::RosTopics(ExportJob* job, BagWriter* bag)
   clock_ = AddTopic<ros::Clock>("/clock", kLatest);
   transforms_ = AddTopic<ros::TfMessage>("/tf", kManyTransforms);
   static_transforms_ = AddTopic<ros::TfMessage>("/tf_static", kLatched);
+  if (job->options.read_ground) {
+    for (GroundSnapshot& snapshot : GroundSnapshotsOf(job->recording)) {
+      snapshots_.push_back(std::move(snapshot));
+    }
+  }
+  if (!snapshots_.empty()) ground_ = AddTopic<ros::GridMap>("/truth/terrain", kLatched);
   AddChannels();
 }
 
 template <typename Message>
 RosTopics::TopicId RosTopics::AddTopic(const std::string& name, const TopicQuality& quality) {
-  const Topic topic = {RosName(name), ros::TypeName<Message>::value, quality};
+  const Topic topic = {ros::AllowedName(name), ros::TypeName<Message>::value, quality};
   if (!names_.insert(topic.name).second) {
     throw InputError(fmt::format(
         "{}: two channels would be the ROS topic {}; rename one of them in the recording",
@@ -369,8 +361,17 @@ std::vector<std::string> RosTopics::ColumnsOf(const std::string& path) const {
 
 void RosTopics::WriteClockUntil(TimeNs t_ns) {
   for (; kClock.Due(next_tick_) <= t_ns; ++next_tick_) {
+    WriteGroundUntil(kClock.Due(next_tick_));
     const TimeNs tick_ns = job_->Stamp(kClock.Due(next_tick_));
     Write(clock_, tick_ns, ros::Clock{tick_ns});
+  }
+  WriteGroundUntil(t_ns);
+}
+
+void RosTopics::WriteGroundUntil(TimeNs t_ns) {
+  for (; !snapshots_.empty() && snapshots_.front().t_ns <= t_ns; snapshots_.pop_front()) {
+    const TimeNs stamp_ns = job_->Stamp(snapshots_.front().t_ns);
+    Write(ground_, stamp_ns, GridMapOf(snapshots_.front(), stamp_ns, job_->options.read_ground));
   }
 }
 
@@ -387,6 +388,7 @@ void RosTopics::WriteAll() {
     WriteClockUntil(record.t_available_ns);
     for (const Take& take : takes_.at(channels_[record.channel].path)) take(record);
   }
+  WriteGroundUntil(std::numeric_limits<TimeNs>::max());
 }
 
 }  // namespace tera

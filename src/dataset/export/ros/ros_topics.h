@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <map>
 #include <memory>
@@ -11,6 +12,7 @@
 #include "dataset/export/bag/bag_writer.h"
 #include "dataset/export/export_job.h"
 #include "dataset/export/record_stream.h"
+#include "dataset/export/ros/ground_snapshots.h"
 #include "dataset/export/ros/joint_tree.h"
 #include "dataset/ros/messages.h"
 
@@ -62,7 +64,9 @@ class RosTopics {
   std::vector<std::string> ColumnsOf(const std::string& path) const;
   bool IsMachine(const std::string& body) const;
   std::string RootFrameOf(const std::string& machine) const;
+  /// Clock and ground up to a time, in order.
   void WriteClockUntil(TimeNs t_ns);
+  void WriteGroundUntil(TimeNs t_ns);
 
   ExportJob* job_;
   BagWriter* bag_;
@@ -72,7 +76,8 @@ class RosTopics {
   std::vector<StreamedChannel> channels_;
   std::map<std::string, std::vector<Take>> takes_;  ///< by channel
   std::unique_ptr<RecordStream> stream_;            ///< while all is written
-  TopicId clock_, transforms_, static_transforms_;
+  TopicId clock_, transforms_, static_transforms_, ground_ = 0;
+  std::deque<GroundSnapshot> snapshots_;  ///< that were not written yet
   std::int64_t next_tick_ = 0;
   std::function<void(std::size_t, TimeNs)> told_;
 };
