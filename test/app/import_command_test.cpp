@@ -104,6 +104,47 @@ tables: [{name: commands, columns: {boom: {column: boom, unit: "1"}}}]
   EXPECT_FALSE(fs::exists(scratch.path() / "in"));
 }
 
+// A log that has no levers: speeds, an angle and a pose that were asked for, and a pressure. All of
+// it is kept in units of SI, compared with another log, drawn, and in a bag.
+TEST(ImportCommand, SetPointsOfALogWithoutLeversAreKeptComparedDrawnAndExported) {
+  const ScratchDirectory scratch;
+  for (const char* run : {"a", "b"}) {
+    WriteWholeFile(scratch.path() / (std::string(run) + ".yaml"), fmt::format(R"(name: {0}
+machine: digger
+file: {0}.csv
+time: {{column: t, unit: s}}
+tables:
+  - name: setpoints
+    columns: {{forward_mps: {{column: v, unit: km/h}}, boom_rad: {{column: boom, unit: deg}}, x_m: {{column: x, unit: cm}}}}
+  - name: pressures
+    columns: {{boom_head_pa: {{column: p, unit: bar}}}}
+)",
+                                                                              run));
+    WriteWholeFile(
+        scratch.path() / (std::string(run) + ".csv"),
+        fmt::format("t,v,boom,x,p\n0,3.6,90,100,{0}\n1,7.2,45,200,{0}\n", *run == 'a' ? 100 : 130));
+    const Outcome outcome =
+        RunTera({"import", std::string(run) + ".yaml", "--out", run}, {scratch.path()});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+  }
+  const TableRecording points = Recording(scratch.path() / "a").LoadTable("digger/setpoints.csv");
+  ASSERT_EQ(points.rows.size(), 2u);
+  EXPECT_NEAR(points.rows[1][0], 2, 1e-12);
+  EXPECT_NEAR(points.rows[0][1], kPi / 2, 1e-12);
+  EXPECT_NEAR(points.rows[0][2], 1, 1e-12);
+  const Outcome compared = RunTera({"compare", "a", "b"}, {scratch.path()});
+  EXPECT_EQ(compared.status, 0) << compared.err;
+  EXPECT_THAT(compared.out, AllOf(ContainsRegex("setpoints forward_mps +0 +0 +2"),
+                                  ContainsRegex("pressures boom_head_pa +3e\\+06 +3e\\+06 +2")));
+  EXPECT_EQ(RunTera({"overview", "a", "--image", "a.png"}, {scratch.path()}).status, 0);
+  const Outcome exported =
+      RunTera({"export", "a", "--to", "rosbag2", "--out", "bag"}, {scratch.path()});
+  EXPECT_EQ(exported.status, 0) << exported.err;
+  EXPECT_THAT(
+      ReadWholeFile(scratch.path() / "bag/metadata.yaml"),
+      AllOf(HasSubstr("name: /digger/setpoints\n"), HasSubstr("name: /digger/pressures\n")));
+}
+
 TEST(ImportCommand, SuggestedMappingOfABagIsOneThatItTakes) {
   // A mast has no joints, but a topic of their kind.
   const ScratchDirectory scratch;

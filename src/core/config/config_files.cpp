@@ -129,6 +129,8 @@ void ConfigMap::ApplyPreset(std::string_view key) const {
 }
 
 fs::path ConfigMap::File(std::string_view key) const {
+  // A folder that lists its files in one, as a recorder's does, can be named instead of that one.
+  constexpr const char* kFolderList = "metadata.yaml";
   const auto found = Find(*node_, key);
   if (!found) {
     AddMissing(*node_, key, "a file's path");
@@ -138,7 +140,8 @@ fs::path ConfigMap::File(std::string_view key) const {
     AddFault(*node_, key, *found, fmt::format("{} found, need a file's path", Shown(found->node)));
     return {};
   }
-  const fs::path named = internal::Resolve(found->node.Scalar(), found->layer->directory);
+  fs::path named = internal::Resolve(found->node.Scalar(), found->layer->directory);
+  if (internal::IsFile(named / kFolderList)) named /= kFolderList;
   const std::string name = PortableName(named);
   const fs::path path = node_->document->PlaceOf(name, named).lexically_normal();
   if (!internal::IsFile(path)) {

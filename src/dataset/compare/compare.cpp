@@ -11,9 +11,11 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "dataset/format/recording.h"
+#include "dataset/format/series_tables.h"
 #include "dataset/overview/gnuplot.h"
 
 namespace tera {
+namespace fs = std::filesystem;
 namespace {
 
 constexpr double kTellsHeading_m = 1;  ///< of path
@@ -35,8 +37,9 @@ Trajectory LoadTrajectory(const Recording& recording, const std::string& machine
   return track;
 }
 
-std::vector<Signal> SignalsOf(const Recording& recording, const std::string& folder) {
-  const TableRecording table = recording.LoadRows(folder);
+std::vector<Signal> SignalsOf(const Recording& recording, const std::string& path) {
+  const TableRecording table = recording.TypeOf(path) == kTableChannel ? recording.LoadTable(path)
+                                                                       : recording.LoadRows(path);
   std::vector<Signal> signals;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     Signal signal{table.columns[c], table.t_ns, {}};
@@ -74,7 +77,9 @@ ChannelDifference Difference(const std::string& channel, const Signal& a, const 
 /// Appends the differences of the series of numbers that both machines have.
 void CompareSeries(const Recording& a, const Recording& b, MachineComparison* machine) {
   const std::string prefix = machine->name_a + "/";
-  for (const std::string& folder : a.SeriesChannels()) {
+  std::vector<std::string> series = a.SeriesChannels();
+  for (const std::string& table : SeriesTables(a)) series.push_back(table);
+  for (const std::string& folder : series) {
     if (!folder.starts_with(prefix)) continue;
     const std::string channel = folder.substr(prefix.size());
     const std::string other = machine->name_b + "/" + channel;
@@ -84,7 +89,8 @@ void CompareSeries(const Recording& a, const Recording& b, MachineComparison* ma
       const auto match = std::find_if(signals_b.begin(), signals_b.end(),
                                       [&](const Signal& s) { return s.column == signal.column; });
       if (match == signals_b.end()) continue;
-      const ChannelDifference difference = Difference(channel, signal, *match);
+      const ChannelDifference difference =
+          Difference(fs::path(channel).replace_extension(), signal, *match);
       if (difference.count > 0) machine->channels.push_back(difference);
     }
   }

@@ -47,6 +47,10 @@ constexpr Unit kUnits[] = {
     {"N", Dimension::kForce, 1},
     {"kN", Dimension::kForce, 1e3},
     {"N m", Dimension::kTorque, 1},
+    {"Pa", Dimension::kPressure, 1},
+    {"kPa", Dimension::kPressure, 1e3},
+    {"MPa", Dimension::kPressure, 1e6},
+    {"bar", Dimension::kPressure, 1e5},
     {"1", Dimension::kNone, 1},
     {"%", Dimension::kNone, 1e-2},
 };

@@ -27,6 +27,7 @@ enum class Dimension {
   kVariance,
   kForce,
   kTorque,
+  kPressure,
   kNone
 };
 

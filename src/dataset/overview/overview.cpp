@@ -13,6 +13,7 @@
 #include "dataset/files/checked_file.h"
 #include "dataset/format/png.h"
 #include "dataset/format/recording.h"
+#include "dataset/format/series_tables.h"
 #include "dataset/overview/film.h"
 #include "dataset/overview/gnuplot.h"
 #include "dataset/overview/picture.h"
@@ -162,6 +163,9 @@ std::vector<Chart> AllCharts(const Recording& recording) {
   std::vector<Chart> charts = {TrajectoryChart(recording)};
   for (const std::string& folder : recording.SeriesChannels()) {
     AddSeries(folder, recording.LoadRows(folder), &charts);
+  }
+  for (const std::string& table : SeriesTables(recording)) {
+    AddSeries(table, recording.LoadTable(table), &charts);
   }
   return charts;
 }

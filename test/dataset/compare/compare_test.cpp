@@ -149,6 +149,53 @@ TEST(PlotComparison, SaysWhichPackageIsMissing) {
   setenv("PATH", path.c_str(), 1);
 }
 
+/// A log without levers: set-points of speed, and an angle's; `offset_mps` sets two apart.
+void WriteSetPoints(const fs::path& directory, double offset_mps) {
+  DatasetWriter writer(directory, SampleInfo(), {});
+  const ChannelId set =
+      writer.AddChannel(TableChannel("husky/setpoints.csv", {"forward_mps", "boom_rad"}));
+  const ChannelId levers = writer.AddChannel(TableChannel("husky/commands.csv", {"boom"}));
+  const ChannelId truth = writer.AddChannel(TableChannel("truth/husky/t.csv", {"a_m"}));
+  for (int k = 0; k <= 20; ++k) {
+    const TimeNs t_ns = k * kSamplePeriod_ns;
+    writer.Write(set, RowSample{t_ns, t_ns, {0.1 * k + offset_mps, 0.5}});
+    writer.Write(levers, RowSample{t_ns, t_ns, {offset_mps}});
+    writer.Write(truth, RowSample{t_ns, t_ns, {offset_mps}});
+  }
+  writer.Finish();
+}
+
+TEST(Compare, SetsPointsOfTablesBesideEachOther) {
+  ScratchDirectory scratch;
+  WriteSetPoints(scratch.path() / "real", 0);
+  WriteSetPoints(scratch.path() / "sim", 0.25);
+  const Comparison c = Compare(scratch.path() / "real", scratch.path() / "sim");
+  ASSERT_EQ(c.machines.size(), 1u);
+  ASSERT_EQ(c.machines[0].channels.size(), 2u);  // neither levers nor truth
+  EXPECT_NEAR(Find(c.machines[0], "forward_mps").mean, 0.25, 1e-12);
+  EXPECT_NEAR(Find(c.machines[0], "boom_rad").rmse, 0, 1e-12);
+  EXPECT_THAT(ComparisonTable(c), HasSubstr("setpoints forward_mps"));
+}
+
+// Trajectories, and of each of two tables a chart for each of its two units: the fifth chart begins
+// a second row.
+TEST(Overview, DrawsTablesThatAreNeitherLeversNorTruth) {
+  ScratchDirectory scratch;
+  WriteSetPoints(scratch.path() / "run", 0);
+  const auto height_px = [&] {
+    WriteOverview(scratch.path() / "run", scratch.path() / "o.png", scratch.path() / "o.mp4");
+    return ReadRgbPng(scratch.path() / "o.png").height_px;
+  };
+  EXPECT_EQ(height_px(), 300);
+  const fs::path file = scratch.path() / "run/dataset.yaml";
+  std::string text = ReadWholeFile(file);
+  const std::string key = "channels:\n";
+  text.insert(text.find(key) + key.size(), "  - {path: husky/more.csv, type: table}\n");
+  WriteWholeFile(file, text);
+  fs::copy(scratch.path() / "run/husky/setpoints.csv", scratch.path() / "run/husky/more.csv");
+  EXPECT_EQ(height_px(), 2 * 300);
+}
+
 TEST(Overview, HasARowForTheCameraTheLidarAndTheCurvesAndAFilm) {
   ScratchDirectory scratch;
   WriteWholeSample(scratch.path() / "run", {});

@@ -172,6 +172,31 @@ TEST_F(BagImport, FieldsAreFoundByTheDefinitionThatTheBagCarries) {
   EXPECT_EQ(table.rows[1][2], 21);
 }
 
+// Files that stand in another order than their names, of which the first does not have the topic
+// under the same number; the folder itself is the mapping's `file`.
+TEST_F(BagImport, AFolderOfSeveralFilesIsReadInTheOrderOfItsMetadata) {
+  const fs::path bag = scratch_.path() / "run4";
+  fs::create_directory(bag);
+  WriteWholeFile(bag / "run4_1.mcap", MineBag().Message(5, Mine(1, 10)).bytes());
+  WriteWholeFile(bag / "run4_0.mcap", SmallMcap("std_msgs/msg/Float64", "float64 data\n").bytes());
+  WriteWholeFile(bag / "run4_2.mcap",
+                 MineBag().Message(6, Mine(2, 20)).Message(7, Mine(3, 30)).bytes());
+  const std::string metadata =
+      "rosbag2_bagfile_information:\n  version: 5\n  storage_identifier: mcap\n"
+      "  relative_file_paths:\n    - run4_1.mcap\n    - run4_2.mcap\n";
+  WriteWholeFile(bag / "metadata.yaml", metadata);
+  for (const char* file : {"run4", "run4/metadata.yaml"}) {
+    Import(file, Table("parts[0].value"));
+    EXPECT_EQ(Rows(), (std::vector<std::vector<double>>{{10}, {20}, {30}})) << file;
+  }
+  fs::remove(bag / "run4_2.mcap");
+  EXPECT_THAT([&] { Import("run4", Table("parts[0].value")); },
+              ThrowsMessage<InputError>(HasSubstr("run4_2.mcap")));
+  fs::remove(bag / "metadata.yaml");
+  EXPECT_THAT([&] { Import("run4", Table("parts[0].value")); },
+              ThrowsMessage<InputError>(HasSubstr("run4")));
+}
+
 TEST_F(BagImport, TimesAreOfTheHeaderOrOfTheRecorderAndExact) {
   // 1.7e9 s of an epoch and one nanosecond: more than a double of seconds holds.
   const std::uint64_t log_ns = 1'700'000'000'000'000'001;

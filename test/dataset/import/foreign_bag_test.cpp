@@ -89,6 +89,55 @@ TEST_F(ForeignBag, OfRosbag2InSqliteNeedsNoDefinitionOfStandardTypes) {
   }
 }
 
+/// What is wrong with an import of `file`.
+std::string FaultOfTopic(const fs::path& folder, const std::string& file,
+                         const ImportOptions& options = {}) {
+  WriteWholeFile(folder / "mapping.yaml",
+                 "name: logged\nmachine: digger\nfile: " + file +
+                     "\norigin: {lat_deg: 46.78, lon_deg: -71.27, height_m: 91}\n"
+                     "gnss: [{name: gnss, topic: /fix, columns: {var_e: {constant: 1}, var_n: "
+                     "{constant: 1}, var_u: {constant: 9}}}]\n");
+  fs::remove_all(folder / "out");
+  try {
+    ImportCsv(folder / "mapping.yaml", folder / "out", options);
+  } catch (const InputError& fault) {
+    EXPECT_FALSE(fs::exists(folder / "out"));
+    return fault.what();
+  }
+  return "no fault";
+}
+
+// As rosbag2 leaves them with compression_mode FILE.
+TEST_F(ForeignBag, CompressedAsAWholeByZstdIsRead) {
+  if (!WriteByPython("write_rosbag2.py", "log.db3", "none") || !HasProgram("zstd")) {
+    GTEST_SKIP() << "needs python3 and zstd";
+  }
+  const fs::path folder = scratch_.path(), packed = folder / "log.db3.zstd";
+  const auto pack = [&](const fs::path& file, const fs::path& to) {
+    return OutputOf("zstd -q -f '" + file.string() + "' -o '" + to.string() + "'").has_value();
+  };
+  ASSERT_TRUE(pack(log_, packed));
+  fs::rename(log_, folder / "other.db3");
+  WriteWholeFile(folder / "metadata.yaml",
+                 "rosbag2_bagfile_information:\n  compression_format: zstd\n  compression_mode: "
+                 "FILE\n  relative_file_paths: [log.db3.zstd]\n");
+  for (const char* file : {"log.db3.zstd", "metadata.yaml", "./"}) {
+    EXPECT_EQ(FaultOfTopic(folder, file), "no fault");
+    EXPECT_EQ(Recording(folder / "out").LoadGnss("digger/gnss").size(), 4u) << file;
+  }
+  const std::string bytes = ReadWholeFile(packed);
+  WriteWholeFile(packed, bytes.substr(0, bytes.size() / 2));
+  EXPECT_THAT(FaultOfTopic(folder, "log.db3.zstd"),
+              testing::AllOf(HasSubstr("log.db3.zstd: ends within its zstd frame"),
+                             HasSubstr("copy the file again")));
+  WriteWholeFile(packed, bytes.substr(0, 8) + std::string(60, 'x'));
+  EXPECT_THAT(FaultOfTopic(folder, "log.db3.zstd"), HasSubstr("cannot be unpacked by zstd"));
+  // A bomb: zeros to more than a thousand times its size.
+  ASSERT_TRUE(
+      OutputOf("head -c 100000000 /dev/zero | zstd -q -f -19 -o '" + packed.string() + "'"));
+  EXPECT_THAT(FaultOfTopic(folder, "log.db3.zstd"), HasSubstr("which no bag's do"));
+}
+
 TEST_F(ForeignBag, OfTheLibraryOfMcapIsRead) {
   const std::string modules = TERA_NODE_MODULES;
   for (const std::string form : {"chunked", "plain"}) {

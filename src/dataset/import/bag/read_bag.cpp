@@ -1,17 +1,21 @@
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <memory>
 #include <optional>
 
 #include "core/config/config.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/import/bag/bag_file.h"
 #include "dataset/import/bag/bag_source.h"
+#include "dataset/import/bag/unpacked_file.h"
 
 namespace tera {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kMetadata = "metadata.yaml";
+constexpr const char *kMetadata = "metadata.yaml", *kPacked = ".zstd";
 
 /// Counts on from file to file, so that the numbers of topics differ.
 class Renumbered : public BagVisitor {
@@ -32,21 +36,63 @@ class Renumbered : public BagVisitor {
   std::size_t asked_ = 0, before_ = 0;
 };
 
-bool ReadFile(const fs::path& file, BagVisitor* visitor, bool to_the_damage) {
+/// The file that was compressed as a whole. The last one is kept, as each channel of a mapping
+/// reads its bag again.
+const UnpackedFile& Unpacked(const fs::path& packed) {
+  struct Kept {
+    fs::path packed;
+    fs::file_time_type written;
+    std::unique_ptr<UnpackedFile> file;
+  };
+  static Kept kept;
+  const fs::path place = fs::absolute(packed);
+  const fs::file_time_type written = fs::last_write_time(packed);
+  if (!kept.file || kept.packed != place || kept.written != written) {
+    kept.file.reset();
+    kept = {place, written, std::make_unique<UnpackedFile>(packed)};
+  }
+  return *kept.file;
+}
+
+bool ReadPlainFile(const fs::path& file, BagVisitor* visitor, bool to_the_damage);
+
+bool ReadPackedFile(const fs::path& packed, BagVisitor* visitor, bool to_the_damage) {
+  const UnpackedFile& file = Unpacked(packed);
+  const auto told = [&](const std::string& damage) {
+    return BagDamage(
+        fmt::format("{}: {}; copy the file again, or read what stands before by "
+                    "--skip-bad-rows",
+                    packed.string(), damage));
+  };
+  if (file.damage() && !to_the_damage) throw told(*file.damage());
+  try {
+    if (!ReadPlainFile(file.path(), visitor, to_the_damage)) return false;
+  } catch (const BagDamage& fault) {
+    throw BagDamage(file.OfPacked(fault.what()));
+  } catch (const InputError& fault) {
+    if (file.damage()) throw told(*file.damage());
+    throw InputError(file.OfPacked(fault.what()));
+  }
+  if (file.damage()) throw told(*file.damage());
+  return true;
+}
+
+bool ReadPlainFile(const fs::path& file, BagVisitor* visitor, bool to_the_damage) {
   constexpr std::uint64_t kMagicBytes = 7;
   BagFile bytes(file);
   const std::string magic = bytes.Read(0, std::min(bytes.size(), kMagicBytes));
   if (magic.starts_with("\x89MCAP")) return ReadMcapFile(file, visitor);
   if (magic.starts_with("#ROSBAG")) return ReadRos1BagFile(file, visitor);
   if (magic.starts_with("SQLite ")) return ReadSqliteBagFile(file, visitor, to_the_damage);
-  if (magic.starts_with("\x28\xb5\x2f\xfd")) {
-    throw InputError(file.string() +
-                     ": is compressed as a whole; unpack it by 'unzstd', and say so in the "
-                     "metadata.yaml or name the file itself");
-  }
   throw InputError(file.string() +
                    ": is no bag; need an MCAP file, a SQLite 3 file of rosbag2 or a ROS 1 bag, or "
                    "for a table in a text file no 'topic'");
+}
+
+bool ReadFile(const fs::path& file, BagVisitor* visitor, bool to_the_damage) {
+  const bool is_packed = file.extension() == kPacked;
+  return is_packed ? ReadPackedFile(file, visitor, to_the_damage)
+                   : ReadPlainFile(file, visitor, to_the_damage);
 }
 
 /// The files that the metadata.yaml of a rosbag2 folder names.
@@ -73,7 +119,8 @@ std::vector<fs::path> FilesOf(const fs::path& metadata) {
 }  // namespace
 
 bool HasNameOfBag(const fs::path& file) {
-  const std::string ending = file.extension();
+  const fs::path name = file.extension() == kPacked ? file.stem() : file.filename();
+  const std::string ending = name.extension();
   return ending == ".mcap" || ending == ".db3" || ending == ".bag" ||
          file.filename() == kMetadata || fs::is_regular_file(file / kMetadata);
 }

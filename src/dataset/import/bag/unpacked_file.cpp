@@ -1,0 +1,99 @@
+#include "dataset/import/bag/unpacked_file.h"
+
+#include <fmt/format.h>
+#include <stdlib.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <memory>
+#include <system_error>
+
+#include "core/error.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/import/bag/bag_file.h"
+
+namespace tera {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::uint64_t kPiece = std::uint64_t{1} << 20;
+constexpr std::uint64_t kMostExpanded = 1000;  ///< times; of bags it is some ten
+constexpr std::uint64_t kLeftFree = std::uint64_t{64} << 20;
+
+/// What may become of a file of this size here.
+std::uint64_t MostBytes(const fs::path& packed, const fs::path& folder, std::uint64_t size) {
+  std::error_code ignored;
+  const std::uint64_t room = fs::space(folder, ignored).available;
+  const std::uint64_t most = kMostExpanded * size + kPiece;
+  if (ignored || room == static_cast<std::uint64_t>(-1)) return most;
+  if (room < kLeftFree) {
+    throw InputError(
+        fmt::format("{}: is compressed as a whole, and {} has no room to unpack it; "
+                    "free some, or name another folder by TMPDIR",
+                    packed.string(), folder.string()));
+  }
+  return std::min(most, room - kLeftFree);
+}
+
+}  // namespace
+
+UnpackedFile::UnpackedFile(const fs::path& packed) : packed_(packed) {
+  std::string name = (fs::temp_directory_path() / "tera_bag_XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) FailFile(name, "folder cannot be created", errno);
+  folder_ = name;
+  path_ = folder_ / packed.stem();
+  try {
+    Unpack();
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+    throw;
+  }
+}
+
+UnpackedFile::~UnpackedFile() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+std::string UnpackedFile::OfPacked(const std::string& message) const {
+  std::string own = message;
+  const std::size_t at = own.find(path_.string());
+  return at == std::string::npos ? own : own.replace(at, path_.string().size(), packed_.string());
+}
+
+void UnpackedFile::Unpack() {
+  BagFile packed(packed_);
+  const std::uint64_t most = MostBytes(packed_, folder_, packed.size());
+  const std::unique_ptr<ZSTD_DStream, decltype(&ZSTD_freeDStream)> stream(ZSTD_createDStream(),
+                                                                          &ZSTD_freeDStream);
+  CheckedFile file(path_);
+  std::string out(kPiece, '\0');
+  std::size_t left = 0;
+  for (std::uint64_t at = 0; at < packed.size() && !damage_;) {
+    const std::string piece = packed.Read(at, std::min(kPiece, packed.size() - at));
+    at += piece.size();
+    ZSTD_inBuffer in{piece.data(), piece.size(), 0};
+    for (bool full = false; in.pos < in.size || full;) {
+      ZSTD_outBuffer to{out.data(), out.size(), 0};
+      left = ZSTD_decompressStream(stream.get(), &to, &in);
+      if (ZSTD_isError(left)) {
+        damage_ = fmt::format("cannot be unpacked by zstd: {}", ZSTD_getErrorName(left));
+        break;
+      }
+      file.Append({out.data(), to.pos});
+      if (static_cast<std::uint64_t>(file.bytes()) > most) {
+        throw InputError(fmt::format(
+            "{}: its {} bytes unpack to more than {}, which no bag's do or for which {} has no "
+            "room; unpack it by 'unzstd' where there is room, and name that file",
+            packed_.string(), packed.size(), most, folder_.parent_path().string()));
+      }
+      full = to.pos == to.size;
+    }
+  }
+  if (!damage_ && left != 0) damage_ = "ends within its zstd frame";
+  file.Commit();
+}
+
+}  // namespace tera
