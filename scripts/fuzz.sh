@@ -56,7 +56,8 @@ machines:
 YAML
   "$tera" generate $seeds/small.yaml --out $run >/dev/null
   # A bag of little, so that much of it is structure.
-  "$tera" generate $seeds/small.yaml --duration 0.02 --set 'machines[0].rig={sensors: []}' --out $seeds/bare >/dev/null
+  "$tera" generate $seeds/small.yaml --duration 0.02 --set 'machines[0].rig={sensors: []}' \
+    --set 'record={terrain: [height], pixel_m: 2}' --out $seeds/bare >/dev/null
   for form in "mcap_zstd rosbag2 --compression zstd" "mcap_none rosbag2 --compression none" "sqlite rosbag2 --storage sqlite3" \
     "ros1 bag"; do
     # shellcheck disable=SC2086
@@ -90,6 +91,32 @@ YAML
   seed mesh stl $seeds/text
   printf '\3v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >$seeds/text
   seed mesh obj $seeds/text
+  # A first byte chooses the form of clouds (PCD, PLY, LAS) and of logs (ULog, RTKLIB's, NMEA 0183, KITTI's).
+  n=0
+  for form in pcd ply las; do
+    "$tera" export $run --to $form --out $seeds/map_$form >/dev/null
+    { printf '%b' "\\0$n"; cat $seeds/map_$form/map.$form; } >$seeds/text
+    seed cloud $form $seeds/text
+    n=$((n + 1))
+  done
+  for file in "$run"/m/lidar/scans/*.pcd; do { printf '\0'; cat "$file"; } >$seeds/text; seed cloud "$(basename "$file")" $seeds/text; done
+  printf '\1ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n4 5 6\n' >$seeds/text
+  seed cloud ascii $seeds/text
+  printf '\0ULog\1\x12\x35\1\0\0\0\0\0\0\0\0\x20\0Fa:uint64_t timestamp;float v[2];' >$seeds/text
+  printf '\4\0A\0\0\0a\x12\0D\0\0\x40\x42\x0f\0\0\0\0\0\0\0\x80\x3f\0\0\0\x40' >>$seeds/text
+  seed log ulg $seeds/text
+  for form in "1 pos" "2 nmea"; do
+    # shellcheck disable=SC2086
+    set -- $form
+    "$tera" export $run --to "$2" --out "$seeds/gnss_$2" >/dev/null
+    { printf '%b' "\\0$1"; head -n 9 "$seeds/gnss_$2/m/gnss.$2"; } >$seeds/text
+    seed log "$2" $seeds/text
+  done
+  { printf '\3%s\n\0' "2011-09-26 13:02:25.964389445"; printf '1.5 %.0s' {1..25}; printf '1 2 3 4 5\n'; } >$seeds/text
+  seed log oxts $seeds/text
+  for file in "$run"/truth/terrain/*.tif; do seed raster "$(basename "$file")" "$file"; done
+  printf '{"verdict": "named", "findings": [{"channel": "boom", "rmse": [2.2, 1.5], "why": null}], "tera_version": "0"}' >$seeds/text
+  seed diagnosis named $seeds/text
 }
 make_seeds
 

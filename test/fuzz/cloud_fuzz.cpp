@@ -1,0 +1,11 @@
+#include "dataset/import/cloud/read_point_cloud.h"
+#include "untrusted_file.h"
+
+// Point clouds that `tera site` and `tera register` read. The input's first byte chooses the
+// format, which a cloud's file name says.
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  constexpr const char* kNames[] = {"a.pcd", "a.ply", "a.las"};
+  return tera::ReadAsFile(kNames[data[0] % 3], data + 1, size - 1, tera::ReadPointCloud);
+}
