@@ -1,17 +1,14 @@
 layout(location = 0) in vec3 a_position_W;
 layout(location = 1) in vec3 a_normal_W;
-layout(location = 2) in vec3 a_albedo_root;
 
 uniform mat4 u_clip_from_relative;
 uniform vec3 u_eye_W;
 
 out vec2 v_position_W;
 out vec3 v_normal_W;
-out vec3 v_albedo_root;
 
 void main() {
   gl_Position = u_clip_from_relative * vec4(a_position_W - u_eye_W, 1.0);
   v_position_W = a_position_W.xy;
   v_normal_W = a_normal_W;
-  v_albedo_root = a_albedo_root;
 }

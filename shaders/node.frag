@@ -1,3 +1,7 @@
+#ifdef WORN
+#include "wear.glsl"
+#endif
+
 in vec3 v_relative_W;
 in vec3 v_normal_W;
 in vec2 v_uv;
@@ -54,6 +58,11 @@ void main() {
     float open = mix(1.0, texture(u_occlusion_map, v_uv).r, u_occlusion_strength);
     shut = uint(round((1.0 - clamp(open, 0.0, 1.0)) * 255.0));
   }
+#endif
+#ifdef WORN
+  Surface aged = Aged(Surface(root_albedo, roughness_metallic.x, roughness_metallic.y));
+  root_albedo = aged.root_albedo;
+  roughness_metallic = vec2(aged.roughness, aged.metallic);
 #endif
   o_albedo_roughness = vec4(root_albedo, roughness_metallic.x);
   o_normal_metallic = vec4(normal * 0.5 + 0.5, roughness_metallic.y * 0.5);

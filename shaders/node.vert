@@ -9,6 +9,11 @@ layout(location = 7) in uint a_label;
 layout(location = 8) in vec2 a_uv;
 
 uniform mat4 u_clip_from_relative;
+#ifdef WORN
+uniform mat4 u_body_from_mesh;
+out vec3 v_place_B;
+out vec3 v_normal_B;
+#endif
 
 out vec3 v_relative_W;
 out vec3 v_normal_W;
@@ -29,4 +34,8 @@ void main() {
   v_roughness_metallic = a_roughness_metallic;
   v_label = a_label;
   v_uv = a_uv;
+#ifdef WORN
+  v_place_B = (u_body_from_mesh * p).xyz;
+  v_normal_B = mat3(u_body_from_mesh) * a_normal.xyz;
+#endif
 }

@@ -13,6 +13,7 @@ layout(location = 2) out uint o_label;
 // show: stones of 5 to 40 mm, crumbs of 2 to 15 mm, and, turned and blurred until no stone is left
 // in it, patches of some decimetres and of some metres: as much of each scale, as nature has it.
 const float kStones = 1.0 / 1.37, kCrumbs = 1.0 / 0.523, kPatches = 1.0 / 5.3, kZones = 1.0 / 41.0;
+const float kStray = 1.5;  // texels
 const float kPatchLevel = 3.0, kZoneLevel = 5.0;
 const mat2 kTurn = mat2(0.8, 0.6, -0.6, 0.8), kTurnCrumbs = mat2(0.28, 0.96, -0.96, 0.28);
 
@@ -49,12 +50,14 @@ vec4 Stone(vec2 place, float cell_m, uint layer, float share, float pixel_m, out
 }
 
 void main() {
-  vec4 albedo = texture(u_ground_albedo, v_texture);
-  vec4 shape = texture(u_ground_shape, v_texture);
   vec4 stones = texture(u_detail, v_position_W * kStones) * 2.0 - 1.0;
   vec4 crumbs = texture(u_detail, kTurnCrumbs * v_position_W * kCrumbs) * 2.0 - 1.0;
   vec4 patches = texture(u_detail, kTurn * v_position_W * kPatches, kPatchLevel) * 2.0 - 1.0;
   vec4 zones = texture(u_detail, v_position_W.yx * kZones, kZoneLevel) * 2.0 - 1.0;
+  // One soil ends unevenly where another begins, not along the columns' sides.
+  vec2 stray = kStray * (crumbs.yz + 0.7 * patches.yz) / vec2(textureSize(u_ground_albedo, 0));
+  vec4 albedo = texture(u_ground_albedo, v_texture + stray);
+  vec4 shape = texture(u_ground_shape, v_texture);
   float grain = shape.w * 2.0, loose = shape.z;
   // Where there are more crumbs and where there are fewer.
   float much = clamp(0.8 + 1.8 * patches.x + 1.2 * zones.x, 0.2, 1.7);

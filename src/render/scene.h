@@ -15,6 +15,7 @@
 #include "render/ground/ground_paint.h"
 #include "render/lamp.h"
 #include "render/meshes/mesh.h"
+#include "render/wear.h"
 
 /// What can be seen: one description for the rasterizer and for the ray scene, so that camera and
 /// lidar look at the same world.
@@ -29,7 +30,8 @@ struct SceneNode {
   Pose X_BG = Pose::Identity();
   double scale = 1.0;
   SemanticClass label = SemanticClass::kStructure;
-  std::uint16_t instance = 0;  ///< index into SceneModel::instances
+  std::uint16_t instance = 0;            ///< index into SceneModel::instances
+  std::shared_ptr<const NodeWear> wear;  ///< null: as it left the factory
 };
 
 inline constexpr std::size_t kMostLamps = 8;

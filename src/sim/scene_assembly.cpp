@@ -8,6 +8,7 @@
 #include "core/units.h"
 #include "physics/actuation/linkage.h"
 #include "render/meshes/painted_parts.h"
+#include "sim/machine_wear.h"
 
 namespace tera {
 namespace {
@@ -121,6 +122,9 @@ void SceneAssembly::AddLamp(const ScenarioLamp& lamp) {
 void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
   const MachinePlacement& placement = scenario.machines[m].placement;
   const MachineModel& machine = placement.model;
+  const Wear& wear = scenario.machines[m].wear;
+  const Vec3 soil = SoilAlbedoAt(*scenario.site, placement.X_WB.translation().head<2>());
+  const std::vector<NodeWear> link_wear = WearOfLinks(machine, wear, soil);
   root_body_.push_back(model_.body_count);
   std::vector<int> link_body;
   std::vector<std::uint16_t> link_instance(machine.links.size(), 0);
@@ -129,26 +133,30 @@ void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
     link_body.push_back(AddBody());
     if (link.visuals.empty()) continue;
     link_instance[i] = AddInstance(placement.name + "/" + link.name, link.label, link_body[i]);
-    for (const Visual& v : link.visuals) AddNode(v, link_body[i], link.label, link_instance[i]);
+    for (const Visual& v : link.visuals) {
+      AddNode(v, link_body[i], link.label, link_instance[i], link_wear[i]);
+    }
   }
-  AddRunningGear(placement, m, link_body);
-  const auto add_part = [&](const std::optional<Visual>& visual, int link) {
+  AddRunningGear(placement, m, link_body, WearInSoil(wear, soil));
+  const auto add_part = [&](const std::optional<Visual>& visual, int link, const NodeWear& worn) {
     const int body = AddBody();
-    if (visual) AddNode(*visual, body, machine.links[link].label, link_instance[link]);
+    if (visual) AddNode(*visual, body, machine.links[link].label, link_instance[link], worn);
   };
+  const NodeWear linkage_wear = WearOfLinkage(wear, soil),
+                 cylinder_wear = WearOfCylinder(wear, soil);
   for (const FourBar& linkage : machine.linkages) {
     const Joint& joint = machine.joints[linkage.joint];
-    add_part(linkage.rocker, joint.parent);
-    add_part(linkage.coupler, joint.child);
+    add_part(linkage.rocker, joint.parent, linkage_wear);
+    add_part(linkage.coupler, joint.child, linkage_wear);
   }
   for (const Cylinder& cylinder : machine.cylinders) {
     for (int k = 0; k < cylinder.count; ++k) {
       const std::string& joint = machine.joints[cylinder.joint].name;
       const std::string number = cylinder.count > 1 ? "_" + std::to_string(k + 1) : "";
       AddPin(joint + "_barrel_pin" + number, model_.body_count, &model_);
-      add_part(cylinder.barrel, cylinder.barrel_link);
+      add_part(cylinder.barrel, cylinder.barrel_link, cylinder_wear);
       AddPin(joint + "_rod_pin" + number, model_.body_count, &model_);
-      add_part(cylinder.rod, cylinder.rod_link);
+      add_part(cylinder.rod, cylinder.rod_link, cylinder_wear);
     }
   }
   AddMachineKeypoints(machine, link_body);
@@ -193,13 +201,13 @@ void SceneAssembly::AddWhole(const Scenario& scenario, std::size_t m) {
 }
 
 void SceneAssembly::AddRunningGear(const MachinePlacement& placement, std::size_t m,
-                                   const std::vector<int>& link_body) {
+                                   const std::vector<int>& link_body, const NodeWear& wear) {
   const MachineModel& machine = placement.model;
   for (const WheelVisual& wheel : machine.wheel_visuals) {
     const int body = AddBody();
     const std::string& name = machine.ground_tools.gears[wheel.gear].name;
     AddNode(wheel.visual, body, SemanticClass::kTrack,
-            AddInstance(placement.name + "/" + name, SemanticClass::kTrack, body));
+            AddInstance(placement.name + "/" + name, SemanticClass::kTrack, body), wear);
   }
   for (const TrackVisual& track : machine.track_visuals) {
     const RunningGear& gear = machine.ground_tools.gears[track.gear];
@@ -213,7 +221,7 @@ void SceneAssembly::AddRunningGear(const MachinePlacement& placement, std::size_
       box.box_max_B_m = box.box_max_B_m.cwiseMax(p + half);
     }
     for (int k = 0; k < track.shoe_count; ++k) {
-      AddNode(track.shoe, AddBody(), SemanticClass::kTrack, instance);
+      AddNode(track.shoe, AddBody(), SemanticClass::kTrack, instance, wear);
     }
   }
 }
@@ -247,13 +255,15 @@ void SceneAssembly::AddLoads(const MachinePlacement& placement, std::size_t m,
 void SceneAssembly::AddObstacle(const ScenarioObstacle& obstacle) {
   const int body = AddBody();
   const std::uint16_t instance = AddInstance(obstacle.name, obstacle.label, body);
-  AddNode(obstacle.visual, body, obstacle.label, instance);
+  const Wear wear = IsWorn(obstacle.label) ? obstacle.wear : Wear{};
+  const Vec3 soil = SoilAlbedoAt(*scenario_.site, obstacle.xy_W_m);
+  AddNode(obstacle.visual, body, obstacle.label, instance, WearOnGround(wear, soil));
   for (const ObstacleKeypoint& point : obstacle.keypoints) {
     model_.keypoints.push_back({point.name, instance, body, obstacle.visual.scale * point.p_B_m,
                                 obstacle.visual.scale * point.radius_m});
   }
   for (const ObstacleWheel& wheel : obstacle.wheels) {
-    AddNode(wheel.visual, AddBody(), obstacle.label, instance);
+    AddNode(wheel.visual, AddBody(), obstacle.label, instance, WearInSoil(wear, soil));
   }
 }
 
@@ -295,7 +305,7 @@ std::uint16_t SceneAssembly::AddInstance(const std::string& name, SemanticClass 
 }
 
 void SceneAssembly::AddNode(const Visual& visual, int body, SemanticClass label,
-                            std::uint16_t instance) {
+                            std::uint16_t instance, const NodeWear& wear) {
   SceneNode node;
   try {
     node.mesh = AddLooksOf(visual, &model_);
@@ -307,6 +317,7 @@ void SceneAssembly::AddNode(const Visual& visual, int body, SemanticClass label,
   node.scale = visual.scale;
   node.label = visual.label.value_or(label);
   node.instance = instance;
+  if (wear.wear.any()) node.wear = std::make_shared<const NodeWear>(wear);
   model_.nodes.push_back(node);
   GrowBox(node);
 }

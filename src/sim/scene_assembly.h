@@ -38,7 +38,7 @@ class SceneAssembly {
 
   void AddMachine(const Scenario& scenario, std::size_t m);
   void AddRunningGear(const MachinePlacement& placement, std::size_t m,
-                      const std::vector<int>& link_body);
+                      const std::vector<int>& link_body, const NodeWear& wear);
   /// What shovels will carry.
   void AddLoads(const MachinePlacement& placement, std::size_t m,
                 const std::vector<SoilType>& soils);
@@ -50,7 +50,8 @@ class SceneAssembly {
   void AddWhole(const Scenario& scenario, std::size_t m);
   void AddLamp(const ScenarioLamp& lamp);
   std::uint16_t AddInstance(const std::string& name, SemanticClass label, int body);
-  void AddNode(const Visual& visual, int body, SemanticClass label, std::uint16_t instance);
+  void AddNode(const Visual& visual, int body, SemanticClass label, std::uint16_t instance,
+               const NodeWear& wear);
   /// Widens the box of the node's instance to hold its mesh, if both move with one body.
   void GrowBox(const SceneNode& node);
   void AppendMachinePoses(const Instant& state, std::size_t m, std::vector<Pose>* poses) const;

@@ -220,7 +220,7 @@ void Rasterizer::Impl::DrawGeometry(const View& view, const Pictures& p) {
   for (const Program* program : {&node_program, &textured_program}) {
     program->Set("u_clip_from_relative", view.ClipFromRelative());
   }
-  nodes.DrawOpaque(node_program, textured_program);
+  nodes.DrawOpaque(node_program, textured_program, view);
   Done("machines and obstacles");
   if (has_ground) {
     node_program.Use();

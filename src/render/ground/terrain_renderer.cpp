@@ -100,13 +100,19 @@ void TerrainRenderer::DrawApron(const View& view) const {
   apron_program_.Use();
   apron_program_.Set("u_clip_from_relative", view.ClipFromRelative());
   apron_program_.Set("u_eye_W", Eigen::Vector3f(view.eye_W_m.cast<float>()));
-  apron_program_.Set("u_detail", 0);
+  textures_.Bind(0, apron_program_);
+  glBindTextureUnit(3, detail_.id());
+  apron_program_.Set("u_ground_albedo", 0);
+  apron_program_.Set("u_detail", 3);
+  const Vec2 low_W_m = grid_.origin_W_m;
+  const Vec2 high_W_m(grid_.x_m(grid_.nx - 1), grid_.y_m(grid_.ny - 1));
+  apron_program_.Set("u_site_low_W", Eigen::Vector2f(low_W_m.cast<float>()));
+  apron_program_.Set("u_site_high_W", Eigen::Vector2f(high_W_m.cast<float>()));
   const TerrainSurface::Cover undisturbed;
   const double wet = weather_.rain_mmph > 0 ? SoilTone(1, 0) : 1.0;
   apron_program_.Set("u_tone", static_cast<float>(std::sqrt(wet)));
   apron_program_.Set("u_snow", static_cast<float>(SnowShare(weather_, undisturbed, 1)));
   apron_program_.Set("u_snow_root", Eigen::Vector3f(kSnowAlbedo.cwiseSqrt().cast<float>()));
-  glBindTextureUnit(0, detail_.id());
   apron_.Draw();
   triangles_drawn_ += apron_.triangles();
 }

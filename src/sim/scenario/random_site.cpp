@@ -11,6 +11,7 @@
 #include "core/random.h"
 #include "core/units.h"
 #include "sim/scenario/footprint.h"
+#include "sim/scenario/haul_road.h"
 #include "sim/scenario/standing_things.h"
 
 namespace tera {
@@ -26,7 +27,7 @@ class SitePlanner {
  public:
   SitePlanner(const ConfigMap& entry, const SiteDraw& draw);
 
-  void HaulRoad();
+  void Road();
   void Trenches();
   void Berms();
   void Stockpiles();
@@ -51,7 +52,9 @@ class SitePlanner {
   /// A free place for a rectangle, which is then taken; a fault and nothing where there is none.
   std::optional<Footprint> Place(const ConfigMap& config, const std::string& kind,
                                  const Stream& stream, const Vec2& half_m, bool follows_road);
+  bool IsWithin(const Vec2& p_W_m) const;
   bool IsFree(const Footprint& wanted) const;
+  double DressRoad(const ConfigMap& config, const HaulRoad& road, const std::string& soil);
   /// Draws `count` of a kind, each by draw_one(config, stream, number).
   template <typename DrawOne>
   void ForEach(const char* kind, const DrawOne& draw_one);
@@ -65,7 +68,7 @@ class SitePlanner {
   bool reads_only_ = false;
   std::optional<double> road_yaw_rad_;
   std::vector<Footprint> taken_;
-  List regions_, pits_, piles_, obstacles_;
+  List regions_, pits_, ruts_, piles_, obstacles_;
 };
 
 SitePlanner::SitePlanner(const ConfigMap& entry, const SiteDraw& draw)
@@ -105,12 +108,14 @@ std::string SitePlanner::OneOf(const ConfigMap& config, const char* key,
   return all[static_cast<std::size_t>(Share(stream, kChoice) * count)];
 }
 
+bool SitePlanner::IsWithin(const Vec2& p_W_m) const {
+  return p_W_m.x() >= x_m_.lower && p_W_m.x() <= x_m_.upper && p_W_m.y() >= y_m_.lower &&
+         p_W_m.y() <= y_m_.upper;
+}
+
 bool SitePlanner::IsFree(const Footprint& wanted) const {
   for (const Vec2& corner : wanted.Corners_W_m()) {
-    if (corner.x() < x_m_.lower || corner.x() > x_m_.upper || corner.y() < y_m_.lower ||
-        corner.y() > y_m_.upper) {
-      return false;
-    }
+    if (!IsWithin(corner)) return false;
   }
   return std::none_of(taken_.begin(), taken_.end(),
                       [&](const Footprint& other) { return Meet(wanted, other, gap_m_); });
@@ -163,7 +168,7 @@ std::string OutlineText(const std::vector<Vec2>& outline_m) {
 double Degrees(double yaw_rad) { return std::remainder(yaw_rad, 2 * kPi) / kDeg; }
 
 /// From one side of the area to the other, with one bend in the middle.
-void SitePlanner::HaulRoad() {
+void SitePlanner::Road() {
   const auto config = entry_.OptionalMap("haul_road");
   if (!config) return;
   const Stream stream = StreamOf("haul_road");
@@ -178,25 +183,49 @@ void SitePlanner::HaulRoad() {
   };
   const Vec2 begin = at(0, 0), bend = at(0.3 + 0.4 * Share(stream, kOther), 1), end = at(1, 2);
   road_yaw_rad_ = std::atan2((end - begin).y(), (end - begin).x());
-  const auto left = [&](const Vec2& from_m, const Vec2& to_m) {
-    const Vec2 way = (to_m - from_m).normalized();
-    return Vec2(0.5 * width_m * Vec2(-way.y(), way.x()));
-  };
-  const Vec2 first = left(begin, bend), last = left(bend, end), middle = left(begin, end);
-  // It goes on over the site's border, as roads do.
-  constexpr double kBeyond_m = 500;
-  const Vec2 from_far = begin - kBeyond_m * (bend - begin).normalized();
-  const Vec2 to_far = end + kBeyond_m * (end - bend).normalized();
-  regions_.push_back(fmt::format("{{outline_m: {}, soil: {}}}",
-                                 OutlineText({from_far + first, from_far - first, bend - middle,
-                                              to_far - last, to_far + last, bend + middle}),
-                                 soil));
+  const HaulRoad road{begin, bend, end, width_m};
+  const double foot_m = DressRoad(*config, road, soil);
   for (const auto& [a, b] : {std::pair(begin, bend), std::pair(bend, end)}) {
     const Vec2 way = b - a;
     taken_.push_back({.middle_W_m = 0.5 * (a + b),
                       .yaw_rad = std::atan2(way.y(), way.x()),
-                      .half_m = Vec2(0.5 * way.norm(), 0.5 * width_m)});
+                      .half_m = Vec2(0.5 * way.norm(), 0.5 * width_m + foot_m)});
   }
+}
+
+/// Its soil, its ruts and the ridges along it, as far as these are asked for. Returns how far those
+/// reach beyond its edges.
+double SitePlanner::DressRoad(const ConfigMap& config, const HaulRoad& road,
+                              const std::string& soil) {
+  const auto shares = [&](const std::string& of) -> ShareRow {
+    return
+        [this, stream = StreamOf("haul_road/" + of)](std::uint32_t k) { return Share(stream, k); };
+  };
+  const double stray_m = config.Number("stray_m", Between(0, 5, "m"), 0);
+  regions_.push_back(fmt::format("{{outline_m: {}, soil: {}}}",
+                                 OutlineText(RoadOutline(road, stray_m, shares("edge"))), soil));
+  if (const auto ruts = config.OptionalMap("ruts")) {
+    const int count = Count(*ruts, "haul_road/ruts");
+    const double gauge_m = ruts->Number("gauge_m", Between(0, 10, "m"), 2);
+    const double rut_m = ruts->Number("width_m", Between(0.05, 3, "m"), 0.35);
+    const Spread depth_m = SpreadAt(*ruts, "depth_m", Between(0, 0.5, "m"));
+    const double aside_m = std::max(0.5 * (road.width_m - gauge_m - rut_m), 0.0);
+    for (int n = 1; n <= count; ++n) {
+      const ShareRow share = shares(fmt::format("ruts/{}", n));
+      constexpr std::uint32_t kDepth = 5000;  // behind those of its path
+      ruts_.push_back(fmt::format("{{path_m: {}, gauge_m: {}, width_m: {}, depth_m: {:.4f}}}",
+                                  OutlineText(PathAlong(road, aside_m, share)), gauge_m, rut_m,
+                                  depth_m.At(share(kDepth))));
+    }
+  }
+  if (!config.Has("windrow_m")) return 0;
+  const Spread height_m = SpreadAt(config, "windrow_m", Between(0.02, 2, "m"));
+  for (const Windrow& row : WindrowsOf(road, height_m.lower, height_m.upper, shares("windrow"))) {
+    if (!IsWithin(row.from_m) || !IsWithin(row.to_m)) continue;
+    piles_.push_back(fmt::format("{{xy_m: {}, to_m: {}, height_m: {:.3f}, soil: {}}}",
+                                 PointText(row.from_m), PointText(row.to_m), row.height_m, soil));
+  }
+  return kFootOverHeight * height_m.upper;
 }
 
 void SitePlanner::Trenches() {
@@ -294,6 +323,7 @@ std::vector<std::pair<std::string, std::string>> SitePlanner::Take() {
   };
   give({"terrain", "regions"}, regions_);
   give({"terrain", "pits"}, pits_);
+  give({"terrain", "ruts"}, ruts_);
   give({"terrain", "piles"}, piles_);
   give({"obstacles"}, obstacles_);
   return values;
@@ -304,7 +334,7 @@ std::vector<std::pair<std::string, std::string>> SitePlanner::Take() {
 std::vector<std::pair<std::string, std::string>> DrawSite(const ConfigMap& entry,
                                                           const SiteDraw& draw) {
   SitePlanner planner(entry, draw);
-  planner.HaulRoad();
+  planner.Road();
   planner.Trenches();
   planner.Stockpiles();
   planner.Things("parked");

@@ -19,6 +19,7 @@
 #include "sim/scenario/read_ground.h"
 #include "sim/scenario/read_light.h"
 #include "sim/scenario/read_tolerances.h"
+#include "sim/scenario/read_wear.h"
 
 namespace tera {
 namespace {
@@ -209,7 +210,7 @@ void ReadWheels(const ConfigMap& config, ScenarioObstacle* obstacle) {
   }
 }
 
-ScenarioObstacle ReadObstacle(const ConfigMap& config) {
+ScenarioObstacle ReadObstacle(const ConfigMap& config, const Wear& wear) {
   config.ApplyPreset("preset");
   ScenarioObstacle obstacle;
   obstacle.name = config.Text("name");
@@ -238,6 +239,7 @@ ScenarioObstacle ReadObstacle(const ConfigMap& config) {
   obstacle.xy_W_m = config.Vector2("xy_m", Any("m"));
   obstacle.yaw_rad = config.Number("yaw_deg", Between(-360, 360, "deg"), 0) * kDeg;
   obstacle.height_above_ground_m = config.Number("height_above_ground_m", Any("m"), 0);
+  obstacle.wear = ReadWear(config, wear);
   for (const ConfigMap& point : config.List("path")) {
     obstacle.path.push_back(
         {point.Number("t_s", AtLeast(0, "s")), point.Vector2("xy_m", Any("m"))});
@@ -316,15 +318,17 @@ Scenario ReadScenario(const ConfigMap& config) {
   if (const auto environment = config.OptionalMap("environment")) {
     scenario.environment = ReadEnvironment(*environment, scenario.origin);
   }
+  const Wear wear = ReadWear(config, {});
   const OfAllMachines all{ReadScenarioEffects(config), ReadScenarioTolerances(config)};
   for (const ConfigMap& machine : config.List("machines")) {
     scenario.machines.push_back(ReadMachineEntry(machine, all));
+    scenario.machines.back().wear = ReadWear(machine, wear);
     CheckRaisedGround(machine, scenario.machines.back().placement.model, site.surface());
   }
   PlaceOnGround(&site, &scenario.machines);
   scenario.site = std::make_shared<const Site>(std::move(site));
   for (const ConfigMap& obstacle : config.List("obstacles")) {
-    scenario.obstacles.push_back(ReadObstacle(obstacle));
+    scenario.obstacles.push_back(ReadObstacle(obstacle, wear));
   }
   scenario.lamps = ReadLamps(config, [&](const std::string& name) {
     const MachineModel* model = nullptr;

@@ -28,6 +28,7 @@ struct ScenarioMachine {
   OperatorPlan driver;
   std::vector<SensorDescription> sensors;
   Tolerances tolerances;  ///< what its owner takes as expected, beside what is always
+  Wear wear;              ///< of all its parts
 };
 
 /// A point of a moving obstacle's path.
@@ -63,6 +64,7 @@ struct ScenarioObstacle {
   std::vector<PathPoint> path;  ///< empty: stands still
   std::vector<ObstacleKeypoint> keypoints;
   std::vector<ObstacleWheel> wheels;
+  Wear wear;  ///< none of people, rocks and plants
 };
 
 /// A site, what stands and moves on it, and how it is measured: everything a run needs, and nothing

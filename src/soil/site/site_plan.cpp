@@ -247,6 +247,7 @@ SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed,
   }
   plan.piles = ReadPiles(config, ground.grid, &soils);
   plan.pits = ReadPits(config, ground.grid);
+  plan.ruts = ReadRuts(config);
   plan.soils = soils.soils();
 
   const Relief relief = ReadRelief(config, seed);
@@ -276,6 +277,7 @@ Columns BuildColumns(const SitePlan& plan) {
   std::vector<SoilType> soils = plan.soils;
   if (soils.empty()) soils.emplace_back();
   Columns columns(plan.ground, std::move(soils));
+  for (const RutPlan& ruts : plan.ruts) Press(ruts, &columns);
   for (const PitPlan& pit : plan.pits) Dig(pit, &columns);
   for (const PilePlan& pile : plan.piles) Heap(pile, &columns);
   columns.MarkStart();

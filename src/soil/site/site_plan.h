@@ -6,6 +6,7 @@
 
 #include "core/config/config.h"
 #include "soil/columns/columns.h"
+#include "soil/columns/old_ruts.h"
 #include "soil/columns/pit.h"
 #include "soil/site/given_ground.h"
 
@@ -24,16 +25,18 @@ struct SitePlan {
   std::vector<SoilType> soils;
   std::vector<PilePlan> piles;
   std::vector<PitPlan> pits;
+  std::vector<RutPlan> ruts;
   std::optional<SiteOrigin> georeference;
 };
 
 /// Reads `size_m cell_m soil soils layers soil_classes custom_soils strips regions relief geotiff
-/// piles pits`. Faults go to `config`; a GeoTIFF that cannot be used is one of them, and one beside
-/// `given`, which is the ground in its place.
+/// piles pits ruts`. Faults go to `config`; a GeoTIFF that cannot be used is one of them, and one
+/// beside `given`, which is the ground in its place.
 SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed,
                   const std::optional<GivenGround>& given = std::nullopt);
 
-/// The columns of a site, its pits dug and its piles in place at their angle of repose.
+/// The columns of a site, its ruts pressed, its pits dug and its piles in place at their angle of
+/// repose.
 Columns BuildColumns(const SitePlan& plan);
 
 }  // namespace tera

@@ -165,6 +165,9 @@ NodeRenderer::NodeRenderer(const SceneModel& model)
     : model_(model),
       shapes_(model.shape_count),
       instances_(MakeBuffer(model.nodes.size() * sizeof(NodeInstance), nullptr)) {
+  if (std::ranges::any_of(model.nodes, [](const SceneNode& n) { return n.wear != nullptr; })) {
+    worn_.emplace();
+  }
   Collected collected;
   for (const Mesh& mesh : model.meshes) meshes_.push_back(collected.Add(mesh.parts, &textures_));
   constant_ = Upload(collected);
@@ -293,15 +296,20 @@ void NodeRenderer::Draw(Surface surface) const {
   }
 }
 
-void NodeRenderer::DrawOpaque(const Program& plain, const Program& textured) const {
+void NodeRenderer::DrawOpaque(const Program& plain, const Program& textured,
+                              const View& view) const {
+  if (worn_) worn_->SetView(view.ClipFromRelative());
   for (const Placed& placed : placed_opaque_) {
     const GpuMesh& mesh = MeshOf(model_.nodes[placed.node]);
     glBindVertexArray(mesh.array->id());
     for (const Batch& batch : mesh.batches) {
       if (batch.surface != Surface::kOpaque) continue;
       const bool is_plain = batch.look == TextureBank::kPlain;
-      (is_plain ? plain : textured).Use();
-      if (!is_plain) textures_.Bind(batch.look, textured);
+      const SceneNode& node = model_.nodes[placed.node];
+      const Program& fresh = is_plain ? plain : textured;
+      const Program& program = node.wear ? worn_->Use(node, !is_plain) : fresh;
+      program.Use();
+      if (!is_plain) textures_.Bind(batch.look, program);
       DrawBatch(placed.node, mesh.first_vertex, batch);
     }
   }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 
 #include "render/gl/gl_objects.h"
 #include "render/gl/passes/texture_bank.h"
+#include "render/gl/passes/worn_surfaces.h"
 #include "render/gl/view.h"
 #include "render/scene.h"
 
@@ -32,8 +34,9 @@ class NodeRenderer {
   /// (square roots) and opacity, 3 roughness and metallic; 4 to 6 rows of the pose, 7 the label,
   /// 8 texture coordinates.
   void Draw(Surface surface) const;
-  /// Draws the opaque ones with `plain` and, where a material has textures, with `textured`.
-  void DrawOpaque(const Program& plain, const Program& textured) const;
+  /// Draws the opaque ones as `view` shows them with `plain` and, where a material has textures,
+  /// with `textured`, both of which know the view; worn ones with programs of their own.
+  void DrawOpaque(const Program& plain, const Program& textured, const View& view) const;
   /// Draws what gives light, with `program`, which is in use.
   void DrawLights(const Program& program) const;
   /// Draws what Place found, opaque and glass, each node with its body's number plus 1 as `u_body`
@@ -112,6 +115,7 @@ class NodeRenderer {
 
   const SceneModel& model_;
   TextureBank textures_;
+  std::optional<WornSurfaces> worn_;  ///< where a node is
   bool has_lights_ = false;
   std::vector<GpuMesh> meshes_;
   std::vector<GpuShape> shapes_;

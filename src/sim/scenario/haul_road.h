@@ -1,0 +1,44 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/motion.h"
+
+/// The shape of a road over a made-up site: its edges, what graders leave along it, and the ruts
+/// of those who drove on it.
+
+namespace tera {
+
+/// Frames  W.
+struct HaulRoad {
+  Vec2 begin_m = Vec2::Zero(), bend_m = Vec2::Zero(), end_m = Vec2::Zero();  ///< of its middle
+  double width_m = 1;
+};
+
+/// Number `k` of a row of shares of 0 to 1 that are drawn for one purpose.
+using ShareRow = std::function<double(std::uint32_t k)>;
+
+/// The outline of the road, which goes on far beyond its ends, straight.
+///
+/// Model   edges straight with one bend, or, where they stray, by corners 1 m apart whose distance
+///         from the straight edge is a sum of two rows of shares, smooth over 1 m and over 6 m.
+///         Edges that would cross themselves stay straight.
+std::vector<Vec2> RoadOutline(const HaulRoad& road, double stray_m, const ShareRow& shares);
+
+/// A path along the road's middle from its begin to its end, rounded at the bend, that wanders by
+/// up to `aside_m` to either side.
+std::vector<Vec2> PathAlong(const HaulRoad& road, double aside_m, const ShareRow& shares);
+
+/// A ridge of loose soil from one point to another.
+struct Windrow {
+  Vec2 from_m = Vec2::Zero(), to_m = Vec2::Zero();
+  double height_m = 0;
+};
+
+/// Ridges of 2 to 6 m in a row along both edges, with gaps, none within `width_m` of the bend:
+/// what is left at the end of a grader's blade.
+std::vector<Windrow> WindrowsOf(const HaulRoad& road, double least_m, double most_m,
+                                const ShareRow& shares);
+
+}  // namespace tera
