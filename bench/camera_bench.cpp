@@ -2,6 +2,7 @@
 
 #include <ctime>
 #include <map>
+#include <memory>
 #include <string>
 
 #include "core/stopwatch.h"
@@ -89,9 +90,9 @@ void CameraAllOutputs(benchmark::State& state, const std::string& name) {
 }
 
 /// Milliseconds of processor time of each pass of an exposure as mounted, with a wait after each.
-void CameraPasses(benchmark::State& state, const std::string& name) {
+void PassesOf(benchmark::State& state, const std::string& name, const SceneModel& model) {
   const DigSite& site = TheDigSite();
-  Rasterizer rasterizer(site.model(), {});
+  Rasterizer rasterizer(model, {});
   const std::size_t s = site.IndexOf(name);
   Camera camera(ModelOf(name), {kFramesPerSecond}, 0, 1, name);
   std::map<std::string, double> sum_s;
@@ -119,6 +120,19 @@ void CameraPasses(benchmark::State& state, const std::string& name) {
   }
 }
 
+void CameraPasses(benchmark::State& state, const std::string& name) {
+  PassesOf(state, name, TheDigSite().model());
+}
+
+/// The same with wear of every kind on everything that is no ground.
+void CameraPassesWorn(benchmark::State& state, const std::string& name) {
+  SceneModel model = TheDigSite().model();
+  const auto wear = std::make_shared<const NodeWear>(NodeWear{
+      .wear = {.dust = 0.5, .mud = 0.5, .scratches = 0.5, .rust = 0.5}, .from_soil_offset_m = 0.3});
+  for (SceneNode& node : model.nodes) node.wear = wear;
+  PassesOf(state, name, model);
+}
+
 #define TERA_FOR_EACH_CAMERA(benchmark_of)               \
   BENCHMARK_CAPTURE(benchmark_of, front, "camera_front") \
       ->MeasureProcessCPUTime()                          \
@@ -141,6 +155,7 @@ TERA_FOR_EACH_CAMERA(CameraStillScene);
 TERA_FOR_EACH_CAMERA(CameraColourOnly);
 TERA_FOR_EACH_CAMERA(CameraAllOutputs);
 TERA_FOR_EACH_CAMERA(CameraPasses);
+TERA_FOR_EACH_CAMERA(CameraPassesWorn);
 
 }  // namespace
 }  // namespace tera::bench

@@ -17,8 +17,15 @@ struct Surface {
   float roughness, metallic;
 };
 
-vec2 WearNoise(vec3 scale_1pm) {
-  return texture(u_wear_noise, v_place_B * scale_1pm + u_place_in_noise).rg;
+// Turned, so that the noise's lattice lies along no side of a part.
+const mat3 kAskew = mat3(0.7071, 0.5, -0.5, -0.0, 0.7071, 0.7071, 0.7071, -0.5, 0.5);
+
+vec2 WearNoise(float scale_1pm) {
+  return texture(u_wear_noise, (kAskew * v_place_B) * scale_1pm + u_place_in_noise).rg;
+}
+
+vec2 Streaks(vec3 scale_1pm, mat3 turn) {
+  return texture(u_wear_noise, (turn * v_place_B) * scale_1pm + u_place_in_noise.yzx).rg;
 }
 
 void Cover(inout Surface s, vec3 root_albedo, float roughness, float metallic, float share) {
@@ -40,13 +47,13 @@ void Worn(inout Surface s, vec2 patches, vec2 grain) {
   float exposed = 0.30 + 0.7 * exp(-from_soil_m * 1.4) + 1.2 * exp(-from_edge_m * from_edge_m * 9.0);
   float hit = painted * clamp(scratches * exposed, 0.0, 1.0);
   // Scrapes run along the body or up and down it; chips lie about in the grain.
-  float along = WearNoise(vec3(1.1, 17.0, 17.0)).g, up = WearNoise(vec3(19.0, 15.0, 1.3)).g;
-  float where = 0.60 + 0.5 * patches.r;  // in some places more than in others
-  float scrape = smoothstep(0.0, 0.05, hit * where - 1.35 * (0.95 - max(along, up)));
-  vec2 small = WearNoise(vec3(3.7));
+  const mat3 kDown = mat3(0.94, 0.10, -0.33, -0.13, 0.99, -0.05, 0.32, 0.09, 0.94);
+  float along = Streaks(vec3(0.9, 15.0, 15.0), kDown).g, up = Streaks(vec3(13.0, 11.0, 1.1), kDown).g;
+  vec2 small = WearNoise(5.6);
   float cluster = smoothstep(0.42, 0.75, 0.5 * patches.g + 0.5 * grain.r);  // blows come in one place
   float chip = smoothstep(0.0, 0.10, hit * (0.25 + 0.95 * cluster) - 1.5 * (0.92 - small.g));
-  float bare = max(scrape, chip);
+  float scrape = smoothstep(0.0, 0.14, hit * (0.15 + cluster) - 1.5 * (0.93 - max(along, up - 0.12)));
+  float bare = max(0.75 * scrape, chip);
   float rusted = rust * smoothstep(0.35, 0.65, grain.r * 0.6 + patches.g * 0.6);
   float halo = smoothstep(0.0, 0.35, hit * (0.25 + 0.95 * cluster) - 1.5 * (0.80 - small.g));
   halo *= rust * (1.0 - s.metallic);
@@ -70,7 +77,7 @@ void Soiled(inout Surface s, vec2 patches, vec2 grain, float rubbed) {
   float from_soil_m = max(dot(u_from_soil.xyz, v_place_B) + u_from_soil.w, 0.0);
   float up = smoothstep(0.25, 0.95, normalize(v_normal_B).z);
   // Rain has washed upright faces in streaks.
-  float streak = WearNoise(vec3(2.3, 2.3, 0.25)).g;
+  float streak = Streaks(vec3(2.3, 2.3, 0.25), mat3(1.0)).g;
   float film = 0.16 + 0.34 * exp(-from_soil_m * 1.3);
   film *= 0.35 + 1.3 * smoothstep(0.25, 0.75, 0.6 * streak + 0.4 * patches.r);
   float lies = 0.85 * up * (0.55 + 0.9 * patches.r);
@@ -96,7 +103,7 @@ void Soiled(inout Surface s, vec2 patches, vec2 grain, float rubbed) {
 
 Surface Aged(Surface s) {
   if (s.metallic > 0.9 && s.roughness < 0.25) return s;  // rods and mirrors are wiped
-  vec2 patches = WearNoise(vec3(0.41)), grain = WearNoise(vec3(1.9));
+  vec2 patches = WearNoise(0.41), grain = WearNoise(1.9);
   if (u_wear.z > 0.0 || u_wear.w > 0.0) Worn(s, patches, grain);
   float rubbed = 0.0;
   if (u_wear.z > 0.0) Rubbed(s, grain, rubbed);

@@ -12,6 +12,7 @@
 
 #include "core/check.h"
 #include "core/error.h"
+#include "render/air/wet_surface.h"
 #include "render/rays/embree_objects.h"
 #include "render/rays/ray_terrain.h"
 #include "render/rays/threads.h"
@@ -68,8 +69,12 @@ class EmbreeMemory {
   std::atomic<std::int64_t> bytes_ = 0;
 };
 
-double ReflectanceOf(const Material& material) {
-  return material.lidar_reflectance >= 0 ? material.lidar_reflectance : material.albedo.mean();
+/// Glass and bare metal reflect under a film of water as without.
+double ReflectanceOf(const Material& material, bool is_wet) {
+  const double dry =
+      material.lidar_reflectance >= 0 ? material.lidar_reflectance : material.albedo.mean();
+  const bool is_diffuse = material.opacity >= 1 && material.metallic < 0.5;
+  return is_wet && is_diffuse ? WetReflectance(dry) : dry;
 }
 
 /// The meshes of one body, or of several bodies that look alike.
@@ -118,11 +123,12 @@ EmbreeScene NewScene(RTCDevice device) {
 }
 
 /// Adds what can be hit of `parts`, the mesh at place `node` of the body's nodes.
-void AttachParts(RTCDevice device, const std::vector<MeshPart>& parts, int node, BodyShape* shape) {
+void AttachParts(RTCDevice device, const std::vector<MeshPart>& parts, int node, bool is_wet,
+                 BodyShape* shape) {
   for (const MeshPart& part : parts) {
     if (part.material.opacity <= 0 || part.indices.empty()) continue;
     AttachPart(device, part, shape->X_BG[node], shape->scale[node], shape->scene.get());
-    shape->parts.push_back({node, static_cast<float>(ReflectanceOf(part.material)),
+    shape->parts.push_back({node, static_cast<float>(ReflectanceOf(part.material, is_wet)),
                             static_cast<float>(part.material.opacity)});
   }
 }
@@ -251,7 +257,7 @@ void RayScene::Impl::FindShapes() {
     shape.scene = NewScene(device.get());
     for (std::size_t i = 0; i < shape.meshes.size(); ++i) {
       AttachParts(device.get(), model.meshes.at(shape.meshes[i]).parts, static_cast<int>(i),
-                  &shape);
+                  model.environment.weather.rain_mmph > 0, &shape);
     }
     rtcCommitScene(shape.scene.get());
     shapes.push_back(std::move(shape));
@@ -289,7 +295,7 @@ void RayScene::Impl::UpdateShape(Body* body, const Shapes& now) {
   shape.X_BG = {node.X_BG};
   shape.scale = {node.scale};
   shape.scene = NewScene(device.get());
-  AttachParts(device.get(), mesh->parts, 0, &shape);
+  AttachParts(device.get(), mesh->parts, 0, false, &shape);  // soil just dug has its own moisture
   rtcCommitScene(shape.scene.get());
   rtcSetGeometryInstancedScene(body->geometry.get(), shape.scene.get());
   shapes[body->shape] = std::move(shape);

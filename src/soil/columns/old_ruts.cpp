@@ -59,6 +59,7 @@ void PressColumn(const RutPlan& ruts, int i, int j, Columns* ground) {
 
 std::vector<RutPlan> ReadRuts(const ConfigMap& config) {
   std::vector<RutPlan> all;
+  if (!config.Has("ruts")) return all;  // nothing is written where there are none
   for (const ConfigMap& item : config.List("ruts")) {
     RutPlan ruts;
     for (const auto& row : item.NumberRows("path_m", Any("m"), 2, 0)) {

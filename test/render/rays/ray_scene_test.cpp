@@ -194,6 +194,18 @@ TEST(RayScene, WithoutALidarReflectanceTheMeanAlbedoCounts) {
   EXPECT_NEAR(TraceOne(scene, RayFrom({1, 0, 0.1}, Vec3::UnitX())).reflectance, 0.6, 1e-6);
 }
 
+TEST(RayScene, RainWetsWhatStandsInItButNotMetal) {
+  // (1 - 0.02) (1 - 0.472) 0.6 / (1 - 0.472 0.6) by Lekner and Dorf.
+  for (const auto& [metallic, expected] : {std::pair(0.0, 0.433), {1.0, 0.6}}) {
+    SceneModel model = OneBodyEach({WallMesh(5, 0.6)});
+    model.meshes[0].parts[0].material.metallic = metallic;
+    model.environment.weather.rain_mmph = 8;
+    RayScene scene(model);
+    scene.Update({{MakePose({6, 0, 0})}}, NoGround());
+    EXPECT_NEAR(TraceOne(scene, RayFrom({1, 0, 0.1}, Vec3::UnitX())).reflectance, expected, 1e-3);
+  }
+}
+
 TEST(RayScene, AShapeIsMetAsItIsNowOrNotAtAll) {
   SceneModel model = OneBodyEach({CubeMesh(1)});
   model.shape_count = 1;

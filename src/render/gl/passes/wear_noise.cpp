@@ -80,7 +80,7 @@ void Standardise(std::vector<float>* values) {
 
 WearNoise MakeWearNoise() {
   std::vector<float> coarse = Sum("render/wear/coarse", 4, 4);
-  std::vector<float> fine = Sum("render/wear/fine", 16, 3);
+  std::vector<float> fine = Sum("render/wear/fine", 16, 2);
   Standardise(&coarse);
   Standardise(&fine);
   WearNoise noise;

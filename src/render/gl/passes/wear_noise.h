@@ -9,7 +9,7 @@ namespace tera {
 ///
 /// Model   two channels of value noise: sums of random lattices, each of half the weight of the
 ///         next coarser one, blended by quintic steps and scaled to mean 1/2 and deviation 0.2. The
-///         first is coarse (4 to 32 lattice points a side), the second fine (16 to 64).
+///         first is coarse (4 to 32 lattice points a side), the second fine (16 and 32).
 /// Source  Perlin 2002, "Improving noise" (the quintic step).
 struct WearNoise {
   static constexpr int kSide = 64;
