@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 
+#include <chrono>
 #include <ctime>
 #include <map>
 #include <memory>
@@ -89,22 +90,31 @@ void CameraAllOutputs(benchmark::State& state, const std::string& name) {
   Expose(state, name, model, Scene::kMoving);
 }
 
-/// Milliseconds of processor time of each pass of an exposure as mounted, with a wait after each.
-void PassesOf(benchmark::State& state, const std::string& name, const SceneModel& model) {
+/// Seconds of all threads of this process.
+double Processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// Seconds that have passed.
+double Wall_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Milliseconds by `now_s` of each pass of an exposure as mounted, with a wait after each.
+void MeasurePasses(benchmark::State& state, const std::string& name, const SceneModel& model,
+                   double (*now_s)()) {
   const DigSite& site = TheDigSite();
   Rasterizer rasterizer(model, {});
   const std::size_t s = site.IndexOf(name);
   Camera camera(ModelOf(name), {kFramesPerSecond}, 0, 1, name);
   std::map<std::string, double> sum_s;
-  std::clock_t last = 0;
+  double last_s = 0;
   const auto count = [&](const char* pass) {
-    const std::clock_t now = std::clock();
-    sum_s[pass] += static_cast<double>(now - last) / CLOCKS_PER_SEC;
-    last = now;
+    const double at_s = now_s();
+    sum_s[pass] += at_s - last_s;
+    last_s = at_s;
   };
   const auto frame = [&](std::size_t k) {
     const Instant& instant = site.instants()[k % site.instants().size()];
-    last = std::clock();
+    last_s = now_s();
     benchmark::DoNotOptimize(
         camera.Measure(static_cast<std::int64_t>(k), PlaceOf(s, k), instant.scene, &rasterizer));
     count("noise");
@@ -121,16 +131,21 @@ void PassesOf(benchmark::State& state, const std::string& name, const SceneModel
 }
 
 void CameraPasses(benchmark::State& state, const std::string& name) {
-  PassesOf(state, name, TheDigSite().model());
+  MeasurePasses(state, name, TheDigSite().model(), Processor_s);
 }
 
-/// The same with wear of every kind on everything that is no ground.
+/// The same by the clock on the wall, which a graphics card's work is seen on.
+void CameraPassWalls(benchmark::State& state, const std::string& name) {
+  MeasurePasses(state, name, TheDigSite().model(), Wall_s);
+}
+
+/// By processor time, with wear of every kind on everything that is no ground.
 void CameraPassesWorn(benchmark::State& state, const std::string& name) {
   SceneModel model = TheDigSite().model();
   const auto wear = std::make_shared<const NodeWear>(NodeWear{
       .wear = {.dust = 0.5, .mud = 0.5, .scratches = 0.5, .rust = 0.5}, .from_soil_offset_m = 0.3});
   for (SceneNode& node : model.nodes) node.wear = wear;
-  PassesOf(state, name, model);
+  MeasurePasses(state, name, model, Processor_s);
 }
 
 #define TERA_FOR_EACH_CAMERA(benchmark_of)               \
@@ -156,6 +171,7 @@ TERA_FOR_EACH_CAMERA(CameraColourOnly);
 TERA_FOR_EACH_CAMERA(CameraAllOutputs);
 TERA_FOR_EACH_CAMERA(CameraPasses);
 TERA_FOR_EACH_CAMERA(CameraPassesWorn);
+TERA_FOR_EACH_CAMERA(CameraPassWalls);
 
 }  // namespace
 }  // namespace tera::bench

@@ -70,7 +70,7 @@ void BodyPass::ClearLens(int width_px, int height_px) {
   ClearBodies();
 }
 
-void BodyPass::UseLens(const Lens& lens, int view) {
+void BodyPass::DrawLens(const Lens& lens, int view) {
   glBindFramebuffer(GL_FRAMEBUFFER, lens_.framebuffer.id());
   glViewport(0, 0, lens_.width_px, lens_.height_px);
   lens_program_.Use();
@@ -79,6 +79,7 @@ void BodyPass::UseLens(const Lens& lens, int view) {
   lens_program_.Set("u_body", 0);
   lens_program_.Set("u_map", 1);
   lens_program_.Set("u_view", view);
+  screen_.Draw();
 }
 
 Image<std::uint16_t> BodyPass::ReadLens() const {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/types/measurement.h"
+#include "render/gl/passes/full_screen.h"
 #include "render/gl/passes/grain_renderer.h"
 #include "render/gl/passes/lens.h"
 #include "render/gl/passes/node_renderer.h"
@@ -26,8 +27,8 @@ class BodyPass {
 
   /// Begins a camera's own picture behind a lens.
   void ClearLens(int width_px, int height_px);
-  /// Takes what Draw gave last as view `view` of the lens. The caller draws the full screen.
-  void UseLens(const Lens& lens, int view);
+  /// Takes what Draw gave last as view `view` of the lens.
+  void DrawLens(const Lens& lens, int view);
   Image<std::uint16_t> ReadLens() const;
 
  private:
@@ -40,6 +41,7 @@ class BodyPass {
 
   Program program_{"node.vert", "body.frag"};
   Program lens_program_{"fullscreen.vert", "distort_body.frag"};
+  FullScreen screen_;
   Target pinhole_, lens_;
 };
 

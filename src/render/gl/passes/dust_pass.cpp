@@ -73,14 +73,13 @@ const DustPass::HalfPicture& DustPass::HalfOf(const Pictures& p) {
 }
 
 void DustPass::Draw(const View& view, const DustVolume& dust, const Daylight& daylight,
-                    const Pictures& p, const GlObject& no_vertices) {
+                    const Pictures& p) {
   const Eigen::AlignedBox3d& box = dust.occupied_W_m;
   if (box.isEmpty() || !view.Sees(box.min(), box.max())) return;
   Send(dust, daylight.sky().to_sun_W());
   const HalfPicture& half = HalfOf(p);
   glBindFramebuffer(GL_FRAMEBUFFER, half.target.id());
   glViewport(0, 0, half.width_px, half.height_px);
-  glBindVertexArray(no_vertices.id());
   march_.Use();
   glBindTextureUnit(0, p.depth.id());
   glBindTextureUnit(1, cells_.id());
@@ -104,15 +103,9 @@ void DustPass::Draw(const View& view, const DustVolume& dust, const Daylight& da
   march_.Set("u_scattered", DustVolume::kScattered);
   march_.Set("u_asymmetry", static_cast<float>(DustVolume::kAsymmetry));
   march_.Set("u_diffuse_loss", static_cast<float>(kDiffuseLoss));
-  // Ray (x, y, 1) of window position p: (p - 1/2 - c) / f.
-  march_.Set("u_pixel_to_ray", Eigen::Vector4f(Eigen::Vector4d(-(view.cx_px + 0.5) / view.fx_px,
-                                                               -(view.cy_px + 0.5) / view.fy_px,
-                                                               1 / view.fx_px, 1 / view.fy_px)
-                                                   .cast<float>()));
-  march_.Set("u_R_WC", Eigen::Matrix3f(view.R_WC.cast<float>()));
-  march_.Set("u_near_m", static_cast<float>(view.near_m));
+  SetView(view, march_);
   daylight.Light(march_);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  screen_.Draw();
 
   glBindFramebuffer(GL_FRAMEBUFFER, p.sky_target.id());
   glDepthMask(GL_FALSE);  // of the depth that is read
@@ -123,7 +116,7 @@ void DustPass::Draw(const View& view, const DustVolume& dust, const Daylight& da
   blend_.Set("u_light", 1);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  screen_.Draw();
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
 }

@@ -6,6 +6,7 @@
 #include "render/air/dust_volume.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/passes/daylight.h"
+#include "render/gl/passes/full_screen.h"
 #include "render/gl/pictures.h"
 #include "render/gl/view.h"
 
@@ -29,9 +30,8 @@ class DustPass {
   static constexpr double kDiffuseLoss = 0.3;
 
   DustPass();
-  /// Lays the dust over the radiance of `p`, if `view` sees any; `no_vertices` is an array of none.
-  void Draw(const View& view, const DustVolume& dust, const Daylight& daylight, const Pictures& p,
-            const GlObject& no_vertices);
+  /// Lays the dust over the radiance of `p`, if `view` sees any.
+  void Draw(const View& view, const DustVolume& dust, const Daylight& daylight, const Pictures& p);
 
  private:
   struct HalfPicture {
@@ -44,6 +44,7 @@ class DustPass {
 
   Program march_{"fullscreen.vert", "dust.frag"};
   Program blend_{"fullscreen.vert", "dust_blend.frag"};
+  FullScreen screen_;
   GlObject cells_, base_, eddies_;
   int nx_ = 0, ny_ = 0, nz_ = 0;
   std::uint64_t version_ = 0;

@@ -50,7 +50,7 @@ void LightPass::ClearLens(int width_px, int height_px) {
   glClearBufferfv(GL_COLOR, 0, kDark);
 }
 
-void LightPass::UseLens(const Lens& lens, int view) {
+void LightPass::DrawLens(const Lens& lens, int view) {
   glBindFramebuffer(GL_FRAMEBUFFER, lens_.framebuffer.id());
   glViewport(0, 0, lens_.width_px, lens_.height_px);
   lens_program_.Use();
@@ -59,6 +59,7 @@ void LightPass::UseLens(const Lens& lens, int view) {
   lens_program_.Set("u_light", 0);
   lens_program_.Set("u_map", 1);
   lens_program_.Set("u_view", view);
+  screen_.Draw();
 }
 
 Image<float> LightPass::ReadLens(double exposure) const {

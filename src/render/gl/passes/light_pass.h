@@ -2,6 +2,7 @@
 
 #include "core/types/measurement.h"
 #include "render/gl/gl_objects.h"
+#include "render/gl/passes/full_screen.h"
 #include "render/gl/passes/lens.h"
 #include "render/gl/pictures.h"
 
@@ -21,8 +22,8 @@ class LightPass {
 
   /// Begins a camera's own picture behind a lens.
   void ClearLens(int width_px, int height_px);
-  /// Takes what was drawn last as view `view` of the lens. The caller draws the full screen.
-  void UseLens(const Lens& lens, int view);
+  /// Takes what was drawn last as view `view` of the lens.
+  void DrawLens(const Lens& lens, int view);
   Image<float> ReadLens(double exposure) const;
 
  private:
@@ -34,6 +35,7 @@ class LightPass {
   static void Fit(int width_px, int height_px, unsigned radiance, unsigned depth, Target* target);
 
   Program lens_program_{"fullscreen.vert", "distort_light.frag"};
+  FullScreen screen_;
   Target pinhole_, lens_;
 };
 

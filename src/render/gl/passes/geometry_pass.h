@@ -1,0 +1,27 @@
+#pragma once
+
+#include "render/gl/gl_objects.h"
+#include "render/gl/passes/grain_renderer.h"
+#include "render/gl/passes/node_renderer.h"
+#include "render/gl/pictures.h"
+#include "render/gl/view.h"
+#include "render/ground/terrain_renderer.h"
+
+namespace tera {
+
+/// Draws what each pixel shows, before any light: colour, normal, label and depth of the nearest
+/// opaque surface.
+class GeometryPass {
+ public:
+  /// Begins a picture with the nodes as they were placed for `view`.
+  void DrawNodes(const View& view, const NodeRenderer& nodes, const Pictures& p) const;
+  /// Goes on with the ground and the clods over it.
+  void DrawGround(const View& view, const TerrainRenderer& terrain,
+                  const GrainRenderer& grains) const;
+
+ private:
+  Program plain_{"node.vert", "node.frag"};
+  Program textured_{"node.vert", "node.frag", {"TEXTURED"}};
+};
+
+}  // namespace tera

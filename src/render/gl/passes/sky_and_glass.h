@@ -1,0 +1,34 @@
+#pragma once
+
+#include "render/gl/gl_objects.h"
+#include "render/gl/passes/daylight.h"
+#include "render/gl/passes/full_screen.h"
+#include "render/gl/passes/node_renderer.h"
+#include "render/gl/pictures.h"
+#include "render/gl/view.h"
+
+namespace tera {
+
+/// What a picture shows beside lit surfaces: their own light, the sky behind them, glass before
+/// them.
+class SkyAndGlass {
+ public:
+  /// Over the radiance of `p`; glass takes labels and normals as well.
+  void Draw(const View& view, const Daylight& daylight, const NodeRenderer& nodes,
+            const Pictures& p) const;
+
+ private:
+  void AddOwnLight(const View& view, const Daylight& daylight, const NodeRenderer& nodes,
+                   const Pictures& p) const;
+  void DrawSky(const View& view, const Daylight& daylight, const Pictures& p) const;
+  void DrawGlass(const View& view, const Daylight& daylight, const NodeRenderer& nodes,
+                 const Pictures& p) const;
+
+  Program own_light_{"node.vert", "emissive.frag"};
+  Program sky_{"fullscreen.vert", "sky.frag"};
+  Program glass_{"node.vert", "glass.frag"};
+  Program glass_label_{"node.vert", "label.frag"};
+  FullScreen screen_;
+};
+
+}  // namespace tera

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "render/gl/gl_objects.h"
+#include "render/gl/passes/full_screen.h"
+#include "render/gl/pictures.h"
+
+namespace tera {
+
+/// From radiance to sRGB, or of a linear picture to itself, with smooth edges.
+class TonePass {
+ public:
+  void Draw(const Pictures& p) const;
+
+ private:
+  Program tone_{"fullscreen.vert", "tone.frag"};
+  Program linear_{"fullscreen.vert", "linear.frag"};
+  Program edges_{"fullscreen.vert", "edges.frag"};
+  FullScreen screen_;
+};
+
+}  // namespace tera

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "render/gl/passes/daylight.h"
+#include "render/gl/passes/dust_pass.h"
+#include "render/gl/passes/geometry_pass.h"
+#include "render/gl/passes/grain_renderer.h"
+#include "render/gl/passes/lamp_lights.h"
+#include "render/gl/passes/light_pass.h"
+#include "render/gl/passes/node_renderer.h"
+#include "render/gl/passes/rain_pass.h"
+#include "render/gl/passes/shading_pass.h"
+#include "render/gl/passes/shadow_map.h"
+#include "render/gl/passes/sky_and_glass.h"
+#include "render/gl/passes/tone_pass.h"
+#include "render/gl/pictures.h"
+#include "render/gl/view.h"
+#include "render/ground/terrain_renderer.h"
+#include "render/scene.h"
+
+namespace tera {
+
+/// Draws pinhole pictures of one scene, pass by pass.
+///
+/// Model   deferred shading: what each pixel shows; its light; sky, glass and what fills the air
+///         over it; the tone curve.
+class PinholePainter {
+ public:
+  /// `done` is told the name of each pass whose calls have been made. `model` must outlive this.
+  PinholePainter(const SceneModel& model, std::function<void(const char* pass)> done);
+
+  /// The luminance that maps to 1 from now on; none: that of the scene's exposure.
+  void SetWhite(std::optional<double> white_cdpm2) { daylight_.SetWhite(white_cdpm2); }
+  /// Draws the scene as it is in `state` into `p`; where `light` is given, also the light on what
+  /// is seen.
+  void Draw(const View& view, const SceneState& state, const Pictures& p, LightPass* light);
+
+  const Daylight& daylight() const { return daylight_; }
+  NodeRenderer& nodes() { return nodes_; }
+  const TerrainRenderer& terrain() const { return terrain_; }
+  /// The clods of the picture drawn last; null where it had no ground.
+  const GrainRenderer* grains() const { return has_ground_ ? &grains_ : nullptr; }
+  /// Sent to the GPU since construction.
+  std::int64_t triangles_drawn() const;
+
+ private:
+  void TakeScene(const View& view, const SceneState& state);
+  void DrawAir(const View& view, const SceneState& state, const Pictures& p);
+
+  std::function<void(const char* pass)> done_;
+  Daylight daylight_;
+  NodeRenderer nodes_;
+  TerrainRenderer terrain_;
+  GrainRenderer grains_;
+  ShadowMap shadow_map_;
+  LampLights lamps_;
+  GeometryPass geometry_;
+  ShadingPass shading_;
+  SkyAndGlass sky_and_glass_;
+  std::optional<DustPass> dust_;  ///< of the first picture with dust in the air
+  std::optional<RainPass> rain_;  ///< where it rains
+  TonePass tone_;
+  bool has_ground_ = false;
+};
+
+}  // namespace tera
