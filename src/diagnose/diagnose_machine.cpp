@@ -8,6 +8,7 @@
 #include "core/in_parallel.h"
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/encoder_lead.h"
+#include "diagnose/late_encoders.h"
 #include "diagnose/proposal/propose.h"
 #include "diagnose/search/fit/excluded_samples.h"
 #include "diagnose/sensors/estimated_poses.h"
@@ -165,6 +166,7 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
       options.blocks.needs_any && diagnosis.sensors.estimate.channels.empty();
   Measurements left = WithoutExplained(input, diagnosis.sensors.estimate, measured);
   StampPosesAnew(diagnosis.sensors.estimate, &left);
+  StampEncodersAnew(input, diagnosis.sensors.estimate, options.blocks, &left);
   if (left.poses.empty()) left.estimated_poses = EstimatedPoses(diagnosis.sensors.estimate);
   std::vector<ReplayBlock> blocks = BlocksOf(input, left, options.blocks, &diagnosis.not_compared);
   RemoveEstimated(input, diagnosis.sensors.estimate, &blocks);
