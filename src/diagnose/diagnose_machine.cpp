@@ -170,7 +170,9 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
   if (left.poses.empty()) left.estimated_poses = EstimatedPoses(diagnosis.sensors.estimate);
   std::vector<ReplayBlock> blocks = BlocksOf(input, left, options.blocks, &diagnosis.not_compared);
   RemoveEstimated(input, diagnosis.sensors.estimate, &blocks);
-  diagnosis.missing_input = MissingInputOf(input, left, options.blocks);
+  const std::optional<SimulatedCourse> course = clock->Time(
+      "simulation as it is", [&] { return SimulateAsItIs(input, measured, asked.simulate); });
+  diagnosis.missing_input = MissingInputOf(input, left, options.blocks, course);
   std::erase_if(blocks, [&](const ReplayBlock& block) {
     return std::any_of(diagnosis.missing_input.begin(), diagnosis.missing_input.end(),
                        [&](const MissingInput& one) { return one.axis == block.name; });
@@ -180,8 +182,6 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
     if (diagnosis.sensors.estimate.candidates == 0) RequireCandidates(*options.library, blocks);
   }
   StateTolerances(input.tolerances, &blocks);
-  const std::optional<SimulatedCourse> course = clock->Time(
-      "simulation as it is", [&] { return SimulateAsItIs(input, measured, asked.simulate); });
   // Where input is missing, the simulation under the levers is of another drive: what it does tells
   // nothing of what the replays lack in this one.
   const bool is_same_drive = course && diagnosis.missing_input.empty();

@@ -57,8 +57,22 @@ struct MovingTime {
   double rate_by_lever = 0;  ///< sum of their products, positive where the axis follows its lever
 };
 
-MovingTime MovingTimeOf(const AxisLog& log, const MeasuredRate& measured, const LeverSteps& lever) {
+/// The rates of the same axis in a simulation; null where there is none.
+const std::vector<double>* RatesOf(const AxisLog* simulated, std::size_t axis) {
+  if (simulated == nullptr) return nullptr;
+  for (const MeasuredRate& one : simulated->measured) {
+    if (one.axis == axis) return &one.rate_radps;
+  }
+  return nullptr;
+}
+
+MovingTime MovingTimeOf(const AxisLog& log, const MeasuredRate& measured, const LeverSteps& lever,
+                        const std::vector<double>* simulated_radps) {
   const double moving_rate = MovingRate(measured.rate_radps);
+  const auto moves_too = [&](std::size_t k, double rate) {
+    return simulated_radps != nullptr && k < simulated_radps->size() &&
+           (*simulated_radps)[k] * (rate > 0 ? 1 : -1) > moving_rate;
+  };
   const auto long_rest = static_cast<std::size_t>(kLongestEffect_s / log.step_s);
   MovingTime time;
   for (std::size_t k = 1; k < measured.rate_radps.size(); ++k) {
@@ -67,17 +81,18 @@ MovingTime MovingTimeOf(const AxisLog& log, const MeasuredRate& measured, const 
     const auto step = static_cast<std::size_t>(at);
     const double period_s = std::min((at - measured.at_step[k - 1]) * log.step_s, kLongestPeriod_s);
     time.all_s += period_s;
-    if (lever.rests_for[step] >= long_rest) time.resting_s += period_s;
+    if (lever.rests_for[step] >= long_rest && !moves_too(k, rate)) time.resting_s += period_s;
     (rate > 0 ? time.forwards_s : time.backwards_s) += period_s;
     time.rate_by_lever += rate * log.levers_at(step)[measured.axis];
   }
   return time;
 }
 
-std::optional<MissingInput> MissingOf(const AxisLog& log, const MeasuredRate& measured) {
+std::optional<MissingInput> MissingOf(const AxisLog& log, const MeasuredRate& measured,
+                                      const std::vector<double>* simulated_radps) {
   if (measured.rate_radps.size() < 4 || log.steps == 0) return std::nullopt;
   const LeverSteps lever = StepsOf(log, measured.axis);
-  const MovingTime time = MovingTimeOf(log, measured, lever);
+  const MovingTime time = MovingTimeOf(log, measured, lever, simulated_radps);
   const double least_s = std::max(kLeast_s, kMostShare * time.all_s);
   const bool to_one_side = (lever.low >= -kNeutral) != (lever.high <= kNeutral);
   const bool follows_forwards = (time.rate_by_lever > 0) == (lever.high > kNeutral);
@@ -91,11 +106,12 @@ std::optional<MissingInput> MissingOf(const AxisLog& log, const MeasuredRate& me
 
 }  // namespace
 
-std::vector<MissingInput> FindMissingInput(const MachineModel& model, const AxisLog& log) {
+std::vector<MissingInput> FindMissingInput(const MachineModel& model, const AxisLog& log,
+                                           const AxisLog* simulated) {
   std::vector<MissingInput> all;
   for (const MeasuredRate& measured : log.measured) {
     if (!HasLever(model, measured.axis)) continue;
-    auto missing = MissingOf(log, measured);
+    auto missing = MissingOf(log, measured, RatesOf(simulated, measured.axis));
     if (!missing) continue;
     missing->axis = NameOfAxis(model, measured.axis);
     all.push_back(std::move(*missing));

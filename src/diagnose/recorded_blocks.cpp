@@ -360,10 +360,17 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurement
 }
 
 std::vector<MissingInput> MissingInputOf(const DiagnosisInput& input, const Measurements& measured,
-                                         const BlockOptions& options) {
+                                         const BlockOptions& options,
+                                         const std::optional<SimulatedCourse>& course) {
   if (input.commands.columns.empty() || measured.encoders.empty()) return {};
-  return FindMissingInput(*input.model, MakeAxisLog(*input.model, input.commands, measured.encoders,
-                                                    AxisStep_s(measured.encoders, options.step_s)));
+  const double step_s = AxisStep_s(measured.encoders, options.step_s);
+  const auto log_of = [&](const std::vector<NamedEncoders>& encoders) {
+    return MakeAxisLog(*input.model, input.commands, encoders, step_s);
+  };
+  const AxisLog log = log_of(measured.encoders);
+  if (!course) return FindMissingInput(*input.model, log);
+  const AxisLog simulated = log_of(AsSimulated(*input.model, *course, measured.encoders));
+  return FindMissingInput(*input.model, log, &simulated);
 }
 
 std::vector<ReplayBlock> TakeSensorBlocks(const std::string& machine,

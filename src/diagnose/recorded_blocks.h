@@ -27,9 +27,11 @@ std::vector<ReplayBlock> BlocksOf(const DiagnosisInput& input, const Measurement
                                   const BlockOptions& options,
                                   std::vector<std::string>* not_compared = nullptr);
 
-/// The joints and gears of which the recording lacks input.
+/// The joints and gears of which the recording lacks input, beside the simulation of the scenario
+/// under the recorded levers where there is one.
 std::vector<MissingInput> MissingInputOf(const DiagnosisInput& input, const Measurements& measured,
-                                         const BlockOptions& options);
+                                         const BlockOptions& options,
+                                         const std::optional<SimulatedCourse>& course = {});
 
 /// Removes and returns the blocks of inertial units and receivers, which come after the machine's
 /// own.

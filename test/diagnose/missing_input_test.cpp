@@ -123,5 +123,20 @@ TEST(MissingInput, IsNotASinglePush) {
   EXPECT_THAT(drive.Found(), IsEmpty());
 }
 
+TEST(MissingInput, IsNoneWhereTheSimulationMovesAtRestToo) {
+  Drive drive;
+  for (std::size_t k = 0; k < kSteps; ++k) {
+    const double in_cycle_s = std::fmod(static_cast<double>(k) * kStep_s, 10);
+    if (in_cycle_s > 8) drive.rate()[k] += 0.2;  // dragged along
+  }
+  ASSERT_THAT(drive.Found(), SizeIs(1));
+  const Drive as_simulated = drive;
+  EXPECT_THAT(FindMissingInput(drive.model, drive.log, &as_simulated.log), IsEmpty());
+  // The other way about it is no such motion.
+  Drive other_way = drive;
+  for (double& rate : other_way.rate()) rate = -rate;
+  EXPECT_THAT(FindMissingInput(drive.model, drive.log, &other_way.log), SizeIs(1));
+}
+
 }  // namespace
 }  // namespace tera
