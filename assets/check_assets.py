@@ -29,6 +29,8 @@ NODES = {
     "tree": {"body", "shrub"},
     "container": {"body"},
     "people": {"step", "pass", "crouch", "point", "lie"},
+    "walker": {"trunk"} | {f"{side}_{limb}" for side in ("left", "right")
+                           for limb in ("thigh", "shank", "boot", "upper_arm", "forearm")},
     "yard": {"pipe", "pipes", "planks", "manhole", "blocks", "stake"},
     "fixed_arm": {"base", "link1", "link2", "link3"},
     **check_heavy.NODES,

@@ -6,6 +6,7 @@ import people
 import person
 import site_objects
 import vehicles
+import walker
 import yard_objects
 from gltf_writer import write_glb
 
@@ -15,6 +16,7 @@ FILES = {
     "truck_wheels": vehicles.truck_with_wheels,
     "person": person.nodes,
     "people": people.nodes,
+    "walker": walker.nodes,
     "rock": site_objects.rocks,
     "cone": site_objects.cone,
     "barrier": site_objects.barrier,
@@ -30,4 +32,5 @@ if __name__ == "__main__":
         write_glb(pathlib.Path(__file__).parent / f"{file}.glb", bodies)
         for node, body in bodies.items():
             print(f"{file}/{node:10s} {body.triangle_count():6d} triangles")
-    people.write_presets(pathlib.Path(__file__).parent.parent / "config" / "obstacles")
+    for poses in (people, walker):
+        poses.write_presets(pathlib.Path(__file__).parent.parent / "config" / "obstacles")

@@ -9,6 +9,7 @@
 #include "physics/actuation/linkage.h"
 #include "render/meshes/painted_parts.h"
 #include "sim/machine_wear.h"
+#include "sim/obstacle_bodies.h"
 
 namespace tera {
 namespace {
@@ -258,12 +259,19 @@ void SceneAssembly::AddObstacle(const ScenarioObstacle& obstacle) {
   const Wear wear = IsWorn(obstacle.label) ? obstacle.wear : Wear{};
   const Vec3 soil = SoilAlbedoAt(*scenario_.site, obstacle.xy_W_m);
   AddNode(obstacle.visual, body, obstacle.label, instance, WearOnGround(wear, soil));
-  for (const ObstacleKeypoint& point : obstacle.keypoints) {
-    model_.keypoints.push_back({point.name, instance, body, obstacle.visual.scale * point.p_B_m,
-                                obstacle.visual.scale * point.radius_m});
-  }
   for (const ObstacleWheel& wheel : obstacle.wheels) {
     AddNode(wheel.visual, AddBody(), obstacle.label, instance, WearInSoil(wear, soil));
+  }
+  const int first_limb = model_.body_count;
+  for (std::size_t k = 0; k < obstacle.gait.limbs.size(); ++k) {
+    AddNode(obstacle.gait.limbs[k].visual, AddBody(), obstacle.label, instance, NodeWear{});
+    GrowBoxByLimb(obstacle, k, model_.meshes[model_.nodes.back().mesh],
+                  &model_.instances[instance]);
+  }
+  for (const ObstacleKeypoint& point : obstacle.keypoints) {
+    model_.keypoints.push_back(
+        {point.name, instance, point.limb < 0 ? body : first_limb + point.limb,
+         obstacle.visual.scale * point.p_B_m, obstacle.visual.scale * point.radius_m});
   }
 }
 
@@ -339,15 +347,7 @@ std::vector<Pose> SceneAssembly::BodyPoses(const Instant& state) const {
   poses.reserve(model_.body_count);
   for (std::size_t m = 0; m < state.machines.size(); ++m) AppendMachinePoses(state, m, &poses);
   for (std::size_t o = 0; o < state.obstacles.size(); ++o) {
-    const ScenarioObstacle& obstacle = scenario_.obstacles[o];
-    const Pose& X_WB = state.obstacles[o].X_WB;
-    poses.push_back(X_WB);
-    for (const ObstacleWheel& wheel : obstacle.wheels) {
-      const double scale = obstacle.visual.scale;
-      const double angle_rad = TravelOf(obstacle, state.t_ns) / (scale * wheel.radius_m);
-      poses.push_back(X_WB * MakePose(scale * wheel.axle_B_m) *
-                      Eigen::AngleAxisd(angle_rad, Vec3::UnitY()));
-    }
+    AppendObstaclePoses(scenario_.obstacles[o], state.obstacles[o].X_WB, state.t_ns, &poses);
   }
   if (scenario_.site_mesh) poses.push_back(Pose::Identity());
   TERA_CHECK(static_cast<int>(poses.size()) == model_.body_count, poses.size(), model_.body_count);

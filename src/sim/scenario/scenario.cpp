@@ -230,9 +230,11 @@ ScenarioObstacle ReadObstacle(const ConfigMap& config, const Wear& wear) {
   for (const ConfigMap& box : config.List("collision")) {
     obstacle.collision.push_back({box.PoseXyzRpy(), box.Vector3("size_m", Positive("m"))});
   }
+  obstacle.gait = ReadGait(config, obstacle.visual);
   for (const ConfigMap& point : config.List("keypoints")) {
     obstacle.keypoints.push_back({point.Text("name"), point.Vector3("xyz_m", Any("m")),
-                                  point.Number("radius_m", AtLeast(0, "m"), 0)});
+                                  point.Number("radius_m", AtLeast(0, "m"), 0),
+                                  ReadLimbOf(point, obstacle.gait)});
   }
   if (const auto bed = config.OptionalMap("bed")) obstacle.bed = ReadBed(*bed);
   ReadWheels(config, &obstacle);

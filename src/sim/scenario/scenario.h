@@ -15,6 +15,7 @@
 #include "render/scene.h"
 #include "sensors/sensor.h"
 #include "sim/operators/operator_plan.h"
+#include "sim/scenario/gait.h"
 #include "sim/scenario/scenario_lamp.h"
 #include "sim/scenario/site_mesh.h"
 #include "sim/scenario/terrain_record.h"
@@ -42,6 +43,7 @@ struct ObstacleKeypoint {
   std::string name;
   Vec3 p_B_m = Vec3::Zero();
   double radius_m = 0;  ///< how deep below its surface it may lie and still be seen
+  int limb = -1;        ///< of its gait, which it moves with; -1: the body
 };
 
 /// A wheel of an obstacle: it turns as the obstacle moves along its path, forwards.
@@ -64,6 +66,7 @@ struct ScenarioObstacle {
   std::vector<PathPoint> path;  ///< empty: stands still
   std::vector<ObstacleKeypoint> keypoints;
   std::vector<ObstacleWheel> wheels;
+  Gait gait;
   Wear wear;  ///< none of people, rocks and plants
 };
 

@@ -68,11 +68,27 @@ double DistanceTo(const Mesh& mesh, const Vec3& p) {
   return nearest;
 }
 
+/// The mesh of the obstacle's body, or of a limb of its gait.
+Mesh MeshOf(const ScenarioObstacle& obstacle, int limb) {
+  const Visual& visual = limb < 0 ? obstacle.visual : obstacle.gait.limbs[limb].visual;
+  return LoadMesh(visual.mesh, visual.node);
+}
+
+/// All of it, limbs as they hang.
+Mesh WholeMeshOf(const ScenarioObstacle& obstacle) {
+  Mesh whole;
+  for (int limb = -1; limb < static_cast<int>(obstacle.gait.limbs.size()); ++limb) {
+    const Mesh mesh = MeshOf(obstacle, limb);
+    whole.parts.insert(whole.parts.end(), mesh.parts.begin(), mesh.parts.end());
+  }
+  return whole;
+}
+
 TEST(ObstaclePresets, BoxesReachNoFurtherThanTheMeshAndStandOnTheGround) {
   for (const std::string& preset : Presets()) {
     SCOPED_TRACE(preset);
     const ScenarioObstacle obstacle = Obstacle(preset);
-    const Mesh mesh = LoadMesh(obstacle.visual.mesh, obstacle.visual.node);
+    const Mesh mesh = WholeMeshOf(obstacle);
     Vec3 low = Vec3::Constant(1e9), high = -low;
     for (const MeshPart& part : mesh.parts) {
       for (const Eigen::Vector3f& p : part.positions_m) {
@@ -103,8 +119,8 @@ TEST(ObstaclePresets, PersonsHaveCocosKeyPointsWithinTheirBodies) {
     ASSERT_EQ(obstacle.keypoints.size(), 17u);
     EXPECT_EQ(obstacle.keypoints.front().name, "nose");
     EXPECT_EQ(obstacle.keypoints.back().name, "right_ankle");
-    const Mesh mesh = LoadMesh(obstacle.visual.mesh, obstacle.visual.node);
     for (const ObstacleKeypoint& point : obstacle.keypoints) {
+      const Mesh mesh = MeshOf(obstacle, point.limb);
       EXPECT_LE(DistanceTo(mesh, point.p_B_m), point.radius_m) << point.name;
     }
   }

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "render/scene.h"
+#include "sim/scenario/scenario.h"
+
+/// The bodies of an obstacle in a scene, in their order: itself, its wheels, its limbs.
+
+namespace tera {
+
+/// Appends their poses at `t_ns`, for an obstacle whose place is `X_WB`.
+void AppendObstaclePoses(const ScenarioObstacle& obstacle, const Pose& X_WB, TimeNs t_ns,
+                         std::vector<Pose>* poses);
+
+/// Widens the box of an obstacle's instance to hold a limb's mesh wherever it swings.
+void GrowBoxByLimb(const ScenarioObstacle& obstacle, std::size_t limb, const Mesh& mesh,
+                   SceneInstance* instance);
+
+}  // namespace tera
