@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "dataset/format/recording.h"
+#include "sim/obstacle_bodies.h"
 #include "sim/run/recorded_run.h"
 #include "sim/scene_assembly.h"
 
@@ -90,17 +91,24 @@ StageMachine StageMachineOf(const MachinePlacement& placement, int first_body) {
   return machine;
 }
 
-StageObstacle StageObstacleOf(const Scenario& scenario, const ScenarioObstacle& obstacle,
-                              int body) {
-  StageObstacle staged{.name = obstacle.name, .body = body, .X_WB_at_s = {}};
+/// Its bodies: itself, its wheels, its limbs.
+void AddObstacle(const Scenario& scenario, const ScenarioObstacle& obstacle, Stage* stage) {
+  const std::size_t bodies = 1 + obstacle.wheels.size() + obstacle.gait.limbs.size();
+  std::vector<StageObstacle> staged;
+  for (std::size_t k = 0; k < bodies; ++k) {
+    staged.push_back({.name = obstacle.name, .body = stage->bodies++, .X_WB_at_s = {}});
+  }
   const double end_s = obstacle.path.empty() ? 0 : obstacle.path.back().t_s;
   const int steps = static_cast<int>(std::ceil(end_s * kObstacle_hz));
-  for (int k = 0; k <= steps; ++k) {
-    const double t_s = k / kObstacle_hz;
-    staged.X_WB_at_s.emplace_back(
-        t_s, ObstacleAt(obstacle, FromSeconds(t_s), scenario.site->surface()).X_WB);
+  for (int step = 0; step <= steps; ++step) {
+    const double t_s = step / kObstacle_hz;
+    const TimeNs t_ns = FromSeconds(t_s);
+    std::vector<Pose> poses;
+    AppendObstaclePoses(obstacle, ObstacleAt(obstacle, t_ns, scenario.site->surface()).X_WB, t_ns,
+                        &poses);
+    for (std::size_t k = 0; k < bodies; ++k) staged[k].X_WB_at_s.emplace_back(t_s, poses[k]);
   }
-  return staged;
+  stage->obstacles.insert(stage->obstacles.end(), staged.begin(), staged.end());
 }
 
 Stage StageOf(const Scenario& scenario) {
@@ -112,7 +120,7 @@ Stage StageOf(const Scenario& scenario) {
     stage.bodies += BodiesOf(stage.machines.back());
   }
   for (const ScenarioObstacle& obstacle : scenario.obstacles) {
-    stage.obstacles.push_back(StageObstacleOf(scenario, obstacle, stage.bodies++));
+    AddObstacle(scenario, obstacle, &stage);
   }
   for (const Mesh& mesh : model.meshes) stage.meshes.push_back(StageMeshOf(mesh));
   for (const SceneNode& node : model.nodes) {
