@@ -18,8 +18,8 @@ struct SiteDraw {
 };
 
 /// The ground and the things of a building site, drawn at random: values for `terrain.regions`,
-/// `terrain.pits`, `terrain.ruts`, `terrain.piles` and `obstacles`, each the scenario's own list and
-/// behind it what is drawn, as pairs of key and YAML.
+/// `terrain.pits`, `terrain.ruts`, `terrain.piles` and `obstacles`, each the scenario's own list
+/// and behind it what is drawn, as pairs of key and YAML.
 ///
 /// Frames  W.
 /// Model   A haul road crosses the area `x_m`, `y_m` with one bend; trenches, berms, stockpiles,
