@@ -34,6 +34,12 @@ cv::Mat View(const Image<T>& image, int type) {
   return cv::Mat(image.height_px, image.width_px, type, const_cast<T*>(image.data.data()));
 }
 
+/// OpenCV takes a picture for what its first bytes say, and what no decoder of its own knows GDAL
+/// tries; none of these is for files that anybody may have written.
+bool BeginsAsPng(const std::string& bytes) {
+  return bytes.starts_with("\x89PNG\r\n\x1a\n");
+}
+
 /// libpng reports truncation only as a warning, so the end chunk is looked for first.
 bool EndsAsPng(const std::string& bytes) {
   static constexpr char kEnd[] = "IEND\xae\x42\x60\x82";
@@ -44,7 +50,7 @@ bool EndsAsPng(const std::string& bytes) {
 cv::Mat Decode(const std::filesystem::path& file, int type, const char* need) {
   const std::string bytes = ReadWholeFile(file);
   cv::Mat image;
-  if (EndsAsPng(bytes)) {
+  if (BeginsAsPng(bytes) && EndsAsPng(bytes)) {
     const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
     image = cv::imdecode(raw, cv::IMREAD_UNCHANGED);
   }

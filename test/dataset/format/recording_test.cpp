@@ -265,6 +265,16 @@ TEST_F(RecordingTest, RejectsAnEmptyOrTruncatedPng) {
   }
 }
 
+// A PPM of one red pixel, and behind it what a PNG ends with: no decoder but PNG's may see it.
+TEST_F(RecordingTest, RejectsAPictureOfAnotherFormUnderThatName) {
+  const auto file = directory() / "digger/front/rgb/0.png";
+  const std::string png = ReadWholeFile(file);
+  WriteWholeFile(file, "P6\n1 1\n255\n\xff\x01\x01" + png.substr(png.size() - 8));
+  EXPECT_THAT(
+      [&] { Open().LoadFrame("digger/front", 0); },
+      ThrowsMessage<InputError>(AllOf(HasSubstr("rgb/0.png"), HasSubstr("not a whole PNG"))));
+}
+
 TEST_F(RecordingTest, RejectsAPngOfAnotherKind) {
   std::filesystem::copy_file(directory() / "digger/front/semantic/0.png",
                              directory() / "digger/front/depth/0.png",

@@ -1,11 +1,11 @@
 #include "dataset/import/bag/unpacked_file.h"
 
 #include <fmt/format.h>
-#include <stdlib.h>
 #include <zstd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <memory>
 #include <system_error>
 
