@@ -1,10 +1,12 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <map>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "core/stopwatch.h"
 #include "dig_site.h"
@@ -17,6 +19,9 @@ namespace tera::bench {
 namespace {
 
 constexpr double kFramesPerSecond = 10;
+
+/// As many as a run takes where nothing else is said.
+int Threads() { return static_cast<int>(std::max(1u, std::thread::hardware_concurrency())); }
 
 enum class Scene { kMoving, kStill };
 
@@ -36,7 +41,7 @@ Pose PlaceOf(std::size_t s, std::size_t k) {
 void Expose(benchmark::State& state, const std::string& name, const CameraModel& model,
             Scene scene) {
   const DigSite& site = TheDigSite();
-  static Rasterizer rasterizer(site.model(), {});
+  static Rasterizer rasterizer(site.model(), {}, Threads());
   const std::size_t s = site.IndexOf(name);
   Camera camera(model, {kFramesPerSecond}, 0, 1, name);
   const auto frame = [&](std::size_t k) {
@@ -102,7 +107,7 @@ double Wall_s() {
 void MeasurePasses(benchmark::State& state, const std::string& name, const SceneModel& model,
                    double (*now_s)()) {
   const DigSite& site = TheDigSite();
-  Rasterizer rasterizer(model, {});
+  Rasterizer rasterizer(model, {}, Threads());
   const std::size_t s = site.IndexOf(name);
   Camera camera(ModelOf(name), {kFramesPerSecond}, 0, 1, name);
   std::map<std::string, double> sum_s;

@@ -22,7 +22,7 @@ RigScene::RigScene(const SceneAssembly& assembly, int threads)
 RigScene::~RigScene() = default;
 
 void RigScene::MakeRasterizer(const EglOptions& egl) {
-  rasterizer_ = std::make_unique<Rasterizer>(assembly_.model(), egl);
+  rasterizer_ = std::make_unique<Rasterizer>(assembly_.model(), egl, threads_);
 }
 
 void RigScene::MakeRayScene() { ray_scene_ = std::make_unique<RayScene>(assembly_.model()); }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace tera {
@@ -107,39 +106,42 @@ void AddNode(const SceneModel& model, const SceneNode& node, const SceneState& s
   }
 }
 
-/// What the nodes of each instance cover, found when it is asked for, once.
+/// What the nodes cover of each instance that a box is of, or of a part of which one is.
 class Extents {
  public:
   Extents(const SceneModel& model, const SceneState& state, const CameraIntrinsics& lens,
-          const Pose& X_CW)
-      : model_(model), state_(state), lens_(lens), X_CW_(X_CW), own_(model.instances.size()) {}
+          const Pose& X_CW, const std::vector<ObjectBox>& boxes, Workers* workers)
+      : model_(model), own_(model.instances.size()) {
+    std::vector<const SceneNode*> nodes;
+    for (const SceneNode& node : model.nodes) {
+      const auto is_of = [&](const ObjectBox& box) {
+        return Belongs(model, node.instance, box.instance);
+      };
+      if (std::any_of(boxes.begin(), boxes.end(), is_of)) nodes.push_back(&node);
+    }
+    std::vector<Eigen::AlignedBox2d> of_node(nodes.size());
+    workers->ForRanges(nodes.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t n = begin; n < end; ++n) {
+        Extent extent(lens);
+        AddNode(model, *nodes[n], state, X_CW, &extent);
+        of_node[n] = extent.box_px();
+      }
+    });
+    for (std::size_t n = 0; n < nodes.size(); ++n) own_[nodes[n]->instance].extend(of_node[n]);
+  }
 
   /// Of an instance, or of a whole with its parts.
-  Eigen::AlignedBox2d Of(std::uint16_t object) {
+  Eigen::AlignedBox2d Of(std::uint16_t object) const {
     Eigen::AlignedBox2d box_px;
     for (std::size_t i = 0; i < own_.size(); ++i) {
-      const auto instance = static_cast<std::uint16_t>(i);
-      if (Belongs(model_, instance, object)) box_px.extend(Own(instance));
+      if (Belongs(model_, static_cast<std::uint16_t>(i), object)) box_px.extend(own_[i]);
     }
     return box_px;
   }
 
  private:
-  const Eigen::AlignedBox2d& Own(std::uint16_t instance) {
-    std::optional<Eigen::AlignedBox2d>& own = own_[instance];
-    if (own) return *own;
-    Extent extent(lens_);
-    for (const SceneNode& node : model_.nodes) {
-      if (node.instance == instance) AddNode(model_, node, state_, X_CW_, &extent);
-    }
-    return own.emplace(extent.box_px());
-  }
-
   const SceneModel& model_;
-  const SceneState& state_;
-  const CameraIntrinsics& lens_;
-  const Pose& X_CW_;
-  std::vector<std::optional<Eigen::AlignedBox2d>> own_;
+  std::vector<Eigen::AlignedBox2d> own_;
 };
 
 KeypointSight SightOf(const SceneModel& model, const SceneKeypoint& keypoint,
@@ -174,9 +176,10 @@ void AddKeypoints(const SceneModel& model, const SceneState& state, const Camera
 }  // namespace
 
 void AddWholeObjects(const SceneModel& model, const SceneState& state, const CameraIntrinsics& lens,
-                     const Pose& X_WC, const CameraFrame& frame, std::vector<ObjectBox>* boxes) {
+                     const Pose& X_WC, const CameraFrame& frame, Workers* workers,
+                     std::vector<ObjectBox>* boxes) {
   const Pose X_CW = X_WC.inverse();
-  Extents extents(model, state, lens, X_CW);
+  const Extents extents(model, state, lens, X_CW, *boxes, workers);
   for (ObjectBox& box : *boxes) {
     Eigen::AlignedBox2d extent_px = extents.Of(box.instance);
     // A field's rim may cut an object where it has no corner.

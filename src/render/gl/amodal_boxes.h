@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/types/measurement.h"
+#include "core/workers.h"
 #include "render/gl/camera_intrinsics.h"
 #include "render/scene.h"
 
@@ -17,6 +18,7 @@ namespace tera {
 ///         A key point is seen where the nearest pixel shows its object no further than the key
 ///         point's radius before it.
 void AddWholeObjects(const SceneModel& model, const SceneState& state, const CameraIntrinsics& lens,
-                     const Pose& X_WC, const CameraFrame& frame, std::vector<ObjectBox>* boxes);
+                     const Pose& X_WC, const CameraFrame& frame, Workers* workers,
+                     std::vector<ObjectBox>* boxes);
 
 }  // namespace tera

@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <sstream>
+#include <string_view>
 
 #include "core/check.h"
 #include "core/config/config.h"
@@ -140,7 +141,11 @@ Program::Program(const std::string& vertex_file, const std::string& fragment_fil
 
 void Program::Use() const { glUseProgram(program_.id()); }
 
-int Program::Location(const char* name) const { return glGetUniformLocation(program_.id(), name); }
+int Program::Location(const char* name) const {
+  const auto known = locations_.find(std::string_view(name));
+  if (known != locations_.end()) return known->second;
+  return locations_.emplace(name, glGetUniformLocation(program_.id(), name)).first->second;
+}
 
 void Program::Set(const char* name, int value) const {
   glProgramUniform1i(id(), Location(name), value);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -79,6 +81,7 @@ class Program {
  private:
   int Location(const char* name) const;
   GlObject program_;
+  mutable std::map<std::string, int, std::less<>> locations_;  ///< of uniforms that were asked for
 };
 
 }  // namespace tera

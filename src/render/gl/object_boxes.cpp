@@ -1,6 +1,7 @@
 #include "render/gl/object_boxes.h"
 
 #include <algorithm>
+#include <mutex>
 
 #include "core/check.h"
 
@@ -19,13 +20,26 @@ std::vector<std::int64_t> CountPixels(const Image<std::uint16_t>& instance,
 
 namespace {
 
-/// Takes the pixels of a part up into its whole.
-void AddPart(const ObjectBox& part, ObjectBox* whole) {
+/// Takes pixels of the same object, or of a part of it, up.
+void AddPixels(const ObjectBox& part, ObjectBox* whole) {
   whole->x_min_px = std::min(whole->x_min_px, part.x_min_px);
   whole->y_min_px = std::min(whole->y_min_px, part.y_min_px);
   whole->x_max_px = std::max(whole->x_max_px, part.x_max_px);
   whole->y_max_px = std::max(whole->y_max_px, part.y_max_px);
   whole->visible_px += part.visible_px;
+}
+
+void AddRow(const Image<std::uint16_t>& instance, int y, std::vector<ObjectBox>* boxes) {
+  for (int x = 0; x < instance.width_px; ++x) {
+    const std::uint16_t i = instance.at(x, y);
+    if (i == 0) continue;
+    ObjectBox& box = (*boxes)[i];
+    box.x_min_px = std::min(box.x_min_px, x);
+    box.x_max_px = std::max(box.x_max_px, x);
+    box.y_min_px = std::min(box.y_min_px, y);
+    box.y_max_px = std::max(box.y_max_px, y);
+    ++box.visible_px;
+  }
 }
 
 /// The box of all nodes of an object, or of a whole's parts, as they stand, along the axes of its
@@ -64,30 +78,35 @@ Eigen::AlignedBox3d BoxOf(const SceneModel& model, const SceneState& state, std:
   return {object.box_min_B_m, object.box_max_B_m};
 }
 
+/// Of each instance its pixels and the box around them; without any, a box that is turned over.
+std::vector<ObjectBox> BoxesOfPixels(const Image<std::uint16_t>& instance, std::size_t instances,
+                                     Workers* workers) {
+  constexpr std::size_t kLeastRows = 32;
+  ObjectBox none;
+  none.x_min_px = instance.width_px;
+  none.y_min_px = instance.height_px;
+  std::vector<ObjectBox> all(instances, none);
+  std::mutex mutex;
+  workers->ForRanges(static_cast<std::size_t>(instance.height_px), kLeastRows,
+                     [&](std::size_t begin, std::size_t end) {
+                       std::vector<ObjectBox> own(instances, none);
+                       for (std::size_t y = begin; y < end; ++y) {
+                         AddRow(instance, static_cast<int>(y), &own);
+                       }
+                       const std::lock_guard lock(mutex);
+                       for (std::size_t i = 1; i < instances; ++i) AddPixels(own[i], &all[i]);
+                     });
+  return all;
+}
+
 }  // namespace
 
 std::vector<ObjectBox> FindBoxes(const SceneModel& model, const SceneState& state, const Pose& X_WC,
-                                 const Image<std::uint16_t>& instance) {
-  std::vector<ObjectBox> all(model.instances.size());
-  for (ObjectBox& box : all) {
-    box.x_min_px = instance.width_px;
-    box.y_min_px = instance.height_px;
-  }
-  for (int y = 0; y < instance.height_px; ++y) {
-    for (int x = 0; x < instance.width_px; ++x) {
-      const std::uint16_t i = instance.at(x, y);
-      if (i == 0) continue;
-      ObjectBox& box = all[i];
-      box.x_min_px = std::min(box.x_min_px, x);
-      box.x_max_px = std::max(box.x_max_px, x);
-      box.y_min_px = std::min(box.y_min_px, y);
-      box.y_max_px = std::max(box.y_max_px, y);
-      ++box.visible_px;
-    }
-  }
+                                 const Image<std::uint16_t>& instance, Workers* workers) {
+  std::vector<ObjectBox> all = BoxesOfPixels(instance, model.instances.size(), workers);
   for (std::size_t i = 1; i < all.size(); ++i) {
     const std::uint16_t whole = model.instances[i].parent;
-    if (whole != 0 && all[i].visible_px > 0) AddPart(all[i], &all[whole]);
+    if (whole != 0 && all[i].visible_px > 0) AddPixels(all[i], &all[whole]);
   }
   std::vector<ObjectBox> visible;
   for (std::size_t i = 1; i < all.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/types/measurement.h"
+#include "core/workers.h"
 #include "render/scene.h"
 
 namespace tera {
@@ -16,6 +17,6 @@ std::vector<std::int64_t> CountPixels(const Image<std::uint16_t>& instance,
 /// boxes; `visibility` is left 0. A whole is visible where a part of it is; its 3D box holds all
 /// its parts as they stand, along the axes of its body.
 std::vector<ObjectBox> FindBoxes(const SceneModel& model, const SceneState& state, const Pose& X_WC,
-                                 const Image<std::uint16_t>& instance);
+                                 const Image<std::uint16_t>& instance, Workers* workers);
 
 }  // namespace tera

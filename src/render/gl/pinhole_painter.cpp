@@ -4,11 +4,12 @@
 
 namespace tera {
 
-PinholePainter::PinholePainter(const SceneModel& model, std::function<void(const char* pass)> done)
+PinholePainter::PinholePainter(const SceneModel& model, Workers* workers,
+                               std::function<void(const char* pass)> done)
     : done_(std::move(done)),
       daylight_(model.environment),
       nodes_(model),
-      terrain_(model, daylight_.sky().to_sun_W()),
+      terrain_(model, daylight_.sky().to_sun_W(), workers),
       grains_(model.soils),
       shadow_map_(daylight_.sky().to_sun_W()),
       lamps_(model.lamps),

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 
+#include "core/workers.h"
 #include "render/gl/passes/daylight.h"
 #include "render/gl/passes/dust_pass.h"
 #include "render/gl/passes/geometry_pass.h"
@@ -28,8 +29,10 @@ namespace tera {
 ///         over it; the tone curve.
 class PinholePainter {
  public:
-  /// `done` is told the name of each pass whose calls have been made. `model` must outlive this.
-  PinholePainter(const SceneModel& model, std::function<void(const char* pass)> done);
+  /// `done` is told the name of each pass whose calls have been made. `model` and `workers` must
+  /// outlive this.
+  PinholePainter(const SceneModel& model, Workers* workers,
+                 std::function<void(const char* pass)> done);
 
   /// The luminance that maps to 1 from now on; none: that of the scene's exposure.
   void SetWhite(std::optional<double> white_cdpm2) { daylight_.SetWhite(white_cdpm2); }

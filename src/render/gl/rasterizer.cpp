@@ -17,6 +17,7 @@
 #include "render/gl/passes/light_pass.h"
 #include "render/gl/pictures.h"
 #include "render/gl/pinhole_painter.h"
+#include "render/gl/pixel_buffer.h"
 #include "render/gl/read_labels.h"
 #include "render/gl/read_pictures.h"
 #include "render/gl/view.h"
@@ -42,6 +43,7 @@ AnyPictures& FittingOf(int width_px, int height_px, bool linear, std::vector<Any
 
 struct Rasterizer::Impl {
   SceneModel model;
+  Workers workers;
   PassWatch watch;
   EglContext context;
   EglContext::Current current;  // while the objects below are made, and again while they go
@@ -53,12 +55,14 @@ struct Rasterizer::Impl {
   std::vector<Pictures> pictures;  // one for each size and kind of colour met
   std::vector<LensPictures> lens_pictures;
   std::vector<Lens> lenses;
+  PixelBuffer colour_copy, word_copy, normal_copy, depth_copy;
 
-  Impl(const SceneModel& scene, const EglOptions& options)
+  Impl(const SceneModel& scene, const EglOptions& options, int threads)
       : model(scene),
+        workers(threads),
         context(options),
         current(context),
-        painter(model, [this](const char* pass) { Done(pass); }),
+        painter(model, &workers, [this](const char* pass) { Done(pass); }),
         silhouettes(model) {}
 
   /// Where the picture that a camera sees lies, and what it was made from.
@@ -87,6 +91,9 @@ struct Rasterizer::Impl {
   LightPass* LightFor(const Wanted& wanted) {
     return wanted.light != nullptr ? &*light_pass : nullptr;
   }
+  void BeginReading(const Shown& shown, const CameraIntrinsics& camera, bool normals);
+  void TakeLabels(const CameraIntrinsics& camera, const Mat3& R_WC, LabelSet labels,
+                  CameraFrame* frame);
   void Measure(const Shown& shown, const SceneState& state, CameraFrame* frame);
   void Done(const char* pass) const {
     if (!watch) return;
@@ -95,8 +102,8 @@ struct Rasterizer::Impl {
   }
 };
 
-Rasterizer::Rasterizer(const SceneModel& model, const EglOptions& options)
-    : impl_(std::make_unique<Impl>(model, options)) {
+Rasterizer::Rasterizer(const SceneModel& model, const EglOptions& options, int threads)
+    : impl_(std::make_unique<Impl>(model, options, threads)) {
   impl_->current.Release();
 }
 
@@ -105,6 +112,8 @@ Rasterizer::~Rasterizer() { impl_->current.Take(); }
 const GlInfo& Rasterizer::info() const { return impl_->context.info(); }
 
 const SceneModel& Rasterizer::model() const { return impl_->model; }
+
+Workers* Rasterizer::workers() const { return &impl_->workers; }
 
 Vec3 Rasterizer::sun_illuminance_lx() const {
   return impl_->painter.daylight().sky().sun_illuminance_lx().cast<double>();
@@ -202,6 +211,26 @@ Rasterizer::Impl::Shown Rasterizer::Impl::ShowThroughLens(const Lens& lens, cons
   return shown;
 }
 
+/// The copies come in the order in which they are begun, and are looked at in the same.
+void Rasterizer::Impl::BeginReading(const Shown& shown, const CameraIntrinsics& camera,
+                                    bool normals) {
+  const std::size_t pixels = static_cast<std::size_t>(camera.width_px) * camera.height_px;
+  word_copy.Begin(shown.labels.word, GL_RED_INTEGER, GL_UNSIGNED_INT, pixels,
+                  sizeof(std::uint32_t));
+  if (normals) {
+    normal_copy.Begin(shown.labels.normal, GL_RGBA, GL_UNSIGNED_SHORT, pixels,
+                      4 * sizeof(std::uint16_t));
+  }
+  depth_copy.Begin(shown.depth, shown.depth_format, GL_FLOAT, pixels, sizeof(float));
+}
+
+void Rasterizer::Impl::TakeLabels(const CameraIntrinsics& camera, const Mat3& R_WC, LabelSet labels,
+                                  CameraFrame* frame) {
+  ReadLabelOutputs outputs{word_copy.Read<std::uint32_t>(), {}};
+  if (labels[kNormalChannel]) outputs.normal = normal_copy.Read<std::uint16_t>();
+  FillLabels(outputs, camera.width_px, camera.height_px, R_WC, labels, &workers, frame);
+}
+
 CameraFrame Rasterizer::Render(const CameraIntrinsics& camera, const Pose& X_WC,
                                const SceneState& state, LabelSet labels,
                                LuminancePicture* luminance, Image<std::uint16_t>* body,
@@ -214,20 +243,25 @@ CameraFrame Rasterizer::Render(const CameraIntrinsics& camera, const Pose& X_WC,
   CameraFrame frame;
   frame.t_ns = state.t_ns;
   frame.t_available_ns = state.t_ns;
+  labels |= UsualLabels();  // boxes need the instances
+  impl.BeginReading(shown, camera, labels[kNormalChannel]);
   if (luminance) {
     luminance->cdpm2 = ReadLuminance(shown.colour, width, height, luminance->white_cdpm2);
   } else {
-    frame.rgb = ReadColour(shown.colour, width, height);
+    impl.colour_copy.Begin(shown.colour, GL_RGBA, GL_UNSIGNED_BYTE,
+                           static_cast<std::size_t>(width) * height, 4);
   }
-  labels |= UsualLabels();  // boxes need the instances
-  ReadLabels(shown.labels, width, height, X_WC.linear(), labels, &frame);
-  frame.depth_m = ReadDepth(shown.depth, shown.depth_format, camera);
+  impl.TakeLabels(camera, X_WC.linear(), labels, &frame);
+  frame.depth_m = DepthOf(impl.depth_copy.Read<float>(), camera, &impl.workers);
+  if (!luminance) {
+    frame.rgb = ColourOf(impl.colour_copy.Read<std::uint8_t>(), width, height, &impl.workers);
+  }
   impl.Done("read-back");
-  frame.boxes = FindBoxes(impl.model, state, X_WC, frame.instance);
+  frame.boxes = FindBoxes(impl.model, state, X_WC, frame.instance, &impl.workers);
   impl.Done("boxes");
   impl.Measure(shown, state, &frame);
   impl.Done("silhouettes");
-  AddWholeObjects(impl.model, state, camera, X_WC, frame, &frame.boxes);
+  AddWholeObjects(impl.model, state, camera, X_WC, frame, &impl.workers, &frame.boxes);
   impl.Done("whole objects");
   return frame;
 }

@@ -6,6 +6,7 @@
 
 #include "core/types/label_channels.h"
 #include "core/types/measurement.h"
+#include "core/workers.h"
 #include "render/gl/camera_intrinsics.h"
 #include "render/gl/egl_options.h"
 #include "render/scene.h"
@@ -32,14 +33,17 @@ struct LuminancePicture {
 /// Omits   depth beyond far_m is 0, while colour and labels go on to the horizon. Glass is blended
 ///         in colour; labels, normals and depth are those of the glass.
 /// Throws InputError if no EGL platform with OpenGL 4.5 core can be had. May be used from any
-/// thread, one at a time.
+/// thread, one at a time; what the processor does for a picture is shared by `threads`, whose
+/// number changes no pixel.
 class Rasterizer {
  public:
-  Rasterizer(const SceneModel& model, const EglOptions& options);
+  Rasterizer(const SceneModel& model, const EglOptions& options, int threads = 1);
   ~Rasterizer();
 
   const GlInfo& info() const;
   const SceneModel& model() const;
+  /// The threads, for what is made of a picture while none is drawn.
+  Workers* workers() const;
   /// Of the sun on a plane that faces it, in the primaries of sRGB.
   Vec3 sun_illuminance_lx() const;
   /// Terrain tiles sent to the GPU since construction.

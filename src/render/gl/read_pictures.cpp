@@ -2,18 +2,25 @@
 
 #include <epoxy/gl.h>
 
-#include <vector>
-
 namespace tera {
+namespace {
 
-Image<std::uint8_t> ReadColour(const GlObject& colour, int width_px, int height_px) {
+constexpr std::size_t kLeastOfThread = 1 << 15;  ///< pixels
+
+}  // namespace
+
+Image<std::uint8_t> ColourOf(std::span<const std::uint8_t> rgba, int width_px, int height_px,
+                             Workers* workers) {
   Image<std::uint8_t> rgb(width_px, height_px, 3);
-  std::vector<std::uint8_t> rgba(static_cast<std::size_t>(width_px) * height_px * 4);
-  glGetTextureImage(colour.id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(rgba.size()),
-                    rgba.data());
-  for (std::size_t p = 0; p < rgba.size() / 4; ++p) {
-    for (int k = 0; k < 3; ++k) rgb.data[p * 3 + k] = rgba[p * 4 + k];
-  }
+  workers->ForRanges(rgba.size() / 4, kLeastOfThread, [&](std::size_t begin, std::size_t end) {
+    const std::uint8_t* from = &rgba[4 * begin];
+    std::uint8_t* to = &rgb.data[3 * begin];
+    for (std::size_t p = begin; p < end; ++p, from += 4, to += 3) {
+      to[0] = from[0];
+      to[1] = from[1];
+      to[2] = from[2];
+    }
+  });
   return rgb;
 }
 
@@ -27,15 +34,16 @@ Image<float> ReadLuminance(const GlObject& colour, int width_px, int height_px,
   return rgb;
 }
 
-Image<float> ReadDepth(const GlObject& depth, unsigned format, const CameraIntrinsics& camera) {
+Image<float> DepthOf(std::span<const float> stored, const CameraIntrinsics& camera,
+                     Workers* workers) {
   Image<float> z_m(camera.width_px, camera.height_px);
-  glGetTextureImage(depth.id(), 0, format, GL_FLOAT,
-                    static_cast<GLsizei>(z_m.data.size() * sizeof(float)), z_m.data.data());
   const auto near_m = static_cast<float>(camera.near_m), far_m = static_cast<float>(camera.far_m);
-  for (float& d : z_m.data) {
-    const float z = d > 0 ? near_m / d : 0.0f;
-    d = z <= far_m ? z : 0.0f;
-  }
+  workers->ForRanges(stored.size(), kLeastOfThread, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t p = begin; p < end; ++p) {
+      const float z = stored[p] > 0 ? near_m / stored[p] : 0.0f;
+      z_m.data[p] = z <= far_m ? z : 0.0f;
+    }
+  });
   return z_m;
 }
 

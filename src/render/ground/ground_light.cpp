@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 namespace tera {
 namespace {
@@ -33,6 +35,47 @@ TexelWindow TexelWindow::Within(const TexelWindow& other) const {
 TexelWindow TexelWindow::Grown(int texels) const {
   if (empty()) return *this;
   return {i0 - texels, j0 - texels, i1 + texels, j1 + texels};
+}
+
+std::vector<TexelWindow> Gathered(const std::vector<TexelWindow>& windows, int texels_of_a_window) {
+  const auto area = [](const TexelWindow& w) {
+    return static_cast<std::int64_t>(w.i1 - w.i0) * (w.j1 - w.j0);
+  };
+  std::vector<TexelWindow> gathered;
+  for (TexelWindow window : windows) {
+    if (window.empty()) continue;
+    for (std::size_t k = 0; k < gathered.size();) {
+      TexelWindow both = window;
+      both.Extend(gathered[k]);
+      if (area(both) > area(window) + area(gathered[k]) + texels_of_a_window) {
+        ++k;
+        continue;
+      }
+      window = both;
+      gathered.erase(gathered.begin() + static_cast<std::ptrdiff_t>(k));
+      k = 0;  // the larger one may take up others
+    }
+    gathered.push_back(window);
+  }
+  return gathered;
+}
+
+std::vector<TexelRow> RowsOf(const std::vector<TexelWindow>& windows) {
+  std::vector<TexelRow> rows, apart;
+  for (const TexelWindow& w : windows) {
+    for (int j = w.j0; j < w.j1 && w.i0 < w.i1; ++j) rows.push_back({j, w.i0, w.i1});
+  }
+  std::sort(rows.begin(), rows.end(), [](const TexelRow& a, const TexelRow& b) {
+    return std::pair(a.j, a.i0) < std::pair(b.j, b.i0);
+  });
+  for (const TexelRow& row : rows) {
+    if (apart.empty() || apart.back().j != row.j || apart.back().i1 < row.i0) {
+      apart.push_back(row);
+    } else {
+      apart.back().i1 = std::max(apart.back().i1, row.i1);
+    }
+  }
+  return apart;
 }
 
 HeightTexels::HeightTexels(const TerrainGrid& grid)

@@ -19,6 +19,18 @@ struct TexelWindow {
   TexelWindow Grown(int texels) const;
 };
 
+/// Fewer windows that hold all of `windows`, and little beside: to send one costs as much as
+/// `texels_of_a_window` more texels.
+std::vector<TexelWindow> Gathered(const std::vector<TexelWindow>& windows, int texels_of_a_window);
+
+/// Texels side by side, from i0 up to, not including, i1.
+struct TexelRow {
+  int j = 0, i0 = 0, i1 = 0;
+};
+
+/// What the windows hold, each texel in one row alone.
+std::vector<TexelRow> RowsOf(const std::vector<TexelWindow>& windows);
+
 /// Heights of a ground, one texel for every `texel_cells`-th vertex: all of them where the site is
 /// small enough for a texture.
 class HeightTexels {

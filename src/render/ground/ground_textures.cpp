@@ -17,6 +17,7 @@ constexpr int kCells = TerrainGrid::kTileCells;
 constexpr double kRutDarker = 0.22;
 constexpr double kTypicalGrain_m = 0.01;
 constexpr float kUndisturbedDetail = 0.45f;  // of the relief of loose soil
+constexpr int kTexelsOfAWindow = 4096;       // that take as long as one more window
 constexpr double kSnowSmooths = 0.8;         // of the ground's relief
 
 std::uint8_t Unorm8(double value) {
@@ -173,7 +174,19 @@ void GroundTextures::PaintTexel(int i, int j) {
   shape[3] = Snorm8(-1);
 }
 
-void GroundTextures::Update(const TerrainSurface& terrain, const std::vector<TileIndex>& changed) {
+/// Each texel from heights and covers alone, and once: neighbours share their borders.
+void GroundTextures::Paint(const std::vector<TexelWindow>& windows, Workers* workers) {
+  const std::vector<TexelRow> rows = RowsOf(windows);
+  constexpr std::size_t kLeastRows = 8;
+  workers->ForRanges(rows.size(), kLeastRows, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t r = begin; r < end; ++r) {
+      for (int i = rows[r].i0; i < rows[r].i1; ++i) PaintTexel(i, rows[r].j);
+    }
+  });
+}
+
+void GroundTextures::Update(const TerrainSurface& terrain, const std::vector<TileIndex>& changed,
+                            Workers* workers) {
   if (changed.empty()) return;
   const int reach = std::max(sky_view_.reach_texels(), 1);       // the normal looks one texel far
   const int halo = reach * heights_.texel_cells() / kCells + 1;  // in tiles
@@ -192,16 +205,11 @@ void GroundTextures::Update(const TerrainSurface& terrain, const std::vector<Til
       }
     }
   }
-  for (const TexelWindow& window : dirty) {
-    for (int j = window.j0; j < window.j1; ++j) {
-      for (int i = window.i0; i < window.i1; ++i) PaintTexel(i, j);
-    }
-  }
+  Paint(dirty, workers);
   // Smaller levels straddle tiles, so that they are remade after all tiles are painted.
   if (!painted_) dirty = {{0, 0, heights_.width(), heights_.height()}};
   painted_ = true;
-  for (const TexelWindow& window : dirty) {
-    if (window.empty()) continue;
+  for (const TexelWindow& window : Gathered(dirty, kTexelsOfAWindow)) {
     albedo_.Send(window);
     shape_.Send(window);
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/types/terrain_surface.h"
+#include "core/workers.h"
 #include "render/gl/gl_objects.h"
 #include "render/ground/ground_light.h"
 #include "render/scene.h"
@@ -37,7 +38,8 @@ class GroundTextures {
                  const Vec3& to_sun_W);
 
   /// Takes over the changed tiles.
-  void Update(const TerrainSurface& terrain, const std::vector<TileIndex>& changed);
+  void Update(const TerrainSurface& terrain, const std::vector<TileIndex>& changed,
+              Workers* workers);
   /// Colour, shape and shadow to texture units `first` to `first + 2`; tells `program` how to look
   /// them up (u_ground_scale, u_ground_origin).
   void Bind(unsigned first, const Program& program) const;
@@ -67,6 +69,7 @@ class GroundTextures {
   };
 
   TexelWindow ReadCovers(const TerrainSurface& terrain, const TexelWindow& window);
+  void Paint(const std::vector<TexelWindow>& windows, Workers* workers);
   void PaintTexel(int i, int j);
   bool IsUnderWater(std::size_t texel) const;
   void SendShadow(const TexelWindow& window) const;

@@ -31,10 +31,11 @@ GlObject DetailTexture() {
 
 }  // namespace
 
-TerrainRenderer::TerrainRenderer(const SceneModel& model, const Vec3& to_sun_W)
+TerrainRenderer::TerrainRenderer(const SceneModel& model, const Vec3& to_sun_W, Workers* workers)
     : soils_(model.soils),
       paint_(model.ground_paint),
       weather_(model.environment.weather),
+      workers_(workers),
       detail_(DetailTexture()),
       to_sun_W_(to_sun_W) {}
 
@@ -65,7 +66,7 @@ void TerrainRenderer::Update(const TerrainSurface& terrain) {
       ++uploaded_tiles_;
     }
   }
-  textures_.Update(terrain, changed);
+  textures_.Update(terrain, changed, workers_);
   if (border) apron_.Update(terrain);
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/types/terrain_surface.h"
+#include "core/workers.h"
 #include "render/gl/gl_objects.h"
 #include "render/gl/view.h"
 #include "render/ground/apron.h"
@@ -19,7 +20,8 @@ namespace tera {
 ///         sent again only when its version has changed; undisturbed tiles have few vertices.
 class TerrainRenderer {
  public:
-  TerrainRenderer(const SceneModel& model, const Vec3& to_sun_W);
+  /// `workers` paint the ground and must outlive this.
+  TerrainRenderer(const SceneModel& model, const Vec3& to_sun_W, Workers* workers);
 
   /// Brings the GPU's copy up to date with `terrain`.
   void Update(const TerrainSurface& terrain);
@@ -50,6 +52,7 @@ class TerrainRenderer {
   const std::vector<SoilAppearance> soils_;
   const std::shared_ptr<const GroundPaint> paint_;
   const Weather weather_;
+  Workers* workers_;
   TerrainGrid grid_;
   std::vector<Tile> tiles_;
   std::vector<TilePool> pools_;  ///< of refined tiles, then of undisturbed ones

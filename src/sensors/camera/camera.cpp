@@ -13,10 +13,14 @@
 namespace tera {
 namespace {
 
-void LimitDepth(const CameraModel& model, Image<float>* depth_m) {
-  for (float& z_m : depth_m->data) {
-    if (!(z_m >= model.depth_min_m && z_m <= model.depth_max_m)) z_m = 0;
-  }
+void LimitDepth(const CameraModel& model, Workers* workers, Image<float>* depth_m) {
+  constexpr std::size_t kLeastOfThread = 1 << 16;
+  workers->ForRanges(depth_m->data.size(), kLeastOfThread, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      float& z_m = depth_m->data[i];
+      if (!(z_m >= model.depth_min_m && z_m <= model.depth_max_m)) z_m = 0;
+    }
+  });
 }
 
 /// The label of glass with nothing on it.
@@ -124,7 +128,7 @@ Image<float> Camera::Range(std::int64_t k, const SceneAt& scene_at, const Image<
     const auto first = static_cast<std::uint64_t>(k) * depth_m.data.size();
     const double scale_1pm =
         model_.disparity_noise_px / (model_.intrinsics.fx_px * model_.baseline_m);
-    AddDisparityNoise(scale_1pm, depth_noise_, first, dust, &depth_m);
+    AddDisparityNoise(scale_1pm, depth_noise_, first, dust, rasterizer->workers(), &depth_m);
   }
   return depth_m;
 }
@@ -178,14 +182,15 @@ CameraFrame Camera::Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer*
     frame.rgb = Sense(luminance.cdpm2, k);
   } else if (model_.rgb_noise > 0) {
     AddRgbNoise(model_.rgb_noise, rgb_noise_,
-                static_cast<std::uint64_t>(k) * frame.rgb.data.size() / 3, &frame.rgb);
+                static_cast<std::uint64_t>(k) * frame.rgb.data.size() / 3, rasterizer->workers(),
+                &frame.rgb);
   }
   if (!model_.depth) {
     frame.depth_m = {};
   } else {
     frame.depth_m = Range(k, scene_at, dust, std::move(frame.depth_m), rasterizer);
     if (!dust.empty()) LoseDepthInDust(dust, &frame.depth_m);
-    LimitDepth(model_, &frame.depth_m);
+    LimitDepth(model_, rasterizer->workers(), &frame.depth_m);
   }
   ForEachLabel(frame, [&](const LabelChannel& channel, auto& picture) {
     if (!model_.labels[IndexOf(channel)]) picture = {};

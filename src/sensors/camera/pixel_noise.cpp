@@ -42,14 +42,17 @@ class NormalQuantiles {
 /// Calls `visit(i, draw)` for each pixel i of `pixels`, with draw `first` + i.
 template <typename Visit>
 void ForEachDraw(const UniformBits& noise, std::uint64_t first, std::size_t pixels,
-                 const Visit& visit) {
+                 Workers* workers, const Visit& visit) {
   constexpr std::size_t kBlock = 512;  // stays in the first cache
-  std::array<std::uint64_t, kBlock> bits;
-  for (std::size_t begin = 0; begin < pixels; begin += kBlock) {
-    const std::size_t count = std::min(kBlock, pixels - begin);
-    noise.Draw(first + begin, std::span(bits).first(count));
-    for (std::size_t k = 0; k < count; ++k) visit(begin + k, bits[k]);
-  }
+  constexpr std::size_t kLeastOfThread = 16 * kBlock;
+  workers->ForRanges(pixels, kLeastOfThread, [&](std::size_t from, std::size_t to) {
+    std::array<std::uint64_t, kBlock> bits;
+    for (std::size_t begin = from; begin < to; begin += kBlock) {
+      const std::size_t count = std::min(kBlock, to - begin);
+      noise.Draw(first + begin, std::span(bits).first(count));
+      for (std::size_t k = 0; k < count; ++k) visit(begin + k, bits[k]);
+    }
+  });
 }
 
 }  // namespace
@@ -57,11 +60,11 @@ void ForEachDraw(const UniformBits& noise, std::uint64_t first, std::size_t pixe
 /// 2^16 quantiles reach to 4.3 sigma; their steps stay below the millimetre that depth is stored in
 /// wherever noise is drawn often.
 void AddDisparityNoise(double scale_1pm, const UniformBits& noise, std::uint64_t first,
-                       const Image<float>& dust, Image<float>* depth_m) {
+                       const Image<float>& dust, Workers* workers, Image<float>* depth_m) {
   static const NormalQuantiles<16> normal;
   constexpr int kUnused = UniformBits::kBits - normal.kBits;
   const auto scale = static_cast<float>(scale_1pm);
-  ForEachDraw(noise, first, depth_m->data.size(), [&](std::size_t i, std::uint64_t draw) {
+  ForEachDraw(noise, first, depth_m->data.size(), workers, [&](std::size_t i, std::uint64_t draw) {
     float& z_m = depth_m->data[i];
     if (z_m <= 0) return;
     float disparity_off = scale * z_m * normal[draw >> kUnused];
@@ -73,20 +76,21 @@ void AddDisparityNoise(double scale_1pm, const UniformBits& noise, std::uint64_t
 
 /// Beside the rounding to 255 levels the steps of 2^12 quantiles do not show, and three values of a
 /// pixel come from one draw.
-void AddRgbNoise(double sigma, const UniformBits& noise, std::uint64_t first,
+void AddRgbNoise(double sigma, const UniformBits& noise, std::uint64_t first, Workers* workers,
                  Image<std::uint8_t>* rgb) {
   static const NormalQuantiles<12> normal;
   constexpr float kMaxValue = 255.0f;
   constexpr int kUnused = UniformBits::kBits - 48;
   const auto gain = static_cast<float>(sigma);
-  ForEachDraw(noise, first, rgb->data.size() / 3, [&](std::size_t pixel, std::uint64_t draw) {
-    draw >>= kUnused;
-    for (std::size_t c = 0; c < 3; ++c, draw >>= normal.kBits) {
-      std::uint8_t& value = rgb->data[3 * pixel + c];
-      const float noisy = static_cast<float>(value) + gain * normal[draw];
-      value = static_cast<std::uint8_t>(std::clamp(noisy, 0.0f, kMaxValue) + 0.5f);
-    }
-  });
+  ForEachDraw(noise, first, rgb->data.size() / 3, workers,
+              [&](std::size_t pixel, std::uint64_t draw) {
+                draw >>= kUnused;
+                for (std::size_t c = 0; c < 3; ++c, draw >>= normal.kBits) {
+                  std::uint8_t& value = rgb->data[3 * pixel + c];
+                  const float noisy = static_cast<float>(value) + gain * normal[draw];
+                  value = static_cast<std::uint8_t>(std::clamp(noisy, 0.0f, kMaxValue) + 0.5f);
+                }
+              });
 }
 
 }  // namespace tera

@@ -4,6 +4,7 @@
 
 #include "core/types/measurement.h"
 #include "core/uniform_bits.h"
+#include "core/workers.h"
 
 namespace tera {
 
@@ -12,11 +13,11 @@ namespace tera {
 /// itself, there is no measurement. Behind dust, of which `dust` has the optical depth at each
 /// pixel or nothing, it grows as the contrast falls. Pixel i has draw `first` + i.
 void AddDisparityNoise(double scale_1pm, const UniformBits& noise, std::uint64_t first,
-                       const Image<float>& dust, Image<float>* depth_m);
+                       const Image<float>& dust, Workers* workers, Image<float>* depth_m);
 
 /// Adds N(0, sigma^2), in steps of a value of 255, to each colour, and clips. Pixel i has draw
 /// `first` + i.
-void AddRgbNoise(double sigma, const UniformBits& noise, std::uint64_t first,
+void AddRgbNoise(double sigma, const UniformBits& noise, std::uint64_t first, Workers* workers,
                  Image<std::uint8_t>* rgb);
 
 }  // namespace tera

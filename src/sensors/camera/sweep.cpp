@@ -64,15 +64,16 @@ double Motion_px(const SweptView& view, const SceneModel& model, const SeenScene
 /// `known` that has it.
 std::vector<ObjectBox> BoxesOf(const SceneModel& model, const CameraIntrinsics& lens,
                                const SeenScene& middle, const CameraFrame& frame,
-                               const std::vector<ObjectBox>& known) {
-  std::vector<ObjectBox> boxes = FindBoxes(model, middle.state, middle.X_WC, frame.instance);
+                               const std::vector<ObjectBox>& known, Workers* workers) {
+  std::vector<ObjectBox> boxes =
+      FindBoxes(model, middle.state, middle.X_WC, frame.instance, workers);
   for (ObjectBox& box : boxes) {
     const auto same = std::find_if(known.begin(), known.end(), [&](const ObjectBox& other) {
       return other.instance == box.instance;
     });
     if (same != known.end()) box.visibility = same->visibility;
   }
-  AddWholeObjects(model, middle.state, lens, middle.X_WC, frame, &boxes);
+  AddWholeObjects(model, middle.state, lens, middle.X_WC, frame, workers, &boxes);
   return boxes;
 }
 
@@ -107,7 +108,8 @@ CameraFrame Sweep(const SweptView& view, TimeNs t_ns, Rasterizer* rasterizer,
     AddLight(exposures, i, at_instant.cdpm2, &light);
   }
   luminance->cdpm2 = std::move(light);
-  frame.boxes = BoxesOf(rasterizer->model(), view.lens, middle, frame, known);
+  frame.boxes =
+      BoxesOf(rasterizer->model(), view.lens, middle, frame, known, rasterizer->workers());
   return frame;
 }
 

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
 
 namespace tera {
 namespace {
@@ -36,6 +40,36 @@ void ExpectWhole(const TexelWindow& window) {
   EXPECT_EQ(window.j0, 0);
   EXPECT_EQ(window.i1, kSide);
   EXPECT_EQ(window.j1, kSide);
+}
+
+TEST(TexelRows, HoldEachTexelOfTheirWindowsOnce) {
+  // Two neighbours that share a border, one across both, one apart, one of nothing.
+  const std::vector<TexelWindow> windows = {
+      {0, 0, 5, 5}, {4, 0, 9, 5}, {2, 3, 7, 8}, {12, 1, 14, 2}, {3, 3, 3, 9}};
+  std::map<std::pair<int, int>, int> rows;
+  for (const TexelRow& row : RowsOf(windows)) {
+    for (int i = row.i0; i < row.i1; ++i) ++rows[{i, row.j}];
+  }
+  for (int j = -1; j < 10; ++j) {
+    for (int i = -1; i < 16; ++i) {
+      const bool is_held = std::any_of(windows.begin(), windows.end(), [&](const TexelWindow& w) {
+        return i >= w.i0 && i < w.i1 && j >= w.j0 && j < w.j1;
+      });
+      EXPECT_EQ((rows[{i, j}]), is_held ? 1 : 0) << i << " " << j;
+    }
+  }
+}
+
+TEST(TexelWindows, AreGatheredWhereLittleLiesBetween) {
+  const std::vector<TexelWindow> windows = {
+      {0, 0, 10, 10}, {10, 0, 20, 10}, {3, 3, 3, 3}, {500, 500, 510, 510}, {0, 10, 20, 12}};
+  const std::vector<TexelWindow> gathered = Gathered(windows, 50);
+  ASSERT_EQ(gathered.size(), 2u);  // a strip of three, and one far off
+  const auto is = [](const TexelWindow& w, int i0, int j0, int i1, int j1) {
+    return w.i0 == i0 && w.j0 == j0 && w.i1 == i1 && w.j1 == j1;
+  };
+  EXPECT_TRUE(is(gathered[0], 500, 500, 510, 510) || is(gathered[1], 500, 500, 510, 510));
+  EXPECT_TRUE(is(gathered[0], 0, 0, 20, 12) || is(gathered[1], 0, 0, 20, 12));
 }
 
 TEST(GroundShadow, IsKnownEverywhereAfterTheFirstUpdate) {
