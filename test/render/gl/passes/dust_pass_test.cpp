@@ -51,7 +51,13 @@ TEST(DustPass, ContrastFallsByBeerAndLambertsExponential) {
 TEST(DustPass, DustBehindAPlateIsNotSeen) {
   Plates plates;
   const DustVolume dust = DustBox(Vec3(-5, 21, -3), 0.5, {20, 12, 20}, 3);
-  EXPECT_EQ(plates.Shoot(nullptr, Pinhole()).data, plates.Shoot(&dust, Pinhole()).data);
+  const Image<float> clear = plates.Shoot(nullptr, Pinhole()),
+                     dusty = plates.Shoot(&dust, Pinhole());
+  // Within the precision of a card's filters: one pixel at a plate's edge differs by 7e-4 on an
+  // H100, none where Mesa draws. Dust that is seen takes all but exp(-18) of the light.
+  for (std::size_t k = 0; k < clear.data.size(); ++k) {
+    ASSERT_NEAR(dusty.data[k], clear.data[k], 1e-3 * clear.data[k]) << k;
+  }
 }
 
 TEST(DustPass, ThickDustInTheSunIsBrightAndFacingItBrighter) {
