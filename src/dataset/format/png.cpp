@@ -36,9 +36,7 @@ cv::Mat View(const Image<T>& image, int type) {
 
 /// OpenCV takes a picture for what its first bytes say, and what no decoder of its own knows GDAL
 /// tries; none of these is for files that anybody may have written.
-bool BeginsAsPng(const std::string& bytes) {
-  return bytes.starts_with("\x89PNG\r\n\x1a\n");
-}
+bool BeginsAsPng(const std::string& bytes) { return bytes.starts_with("\x89PNG\r\n\x1a\n"); }
 
 /// libpng reports truncation only as a warning, so the end chunk is looked for first.
 bool EndsAsPng(const std::string& bytes) {

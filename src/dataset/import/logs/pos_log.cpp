@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "core/error.h"
@@ -22,8 +23,9 @@ enum class TimeSystem { kUtc, kGps, kJapan };
 /// GGA's quality of RTKLIB's: fixed, float, SBAS, differential, single, precise point.
 double QualityOf(double q) {
   constexpr std::array<double, 7> kQuality = {0, 4, 5, 2, 2, 1, 5};
-  const auto index = static_cast<std::size_t>(q);
-  return q >= 0 && index < kQuality.size() ? kQuality[index] : -1;
+  // A number of another column, where a line was cut, is none of these, and may be no index at all.
+  if (!(q >= 0 && q < static_cast<double>(kQuality.size())) || q != std::floor(q)) return -1;
+  return kQuality[static_cast<std::size_t>(q)];
 }
 
 /// "2026/05/01 12:00:00.000", or a week of GPS time and its seconds.

@@ -257,6 +257,11 @@ TEST_F(ForeignLog, WhatASolutionFileMustNotBeIsNamed) {
   EXPECT_THAT(FaultOf("log.pos"), HasSubstr("degrees, minutes and seconds"));
   Log("log.pos", std::string(kGpsHeader) + "2024/01/01 00:00:18.000 nan -71.27 90.5 1 9 1 1 1\n");
   EXPECT_THAT(FaultOf("log.pos"), HasSubstr("log.pos:6: latitude is 'nan', need a number"));
+  for (const char* quality : {"-71.27", "7", "1e30", "1.5"}) {
+    Log("log.pos", std::string(kGpsHeader) + "2024/01/01 00:00:18.000 46.78 -71.27 90.5 " +
+                       quality + " 9 1 1 1\n");
+    EXPECT_THAT(FaultOf("log.pos"), HasSubstr("log.pos:6: the fix is -1")) << quality;
+  }
   Log("log.pos", std::string(kGpsHeader) + "2024/13/01 00:00:18.000 " + kRest);
   EXPECT_THAT(FaultOf("log.pos"), HasSubstr("'2024/13/01 00:00:18.000' is no time"));
   Log("log.pos", std::string(kGpsHeader) + "2024/01/01 00:00:18.000 " + kRest +
