@@ -274,6 +274,8 @@ class Lens:
         if not self.by_angle:
             corner = self._perspective_rays(np.array([[-1, -1], [self.w, -1], [-1, self.h], [self.w, self.h]], float))
             self.r_max = 1.05 * np.sqrt((corner[:, :2] ** 2).sum(1)).max()
+            outer = np.array([[-0.5, -0.5], [self.w - 0.5, -0.5], [-0.5, self.h - 0.5], [self.w - 0.5, self.h - 0.5]])
+            self.r_corner = np.sqrt((self._perspective_rays(outer)[:, :2] ** 2).sum(1)).max()
         self.unit, self.seen = self.rays(self.pixels.reshape(-1, 2))
         self.unit = self.unit.reshape(self.h, self.w, 3)
         self.seen = self.seen.reshape(self.h, self.w)
@@ -342,6 +344,10 @@ class Lens:
         x, y = np.where(ok, x, 0), np.where(ok, y, 0)
         u, v = self._distorted(x, y)
         return self.c + self.f * np.stack([u, v], -1), ok
+
+    def within_corners(self, p):
+        """Whether a point lies no further from the axis than what the picture's corners see."""
+        return self.by_angle or not self.distorts or np.hypot(p[0], p[1]) <= self.r_corner * p[2]
 
     def inside(self, q, margin=0.0):
         return ((q[..., 0] >= -0.5 - margin) & (q[..., 0] <= self.w - 0.5 + margin) &
@@ -734,8 +740,8 @@ def check_keypoints(j, data, cam, f, where):
                 j.holds("key points: pixel missing only behind near_m", behind and k["sight"] == 0, where, f.t,
                         f"{what} p_C {np.round(p, 3).tolist()} sight {k['sight']}")
                 continue
-            if ok:
-                # Both are the same formulas in doubles.
+            if ok and lens.within_corners(p):
+                # Both are the same formulas in doubles. Beyond the picture's corners the law is continued straight on.
                 j.all_within("key points: pixel is the projection of p_C", [np.abs(at - pixel).max()], 1e-3, where, f.t,
                              f"{what} {pixel}, need {at.tolist()}", "px")
             border = min(pixel[0] + 0.5, lens.w - 0.5 - pixel[0], pixel[1] + 0.5, lens.h - 0.5 - pixel[1])
