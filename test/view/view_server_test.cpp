@@ -78,7 +78,8 @@ TEST_F(ServerOfASmallRecording, SendsPageIndexSceneAndFiles) {
               testing::AllOf(StartsWith("HTTP/1.1 200"), Not(HasSubstr("first picture"))));
 }
 
-// Packing for a reader on the same computer would only take time: Brotli needs a second for the page.
+// Packing for a reader on the same computer would only take time: Brotli needs a second for the
+// page.
 TEST_F(ServerOfASmallRecording, PacksNothing) {
   for (const char* const path : {"/", "/index.json", "/stage/0"}) {
     const std::string answer = Request("GET", path, "Accept-Encoding: gzip, deflate, br\r\n");
