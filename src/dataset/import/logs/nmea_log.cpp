@@ -57,6 +57,13 @@ std::optional<TimeNs> DateOf(std::string_view text) {
                static_cast<int>(*day));
 }
 
+/// A year, month or day: whatever is no number of up to four digits is none.
+std::optional<int> NumberOfDate(std::string_view text) {
+  const auto number = WholeNumber(text);
+  if (!number || *number < 0 || *number > 9999) return std::nullopt;
+  return static_cast<int>(*number);
+}
+
 /// Degrees of "4646.8000000" and 'N', or of three digits of degrees and 'W'.
 std::optional<double> AngleOf(std::string_view text, std::string_view side, std::size_t digits) {
   if (text.size() < digits + 2 || side.size() != 1) return std::nullopt;
@@ -179,11 +186,10 @@ class NmeaReader {
 
   bool TakeZda(const Fields& f) {
     const auto time_ns = TimeOf(FieldAt(f, 1));
-    const auto day = WholeNumber(FieldAt(f, 2)), month = WholeNumber(FieldAt(f, 3)),
-               year = WholeNumber(FieldAt(f, 4));
+    const auto day = NumberOfDate(FieldAt(f, 2)), month = NumberOfDate(FieldAt(f, 3)),
+               year = NumberOfDate(FieldAt(f, 4));
     if (!time_ns || !day || !month || !year) return false;
-    const auto date_ns =
-        DayOf(static_cast<int>(*year), static_cast<int>(*month), static_cast<int>(*day));
+    const auto date_ns = DayOf(*year, *month, *day);
     if (!date_ns) return false;
     At(*time_ns).date_ns = date_ns;
     return true;

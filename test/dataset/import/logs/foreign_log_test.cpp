@@ -188,6 +188,7 @@ TEST_F(ForeignLog, ABadChecksumIsAFaultOrCounted) {
   Log("log.nmea", std::string(kGga) + bad + "\xb5\x62 binary\n" + "$GPRMC,1235,A*00\n" +
                       Sentence("GPRMC,123519,A,4807.038,N,01131.0,E,1,2,320394,,") +
                       Sentence("GPGGA,123520,4860.038,N,01131.0,E,1,8,1,500,M,40,M,,") +
+                      Sentence("GNZDA,123520,02,01,7.8e86,00,00") +
                       Sentence("GPGSV,3,1,11,03,03,111,00") + "$GPGGA,123521,48");
   const std::string keys =
       "gnss: [{name: gnss, columns: {var_e: {constant: 4}, var_n: {constant: 4}, var_u: "
@@ -199,9 +200,9 @@ TEST_F(ForeignLog, ABadChecksumIsAFaultOrCounted) {
       Import("log.nmea", "zero: start\n" + std::string(kOrigin) + keys, {.skips_bad_rows = true});
   ASSERT_EQ(report.channels.size(), 1u);
   EXPECT_EQ(report.channels[0].rows, 1);
-  // The changed one, what is none, one of a wrong sum, a date that is none, minutes beyond 60 and a
-  // line that was cut off.
-  EXPECT_EQ(report.channels[0].left_out, 6);
+  // The changed one, what is none, one of a wrong sum, a date that is none, minutes beyond 60, a year
+  // that no whole number holds and a line that was cut off.
+  EXPECT_EQ(report.channels[0].left_out, 7);
 }
 
 TEST_F(ForeignLog, WithoutDeviationsTheMappingMustSayThem) {
