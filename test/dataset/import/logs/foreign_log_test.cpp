@@ -200,8 +200,8 @@ TEST_F(ForeignLog, ABadChecksumIsAFaultOrCounted) {
       Import("log.nmea", "zero: start\n" + std::string(kOrigin) + keys, {.skips_bad_rows = true});
   ASSERT_EQ(report.channels.size(), 1u);
   EXPECT_EQ(report.channels[0].rows, 1);
-  // The changed one, what is none, one of a wrong sum, a date that is none, minutes beyond 60, a year
-  // that no whole number holds and a line that was cut off.
+  // The changed one, what is none, one of a wrong sum, a date that is none, minutes beyond 60, a
+  // year that no whole number holds and a line that was cut off.
   EXPECT_EQ(report.channels[0].left_out, 7);
 }
 
