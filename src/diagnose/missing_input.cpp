@@ -57,11 +57,11 @@ struct MovingTime {
   double rate_by_lever = 0;  ///< sum of their products, positive where the axis follows its lever
 };
 
-/// The rates of the same axis in a simulation; null where there is none.
-const std::vector<double>* RatesOf(const AxisLog* simulated, std::size_t axis) {
+/// The rates of the same channel in a simulation; null where there is none.
+const std::vector<double>* RatesOf(const AxisLog* simulated, const MeasuredRate& measured) {
   if (simulated == nullptr) return nullptr;
   for (const MeasuredRate& one : simulated->measured) {
-    if (one.axis == axis) return &one.rate_radps;
+    if (one.axis == measured.axis && one.channel == measured.channel) return &one.rate_radps;
   }
   return nullptr;
 }
@@ -111,7 +111,7 @@ std::vector<MissingInput> FindMissingInput(const MachineModel& model, const Axis
   std::vector<MissingInput> all;
   for (const MeasuredRate& measured : log.measured) {
     if (!HasLever(model, measured.axis)) continue;
-    auto missing = MissingOf(log, measured, RatesOf(simulated, measured.axis));
+    auto missing = MissingOf(log, measured, RatesOf(simulated, measured));
     if (!missing) continue;
     missing->axis = NameOfAxis(model, measured.axis);
     all.push_back(std::move(*missing));

@@ -117,7 +117,8 @@ CsvFile::CsvFile(const std::filesystem::path& path, LastLine last_line)
 void CsvFile::AddRow(const std::vector<std::string_view>& fields, int line) {
   if (fields_.empty()) {  // room for all at once: growing would need twice as much
     const auto lines = static_cast<std::size_t>(std::count(text_->begin(), text_->end(), '\n'));
-    fields_.reserve((lines + 1) * columns_.size());
+    // Each field takes a byte at least, its separator or the end of its line.
+    fields_.reserve(std::min((lines + 1) * columns_.size(), text_->size() + 1));
     line_of_row_.reserve(lines + 1);
   }
   for (const std::string_view field : fields) {

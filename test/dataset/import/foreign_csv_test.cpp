@@ -100,6 +100,19 @@ TEST_F(ForeignCsv, AFieldThatNoTableHasIsRefused) {
   EXPECT_FALSE(fs::exists(Out()));
 }
 
+// Room is made for what the text can hold, not for as many wide rows as it has lines.
+TEST_F(ForeignCsv, AWideTableWithMillionsOfEmptyLinesIsRead) {
+  std::string head = "t,x,y", first = "0,1.5,-2", second = "1,3,4e-3";
+  for (int k = 0; k < 200'000; ++k) {
+    head += ",c" + std::to_string(k);
+    first += ",";
+    second += ",";
+  }
+  Log(head + "\n" + first + "\n" + second + std::string(5'000'000, '\n'));
+  Import(kSeconds + Table("x", "y"));
+  EXPECT_EQ(Rows(), kTwoRows);
+}
+
 TEST_F(ForeignCsv, BadRowsAreLeftOutAndCounted) {
   Log("t,x,y\n0,1.5,-2\n0.5,ERR,1\n0.6,1,2,3\n0.2,9,9\n1,3,4e-3\n1,8,8\n");
   EXPECT_THAT([&] { Import(kSeconds + Table("x", "y")); },

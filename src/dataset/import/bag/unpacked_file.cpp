@@ -75,7 +75,7 @@ void UnpackedFile::Unpack() {
     const std::string piece = packed.Read(at, std::min(kPiece, packed.size() - at));
     at += piece.size();
     ZSTD_inBuffer in{piece.data(), piece.size(), 0};
-    for (bool full = false; in.pos < in.size || full;) {
+    for (bool full = false; in.pos < in.size || (full && left != 0);) {
       ZSTD_outBuffer to{out.data(), out.size(), 0};
       left = ZSTD_decompressStream(stream.get(), &to, &in);
       if (ZSTD_isError(left)) {
