@@ -1,6 +1,7 @@
 #include "core/workers.h"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 namespace tera {
@@ -11,7 +12,11 @@ constexpr std::size_t kRangesPerThread = 2;  ///< so that a thread that comes la
 }  // namespace
 
 Workers::Workers(int threads) {
-  for (int t = 1; t < threads; ++t) others_.emplace_back([this] { Wait(); });
+  try {
+    for (int t = 1; t < threads; ++t) others_.emplace_back([this] { Wait(); });
+  } catch (const std::system_error&) {
+    // The computer gives no more threads; those that there are do the work of all.
+  }
 }
 
 Workers::~Workers() {

@@ -19,7 +19,8 @@ namespace tera {
 /// Omits   loops within loops; one caller at a time.
 class Workers {
  public:
-  /// `threads` in all, the calling one among them; below 1 counts as 1.
+  /// `threads` in all, the calling one among them; below 1 counts as 1. Where the computer gives
+  /// fewer, with fewer.
   explicit Workers(int threads);
   ~Workers();
   Workers(const Workers&) = delete;

@@ -264,7 +264,8 @@ void SceneAssembly::AddObstacle(const ScenarioObstacle& obstacle) {
   }
   const int first_limb = model_.body_count;
   for (std::size_t k = 0; k < obstacle.gait.limbs.size(); ++k) {
-    AddNode(obstacle.gait.limbs[k].visual, AddBody(), obstacle.label, instance, NodeWear{});
+    AddNode(obstacle.gait.limbs[k].visual, AddBody(), obstacle.label, instance,
+            WearOnGround(wear, soil));
     GrowBoxByLimb(obstacle, k, model_.meshes[model_.nodes.back().mesh],
                   &model_.instances[instance]);
   }

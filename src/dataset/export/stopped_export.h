@@ -11,8 +11,8 @@ namespace tera {
 class WholeFolder;
 
 /// What tells one export from another, a line for each: version of the program, options, digest of
-/// dataset.yaml and length of each channel's table. Where all of it is the same, so are the bytes
-/// of the export.
+/// dataset.yaml and length of each channel's table. It tells other recordings and other options; a
+/// table that was changed to one of the same length, and changed pictures, it does not.
 std::string ExportKey(const Recording& recording, const ExportOptions& options);
 
 /// Makes ready the folder of an export that a stopped one may have begun: it then holds

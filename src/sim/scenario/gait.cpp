@@ -62,7 +62,12 @@ Gait ReadGait(const ConfigMap& config, const Visual& body) {
   gait.rise_m = given.Numbers("rise_m", Between(-kHighest_m, kHighest_m, "m"), 1, kMostMoments);
   for (const ConfigMap& item : given.List("limbs")) {
     gait.limbs.push_back(ReadLimb(item, body, gait.limbs));
+    const std::string& name = gait.limbs.back().name;
+    if (std::ranges::count(gait.limbs, name, &ObstacleLimb::name) > 1) {
+      item.Fault("name", fmt::format("'{}' is named twice; need another name for each limb", name));
+    }
   }
+  if (gait.limbs.empty()) given.Fault("limbs", "is empty; need a limb that swings, or no gait");
   return gait;
 }
 

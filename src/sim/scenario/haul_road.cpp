@@ -105,6 +105,7 @@ std::vector<Vec2> PathAlong(const HaulRoad& road, double aside_m, const ShareRow
 
 std::vector<Windrow> WindrowsOf(const HaulRoad& road, double least_m, double most_m,
                                 const ShareRow& shares) {
+  constexpr double kShortest_m = 2;
   std::vector<Windrow> windrows;
   std::uint32_t drawn = 0;
   for (const auto& [from_m, to_m] :
@@ -113,12 +114,14 @@ std::vector<Windrow> WindrowsOf(const HaulRoad& road, double least_m, double mos
     const Vec2 along = (to_m - from_m).normalized();
     for (const double side : {-1.0, 1.0}) {
       for (double way_m = 2 * shares(drawn++); way_m < length_m;) {
-        const double end_m = std::min(way_m + 2 + 4 * shares(drawn++), length_m);
+        const double end_m = std::min(way_m + kShortest_m + 4 * shares(drawn++), length_m);
         const double height_m = least_m + (most_m - least_m) * shares(drawn++);
         const double aside_m = side * (0.5 * road.width_m + 0.5 * (shares(drawn++) - 0.3));
         const Vec2 out_m = aside_m * LeftOf(from_m, to_m);
-        windrows.push_back(
-            {from_m + way_m * along + out_m, from_m + end_m * along + out_m, height_m});
+        if (end_m - way_m >= kShortest_m) {  // the last one may find no room
+          windrows.push_back(
+              {from_m + way_m * along + out_m, from_m + end_m * along + out_m, height_m});
+        }
         way_m = end_m + 2.5 * shares(drawn++);
       }
     }

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kShoulder = 0.2;  // of a rut's width, on each side
 constexpr double kWidestRut_m = 3, kWidestGauge_m = 10, kDeepest_m = 0.5;
+constexpr double kFurthest_m = 1e5;
 
 /// Where a point is beside a path.
 struct Beside {
@@ -62,7 +63,8 @@ std::vector<RutPlan> ReadRuts(const ConfigMap& config) {
   if (!config.Has("ruts")) return all;  // nothing is written where there are none
   for (const ConfigMap& item : config.List("ruts")) {
     RutPlan ruts;
-    for (const auto& row : item.NumberRows("path_m", Any("m"), 2, 0)) {
+    for (const auto& row :
+         item.NumberRows("path_m", Between(-kFurthest_m, kFurthest_m, "m"), 2, 0)) {
       ruts.path_W_m.emplace_back(row[0], row[1]);
     }
     if (ruts.path_W_m.size() < 2) {
@@ -72,6 +74,12 @@ std::vector<RutPlan> ReadRuts(const ConfigMap& config) {
     ruts.gauge_m = item.Number("gauge_m", Between(0, kWidestGauge_m, "m"), 0);
     ruts.width_m = item.Number("width_m", Between(0.05, kWidestRut_m, "m"));
     ruts.depth_m = item.Number("depth_m", Between(0, kDeepest_m, "m"));
+    if (ruts.gauge_m > 0 && ruts.gauge_m < ruts.width_m) {
+      item.Fault("gauge_m",
+                 fmt::format("{} m lets two ruts of {} m lie over each other; need at least "
+                             "their width, or 0 for one rut",
+                             ruts.gauge_m, ruts.width_m));
+    }
     all.push_back(ruts);
   }
   return all;

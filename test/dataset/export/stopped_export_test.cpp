@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "dataset/export/export.h"
+#include "dataset/export/webdataset/tar_writer.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/format/sample_recording.h"
 
@@ -159,6 +160,26 @@ TEST_F(StoppedExport, OfNuscenesHasItsTablesOfAllFrames) {
 // 0.
 TEST_F(StoppedExport, OfWebdatasetGoesOnWithTheArchivesThatAreWhole) {
   EXPECT_EQ(KeptOf({.format = ExportFormat::kWebdataset, .shard_bytes = 1}, kPicture), 2 + 1);
+}
+
+// The archive of scans comes first; its samples are named by their times.
+TEST_F(StoppedExport, OfWebdatasetWritesAnewWhatHoldsNoSamples) {
+  ExportOptions options = {.format = ExportFormat::kWebdataset};
+  Export(run(), out(), options);
+  const auto whole = AllFiles(out());
+  fs::remove_all(out());
+  const auto archive = std::ranges::find_if(
+      whole, [](const auto& file) { return file.first.ends_with("-000000.tar"); });
+  ASSERT_NE(archive, whole.end());
+  LeaveHalf(options, archive->first);
+  TarWriter tar(half() / archive->first);
+  tar.Add("", "notes.of.mine", "");
+  tar.Commit();
+  options.resume = true;
+  Export(run(), out(), options);
+  for (const auto& [name, content] : whole) {
+    EXPECT_TRUE(ReadWholeFile(out() / name) == content) << name;
+  }
 }
 
 TEST_F(StoppedExport, OfOneFileBeginsAgain) {

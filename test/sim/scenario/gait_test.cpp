@@ -60,6 +60,11 @@ TEST(Gait, EveryFaultIsNamed) {
   EXPECT_THAT(FaultsOf(Walker(", keypoints: [{name: nose, limb: head, xyz_m: [0, 0, 1]}]")),
               HasSubstr("keypoints[0].limb: 'head' is no limb named above it"));
   EXPECT_THAT(FaultsOf(Walker(", gait: {rise_m: [5]}")), HasSubstr("rise_m"));
+  EXPECT_THAT(FaultsOf(Walker(", gait: {rise_m: [0, 0.1], limbs: []}")),
+              HasSubstr("gait.limbs: is empty; need a limb that swings, or no gait"));
+  const std::string limb = "{name: leg, node: trunk, joint_m: [0, 0, 1], swing_deg: [0]}";
+  EXPECT_THAT(FaultsOf(Walker(", gait: {limbs: [" + limb + ", " + limb + "]}")),
+              HasSubstr("limbs[1].name: 'leg' is named twice"));
 }
 
 }  // namespace

@@ -52,6 +52,11 @@ TEST(OldRuts, EveryFaultIsNamed) {
               HasSubstr("ruts[0].depth_m: 0.8 is out of range"));
   EXPECT_THAT(FaultsOf("ruts: [{path_m: [[0, 0], [1, 0]], width_m: 9, depth_m: 0.1}]\n"),
               HasSubstr("ruts[0].width_m: 9 is out of range"));
+  EXPECT_THAT(FaultsOf("ruts: [{path_m: [[-1e12, 0], [1e12, 0]], width_m: 0.3, depth_m: 0.1}]\n"),
+              HasSubstr("ruts[0].path_m"));
+  EXPECT_THAT(
+      FaultsOf("ruts: [{path_m: [[0, 0], [1, 0]], gauge_m: 0.2, width_m: 0.3, depth_m: 0.1}]\n"),
+      HasSubstr("ruts[0].gauge_m: 0.2 m lets two ruts of 0.3 m lie over each other"));
 }
 
 }  // namespace

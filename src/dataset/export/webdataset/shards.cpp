@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <system_error>
 
 #include "dataset/export/sensor_names.h"
 #include "dataset/export/webdataset/tar_names.h"
@@ -12,7 +14,9 @@ namespace tera {
 Shards::Shards(const std::filesystem::path& folder, const std::string& sensor,
                std::int64_t most_bytes)
     : folder_(folder), most_bytes_(most_bytes), archives_{sensor, FlatName(sensor), {}, {}} {
-  while (const auto names = NamesInTar(folder_ / FileName())) TakeArchive(*names);
+  while (const auto names = NamesInTar(folder_ / FileName())) {
+    if (!TakeArchive(*names)) return;
+  }
 }
 
 void Shards::AddEnding(const std::string& ending) {
@@ -22,17 +26,24 @@ void Shards::AddEnding(const std::string& ending) {
   }
 }
 
-void Shards::TakeArchive(const std::vector<std::string>& names) {
-  std::int64_t samples = 0;
+bool Shards::TakeArchive(const std::vector<std::string>& names) {
+  std::vector<TimeNs> times_ns;
   for (const std::string& name : names) {
-    const std::size_t point = name.find('.');
-    const TimeNs t_ns = std::stoll(name.substr(0, point));
-    if (last_ns_ != t_ns) ++samples;
-    last_ns_ = t_ns;
-    AddEnding(name.substr(point + 1));
+    TimeNs t_ns = 0;
+    const char* const point = name.data() + std::min(name.find('.'), name.size());
+    const auto [end, error] = std::from_chars(name.data(), point, t_ns);
+    if (error != std::errc() || end != point || *point != '.') return false;
+    times_ns.push_back(t_ns);
+  }
+  std::int64_t samples = 0;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (last_ns_ != times_ns[k]) ++samples;
+    last_ns_ = times_ns[k];
+    AddEnding(names[k].substr(names[k].find('.') + 1));
   }
   const auto bytes = static_cast<std::int64_t>(std::filesystem::file_size(folder_ / FileName()));
   archives_.archives.push_back({FileName(), samples, bytes});
+  return true;
 }
 
 std::string Shards::FileName() const {

@@ -42,8 +42,8 @@ class Shards {
   std::string FileName() const;
   void CommitShard();
   void AddEnding(const std::string& ending);
-  /// Counts an archive of these files in.
-  void TakeArchive(const std::vector<std::string>& names);
+  /// Counts an archive of these files in; false where they are not named as samples are.
+  bool TakeArchive(const std::vector<std::string>& names);
 
   std::filesystem::path folder_;
   std::int64_t most_bytes_;
