@@ -202,6 +202,7 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
   }
   diagnosis.next = NextManoeuvreOf(*input.model, diagnosis.blocks, options);
   for (HeldOutBlocks& one : held_out) {
+    StampAnew(diagnosis.sensors.estimate, options.blocks.threads, options.seed, &one);
     diagnosis.held_out.push_back(
         ValidateHeldOut(diagnosis.blocks, options.blocks, options.seed, &one));
   }

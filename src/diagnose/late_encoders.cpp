@@ -30,7 +30,7 @@ double LikelihoodByLevers(const std::vector<ReplayBlock>& blocks) {
 
 }  // namespace
 
-void StampEncodersAnew(const DiagnosisInput& input, const SensorDiagnosis& estimate,
+bool StampEncodersAnew(const DiagnosisInput& input, const SensorDiagnosis& estimate,
                        const BlockOptions& options, Measurements* measured) {
   BlockOptions of_axes = options;
   of_axes.needs_any = false;
@@ -41,6 +41,7 @@ void StampEncodersAnew(const DiagnosisInput& input, const SensorDiagnosis& estim
     alone.start_ns = measured->start_ns;
     return LikelihoodByLevers(BlocksOf(input, alone, of_axes));
   };
+  bool has_changed = false;
   for (const SensorFinding& found : estimate.findings) {
     if (found.mechanism != "clock_offset" || !found.rivals.empty()) continue;
     std::vector<NamedEncoders> anew = measured->encoders;
@@ -54,7 +55,9 @@ void StampEncodersAnew(const DiagnosisInput& input, const SensorDiagnosis& estim
     }
     if (!is_encoder || likelihood(anew) <= likelihood(measured->encoders)) continue;
     measured->encoders = std::move(anew);
+    has_changed = true;
   }
+  return has_changed;
 }
 
 }  // namespace tera

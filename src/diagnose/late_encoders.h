@@ -14,7 +14,8 @@ namespace tera {
 ///         other, all together. Where the levers share the encoders' clock, or say nothing, stamps
 ///         stay.
 /// Omits   delays of drives, which make the later stamps likelier.
-void StampEncodersAnew(const DiagnosisInput& input, const SensorDiagnosis& estimate,
+/// Returns whether any stamp has changed.
+bool StampEncodersAnew(const DiagnosisInput& input, const SensorDiagnosis& estimate,
                        const BlockOptions& options, Measurements* measured);
 
 }  // namespace tera

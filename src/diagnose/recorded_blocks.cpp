@@ -13,29 +13,18 @@
 #include "core/in_parallel.h"
 #include "core/units.h"
 #include "diagnose/blocks/axis_block.h"
-#include "diagnose/blocks/base_block.h"
 #include "diagnose/blocks/effort_block.h"
 #include "diagnose/blocks/gnss_block.h"
 #include "diagnose/blocks/imu_block.h"
-#include "diagnose/blocks/measured_heading.h"
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/discrepancy/as_simulated.h"
 #include "diagnose/input_checks.h"
-#include "diagnose/sensors/sensor_parameters.h"
+#include "diagnose/recorded_base.h"
 
 namespace tera {
 namespace {
 
 constexpr double kMostStepOfPeriod = 0.2;  ///< step of a replay over an encoder's period
-
-bool Measures(const std::vector<NamedEncoders>& encoders, const std::string& axis) {
-  for (const NamedEncoders& named : encoders) {
-    for (const EncoderAxis& measured : named.recording.axes) {
-      if (measured.name == axis) return true;
-    }
-  }
-  return false;
-}
 
 /// The step of the axes' replay: fine enough for the fastest encoder, and no finer than wanted.
 double AxisStep_s(const std::vector<NamedEncoders>& encoders, double wanted_s) {
@@ -135,67 +124,13 @@ void AddEfforts(const DiagnosisInput& input, const Measurements& measured,
   }
 }
 
-bool MeasuresGears(const DiagnosisInput& input, const Measurements& measured) {
-  const auto& gears = input.model->ground_tools.gears;
-  const bool all = std::all_of(gears.begin(), gears.end(), [&](const RunningGear& gear) {
-    return Measures(measured.encoders, gear.name);
-  });
-  return !gears.empty() && all;
-}
-
-bool HasBase(const DiagnosisInput& input, const Measurements& measured) {
-  return MeasuresGears(input, measured) && !BasePoses(measured).empty();
-}
-
-/// Why the base of a machine that has running gear is not compared, though half of what that takes
-/// was measured.
-std::string WithoutBaseText(const DiagnosisInput& input, const Measurements& measured) {
-  const std::string base = input.machine + "/base: ";
-  if (input.model->ground_tools.gears.empty()) return "";
-  if (MeasuresGears(input, measured)) {
-    return base +
-           "its motion is not known; need poses, two receivers, or a receiver and an "
-           "inertial unit";
-  }
-  if (BasePoses(measured).empty()) return "";
-  return base + "what its tracks or wheels did is not known; need encoders of all of them";
-}
-
-/// The times at which poses were measured, where they are stamped as they arrive.
-std::optional<PoseTimes> ArrivalsOf(const Measurements& measured) {
-  if (!measured.poses_were_measured || measured.poses.empty()) return std::nullopt;
-  return TimesOfArrivals(measured.poses);
-}
-
-/// Adds the block of the base, where all gears have encoders and its motion is known.
+/// Adds the block of the base, or what is missing for it.
 void AddBase(const DiagnosisInput& input, const Measurements& measured, const BlockOptions& options,
              Made* out) {
-  if (!HasBase(input, measured)) {
-    const std::string why = WithoutBaseText(input, measured);
-    if (!why.empty()) out->motion_unknown.push_back(why);
-    return;
-  }
-  if (!HaveCommonTime(*input.model, measured.encoders, BasePoses(measured))) {
-    out->motion_unknown.push_back(input.machine +
-                                  "/base: its motion and what its tracks or wheels did have no "
-                                  "time in common; need clocks that count from the same event "
-                                  "(`time` of the import)");
-    return;
-  }
-  // The gears' encoders bound the time.
-  const BaseLog log = MakeBaseLog(*input.model, measured.encoders, BasePoses(measured),
-                                  options.base_interval_s, ArrivalsOf(measured));
-  const bool has_poses = !measured.poses.empty();
-  if (auto block = MakeBaseBlock(*input.model, log, input.machine + "/base",
-                                 measured.poses_were_measured && has_poses)) {
-    if (measured.poses_were_measured || !has_poses) {
-      const ParameterTable table{.stated = input.tolerances};
-      LetHeadingErr(table.HalfWidthOf(std::string(kPoses), "mount_rotation", "yaw_deg") * kDeg,
-                    &*block);
-    }
-    block->rest_shows_noise = has_poses;
-    out->blocks.push_back(std::move(*block));
-  }
+  std::string why_not;
+  auto block = RecordedBase(input, measured, options.base_interval_s, &why_not);
+  if (block) out->blocks.push_back(std::move(*block));
+  if (!why_not.empty()) out->motion_unknown.push_back(why_not);
 }
 
 /// Adds the discrepancies of the replays of joints and gears.
@@ -210,26 +145,6 @@ void AddRateDiscrepancies(const DiagnosisInput& input, const Measurements& measu
     std::vector<double> left = RateDiscrepancy(*input.model, log, course, axis);
     if (!left.empty()) out->push_back({log.measured[axis].channel, {left}});
   }
-}
-
-/// Adds the discrepancy of the base's replay.
-void AddMotionDiscrepancy(const DiagnosisInput& input, const Measurements& measured,
-                          const std::vector<NamedEncoders>& simulated,
-                          const SimulatedCourse& course, const BlockOptions& options,
-                          std::vector<ReplayDiscrepancy>* out) {
-  if (!HasBase(input, measured)) return;
-  const auto log_of = [&](const auto& encoders, const auto& poses) {
-    return MakeBaseLog(*input.model, encoders, poses, options.base_interval_s);
-  };
-  const std::vector<TruthPose>& poses = BasePoses(measured);
-  const std::vector<TruthPose> simulated_poses = AsSimulated(course, poses);
-  if (!HaveCommonTime(*input.model, measured.encoders, poses) ||
-      !HaveCommonTime(*input.model, simulated, simulated_poses)) {
-    return;
-  }
-  auto left = MotionDiscrepancy(*input.model, log_of(measured.encoders, poses),
-                                log_of(simulated, simulated_poses));
-  if (!left.empty()) out->push_back({input.machine + "/base/forward_mps", std::move(left)});
 }
 
 /// The reason for which a recorded sensor makes no block.
@@ -411,8 +326,12 @@ std::vector<ReplayDiscrepancy> ReplayDiscrepanciesOf(const DiagnosisInput& input
         std::vector<ReplayDiscrepancy> discrepancy;
         std::vector<std::string> obstacles;  // BlocksOf reports them
         Try(measured.recording, &obstacles, [&] {
-          k == 0 ? AddRateDiscrepancies(input, measured, encoders, options, &discrepancy)
-                 : AddMotionDiscrepancy(input, measured, encoders, course, options, &discrepancy);
+          if (k == 0) {
+            AddRateDiscrepancies(input, measured, encoders, options, &discrepancy);
+          } else if (auto base = RecordedBaseDiscrepancy(input, measured, encoders, course,
+                                                         options.base_interval_s)) {
+            discrepancy.push_back(std::move(*base));
+          }
         });
         return discrepancy;
       });

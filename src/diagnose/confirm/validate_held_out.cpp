@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "diagnose/diagnose_blocks.h"
+#include "diagnose/late_encoders.h"
 #include "diagnose/search/fit/excluded_samples.h"
+#include "diagnose/sensors/late_poses.h"
 
 namespace tera {
 namespace {
@@ -25,19 +27,34 @@ void ReplaceSensorBlocks(const BlockOptions& options, HeldOutBlocks* held_out) {
   }
 }
 
+void MakeBlocks(int threads, std::uint64_t seed, HeldOutBlocks* held_out) {
+  const BlockOptions options{.threads = threads};
+  const DiagnosisInput& input = held_out->given.input;
+  held_out->blocks = BlocksOf(input, held_out->measured, options);
+  if (held_out->as_it_is) {
+    CorrectDiscrepancies(
+        ReplayDiscrepanciesOf(input, held_out->measured, options, *held_out->as_it_is), seed,
+        threads, &held_out->blocks);
+  }
+  ExcludeLaggingSamples(&held_out->blocks);
+}
+
 }  // namespace
 
 HeldOutBlocks ReadHeldOut(const HeldOutCase& given, const SimulateMachine& simulate, int threads,
                           std::uint64_t seed) {
-  const BlockOptions options{.threads = threads};
-  HeldOutBlocks held_out{given, MeasurementsOf(given.input, *given.recording), {}};
-  held_out.blocks = BlocksOf(given.input, held_out.measured, options);
-  if (const auto course = SimulateAsItIs(given.input, held_out.measured, simulate)) {
-    CorrectDiscrepancies(ReplayDiscrepanciesOf(given.input, held_out.measured, options, *course),
-                         seed, threads, &held_out.blocks);
-  }
-  ExcludeLaggingSamples(&held_out.blocks);
+  HeldOutBlocks held_out{given, MeasurementsOf(given.input, *given.recording), {}, {}};
+  held_out.as_it_is = SimulateAsItIs(given.input, held_out.measured, simulate);
+  MakeBlocks(threads, seed, &held_out);
   return held_out;
+}
+
+void StampAnew(const SensorDiagnosis& estimate, int threads, std::uint64_t seed,
+               HeldOutBlocks* held_out) {
+  const bool has_late_poses = StampPosesAnew(estimate, &held_out->measured);
+  const bool has_late_encoders =
+      StampEncodersAnew(held_out->given.input, estimate, {.threads = threads}, &held_out->measured);
+  if (has_late_poses || has_late_encoders) MakeBlocks(threads, seed, held_out);
 }
 
 HeldOutRecording ValidateHeldOut(const std::vector<DiagnosedBlock>& diagnosed,

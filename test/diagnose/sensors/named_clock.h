@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "diagnose/sensors/sensor_diagnosis.h"
+
+namespace tera {
+
+/// An estimate that names the clock of `target`, late by `offset_s`, and nothing else.
+inline SensorDiagnosis NamedClock(const std::string& target, double offset_s) {
+  SensorFinding found;
+  found.target = target;
+  found.mechanism = "clock_offset";
+  found.numbers = {{"offset_s", "s", offset_s, 0.01, 0, 0.04, true}};
+  SensorDiagnosis estimate;
+  estimate.findings = {found};
+  return estimate;
+}
+
+}  // namespace tera
