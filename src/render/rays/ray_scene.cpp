@@ -4,134 +4,26 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <limits>
-#include <mutex>
 #include <string>
 #include <utility>
 
 #include "core/check.h"
-#include "core/error.h"
-#include "render/air/wet_surface.h"
-#include "render/rays/embree_objects.h"
+#include "render/rays/body_shape.h"
+#include "render/rays/embree_watch.h"
+#include "render/rays/motion_keys.h"
 #include "render/rays/ray_terrain.h"
 #include "render/rays/threads.h"
 
 namespace tera {
 namespace {
 
-/// Turn of a body between two motion keys above which keys are added: the chord between keys then
-/// stays within r * 0.01^2 / 8 of the arc, 0.05 mm at r = 4 m.
-constexpr double kKeyTurn_rad = 0.01;
 /// Rays that one thread takes at a time.
 constexpr std::size_t kRaysPerBlock = 1024;
 /// Rays that Embree follows together; divides kRaysPerBlock, so that packets are the same whatever
 /// the number of threads.
 constexpr std::size_t kPacket = 8;
 constexpr unsigned kAllGeometry = 0xffffffffu;
-
-/// The first error that Embree reports, from whatever thread. It is kept rather than thrown where
-/// it arises, below Embree's own frames.
-class EmbreeErrors {
- public:
-  void Watch(RTCDevice device) { rtcSetDeviceErrorFunction(device, &EmbreeErrors::Keep, this); }
-  void Check() const {
-    const std::lock_guard lock(mutex_);
-    if (!first_.empty()) throw InternalError(first_);
-  }
-
- private:
-  static void Keep(void* self, RTCError code, const char* text) {
-    auto& errors = *static_cast<EmbreeErrors*>(self);
-    const std::lock_guard lock(errors.mutex_);
-    if (!errors.first_.empty()) return;
-    errors.first_ = fmt::format("Embree error {}: {}", static_cast<int>(code), text);
-  }
-
-  mutable std::mutex mutex_;
-  std::string first_;
-};
-
-/// What a device has taken of memory and not given back; must outlive it.
-class EmbreeMemory {
- public:
-  void Watch(RTCDevice device) {
-    rtcSetDeviceMemoryMonitorFunction(device, &EmbreeMemory::Count, this);
-  }
-  std::int64_t bytes() const { return bytes_; }
-
- private:
-  static bool Count(void* self, ssize_t bytes, bool /*post*/) {
-    static_cast<EmbreeMemory*>(self)->bytes_ += bytes;
-    return true;
-  }
-
-  std::atomic<std::int64_t> bytes_ = 0;
-};
-
-/// Glass and bare metal reflect under a film of water as without.
-double ReflectanceOf(const Material& material, bool is_wet) {
-  const double dry =
-      material.lidar_reflectance >= 0 ? material.lidar_reflectance : material.albedo.mean();
-  const bool is_diffuse = material.opacity >= 1 && material.metallic < 0.5;
-  return is_wet && is_diffuse ? WetReflectance(dry) : dry;
-}
-
-/// The meshes of one body, or of several bodies that look alike.
-struct BodyShape {
-  std::vector<int> meshes;  ///< of each node, with X_BG and scale: what makes shapes alike
-  std::vector<Pose> X_BG;
-  std::vector<double> scale;
-  EmbreeScene scene;
-  struct Part {
-    int node;  ///< place in the body's list of nodes
-    float reflectance, opacity;
-  };
-  std::vector<Part> parts;  ///< by geometry id within `scene`
-
-  bool Alike(const BodyShape& o) const {
-    if (meshes != o.meshes || scale != o.scale) return false;
-    for (std::size_t i = 0; i < X_BG.size(); ++i) {
-      if (X_BG[i].matrix() != o.X_BG[i].matrix()) return false;
-    }
-    return true;
-  }
-};
-
-void AttachPart(RTCDevice device, const MeshPart& part, const Pose& X_BG, double scale,
-                RTCScene scene) {
-  const EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
-  auto* vertices = static_cast<float*>(
-      rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                              3 * sizeof(float), part.positions_m.size()));
-  for (std::size_t i = 0; i < part.positions_m.size(); ++i) {
-    const Eigen::Vector3f p_B = (X_BG * (scale * part.positions_m[i].cast<double>())).cast<float>();
-    std::copy_n(p_B.data(), 3, vertices + 3 * i);
-  }
-  auto* indices = static_cast<std::uint32_t*>(
-      rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                              3 * sizeof(std::uint32_t), part.indices.size() / 3));
-  std::copy(part.indices.begin(), part.indices.end(), indices);
-  rtcCommitGeometry(geometry.get());
-  rtcAttachGeometry(scene, geometry.get());
-}
-
-EmbreeScene NewScene(RTCDevice device) {
-  EmbreeScene scene(rtcNewScene(device));
-  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
-  return scene;
-}
-
-/// Adds what can be hit of `parts`, the mesh at place `node` of the body's nodes.
-void AttachParts(RTCDevice device, const std::vector<MeshPart>& parts, int node, bool is_wet,
-                 BodyShape* shape) {
-  for (const MeshPart& part : parts) {
-    if (part.material.opacity <= 0 || part.indices.empty()) continue;
-    AttachPart(device, part, shape->X_BG[node], shape->scale[node], shape->scene.get());
-    shape->parts.push_back({node, static_cast<float>(ReflectanceOf(part.material, is_wet)),
-                            static_cast<float>(part.material.opacity)});
-  }
-}
 
 RTCRayHit QueryFor(const Ray& ray) {
   RTCRayHit query;
@@ -150,32 +42,6 @@ RTCRayHit QueryFor(const Ray& ray) {
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   return query;
-}
-
-/// Poses of one body over the interval, refined until neighbours are less than kKeyTurn_rad apart.
-std::vector<Pose> MotionKeys(const std::vector<std::vector<Pose>>& poses, std::size_t body) {
-  std::vector<Pose> keys;
-  double turn = 0;
-  bool moves = false;
-  for (const std::vector<Pose>& at : poses) {
-    if (!keys.empty()) {
-      moves = moves || keys.back().matrix() != at[body].matrix();
-      turn = std::max(turn, Quat(keys.back().linear()).angularDistance(Quat(at[body].linear())));
-    }
-    keys.push_back(at[body]);
-  }
-  if (!moves) return {keys.front()};
-  const int intervals = static_cast<int>(keys.size()) - 1;
-  const int most = (RTC_MAX_TIME_STEP_COUNT - 1) / intervals;
-  const int pieces = std::clamp(static_cast<int>(std::ceil(turn / kKeyTurn_rad)), 1, most);
-  std::vector<Pose> fine;
-  for (int i = 0; i < intervals; ++i) {
-    for (int k = 0; k < pieces; ++k) {
-      fine.push_back(Interpolate(keys[i], keys[i + 1], static_cast<double>(k) / pieces));
-    }
-  }
-  fine.push_back(keys.back());
-  return fine;
 }
 
 }  // namespace

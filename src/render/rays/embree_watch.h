@@ -1,0 +1,54 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cstdint>
+#include <mutex>
+#include <string>
+
+#include "core/error.h"
+#include "render/rays/embree_objects.h"
+
+namespace tera {
+
+/// The first error that Embree reports, from whatever thread. It is kept rather than thrown where
+/// it arises, below Embree's own frames.
+class EmbreeErrors {
+ public:
+  void Watch(RTCDevice device) { rtcSetDeviceErrorFunction(device, &EmbreeErrors::Keep, this); }
+  void Check() const {
+    const std::lock_guard lock(mutex_);
+    if (!first_.empty()) throw InternalError(first_);
+  }
+
+ private:
+  static void Keep(void* self, RTCError code, const char* text) {
+    auto& errors = *static_cast<EmbreeErrors*>(self);
+    const std::lock_guard lock(errors.mutex_);
+    if (!errors.first_.empty()) return;
+    errors.first_ = fmt::format("Embree error {}: {}", static_cast<int>(code), text);
+  }
+
+  mutable std::mutex mutex_;
+  std::string first_;
+};
+
+/// What a device has taken of memory and not given back; must outlive it.
+class EmbreeMemory {
+ public:
+  void Watch(RTCDevice device) {
+    rtcSetDeviceMemoryMonitorFunction(device, &EmbreeMemory::Count, this);
+  }
+  std::int64_t bytes() const { return bytes_; }
+
+ private:
+  static bool Count(void* self, ssize_t bytes, bool /*post*/) {
+    static_cast<EmbreeMemory*>(self)->bytes_ += bytes;
+    return true;
+  }
+
+  std::atomic<std::int64_t> bytes_ = 0;
+};
+
+}  // namespace tera
