@@ -32,6 +32,7 @@ NODES = {
     "walker": {"trunk"} | {f"{side}_{limb}" for side in ("left", "right")
                            for limb in ("thigh", "shank", "boot", "upper_arm", "forearm")},
     "yard": {"pipe", "pipes", "planks", "manhole", "blocks", "stake"},
+    "litter": {"pallets", "bags", "drum", "rubble", "rebar", "barrels", "tuft", "weed"},
     "fixed_arm": {"base", "link1", "link2", "link3"},
     **check_heavy.NODES,
 }

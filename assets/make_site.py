@@ -4,6 +4,7 @@ import pathlib
 
 import people
 import person
+import site_litter
 import site_objects
 import vehicles
 import walker
@@ -24,6 +25,7 @@ FILES = {
     "container": site_objects.container,
     "fixed_arm": site_objects.fixed_arm,
     "yard": yard_objects.nodes,
+    "litter": site_litter.nodes,
 }
 
 if __name__ == "__main__":

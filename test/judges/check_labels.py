@@ -31,12 +31,12 @@ import yaml
 COCO = ["nose", "left_eye", "right_eye", "left_ear", "right_ear", "left_shoulder", "right_shoulder", "left_elbow", "right_elbow",
         "left_wrist", "right_wrist", "left_hip", "right_hip", "left_knee", "right_knee", "left_ankle", "right_ankle"]
 KNOWN = ["semantic", "instance", "normal", "distance", "flow_to_previous", "flow_to_this", "scene_flow_to_previous",
-         "ground_soil", "ground_state", "ground_change", "ground_age", "dust_optical_depth"]
+         "ground_soil", "ground_state", "ground_change", "ground_age", "dust_optical_depth", "panoptic", "soil_in_flight"]
 FORM = {"rgb": (np.uint8, 3), "depth": (np.uint16, 1), "semantic": (np.uint8, 1), "instance": (np.uint16, 1),
         "normal": (np.uint16, 3), "distance": (np.uint16, 1), "flow_to_previous": (np.uint16, 3), "flow_to_this": (np.uint16, 3),
         "scene_flow_to_previous": (np.uint16, 3), "ground_soil": (np.uint8, 1), "ground_state": (np.uint8, 3),
         "ground_change": (np.uint16, 1), "ground_age": (np.uint16, 1),
-        "dust_optical_depth": (np.uint16, 1)}
+        "dust_optical_depth": (np.uint16, 1), "panoptic": (np.uint8, 3), "soil_in_flight": (np.uint8, 1)}
 
 # C (x right, y down, z forward) in S (x forward, y left, z up).
 R_SC = np.array([[0.0, 0, 1], [-1, 0, 0], [0, -1, 0]])
@@ -533,6 +533,17 @@ def check_classes(j, data, cam, f, where):
     row["n"] += instance.size
     row["worst"] = max(row["worst"] or 0, bad)
     row["faults"] += bad > 0
+    if f.image.get("panoptic") is not None:
+        number = f.image["panoptic"].astype(np.int64) @ np.array([1, 1 << 8, 1 << 16])
+        j.all_within("panoptic: class + 256 instance", number != semantic + 256 * instance.astype(np.int64), 0, where, f.t, "px")
+    flying = f.image.get("soil_in_flight")
+    if flying is not None:
+        j.all_within("soil in flight: 0 or 255, of the terrain's class, of no instance",
+                     (flying != 0) & ((flying != 255) | (semantic != data.class_id["terrain"]) | (instance != 0)), 0, where, f.t, "px")
+        if f.image.get("ground_soil") is not None:
+            j.all_within("soil in flight: no ground of the site", (flying != 0) & (f.image["ground_soil"] != 0), 0, where, f.t, "px")
+            # Within the site, what is terrain and no ground of it is in the air; f.clod is empty in the first picture.
+            j.all_within("soil in flight: wherever terrain is no ground", f.clod & (flying == 0), 0, where, f.t, "px")
     dark = ~cam.lens.seen
     # Half a pixel on either side of the image circle may go either way.
     dark = spread(dark, 3)[0] > 0

@@ -10,7 +10,7 @@ import tempfile
 from pathlib import Path
 
 LABELS = ("[semantic,instance,normal,distance,flow_to_previous,flow_to_this,scene_flow_to_previous,ground_soil,ground_state,"
-          "ground_change,ground_age]")
+          "ground_change,ground_age,panoptic,soil_in_flight]")
 FRONT, LEFT = "machines[0].rig.sensors[6]", "machines[0].rig.sensors[7]"
 
 

@@ -215,6 +215,18 @@ class Frame:
         return self._objects.get("loads", [])
 
     @cached_property
+    def panoptic(self) -> np.ndarray | None:
+        """H x W uint32: class + 256 instance, as COCO's panoptic pictures number segments."""
+        code = self._picture("panoptic")
+        return None if code is None else code.astype(np.uint32) @ np.array([1, 1 << 8, 1 << 16], np.uint32)
+
+    @cached_property
+    def soil_in_flight(self) -> np.ndarray | None:
+        """H x W bool: soil in the air or on its way down a slope."""
+        code = self._picture("soil_in_flight")
+        return None if code is None else code > 0
+
+    @cached_property
     def lens_soiling(self) -> np.ndarray | None:
         """H x W float32: share of the light that comes undeviated through the soiled glass."""
         code = self._picture("lens_soiling")

@@ -28,6 +28,7 @@ enum class LabelSource {
 /// How a channel is coloured for people to look at.
 enum class LabelColours {
   kClasses,     ///< of SemanticClass
+  kPanoptic,    ///< of the instance, or of SemanticClass where there is none
   kNumbers,     ///< different numbers, different colours
   kDirections,  ///< three components as red, green and blue
   kFlow,        ///< hue by direction, strength by length
@@ -50,7 +51,7 @@ struct LabelChannel {
   std::string_view caption;  ///< of the overview
 };
 
-inline constexpr std::array<LabelChannel, 13> kLabelChannels = {{
+inline constexpr std::array<LabelChannel, 15> kLabelChannels = {{
     {"semantic", &CameraFrame::semantic, 1, true, LabelSource::kLabelWord, 0,
      LabelColours::kClasses, "classes"},
     {"instance", &CameraFrame::instance, 1, true, LabelSource::kLabelWord, 8,
@@ -77,6 +78,10 @@ inline constexpr std::array<LabelChannel, 13> kLabelChannels = {{
      LabelColours::kNearness, "optical depth of dust"},
     {"lens_soiling", &CameraFrame::lens_soiling, 1, false, LabelSource::kOptics, 0,
      LabelColours::kNearness, "light through the soiled glass"},
+    {"panoptic", &CameraFrame::panoptic, 3, false, LabelSource::kLabelWord, 0,
+     LabelColours::kPanoptic, "classes and instances"},
+    {"soil_in_flight", &CameraFrame::soil_in_flight, 1, false, LabelSource::kSurfaces, 0,
+     LabelColours::kNumbers, "soil in flight"},
 }};
 
 /// Channels by their place in the table.
@@ -87,7 +92,7 @@ inline constexpr std::size_t kSemanticChannel = 0, kInstanceChannel = 1, kNormal
                              kFlowToThisChannel = 5, kSceneFlowToPreviousChannel = 6,
                              kGroundSoilChannel = 7, kGroundStateChannel = 8,
                              kGroundChangeChannel = 9, kGroundAgeChannel = 10, kDustChannel = 11,
-                             kLensSoilingChannel = 12;
+                             kLensSoilingChannel = 12, kSoilInFlightChannel = 14;
 
 inline LabelSet UsualLabels() {
   LabelSet usual;

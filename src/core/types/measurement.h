@@ -170,6 +170,8 @@ struct CameraFrame {
   Image<std::uint16_t> ground_change, ground_age;  ///< PixelOfRise, PixelOfAge
   Image<std::uint16_t> dust_optical_depth;         ///< PixelOfOpticalDepth
   Image<std::uint8_t> lens_soiling;                ///< share of light that comes through, of 255
+  Image<std::uint8_t> panoptic;        ///< 3 channels: class, instance mod 256, instance / 256
+  Image<std::uint8_t> soil_in_flight;  ///< 255: a clod in the air or on its way down a slope
   std::vector<ObjectBox> boxes;
   std::optional<PictureExposure> exposure;  ///< of a camera that labels it
   std::vector<CarriedLoad> loads;           ///< of a camera that labels them

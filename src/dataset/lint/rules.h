@@ -132,7 +132,8 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
     {"pictures.instances", Severity::kError,
      "Pixels of instance/ are 0 or instances of dataset.yaml.",
      "Add the instance to the list, or label again."},
-    {"pictures.agree", Severity::kError, "A pixel's class in semantic/ is that of its instance.",
+    {"pictures.agree", Severity::kError,
+     "A pixel's class in semantic/ is that of its instance; panoptic/ has the same of both.",
      "Render both from the same scene; check the list of instances."},
     {"pictures.depth", Severity::kError,
      "Where the class is sky there is neither depth nor distance, and distance is no less than "

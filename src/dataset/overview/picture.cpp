@@ -68,6 +68,20 @@ Picture Map(const Image<T>& image, const Colour& colour_of) {
   return picture;
 }
 
+/// Each pixel by its instance, or by its class where it has none.
+template <typename T>
+Picture Panoptic(const Image<T>& image) {
+  TERA_CHECK(image.channels == 3, image.channels);
+  Picture picture(image.width_px, image.height_px, 3);
+  for (std::size_t i = 0; i < image.data.size(); i += 3) {
+    const auto instance = static_cast<std::uint16_t>(image.data[i + 1] + 256 * image.data[i + 2]);
+    const cv::Vec3b colour = instance == 0 ? ClassColour(static_cast<std::uint8_t>(image.data[i]))
+                                           : InstanceColour(instance);
+    for (int c = 0; c < 3; ++c) picture.data[i + static_cast<std::size_t>(c)] = colour[c];
+  }
+  return picture;
+}
+
 /// The upper eight bits of each component.
 template <typename T>
 Picture Directions(const Image<T>& image) {
@@ -141,6 +155,8 @@ Picture ColourAny(LabelColours colours, const Image<T>& picture) {
   switch (colours) {
     case LabelColours::kClasses:
       return Map(picture, [](T label) { return ClassColour(label); });
+    case LabelColours::kPanoptic:
+      return Panoptic(picture);
     case LabelColours::kNumbers:
       return Map(picture, [](T number) { return InstanceColour(number); });
     case LabelColours::kDirections:

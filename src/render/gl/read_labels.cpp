@@ -12,12 +12,17 @@ namespace {
 
 constexpr std::size_t kLeastOfThread = 1 << 15;  ///< pixels
 
+/// From `first_bit` on, one component after the other.
 template <typename T>
 void Extract(std::span<const std::uint32_t> words, int first_bit, Workers* workers,
              Image<T>* picture) {
+  const auto components = static_cast<std::size_t>(picture->channels);
   workers->ForRanges(words.size(), kLeastOfThread, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
-      picture->data[p] = static_cast<T>(words[p] >> first_bit);
+      for (std::size_t c = 0; c < components; ++c) {
+        picture->data[components * p + c] =
+            static_cast<T>(words[p] >> (static_cast<std::size_t>(first_bit) + 8 * sizeof(T) * c));
+      }
     }
   });
 }

@@ -61,6 +61,13 @@ void SurfaceLabels::FillGround(const SeenSurfaces& now, CameraFrame* frame) cons
   }
 }
 
+void SurfaceLabels::FillFlight(const SeenSurfaces& now, CameraFrame* frame) const {
+  frame->soil_in_flight = Image<std::uint8_t>(now.body.width_px, now.body.height_px);
+  std::ranges::transform(now.body.data, frame->soil_in_flight.data.begin(), [](std::uint16_t body) {
+    return static_cast<std::uint8_t>(body == kSoilInFlight ? 255 : 0);
+  });
+}
+
 void SurfaceLabels::FillDistance(const SeenSurfaces& now, CameraFrame* frame) const {
   frame->distance = Image<std::uint16_t>(now.depth_m.width_px, now.depth_m.height_px);
   for (int y = 0; y < now.depth_m.height_px; ++y) {
@@ -79,6 +86,7 @@ void SurfaceLabels::Fill(const SeenScene& scene, const Image<float>& depth_m,
   if (has_ground && (Has(kGroundSoilChannel) || Has(kGroundStateChannel) || ages_)) {
     FillGround(now, frame);
   }
+  if (Has(kSoilInFlightChannel)) FillFlight(now, frame);
   if (Has(kDistanceChannel)) FillDistance(now, frame);
   if (flows_) FillFlows(std::move(now), frame);
 }

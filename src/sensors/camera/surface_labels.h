@@ -32,6 +32,7 @@ class SurfaceLabels {
   bool Has(std::size_t channel) const { return labels_[channel]; }
   void FillFlows(SeenSurfaces now, CameraFrame* frame);
   void FillGround(const SeenSurfaces& now, CameraFrame* frame) const;
+  void FillFlight(const SeenSurfaces& now, CameraFrame* frame) const;
   void FillDistance(const SeenSurfaces& now, CameraFrame* frame) const;
 
   LabelSet labels_;

@@ -15,15 +15,6 @@ Vec2 LeftOf(const Vec2& from_m, const Vec2& to_m) {
   return {-way.y(), way.x()};
 }
 
-/// A row of shares as a smooth function of the way, from -1 to 1, with a knot every `knot_m`.
-double Wander(const ShareRow& shares, std::uint32_t first, double way_m, double knot_m) {
-  const double at = std::max(way_m / knot_m, 0.0);
-  const auto k = static_cast<std::uint32_t>(at);
-  const double t = at - k, smooth = t * t * (3 - 2 * t);
-  const double a = shares(first + k), b = shares(first + k + 1);
-  return 2 * (a + (b - a) * smooth) - 1;
-}
-
 /// A point of the middle line, and the way to its left.
 struct Station {
   double way_m;
@@ -70,6 +61,14 @@ std::vector<Vec2> StraightOutline(const HaulRoad& road) {
 }
 
 }  // namespace
+
+double Wander(const ShareRow& shares, std::uint32_t first, double way_m, double knot_m) {
+  const double at = std::max(way_m / knot_m, 0.0);
+  const auto k = static_cast<std::uint32_t>(at);
+  const double t = at - k, smooth = t * t * (3 - 2 * t);
+  const double a = shares(first + k), b = shares(first + k + 1);
+  return 2 * (a + (b - a) * smooth) - 1;
+}
 
 std::vector<Vec2> RoadOutline(const HaulRoad& road, double stray_m, const ShareRow& shares) {
   const std::vector<Vec2> straight = StraightOutline(road);

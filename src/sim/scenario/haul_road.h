@@ -19,6 +19,10 @@ struct HaulRoad {
 /// Number `k` of a row of shares of 0 to 1 that are drawn for one purpose.
 using ShareRow = std::function<double(std::uint32_t k)>;
 
+/// A row of shares as a smooth function of the way, from -1 to 1, with a knot every `knot_m`;
+/// its shares begin at number `first`.
+double Wander(const ShareRow& shares, std::uint32_t first, double way_m, double knot_m);
+
 /// The outline of the road, which goes on far beyond its ends, straight.
 ///
 /// Model   edges straight with one bend, or, where they stray, by corners 1 m apart whose distance

@@ -10,6 +10,7 @@
 #include "core/config/config_peek.h"
 #include "core/random.h"
 #include "core/units.h"
+#include "sim/scenario/driven_ground.h"
 #include "sim/scenario/footprint.h"
 #include "sim/scenario/haul_road.h"
 #include "sim/scenario/standing_things.h"
@@ -27,7 +28,9 @@ class SitePlanner {
  public:
   SitePlanner(const ConfigMap& entry, const SiteDraw& draw);
 
+  void Patches();
   void Road();
+  void Tracks();
   void Trenches();
   void Berms();
   void Stockpiles();
@@ -193,6 +196,48 @@ void SitePlanner::Road() {
   }
 }
 
+/// Soil that was spilled or spread, under all else.
+void SitePlanner::Patches() {
+  ForEach("patches", [&](const ConfigMap& config, const Stream& stream, int) {
+    const double size_m =
+        SpreadAt(config, "size_m", Between(0.3, 50, "m")).At(Share(stream, kSize));
+    const std::string soil = OneOf(config, "soils", stream);
+    if (reads_only_) return;
+    const Vec2 middle_m(x_m_.At(Share(stream, kOther)), y_m_.At(Share(stream, kYaw)));
+    const auto shares = [&](std::uint32_t k) { return Share(stream, kPlaces + k); };
+    regions_.push_back(fmt::format("{{outline_m: {}, soil: {}}}",
+                                   OutlineText(PatchOutline(middle_m, 0.5 * size_m, shares)),
+                                   soil));
+  });
+}
+
+/// Ruts of machines that came in over one of the sides and went on as they liked.
+void SitePlanner::Tracks() {
+  ForEach("tracks", [&](const ConfigMap& config, const Stream& stream, int) {
+    const double gauge_m = config.Number("gauge_m", Between(0, 10, "m"), 2);
+    const double rut_m = config.Number("width_m", Between(0.05, 3, "m"), 0.35);
+    const double depth_m =
+        SpreadAt(config, "depth_m", Between(0, 0.5, "m")).At(Share(stream, kSize));
+    if (reads_only_) return;
+    constexpr double kTightest_m = 7, kMostAskew_rad = 50 * kDeg;
+    constexpr int kMost = 150;
+    const Vec2 least_m(x_m_.lower, y_m_.lower), most_m(x_m_.upper, y_m_.upper);
+    const int side = std::min(static_cast<int>(4 * Share(stream, kChoice)), 3);
+    const Vec2 out = side % 2 == 0 ? Vec2(side - 1, 0) : Vec2(0, side - 2);
+    const Vec2 aside(std::abs(out.y()), std::abs(out.x()));
+    const Vec2 start_m =
+        0.5 * (least_m + most_m) +
+        0.5 * (most_m - least_m).cwiseProduct(out + (2 * Share(stream, kOther) - 1) * aside);
+    const double heading_rad =
+        std::atan2(-out.y(), -out.x()) + kMostAskew_rad * (2 * Share(stream, kYaw) - 1);
+    const auto shares = [&](std::uint32_t k) { return Share(stream, kPlaces + k); };
+    ruts_.push_back(fmt::format(
+        "{{path_m: {}, gauge_m: {}, width_m: {}, depth_m: {:.4f}}}",
+        OutlineText(DrivenPath(start_m, heading_rad, kTightest_m, least_m, most_m, kMost, shares)),
+        gauge_m, rut_m, depth_m));
+  });
+}
+
 /// Its soil, its ruts and the ridges along it, as far as these are asked for. Returns how far those
 /// reach beyond its edges.
 double SitePlanner::DressRoad(const ConfigMap& config, const HaulRoad& road,
@@ -334,7 +379,9 @@ std::vector<std::pair<std::string, std::string>> SitePlanner::Take() {
 std::vector<std::pair<std::string, std::string>> DrawSite(const ConfigMap& entry,
                                                           const SiteDraw& draw) {
   SitePlanner planner(entry, draw);
+  planner.Patches();
   planner.Road();
+  planner.Tracks();
   planner.Trenches();
   planner.Stockpiles();
   planner.Things("parked");
@@ -342,6 +389,7 @@ std::vector<std::pair<std::string, std::string>> DrawSite(const ConfigMap& entry
   planner.Fences();
   planner.Things("people");
   planner.Things("things");
+  planner.Things("plants");
   return planner.Take();
 }
 

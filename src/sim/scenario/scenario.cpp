@@ -15,6 +15,7 @@
 #include "core/config/spelling.h"
 #include "core/units.h"
 #include "sim/scenario/collision_meshes.h"
+#include "sim/scenario/machine_start.h"
 #include "sim/scenario/read_effects.h"
 #include "sim/scenario/read_ground.h"
 #include "sim/scenario/read_light.h"
@@ -33,57 +34,6 @@ constexpr double kDefaultRate_hz = 500, kDefaultSettle_s = 1.5, kLongestSettle_s
 constexpr double kLeastWheel_m = 0.05, kLargestWheel_m = 3;
 constexpr double kLeastBed_m = 0.3, kLargestBed_m = 30;
 constexpr SiteOrigin kDefaultOrigin = {47.3763, 8.5477, 460.0};
-
-/// Height and tilt of the ground under a rectangle of half extents `half_m` about `xy`.
-Pose RestingPose(const TerrainSurface& ground, const Vec2& xy_m, double yaw_rad,
-                 const Vec2& half_m) {
-  const Mat3 R_yaw = RotationFromRpy(0, 0, yaw_rad);
-  const auto height = [&](double x_m, double y_m) {
-    const Vec3 p = R_yaw * Vec3(x_m, y_m, 0);
-    return ground.HeightAt(xy_m.x() + p.x(), xy_m.y() + p.y());
-  };
-  const double front = 0.5 * (height(half_m.x(), half_m.y()) + height(half_m.x(), -half_m.y()));
-  const double rear = 0.5 * (height(-half_m.x(), half_m.y()) + height(-half_m.x(), -half_m.y()));
-  const double left = 0.5 * (height(half_m.x(), half_m.y()) + height(-half_m.x(), half_m.y()));
-  const double right = 0.5 * (height(half_m.x(), -half_m.y()) + height(-half_m.x(), -half_m.y()));
-  const double pitch = half_m.x() > 0 ? -std::atan2(front - rear, 2 * half_m.x()) : 0.0;
-  const double roll = half_m.y() > 0 ? std::atan2(left - right, 2 * half_m.y()) : 0.0;
-  return MakePose(Vec3(xy_m.x(), xy_m.y(), 0.5 * (front + rear)),
-                  RotationFromRpy(roll, pitch, yaw_rad));
-}
-
-/// Half extents of the ground contact in the root's frame.
-Vec2 FootprintHalf(const MachineModel& model) {
-  Vec2 half = Vec2::Zero();
-  for (const RunningGear& gear : model.ground_tools.gears) {
-    for (const ContactPatch& patch : gear.patches) {
-      half = half.cwiseMax(patch.p_B_m.head<2>().cwiseAbs());
-    }
-  }
-  return half;
-}
-
-void ReadStartAngles(const ConfigMap& start, const MachineModel& model,
-                     std::vector<double>* q_rad) {
-  for (const auto& [name, angle_deg] : start.NamedNumbers("joints_deg", Any("deg"))) {
-    const int joint = model.JointIndex(name);
-    if (joint < 0) {
-      std::vector<std::string> names;
-      for (const Joint& j : model.joints) names.push_back(j.name);
-      start.Fault("joints_deg", "machine '" + model.kind + "' has no joint '" + name + "'" +
-                                    DidYouMean(name, names));
-      continue;
-    }
-    const Joint& j = model.joints[joint];
-    (*q_rad)[joint] = angle_deg * kDeg;
-    const bool limited = j.type == JointType::kRevolute || j.type == JointType::kPrismatic;
-    if (limited && ((*q_rad)[joint] < j.lower_rad || (*q_rad)[joint] > j.upper_rad)) {
-      start.Fault("joints_deg",
-                  fmt::format("'{}' at {} deg is beyond its limits, need {} to {} deg", name,
-                              angle_deg, j.lower_rad / kDeg, j.upper_rad / kDeg));
-    }
-  }
-}
 
 /// Whether the types of all sensors are known; without those that are not.
 bool ReadSensors(const ConfigMap& config, const MachineModel& model,
@@ -153,15 +103,7 @@ ScenarioMachine ReadMachineEntry(const ConfigMap& config, const OfAllMachines& a
     return machine;
   }
   const bool sound = FaultCount(config) == faults_before;
-  for (const Joint& joint : model.joints) machine.placement.q_rad.push_back(joint.initial_rad);
-  Vec2 xy_m = Vec2::Zero();
-  double yaw_rad = 0;
-  if (const auto start = config.OptionalMap("start")) {
-    xy_m = start->Vector2("xy_m", Any("m"), Vec2::Zero());
-    yaw_rad = start->Number("yaw_deg", Between(-360, 360, "deg"), 0) * kDeg;
-    ReadStartAngles(*start, model, &machine.placement.q_rad);
-  }
-  machine.placement.X_WB = MakePose(Vec3(xy_m.x(), xy_m.y(), 0), RotationFromRpy(0, 0, yaw_rad));
+  ReadStart(config, &machine.placement);
   machine.driver = ReadOperatorPlan(config.Map("operator"), model);
   if (ReadSensors(config, model, &machine.sensors)) {
     machine.tolerances = ReadMachineTolerances(description, all.tolerances, machine.placement.name,
@@ -178,13 +120,7 @@ ScenarioMachine ReadMachineEntry(const ConfigMap& config, const OfAllMachines& a
 /// Raises the ground as effects say, and sets the machines on it.
 void PlaceOnGround(Site* site, std::vector<ScenarioMachine>* machines) {
   for (const ScenarioMachine& machine : *machines) RaiseGround(machine.placement.model, site);
-  for (ScenarioMachine& machine : *machines) {
-    MachinePlacement& placement = machine.placement;
-    const Vec3 start_m = placement.X_WB.translation();
-    const double yaw_rad = RpyFromRotation(placement.X_WB.linear()).z();
-    placement.X_WB =
-        RestingPose(site->surface(), start_m.head<2>(), yaw_rad, FootprintHalf(placement.model));
-  }
+  for (ScenarioMachine& machine : *machines) SetOnGround(site->surface(), &machine.placement);
 }
 
 SoilBed ReadBed(const ConfigMap& config) {

@@ -257,6 +257,29 @@ TEST_F(LabelsOfGround, ThereIsNoneBeyondTheSite) {
   EXPECT_EQ(frame.ground_change.at(40 + 22, 30), 0);
 }
 
+// A ball of 0.2 m seen from 2 m at 60 px: 6 px in radius, and a clod fills most of its ball.
+TEST_F(LabelsOfGround, SoilInFlightIsWhereTheClodIs) {
+  SurfaceLabels labels(lens_, Labels({kSoilInFlightChannel}));
+  ground_.SetGrains({{.p_W_m = {0, 0, 1}, .radius_m = 0.2f}});
+  const CameraFrame frame = At(0, &labels);
+  int seen = 0;
+  for (int y = 0; y < 61; ++y) {
+    for (int x = 0; x < 81; ++x) {
+      const std::uint8_t value = frame.soil_in_flight.at(x, y);
+      const double away_px = std::hypot(x - 40, y - 30);
+      ASSERT_TRUE(value == 0 || value == 255);
+      if (value == 0) continue;
+      ++seen;
+      EXPECT_LT(away_px, 6.6) << x << " " << y;
+    }
+  }
+  EXPECT_GT(seen, 0.6 * kPi * 36);
+  EXPECT_EQ(frame.soil_in_flight.at(40, 30), 255);
+  ground_.SetGrains({});
+  const CameraFrame landed = At(100'000'000, &labels);
+  EXPECT_EQ(std::ranges::count(landed.soil_in_flight.data, 0), 81 * 61);
+}
+
 TEST_F(LabelsOfGround, ClodInTheAirHasNoFlow) {
   SurfaceLabels labels(lens_, kFlows);
   ground_.SetGrains({{.p_W_m = {0, 0, 1}, .radius_m = 0.2f}});

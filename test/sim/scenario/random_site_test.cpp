@@ -10,6 +10,7 @@
 #include <set>
 
 #include "core/error.h"
+#include "core/units.h"
 #include "sim/scenario/footprint.h"
 #include "sim/scenario/load_scenario.h"
 
@@ -147,6 +148,39 @@ TEST_F(RandomSite, WhatOtherEntriesDrawForItemsHoldsAndIsAvoided) {
       EXPECT_FALSE(Meet(things[a], things[0], 0)) << scenario.obstacles[a].name;
     }
   }
+}
+
+// Ground is sand where a patch lies, and lower where a machine has driven: on both, somewhere.
+TEST_F(RandomSite, PatchesAndTracksChangeTheGroundAndPlantsStandOnIt) {
+  const std::string used = R"(
+  - site:
+      x_m: [-24, 24]
+      y_m: [-24, 24]
+      patches: {count: [3, 3], size_m: [4, 6], soils: [sand]}
+      tracks: {count: [2, 2], gauge_m: 1.6, width_m: 0.5, depth_m: [0.08, 0.08]}
+      plants: {count: [4, 4], size_m: [0.5, 0.5], of: ['tera:config/obstacles/tuft.yaml']}
+)";
+  const LoadedScenario loaded = Load(used, 2);
+  const TerrainSurface& ground = loaded.scenario.site->surface();
+  int sandy = 0, pressed = 0;
+  for (double x = -24; x < 24; x += 0.25) {
+    for (double y = -24; y < 24; y += 0.25) {
+      if ((Vec2(x, y) - Vec2(-15, 12)).norm() < 3) continue;  // the heap of sand
+      const auto column = [&](double w_m, double origin_m) {
+        return static_cast<int>(std::lround((w_m - origin_m) / ground.cell_m));
+      };
+      const int i = column(x, ground.origin_W_m.x()), j = column(y, ground.origin_W_m.y());
+      sandy += ground.at(i, j).cover.soil == 2 ? 1 : 0;
+      pressed += ground.HeightAt(x, y) < -0.02 ? 1 : 0;
+    }
+  }
+  const double cell_m2 = 0.25 * 0.25;
+  EXPECT_GT(sandy * cell_m2, kPi * 2 * 2 * 0.9) << "the smallest of three that lie over each other";
+  EXPECT_LT(sandy * cell_m2, 3 * kPi * 3 * 3 * 1.1);
+  EXPECT_GT(pressed * cell_m2, 2 * 0.4 * 20) << "two ruts of at least 20 m";
+  EXPECT_EQ(loaded.scenario.obstacles.size(), 1u + 4u);
+  EXPECT_EQ(loaded.scenario.obstacles.back().label, SemanticClass::kVegetation);
+  EXPECT_EQ(Load(used, 2).resolved_yaml, loaded.resolved_yaml);
 }
 
 TEST_F(RandomSite, CommandLineOverridesLieAboveWhatIsDrawn) {

@@ -113,6 +113,22 @@ TEST(ReadScenario, RefusesStartAnglesBeyondTheLimits) {
                     HasSubstr("has no joint 'elbow'")));
 }
 
+TEST(ReadScenario, JointsThatSlideStartByMetres) {
+  const std::string axis = std::string(kSite) +
+                           "machines:\n  - name: axis\n    machine: tera:config/machines/emps.yaml\n"
+                           "    operator: {type: idle}\n";
+  const Config config =
+      Config::FromText(axis, "s.yaml", {"machines[0].start.joints_m.carriage=-0.2"});
+  const Scenario scenario = ReadScenario(config.root());
+  EXPECT_EQ(scenario.machines[0].placement.q_rad, std::vector<double>{-0.2});
+  EXPECT_THAT(FaultsOf(axis, {"machines[0].start.joints_m.carriage=0.6"}),
+              HasSubstr("'carriage' at 0.6 m is beyond its limits, need -0.5 to 0.5 m"));
+  EXPECT_THAT(FaultsOf(axis, {"machines[0].start.joints_deg.carriage=10"}),
+              HasSubstr("'carriage' slides; need it under joints_m"));
+  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator, {"machines[0].start.joints_m.boom=1"}),
+              HasSubstr("'boom' turns; need it under joints_deg"));
+}
+
 TEST(ReadScenario, RefusesASiteWithoutMachines) {
   EXPECT_THAT(FaultsOf(kSite), HasSubstr("no machine given"));
 }

@@ -62,8 +62,14 @@ export function paintLabel(kind, picture, classes) {
   switch (kind) {
     case "semantic":
       return paint(picture, (v, k, rgb) => set(rgb, classes[v[k]]?.rgb ?? [255, 255, 255]));
+    case "panoptic":
+      return paint(picture, (v, k, rgb) => {
+        const instance = v[k + 1] + 256 * v[k + 2];
+        return instance > 0 ? (numberColour(instance, rgb), true) : set(rgb, classes[v[k]]?.rgb ?? [255, 255, 255]);
+      });
     case "instance":
     case "ground_soil":
+    case "soil_in_flight":
       return paint(picture, (v, k, rgb) => v[k] > 0 && (numberColour(v[k], rgb), true));
     case "depth":
     case "distance":
@@ -73,6 +79,10 @@ export function paintLabel(kind, picture, classes) {
       });
     case "ground_age":
       return paint(picture, (v, k, rgb) => v[k] > 0 && (scaleColour(VIRIDIS, v[k] === 65535 ? 0 : 1 - v[k] / 600, rgb), true));
+    case "dust_optical_depth":
+      return paint(picture, (v, k, rgb) => v[k] > 0 && (scaleColour(VIRIDIS, 1 - Math.exp(-v[k] / 1000), rgb), true));
+    case "lens_soiling":
+      return paint(picture, (v, k, rgb) => (scaleColour(VIRIDIS, v[k] / 255, rgb), true));
     case "ground_change":
       return paint(picture, (v, k, rgb) => v[k] > 0 && (scaleColour(DIVERGING, 0.5 + (v[k] - 32768) / 1000, rgb), true));
     case "flow_to_previous":

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "dataset/lint/checks/picture_set.h"
@@ -36,6 +37,31 @@ void CheckInstances(LintJob* job, const PictureSet& set) {
   }
 }
 
+/// What the panoptic picture says otherwise than the other two.
+void CheckPanoptic(LintJob* job, const PictureSet& set) {
+  const CameraFrame& frame = set.frame;
+  if (frame.panoptic.empty()) return;
+  job->Applies("pictures.agree");
+  const auto count = [&](std::size_t component, const auto& picture, int shift) {
+    std::int64_t differing = 0;
+    for (std::size_t p = 0; p < picture.data.size(); ++p) {
+      const auto value = static_cast<std::uint8_t>(picture.data[p] >> shift);
+      differing += frame.panoptic.data[3 * p + component] == value ? 0 : 1;
+    }
+    return differing;
+  };
+  const std::int64_t classes = count(0, frame.semantic, 0);
+  const std::int64_t instances = std::max(count(1, frame.instance, 0), count(2, frame.instance, 8));
+  const auto find = [&](std::int64_t differing, std::string_view of) {
+    if (differing == 0) return;
+    job->Find(
+        "pictures.agree", set.camera,
+        set.In("panoptic", fmt::format("{} pixels have not the number of {}/", differing, of)));
+  };
+  find(classes, "semantic");
+  find(instances, "instance");
+}
+
 void CheckAgreement(LintJob* job, const PictureSet& set) {
   const Image<std::uint8_t>& semantic = set.frame.semantic;
   const Image<std::uint16_t>& instance = set.frame.instance;
@@ -63,6 +89,7 @@ void CheckLabels(LintJob* job, const PictureSet& set) {
   CheckClasses(job, set);
   CheckInstances(job, set);
   CheckAgreement(job, set);
+  CheckPanoptic(job, set);
 }
 
 }  // namespace tera

@@ -71,6 +71,32 @@ TEST_F(PictureRules, AClassThatIsNotTheInstances) {
               HasSubstr("1 pixels are person and of instance 1 (truck), which is truck"));
 }
 
+// A panoptic picture beside each pair of class and instance, one of them with other numbers.
+TEST_F(PictureRules, APanopticPictureOfOtherNumbers) {
+  for (int k = 0; k <= 10; ++k) {
+    const std::string name = fmt::format("{}.png", 200'000'000LL * k);
+    Image<std::uint8_t> semantic;
+    Image<std::uint16_t> instance;
+    ReadPng(run() / "digger/front/semantic" / name, 1, &semantic);
+    ReadPng(run() / "digger/front/instance" / name, 1, &instance);
+    Image<std::uint8_t> panoptic(kHealthyWidth_px, kHealthyHeight_px, 3);
+    for (std::size_t p = 0; p < semantic.data.size(); ++p) {
+      panoptic.data[3 * p] = semantic.data[p];
+      panoptic.data[3 * p + 1] = static_cast<std::uint8_t>(instance.data[p]);
+    }
+    fs::create_directories(run() / "digger/front/panoptic");
+    Put("digger/front/panoptic/" + name, EncodePng(panoptic));
+  }
+  EXPECT_TRUE(Linted().findings.empty());
+  EditPicture<std::uint8_t>("panoptic", kSecond, 3, [](auto* p) {
+    p->at(3, 6, 0) = 11;
+    p->at(3, 6, 2) = p->at(4, 6, 2) = 1;
+  });
+  const auto& places = Only("pictures.agree", "digger/front").places;
+  EXPECT_EQ(places[0].message, "1 pixels have not the number of semantic/");
+  EXPECT_EQ(places[1].message, "2 pixels have not the number of instance/");
+}
+
 TEST_F(PictureRules, DepthInTheSky) {
   EditPicture<std::uint16_t>("depth", kFirst, 1, [](auto* p) { p->at(3, 0) = 60'000; });
   EXPECT_EQ(Only("pictures.depth", "digger/front").places[0].file, "digger/front/depth/0.png");
