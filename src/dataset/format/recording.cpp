@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/beside.h"
 #include "core/check.h"
 #include "core/config/config.h"
 #include "core/error.h"
@@ -371,11 +372,9 @@ CameraFrame Recording::LoadFrame(const std::string& folder, TimeNs t_ns) const {
   };
   // Decoding takes most of the time of whoever reads frames: pictures are decoded side by side.
   PreparePng();
-  constexpr auto kBesideIfThereAreThreads = std::launch::async | std::launch::deferred;
   std::vector<std::future<void>> decoded;
   const auto decode = [&](const fs::path& png, auto read) {
-    if (has(png))
-      decoded.push_back(std::async(kBesideIfThereAreThreads, [png, read] { read(png); }));
+    if (has(png)) decoded.push_back(Beside([png, read] { read(png); }));
   };
   decode(file("rgb", "png"), [&](const fs::path& png) { frame.rgb = ReadRgbPng(png); });
   decode(file("depth", "png"),

@@ -20,22 +20,23 @@ void AppendFloat(double value, std::string* bytes) {
 }
 
 /// x y z intensity (float), time in s (double), instance, ring and sensor (16 bits), label (8).
-std::string PackedPoint(const MapPoint& point) {
-  std::string bytes;
-  for (const double coordinate : point.p_W_m) AppendFloat(coordinate, &bytes);
-  AppendFloat(point.intensity, &bytes);
-  AppendNumber(std::bit_cast<std::uint64_t>(ToSeconds(point.t_ns)), &bytes);
-  AppendNumber(point.instance, &bytes);
-  AppendNumber(point.ring, &bytes);
-  AppendNumber(point.sensor, &bytes);
-  AppendNumber(point.label, &bytes);
-  return bytes;
+void AppendPoint(const MapPoint& point, std::string* bytes) {
+  for (const double coordinate : point.p_W_m) AppendFloat(coordinate, bytes);
+  AppendFloat(point.intensity, bytes);
+  AppendNumber(std::bit_cast<std::uint64_t>(ToSeconds(point.t_ns)), bytes);
+  AppendNumber(point.instance, bytes);
+  AppendNumber(point.ring, bytes);
+  AppendNumber(point.sensor, bytes);
+  AppendNumber(point.label, bytes);
 }
 
 std::int64_t WritePoints(ExportJob* job, CountedFile* file) {
   std::int64_t points = 0;
+  std::string bytes;
   ForEachMapPoint(job, [&](const MapPoint& point) {
-    file->Append(PackedPoint(point));
+    bytes.clear();
+    AppendPoint(point, &bytes);
+    file->Append(bytes);
     ++points;
   });
   return points;

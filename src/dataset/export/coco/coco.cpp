@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/beside.h"
 #include "core/error.h"
 #include "dataset/export/coco/categories.h"
 #include "dataset/export/coco/keypoint_categories.h"
@@ -108,8 +109,9 @@ class CocoFiles {
     ++image_;
     const LabelledFrame frame = LoadLabels(job_.recording, camera, t_ns);
     RequireSizeOfImage(frame, camera);
+    auto segments = Beside([&] { AddSegments(frame, camera, is_drawn); });
     AddObjects(frame, FrameFile(job_.recording, camera, "instance", t_ns));
-    AddSegments(frame, camera, is_drawn);
+    segments.get();
   }
 
   void Commit() {
@@ -211,10 +213,12 @@ void ExportCoco(ExportJob* job) {
     const std::string &camera = cameras[record.channel], name = PictureName(camera, record.t_ns);
     const bool is_written = job->IsWritten(camera, record.t_ns);
     const fs::path image = job->folder / "images" / name;
-    if (!is_written) {
+    auto copied = Beside([&] {
+      if (is_written) return;
       WriteWholeFile(image, ReadWholePng(FrameFile(job->recording, camera, "rgb", record.t_ns)));
-    }
+    });
     files.AddAnnotations(camera, record.t_ns, is_written);
+    copied.get();
     if (!is_written) job->Written(camera, record.t_ns, {image, PanopticFile(*job, name)});
   }
   files.Commit();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/beside.h"
 #include "core/error.h"
 #include "core/units.h"
 #include "dataset/export/export_job.h"
@@ -89,6 +90,7 @@ class KittiExport {
     pictured_ = FirstOf(layouts_, {kRaw, kObject, kTracking, kOdometry});
     steady_ = FirstOf(layouts_, {kRaw, kTracking, kOdometry});
     tracked_ = FirstOf(layouts_, {kTracking});
+    PreparePng();
     for (const KittiLayout layout : layouts_) writers_.push_back(Made(layout, job_, rig_));
   }
 
@@ -104,11 +106,16 @@ class KittiExport {
     frame.X_WS = rig_.X_WS(pair.picture_ns);
     if (steady_) RequireSteady(frame);
     // The labels of tracks are one file for all frames, which is made anew.
-    if (frame.is_written ? tracked_ : labelled_) frame.labels = Labels(pair.picture_ns);
-    if (deep_ && !frame.is_written) {
+    const bool has_labels = frame.is_written ? tracked_ : labelled_;
+    const bool has_depth = deep_ && !frame.is_written;
+    auto pictures = Beside([&] {
+      if (pictured_ && !frame.is_written) WritePictureAndPoints(frame);
+    });
+    if (has_labels) frame.labels = Labels(pair.picture_ns);
+    if (has_depth) {
       frame.depth_mm = rectifier_.Nearest(ReadGrey16Png(Needed("depth", pair.picture_ns, *deep_)));
     }
-    if (pictured_ && !frame.is_written) WritePictureAndPoints(frame);
+    pictures.get();
     for (const auto& writer : writers_) writer->Add(frame);
     if (!frame.is_written) log_->Written(rig_.lidar.path, frame.number, FilesOf(frame.number));
   }

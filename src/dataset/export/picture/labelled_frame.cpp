@@ -7,6 +7,7 @@
 #include <array>
 #include <fstream>
 
+#include "core/beside.h"
 #include "core/error.h"
 #include "core/types/labels.h"
 #include "dataset/export/record_stream.h"
@@ -90,8 +91,10 @@ LabelledFrame LoadLabels(const Recording& recording, const std::string& camera, 
   const fs::path semantic = FrameFile(recording, camera, "semantic", t_ns);
   const fs::path instance = FrameFile(recording, camera, "instance", t_ns);
   const fs::path boxes = FrameFile(recording, camera, "boxes", t_ns);
+  PreparePng();
+  auto instances = Beside([&] { return ReadGrey16Png(instance); });
   frame.semantic = ReadGreyPng(semantic);
-  frame.instance = ReadGrey16Png(instance);
+  frame.instance = instances.get();
   if (frame.semantic.width_px != frame.instance.width_px ||
       frame.semantic.height_px != frame.instance.height_px) {
     throw InputError(fmt::format("{}: has another size than {}; need one for all of a frame",
