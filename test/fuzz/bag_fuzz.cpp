@@ -21,7 +21,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   for (const bool to_the_damage : {false, true}) {
     tera::ReadAsFile("log.bag", data, size, [&](const std::filesystem::path& file) {
       TakesAll visitor;
-      tera::ReadBag(file, &visitor, to_the_damage);
+      tera::UnpackedFiles unpacked;
+      tera::ReadBag(file, &unpacked, &visitor, to_the_damage);
     });
   }
   return 0;

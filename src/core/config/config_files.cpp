@@ -7,6 +7,7 @@
 
 #include "core/config/config.h"
 #include "core/config/config_layers.h"
+#include "core/config/listed_folder.h"
 #include "core/config/merge_keys.h"
 #include "core/config/portable_name.h"
 #include "core/error.h"
@@ -128,32 +129,41 @@ void ConfigMap::ApplyPreset(std::string_view key) const {
   }
 }
 
-fs::path ConfigMap::File(std::string_view key) const {
-  // A folder that lists its files in one, as a recorder's does, can be named instead of that one.
-  constexpr const char* kFolderList = "metadata.yaml";
-  const auto found = Find(*node_, key);
+namespace {
+
+/// The file that `key` names, or the one named `list` in the folder that it names.
+fs::path FileAt(internal::ConfigNode& node, std::string_view key, const std::string& list) {
+  const auto found = Find(node, key);
   if (!found) {
-    AddMissing(*node_, key, "a file's path");
+    AddMissing(node, key, "a file's path");
     return {};
   }
   if (!found->node.IsScalar()) {
-    AddFault(*node_, key, *found, fmt::format("{} found, need a file's path", Shown(found->node)));
+    AddFault(node, key, *found, fmt::format("{} found, need a file's path", Shown(found->node)));
     return {};
   }
   fs::path named = internal::Resolve(found->node.Scalar(), found->layer->directory);
-  if (internal::IsFile(named / kFolderList)) named /= kFolderList;
+  if (!list.empty() && internal::IsFile(named / list)) named /= list;
   const std::string name = PortableName(named);
-  const fs::path path = node_->document->PlaceOf(name, named).lexically_normal();
+  const fs::path path = node.document->PlaceOf(name, named).lexically_normal();
   if (!internal::IsFile(path)) {
-    AddFault(*node_, key, *found,
+    AddFault(node, key, *found,
              fmt::format("file '{}' does not exist; correct the path (relative to {}, or "
                          "'tera:...' for a file that TERA ships)",
                          found->node.Scalar(), internal::BaseOf(*found->layer)));
     return {};
   }
-  Record(*node_, key, name);
-  node_->document->inputs.emplace(name, path);
+  Record(node, key, name);
+  node.document->inputs.emplace(name, path);
   return path;
+}
+
+}  // namespace
+
+fs::path ConfigMap::File(std::string_view key) const { return FileAt(*node_, key, ""); }
+
+fs::path FileOrList(const ConfigMap& config, std::string_view key, const std::string& list) {
+  return FileAt(internal::ConfigDocument::NodeOf(config), key, list);
 }
 
 std::optional<fs::path> ConfigMap::OptionalFile(std::string_view key) const {

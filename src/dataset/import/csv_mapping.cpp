@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 
+#include "core/config/listed_folder.h"
 #include "core/config/spelling.h"
 #include "core/error.h"
 #include "core/units.h"
@@ -173,15 +174,16 @@ ColumnMapping ReadTime(const ConfigMap& time, bool has_stamps) {
 }
 
 /// The topic that a channel names, as its bag describes it.
-std::optional<BagTopic> ReadTopic(const ConfigMap& channel, const std::filesystem::path& file) {
+std::optional<BagTopic> ReadTopic(const ConfigMap& channel, const std::filesystem::path& file,
+                                  UnpackedFiles* unpacked) {
   if (!channel.Has("topic")) {
-    if (HasNameOfBag(file)) channel.Fault("topic", "is missing; need one of the bag's topics");
+    if (LooksLikeBag(file)) channel.Fault("topic", "is missing; need one of the bag's topics");
     return std::nullopt;
   }
   BagTopic unknown{.name = channel.Text("topic")};
   if (file.empty()) return unknown;
   for (const std::filesystem::path& part : FilesOfBag(file)) channel.AlsoReads(part);
-  const FoundTopic found = FindTopic(file, unknown.name);
+  const FoundTopic found = FindTopic(file, unknown.name, unpacked);
   if (found.topic) return found.topic;
   channel.Fault(
       "topic",
@@ -193,14 +195,14 @@ std::optional<BagTopic> ReadTopic(const ConfigMap& channel, const std::filesyste
 
 }  // namespace
 
-RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top) {
-  RowSource source;
-  source.file = channel.Has("file") ? channel.File("file") : top.File("file");
+RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top, UnpackedFiles* unpacked) {
+  RowSource source{.unpacked = unpacked};
+  source.file = FileOrList(channel.Has("file") ? channel : top, "file", kBagMetadata);
   source.log_type = TypeOfLog(source.file);
   if (source.log_type == kUlogType) {
     source.log_topic = channel.Text("topic");
   } else {
-    source.topic = ReadTopic(channel, source.file);
+    source.topic = ReadTopic(channel, source.file, unpacked);
   }
   if (source.log_type == kKittiType) {
     for (const auto& frame :
@@ -338,7 +340,7 @@ std::unique_ptr<const RowTable> TableOf(const RowSource& source,
   if (!source.log_type.empty()) return ReadLog(source.file, source.log_type, left_out);
   if (!source.topic) return std::make_unique<CsvFile>(source.file, source.form, left_out);
   return std::make_unique<TopicTable>(source.file, *source.topic, PathsOf(source, columns),
-                                      left_out);
+                                      source.unpacked, left_out);
 }
 
 }  // namespace

@@ -59,10 +59,11 @@ struct RowRule {
 struct RowSource {
   std::filesystem::path file;
   CsvForm form;
-  std::optional<BagTopic> topic;  ///< of the bag that the file is
-  std::string log_type;           ///< of a log of known form (foreign_log.h), else empty
-  std::string log_topic;          ///< of a ULog
-  ColumnMapping time;             ///< gives seconds
+  std::optional<BagTopic> topic;      ///< of the bag that the file is
+  UnpackedFiles* unpacked = nullptr;  ///< of the import, for bags
+  std::string log_type;               ///< of a log of known form (foreign_log.h), else empty
+  std::string log_topic;              ///< of a ULog
+  ColumnMapping time;                 ///< gives seconds
   /// Where rows have no time: from each to the next, left out ones too; `time` is the first one's.
   std::optional<double> interval_s;
   std::vector<RowRule> rules;
@@ -73,7 +74,7 @@ struct RowSource {
 /// offset:}`; of a topic it defaults to its header's stamp, or to when its messages were recorded,
 /// of a log of known form to its own column `time`.
 /// Looks the topic up in its bag.
-RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top);
+RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top, UnpackedFiles* unpacked);
 
 /// One valid row: its time and the values of the columns asked for.
 struct MappedRow {

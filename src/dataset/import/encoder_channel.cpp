@@ -148,7 +148,7 @@ bool SaysNoColumn(const ConfigMap& joint) {
 std::vector<JointColumns> AllJoints(const ConfigMap& config, const RowSource& source,
                                     std::vector<ColumnMapping>* columns) {
   std::vector<JointColumns> joints;
-  for (const std::string& name : JointNames(source.file, *source.topic)) {
+  for (const std::string& name : JointNames(source.file, *source.topic, source.unpacked)) {
     RequirePlainName(config, "topic", name);
     joints.push_back(StandardJoint({name, false}, columns));
   }
@@ -219,7 +219,7 @@ JointColumns ReadJoint(const ConfigMap& config, const ConfigMap& top, const Mapp
 ImportJob ReadEncoder(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
   const std::string folder = ReadPath(config, "", mapping);
   const ImportedSensor sensor{"encoder", config.Text("name"), "", Pose::Identity()};
-  const RowSource source = ReadRowSource(config, top);
+  const RowSource source = ReadRowSource(config, top, mapping->unpacked);
   std::vector<ColumnMapping> columns;
   std::vector<JointColumns> joints;
   std::vector<EncoderAxis> axes;

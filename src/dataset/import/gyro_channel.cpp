@@ -30,7 +30,7 @@ std::vector<MotionSeries> MotionOf(const std::vector<MappedRow>& rows,
 ImportJob ReadGyro(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
   const std::string folder = ReadPath(config, "", mapping);
   const ImportedSensor sensor = ReadSensorMount(config, kGyroType);
-  const RowSource source = ReadRowSource(config, top);
+  const RowSource source = ReadRowSource(config, top, mapping->unpacked);
   const ConfigMap given = config.Map("columns");
   std::vector<std::string> axes, names;
   std::vector<ColumnMapping> columns;

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kEpoch_s = 1e8;  ///< times beyond are counted from an epoch, not from a start
 
-Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options) {
-  Mapping mapping{.options = options};
+Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options, UnpackedFiles* unpacked) {
+  Mapping mapping{.options = options, .unpacked = unpacked};
   mapping.info.scenario_name = top.Text("name");
   mapping.info.simulated = top.Boolean("simulated", false);
   mapping.machine = top.Text("machine");
@@ -100,7 +100,8 @@ double DurationOf_s(const ImportReport& report) {
 ImportReport ImportCsv(const std::filesystem::path& mapping_file, const std::filesystem::path& out,
                        const ImportOptions& options) {
   const Config config = Config::FromFile(mapping_file, options.overrides);
-  Mapping mapping = ReadMapping(config.root(), options);
+  UnpackedFiles unpacked;
+  Mapping mapping = ReadMapping(config.root(), options, &unpacked);
   config.Finish();
   const TimeNs zero_ns = mapping.starts_at_zero ? FirstOf(mapping, options) : TimeNs{0};
   const auto run_jobs = [&](DatasetWriter* writer) {

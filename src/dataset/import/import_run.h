@@ -57,6 +57,7 @@ struct Mapping {
   std::vector<ImportJob> jobs;
   bool starts_at_zero = false;  ///< times are counted from the first measurement
   const ImportOptions& options;
+  UnpackedFiles* unpacked;
 };
 
 /// The machine's folder or file for the channel that `name` names, with `ending`.

@@ -149,7 +149,7 @@ ImportedSensor ReadSensorMount(const ConfigMap& config, const std::string& type)
 ImportJob ReadImu(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
   const std::string folder = ReadPath(config, "", mapping);
   const ImportedSensor sensor = ReadSensorMount(config, "imu");
-  const RowSource source = ReadRowSource(config, top);
+  const RowSource source = ReadRowSource(config, top, mapping->unpacked);
   const Mat3 R_SF = ReadAxes(config);
   const ColumnKeys keys(config, source, kImuType, "wx");
   auto columns = ReadColumns(keys, {"wx", "wy", "wz"}, Dimension::kRate);
@@ -172,7 +172,7 @@ ImportJob ReadImu(const ConfigMap& config, const ConfigMap& top, Mapping* mappin
 ImportJob ReadGnss(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
   const std::string folder = ReadPath(config, "", mapping);
   const ImportedSensor sensor = ReadSensorMount(config, "gnss");
-  const RowSource source = ReadRowSource(config, top);
+  const RowSource source = ReadRowSource(config, top, mapping->unpacked);
   const ColumnKeys keys(config, source, kFixType, "lat");
   auto columns = ReadColumns(keys, {"lat"}, Dimension::kAngle, Between(-kPi / 2, kPi / 2, "rad"));
   Append(ReadColumns(keys, {"lon"}, Dimension::kAngle, Between(-kPi, kPi, "rad")), &columns);
@@ -205,7 +205,7 @@ ImportJob ReadGnss(const ConfigMap& config, const ConfigMap& top, Mapping* mappi
 
 /// The frames around a recorded pose: X_WB = X_WR * X_RF * X_FB with the file's X_RF.
 ImportJob ReadPose(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
-  const RowSource source = ReadRowSource(config, top);
+  const RowSource source = ReadRowSource(config, top, mapping->unpacked);
   const auto world = config.OptionalMap("world");
   const auto body = config.OptionalMap("body");
   const Pose X_WR = world ? world->PoseXyzRpy() : Pose::Identity();
@@ -231,7 +231,7 @@ ImportJob ReadPose(const ConfigMap& config, const ConfigMap& top, Mapping* mappi
 
 ImportJob ReadTable(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
   const std::string file = ReadPath(config, ".csv", mapping);
-  const RowSource source = ReadRowSource(config, top);
+  const RowSource source = ReadRowSource(config, top, mapping->unpacked);
   std::vector<ColumnMapping> columns;
   std::vector<std::string> names;
   for (const auto& [name, column] : config.NamedMaps("columns")) {

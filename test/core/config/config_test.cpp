@@ -9,6 +9,7 @@
 
 #include "core/config/config_beneath.h"
 #include "core/config/config_faults.h"
+#include "core/config/listed_folder.h"
 #include "core/error.h"
 #include "own_folder.h"
 
@@ -211,6 +212,19 @@ TEST_F(Presets, WithNamesThatNoFileCanHaveAreNotThere) {
                                       HasSubstr("'loop.yaml' does not exist")));
   EXPECT_THROW(Read("loop.yaml"), InputError);
   EXPECT_THROW(Read(std::string(300, 'y')), InputError);
+}
+
+/// A recorder's folder with the list of its files.
+TEST_F(Presets, FolderStandsForItsListOnlyWhereTheReaderSaysSo) {
+  Write("run/metadata.yaml", "a: 1\n");
+  Write("a.yaml", "log: run\nmesh: run\nmissing: nowhere\n");
+  const Config config = Read("a.yaml");
+  EXPECT_EQ(FileOrList(config.root(), "log", "metadata.yaml"), folder_ / "run/metadata.yaml");
+  EXPECT_THAT(config.ResolvedYaml(), HasSubstr("run/metadata.yaml"));
+  config.root().File("mesh");
+  FileOrList(config.root(), "missing", "metadata.yaml");
+  EXPECT_THAT(FaultsOf(config), AllOf(HasSubstr("mesh: file 'run' does not exist"),
+                                      HasSubstr("missing: file 'nowhere' does not exist")));
 }
 
 TEST(Config, ResolvedDocumentHoldsDefaultsAndReadsBackTheSame) {

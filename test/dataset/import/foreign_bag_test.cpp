@@ -5,7 +5,9 @@
 #include "core/error.h"
 #include "dataset/format/recording.h"
 #include "dataset/format/sample_recording.h"
+#include "dataset/import/bag/bag_source.h"
 #include "dataset/import/import_csv.h"
+#include "dataset/import/suggest/suggest.h"
 
 /// Bags that other people's programs wrote: test/app/judges/write_*.
 
@@ -125,6 +127,13 @@ TEST_F(ForeignBag, CompressedAsAWholeByZstdIsRead) {
     EXPECT_EQ(FaultOfTopic(folder, file), "no fault");
     EXPECT_EQ(Recording(folder / "out").LoadGnss("digger/gnss").size(), 4u) << file;
   }
+  // Whatever the name, the bytes tell.
+  for (const char* file : {"log.db3.zst", "log.zst", "recording"}) {
+    fs::copy(packed, folder / file);
+    EXPECT_EQ(FaultOfTopic(folder, file), "no fault") << file;
+    EXPECT_EQ(Recording(folder / "out").LoadGnss("digger/gnss").size(), 4u) << file;
+    EXPECT_THAT(SuggestMapping(folder / file), HasSubstr("topic: \"/fix\"")) << file;
+  }
   const std::string bytes = ReadWholeFile(packed);
   WriteWholeFile(packed, bytes.substr(0, bytes.size() / 2));
   EXPECT_THAT(FaultOfTopic(folder, "log.db3.zstd"),
@@ -136,6 +145,46 @@ TEST_F(ForeignBag, CompressedAsAWholeByZstdIsRead) {
   ASSERT_TRUE(
       OutputOf("head -c 100000000 /dev/zero | zstd -q -f -19 -o '" + packed.string() + "'"));
   EXPECT_THAT(FaultOfTopic(folder, "log.db3.zstd"), HasSubstr("which no bag's do"));
+  // What was packed is told by its own name, not by where it was unpacked.
+  WriteWholeFile(folder / "text", "t,x\n0,1\n");
+  ASSERT_TRUE(pack(folder / "text", packed));
+  EXPECT_THAT(FaultOfTopic(folder, "log.db3.zstd"), HasSubstr("log.db3.zstd: is no bag"));
+}
+
+// As rosbag2 splits a long recording, which each channel reads again.
+TEST_F(ForeignBag, InSeveralFilesEachCompressedIsUnpackedOnce) {
+  if (!WriteByPython("write_rosbag2.py", "log.db3", "none") || !HasProgram("zstd")) {
+    GTEST_SKIP() << "needs python3 and zstd";
+  }
+  const fs::path folder = scratch_.path();
+  // As a recorder leaves it that kept a log of writes beside the file.
+  ASSERT_TRUE(
+      OutputOf("/usr/bin/python3 -c \"import sqlite3, sys; "
+               "sqlite3.connect(sys.argv[1]).execute('PRAGMA journal_mode=WAL')\" '" +
+               log_.string() + "'"));
+  for (const char* part : {"run_0.db3.zstd", "run_1.db3.zstd"}) {
+    ASSERT_TRUE(
+        OutputOf("zstd -q -f '" + log_.string() + "' -o '" + (folder / part).string() + "'"));
+  }
+  WriteWholeFile(folder / "metadata.yaml",
+                 "rosbag2_bagfile_information:\n  relative_file_paths: [run_0.db3.zstd, "
+                 "run_1.db3.zstd]\n");
+  log_ = folder / "metadata.yaml";
+  class Counts : public BagVisitor {
+   public:
+    Wish Wants(const BagTopic&) override { return Wish::kTake; }
+    bool Take(std::size_t, const BagMessage&) override { return ++messages > 0; }
+    int messages = 0;
+  };
+  UnpackedFiles unpacked;
+  Counts first, again;
+  ReadBag(log_, &unpacked, &first, /*to_the_damage=*/false);
+  for (const char* part : {"run_0.db3.zstd", "run_1.db3.zstd"}) {
+    WriteWholeFile(folder / part, ReadWholeFile(folder / part).substr(0, 20));
+  }
+  ReadBag(log_, &unpacked, &again, /*to_the_damage=*/false);
+  EXPECT_GT(first.messages, 0);
+  EXPECT_EQ(again.messages, first.messages);
 }
 
 TEST_F(ForeignBag, OfTheLibraryOfMcapIsRead) {

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/time.h"
+#include "dataset/import/bag/unpacked_file.h"
 
 /// Bags of ROS messages, read from their beginning to their end.
 
@@ -48,17 +49,24 @@ class BagVisitor {
 
 /// Shows a bag's topics and messages in the order of the file, no more than a chunk of them in
 /// memory: an MCAP file, a SQLite 3 file of rosbag2, a ROS 1 bag, the metadata.yaml of a rosbag2
-/// folder or that folder, whose files are read one after the other.
+/// folder or that folder, whose files are read one after the other. A file that was compressed as a
+/// whole by zstd, whatever its name is, is read from `unpacked`.
 ///
 /// Throws InputError where there is no bag, and BagDamage where its bytes are not as its format
 /// says; with `to_the_damage` what can be read behind some damage is read too.
-void ReadBag(const std::filesystem::path& bag, BagVisitor* visitor, bool to_the_damage);
+void ReadBag(const std::filesystem::path& bag, UnpackedFiles* unpacked, BagVisitor* visitor,
+             bool to_the_damage);
+
+/// In the folder of a rosbag2, the list of its files.
+inline constexpr const char* kBagMetadata = "metadata.yaml";
 
 /// The files of a bag, in order.
 std::vector<std::filesystem::path> FilesOfBag(const std::filesystem::path& bag);
 
-/// Whether a name is one of a bag: .mcap, .db3, .bag, metadata.yaml or a folder that has it.
-bool HasNameOfBag(const std::filesystem::path& file);
+/// Whether a file is to be read as a bag: by its name (.mcap, .db3, .bag, these with .zstd or .zst
+/// behind them, metadata.yaml or a folder that has it), or by its first bytes, which are those of a
+/// bag or of something that zstd compressed as a whole.
+bool LooksLikeBag(const std::filesystem::path& file);
 
 /// "sensor_msgs/Imu" of "sensor_msgs/msg/Imu".
 std::string ShortTypeName(std::string_view type);

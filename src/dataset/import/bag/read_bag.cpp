@@ -1,21 +1,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 
 #include "core/config/config.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/import/bag/bag_file.h"
 #include "dataset/import/bag/bag_source.h"
+#include "dataset/import/bag/unpack.h"
 #include "dataset/import/bag/unpacked_file.h"
 
 namespace tera {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char *kMetadata = "metadata.yaml", *kPacked = ".zstd";
 
 /// Counts on from file to file, so that the numbers of topics differ.
 class Renumbered : public BagVisitor {
@@ -36,28 +34,41 @@ class Renumbered : public BagVisitor {
   std::size_t asked_ = 0, before_ = 0;
 };
 
-/// The file that was compressed as a whole. The last one is kept, as each channel of a mapping
-/// reads its bag again.
-const UnpackedFile& Unpacked(const fs::path& packed) {
-  struct Kept {
-    fs::path packed;
-    fs::file_time_type written;
-    std::unique_ptr<UnpackedFile> file;
-  };
-  static Kept kept;
-  const fs::path place = fs::absolute(packed);
-  const fs::file_time_type written = fs::last_write_time(packed);
-  if (!kept.file || kept.packed != place || kept.written != written) {
-    kept.file.reset();
-    kept = {place, written, std::make_unique<UnpackedFile>(packed)};
-  }
-  return *kept.file;
+/// Its first bytes, which tell of its form.
+std::string FirstBytes(const fs::path& file) {
+  constexpr std::uint64_t kMagicBytes = 7;
+  BagFile bytes(file);
+  return bytes.Read(0, std::min(bytes.size(), kMagicBytes));
 }
 
-bool ReadPlainFile(const fs::path& file, BagVisitor* visitor, bool to_the_damage);
+using FileReader = bool (*)(const fs::path& file, BagVisitor* visitor, bool to_the_damage);
 
-bool ReadPackedFile(const fs::path& packed, BagVisitor* visitor, bool to_the_damage) {
-  const UnpackedFile& file = Unpacked(packed);
+/// None where these are not a bag's first bytes.
+FileReader ReaderOf(std::string_view first) {
+  if (first.starts_with("\x89MCAP")) {
+    return
+        [](const fs::path& file, BagVisitor* visitor, bool) { return ReadMcapFile(file, visitor); };
+  }
+  if (first.starts_with("#ROSBAG")) {
+    return [](const fs::path& file, BagVisitor* visitor, bool) {
+      return ReadRos1BagFile(file, visitor);
+    };
+  }
+  if (first.starts_with("SQLite ")) return ReadSqliteBagFile;
+  return nullptr;
+}
+
+bool ReadPlainFile(const fs::path& file, BagVisitor* visitor, bool to_the_damage) {
+  if (const FileReader read = ReaderOf(FirstBytes(file))) {
+    return read(file, visitor, to_the_damage);
+  }
+  throw InputError(file.string() +
+                   ": is no bag; need an MCAP file, a SQLite 3 file of rosbag2 or a ROS 1 bag, or "
+                   "for a table in a text file no 'topic'");
+}
+
+bool ReadPackedFile(const fs::path& packed, const UnpackedFile& file, BagVisitor* visitor,
+                    bool to_the_damage) {
   const auto told = [&](const std::string& damage) {
     return BagDamage(
         fmt::format("{}: {}; copy the file again, or read what stands before by "
@@ -77,22 +88,11 @@ bool ReadPackedFile(const fs::path& packed, BagVisitor* visitor, bool to_the_dam
   return true;
 }
 
-bool ReadPlainFile(const fs::path& file, BagVisitor* visitor, bool to_the_damage) {
-  constexpr std::uint64_t kMagicBytes = 7;
-  BagFile bytes(file);
-  const std::string magic = bytes.Read(0, std::min(bytes.size(), kMagicBytes));
-  if (magic.starts_with("\x89MCAP")) return ReadMcapFile(file, visitor);
-  if (magic.starts_with("#ROSBAG")) return ReadRos1BagFile(file, visitor);
-  if (magic.starts_with("SQLite ")) return ReadSqliteBagFile(file, visitor, to_the_damage);
-  throw InputError(file.string() +
-                   ": is no bag; need an MCAP file, a SQLite 3 file of rosbag2 or a ROS 1 bag, or "
-                   "for a table in a text file no 'topic'");
-}
-
-bool ReadFile(const fs::path& file, BagVisitor* visitor, bool to_the_damage) {
-  const bool is_packed = file.extension() == kPacked;
-  return is_packed ? ReadPackedFile(file, visitor, to_the_damage)
-                   : ReadPlainFile(file, visitor, to_the_damage);
+bool ReadFile(const fs::path& file, UnpackedFiles* unpacked, BagVisitor* visitor,
+              bool to_the_damage) {
+  // By the bytes: whoever compresses a file may name it as he likes.
+  if (!IsZstdFrame(FirstBytes(file))) return ReadPlainFile(file, visitor, to_the_damage);
+  return ReadPackedFile(file, unpacked->Of(file), visitor, to_the_damage);
 }
 
 /// The files that the metadata.yaml of a rosbag2 folder names.
@@ -118,26 +118,33 @@ std::vector<fs::path> FilesOf(const fs::path& metadata) {
 
 }  // namespace
 
-bool HasNameOfBag(const fs::path& file) {
-  const fs::path name = file.extension() == kPacked ? file.stem() : file.filename();
+bool LooksLikeBag(const fs::path& file) {
+  const bool is_packed = file.extension() == ".zstd" || file.extension() == ".zst";
+  const fs::path name = is_packed ? file.stem() : file.filename();
   const std::string ending = name.extension();
-  return ending == ".mcap" || ending == ".db3" || ending == ".bag" ||
-         file.filename() == kMetadata || fs::is_regular_file(file / kMetadata);
+  if (ending == ".mcap" || ending == ".db3" || ending == ".bag" ||
+      file.filename() == kBagMetadata || fs::is_regular_file(file / kBagMetadata)) {
+    return true;
+  }
+  if (!fs::is_regular_file(file)) return false;
+  const std::string first = FirstBytes(file);
+  return IsZstdFrame(first) || ReaderOf(first) != nullptr;
 }
 
 std::vector<fs::path> FilesOfBag(const fs::path& bag) {
-  if (fs::is_directory(bag)) return FilesOf(bag / kMetadata);
-  if (bag.filename() == kMetadata) return FilesOf(bag);
+  if (fs::is_directory(bag)) return FilesOf(bag / kBagMetadata);
+  if (bag.filename() == kBagMetadata) return FilesOf(bag);
   return {bag};
 }
 
-void ReadBag(const fs::path& bag, BagVisitor* visitor, bool to_the_damage) {
+void ReadBag(const fs::path& bag, UnpackedFiles* unpacked, BagVisitor* visitor,
+             bool to_the_damage) {
   Renumbered numbered(visitor);
   std::optional<BagDamage> damage;
   for (const fs::path& file : FilesOfBag(bag)) {
     numbered.NextFile();
     try {
-      if (!ReadFile(file, &numbered, to_the_damage)) return;
+      if (!ReadFile(file, unpacked, &numbered, to_the_damage)) return;
     } catch (const BagDamage& found) {
       if (!to_the_damage) throw;
       // The files behind it may be whole.

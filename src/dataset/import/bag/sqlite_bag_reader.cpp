@@ -8,6 +8,7 @@
 
 #include "dataset/import/bag/bag_file.h"
 #include "dataset/import/bag/bag_source.h"
+#include "dataset/import/bag/sqlite_whole_file.h"
 #include "dataset/import/bag/unpack.h"
 
 // Source  ros2/rosbag2, rosbag2_storage_default_plugins (Humble) and rosbag2_storage_sqlite3
@@ -25,7 +26,8 @@ class SqliteBagReader {
       : file_(file), visitor_(visitor) {
     BagFile(file).Read(0, 0);  // whether there is a file that can be read
     sqlite3* handle = nullptr;
-    const int status = sqlite3_open_v2(file.c_str(), &handle, SQLITE_OPEN_READONLY, nullptr);
+    const char* access = IsUnpackedFile(file) ? SqliteWholeFile() : nullptr;
+    const int status = sqlite3_open_v2(file.c_str(), &handle, SQLITE_OPEN_READONLY, access);
     database_.reset(handle);
     Require(status);
     sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, static_cast<int>(kMostPieceBytes));

@@ -125,10 +125,11 @@ std::optional<StandardColumn> StandardColumnOf(std::string_view type, std::strin
   return std::nullopt;
 }
 
-std::vector<std::string> JointNames(const std::filesystem::path& bag, const BagTopic& topic) {
+std::vector<std::string> JointNames(const std::filesystem::path& bag, const BagTopic& topic,
+                                    UnpackedFiles* unpacked) {
   FirstMessage first(topic);
   try {
-    ReadBag(bag, &first, /*to_the_damage=*/true);
+    ReadBag(bag, unpacked, &first, /*to_the_damage=*/true);
   } catch (const BagDamage&) {
     if (!first.bytes()) throw;
   }

@@ -34,6 +34,7 @@ inline constexpr const char* kCovarianceTypePath = "position_covariance_type";
 
 /// The joints that the first message of a topic of kJointType names; none where there is no
 /// message. InputError where it cannot be read.
-std::vector<std::string> JointNames(const std::filesystem::path& bag, const BagTopic& topic);
+std::vector<std::string> JointNames(const std::filesystem::path& bag, const BagTopic& topic,
+                                    UnpackedFiles* unpacked);
 
 }  // namespace tera

@@ -43,11 +43,12 @@ std::string TopicPlace(const std::filesystem::path& bag, const BagTopic& topic) 
 
 }  // namespace
 
-FoundTopic FindTopic(const std::filesystem::path& bag, const std::string& name) {
+FoundTopic FindTopic(const std::filesystem::path& bag, const std::string& name,
+                     UnpackedFiles* unpacked) {
   FoundTopic found;
   TopicFinder finder(name, &found);
   try {
-    ReadBag(bag, &finder, /*to_the_damage=*/true);
+    ReadBag(bag, unpacked, &finder, /*to_the_damage=*/true);
   } catch (const BagDamage&) {
     // Whoever reads the topic's messages is told of it; without the topic it is the first to tell.
     if (!found.topic && found.names.empty()) throw;
@@ -138,12 +139,13 @@ class TopicTable::Filler : public BagVisitor {
 };
 
 TopicTable::TopicTable(const std::filesystem::path& bag, const BagTopic& topic,
-                       const std::vector<std::string>& paths, LeftOutRows* left_out)
+                       const std::vector<std::string>& paths, UnpackedFiles* unpacked,
+                       LeftOutRows* left_out)
     : bag_(bag), topic_(topic) {
   for (const std::string& path : paths) columns_.push_back({.path = path});
   Filler filler(this, left_out);
   try {
-    ReadBag(bag, &filler, /*to_the_damage=*/left_out != nullptr);
+    ReadBag(bag, unpacked, &filler, /*to_the_damage=*/left_out != nullptr);
   } catch (const BagDamage& damage) {
     if (left_out == nullptr) throw;
     left_out->Add(damage.what());

@@ -21,7 +21,8 @@ struct FoundTopic {
 };
 
 /// Looks a topic up, in no more of the bag than that needs. Damage counts as the bag's end.
-FoundTopic FindTopic(const std::filesystem::path& bag, const std::string& name);
+FoundTopic FindTopic(const std::filesystem::path& bag, const std::string& name,
+                     UnpackedFiles* unpacked);
 
 /// Whether a topic's messages begin with a header. False where its definition cannot be read.
 bool HasHeader(const BagTopic& topic);
@@ -36,7 +37,7 @@ class TopicTable final : public RowTable {
   /// with `left_out`, messages that cannot be read are added to it, and so is damage, before which
   /// all is read.
   TopicTable(const std::filesystem::path& bag, const BagTopic& topic,
-             const std::vector<std::string>& paths, LeftOutRows* left_out);
+             const std::vector<std::string>& paths, UnpackedFiles* unpacked, LeftOutRows* left_out);
 
   std::size_t row_count() const override { return lines_.size(); }
   std::size_t Column(const std::string& name) const override;

@@ -1,6 +1,8 @@
 #include "dataset/import/bag/unpacked_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 #include <zstd.h>
 
 #include <algorithm>
@@ -17,6 +19,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr const char* kOpenFiles = "/proc/self/fd";
 constexpr std::uint64_t kPiece = std::uint64_t{1} << 20;
 constexpr std::uint64_t kMostExpanded = 1000;  ///< times; of bags it is some ten
 constexpr std::uint64_t kLeftFree = std::uint64_t{64} << 20;
@@ -36,26 +39,31 @@ std::uint64_t MostBytes(const fs::path& packed, const fs::path& folder, std::uin
   return std::min(most, room - kLeftFree);
 }
 
+/// A new file, open for writing, that has no name any more.
+int NamelessFile(const fs::path& folder) {
+  std::string name = (folder / "tera_bag_XXXXXX").string();
+  const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);
+  if (descriptor < 0) FailFile(name, "cannot be created", errno);
+  ::unlink(name.c_str());
+  return descriptor;
+}
+
 }  // namespace
 
-UnpackedFile::UnpackedFile(const fs::path& packed) : packed_(packed) {
-  std::string name = (fs::temp_directory_path() / "tera_bag_XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) FailFile(name, "folder cannot be created", errno);
-  folder_ = name;
-  path_ = folder_ / packed.stem();
+UnpackedFile::UnpackedFile(const fs::path& packed)
+    : packed_(packed), folder_(fs::temp_directory_path()), descriptor_(NamelessFile(folder_)) {
+  path_ = fmt::format("{}/{}", kOpenFiles, descriptor_);
   try {
     Unpack();
   } catch (...) {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
+    ::close(descriptor_);
     throw;
   }
 }
 
-UnpackedFile::~UnpackedFile() {
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
-}
+UnpackedFile::~UnpackedFile() { ::close(descriptor_); }
+
+bool IsUnpackedFile(const fs::path& path) { return path.parent_path() == kOpenFiles; }
 
 std::string UnpackedFile::OfPacked(const std::string& message) const {
   std::string own = message;
@@ -68,7 +76,7 @@ void UnpackedFile::Unpack() {
   const std::uint64_t most = MostBytes(packed_, folder_, packed.size());
   const std::unique_ptr<ZSTD_DStream, decltype(&ZSTD_freeDStream)> stream(ZSTD_createDStream(),
                                                                           &ZSTD_freeDStream);
-  CheckedFile file(path_);
+  std::uint64_t written = 0;
   std::string out(kPiece, '\0');
   std::size_t left = 0;
   for (std::uint64_t at = 0; at < packed.size() && !damage_;) {
@@ -82,18 +90,31 @@ void UnpackedFile::Unpack() {
         damage_ = fmt::format("cannot be unpacked by zstd: {}", ZSTD_getErrorName(left));
         break;
       }
-      file.Append({out.data(), to.pos});
-      if (static_cast<std::uint64_t>(file.bytes()) > most) {
+      Write({out.data(), to.pos});
+      written += to.pos;
+      if (written > most) {
         throw InputError(fmt::format(
             "{}: its {} bytes unpack to more than {}, which no bag's do or for which {} has no "
             "room; unpack it by 'unzstd' where there is room, and name that file",
-            packed_.string(), packed.size(), most, folder_.parent_path().string()));
+            packed_.string(), packed.size(), most, folder_.string()));
       }
       full = to.pos == to.size;
     }
   }
   if (!damage_ && left != 0) damage_ = "ends within its zstd frame";
-  file.Commit();
+}
+
+void UnpackedFile::Write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) FailFile(folder_, "an unpacked bag cannot be written", errno);
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+const UnpackedFile& UnpackedFiles::Of(const fs::path& packed) {
+  return files_.try_emplace(fs::absolute(packed).lexically_normal(), packed).first->second;
 }
 
 }  // namespace tera

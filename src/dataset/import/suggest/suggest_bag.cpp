@@ -59,7 +59,7 @@ class BagGuess {
   explicit BagGuess(const std::filesystem::path& log)
       : log_(std::filesystem::is_directory(log) ? log / "metadata.yaml" : log) {
     try {
-      ReadBag(log, &census_, /*to_the_damage=*/true);
+      ReadBag(log, &unpacked_, &census_, /*to_the_damage=*/true);
     } catch (const BagDamage& damage) {
       if (census_.topics().empty()) throw;
       damage_ = damage.what();
@@ -135,9 +135,9 @@ class BagGuess {
     }
   }
 
-  bool NamesJoints(const BagTopic& topic) const {
+  bool NamesJoints(const BagTopic& topic) {
     try {
-      return !JointNames(log_, topic).empty();
+      return !JointNames(log_, topic, &unpacked_).empty();
     } catch (const InputError&) {
       return false;
     } catch (const BadBytes&) {
@@ -161,9 +161,9 @@ class BagGuess {
   }
 
   std::vector<NumbersOfColumn> Numbers(const BagTopic& topic,
-                                       const std::vector<std::string>& paths) const {
+                                       const std::vector<std::string>& paths) {
     LeftOutRows left_out;
-    const TopicTable table(log_, topic, paths, &left_out);
+    const TopicTable table(log_, topic, paths, &unpacked_, &left_out);
     std::vector<NumbersOfColumn> columns;
     for (const std::string& path : paths) {
       NumbersOfColumn column{.name = path};
@@ -178,7 +178,7 @@ class BagGuess {
   }
 
   /// Nothing where the numbers are in the units of the message's definition.
-  std::string ImuColumns(const BagTopic& topic) const {
+  std::string ImuColumns(const BagTopic& topic) {
     std::vector<std::string> paths;
     const std::vector<const char*> keys = {"wx", "wy", "wz", "ax", "ay", "az"};
     for (const char* key : keys) paths.push_back(StandardColumnOf(topic.type, key)->path);
@@ -199,7 +199,7 @@ class BagGuess {
     return yaml;
   }
 
-  std::string Origin(const BagTopic& topic) const {
+  std::string Origin(const BagTopic& topic) {
     const auto columns = Numbers(topic, {"latitude", "longitude", "altitude"});
     for (const NumbersOfColumn& column : columns) {
       if (column.values.empty()) {
@@ -213,6 +213,7 @@ class BagGuess {
   }
 
   std::filesystem::path log_;
+  UnpackedFiles unpacked_;
   Census census_;
   std::string damage_;
   std::set<std::string> names_;

@@ -242,7 +242,7 @@ class TableGuess {
 std::string SuggestForTable(const std::filesystem::path& log) { return TableGuess(log).Yaml(); }
 
 std::string SuggestMapping(const std::filesystem::path& log) {
-  if (HasNameOfBag(log)) return SuggestForBag(log);
+  if (LooksLikeBag(log)) return SuggestForBag(log);
   if (std::filesystem::is_directory(log)) return SuggestForFolder(log);
   return TypeOfLog(log).empty() ? SuggestForTable(log) : SuggestForLog(log);
 }
