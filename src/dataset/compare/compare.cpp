@@ -84,13 +84,15 @@ void CompareSeries(const Recording& a, const Recording& b, MachineComparison* ma
     const std::string channel = folder.substr(prefix.size());
     const std::string other = machine->name_b + "/" + channel;
     if (!b.Has(other) || b.TypeOf(other) != a.TypeOf(folder)) continue;
+    // Of a sensor, whose name a stranger may have chosen, a dot is part of it.
+    const bool is_table = a.TypeOf(folder) == kTableChannel;
+    const std::string name = is_table ? fs::path(channel).replace_extension().string() : channel;
     const auto signals_b = SignalsOf(b, other);
     for (const Signal& signal : SignalsOf(a, folder)) {
       const auto match = std::find_if(signals_b.begin(), signals_b.end(),
                                       [&](const Signal& s) { return s.column == signal.column; });
       if (match == signals_b.end()) continue;
-      const ChannelDifference difference =
-          Difference(fs::path(channel).replace_extension(), signal, *match);
+      const ChannelDifference difference = Difference(name, signal, *match);
       if (difference.count > 0) machine->channels.push_back(difference);
     }
   }

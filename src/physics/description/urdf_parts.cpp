@@ -138,8 +138,9 @@ void AddFriction(const urdf::Joint& in, const PartPlace& place, std::vector<Give
 /// Lays the TERA keys of `links:` and `joints:` over what the URDF says.
 void LayOver(const ConfigMap& config, MachineParts* parts) {
   for (const auto& [name, map] : config.NamedMaps("links")) {
-    const auto part = std::find_if(parts->links.begin(), parts->links.end(),
-                                   [&](const LinkPart& p) { return p.link.name == name; });
+    const auto part =
+        std::find_if(parts->links.begin(), parts->links.end(),
+                     [&name = name](const LinkPart& p) { return p.link.name == name; });
     if (part == parts->links.end()) {
       map.Fault("", fmt::format("the URDF has no link '{}'", name));
     } else {
@@ -147,8 +148,9 @@ void LayOver(const ConfigMap& config, MachineParts* parts) {
     }
   }
   for (const auto& [name, map] : config.NamedMaps("joints")) {
-    const auto part = std::find_if(parts->joints.begin(), parts->joints.end(),
-                                   [&](const JointPart& p) { return p.joint.name == name; });
+    const auto part =
+        std::find_if(parts->joints.begin(), parts->joints.end(),
+                     [&name = name](const JointPart& p) { return p.joint.name == name; });
     if (part == parts->joints.end()) {
       map.Fault("", fmt::format("the URDF has no joint '{}'", name));
     } else {

@@ -126,6 +126,23 @@ TEST(Compare, ComparesTheChannelsOfAMachineThatHasNoPoses) {
   EXPECT_THAT(ComparisonTable(c), testing::Not(HasSubstr("APE")));
 }
 
+// As strangers name theirs.
+TEST(Compare, KeepsTheDotsInNamesOfSensors) {
+  ScratchDirectory scratch;
+  for (const char* run : {"real", "sim"}) {
+    DatasetWriter writer(scratch.path() / run, SampleInfo(), {});
+    for (const char* name : {"husky/imu.left", "husky/imu.right"}) {
+      const ChannelId imu = writer.AddChannel(ImuChannel(name, ""));
+      writer.Write(imu, RowOf(ImuSample{0, 0, Vec3::Zero(), Vec3(0, 0, 9.8)}));
+    }
+    writer.Finish();
+  }
+  const std::string table =
+      ComparisonTable(Compare(scratch.path() / "real", scratch.path() / "sim"));
+  EXPECT_THAT(table, HasSubstr("imu.left wz_radps"));
+  EXPECT_THAT(table, HasSubstr("imu.right wz_radps"));
+}
+
 TEST(PlotComparison, DrawsAPictureOfTheStatedSize) {
   ScratchDirectory scratch;
   WriteCircle(scratch.path() / "real", "husky", 0, 0);
