@@ -107,16 +107,6 @@ std::vector<TransformStamped> StaticTransforms(TimeNs t_ns, const ScenarioMachin
   return transforms;
 }
 
-std::optional<EndEffector> EndEffectorOf(const MachineModel& model) {
-  const std::vector<Shovel>& shovels = model.ground_tools.shovels;
-  for (std::size_t s = 0; s < shovels.size(); ++s) {
-    if (shovels[s].capacity_m3 <= 0) continue;
-    const Vec2& edge = shovels[s].profile_B_m.front();
-    return EndEffector{static_cast<int>(s), shovels[s].link, MakePose(Vec3(edge.x(), 0, edge.y()))};
-  }
-  return std::nullopt;
-}
-
 PoseStamped EndEffectorMessage(TimeNs t_ns, const ScenarioMachine& machine,
                                const MachineState& state, const EndEffector& tool) {
   const Pose X_WT = state.links[tool.link].X_WB * tool.X_BT;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "dataset/ros/messages.h"
 #include "physics/description/machine.h"
+#include "sim/end_effector.h"
 #include "sim/scenario/scenario.h"
 
 /// What a machine truly does, as ROS messages.
@@ -33,20 +33,7 @@ std::vector<TransformStamped> MovingTransforms(TimeNs t_ns, const ScenarioMachin
 std::vector<TransformStamped> StaticTransforms(TimeNs t_ns, const ScenarioMachine& machine,
                                                const MachineState& state);
 
-/// The tool that ee_pose and bucket_mass speak of.
-///
-/// Frames  T: origin in the middle of the cutting edge (the tips of the teeth), axes of the link
-///         that carries the shovel.
-struct EndEffector {
-  int shovel = 0;
-  int link = 0;
-  Pose X_BT = Pose::Identity();
-};
-
-/// The first shovel that can carry soil; nothing where the machine has none.
-std::optional<EndEffector> EndEffectorOf(const MachineModel& model);
-
-/// T in the root link's frame.
+/// The tool's T in the root link's frame.
 PoseStamped EndEffectorMessage(TimeNs t_ns, const ScenarioMachine& machine,
                                const MachineState& state, const EndEffector& tool);
 

@@ -6,24 +6,11 @@
 #include <cmath>
 #include <utility>
 
+#include "dataset/ros/delta_can.h"
 #include "ros2/names.h"
 
 namespace tera::ros {
 namespace {
-
-struct Field {
-  const char* name;
-  float DeltaCan::*value;
-};
-
-constexpr Field kFields[] = {{"slew", &DeltaCan::slew},
-                             {"boom", &DeltaCan::boom},
-                             {"arm", &DeltaCan::arm},
-                             {"bucket", &DeltaCan::bucket},
-                             {"left_travel", &DeltaCan::left_travel},
-                             {"right_travel", &DeltaCan::right_travel},
-                             {"blade", &DeltaCan::blade},
-                             {"swing", &DeltaCan::swing}};
 
 TimeNs StampOf(const DeltaCan& message) {
   return message.stamp_sec * kNsPerSecond + message.stamp_nanosec;
@@ -38,24 +25,14 @@ bool IsPowerOfTen(std::int64_t n) {
 
 }  // namespace
 
-float DeltaCan::*FieldOf(const Lever& lever) {
-  if (lever.gear >= 0) {
-    if (lever.name.starts_with("left")) return &DeltaCan::left_travel;
-    if (lever.name.starts_with("right")) return &DeltaCan::right_travel;
-    return nullptr;
-  }
-  for (const Field& field : kFields) {
-    if (lever.name == field.name) return field.value;
-  }
-  return nullptr;
-}
+float DeltaCan::*FieldOf(const Lever& lever) { return FieldOfLever(lever.name, lever.gear >= 0); }
 
 std::optional<std::string> FaultOf(const DeltaCan& message, const MachineModel& model) {
   if (message.stamp_sec < 0 || message.stamp_nanosec >= kNsPerSecond) {
     return fmt::format("its stamp is {} s {} ns, need a time from 0 on, below 10^9 ns",
                        message.stamp_sec, message.stamp_nanosec);
   }
-  for (const Field& field : kFields) {
+  for (const DeltaCanField& field : kDeltaCanFields) {
     const float value = message.*field.value;
     if (!IsLever(value)) return fmt::format("{} is {}, need -1 to 1", field.name, value);
   }

@@ -13,8 +13,7 @@
 
 namespace tera::ros {
 
-/// Which field of DeltaCAN moves a lever: that of its own name; for the lever of a running gear,
-/// `left_travel` or `right_travel` by how its name begins. Null where there is none.
+/// Which field of DeltaCAN moves a lever, as of FieldOfLever.
 float DeltaCan::*FieldOf(const Lever& lever);
 
 /// What is wrong with a message: a lever that is no number or beyond -1 to 1, `others` of another

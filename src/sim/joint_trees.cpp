@@ -1,6 +1,7 @@
 #include "sim/joint_trees.h"
 
 #include "dataset/format/recording.h"
+#include "sim/end_effector.h"
 #include "sim/run/recorded_run.h"
 
 namespace tera {
@@ -34,6 +35,10 @@ std::vector<JointTree> JointTreesOf(const Scenario& scenario) {
                              model.links[joint.child].name, MotionOf(joint.type), joint.X_PJ,
                              joint.axis_J});
     }
+    if (const auto tool = EndEffectorOf(model)) {
+      tree.tool = JointTree::Tool{model.links[tool->link].name, tool->X_BT};
+    }
+    for (const Lever& lever : model.levers) tree.levers.push_back({lever.name, lever.gear >= 0});
     trees.push_back(std::move(tree));
   }
   return trees;

@@ -177,6 +177,8 @@ void ExpectTopics(const json& bag, const fs::path& run) {
       {"/digger/joint_states", {"sensor_msgs/msg/JointState", "truth/digger/joints.csv"}},
       {"/digger/cylinders", {"sensor_msgs/msg/JointState", "truth/digger/hydraulics.csv"}},
       {"/digger/bucket_mass", {"std_msgs/msg/Float64", "truth/digger/joints.csv"}},
+      {"/digger/ee_pose", {"geometry_msgs/msg/PoseStamped", "truth/digger/joints.csv"}},
+      {"/digger/delta_can", {"tera_msgs/msg/DeltaCAN", "digger/commands.csv"}},
       {"/truth/digger/links/boom",
        {"geometry_msgs/msg/PoseStamped", "truth/digger/links/boom.csv"}}};
   for (const auto& [topic, content] : expected) {
@@ -334,6 +336,62 @@ TEST_F(ExportCommand, TransformsLeadToWhereTheSensorTrulyIs) {
       Recording(Path("run")).LoadPose("truth/digger/sensors/imu_boom.csv").poses.front().X_WB;
   const Pose told = PlaceOf("digger/imu_boom", *bag);
   EXPECT_TRUE(told.isApprox(truth, 1e-3)) << told.matrix() << "\n\n" << truth.matrix();
+}
+
+/// A column of a recorded table in its last row.
+double LastOf(const TableRecording& table, const std::string& column) {
+  const auto found = std::find(table.columns.begin(), table.columns.end(), column);
+  EXPECT_NE(found, table.columns.end()) << column;
+  return table.rows.back().at(static_cast<std::size_t>(found - table.columns.begin()));
+}
+
+// A machine whose boom, slew and one track are driven, read back in both kinds of bags: its levers
+// by their fields, and the bucket's edge where the angles lead by the pins of tb235.yaml.
+TEST_F(ExportCommand, TheExcavatorsOwnMessagesAreItsLeversAndItsBucketsEdge) {
+  SKIP_WITHOUT_NODE();
+  WriteWholeFile(Path("levers.csv"),
+                 "t_s,slew,boom,left_track\n0,0.5,0.75,-0.25\n0.3,0.5,0.75,-0.25\n");
+  WriteWholeFile(Path("driven.yaml"), R"(name: driven
+duration_s: 0.3
+settle_s: 0.1
+terrain: {size_m: [14, 14], cell_m: 0.2, soil: asphalt}
+machines:
+  - name: digger
+    machine: tera:config/machines/tb235.yaml
+    start: {joints_deg: {boom: 40, arm: -95, bucket: -20, swing: 10}}
+    operator: {type: lever_replay, csv: levers.csv, time_column: t_s}
+    rig: {sensors: []}
+)");
+  const Outcome made = RunTera({"generate", "driven.yaml", "--out", "driven"}, {Path("")});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const Recording recording(Path("driven"));
+  const TableRecording joints = recording.LoadTable("truth/digger/joints.csv");
+  const auto q = [&](const std::string& joint) { return LastOf(joints, joint + "_rad"); };
+  const double boom = q("boom"), arm = boom + q("arm"), bucket = arm + q("bucket") - 45 * kDeg;
+  const Vec3 edge_m(0.18 + 2.5 * std::cos(boom) + 1.545 * std::cos(arm) + 0.78 * std::cos(bucket),
+                    0,
+                    0.86 + 2.5 * std::sin(boom) + 1.545 * std::sin(arm) + 0.78 * std::sin(bucket));
+  const Quat slewed(Eigen::AngleAxisd(q("slew"), Vec3::UnitZ()));
+  const Quat swung(Eigen::AngleAxisd(q("swing"), Vec3::UnitZ()));
+  const Vec3 expected_m = slewed * (Vec3(0.62, 0, 0) + swung * edge_m);
+  for (const std::string to : {"rosbag2", "bag"}) {
+    const Outcome outcome =
+        RunTera({"export", "driven", "--to", to, "--out", "own_" + to}, {Path("")});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const auto bag =
+        BagAt(Path(to == "bag" ? "own_bag/own_bag.bag" : "own_rosbag2/own_rosbag2_0.mcap"));
+    ASSERT_TRUE(bag) << to;
+    const json& pose = (*bag)["topics"]["/digger/ee_pose"]["last"]["message"];
+    EXPECT_EQ(pose["header"]["frame_id"], "digger/undercarriage");
+    EXPECT_LT((VectorOf(pose["pose"]["position"]) - expected_m).norm(), 1e-5);
+    const json& levers = (*bag)["topics"]["/digger/delta_can"]["last"]["message"];
+    EXPECT_EQ(levers["slew"], 0.5);
+    EXPECT_EQ(levers["boom"], 0.75);
+    EXPECT_EQ(levers["left_travel"], -0.25);
+    EXPECT_EQ(levers["right_travel"], 0);
+    EXPECT_EQ(levers["enable"], true);
+    EXPECT_EQ(levers["hydraulic_lock"], false);
+  }
 }
 
 }  // namespace

@@ -70,7 +70,7 @@ Pose SkewPose() { return MakePose(Vec3(4, -3, 0.5), 10 * kDeg, -20 * kDeg, 130 *
 TEST(MachineMessages, EndEffectorIsTheCuttingEdgeSeenFromTheUndercarriage) {
   const Scenario scenario = Read(kExcavator);
   const ScenarioMachine& digger = scenario.machines[0];
-  const auto tool = ros::EndEffectorOf(digger.placement.model);
+  const auto tool = EndEffectorOf(digger.placement.model);
   ASSERT_TRUE(tool.has_value());
   const MachineState state = StretchedDown(digger.placement.model, SkewPose());
   const ros::PoseStamped message = ros::EndEffectorMessage(7, digger, state, *tool);
@@ -132,7 +132,7 @@ TEST(MachineMessages, MachineThatStandsFastHasItsRootAmongTheStaticTransforms) {
   ASSERT_FALSE(fast.empty());
   EXPECT_EQ(fast[0].header.frame_id, "map");
   EXPECT_TRUE(fast[0].pose.isApprox(SkewPose()));
-  EXPECT_FALSE(ros::EndEffectorOf(model).has_value());
+  EXPECT_FALSE(EndEffectorOf(model).has_value());
 }
 
 TEST(MachineMessages, OdometryHasItsVelocitiesInTheMachinesOwnFrame) {

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <map>
-
 #include "core/error.h"
+#include "dataset/export/link_path.h"
 #include "dataset/export/record_views.h"
 #include "dataset/format/sensor_sheet.h"
 
@@ -19,39 +17,6 @@ namespace {
       "{}: where {} was is not known: {}; need a simulated recording with truth, best made with "
       "`record: {{poses_hz: N}}`",
       job.recording.directory().string(), sensor, lacks));
-}
-
-/// A joint on the way from the root to a link, and where a table has its position.
-struct Step {
-  JointTree::Joint joint;
-  std::size_t column = 0;  ///< of a joint that moves
-};
-
-/// From the root to a link.
-std::vector<Step> WayTo(const std::string& link, const JointTree& tree,
-                        const std::vector<std::string>& columns, const ExportJob& job,
-                        const std::string& sensor) {
-  std::vector<Step> way;
-  for (std::string at = link; at != tree.root;) {
-    const auto joint = std::find_if(tree.joints.begin(), tree.joints.end(),
-                                    [&](const JointTree::Joint& j) { return j.child == at; });
-    if (joint == tree.joints.end()) {
-      FailUnplaced(job, sensor, fmt::format("its machine has no link '{}'", at));
-    }
-    Step step{*joint};
-    if (joint->motion != JointTree::Motion::kNone) {
-      const bool slides = joint->motion == JointTree::Motion::kSlides;
-      const auto column =
-          std::find(columns.begin(), columns.end(), joint->name + (slides ? "_m" : "_rad"));
-      if (column == columns.end()) {
-        FailUnplaced(job, sensor, fmt::format("joints.csv has no joint '{}'", joint->name));
-      }
-      step.column = static_cast<std::size_t>(column - columns.begin());
-    }
-    way.insert(way.begin(), step);
-    at = joint->parent;
-  }
-  return way;
 }
 
 SensorPoses RecordedTrack(const Recording& recording, const std::string& pose_file) {
@@ -77,15 +42,13 @@ SensorPoses TrackByJoints(ExportJob* job, const std::string& sensor) {
   const PoseTrack roots = RecordedTrack(recording, pose_file).X_WS;
   if (roots.empty()) FailUnplaced(*job, sensor, pose_file + " has no rows");
   RecordStream joints(recording, std::vector<std::string>{joints_file});
-  const std::vector<Step> way = WayTo(sheet.parent_link, *tree, joints.columns(0), *job, sensor);
+  std::string lacks;
+  const std::vector<PathStep> path =
+      PathToLink(sheet.parent_link, *tree, joints.columns(0), &lacks);
+  if (!lacks.empty()) FailUnplaced(*job, sensor, lacks);
   SensorPoses track;
   for (Record record; joints.Next(&record);) {
-    Pose X_WL = roots.At(record.t_ns);
-    for (const Step& step : way) {
-      const bool moves = step.joint.motion != JointTree::Motion::kNone;
-      X_WL = X_WL * step.joint.ChildInParent(moves ? record.values[step.column] : 0);
-    }
-    track.Append(record.t_ns, X_WL * *sheet.X_PS);
+    track.Append(record.t_ns, roots.At(record.t_ns) * X_RL(path, record) * *sheet.X_PS);
   }
   return track;
 }

@@ -20,8 +20,9 @@ struct Definition {
   std::string_view type, text;
 };
 
-/// Source  the published definitions of common_interfaces, geometry2, rcl_interfaces and grid_map.
-constexpr std::array<Definition, 45> kDefinitions = {{
+/// Source  the published definitions of common_interfaces, geometry2, rcl_interfaces and grid_map;
+///         examples/ros2/tera_msgs.
+constexpr std::array<Definition, 46> kDefinitions = {{
     {"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},
     {"std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"},
     {"std_msgs/Float64", "float64 data\n"},
@@ -104,6 +105,10 @@ constexpr std::array<Definition, 45> kDefinitions = {{
      "std_msgs/Header header\ngrid_map_msgs/GridMapInfo info\nstring[] layers\n"
      "string[] basic_layers\nstd_msgs/Float32MultiArray[] data\nuint16 outer_start_index\n"
      "uint16 inner_start_index\n"},
+    {"tera_msgs/DeltaCAN",
+     "std_msgs/Header header\nfloat32 slew\nfloat32 boom\nfloat32 arm\nfloat32 bucket\n"
+     "float32 left_travel\nfloat32 right_travel\nfloat32 blade\nfloat32 swing\nbool enable\n"
+     "bool hydraulic_lock\nbool high_speed\nfloat32[] others\n"},
 }};
 
 /// A line as a type and the rest of it, which begins with the blank.

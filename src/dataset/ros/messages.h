@@ -161,7 +161,7 @@ struct GridMap {
 using Message = std::variant<Clock, Float64, PoseStamped, TfMessage, Odometry, JointState, Imu,
                              NavSatFix, Image, CameraInfo, PointCloud2>;
 
-/// tera_msgs/msg/DeltaCAN, as it came: nothing has been checked yet.
+/// tera_msgs/msg/DeltaCAN. Of one that came nothing has been checked yet.
 struct DeltaCan {
   /// The header's stamp as it came.
   std::int32_t stamp_sec = 0;

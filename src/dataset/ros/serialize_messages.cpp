@@ -192,4 +192,17 @@ void Put(const GridMap& message, Serializer* out) {
   for (int start = 0; start < 2; ++start) out->Put(std::uint16_t{0});
 }
 
+void Put(const DeltaCan& message, Serializer* out) {
+  PutHeader({message.stamp_sec * kNsPerSecond + message.stamp_nanosec, ""}, out);
+  for (const float lever :
+       {message.slew, message.boom, message.arm, message.bucket, message.left_travel,
+        message.right_travel, message.blade, message.swing}) {
+    out->Put(lever);
+  }
+  out->Put(message.enable);
+  out->Put(message.hydraulic_lock);
+  out->Put(message.high_speed);
+  out->Put(message.others);
+}
+
 }  // namespace tera::ros

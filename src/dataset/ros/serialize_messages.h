@@ -24,6 +24,8 @@ void Put(const CompressedImage& message, Serializer* out);
 void Put(const CameraInfo& message, Serializer* out);
 void Put(const PointCloud2& message, Serializer* out);
 void Put(const GridMap& message, Serializer* out);
+/// Its header names no frame.
+void Put(const DeltaCan& message, Serializer* out);
 
 /// "sensor_msgs/Imu"
 template <typename Message>
@@ -79,6 +81,10 @@ struct TypeName<PointCloud2> {
 template <>
 struct TypeName<GridMap> {
   static constexpr std::string_view value = "grid_map_msgs/GridMap";
+};
+template <>
+struct TypeName<DeltaCan> {
+  static constexpr std::string_view value = "tera_msgs/DeltaCAN";
 };
 
 }  // namespace tera::ros

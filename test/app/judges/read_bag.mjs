@@ -129,18 +129,25 @@ async function readSqlite() {
   const { Rosbag2, parseQosProfiles } = require("@foxglove/rosbag2");
   const SQL = await require("sql.js")();
   const database = new SQL.Database(await readFile(file));
-  const bag = new Rosbag2([databaseOf(database, parseQosProfiles)]);
+  const rows = databaseOf(database, parseQosProfiles);
+  const bag = new Rosbag2([rows]);
   await bag.open();
   const channels = (await bag.readTopics()).map((topic) => ({
     topic: topic.name,
     encoding: topic.serializationFormat,
     qos: topic.offeredQosProfiles,
   }));
-  // By ROS's own definitions: the bag carries none. Grid maps are of a package beside ROS.
-  const known = (await bag.readTopics()).filter((topic) => !topic.type.startsWith("grid_map_msgs/"));
-  const names = known.map((topic) => topic.name);
+  // By ROS's own definitions: the bag carries none. Grid maps and levers are of packages beside ROS, and counted alone.
+  const isBeside = ({ type }) => type.startsWith("grid_map_msgs/") || type.startsWith("tera_msgs/");
+  const all = await bag.readTopics();
+  const names = all.filter((topic) => !isBeside(topic)).map((topic) => topic.name);
+  const counted = all.filter(isBeside).map((topic) => topic.name);
+  const nanoseconds = ({ sec, nsec }) => BigInt(sec) * 1000000000n + BigInt(nsec);
+  for await (const { topic, timestamp } of rows.readMessages({ topics: counted })) {
+    take(topic.name, topic.type, nanoseconds(timestamp), null);
+  }
   for await (const { topic, timestamp, value } of bag.readMessages({ topics: names })) {
-    take(topic.name, topic.type, BigInt(timestamp.sec) * 1000000000n + BigInt(timestamp.nsec), value);
+    take(topic.name, topic.type, nanoseconds(timestamp), value);
   }
   await bag.close();
   return { channels };

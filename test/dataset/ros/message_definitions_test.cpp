@@ -39,6 +39,17 @@ TEST(MessageDefinitions, AreThoseOfHumble) {
   }
 }
 
+// Users build the package of this message from the same file.
+TEST(MessageDefinitions, OfTheLeversIsThatOfItsPackage) {
+  std::ifstream file("examples/ros2/tera_msgs/msg/DeltaCAN.msg");
+  std::string fields;
+  for (std::string line; std::getline(file, line);) {
+    line = std::regex_replace(line, std::regex(" *#.*"), "");
+    if (!line.empty()) fields += line + "\n";
+  }
+  EXPECT_EQ(DefinitionOf("tera_msgs/DeltaCAN"), fields);
+}
+
 TEST(MessageDefinitions, BringEachTypeThatTheyAreMadeOfOnce) {
   const std::string rule(80, '=');
   EXPECT_EQ(FullDefinition("geometry_msgs/PoseStamped", WireForm::kCdr),

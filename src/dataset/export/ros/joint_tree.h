@@ -1,15 +1,19 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/motion.h"
+#include "dataset/ros/delta_can.h"
 
 namespace tera {
 
-/// How the links of a machine hang together, as far as transforms need it.
+/// How the links of a machine hang together, as far as transforms need it, and what its own
+/// messages speak of.
 ///
-/// Frames  P parent link, J joint frame (X_PJ at position 0 is where the child's frame stands).
+/// Frames  P parent link, J joint frame (X_PJ at position 0 is where the child's frame stands), L
+///         the link that carries the tool, T the tool: the middle of its cutting edge, axes of L.
 struct JointTree {
   enum class Motion { kNone, kTurns, kSlides };
   struct Joint {
@@ -34,6 +38,12 @@ struct JointTree {
   std::string machine, root;
   bool fixed_base = false;
   std::vector<Joint> joints;
+  struct Tool {
+    std::string link;
+    Pose X_LT = Pose::Identity();
+  };
+  std::optional<Tool> tool;             ///< the first shovel that can carry soil
+  std::vector<ros::NamedLever> levers;  ///< in the order of commands.csv
 };
 
 }  // namespace tera

@@ -14,6 +14,7 @@
 #include "dataset/export/record_views.h"
 #include "dataset/export/ros/joint_table.h"
 #include "dataset/export/ros/static_transforms.h"
+#include "dataset/export/ros/topic_qualities.h"
 #include "dataset/format/sensor_sheet.h"
 #include "dataset/ros/from_samples.h"
 #include "dataset/ros/names.h"
@@ -22,14 +23,6 @@
 namespace tera {
 namespace fs = std::filesystem;
 namespace {
-
-// What docs/reference/ros2.md offers topics with.
-constexpr TopicQuality kSensorData = {5, false, false};
-constexpr TopicQuality kLarge = {2, true, false};
-constexpr TopicQuality kState = {10, true, false};
-constexpr TopicQuality kManyTransforms = {100, true, false};
-constexpr TopicQuality kLatched = {1, true, true};
-constexpr TopicQuality kLatest = {1, false, false};
 
 constexpr SampleClock kClock = {100.0, 0};  ///< of /clock
 
@@ -47,28 +40,6 @@ RosTopics::RosTopics(ExportJob* job, BagWriter* bag)
   }
   if (!snapshots_.empty()) ground_ = AddTopic<ros::GridMap>("/truth/terrain", kLatched);
   AddChannels();
-}
-
-template <typename Message>
-RosTopics::TopicId RosTopics::AddTopic(const std::string& name, const TopicQuality& quality) {
-  const Topic topic = {ros::AllowedName(name), ros::TypeName<Message>::value, quality};
-  if (!names_.insert(topic.name).second) {
-    throw InputError(fmt::format(
-        "{}: two channels would be the ROS topic {}; rename one of them in the recording",
-        job_->recording.directory().string(), topic.name));
-  }
-  topics_.push_back(topic);
-  return bag_->AddTopic(topic);
-}
-
-template <typename Message>
-void RosTopics::Write(TopicId topic, TimeNs t_ns, const Message& message) {
-  serializer_.Clear();
-  Put(message, &serializer_);
-  const TimeNs known_ns = std::max<TimeNs>(0, t_ns);
-  bag_->Write(topic, known_ns, serializer_.bytes());
-  ++job_->messages;
-  if (told_) told_(topic, known_ns);
 }
 
 void RosTopics::AddTake(const std::string& path, Take take) {
@@ -282,77 +253,13 @@ void RosTopics::AddTable(const std::string& path) {
   const std::string frame_id = RootFrameOf(machine);
   if (path == machine + "/commands.csv") {
     AddTake(path, JointStateTake(ros::TopicOf(machine, "levers"), frame_id, kSensorData));
+    AddLevers(path);
     return;
   }
   const std::string topic = "/" + WithoutEnding(path, fs::path(path).extension().string());
   AddTake(path, JointStateTake(topic, frame_id, kState));
   if (path == "truth/" + machine + "/joints.csv") AddJoints(path);
   if (path == "truth/" + machine + "/hydraulics.csv") AddCylinders(path);
-}
-
-void RosTopics::AddCylinders(const std::string& path) {
-  const std::string machine = MachineOf(path), frame_id = RootFrameOf(machine);
-  const std::vector<JointColumns> cylinders =
-      JointColumnsOf(ColumnsOf(path), "_stroke_m", "_mps", "_n");
-  if (cylinders.empty()) return;
-  const TopicId id = AddTopic<ros::JointState>(ros::TopicOf(machine, "cylinders"), kState);
-  AddTake(path, [=, this](const Record& record) {
-    Write(id, job_->Stamp(record.t_available_ns),
-          JointStateOf(cylinders, record, frame_id, job_->Stamp(record.t_ns)));
-  });
-}
-
-void RosTopics::AddJoints(const std::string& path) {
-  const std::string machine = MachineOf(path), frame_id = RootFrameOf(machine);
-  const std::vector<std::string> columns = ColumnsOf(path);
-  std::vector<JointColumns> groups = JointColumnsOf(columns, "_rad", "_radps", "_nm");
-  for (JointColumns& group : JointColumnsOf(columns, "_m", "_mps", "_n"))
-    groups.push_back(std::move(group));
-  std::sort(groups.begin(), groups.end(),
-            [](const JointColumns& a, const JointColumns& b) { return a.position < b.position; });
-  const TopicId id = AddTopic<ros::JointState>(ros::TopicOf(machine, "joint_states"), kState);
-  AddTake(path, [=, this](const Record& record) {
-    Write(id, job_->Stamp(record.t_available_ns),
-          JointStateOf(groups, record, frame_id, job_->Stamp(record.t_ns)));
-  });
-  AddMovingJoints(path, columns);
-  for (std::size_t c = 0; c < columns.size(); ++c) {
-    constexpr std::string_view kMass = "_soil_kg", kVolume = "_soil_m3";
-    if (!columns[c].ends_with(kMass)) continue;
-    if (!ColumnOf(columns, WithoutEnding(columns[c], kMass) + std::string(kVolume))) continue;
-    const TopicId mass = AddTopic<ros::Float64>(ros::TopicOf(machine, "bucket_mass"), kState);
-    AddTake(path, [=, this](const Record& record) {
-      Write(mass, job_->Stamp(record.t_available_ns), ros::Float64{record.values[c]});
-    });
-    break;  // the first shovel, as live
-  }
-}
-
-void RosTopics::AddMovingJoints(const std::string& path, const std::vector<std::string>& columns) {
-  const JointTree* const tree = job_->JointTreeOf(MachineOf(path));
-  if (tree == nullptr) return;
-  struct MovingJoint {
-    JointTree::Joint joint;
-    std::size_t column;
-  };
-  std::vector<MovingJoint> joints;
-  for (const JointTree::Joint& joint : tree->joints) {
-    if (joint.motion == JointTree::Motion::kNone) continue;
-    const bool slides = joint.motion == JointTree::Motion::kSlides;
-    const auto column = ColumnOf(columns, joint.name + (slides ? "_m" : "_rad"));
-    if (column) joints.push_back({joint, *column});
-  }
-  if (joints.empty()) return;
-  AddTake(path, [=, this, machine = tree->machine](const Record& record) {
-    ros::TfMessage message;
-    for (const MovingJoint& moving : joints) {
-      message.transforms.push_back(
-          {{job_->Stamp(record.t_ns), ros::FrameOf(machine, moving.joint.parent)},
-           ros::FrameOf(machine, moving.joint.child),
-           moving.joint.ChildInParent(record.values[moving.column])});
-    }
-    Write(transforms_, job_->Stamp(record.t_available_ns), message);
-  });
 }
 
 std::vector<std::string> RosTopics::ColumnsOf(const std::string& path) const {

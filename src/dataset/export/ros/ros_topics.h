@@ -1,5 +1,8 @@
 #pragma once
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <deque>
 #include <functional>
 #include <map>
@@ -9,12 +12,15 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.h"
 #include "dataset/export/bag/bag_writer.h"
 #include "dataset/export/export_job.h"
 #include "dataset/export/record_stream.h"
 #include "dataset/export/ros/ground_snapshots.h"
 #include "dataset/export/ros/joint_tree.h"
 #include "dataset/ros/messages.h"
+#include "dataset/ros/names.h"
+#include "dataset/ros/serialize_messages.h"
 
 namespace tera {
 
@@ -50,6 +56,8 @@ class RosTopics {
   void AddJoints(const std::string& path);
   void AddMovingJoints(const std::string& path, const std::vector<std::string>& columns);
   void AddCylinders(const std::string& path);
+  void AddTool(const std::string& path, const std::vector<std::string>& columns);
+  void AddLevers(const std::string& path);
 
   template <typename Message>
   TopicId AddTopic(const std::string& name, const TopicQuality& quality);
@@ -81,5 +89,27 @@ class RosTopics {
   std::int64_t next_tick_ = 0;
   std::function<void(std::size_t, TimeNs)> told_;
 };
+
+template <typename Message>
+RosTopics::TopicId RosTopics::AddTopic(const std::string& name, const TopicQuality& quality) {
+  const Topic topic = {ros::AllowedName(name), ros::TypeName<Message>::value, quality};
+  if (!names_.insert(topic.name).second) {
+    throw InputError(fmt::format(
+        "{}: two channels would be the ROS topic {}; rename one of them in the recording",
+        job_->recording.directory().string(), topic.name));
+  }
+  topics_.push_back(topic);
+  return bag_->AddTopic(topic);
+}
+
+template <typename Message>
+void RosTopics::Write(TopicId topic, TimeNs t_ns, const Message& message) {
+  serializer_.Clear();
+  Put(message, &serializer_);
+  const TimeNs known_ns = std::max<TimeNs>(0, t_ns);
+  bag_->Write(topic, known_ns, serializer_.bytes());
+  ++job_->messages;
+  if (told_) told_(topic, known_ns);
+}
 
 }  // namespace tera
