@@ -7,6 +7,7 @@
 #include "core/check.h"
 #include "core/units.h"
 #include "soil/track/footprint.h"
+#include "soil/track/side_faces.h"
 #include "soil/track/terramechanics.h"
 
 namespace tera {
@@ -38,6 +39,7 @@ int Neighbour(const RunningGear& gear, std::size_t k, double direction) {
   double nearest_m = 0.6 * patch.length_m;  // farther is no neighbour
   for (std::size_t m = 0; m < gear.patches.size(); ++m) {
     const double d = (gear.patches[m].p_B_m - wanted).norm();
+    if (SideFaces::IsOne(gear.patches[m]) != SideFaces::IsOne(patch)) continue;
     if (m != k && d < nearest_m) {
       nearest_m = d;
       best = static_cast<int>(m);
@@ -100,6 +102,12 @@ Vec3 OverSoil_mps(const Footprint& foot, const BodyState& body, const Vec3& v_W)
   return v_W - v_W.dot(foot.n_W) / yield_W.dot(foot.n_W) * yield_W;
 }
 
+/// Share of a patch that touches the ground: all of a shoe's underside that faces down at all.
+double Touching(const ContactPatch& patch, const Footprint& foot) {
+  if (SideFaces::IsOne(patch)) return SideFaces::Bearing(-foot.n_W.z());
+  return foot.n_W.z() < -kLeastUpward ? 1 : 0;
+}
+
 /// The surface of an obstacle: asphalt's numbers, see config/soils/asphalt.yaml for their sources.
 SoilType HardSurface() {
   SoilType hard;
@@ -151,10 +159,11 @@ struct GearContact::Pressed {
 };
 
 GearContact::GearContact(const RunningGear& gear, bool shears, std::vector<SoilType> soils)
-    : gear_(gear),
+    : gear_(SideFaces::AddedTo(gear)),
+      has_sides_(gear_.patches.size() > gear.patches.size()),
       shears_(shears),
       soils_(WithHardSurface(std::move(soils))),
-      patches_(gear.patches.size()),
+      patches_(gear_.patches.size()),
       plates_(PlatesOf(gear_, soils_)),
       rolling_(gear_),
       rut_(gear_, soils_) {
@@ -166,16 +175,19 @@ GearContact::GearContact(const RunningGear& gear, bool shears, std::vector<SoilT
 }
 
 /// Pressure on a grid of points fixed to the patch, about a cell apart: as smooth as the ground.
-GearContact::Pressed GearContact::Bear(std::size_t patch_index, const BodyState& body,
-                                       const Columns& ground, const LowObstacles& obstacles) const {
+/// `touching` is its share that touches.
+GearContact::Pressed GearContact::Bear(std::size_t patch_index, double touching,
+                                       const BodyState& body, const Columns& ground,
+                                       const LowObstacles& obstacles) const {
   const ContactPatch& patch = gear_.patches[patch_index];
   Pressed result;
   const Footprint foot(patch, body.X_WB);
   const int n_along = std::max(1, static_cast<int>(std::ceil(patch.length_m / ground.cell_m())));
   const int n_across = std::max(1, static_cast<int>(std::ceil(patch.width_m / ground.cell_m())));
-  const double area_m2 = patch.length_m * patch.width_m / (n_along * n_across);
-  // Velocity into the ground along the machine's vertical, which changes evenly over the patch.
-  const Vec3 up_W = body.X_WB.linear().col(2);
+  const double area_m2 = touching * patch.length_m * patch.width_m / (n_along * n_across);
+  // Velocity into the ground along the machine's vertical, or its side's normal, which changes
+  // evenly over the patch.
+  const Vec3 up_W = SideFaces::IsOne(patch) ? foot.n_W : Vec3(body.X_WB.linear().col(2));
   const Vec3 into_W = up_W.dot(foot.n_W) * up_W;
   const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(foot.p_W_m - body.X_WB.translation());
   const double into_mps = v_W.dot(into_W);
@@ -247,7 +259,7 @@ Vec2 GearContact::Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_
 
 /// Force, across, on the side face of a patch that pushes into the soil beside it: passive pressure
 /// down from where the soil that it lifts comes out, whether or not the patch itself bears. A place
-/// beside the gear is pushed by half of it on average.
+/// beside the gear is pushed by half of it on average. A side that faces down bears by itself.
 double GearContact::PushAside_n(std::size_t k, const Footprint& foot, const Step& step) {
   const BodyState& body = step.body;
   const ContactPatch& shape = gear_.patches[k];
@@ -267,7 +279,8 @@ double GearContact::PushAside_n(std::size_t k, const Footprint& foot, const Step
   const double depth_m = step.ground->SampleAt(out_W.x(), out_W.y()).top_m - out_W.z();
   if (depth_m <= 0) return 0;
   const double share = -std::expm1(-std::abs(pushed_m) / (kPassiveShare * depth_m));
-  const double length_m = shape.length_m * std::abs(foot.n_W.z());
+  const double steep = has_sides_ ? 1 - SideFaces::Bearing(std::abs(foot.across_W.z())) : 1;
+  const double length_m = steep * shape.length_m * std::abs(foot.n_W.z());
   return -std::copysign(share * length_m * FaceResistance_npm(soil, depth_m), pushed_m);
 }
 
@@ -282,14 +295,15 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
   rut_.Begin(step.shoe_mps * dt_s, ground);
   for (std::size_t k = 0; k < patches_.size(); ++k) {
     Pressed pressed;
+    const bool side = SideFaces::IsOne(gear_.patches[k]);
     const Footprint foot(gear_.patches[k], body.X_WB);
-    if (foot.n_W.z() < -kLeastUpward) {
-      if (shears_) {
+    if (const double touching = Touching(gear_.patches[k], foot); touching > 0) {
+      if (shears_ && !side) {
         const Vec3 aside_W_n = PushAside_n(k, foot, step) * foot.across_W;
         sum.result.wrench.AddForceAt(aside_W_n, foot.p_W_m, body.X_WB.translation());
       }
       rut_work_j_ += rut_.Press(k, rolling_, body, dt_s, obstacles, ground);
-      pressed = Bear(k, body, *ground, obstacles);
+      pressed = Bear(k, touching, body, *ground, obstacles);
     }
     if (pressed.normal_n > 0) {
       Carry(k, pressed, step, &sum);
@@ -317,14 +331,16 @@ void GearContact::Carry(std::size_t k, const Pressed& pressed, const Step& step,
   const Vec3 p_W = pressed.moment_W / pressed.normal_n;
   const Vec3 v_W =
       body.v_WB_mps + body.w_WB_radps.cross(p_W - origin_W) - pressed.moving_W / pressed.normal_n;
-  contact_m_ += patch.length_m;
+  const bool side = SideFaces::IsOne(patch);
+  if (!side) contact_m_ += patch.length_m;
   Vec2 shear_n = Vec2::Zero();
   if (shears_) {
-    const Vec3 over_soil_W = rolling_.OnWheel(k) ? v_W : OverSoil_mps(foot, body, v_W);
+    const bool rigid = side || rolling_.OnWheel(k);
+    const Vec3 over_soil_W = rigid ? v_W : OverSoil_mps(foot, body, v_W);
     const Vec2 slip_mps(over_soil_W.dot(foot.along_W) + step.shoe_mps,
                         over_soil_W.dot(foot.across_W));
     shear_n = Shear(k, pressed, slip_mps, step);
-    if (step.contact_m > 0 && !rolling_.OnWheel(k)) {
+    if (step.contact_m > 0 && !rigid) {
       rut_.Slip(k, slip_mps.x() * step.dt_s, pressed.sinkage_m, step.contact_m, body, step.ground);
     }
   }
@@ -334,7 +350,7 @@ void GearContact::Carry(std::size_t k, const Pressed& pressed, const Step& step,
       -pressed.normal_n * foot.n_W + shear_n.x() * foot.along_W + shear_n.y() * foot.across_W, p_W,
       origin_W);
   result.traction_n -= shear_n.x();
-  result.sinkage_m = std::max(result.sinkage_m, pressed.sinkage_m);
+  if (!side) result.sinkage_m = std::max(result.sinkage_m, pressed.sinkage_m);
   sum->forward_w += pressed.normal_n * v_W.dot(body.X_WB.linear().col(0));
   sum->weight_n += pressed.normal_n;
 }

@@ -29,7 +29,8 @@ namespace tera {
 ///         yields to it within K where the strength is used up, so that sliding soil resists
 ///         against the slip. Under wheels slip is over soil at rest, so that j is Wong and Reece's.
 ///         Sides: the sunk side face that is pushed into soil meets passive pressure, mobilised by
-///         the way by which a place beside the gear is pushed.
+///         the way by which a place beside the gear is pushed. When the machine leans so far that
+///         a track's side faces down, it bears as its shoes do, see SideFaces.
 ///         Resistance: work done on the rut by moving on, rather than by moving down, is paid back
 ///         as a drag over a short distance.
 ///         Gear that does not shear the ground is carried alone: no shear force, no drag.
@@ -69,14 +70,15 @@ class GearContact {
   struct Step;
   struct Sum;
   struct Pressed;
-  Pressed Bear(std::size_t patch_index, const BodyState& body, const Columns& ground,
-               const LowObstacles& obstacles) const;
+  Pressed Bear(std::size_t patch_index, double touching, const BodyState& body,
+               const Columns& ground, const LowObstacles& obstacles) const;
   void Carry(std::size_t k, const Pressed& pressed, const Step& step, Sum* sum);
   Vec2 Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_mps, const Step& step);
   double PushAside_n(std::size_t k, const Footprint& foot, const Step& step);
   Vec3 PayBack(const Vec3& v_WB_mps, double dt_s);
 
   RunningGear gear_;
+  bool has_sides_ = false;
   bool shears_ = true;
   std::vector<SoilType> soils_;
   std::vector<Patch> patches_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "soil/track/side_faces.h"
 #include "soil/track/terramechanics.h"
 
 namespace tera {
@@ -98,7 +99,8 @@ double Rut::Press(std::size_t patch_index, const Rolling& rolling, const BodySta
     work_j += Sink({k, patch_index, foot, d_W, ease, rolling.OnWheel(patch_index)}, pen_m, body,
                    dt_s, ground);
   });
-  if (!pressed_.empty()) touching_.push_back(patch_index);
+  const bool side = SideFaces::IsOne(gear_.patches[patch_index]);
+  if (!pressed_.empty() && !side) touching_.push_back(patch_index);
   covered_.insert(covered_.end(), pressed_.begin(), pressed_.end());
   return work_j;
 }
