@@ -35,7 +35,15 @@ std::optional<Expected> ExpectedOf(const Tolerances& stated, const Candidate& ca
 
 /// Whether a finding is as expected whatever its own numbers are.
 bool IsExpectedAnyhow(const Finding& finding) {
-  return !IsOfPracticalSize(finding) || finding.evidence.expected_rival != nullptr;
+  return !IsOfPracticalSize(finding) || IsExplainedAsExpected(finding);
+}
+
+/// Takes what is as expected out of the class of a finding that is more than that explains.
+void RejectExpectedRivals(TermEvidence* evidence) {
+  const auto& expected = evidence->expected_rivals;
+  std::erase_if(evidence->rivals, [&](const Candidate* rival) {
+    return std::find(expected.begin(), expected.end(), rival) != expected.end();
+  });
 }
 
 }  // namespace
@@ -59,6 +67,11 @@ bool IsOfPracticalSize(const Finding& finding) {
   const double taken = std::pow(before, 2) - std::pow(error.rmse_after, 2);
   const double least = taken - kOneSided95 * expected.taken_sigma;
   return least > 0 && std::sqrt(least) >= finding.tolerated;
+}
+
+bool IsExplainedAsExpected(const Finding& finding) {
+  const bool has_no_size = finding.tolerated == 0 || !finding.as_expected;
+  return !finding.evidence.expected_rivals.empty() && (has_no_size || !IsOfPracticalSize(finding));
 }
 
 bool IsBeyondTolerance(const Finding& finding) {
@@ -96,6 +109,7 @@ void MoveExpected(BlockDiagnosis* diagnosis) {
         .push_back(std::move(*finding));
   }
   findings.erase(other, findings.end());
+  for (Finding& finding : findings) RejectExpectedRivals(&finding.evidence);
 }
 
 }  // namespace tera

@@ -12,9 +12,15 @@ namespace tera {
 void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks);
 
 /// Whether a finding takes as much error from its channel on FINAL as a factor at the end of its
-/// tolerance changes there: of whose numbers nothing is stated, from what is left with all in its
-/// place that is as expected, less 1.645 standard deviations for noise.
+/// tolerance changes there: where what is left with all in its place that is as expected is known,
+/// from that, less 1.645 standard deviations for noise.
 bool IsOfPracticalSize(const Finding& finding);
+
+/// Whether something that is as expected does as well in a finding's place: a rival with which all
+/// is as expected is not rejected, and what the finding takes from the error that is left with all
+/// in its place that is as expected is not of practical size. A rival alone does not show it: where
+/// it costs much in some manoeuvres and gains in others it leaves error, however steady.
+bool IsExplainedAsExpected(const Finding& finding);
 
 /// Whether one of a finding's numbers lies beyond what is as expected, and which that is was
 /// determined; and whether the finding is of practical size, and nothing that is as expected does
@@ -34,7 +40,8 @@ bool IsWithinTolerance(const Finding& finding);
 
 /// Moves the findings that are within tolerance to their list, and to the unconfirmed ones those of
 /// which the recording does not tell. The structure that was found keeps them all: what they
-/// explain is not left.
+/// explain is not left. From the classes of those that stay goes what is as expected: it does not
+/// do as well.
 void MoveExpected(BlockDiagnosis* diagnosis);
 
 }  // namespace tera

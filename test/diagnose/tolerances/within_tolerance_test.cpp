@@ -174,9 +174,31 @@ TEST(Tolerance, OfARivalThatDoesAsWellHoldsForTheFinding) {
   StateTolerances({}, &blocks);
   Finding finding = FindingThatTakes(blocks[0], 0.03, 0.01, 0.001);
   EXPECT_TRUE(IsBeyondTolerance(finding));
-  finding.evidence.expected_rival = &blocks[0].candidates[0];
+  finding.evidence.expected_rivals = {&blocks[0].candidates[0]};
   EXPECT_FALSE(IsBeyondTolerance(finding));
   EXPECT_TRUE(IsWithinTolerance(finding));
+}
+
+// With the rival and all else that is as expected 0.0102 rad/s is left, sqrt(0.0102^2 - 0.01^2) =
+// 0.00201 more than the finding leaves; or 0.02, 0.0173 more.
+TEST(Tolerance, OfARivalIsHeldAgainstTheErrorThatItLeaves) {
+  auto blocks = BlockOf(MechanismOf("structural_flex", EffectTarget::kJoint), "boom");
+  StateTolerances({}, &blocks);
+  const Candidate rival;
+  Finding finding = FindingThatTakes(blocks[0], 0.03, 0.01, 0.0021);
+  finding.evidence.rivals = {finding.term.candidate, &rival};
+  finding.evidence.expected_rivals = {&rival};
+  finding.as_expected = {0.0102, 0};
+  EXPECT_TRUE(IsExplainedAsExpected(finding));
+  EXPECT_TRUE(IsWithinTolerance(finding));
+  finding.as_expected = {0.02, 0};
+  EXPECT_FALSE(IsExplainedAsExpected(finding));
+  EXPECT_TRUE(IsBeyondTolerance(finding));
+  BlockDiagnosis diagnosis;
+  diagnosis.findings = {finding};
+  MoveExpected(&diagnosis);
+  ASSERT_EQ(diagnosis.findings.size(), 1u);
+  EXPECT_EQ(diagnosis.findings[0].evidence.rivals.size(), 1u) << "what is as expected is no name";
 }
 
 TEST(Tolerance, OfABlockWithoutFactorsAsksForNoSize) {

@@ -223,14 +223,15 @@ std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding
 
 std::string SentenceOfExpected(const DiagnosedBlock& diagnosed, const Finding& finding) {
   std::string why = "is within tolerance";
-  if (!IsOfPracticalSize(finding)) {
+  const std::vector<const Candidate*>& rivals = finding.evidence.expected_rivals;
+  if (IsExplainedAsExpected(finding)) {
+    why = fmt::format("{} within its tolerance explains as well",
+                      RivalText(*rivals.front(), *finding.term.candidate));
+  } else if (!IsOfPracticalSize(finding)) {
     const auto& expected = finding.as_expected;
     why = expected && expected->rmse < finding.held_out.rmse_before
               ? "takes little that delays, lags, bands and gains within their tolerances would not"
               : "changes less than a factor within its tolerance does";
-  } else if (const Candidate* expected = finding.evidence.expected_rival) {
-    why = fmt::format("{} within its tolerance explains as well",
-                      RivalText(*expected, *finding.term.candidate));
   }
   return fmt::format("{}: {}, which {}.", ChannelText(diagnosed, finding.location.channel),
                      MechanismText(diagnosed, finding), why);

@@ -244,15 +244,17 @@ ErrorAsExpected BlockDiagnoser::AsExpected(const Misfit& found, const Misfit& in
           std::sqrt(variance) / std::max(count, 1.0)};
 }
 
-/// Tells findings what is tolerated in their channels, and those of whose numbers nothing is stated
-/// what is left where all that is as expected stands in their place.
+/// Tells findings what is tolerated in their channels, and those of whose numbers nothing is
+/// stated, or in whose place something that is as expected may do as well, what is left where all
+/// that is as expected stands there.
 void BlockDiagnoser::CompareWithExpected(BlockDiagnosis* out) const {
   const Structure& found = out->search.found.terms;
   for (std::size_t t = 0; t < out->findings.size(); ++t) {
     Finding& finding = out->findings[t];
     const std::size_t channel = finding.held_out.channel;
     finding.tolerated = tolerated_[channel];
-    if (t >= found.size() || IsStated(*finding.term.candidate)) continue;  // lost commands are last
+    if (t >= found.size()) continue;  // lost commands are last
+    if (IsStated(*finding.term.candidate) && finding.evidence.expected_rivals.empty()) continue;
     const Misfit instead = MisfitOfExpectedInstead(context_.block, fitter_, found, t);
     finding.as_expected = AsExpected(out->search.found.misfit, instead, channel);
   }

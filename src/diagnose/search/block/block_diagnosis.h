@@ -43,7 +43,8 @@ struct Finding {
   /// RMS on FINAL by which a factor at the end of its tolerance changes the channel of `held_out`,
   /// the largest of all factors; 0 where the block has none.
   double tolerated = 0;
-  /// Of findings alone of whose numbers nothing is stated.
+  /// Of findings alone of whose numbers nothing is stated, or that have a rival with which all is
+  /// as expected.
   std::optional<ErrorAsExpected> as_expected = {};
   bool is_confirmed = false;
 };

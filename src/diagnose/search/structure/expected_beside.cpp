@@ -1,6 +1,7 @@
 #include "diagnose/search/structure/expected_beside.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -19,7 +20,19 @@ std::optional<FreeParameter> WithinExpected(FreeParameter free) {
   return free;
 }
 
-/// The mechanism held to what is as expected of it; without free numbers where nothing is.
+}  // namespace
+
+bool IsAsExpected(const Term& term) {
+  bool is_stated = false;
+  for (const FreeParameter& free : term.candidate->free) {
+    if (!free.expected) continue;
+    is_stated = true;
+    const double off = std::abs(term.values[free.index] - free.expected->value);
+    if (off > free.expected->half_width) return false;
+  }
+  return is_stated;
+}
+
 Candidate HeldToExpected(Candidate candidate) {
   std::vector<FreeParameter> within;
   for (const FreeParameter& free : candidate.free) {
@@ -37,8 +50,6 @@ Candidate HeldToExpected(Candidate candidate) {
                          candidate.starts.end());
   return candidate;
 }
-
-}  // namespace
 
 bool ActsIn(const Structure& terms, const Candidate& candidate) {
   return std::any_of(terms.begin(), terms.end(), [&](const Term& term) {

@@ -82,7 +82,7 @@ SearchResult CarryToWhole(SearchResult search, const ReplayBlock& prefix,
   }
   for (TermEvidence& evidence : search.evidence) {
     for (const Candidate*& rival : evidence.rivals) move(&rival);
-    if (evidence.expected_rival != nullptr) move(&evidence.expected_rival);
+    for (const Candidate*& rival : evidence.expected_rivals) move(&rival);
     for (Rival& rival : evidence.rejected) move(&rival.candidate);
   }
   for (SingleEvidence& single : search.singles) move(&single.candidate);

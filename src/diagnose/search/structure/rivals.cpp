@@ -10,16 +10,17 @@
 namespace tera {
 namespace {
 
-/// Whether all numbers of a term of which something is stated are as expected, one at least.
-bool IsAsExpected(const Term& term) {
-  bool is_stated = false;
-  for (const FreeParameter& free : term.candidate->free) {
-    if (!free.expected) continue;
-    is_stated = true;
-    const double off = std::abs(term.values[free.index] - free.expected->value);
-    if (off > free.expected->half_width) return false;
-  }
-  return is_stated;
+/// Whether what takes a term's place is as expected there, and so is every other term that was as
+/// expected before: a structure that moves the blame to another of its terms explains nothing by
+/// what is as expected.
+bool IsExpectedExchange(const Structure& found, const Structure& swapped) {
+  return IsAsExpected(swapped.back()) &&
+         std::none_of(swapped.begin(), swapped.end() - 1, [&](const Term& now) {
+           return !IsAsExpected(now) &&
+                  std::any_of(found.begin(), found.end(), [&](const Term& before) {
+                    return before.candidate == now.candidate && IsAsExpected(before);
+                  });
+         });
 }
 
 bool IsRejected(const Rival& rival) { return rival.p <= kRivalP && rival.lead >= kRivalGain; }
@@ -69,7 +70,9 @@ void RivalTests::Discriminate(const Structure& found, const Misfit& crossed,
     const Rival rival = CompareWith(swapped[k], left[k], crossed);
     if (!IsRejected(rival) || !IsRejected(CompareWithExpectedBeside(found, swapped[k], crossed))) {
       evidence->rivals.push_back(rival.candidate);
-      if (IsAsExpected(swapped[k].back())) evidence->expected_rival = rival.candidate;
+      if (IsExpectedExchange(found, swapped[k])) {
+        evidence->expected_rivals.push_back(rival.candidate);
+      }
     } else {
       evidence->rejected.push_back(rival);
     }

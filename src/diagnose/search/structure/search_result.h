@@ -53,8 +53,8 @@ struct TermEvidence {
   double effect = 0;  ///< RMS of what it changes over the RMS of the channel, largest over channels
   /// Candidates with which in its place the structure is not significantly worse; itself first.
   std::vector<const Candidate*> rivals;
-  /// One of the rivals whose numbers there are all as expected; null where there is none.
-  const Candidate* expected_rival = nullptr;
+  /// Those of the rivals with which all is as expected that is as expected beside the term.
+  std::vector<const Candidate*> expected_rivals;
   std::vector<Rival> rejected;  ///< the other candidates that were tried, the nearest first
 };
 
