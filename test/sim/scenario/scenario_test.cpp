@@ -114,9 +114,10 @@ TEST(ReadScenario, RefusesStartAnglesBeyondTheLimits) {
 }
 
 TEST(ReadScenario, JointsThatSlideStartByMetres) {
-  const std::string axis = std::string(kSite) +
-                           "machines:\n  - name: axis\n    machine: tera:config/machines/emps.yaml\n"
-                           "    operator: {type: idle}\n";
+  const std::string axis =
+      std::string(kSite) +
+      "machines:\n  - name: axis\n    machine: tera:config/machines/emps.yaml\n"
+      "    operator: {type: idle}\n";
   const Config config =
       Config::FromText(axis, "s.yaml", {"machines[0].start.joints_m.carriage=-0.2"});
   const Scenario scenario = ReadScenario(config.root());
