@@ -16,6 +16,7 @@ import numpy as np
 
 import tera
 from tera.data import pcd
+from tera.data.camera import Frame
 from tera.data.pose import inverse, slerp
 
 PROGRAM = os.environ.get("TERA_PROGRAM", "tera")
@@ -164,6 +165,17 @@ class Cameras(unittest.TestCase):
         raw = cv2.imread(str(folder / "depth/500000000.png"), cv2.IMREAD_UNCHANGED)
         np.testing.assert_allclose(frame.depth_m, raw * 1e-3, atol=1e-6)
         self.assertIsNone(frame.normal_C)
+
+    def test_panoptic_numbers_are_those_of_class_and_instance(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for kind, pixel in (("panoptic", (1, 44, 10)), ("soil_in_flight", 255)):  # OpenCV writes blue first
+                (Path(folder) / kind).mkdir()
+                picture = np.zeros((2, 3) + np.shape(pixel), np.uint8)
+                picture[1, 2] = pixel
+                cv2.imwrite(f"{folder}/{kind}/0.png", picture)
+            frame = Frame(Path(folder), "0.png", 0, None)
+            np.testing.assert_array_equal(frame.panoptic, [[0, 0, 0], [0, 0, 10 + 256 * 300]])
+            np.testing.assert_array_equal(frame.soil_in_flight, [[False] * 3, [False, False, True]])
 
     def test_the_depth_of_an_object_lies_in_its_box(self):
         frame = tera.Dataset(RUN)["excavator1/camera_front"][5]

@@ -84,7 +84,7 @@ TEST_F(PictureRules, APanopticPictureOfOtherNumbers) {
       panoptic.data[3 * p] = semantic.data[p];
       panoptic.data[3 * p + 1] = static_cast<std::uint8_t>(instance.data[p]);
     }
-    fs::create_directories(run() / "digger/front/panoptic");
+    std::filesystem::create_directories(run() / "digger/front/panoptic");
     Put("digger/front/panoptic/" + name, EncodePng(panoptic));
   }
   EXPECT_TRUE(Linted().findings.empty());
