@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "core/motion.h"
@@ -118,7 +119,7 @@ class TerrainSurface : public TerrainGrid {
   std::vector<Cover> tile_cover_;
   std::vector<std::uint32_t> version_;
   std::vector<std::int32_t> block_of_;  ///< of each tile, -1 while undisturbed
-  std::vector<Block> blocks_;
+  std::deque<Block> blocks_;  ///< of a large site 100 MB, which stay where they are as more come
   std::vector<Grain> grains_;
 };
 

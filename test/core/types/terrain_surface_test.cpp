@@ -1,6 +1,7 @@
 #include "core/types/terrain_surface.h"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <cmath>
 
@@ -98,6 +99,30 @@ TEST(TerrainSurface, SettingAVertexRefinesAndAgesJustTheTilesThatMeetThere) {
   const std::uint32_t version = ground.tile_version(0, 0);
   ground.Set(50, 20, {7, {.soil = 1}});  // no change
   EXPECT_EQ(ground.tile_version(0, 0), version);
+}
+
+/// Bytes of memory that this process has asked for and not given back.
+double Held_bytes() {
+  const struct mallinfo2 heap = mallinfo2();
+  return static_cast<double>(heap.uordblks + heap.hblkhd);
+}
+
+TEST(TerrainSurface, ARefinedTileTakesMemoryForItselfAlone) {
+  // Of a copy too, whose memory is as large as what it holds: no tile that was refined before is
+  // put elsewhere, which on a site of 500 m took 48 ms of one step.
+  constexpr int kTiles = 20;
+  TerrainSurface first(TerrainGrid{.nx = kTiles * TerrainGrid::kTileCells + 1,
+                                   .ny = kTiles * TerrainGrid::kTileCells + 1});
+  for (int a = 0; a < kTiles; ++a) {
+    for (int b = 0; b + 1 < kTiles; ++b) first.Refine(a, b);
+  }
+  TerrainSurface copy = first;
+  constexpr double kTwoTiles_bytes =
+      2 * 64 * 64 * static_cast<double>(sizeof(TerrainSurface::Vertex));
+  const double before_bytes = Held_bytes();
+  copy.Refine(0, kTiles - 1);
+  EXPECT_LT(Held_bytes() - before_bytes, kTwoTiles_bytes);
+  EXPECT_TRUE(copy.IsRefined(0, kTiles - 1));
 }
 
 }  // namespace
