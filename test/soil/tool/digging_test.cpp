@@ -12,6 +12,7 @@
 #include "core/random.h"
 #include "soil/soil_fixture.h"
 #include "soil/tool/earthmoving.h"
+#include "soil/tool/trial_wedges.h"
 
 namespace tera {
 namespace {
@@ -334,9 +335,10 @@ TEST(Digging, TheWindrowBeforeABladeResistsByTheFrictionOfItsWeight) {
 
 /// A plate 0.3 m wide and 0.6 m long without a thin edge's piercing, driven 2 m with its edge 0.2 m
 /// deep: its draft over the last half metre, the heap that it has then over the wedge of the
-/// earthmoving equation, and the equation's draft with that heap as surcharge.
+/// earthmoving equation, the equation's draft with that heap as an even surcharge, and, of a plate
+/// that does not lean forwards, that of trial wedges in the ground as it lies.
 struct PlateRun {
-  double draft_n = 0, heap_m = 0, equation_n = 0;
+  double draft_n = 0, heap_m = 0, equation_n = 0, wedges_n = 0;
 };
 PlateRun RunPlate(const std::string& soil_name, double rake_deg) {
   const SoilType type = Shipped(soil_name);
@@ -381,24 +383,45 @@ PlateRun RunPlate(const std::string& soil_name, double rake_deg) {
     in.surcharge_pa = std::max(0.0, run.heap_m) * type.bank_density_kgpm3 / type.swell * 9.81;
   }
   run.equation_n = Cut(in).draft_n;
+  if (rake_deg <= 90) {
+    const TrialWedges wedges(type, in.rake_rad, 0.2, 0.6);
+    for (int k = 0; k < 5; ++k) {
+      const double y_m = 0.013 + 0.06 * (k - 2);
+      const auto ground_m = [&](double x_m) { return soil->surface().HeightAt(1 + x_m, y_m); };
+      const double slope = (ground_m(from_m + 0.1) - ground_m(from_m)) / 0.1;
+      const auto z_m = [&](double x_m) {
+        return x_m > from_m ? ground_m(x_m) : ground_m(from_m) + slope * (x_m - from_m);
+      };
+      run.wedges_n += wedges.Draft_n(0.06, 0.2, z_m);
+    }
+  }
   return run;
 }
 
-/// What docs/reference/soil.md quotes of a run: draft, and the equation's, in N.
+/// What docs/reference/soil.md quotes of a run: draft, the equation's and the trial wedges', in N.
 void Quote(const std::string& soil_name, double rake_deg, const PlateRun& run) {
-  testing::Test::RecordProperty(fmt::format("{}_{:.0f}_deg", soil_name, rake_deg),
-                                fmt::format("{:.0f} {:.0f}", run.draft_n, run.equation_n));
+  testing::Test::RecordProperty(
+      fmt::format("{}_{:.0f}_deg", soil_name, rake_deg),
+      fmt::format("{:.0f} {:.0f} {:.0f}", run.draft_n, run.equation_n, run.wedges_n));
 }
 
 TEST(Digging, APlateMeetsTheEarthmovingEquationAtEveryRake) {
   // The draft grows with the rake, and is the equation's at equal surcharge. The equation spreads
-  // the heap evenly, over the blade too; the edge sees it as a slope that falls ahead.
-  for (const auto& [soil, within] : {std::pair("dirt", 0.2), std::pair("sand", 0.3)}) {
+  // the heap evenly, over the blade too; the edge sees it as a slope that falls ahead, and so do
+  // trial wedges in the ground as it lies.
+  struct Bounds {
+    const char* soil;
+    double equation, wedges;
+  };
+  for (const auto& [soil, within, wedges_within] :
+       {Bounds{"dirt", 0.2, 0.25}, Bounds{"sand", 0.3, 0.1}}) {
     double last_n = 0;
     for (const double rake_deg : {30.0, 45.0, 60.0, 75.0, 90.0}) {
       const PlateRun run = RunPlate(soil, rake_deg);
       EXPECT_GT(run.draft_n, last_n) << soil << ' ' << rake_deg;
       EXPECT_NEAR(run.draft_n / run.equation_n, 1, rake_deg < 60 ? 0.1 : within)
+          << soil << ' ' << rake_deg;
+      EXPECT_NEAR(run.draft_n / run.wedges_n, 1, rake_deg < 60 ? 0.01 : wedges_within)
           << soil << ' ' << rake_deg;
       last_n = run.draft_n;
       Quote(soil, rake_deg, run);
