@@ -110,7 +110,8 @@ Effect ReceiverClock(const Draw& draw) {
 
 Effect Reflections(const Draw& draw) {
   const std::size_t receiver = draw.draws->Below(kReceivers);
-  const double pull_m = std::min(0.4, kTolerances.datum_m * draw.Times());
+  // The phases of a fixed solution are off by a fifth of a metre at most.
+  const double pull_m = std::min(0.2, kTolerances.datum_m * draw.Times());
   const double fringe_m = draw.IsSecond() ? 0.8 : 0;
   Effect effect = OfSensor(draw.numbers.antennas[receiver].name, "multipath",
                            draw.IsSecond() ? "raised arm that pulls and pushes by its distance"

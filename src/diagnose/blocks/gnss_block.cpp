@@ -9,6 +9,7 @@
 #include "core/units.h"
 #include "diagnose/blocks/candidate_list.h"
 #include "diagnose/blocks/sample_grid.h"
+#include "diagnose/sensors/reflection.h"
 #include "sensors/sensor_mechanisms.h"
 
 namespace tera {
@@ -223,8 +224,10 @@ void AddCandidates(const SensorDescription& receiver, bool has_boom, bool is_pai
           {{0.05, 0.05}, {0.3, 0.3}, {1, -1}, {10, 10}});
   out.Add("height_datum", {{0, -120, 120}}, {{0.05}, {-0.05}, {0.3}, {-0.3}, {1}, {-1}, {20}});
   if (has_boom) {
-    out.Add("multipath", {{0, 0, 5}, {1, 0, 5}, {2, -180, 180}},
-            {{0.02, 0.05, 0}, {0.02, 0.05, 120}, {0.02, 0.05, -120}, {0.2, 0.3, 0}});
+    const double most_m = LargestReflection_m(std::get<GnssModel>(receiver.model).fix);
+    out.Add(
+        "multipath", {{0, 0, most_m}, {1, 0, most_m}, {2, -180, 180}},
+        {{0.02, 0.05, 0}, {0.02, 0.05, 120}, {0.02, 0.05, -120}, {0.2, std::min(0.3, most_m), 0}});
   }
   out.Add("clock_offset", {{0, -40, 40}},
           {{0.02}, {-0.02}, {0.1}, {-0.1}, {0.5}, {-0.5}, {2}, {-2}, {18}, {-18}});

@@ -15,6 +15,11 @@ std::optional<RaisedPart> RaisedPartOf(const MachineModel& model, int antenna_li
   return RaisedPart{*chain, part->direction_B};
 }
 
+double LargestReflection_m(GnssFix fix) {
+  constexpr double kOfPhases_m = 0.22, kOfCodes_m = 5;
+  return fix == GnssFix::kRtkFixed ? kOfPhases_m : kOfCodes_m;
+}
+
 Eigen::Vector4d LinearReflection(const Reflection& reflection) {
   const double c = std::cos(reflection.azimuth_rad), s = std::sin(reflection.azimuth_rad);
   return {reflection.horizontal_m * c, reflection.horizontal_m * s, reflection.vertical_m * c,

@@ -237,7 +237,7 @@ void AddReceiverParameters(const SensorDescription& receiver, double segment_s,
 
 void AddReflectionParameters(const SensorDescription& receiver, ParameterTable* table,
                              ReceiverChannel* channel) {
-  constexpr double kMost_m = 5;
+  const double most_m = LargestReflection_m(std::get<GnssModel>(receiver.model).fix);
   const Effects& effects = receiver.effects;
   const Eigen::Vector4d documented =
       LinearReflection({NumberOf(effects, kMultipath, "horizontal_m", 0),
@@ -246,7 +246,7 @@ void AddReflectionParameters(const SensorDescription& receiver, ParameterTable* 
   GroupOf group(table, receiver.name, std::string(kMultipath));
   channel->reflection = group.first();
   for (int i = 0; i < 4; ++i) {
-    group.Number(i < 2 ? "horizontal_m" : "vertical_m", "m", 1, documented[i], kMost_m, kWander);
+    group.Number(i < 2 ? "horizontal_m" : "vertical_m", "m", 1, documented[i], most_m, kWander);
   }
 }
 

@@ -44,6 +44,31 @@ TEST(RaisedPart, ThatHangsReflectsNothing) {
   EXPECT_EQ(part->At(numbers), Eigen::Vector2d::Zero());
 }
 
+/// The largest numbers that are looked for of the reflections of a receiver with this fix.
+std::vector<double> LargestOf(GnssFix fix) {
+  SensorDescription receiver;
+  receiver.name = "left";
+  receiver.model = GnssModel{.fix = fix};
+  ParameterTable table;
+  ReceiverChannel channel;
+  AddReflectionParameters(receiver, &table, &channel);
+  std::vector<double> largest_m;
+  for (const SensorParameter& one : table.parameters) largest_m.push_back(one.upper);
+  return largest_m;
+}
+
+// A quarter of 299792458 m/s over 1575.42 and 1227.60 MHz, in the combination without ionosphere.
+TEST(Reflection, OfAFixedReceiverIsNoMoreThanPhasesCanBeOff) {
+  const double f1 = 1575.42e6, f2 = 1227.60e6, c = 299792458;
+  const double most_m = (f1 * f1 * (c / f1 / 4) + f2 * f2 * (c / f2 / 4)) / (f1 * f1 - f2 * f2);
+  for (const double largest_m : LargestOf(GnssFix::kRtkFixed)) {
+    EXPECT_NEAR(largest_m, most_m, 0.005);
+  }
+  for (const GnssFix fix : {GnssFix::kRtkFloat, GnssFix::kSingle}) {
+    for (const double largest_m : LargestOf(fix)) EXPECT_EQ(largest_m, 5);
+  }
+}
+
 // A library that looks for up to 0.3 m looks for them at any azimuth.
 TEST(Reflection, HasNumbersOfEitherSignInTheRangeOfALibrary) {
   SensorDescription receiver;
