@@ -13,6 +13,7 @@
 #include "diagnose/search/fit/excluded_samples.h"
 #include "diagnose/sensors/estimated_poses.h"
 #include "diagnose/sensors/late_poses.h"
+#include "diagnose/tolerances/lever_interval.h"
 #include "diagnose/tolerances/within_tolerance.h"
 
 namespace tera {
@@ -96,7 +97,7 @@ std::vector<DiagnosedBlock> DiagnoseInTurn(
     }
     RemoveEstimated(input, estimate, &carried);
     if (options.library) ApplyLibrary(*options.library, *input.model, &carried);
-    StateTolerances(input.tolerances, &carried);
+    StateTolerances(input.tolerances, &carried, LeverInterval_s(input.commands));
   }
   std::vector<DiagnosedBlock> of_carried =
       DiagnoseBlocks(std::move(carried), search, options.seed, tell(diagnosed.size()), deadline);
@@ -181,7 +182,7 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
     ApplyLibrary(*options.library, *input.model, &blocks);
     if (diagnosis.sensors.estimate.candidates == 0) RequireCandidates(*options.library, blocks);
   }
-  StateTolerances(input.tolerances, &blocks);
+  StateTolerances(input.tolerances, &blocks, LeverInterval_s(input.commands));
   // Where input is missing, the simulation under the levers is of another drive: what it does tells
   // nothing of what the replays lack in this one.
   const bool is_same_drive = course && diagnosis.missing_input.empty();

@@ -277,6 +277,14 @@ void LineariseStill(const At& at) {
   }
 }
 
+void LineariseRest(const At& at) {
+  at.Begin(1, kNoParameter);
+  const int number = at.observation.channel;
+  at.out->residual[0] = -at.numbers(number, 1);
+  at.out->sigma[0] = kTurns_radps;
+  at.out->by_state(0, at.Column(number, 1)) = 1;
+}
+
 void LineariseGround(const At& at) {
   at.Begin(3, kNoParameter);
   LinearisedObservation& out = *at.out;
@@ -341,6 +349,9 @@ bool Linearise(const MotionProblem& problem, const UniformSpline& spline,
       break;
     case ObservationKind::kStill:
       LineariseStill(at);
+      break;
+    case ObservationKind::kRest:
+      LineariseRest(at);
       break;
     case ObservationKind::kGround:
       LineariseGround(at);

@@ -53,13 +53,14 @@ struct MapChannel {
   int noise = 0;
 };
 
-enum class ObservationKind { kImu, kReceiver, kAxis, kPose, kTravel, kStill, kGround };
+enum class ObservationKind { kImu, kReceiver, kAxis, kPose, kTravel, kStill, kRest, kGround };
 
 /// Numbers that were measured over a time, in seconds of their segment's spline.
 ///
 /// An inertial unit's are rates and forces; a receiver's a place; an encoder's one angle; a pose's
-/// place and roll, pitch, yaw. Travel is forward and yaw rate of running gear; ground the height,
-/// roll and pitch that a base has on it.
+/// place and roll, pitch, yaw. Travel is forward and yaw rate of running gear; rest that of the
+/// number `channel`, which no encoder measures; ground the height, roll and pitch that a base has
+/// on it.
 struct Observation {
   ObservationKind kind = ObservationKind::kAxis;
   int channel = 0;

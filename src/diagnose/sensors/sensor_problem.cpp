@@ -10,6 +10,7 @@
 #include "diagnose/motion/reduce_samples.h"
 #include "diagnose/sensors/gear_travel.h"
 #include "diagnose/sensors/reflection.h"
+#include "diagnose/sensors/standing_levers.h"
 #include "diagnose/sensors/usable_fix.h"
 #include "sensors/encoder/encoder_errors.h"
 #include "sensors/slots/effect_numbers.h"
@@ -62,6 +63,7 @@ class Builder {
     AddReceivers();
     AddPoses();
     AddTravel();
+    AddRests();
     SetMotionOfUnits(&problem_.motion);
     SetStart();
     problem_.motion.parameters = static_cast<int>(problem_.table.parameters.size());
@@ -85,6 +87,7 @@ class Builder {
   void SharePairYaw();
   void AddPoses();
   void AddTravel();
+  void AddRests();
   void SetStart();
   void AddGround(const std::array<TimeSeries, kBaseNumbers>& base);
 
@@ -399,6 +402,11 @@ void Builder::AddPoses() {
 void Builder::AddTravel() {
   const auto at_ns = [&](double t_s) { return problem_.start_ns + FromSeconds(t_s); };
   rough_.travel = GearTravel(input_, measured_, problem_.start_ns);
+  // Where nothing measures the base it would take up what the units err by.
+  const bool is_measured = !motion().receivers.empty() || !motion().poses.empty();
+  if (rough_.travel.empty() && !is_measured) {
+    rough_.travel = StandingByLevers(input_, measured_, problem_.start_ns);
+  }
   Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
   for (const TravelWindow& window : rough_.travel) {
     value[0] = window.forward_mps;
@@ -412,6 +420,20 @@ void Builder::AddTravel() {
     for (double t_s = 0; t_s < segment_s_; t_s += kStep_s) {
       const TimeNs t_ns = at_ns(static_cast<double>(s) * segment_s_ + t_s);
       Observe(ObservationKind::kStill, 0, t_ns, t_ns, value);
+    }
+  }
+}
+
+/// Of a joint without an encoder that its lever leaves where it is: it would else take up what the
+/// units before and behind it err by.
+void Builder::AddRests() {
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    if (!rough_.joints[j].empty()) continue;
+    for (const TravelWindow& window :
+         RestingByLever(input_, measured_, joints_[j], problem_.start_ns)) {
+      Observe(ObservationKind::kRest, kBaseNumbers + j,
+              problem_.start_ns + FromSeconds(window.from_s),
+              problem_.start_ns + FromSeconds(window.to_s), Eigen::Matrix<double, 6, 1>::Zero());
     }
   }
 }

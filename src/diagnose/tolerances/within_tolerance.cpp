@@ -33,6 +33,18 @@ std::optional<Expected> ExpectedOf(const Tolerances& stated, const Candidate& ca
   return expected;
 }
 
+/// By how much a number changes where a lever is an interval of its log late, half of it in the
+/// mean; 0 of a number that is no delay of a command.
+double LateByLever(const Candidate& candidate, const FreeParameter& free) {
+  const std::string_view id = candidate.mechanism->id;
+  const std::string_view name = candidate.mechanism->parameters[free.index].name;
+  if (id == "input_hold" && name == "period_s") return 1;
+  const bool is_delay = (id == "command_delay" && name == "delay_s") ||
+                        (id == "actuator_lag" && name == "time_s") ||
+                        (id == "drive_friction" && name == "time_s");
+  return is_delay ? 0.5 : 0;
+}
+
 /// Whether a finding is as expected whatever its own numbers are.
 bool IsExpectedAnyhow(const Finding& finding) {
   return !IsOfPracticalSize(finding) || IsExplainedAsExpected(finding);
@@ -48,11 +60,14 @@ void RejectExpectedRivals(TermEvidence* evidence) {
 
 }  // namespace
 
-void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks) {
+void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks,
+                     double lever_interval_s) {
   for (ReplayBlock& block : *blocks) {
     for (Candidate& candidate : block.candidates) {
       for (FreeParameter& free : candidate.free) {
         free.expected = ExpectedOf(stated, candidate, free);
+        if (!free.expected) continue;
+        free.expected->half_width += LateByLever(candidate, free) * lever_interval_s;
       }
     }
   }

@@ -8,8 +8,12 @@
 namespace tera {
 
 /// Tells the candidates of blocks what is as expected of their numbers: what the owner `stated` of
-/// a target, and else the defaults.
-void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks);
+/// a target, and else the defaults; and beside either what the levers' log does not tell, which had
+/// a row every `lever_interval_s`. A change of a lever is known to half of that: so much more are
+/// delays and lags of commands as expected, and twice as much periods of a reader, which are late
+/// by half of themselves.
+void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks,
+                     double lever_interval_s = 0);
 
 /// Whether a finding takes as much error from its channel on FINAL as a factor at the end of its
 /// tolerance changes there: where what is left with all in its place that is as expected is known,

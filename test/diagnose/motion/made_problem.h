@@ -68,9 +68,10 @@ struct MadeProblem {
   std::vector<Observation> Observations() const {
     std::vector<Observation> all;
     using enum ObservationKind;
-    for (const ObservationKind kind : {kImu, kReceiver, kAxis, kPose, kTravel, kStill, kGround}) {
+    for (const ObservationKind kind :
+         {kImu, kReceiver, kAxis, kPose, kTravel, kStill, kRest, kGround}) {
       for (const double from_s : {1.03, 1.18}) {
-        const bool lasts = kind == kImu || kind == kTravel || kind == kStill;
+        const bool lasts = kind == kImu || kind == kTravel || kind == kStill || kind == kRest;
         Observation seen = {.kind = kind, .from_s = from_s, .to_s = from_s + (lasts ? 0.13 : 0)};
         seen.value << 0.3, -0.2, 0.5, 0.1, 0.2, -0.4;
         all.push_back(seen);

@@ -231,6 +231,22 @@ TEST(Tolerance, OfALagHoldsWhereFrictionHasTheLag) {
   EXPECT_FALSE(IsBeyondTolerance(FindingOf(blocks[0], {0.005, 0.03, 1, 0.02}, sigmas)));
 }
 
+// Of levers that were logged ten times a second each change is known to 0.05 s.
+TEST(Tolerance, OfADelayHoldsBesideWhatTheLogOfALeverTells) {
+  const std::vector<std::optional<double>> sigmas = {0.001, {}};
+  for (const std::string_view id : {"actuator_lag", "command_delay"}) {
+    auto blocks = BlockOf(MechanismOf(id, EffectTarget::kJoint), "arm");
+    StateTolerances({}, &blocks);
+    EXPECT_TRUE(IsBeyondTolerance(FindingOf(blocks[0], {0.08, 0}, sigmas))) << id;
+    StateTolerances({}, &blocks, 0.1);
+    EXPECT_FALSE(IsBeyondTolerance(FindingOf(blocks[0], {0.08, 0}, sigmas))) << id;
+    EXPECT_TRUE(IsBeyondTolerance(FindingOf(blocks[0], {0.12, 0}, sigmas))) << id;
+  }
+  auto gain = BlockOf(MechanismOf("rate_gain", EffectTarget::kJoint), "arm");
+  StateTolerances({}, &gain, 0.1);
+  EXPECT_TRUE(IsBeyondTolerance(FindingOf(gain[0], {1.08}, {0.001})));
+}
+
 TEST(DefaultTolerances, AreOfParametersThatTheLibraryHas) {
   std::set<std::pair<std::string_view, std::string_view>> known;
   for (const auto library : {ActuationMechanisms(), GroundMechanisms(), SensorMechanisms()}) {
