@@ -10,28 +10,13 @@ namespace {
 
 constexpr int kMostInstead = 3;  ///< mechanisms that are as expected, in the place of one
 
-/// Makes terms that are as expected stay so: they point to the candidates that are returned, which
-/// must outlive them.
-std::vector<Candidate> HoldExpected(Structure* terms) {
-  std::vector<Candidate> held;
-  held.reserve(terms->size());
-  for (Term& term : *terms) {
-    if (!IsAsExpected(term)) continue;
-    held.push_back(HeldToExpected(*term.candidate));
-    term.candidate = &held.back();
-  }
-  return held;
-}
-
 }  // namespace
 
 Misfit MisfitOfExpectedInstead(const ReplayBlock& block, const StructureFitter& fitter,
                                const Structure& found, std::size_t term) {
   const std::vector<Candidate> expected =
       ExpectedBeside(block, found, found[term].candidate->target);
-  Structure rest = Without(found, term);
-  const std::vector<Candidate> held = HoldExpected(&rest);
-  FittedStructure best = fitter.FitFrom(rest);
+  FittedStructure best = fitter.FitFrom(Without(found, term));
   for (int added = 0; added < kMostInstead; ++added) {
     const Structure beside = best.terms;
     const double likelihood = best.log_likelihood;

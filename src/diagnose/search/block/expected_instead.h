@@ -11,9 +11,8 @@ namespace tera {
 ///
 /// Model   every other mechanism of the term's target of which something is stated, its numbers
 ///         within what is as expected and the others at their defaults, is tried beside the rest of
-///         the structure, whose numbers are fitted anew, those that were as expected within
-///         their tolerances; the likeliest is kept, and again beside it, three at most, while the
-///         likelihood gains more than one for each number.
+///         the structure, whose numbers are fitted anew; the likeliest is kept, and again beside
+///         it, three at most, while the likelihood gains more than one for each number.
 /// Omits   that several numbers at the ends of their tolerances at once are rarer than one.
 Misfit MisfitOfExpectedInstead(const ReplayBlock& block, const StructureFitter& fitter,
                                const Structure& found, std::size_t term);
