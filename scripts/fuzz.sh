@@ -83,7 +83,7 @@ YAML
   head -c 200 /dev/zero >$seeds/zeros
   with_zero message cdr $seeds/text $seeds/zeros
   for file in config/scenarios/*.yaml config/machines/*.yaml config/rigs/*.yaml; do seed config "$(basename "$file")" "$file"; done
-  for file in config/scenarios/*.yaml; do sed 's#\.\./#tera:config/#' "$file" >$seeds/text; seed scenario "$(basename "$file")" $seeds/text; done
+  for file in config/scenarios/*.yaml; do sed 's#\.\./#tera:config/#g' "$file" >$seeds/text; seed scenario "$(basename "$file")" $seeds/text; done
   seed urdf digger.urdf examples/machines/digger.urdf
   n=0
   for file in assets/rock.glb assets/cone.glb; do { printf '\0'; cat "$file"; } >$seeds/text; seed mesh "$((n += 1))" $seeds/text; done
