@@ -98,6 +98,7 @@ def rubble():
             piece = turned(piece, axis, chance.uniform(-70, 70))
         piece = moved(piece, (away * math.cos(angle), away * math.sin(angle),
                               high + 0.3 * size.min()))
+        piece = moved(piece, (0, 0, max(-0.04 - piece[..., 2].min(), 0)))  # hardly sunk in
         body.add(paint.RUBBLE if k % 4 else paint.CONCRETE, piece, crease_deg=20)
     for k in range(5):
         angle, lean = chance.uniform(0, 2 * math.pi), chance.uniform(0.3, 0.8)
