@@ -24,11 +24,11 @@ obstacles:
   - {name: a3, preset: 'tera:config/obstacles/drum.yaml', xy_m: [0.1, -1.2], yaw_deg: 30}
   - {name: a4, preset: 'tera:config/obstacles/rubble.yaml', xy_m: [2.0, -1.6]}
   - {name: a5, preset: 'tera:config/obstacles/barrels.yaml', xy_m: [3.6, -1.6], yaw_deg: -20}
-  - {name: a6, preset: 'tera:config/obstacles/rebar.yaml', xy_m: [0.6, 1.2], yaw_deg: 8}
-  - {name: p1, preset: 'tera:config/obstacles/tuft.yaml', xy_m: [-1.3, -3.8]}
-  - {name: p2, preset: 'tera:config/obstacles/tuft.yaml', xy_m: [-0.8, -3.6], yaw_deg: 70}
-  - {name: p3, preset: 'tera:config/obstacles/weed.yaml', xy_m: [0.4, -3.9]}
-  - {name: p4, preset: 'tera:config/obstacles/weed.yaml', xy_m: [1.9, -3.4], yaw_deg: 50}
+  - {name: a6, preset: 'tera:config/obstacles/rebar.yaml', xy_m: [0.6, 2.2], yaw_deg: 16}
+  - {name: p1, preset: 'tera:config/obstacles/tuft.yaml', xy_m: [-1.6, -3.2]}
+  - {name: p2, preset: 'tera:config/obstacles/tuft.yaml', xy_m: [-0.9, -3.0], yaw_deg: 70}
+  - {name: p3, preset: 'tera:config/obstacles/weed.yaml', xy_m: [0.5, -3.2]}
+  - {name: p4, preset: 'tera:config/obstacles/weed.yaml', xy_m: [1.9, -3.1], yaw_deg: 50}
 YAML
 TERA_DATA_DIR=$PWD "$tera" generate "$scratch/litter.yaml" --out "$scratch/litter" > /dev/null
-ffmpeg -y -loglevel error -i "$scratch/litter/mast1/camera/rgb/0.png" -vf crop=1280:400:0:120 -q:v 4 docs/images/litter.jpg
+ffmpeg -y -loglevel error -i "$scratch/litter/mast1/camera/rgb/0.png" -vf crop=1280:440:0:80 -q:v 4 docs/images/litter.jpg

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/config/config_faults.h"
 #include "core/config/spelling.h"
 #include "core/units.h"
 
@@ -63,6 +64,10 @@ std::optional<int> JointOfStart(const ConfigMap& start, const StartPlaces& place
                                 DidYouMean(name, names));
     return std::nullopt;
   }
+  if (model.joints[joint].type == JointType::kFixed) {
+    start.Fault(places.key, fmt::format("'{}' does not move; leave it out", name));
+    return std::nullopt;
+  }
   if ((model.joints[joint].type == JointType::kPrismatic) != places.slide) {
     start.Fault(places.key, fmt::format("'{}' {}; need it under {}", name,
                                         places.slide ? "turns" : "slides", places.other_key));
@@ -74,8 +79,10 @@ std::optional<int> JointOfStart(const ConfigMap& start, const StartPlaces& place
 /// Angles or, of prismatic joints, ways.
 void ReadStartPlaces(const ConfigMap& start, const MachineModel& model, std::vector<double>* q) {
   for (const StartPlaces& places : kStartPlaces) {
-    for (const auto& [name, value] :
-         start.NamedNumbers(places.key, Any(std::string(places.unit)))) {
+    const std::size_t before = FaultCount(start);
+    const auto given = start.NamedNumbers(places.key, Any(std::string(places.unit)));
+    if (FaultCount(start) != before) continue;  // what is no number has no limits
+    for (const auto& [name, value] : given) {
       const std::optional<int> joint = JointOfStart(start, places, name, model);
       if (!joint) continue;
       const Joint& j = model.joints[*joint];

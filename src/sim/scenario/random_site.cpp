@@ -14,6 +14,7 @@
 #include "sim/scenario/footprint.h"
 #include "sim/scenario/haul_road.h"
 #include "sim/scenario/standing_things.h"
+#include "sim/scenario/yaml_text.h"
 
 namespace tera {
 namespace {
@@ -22,6 +23,25 @@ constexpr std::uint32_t kMostTries = 1000;  ///< of a free place
 constexpr double kMostOfAKind = 100;
 /// Run over rise of a heap's foot: the shallowest repose of the shipped soils is about 30 deg.
 constexpr double kFootOverHeight = 1.8;
+
+constexpr double kFurthest_m = 1e5;
+
+struct RutSize {
+  double gauge_m = 0, width_m = 0;
+};
+
+/// The same of all ruts of an entry.
+RutSize ReadRutSize(const ConfigMap& config) {
+  const RutSize ruts{config.Number("gauge_m", Between(0, 10, "m"), 2),
+                     config.Number("width_m", Between(0.05, 3, "m"), 0.35)};
+  if (ruts.gauge_m > 0 && ruts.gauge_m < ruts.width_m) {
+    config.Fault("gauge_m",
+                 fmt::format("{} m lets two ruts of {} m lie over each other; need at least "
+                             "their width, or 0 for one rut",
+                             ruts.gauge_m, ruts.width_m));
+  }
+  return ruts;
+}
 
 /// Draws one kind after the other, and remembers what is taken.
 class SitePlanner {
@@ -51,7 +71,8 @@ class SitePlanner {
   }
   Spread SpreadAt(const ConfigMap& config, const char* key, const Range& range) const;
   int Count(const ConfigMap& config, const std::string& kind) const;
-  std::string OneOf(const ConfigMap& config, const char* key, const Stream& stream) const;
+  /// One of a list; of an empty one, which is a fault, nothing is drawn.
+  std::string OneOf(const ConfigMap& config, const char* key, const Stream& stream);
   /// A free place for a rectangle, which is then taken; a fault and nothing where there is none.
   std::optional<Footprint> Place(const ConfigMap& config, const std::string& kind,
                                  const Stream& stream, const Vec2& half_m, bool follows_road);
@@ -76,8 +97,8 @@ class SitePlanner {
 
 SitePlanner::SitePlanner(const ConfigMap& entry, const SiteDraw& draw)
     : entry_(entry), draw_(draw) {
-  x_m_ = SpreadAt(entry, "x_m", Any("m"));
-  y_m_ = SpreadAt(entry, "y_m", Any("m"));
+  x_m_ = SpreadAt(entry, "x_m", Between(-kFurthest_m, kFurthest_m, "m"));
+  y_m_ = SpreadAt(entry, "y_m", Between(-kFurthest_m, kFurthest_m, "m"));
   gap_m_ = entry.Number("gap_m", AtLeast(0, "m"), 0.8);
   const double clear_m = entry.Number("clear_m", AtLeast(0, "m"), 7);
   taken_ = StandingThings(*draw.scenario, *draw.drawn, clear_m);
@@ -100,11 +121,11 @@ int SitePlanner::Count(const ConfigMap& config, const std::string& kind) const {
   return static_cast<int>(of.lower + std::floor(share * (of.upper - of.lower + 1)));
 }
 
-std::string SitePlanner::OneOf(const ConfigMap& config, const char* key,
-                               const Stream& stream) const {
+std::string SitePlanner::OneOf(const ConfigMap& config, const char* key, const Stream& stream) {
   const std::vector<std::string> all = config.Texts(key);
   if (all.empty()) {
     config.Fault(key, "nothing to choose from, need a list of one or more");
+    reads_only_ = true;
     return "";
   }
   const double count = static_cast<double>(all.size());
@@ -160,23 +181,17 @@ void SitePlanner::ForEach(const char* kind, const DrawOne& draw_one) {
   }
 }
 
-std::string PointText(const Vec2& p_m) { return fmt::format("[{:.3f}, {:.3f}]", p_m.x(), p_m.y()); }
-
-std::string OutlineText(const std::vector<Vec2>& outline_m) {
-  std::vector<std::string> corners;
-  for (const Vec2& corner : outline_m) corners.push_back(PointText(corner));
-  return fmt::format("[{}]", fmt::join(corners, ", "));
-}
-
 double Degrees(double yaw_rad) { return std::remainder(yaw_rad, 2 * kPi) / kDeg; }
 
 /// From one side of the area to the other, with one bend in the middle.
 void SitePlanner::Road() {
   const auto config = entry_.OptionalMap("haul_road");
   if (!config) return;
+  reads_only_ = false;
   const Stream stream = StreamOf("haul_road");
   const double width_m = SpreadAt(*config, "width_m", Between(1, 30, "m")).At(Share(stream, kSize));
-  const std::string soil = OneOf(*config, "soils", stream);
+  const std::string soil = NameText(OneOf(*config, "soils", stream));
+  if (reads_only_) return;
   const bool along_x = Share(stream, kYaw) < 0.5;
   const Spread& from = along_x ? x_m_ : y_m_;
   const Spread& side = along_x ? y_m_ : x_m_;
@@ -201,7 +216,7 @@ void SitePlanner::Patches() {
   ForEach("patches", [&](const ConfigMap& config, const Stream& stream, int) {
     const double size_m =
         SpreadAt(config, "size_m", Between(0.3, 50, "m")).At(Share(stream, kSize));
-    const std::string soil = OneOf(config, "soils", stream);
+    const std::string soil = NameText(OneOf(config, "soils", stream));
     if (reads_only_) return;
     const Vec2 middle_m(x_m_.At(Share(stream, kOther)), y_m_.At(Share(stream, kYaw)));
     const auto shares = [&](std::uint32_t k) { return Share(stream, kPlaces + k); };
@@ -214,8 +229,7 @@ void SitePlanner::Patches() {
 /// Ruts of machines that came in over one of the sides and went on as they liked.
 void SitePlanner::Tracks() {
   ForEach("tracks", [&](const ConfigMap& config, const Stream& stream, int) {
-    const double gauge_m = config.Number("gauge_m", Between(0, 10, "m"), 2);
-    const double rut_m = config.Number("width_m", Between(0.05, 3, "m"), 0.35);
+    const auto [gauge_m, rut_m] = ReadRutSize(config);
     const double depth_m =
         SpreadAt(config, "depth_m", Between(0, 0.5, "m")).At(Share(stream, kSize));
     if (reads_only_) return;
@@ -251,8 +265,7 @@ double SitePlanner::DressRoad(const ConfigMap& config, const HaulRoad& road,
                                  OutlineText(RoadOutline(road, stray_m, shares("edge"))), soil));
   if (const auto ruts = config.OptionalMap("ruts")) {
     const int count = Count(*ruts, "haul_road/ruts");
-    const double gauge_m = ruts->Number("gauge_m", Between(0, 10, "m"), 2);
-    const double rut_m = ruts->Number("width_m", Between(0.05, 3, "m"), 0.35);
+    const auto [gauge_m, rut_m] = ReadRutSize(*ruts);
     const Spread depth_m = SpreadAt(*ruts, "depth_m", Between(0, 0.5, "m"));
     const double aside_m = std::max(0.5 * (road.width_m - gauge_m - rut_m), 0.0);
     for (int n = 1; n <= count; ++n) {
@@ -296,7 +309,7 @@ void SitePlanner::Berms() {
         SpreadAt(config, "length_m", Between(0.5, 200, "m")).At(Share(stream, kSize));
     const double height_m =
         SpreadAt(config, "height_m", Between(0.1, 10, "m")).At(Share(stream, kSize + 3));
-    const std::string soil = OneOf(config, "soils", stream);
+    const std::string soil = NameText(OneOf(config, "soils", stream));
     const double foot_m = kFootOverHeight * height_m;
     const auto at = Place(config, "berms", stream, Vec2(0.5 * length_m + foot_m, foot_m), true);
     if (!at) return;
@@ -311,7 +324,7 @@ void SitePlanner::Stockpiles() {
   ForEach("stockpiles", [&](const ConfigMap& config, const Stream& stream, int) {
     const double height_m =
         SpreadAt(config, "height_m", Between(0.1, 10, "m")).At(Share(stream, kSize));
-    const std::string soil = OneOf(config, "soils", stream);
+    const std::string soil = NameText(OneOf(config, "soils", stream));
     const auto at =
         Place(config, "stockpiles", stream, Vec2::Constant(kFootOverHeight * height_m), false);
     if (!at) return;
@@ -331,7 +344,7 @@ void SitePlanner::Fences() {
     }
     const auto panels =
         static_cast<int>(of.lower + std::floor(Share(stream, kSize) * (of.upper - of.lower + 1)));
-    const std::string file = OneOf(config, "of", stream);
+    const std::string file = QuotedText(OneOf(config, "of", stream));
     constexpr double kHalfDepth_m = 0.4;
     const auto at =
         Place(config, "fences", stream, Vec2(0.5 * panels * panel_m, kHalfDepth_m), true);
@@ -339,8 +352,8 @@ void SitePlanner::Fences() {
     for (int k = 0; k < panels; ++k) {
       const Vec2 p_m = at->middle_W_m + (k - 0.5 * (panels - 1)) * panel_m * at->Along();
       obstacles_.push_back(
-          fmt::format("{{name: fence_{}_{}, preset: '{}', xy_m: {}, yaw_deg: {:.2f}}}", number,
-                      k + 1, file, PointText(p_m), Degrees(at->yaw_rad)));
+          fmt::format("{{name: fence_{}_{}, preset: {}, xy_m: {}, yaw_deg: {:.2f}}}", number, k + 1,
+                      file, PointText(p_m), Degrees(at->yaw_rad)));
     }
   });
 }
@@ -348,11 +361,11 @@ void SitePlanner::Fences() {
 void SitePlanner::Things(const char* kind) {
   ForEach(kind, [&](const ConfigMap& config, const Stream& stream, int number) {
     const Vec2 size_m = config.Vector2("size_m", Between(0.1, 50, "m"));
-    const std::string file = OneOf(config, "of", stream);
+    const std::string file = QuotedText(OneOf(config, "of", stream));
     const auto at = Place(config, kind, stream, 0.5 * size_m, false);
     if (!at) return;
-    obstacles_.push_back(fmt::format("{{name: {}_{}, preset: '{}', xy_m: {}, yaw_deg: {:.2f}}}",
-                                     kind, number, file, PointText(at->middle_W_m),
+    obstacles_.push_back(fmt::format("{{name: {}_{}, preset: {}, xy_m: {}, yaw_deg: {:.2f}}}", kind,
+                                     number, file, PointText(at->middle_W_m),
                                      Degrees(at->yaw_rad)));
   });
 }

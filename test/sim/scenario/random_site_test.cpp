@@ -19,6 +19,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::ThrowsMessage;
 
 const std::string kWhole = R"(
@@ -208,6 +209,19 @@ TEST_F(RandomSite, FaultsSayWhereTheyAre) {
   EXPECT_THAT(
       load("fences: {count: [1, 1], panels: [1.5, 2.7], of: ['tera:config/obstacles/fence.yaml']}"),
       ThrowsMessage<InputError>(HasSubstr("panels: from 1.5 to 2.7; need whole numbers")));
+  // Whatever characters a text has, it stays a text.
+  EXPECT_THAT(load("patches: {count: [1, 1], size_m: [1, 1], soils: ['sand}']}"),
+              ThrowsMessage<InputError>(HasSubstr("sand}")));
+  EXPECT_THAT(load("plants: {count: [1, 1], size_m: [1, 1], of: [\"it's.yaml\"]}"),
+              ThrowsMessage<InputError>(HasSubstr("it's.yaml' does not exist")));
+  EXPECT_THAT(load("patches: {count: [1, 1], size_m: [1, 1], soils: []}"),
+              ThrowsMessage<InputError>(
+                  AllOf(HasSubstr("nothing to choose from"), Not(HasSubstr("regions")))));
+  EXPECT_THAT(load("tracks: {count: [0, 0], gauge_m: 0.3, width_m: 0.4, depth_m: [0.1, 0.1]}"),
+              ThrowsMessage<InputError>(AllOf(HasSubstr("randomise[0].site.tracks.gauge_m"),
+                                              HasSubstr("lie over each other"))));
+  EXPECT_THAT([&] { Load("\n  - site: {x_m: [-2e6, 2e6], y_m: [0, 1]}\n", 0); },
+              ThrowsMessage<InputError>(HasSubstr("is out of range")));
   EXPECT_THAT([&] { Load(site("gap_m: 1") + site("gap_m: 1").substr(1), 0); },
               ThrowsMessage<InputError>(HasSubstr("is the second site")));
   EXPECT_THAT(load("gap_m: -1"), ThrowsMessage<InputError>(HasSubstr("gap_m: -1 is out of range")));

@@ -13,6 +13,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(ReadScenario, AcceptsTheSmallestOne) {
   EXPECT_EQ(FaultsOf(std::string(kSite) + kExcavator), "");
@@ -128,6 +129,8 @@ TEST(ReadScenario, JointsThatSlideStartByMetres) {
               HasSubstr("'carriage' slides; need it under joints_m"));
   EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator, {"machines[0].start.joints_m.boom=1"}),
               HasSubstr("'boom' turns; need it under joints_deg"));
+  EXPECT_THAT(FaultsOf(axis, {"machines[0].start.joints_m.carriage=ten"}),
+              AllOf(HasSubstr("is not a number"), Not(HasSubstr("limits"))));
 }
 
 TEST(ReadScenario, RefusesASiteWithoutMachines) {
