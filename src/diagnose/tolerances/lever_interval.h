@@ -8,8 +8,8 @@ namespace tera {
 /// with changes alone.
 ///
 /// Model   the median; rows are asked for where one in twenty repeats the one before in all
-/// columns.
-///         What a lever did between two rows nobody knows: a change is known to half the interval.
+///         columns. What a lever did between two rows nobody knows: a change is known to half the
+///         interval.
 double LeverInterval_s(const TableRecording& levers);
 
 }  // namespace tera

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "rasterizer_stage.h"
 #include "render/gl/rasterizer.h"
 
