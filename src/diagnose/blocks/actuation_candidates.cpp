@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <utility>
 
 #include "diagnose/blocks/beats.h"
@@ -25,6 +27,9 @@ constexpr double kLateToMeasure_s = 0.03;         ///< by which a rate may be me
 constexpr long kMostStepsToMeasure = 10;          ///< of a replay in small steps, for that
 constexpr double kLateByLags_s[] = {0.05, 0.08};  ///< behind a slow valve, and behind a slower one
 
+/// Slower swings last as long as the motions between two changes of a lever.
+constexpr double kSlowestRing_radps = 3, kSlowestFlex_radps = 2;
+
 /// Time for which an axis and other functions of its pump must be driven together.
 constexpr double kLeastTogether_s = 2;
 constexpr double kMostBent_rad = 0.5;  ///< by which the largest load bends a flexible link
@@ -35,7 +40,26 @@ struct Reach {
   double largest_load_nm = 0;
   double lowest_rad = 0, highest_rad = 0;
   bool is_joint = false, has_stops = false, has_cylinder = false;
+  /// Angular frequency of the fastest swing that samples of the rate tell from a slower one: half
+  /// their rate (Shannon 1949).
+  double fastest_swing_radps = 0;
 };
+
+/// The median interval between samples of an axis's rate; of the sensor that has the shortest.
+double Interval_s(const AxisLog& log, std::size_t axis) {
+  double shortest_s = std::numeric_limits<double>::infinity();
+  for (const MeasuredRate& measured : log.measured) {
+    if (measured.axis != axis || measured.at_step.size() < 2) continue;
+    std::vector<double> interval_s;
+    for (std::size_t k = 1; k < measured.at_step.size(); ++k) {
+      interval_s.push_back((measured.at_step[k] - measured.at_step[k - 1]) * log.step_s);
+    }
+    const auto middle = interval_s.begin() + static_cast<std::ptrdiff_t>(interval_s.size() / 2);
+    std::nth_element(interval_s.begin(), middle, interval_s.end());
+    shortest_s = std::min(shortest_s, *middle);
+  }
+  return shortest_s;
+}
 
 Reach ReachOf(const MachineModel& model, const AxisLog& log, std::size_t axis) {
   Reach reach;
@@ -54,6 +78,7 @@ Reach ReachOf(const MachineModel& model, const AxisLog& log, std::size_t axis) {
     reach.full_rate_radps = model.gear_drives[axis - model.joints.size()].max_rate_radps;
     reach.slower_rate_radps = reach.full_rate_radps;
   }
+  reach.fastest_swing_radps = std::numbers::pi / Interval_s(log, axis);
   reach.lowest_rad = reach.highest_rad = log.motion[axis].position_rad;
   for (std::size_t k = 0; k < log.steps; ++k) {
     const AxisMotion& motion = log.motion[k * log.axes + axis];
@@ -118,6 +143,17 @@ bool Swings(const std::vector<double>& ring) {
   return beta_1ps < eta_radps;
 }
 
+/// Starts with their first number, a frequency, at most `most`; those that become the same once.
+std::vector<std::vector<double>> StartsUpTo(double most,
+                                            const std::vector<std::vector<double>>& starts) {
+  std::vector<std::vector<double>> kept;
+  for (std::vector<double> start : starts) {
+    start[0] = std::min(start[0], most);
+    if (std::find(kept.begin(), kept.end(), start) == kept.end()) kept.push_back(std::move(start));
+  }
+  return kept;
+}
+
 /// Adds the candidates of the actuator's slot. A lag that is shorter than a step cannot be seen.
 void AddActuator(const Reach& reach, double step_s, CandidateList* out) {
   const double w = reach.full_rate_radps;
@@ -128,10 +164,13 @@ void AddActuator(const Reach& reach, double step_s, CandidateList* out) {
       "rate_limit",
       {{0, w / 5, w / kShortestRise_s, true}, {.index = 1, .upper = 2 * step_s, .refines = true}},
       {{w / 0.1, 0}, {w / 0.3, 0}, {w / 1, 0}});
-  Candidate& ring =
-      out->Add("actuator_ring", {{0, 3, 60, true}, {1, 0.5, 30, true}, {2, -1.5, 1.5}},
-               {{20, 6, 0}, {12, 4, 0}, {28, 8, 0}, {8, 3, 0}});
-  ring.is_itself = Swings;
+  if (reach.fastest_swing_radps > kSlowestRing_radps) {
+    const double most = std::min(60.0, reach.fastest_swing_radps);
+    Candidate& ring = out->Add(
+        "actuator_ring", {{0, kSlowestRing_radps, most, true}, {1, 0.5, 30, true}, {2, -1.5, 1.5}},
+        StartsUpTo(most, {{20, 6, 0}, {12, 4, 0}, {28, 8, 0}, {8, 3, 0}}));
+    ring.is_itself = Swings;
+  }
   if (reach.has_stops) {
     out->Add("end_cushion", {{0, 0.02, 0.6, true}, {1, 0.02, 0.9}}, {{0.08, 0.3}, {0.2, 0.2}});
   }
@@ -167,13 +206,14 @@ void AddGainAndLoad(const Reach& reach, CandidateList* out) {
   out->Add("pressure_droop", {{0, 0.5 * load, 30 * load, true}, {1, 0, 0.5}},
            {{8 * load, 0.05}, {3 * load, 0.05}, {1.5 * load, 0.05}});
   out->Add("sag", {{0, 2e-4, 0.15, true}}, {{0.003, 40}, {0.01, 40}, {0.04, 40}});
-  if (reach.is_joint) {
+  if (reach.is_joint && reach.fastest_swing_radps > kSlowestFlex_radps) {
+    const double most = std::min(80.0, reach.fastest_swing_radps);
     // Steel and oil oscillate; what is damped more is a lag under another name.
     out->Add("structural_flex",
-             {{0, 2, 80, true},
+             {{0, kSlowestFlex_radps, most, true},
               {1, 0.01, 0.5},
               {.index = 2, .upper = std::min(1.0, kMostBent_rad / load), .refines = true}},
-             {{30, 0.1, 0}, {12, 0.1, 0}, {6, 0.1, 0}, {12, 0.4, 0}});
+             StartsUpTo(most, {{30, 0.1, 0}, {12, 0.1, 0}, {6, 0.1, 0}, {12, 0.4, 0}}));
   }
 }
 

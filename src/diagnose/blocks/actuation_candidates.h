@@ -15,7 +15,7 @@ namespace tera {
 /// lever_map, actuator, kinematic_gain and load_friction, and of flow of the pump that feeds the
 /// axis, where the axis and another of the pump's functions were driven together for long enough.
 /// Bounds and starts follow from the log: rates up to the axis's full one, loads up to the largest
-/// seen. A mechanism that the model has already may have wrong numbers.
+/// seen, swings up to half the rate of its samples (Shannon 1949), above which they look slower. A mechanism that the model has already may have wrong numbers.
 ///
 /// Omits   friction and payload, against both of which a motor that is given a rate keeps it, so
 ///         that they show in no rate but through pressure_droop.

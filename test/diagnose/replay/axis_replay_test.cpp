@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <numbers>
 #include <ostream>
 #include <string>
 
@@ -420,6 +421,39 @@ TEST(CandidatesOfAxis, ARingSwingsBeforeItIsGone) {
   const Candidate& ring = CandidateOf(candidates, "actuator_ring");
   EXPECT_TRUE(ring.is_itself({20, 6, 0}));  // as the paper fits a boom
   EXPECT_FALSE(ring.is_itself({6, 20, 0}));
+}
+
+/// The largest value that a search may give the first number of a mechanism; 0 where the mechanism
+/// is no candidate of the arm.
+double MostOfArm(const MachineModel& model, const Recorded& recorded, const std::string& id) {
+  const AxisLog log = MakeAxisLog(model, recorded.commands, {recorded.encoders}, 0.002);
+  const auto arm = static_cast<std::size_t>(model.JointIndex("arm"));
+  for (const Candidate& candidate : CandidatesOfAxis(model, log, arm, {})) {
+    if (candidate.mechanism->id != id) continue;
+    for (const auto& start : candidate.starts) EXPECT_LE(start[0], candidate.free[0].upper);
+    return candidate.free[0].upper;
+  }
+  return 0;
+}
+
+// Samples at f tell swings of up to f / 2 from slower ones: pi f in rad/s.
+TEST(CandidatesOfAxis, NothingSwingsFasterThanHalfTheRateOfSamples) {
+  Drive drive = Swaying("");
+  const MachineModel& model = drive.scenario.machines[0].placement.model;
+  Recorded recorded = Record(&drive, 12);
+  EXPECT_GT(MostOfArm(model, recorded, "structural_flex"), 50);  // at 100 Hz
+  EXPECT_GT(MostOfArm(model, recorded, "actuator_ring"), 50);
+  std::vector<EncoderSample>& samples = recorded.encoders.recording.samples;
+  const auto keep = [&](TimeNs period_ns) {
+    std::erase_if(samples,
+                  [&](const EncoderSample& sample) { return sample.t_ns % period_ns != 0; });
+  };
+  keep(kNsPerSecond / 10);
+  EXPECT_NEAR(MostOfArm(model, recorded, "structural_flex"), std::numbers::pi * 10, 1e-6);
+  EXPECT_NEAR(MostOfArm(model, recorded, "actuator_ring"), std::numbers::pi * 10, 1e-6);
+  keep(2 * kNsPerSecond);
+  EXPECT_EQ(MostOfArm(model, recorded, "structural_flex"), 0);
+  EXPECT_EQ(MostOfArm(model, recorded, "actuator_ring"), 0);
 }
 
 TEST(CandidatesOfAxis, ADroopMayStallBelowTheLargestLoad) {
