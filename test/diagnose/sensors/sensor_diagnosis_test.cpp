@@ -159,6 +159,38 @@ TEST(SensorDiagnosis, OfNothingWrongButLostRowsAndJitterNamesNothing) {
   }
 }
 
+/// A machine that stands and raises its boom, with a bias of the boom's gyro about z. Only the boom
+/// has an encoder, and no receiver or pose shows the base: levers alone, at 10 Hz, say that neither
+/// tracks nor swing move.
+MadeRecording StandingByItsLevers(double gyro_z_radps) {
+  Wrong wrong;
+  wrong.gyro_bias_radps.z() = gyro_z_radps;
+  MadeRecording made({.wrong = wrong, .base_moves = 0, .slew_moves = 0, .has_poses = false});
+  for (auto& samples : made.measured.gnss) samples.clear();
+  EncoderRecording& encoders = made.measured.encoders[0].recording;
+  encoders.axes.erase(encoders.axes.begin());
+  for (EncoderSample& sample : encoders.samples) {
+    sample.q_rad.erase(sample.q_rad.begin());
+    sample.qd_radps.erase(sample.qd_radps.begin());
+  }
+  made.model.ground_tools.gears.resize(2);
+  made.model.levers.push_back({"left_track", -1, 0});
+  made.model.levers.push_back({"right_track", -1, 1});
+  made.input.commands.columns = {"swing", "left_track", "right_track"};
+  for (int k = 0; k <= 400; ++k) {
+    made.input.commands.t_ns.push_back(FromSeconds(0.1 * k));
+    made.input.commands.rows.push_back({0, 0, 0});
+  }
+  return made;
+}
+
+// Without what the levers say, a place of the boom's unit 0.46 m off would be named beside.
+TEST(SensorDiagnosis, KnowsByLeversThatABaseWithoutSensorsStands) {
+  const double bias_radps = 8 * kTolerances.gyro_bias_radps;
+  MadeRecording made = StandingByItsLevers(bias_radps);
+  ExpectNamed({{}, "imu_boom/bias", "gyro_z_degps", bias_radps / kDeg}, Diagnosed(&made));
+}
+
 TEST(SensorDiagnosis, FindsTheMotionThatWas) {
   MadeRecording made({.seed = 31});
   const SensorDiagnosis told = Diagnosed(&made);
