@@ -321,12 +321,11 @@ bool Linearise(const MotionProblem& problem, const UniformSpline& spline,
   const double from_s = observation.from_s - late_s, to_s = observation.to_s - late_s;
   if (!spline.Covers(from_s, to_s)) return false;
   out->weights = spline.MeanOver(from_s, to_s);
-  const int count = std::min<int>(SplineWeights::kMost, spline.coefficients - out->weights.first);
+  const int count = std::min<int>(5, spline.coefficients - out->weights.first);
   const Numbers numbers = coefficients.middleRows(out->weights.first, count).transpose() *
                           out->weights.by_derivative.leftCols(count).transpose();
   Numbers resting = numbers;
-  const auto block =
-      std::min<Eigen::Index>((out->weights.first + 1) / kCoefficientsOfBlock, moving.rows() - 1);
+  const auto block = std::min<Eigen::Index>((out->weights.first + 1) / 4, moving.rows() - 1);
   for (Eigen::Index n = 0; n < numbers.rows(); ++n) {
     for (int k = 0; k < 3; ++k) resting(n, k + 1) *= moving(block, 3 * n + k);
   }

@@ -23,10 +23,7 @@ struct LinearisedObservation {
   SplineWeights weights;
 };
 
-/// Consecutive coefficients of a block: what one observation touches lies in two blocks at most.
-inline constexpr int kCoefficientsOfBlock = SplineWeights::kMost - 1;
-
-/// Which derivatives of the motion stand out of their noise: rows are blocks of coefficients,
+/// Which derivatives of the motion stand out of their noise: rows are blocks of four coefficients,
 /// columns the first, second and third derivative of each number; 1 where they do, else 0.
 using MovingNumbers = Eigen::ArrayXXd;
 

@@ -114,7 +114,7 @@ MovingNumbers MovingOf(const UniformSpline& spline, const Eigen::MatrixXd& coeff
   Eigen::ArrayXXd power(blocks, 3 * numbers), error(blocks, 3 * numbers);
   for (Eigen::Index b = 0; b < blocks; ++b) {
     for (Eigen::Index n = 0; n < numbers; ++n) {
-      const Eigen::Vector4d own = coefficients.block<4, 1>(kCoefficientsOfBlock * b, n);
+      const Eigen::Vector4d own = coefficients.block<4, 1>(4 * b, n);
       Eigen::Matrix4d spread;
       for (Eigen::Index i = 0; i < 4; ++i) {
         for (Eigen::Index j = 0; j < 4; ++j) {
@@ -249,10 +249,9 @@ MotionEstimate StartingEstimate(const MotionProblem& problem, const ParameterPri
   start.parameters = prior.documented;
   start.noise = problem.noise;
   for (const MotionSegment& segment : problem.segments) {
-    start.motion.push_back({segment.start,
-                            MovingNumbers::Ones(segment.spline.coefficients / kCoefficientsOfBlock,
-                                                3 * problem.numbers()),
-                            Eigen::VectorXd::Zero(problem.parameters)});
+    start.motion.push_back(
+        {segment.start, MovingNumbers::Ones(segment.spline.coefficients / 4, 3 * problem.numbers()),
+         Eigen::VectorXd::Zero(problem.parameters)});
   }
   return start;
 }

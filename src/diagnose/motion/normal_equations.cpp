@@ -5,8 +5,8 @@
 namespace tera {
 
 NormalEquations::NormalEquations(int coefficients, int numbers, int parameters)
-    : block_(kCoefficientsOfBlock * numbers),
-      blocks_(coefficients / kCoefficientsOfBlock),
+    : block_(4 * numbers),
+      blocks_(coefficients / 4),
       numbers_(numbers),
       parameters_(parameters),
       pair_(static_cast<std::size_t>(blocks_), Eigen::MatrixXd::Zero(2 * block_, 2 * block_)),
@@ -16,19 +16,19 @@ NormalEquations::NormalEquations(int coefficients, int numbers, int parameters)
 
 void NormalEquations::Add(const LinearisedObservation& rows,
                           const Eigen::Matrix<double, 6, 1>& weight) {
-  const int first = rows.weights.first, width = SplineWeights::kMost * numbers_;
+  const int first = rows.weights.first, width = 5 * numbers_;
   const int columns = std::min(width, blocks_ * block_ - first * numbers_);
   Eigen::MatrixXd J(rows.rows, width);
   J.setZero();
   for (int k = 0; k < 3; ++k) {
     const auto by = rows.by_state.block(0, k * numbers_, rows.rows, numbers_);
-    for (int i = 0; i < SplineWeights::kMost; ++i) {
+    for (int i = 0; i < 5; ++i) {
       J.middleCols(i * numbers_, numbers_) += rows.weights.by_derivative(k, i) * by;
     }
   }
   const Eigen::MatrixXd WJ = weight.head(rows.rows).asDiagonal() * J.leftCols(columns);
-  Eigen::MatrixXd& pair = pair_[static_cast<std::size_t>(first / kCoefficientsOfBlock)];
-  const int at = (first % kCoefficientsOfBlock) * numbers_;
+  Eigen::MatrixXd& pair = pair_[static_cast<std::size_t>(first / 4)];
+  const int at = (first % 4) * numbers_;
   pair.block(at, at, columns, columns).noalias() += J.leftCols(columns).transpose() * WJ;
   auto right = right_.middleRows(first * numbers_, columns);
   const Eigen::VectorXd residual = rows.residual.head(rows.rows);
@@ -49,13 +49,13 @@ void NormalEquations::Add(const LinearisedObservation& rows,
 
 void NormalEquations::AddPrior(int first, int number, const std::vector<double>& pattern,
                                double residual, double weight) {
-  Eigen::MatrixXd& pair = pair_[static_cast<std::size_t>(first / kCoefficientsOfBlock)];
+  Eigen::MatrixXd& pair = pair_[static_cast<std::size_t>(first / 4)];
   for (std::size_t i = 0; i < pattern.size(); ++i) {
     const int row = first + static_cast<int>(i);
     right_(row * numbers_ + number, parameters_) += weight * pattern[i] * residual;
     for (std::size_t j = 0; j < pattern.size(); ++j) {
-      pair((first % kCoefficientsOfBlock + static_cast<int>(i)) * numbers_ + number,
-           (first % kCoefficientsOfBlock + static_cast<int>(j)) * numbers_ + number) +=
+      pair((first % 4 + static_cast<int>(i)) * numbers_ + number,
+           (first % 4 + static_cast<int>(j)) * numbers_ + number) +=
           weight * pattern[i] * pattern[j];
     }
   }

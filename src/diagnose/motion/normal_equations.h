@@ -27,11 +27,11 @@ struct MotionStep {
 
 /// Normal equations of the coefficients of one segment's motion and the parameters.
 ///
-/// Model   unknowns are ordered by time, so that they form a block-tridiagonal matrix,
-///         kCoefficientsOfBlock of all numbers a block; it is solved by blockwise Cholesky.
+/// Model   unknowns are ordered by time, so that they form a block-tridiagonal matrix, four
+///         coefficients of all numbers a block; it is solved by blockwise Cholesky.
 class NormalEquations {
  public:
-  /// As many coefficients as a multiple of kCoefficientsOfBlock.
+  /// As many coefficients as a multiple of four.
   NormalEquations(int coefficients, int numbers, int parameters);
 
   /// Adds rows with weights (inverse variances), one for each of the observation's.

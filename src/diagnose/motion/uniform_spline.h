@@ -4,13 +4,11 @@
 
 namespace tera {
 
-/// Up to six coefficients that follow each other, from `first` on, and their weights in the value
+/// Up to five coefficients that follow each other, from `first` on, and their weights in the value
 /// of a spline and its first three derivatives, one a row.
 struct SplineWeights {
-  static constexpr int kMost = 6;  ///< coefficients that two steps, which touch three, depend on
-
   int first = 0;
-  Eigen::Matrix<double, 4, kMost> by_derivative = Eigen::Matrix<double, 4, kMost>::Zero();
+  Eigen::Matrix<double, 4, 5> by_derivative = Eigen::Matrix<double, 4, 5>::Zero();
 };
 
 /// Uniform cubic B-splines over the seconds from 0 on: coefficient i is centred on
@@ -25,8 +23,8 @@ struct UniformSpline {
   bool Covers(double from_s, double to_s) const { return from_s >= 0 && to_s <= end_s(); }
   /// At a time that it covers.
   SplineWeights At(double t_s) const;
-  /// Of the means over a time that it covers, no longer than two steps: exact for the derivatives,
-  /// by Simpson's rule over both halves for the value. Of longer times, those of their middle.
+  /// Of the means over a time that it covers, no longer than a step: exact for the derivatives, by
+  /// Simpson's rule for the value. Of longer times, those of their middle.
   SplineWeights MeanOver(double from_s, double to_s) const;
 };
 

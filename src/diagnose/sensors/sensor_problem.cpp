@@ -194,8 +194,7 @@ void Builder::CutSegments() {
   for (int s = 0; s < static_cast<int>(count); ++s) {
     MotionSegment segment;
     segment.start_ns = start_ns + FromSeconds(s * segment_s_ - kMargin_s);
-    const int blocks = (needed + kCoefficientsOfBlock - 1) / kCoefficientsOfBlock;
-    segment.spline = {kStep_s, blocks * kCoefficientsOfBlock};
+    segment.spline = {kStep_s, (needed + 3) / 4 * 4};
     motion().segments.push_back(std::move(segment));
   }
 }

@@ -12,7 +12,7 @@ namespace tera {
 
 struct MadeProblem {
   MotionProblem problem;
-  UniformSpline spline = {.step_s = 0.25, .coefficients = 20};
+  UniformSpline spline = {.step_s = 0.25, .coefficients = 16};
   Eigen::MatrixXd coefficients;
   Eigen::VectorXd parameters;
   MovingNumbers moving;

@@ -35,8 +35,8 @@ MotionProblem TwoEncoders(int segments, double scale, double zero) {
   const Stream draw(1, "encoders");
   for (int s = 0; s < segments; ++s) {
     MotionSegment segment;
-    segment.spline = {.step_s = 0.1, .coefficients = 65};
-    segment.start = Eigen::MatrixXd::Zero(segment.spline.coefficients, problem.numbers());
+    segment.spline = {.step_s = 0.1, .coefficients = 64};
+    segment.start = Eigen::MatrixXd::Zero(64, problem.numbers());
     segment.start.col(kBaseNumbers).setConstant(Angle(s, 0));
     for (int k = 0; k < kSamples; ++k) {
       for (int i = 0; i < 2; ++i) {
@@ -88,7 +88,7 @@ TEST(EstimateMotion, FindsZeroNoiseAndMotion) {
   // five degrees of freedom 0.87 of it.
   for (int i = 0; i < 2; ++i) EXPECT_NEAR(estimate.noise[i].sigma / kSigma[i], 0.87, 0.07) << i;
   for (int s = 0; s < 4; ++s) {
-    const UniformSpline spline = {.step_s = 0.1, .coefficients = 65};
+    const UniformSpline spline = {.step_s = 0.1, .coefficients = 64};
     for (double t = 0.6; t < 5.4; t += 0.171) {
       const SplineWeights at = spline.At(t);
       const double found = at.by_derivative.row(0).head(4).dot(

@@ -106,7 +106,7 @@ TEST(NormalEquations, LeaveForTheParametersWhatADenseEliminationDoes) {
     EXPECT_LT((step.without - solver.solve(g)).norm(), 1e-9 * solver.solve(g).norm());
 
     const MatrixXd covariance = solver.solve(MatrixXd::Identity(A.rows(), A.cols()));
-    const int block = kCoefficientsOfBlock * both.made.problem.numbers();
+    const int block = 4 * both.made.problem.numbers();
     ASSERT_EQ(static_cast<int>(step.covariance.size()) * block, A.rows());
     for (std::size_t k = 0; k < step.covariance.size(); ++k) {
       const MatrixXd expected = covariance.block(k * block, k * block, block, block);

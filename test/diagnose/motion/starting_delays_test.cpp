@@ -27,7 +27,7 @@ MotionProblem Turning(double swing_radps, double late_s, double noise_radps) {
   const Stream draw(1, "turning");
   for (int s = 0; s < 4; ++s) {
     MotionSegment segment;
-    segment.spline = {.step_s = 0.05, .coefficients = 135};
+    segment.spline = {.step_s = 0.05, .coefficients = 132};
     segment.start = Eigen::MatrixXd::Zero(132, kBaseNumbers);
     const double begins_s = 1.7 * s;
     for (int i = 0; i < 132; ++i) {

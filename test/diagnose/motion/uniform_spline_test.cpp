@@ -19,7 +19,7 @@ const UniformSpline kSpline = {.step_s = 0.2, .coefficients = 16};
 /// One row of weights, a derivative, over coefficients.
 double Apply(const SplineWeights& weights, int derivative, const std::vector<double>& c) {
   double sum = 0;
-  for (int k = 0; k < SplineWeights::kMost; ++k) {
+  for (int k = 0; k < 5; ++k) {
     const double weight = weights.by_derivative(derivative, k);
     const int i = weights.first + k;
     if (i < 0 || i >= static_cast<int>(c.size())) {
@@ -115,9 +115,8 @@ TEST(UniformSpline, HasMeansOfDerivativesAsRectanglesSumThem) {
   const double h = kSpline.step_s, end = kSpline.end_s();
   // Within a step, over a knot, of a whole step, at both ends.
   const double spans[][2] = {
-      {0.41, 0.55},   {0.33, 0.48},       {1.3, 1.3 + h},         {0, 0.1},
-      {0, h},         {end - 0.07, end},  {end - 0.999 * h, end}, {0.4, 0.4 + 1e-3},
-      {0.599, 0.601}, {0.5, 0.5 + 2 * h}, {0.71, 0.71 + 1.9 * h}, {end - 2 * h, end}};
+      {0.41, 0.55},      {0.33, 0.48},           {1.3, 1.3 + h},    {0, 0.1},      {0, h},
+      {end - 0.07, end}, {end - 0.999 * h, end}, {0.4, 0.4 + 1e-3}, {0.599, 0.601}};
   for (const auto& [from, to] : spans) {
     const SplineWeights mean = kSpline.MeanOver(from, to);
     for (int d = 1; d < 4; ++d) {
@@ -135,8 +134,8 @@ TEST(UniformSpline, HasMeansOfDerivativesThatAreDifferencesOfValuesExactly) {
   const std::vector<double> c = RandomCoefficients(3);
   const Stream draw(4, "spans");
   for (int k = 0; k < 300; ++k) {
-    const double from = draw.Uniform(k) * (kSpline.end_s() - 2 * kSpline.step_s);
-    const double to = from + kSpline.step_s * (0.01 + 1.99 * draw.Uniform(k, 1));
+    const double from = draw.Uniform(k) * (kSpline.end_s() - kSpline.step_s);
+    const double to = from + kSpline.step_s * (0.01 + 0.99 * draw.Uniform(k, 1));
     const SplineWeights mean = kSpline.MeanOver(from, to);
     for (int d = 0; d < 3; ++d) {
       const double rise = Apply(kSpline.At(to), d, c) - Apply(kSpline.At(from), d, c);
@@ -156,7 +155,7 @@ TEST(UniformSpline, HasMeansOfCubicsWithinAStepExactly) {
   EXPECT_NEAR(Apply(kSpline.MeanOver(from, to), 0, c), mean, 1e-12);
 }
 
-TEST(UniformSpline, OverMoreThanTwoStepsIsThatOfTheMiddle) {
+TEST(UniformSpline, OverMoreThanAStepIsThatOfTheMiddle) {
   const std::vector<double> c = RandomCoefficients(5);
   const SplineWeights mean = kSpline.MeanOver(0.31, 1.17), middle = kSpline.At(0.74);
   for (int d = 0; d < 4; ++d) EXPECT_NEAR(Apply(mean, d, c), Apply(middle, d, c), 1e-9) << d;
@@ -196,7 +195,7 @@ TEST(UniformSpline, OfASingleStepUsesItsFourCoefficientsOnly) {
     const SplineWeights at = shortest.At(t), mean = shortest.MeanOver(0, t);
     for (const SplineWeights& weights : {at, mean}) {
       ASSERT_GE(weights.first, 0);
-      for (int k = 0; k < SplineWeights::kMost; ++k) {
+      for (int k = 0; k < 5; ++k) {
         if (weights.first + k >= 4) {
           EXPECT_EQ(weights.by_derivative.col(k).norm(), 0) << t;
         }
