@@ -9,7 +9,7 @@
 #include "core/error.h"
 #include "diagnose/report/files/recordings_report.h"
 #include "diagnose/report/files/write_report.h"
-#include "diagnose/report/text/sentence.h"
+#include "diagnose/report/text/sentences.h"
 #include "diagnose/report/text/shared_cause_text.h"
 #include "diagnose/report/text/summary.h"
 

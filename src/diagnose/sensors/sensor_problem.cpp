@@ -8,6 +8,7 @@
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/blocks/sample_grid.h"
 #include "diagnose/motion/reduce_samples.h"
+#include "diagnose/sensors/estimated_joints.h"
 #include "diagnose/sensors/gear_travel.h"
 #include "diagnose/sensors/reflection.h"
 #include "diagnose/sensors/standing_levers.h"
@@ -144,29 +145,10 @@ const SensorDescription* Builder::SensorOf(const NamedEncoders& named) const {
 }
 
 void Builder::ChooseJoints() {
-  std::vector<bool> is_on_way(model().joints.size(), false);
-  for (std::size_t s = 0; s < input_.sensors.size(); ++s) {
-    if (measured_.imus[s].empty() && measured_.gnss[s].empty()) continue;
-    for (int link = model().LinkIndex(input_.sensors[s].link); link > 0;
-         link = model().joints[static_cast<std::size_t>(link) - 1].parent) {
-      is_on_way[static_cast<std::size_t>(link) - 1] = true;
-    }
-  }
-  const auto can_move = [&](std::size_t j) {
-    const auto has_lever = [&](const Lever& lever) { return lever.joint == static_cast<int>(j); };
-    if (std::any_of(model().levers.begin(), model().levers.end(), has_lever)) return true;
-    return std::any_of(measured_.encoders.begin(), measured_.encoders.end(), [&](const auto& one) {
-      const auto& axes = one.recording.axes;
-      return std::any_of(axes.begin(), axes.end(), [&](const EncoderAxis& axis) {
-        return axis.name == model().joints[j].name;
-      });
-    });
-  };
+  joints_ = EstimatedJoints(input_, measured_);
   places_.assign(model().joints.size(), -1);
-  for (std::size_t j = 0; j < model().joints.size(); ++j) {
-    if (!is_on_way[j] || model().joints[j].type == JointType::kFixed || !can_move(j)) continue;
-    places_[j] = static_cast<int>(joints_.size());
-    joints_.push_back(j);
+  for (const std::size_t j : joints_) {
+    places_[j] = static_cast<int>(motion().joints.size());
     motion().joints.push_back(model().joints[j].name);
   }
   rough_.joints.resize(joints_.size());

@@ -15,6 +15,7 @@
 #include "sim/scenario/haul_road.h"
 #include "sim/scenario/standing_things.h"
 #include "sim/scenario/yaml_text.h"
+#include "soil/columns/old_ruts.h"
 
 namespace tera {
 namespace {
@@ -25,23 +26,7 @@ constexpr double kMostOfAKind = 100;
 constexpr double kFootOverHeight = 1.8;
 
 constexpr double kFurthest_m = 1e5;
-
-struct RutSize {
-  double gauge_m = 0, width_m = 0;
-};
-
-/// The same of all ruts of an entry.
-RutSize ReadRutSize(const ConfigMap& config) {
-  const RutSize ruts{config.Number("gauge_m", Between(0, 10, "m"), 2),
-                     config.Number("width_m", Between(0.05, 3, "m"), 0.35)};
-  if (ruts.gauge_m > 0 && ruts.gauge_m < ruts.width_m) {
-    config.Fault("gauge_m",
-                 fmt::format("{} m lets two ruts of {} m lie over each other; need at least "
-                             "their width, or 0 for one rut",
-                             ruts.gauge_m, ruts.width_m));
-  }
-  return ruts;
-}
+constexpr double kGauge_m = 2, kRut_m = 0.35;  ///< of tracks, where an entry does not say
 
 /// Draws one kind after the other, and remembers what is taken.
 class SitePlanner {
@@ -229,9 +214,9 @@ void SitePlanner::Patches() {
 /// Ruts of machines that came in over one of the sides and went on as they liked.
 void SitePlanner::Tracks() {
   ForEach("tracks", [&](const ConfigMap& config, const Stream& stream, int) {
-    const auto [gauge_m, rut_m] = ReadRutSize(config);
+    const auto [gauge_m, rut_m] = ReadRutSize(config, kGauge_m, kRut_m);
     const double depth_m =
-        SpreadAt(config, "depth_m", Between(0, 0.5, "m")).At(Share(stream, kSize));
+        SpreadAt(config, "depth_m", Between(0, kDeepestRut_m, "m")).At(Share(stream, kSize));
     if (reads_only_) return;
     constexpr double kTightest_m = 7, kMostAskew_rad = 50 * kDeg;
     constexpr int kMost = 150;
@@ -265,8 +250,8 @@ double SitePlanner::DressRoad(const ConfigMap& config, const HaulRoad& road,
                                  OutlineText(RoadOutline(road, stray_m, shares("edge"))), soil));
   if (const auto ruts = config.OptionalMap("ruts")) {
     const int count = Count(*ruts, "haul_road/ruts");
-    const auto [gauge_m, rut_m] = ReadRutSize(*ruts);
-    const Spread depth_m = SpreadAt(*ruts, "depth_m", Between(0, 0.5, "m"));
+    const auto [gauge_m, rut_m] = ReadRutSize(*ruts, kGauge_m, kRut_m);
+    const Spread depth_m = SpreadAt(*ruts, "depth_m", Between(0, kDeepestRut_m, "m"));
     const double aside_m = std::max(0.5 * (road.width_m - gauge_m - rut_m), 0.0);
     for (int n = 1; n <= count; ++n) {
       const ShareRow share = shares(fmt::format("ruts/{}", n));

@@ -10,7 +10,7 @@ namespace tera {
 namespace {
 
 constexpr double kShoulder = 0.2;  // of a rut's width, on each side
-constexpr double kWidestRut_m = 3, kWidestGauge_m = 10, kDeepest_m = 0.5;
+constexpr double kWidestRut_m = 3, kWidestGauge_m = 10;
 constexpr double kFurthest_m = 1e5;
 
 /// Where a point is beside a path.
@@ -45,18 +45,34 @@ double ShareOfDepth(double from_middle_m, double width_m) {
 void PressColumn(const RutPlan& ruts, int i, int j, Columns* ground) {
   const Vec2 p_m(ground->x_m(i), ground->y_m(j));
   const Beside at = BesidePath(ruts.path_W_m, p_m);
-  const double middle_m = std::copysign(0.5 * ruts.gauge_m, at.left_m);
-  const double share = ShareOfDepth(std::abs(at.left_m - middle_m), ruts.width_m);
+  const double middle_m = std::copysign(0.5 * ruts.size.gauge_m, at.left_m);
+  const double share = ShareOfDepth(std::abs(at.left_m - middle_m), ruts.size.width_m);
   if (share <= 0) return;
   SpoilMix squeezed;
-  ground->Press(ground->Touch(i, j), share * ruts.depth_m, ruts.width_m, &squeezed);
+  ground->Press(ground->Touch(i, j), share * ruts.depth_m, ruts.size.width_m, &squeezed);
   if (squeezed.empty()) return;
-  const double edge_m = std::copysign(0.5 * ruts.width_m + ground->cell_m(), at.left_m - middle_m);
+  const double edge_m =
+      std::copysign(0.5 * ruts.size.width_m + ground->cell_m(), at.left_m - middle_m);
   const Vec2 to_m = p_m + (middle_m + edge_m - at.left_m) * at.left;
   ground->DepositAt(ground->NearestI(to_m.x()), ground->NearestJ(to_m.y()), squeezed);
 }
 
 }  // namespace
+
+RutSize ReadRutSize(const ConfigMap& config, double usual_gauge_m,
+                    std::optional<double> usual_width_m) {
+  const Range width = Between(0.05, kWidestRut_m, "m");
+  const RutSize ruts{config.Number("gauge_m", Between(0, kWidestGauge_m, "m"), usual_gauge_m),
+                     usual_width_m ? config.Number("width_m", width, *usual_width_m)
+                                   : config.Number("width_m", width)};
+  if (ruts.gauge_m > 0 && ruts.gauge_m < ruts.width_m) {
+    config.Fault("gauge_m",
+                 fmt::format("{} m lets two ruts of {} m lie over each other; need at least "
+                             "their width, or 0 for one rut",
+                             ruts.gauge_m, ruts.width_m));
+  }
+  return ruts;
+}
 
 std::vector<RutPlan> ReadRuts(const ConfigMap& config) {
   std::vector<RutPlan> all;
@@ -71,22 +87,15 @@ std::vector<RutPlan> ReadRuts(const ConfigMap& config) {
       item.Fault("path_m", fmt::format("{} points found, need at least 2, each [x, y] in m",
                                        ruts.path_W_m.size()));
     }
-    ruts.gauge_m = item.Number("gauge_m", Between(0, kWidestGauge_m, "m"), 0);
-    ruts.width_m = item.Number("width_m", Between(0.05, kWidestRut_m, "m"));
-    ruts.depth_m = item.Number("depth_m", Between(0, kDeepest_m, "m"));
-    if (ruts.gauge_m > 0 && ruts.gauge_m < ruts.width_m) {
-      item.Fault("gauge_m",
-                 fmt::format("{} m lets two ruts of {} m lie over each other; need at least "
-                             "their width, or 0 for one rut",
-                             ruts.gauge_m, ruts.width_m));
-    }
+    ruts.size = ReadRutSize(item, 0, {});
+    ruts.depth_m = item.Number("depth_m", Between(0, kDeepestRut_m, "m"));
     all.push_back(ruts);
   }
   return all;
 }
 
 void Press(const RutPlan& ruts, Columns* ground) {
-  const double reach_m = 0.5 * (ruts.gauge_m + ruts.width_m);
+  const double reach_m = 0.5 * (ruts.size.gauge_m + ruts.size.width_m);
   // Column by column of the boxes around its pieces, each column once.
   std::vector<std::pair<int, int>> places;
   for (std::size_t p = 0; p + 1 < ruts.path_W_m.size(); ++p) {

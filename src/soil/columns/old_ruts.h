@@ -1,11 +1,23 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/config/config.h"
 #include "soil/columns/columns.h"
 
 namespace tera {
+
+inline constexpr double kDeepestRut_m = 0.5;
+
+struct RutSize {
+  double gauge_m = 0;  ///< between the middles of two; 0 of one
+  double width_m = 0;  ///< of each
+};
+
+/// Reads `gauge_m` and `width_m`; without a usual width, it must be there. Faults go to `config`.
+RutSize ReadRutSize(const ConfigMap& config, double usual_gauge_m,
+                    std::optional<double> usual_width_m);
 
 /// Two ruts that wheels or tracks have pressed before the start, or one where there is no gauge.
 ///
@@ -15,8 +27,7 @@ namespace tera {
 ///         running gear (Columns::Press): it becomes denser and remembers it.
 struct RutPlan {
   std::vector<Vec2> path_W_m;
-  double gauge_m = 0;  ///< between the middles of the two
-  double width_m = 0;  ///< of each
+  RutSize size;
   double depth_m = 0;
 };
 

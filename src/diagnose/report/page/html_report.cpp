@@ -16,7 +16,7 @@
 #include "diagnose/report/text/next_manoeuvre_text.h"
 #include "diagnose/report/text/proposal_text.h"
 #include "diagnose/report/text/ranking.h"
-#include "diagnose/report/text/sentence.h"
+#include "diagnose/report/text/sentences.h"
 #include "diagnose/report/text/summary.h"
 #include "diagnose/report/text/wording.h"
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "diagnose/diagnosis.h"
 
@@ -22,17 +21,17 @@ std::string SentenceOf(const DiagnosedBlock& diagnosed, const Unexplained& unexp
 /// The sentence of a mechanism that was chosen and not confirmed on FINAL.
 std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding& finding);
 
+/// The sentence of a mechanism within its tolerance, or which a tolerated one explains as well.
+std::string SentenceOfExpected(const DiagnosedBlock& diagnosed, const Finding& finding);
+
+/// The sentence of what comes nearest to an unexplained error and is no name for it.
+std::string SentenceOfProxy(const DiagnosedBlock& diagnosed, const Finding& finding);
+
 /// The sentence of a block with too few manoeuvres, or for which there was no time.
 std::string SentenceOfUntestable(const DiagnosedBlock& diagnosed);
 
 /// The sentence of an axis that moves without its lever.
 std::string SentenceOf(const MissingInput& missing);
-
-/// The sentence where nothing was found: which channels agree, and what could not have been seen.
-std::string SentenceOfNothing(const Diagnosis& diagnosis);
-
-/// All sentences of a diagnosis, the weightiest first.
-std::vector<std::string> SentencesOf(const Diagnosis& diagnosis);
 
 /// "|lever| < 0.2, odd", in readable units.
 std::string RegimeText(const Regime& regime, const DiagnosedBlock& diagnosed, std::size_t channel);

@@ -7,7 +7,7 @@
 
 #include "dataset/files/checked_file.h"
 #include "diagnose/report/made_diagnosis.h"
-#include "diagnose/report/text/sentence.h"
+#include "diagnose/report/text/sentences.h"
 #include "own_folder.h"
 #include "physics/actuation/learned_rate.h"
 #include "sim/scenario/scenario.h"

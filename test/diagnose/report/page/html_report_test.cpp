@@ -5,7 +5,7 @@
 
 #include "diagnose/report/made_diagnosis.h"
 #include "diagnose/report/page/svg_plot.h"
-#include "diagnose/report/text/sentence.h"
+#include "diagnose/report/text/sentences.h"
 
 namespace tera {
 namespace {

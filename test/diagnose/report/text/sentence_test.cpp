@@ -6,6 +6,7 @@
 #include "core/units.h"
 #include "diagnose/report/made_diagnosis.h"
 #include "diagnose/report/text/next_manoeuvre_text.h"
+#include "diagnose/report/text/sentences.h"
 
 namespace tera {
 namespace {
