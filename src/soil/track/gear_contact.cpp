@@ -102,7 +102,8 @@ Vec3 OverSoil_mps(const Footprint& foot, const BodyState& body, const Vec3& v_W)
   return v_W - v_W.dot(foot.n_W) / yield_W.dot(foot.n_W) * yield_W;
 }
 
-/// Share of a patch that touches the ground: all of a shoe's underside that faces down at all.
+/// Share of a patch that touches the ground, if it lies there: all of a shoe's underside that faces
+/// down at all.
 double Touching(const ContactPatch& patch, const Footprint& foot) {
   if (SideFaces::IsOne(patch)) return SideFaces::Bearing(-foot.n_W.z());
   return foot.n_W.z() < -kLeastUpward ? 1 : 0;
@@ -174,8 +175,8 @@ GearContact::GearContact(const RunningGear& gear, bool shears, std::vector<SoilT
   }
 }
 
-/// Pressure on a grid of points fixed to the patch, about a cell apart: as smooth as the ground.
-/// `touching` is its share that touches.
+/// Pressure on a grid of points fixed to the patch's part that touches, at most about a cell apart:
+/// as smooth as the ground. `touching` is that part's share.
 GearContact::Pressed GearContact::Bear(std::size_t patch_index, double touching,
                                        const BodyState& body, const Columns& ground,
                                        const LowObstacles& obstacles) const {
@@ -185,6 +186,7 @@ GearContact::Pressed GearContact::Bear(std::size_t patch_index, double touching,
   const int n_along = std::max(1, static_cast<int>(std::ceil(patch.length_m / ground.cell_m())));
   const int n_across = std::max(1, static_cast<int>(std::ceil(patch.width_m / ground.cell_m())));
   const double area_m2 = touching * patch.length_m * patch.width_m / (n_along * n_across);
+  const double middle_m = SideFaces::IsOne(patch) ? SideFaces::Middle_m(patch, touching) : 0;
   // Velocity into the ground along the machine's vertical, or its side's normal, which changes
   // evenly over the patch.
   const Vec3 up_W = SideFaces::IsOne(patch) ? foot.n_W : Vec3(body.X_WB.linear().col(2));
@@ -198,7 +200,7 @@ GearContact::Pressed GearContact::Bear(std::size_t patch_index, double touching,
     const double along_m = ((a + 0.5) / n_along - 0.5) * patch.length_m;
     const double share = PressureShare(patch, along_m);
     for (int b = 0; b < n_across; ++b) {
-      const double across_m = ((b + 0.5) / n_across - 0.5) * patch.width_m;
+      const double across_m = middle_m + ((b + 0.5) / n_across - 0.5) * touching * patch.width_m;
       const Vec3 q_W = foot.p_W_m + along_m * foot.along_W + across_m * foot.across_W;
       const Columns::Sample sample = ground.SampleAt(q_W.x(), q_W.y());
       const auto obstacle = obstacles.TopAt(q_W.x(), q_W.y(), climb_m);
@@ -302,7 +304,7 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
         const Vec3 aside_W_n = PushAside_n(k, foot, step) * foot.across_W;
         sum.result.wrench.AddForceAt(aside_W_n, foot.p_W_m, body.X_WB.translation());
       }
-      rut_work_j_ += rut_.Press(k, rolling_, body, dt_s, obstacles, ground);
+      rut_work_j_ += rut_.Press(k, touching, rolling_, body, dt_s, obstacles, ground);
       pressed = Bear(k, touching, body, *ground, obstacles);
     }
     if (pressed.normal_n > 0) {

@@ -76,13 +76,20 @@ struct Rut::Under {
   double across_m() const { return d_W_m.dot(foot.across_W); }
 };
 
-double Rut::Press(std::size_t patch_index, const Rolling& rolling, const BodyState& body,
-                  double dt_s, const LowObstacles& obstacles, Columns* ground) {
+double Rut::Press(std::size_t patch_index, double touching, const Rolling& rolling,
+                  const BodyState& body, double dt_s, const LowObstacles& obstacles,
+                  Columns* ground) {
   pressed_.clear();
-  const Footprint foot(gear_.patches[patch_index], body.X_WB);
+  const ContactPatch& patch = gear_.patches[patch_index];
+  const Footprint foot(patch, body.X_WB);
+  const bool side = SideFaces::IsOne(patch);
+  const double middle_m = side ? SideFaces::Middle_m(patch, touching) : 0;
   const double climb_m = ClimbHeight_m(gear_);
   double work_j = 0;
-  ForColumnsUnder(gear_.patches[patch_index], foot, *ground, [&](int i, int j, const Vec3& d_W) {
+  ForColumnsUnder(patch, foot, *ground, [&](int i, int j, const Vec3& d_W) {
+    if (side && std::abs(d_W.dot(foot.across_W) - middle_m) > 0.5 * touching * patch.width_m) {
+      return;
+    }
     ColumnId k = ground->IdAt(i, j);
     const double top_m = k != Columns::kNone ? ground->skin(k).top_m : ground->TopAt(i, j);
     const double patch_z_m = foot.p_W_m.z() + d_W.z();
@@ -99,7 +106,6 @@ double Rut::Press(std::size_t patch_index, const Rolling& rolling, const BodySta
     work_j += Sink({k, patch_index, foot, d_W, ease, rolling.OnWheel(patch_index)}, pen_m, body,
                    dt_s, ground);
   });
-  const bool side = SideFaces::IsOne(gear_.patches[patch_index]);
   if (!pressed_.empty() && !side) touching_.push_back(patch_index);
   covered_.insert(covered_.end(), pressed_.begin(), pressed_.end());
   return work_j;

@@ -35,10 +35,10 @@ class Rut {
   /// Before a step's patches, in which the shoes move on by `shoe_m`.
   void Begin(double shoe_m, Columns* ground);
   /// Presses the columns under patch `k` where they cannot bear it and no low obstacle lies on
-  /// them. Returns the work of it that the patch's pressure does not do, because the gear moves on
-  /// rather than down.
-  double Press(std::size_t k, const Rolling& rolling, const BodyState& body, double dt_s,
-               const LowObstacles& obstacles, Columns* ground);
+  /// them; of a side face under the share `touching`, see SideFaces. Returns the work of it that
+  /// the patch's pressure does not do, because the gear moves on rather than down.
+  double Press(std::size_t k, double touching, const Rolling& rolling, const BodyState& body,
+               double dt_s, const LowObstacles& obstacles, Columns* ground);
   /// Lets patch `k`, whose columns were just pressed, slip by `slip_m` over them, along travel;
   /// `contact_m` is the length of ground under the whole gear.
   /// Its shoes stand `sinkage_m` deep.

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "soil/block_fixture.h"
+#include "soil/track/gear_contact.h"
 
 namespace tera {
 namespace {
@@ -69,6 +71,129 @@ TEST(SideFaces, HoldALeaningTrackAgainstBeingPulledSideways) {
   const double passive_n =
       kLength_m * 0.5 * 1500 * 9.81 * 0.01 * std::pow(std::tan((45 + 14) * kDeg), 2);
   EXPECT_LT(outwards_n.y(), -passive_n);
+}
+
+/// A track alone, without shear, that leans to its left (to its right: by less than 0), its lower
+/// edge at first along the surface of level ground which yields at one pressure, whatever the
+/// depth. What lies beyond the edge is the side's, what lies on this side of it the underside's.
+class LeaningTrack {
+ public:
+  LeaningTrack(double lean_rad, const SoilType& soil, double cell_m)
+      : ground_(LevelColumns(soil, cell_m, static_cast<int>(1.5 / cell_m) + 1)),
+        track_(FlatTrack(0, kLong_m, kWidth_m, 4), false, {soil}),
+        left_(lean_rad > 0 ? 1 : -1) {
+    TurnTo(lean_rad);
+  }
+  static SoilType Yielding(double max_density_kgpm3) {
+    SoilType soil = SandOf30Deg();
+    soil.max_density_kgpm3 = max_density_kgpm3;
+    soil.young_modulus_pa = 20e6;
+    soil.k_phi_npm_n2 = kYield_pa;
+    soil.sinkage_exponent = 1e-3;
+    soil.shear_modulus_m = 0.02;
+    return soil;
+  }
+  void PushDown(double way_m) {
+    constexpr double kSpeed_mps = 0.005;
+    body_.v_WB_mps = Vec3(0, 0, -kSpeed_mps);
+    const Vec3 side_W = left_ * body_.X_WB.linear().col(1);
+    for (long n = std::lround(way_m / kSpeed_mps / kLongStep_s); n > 0; --n) {
+      edge_W_m_ += kLongStep_s * body_.v_WB_mps;
+      body_.X_WB.translation() += kLongStep_s * body_.v_WB_mps;
+      side_work_j_ -= Act().dot(side_W) * body_.v_WB_mps.dot(side_W) * kLongStep_s;
+    }
+    body_.v_WB_mps.setZero();
+  }
+  /// About its lower edge.
+  void TurnTo(double lean_rad) {
+    body_.X_WB = MakePose(Vec3::Zero(), RotationFromRpy(-lean_rad, 0, kYaw_rad));
+    body_.X_WB.translation() = edge_W_m_ - left_ * body_.X_WB.linear() * Vec3(0, kWidth_m / 2, 0);
+    Act();
+  }
+  /// Of the force on the side: the faces are at right angles.
+  double side_work_j() const { return side_work_j_; }
+  double SideDisplaces_m3() const {
+    double sum_m3 = 0;
+    for (int j = 0; j < ground_.ny(); ++j) {
+      for (int i = 0; i < ground_.nx(); ++i) {
+        const double out_m =
+            ground_.y_m(j) * std::cos(kYaw_rad) - ground_.x_m(i) * std::sin(kYaw_rad);
+        if (left_ * out_m > 0) sum_m3 += std::max(0.0, -ground_.TopAt(i, j)) * ground_.area_m2();
+      }
+    }
+    return sum_m3;
+  }
+  /// Mass that is neither where it was nor where it was put, over what was put anywhere.
+  double Lost() const {
+    const Columns::Gain gain = ground_.GroundGain();
+    return gain.net_kg / gain.gained_kg;
+  }
+  static constexpr double kYield_pa = 40e3;
+  static constexpr double kLong_m = 0.8;
+  static constexpr double kFace_m = 0.25;  ///< height of the side: the sprocket's radius
+
+ private:
+  static constexpr double kLongStep_s = 0.2, kYaw_rad = 0.3;
+  Vec3 Act() {
+    return track_.Act(body_, 0, kLongStep_s, LowObstacles(), &ground_).wrench.force_W_n;
+  }
+  Columns ground_;
+  GearContact track_;
+  double left_;
+  BodyState body_;
+  Vec3 edge_W_m_ = Vec3::Zero();
+  double side_work_j_ = 0;
+};
+
+TEST(SideFaces, SoilTakesNoMoreWorkThanTheForceDoes) {
+  // Loose soil is pressed together and not aside, so that the work on it is the pressure at which
+  // it yields times the volume that it gives way by. The force has what damps it and what rebounds
+  // on top, and lacks what the slope at the rut's rim, a cell wide, does not bear; with the cell
+  // the latter vanishes.
+  for (const double lean_deg : {22.0, -25.0, 28.0}) {
+    LeaningTrack track(lean_deg * kDeg, LeaningTrack::Yielding(6000), 0.0125);
+    track.PushDown(0.15);
+    const double soil_j = LeaningTrack::kYield_pa * track.SideDisplaces_m3();
+    EXPECT_GT(soil_j, 50) << lean_deg;
+    EXPECT_NEAR(track.side_work_j() / soil_j, 1, 0.1) << lean_deg;
+  }
+}
+
+TEST(SideFaces, SweepTheSoilThatTheirTouchingPartMeets) {
+  // From the edge up the share s of the face touches: seen from above, a strip as wide as s h sin a
+  // or as what is in the ground, over which the depth falls off by cot a. From step to step of lean
+  // the volume grows by no more than such a step brings: it does not begin at once at 20 deg.
+  constexpr double kDeep_m = 0.15;
+  const auto swept_m3 = [kDeep_m](double lean_rad) {
+    const double height_m = SideFaces::Bearing(std::sin(lean_rad)) * LeaningTrack::kFace_m;
+    const double strip_m = std::min(height_m * std::sin(lean_rad), kDeep_m * std::tan(lean_rad));
+    return LeaningTrack::kLong_m * strip_m * (kDeep_m - 0.5 * strip_m / std::tan(lean_rad));
+  };
+  const double whole_m3 = swept_m3(31 * kDeg);
+  double before_m3 = 0;
+  for (double lean_deg = 19; lean_deg <= 31; lean_deg += 0.5) {
+    LeaningTrack track(lean_deg * kDeg, LeaningTrack::Yielding(6000), 0.025);
+    track.PushDown(kDeep_m);
+    const double now_m3 = track.SideDisplaces_m3();
+    EXPECT_NEAR(now_m3 / whole_m3, swept_m3(lean_deg * kDeg) / whole_m3, 0.05) << lean_deg;
+    EXPECT_LT((now_m3 - before_m3) / whole_m3, 0.2) << lean_deg;
+    before_m3 = now_m3;
+  }
+}
+
+TEST(SideFaces, LeaningFurtherPressesTheSoilBesideBitByBitAndLosesNone) {
+  // Dense soil, part of which goes aside.
+  LeaningTrack track(15 * kDeg, LeaningTrack::Yielding(1600), 0.0125);
+  track.PushDown(0.1);
+  const double upright_m3 = track.SideDisplaces_m3();
+  double before_m3 = upright_m3, most_m3 = 0;
+  for (double lean_deg = 15; lean_deg <= 35; lean_deg += 0.1) {
+    track.TurnTo(lean_deg * kDeg);
+    most_m3 = std::max(most_m3, std::abs(track.SideDisplaces_m3() - before_m3));
+    before_m3 = track.SideDisplaces_m3();
+  }
+  EXPECT_LT(most_m3 / (before_m3 - upright_m3), 0.1);
+  EXPECT_NEAR(track.Lost(), 0, 1e-12);
 }
 
 TEST(SideFaces, CoverALyingTracksLowerHalf) {
