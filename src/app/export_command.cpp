@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "app/arguments/argument_checks.h"
@@ -176,6 +178,9 @@ void AddExportCommand(CLI::App* app) {
   command->add_flag("--resume", arguments->options.resume,
                     "Go on with an export that was stopped, where the format is of many files; "
                     "begin it again where it is not");
+  arguments->options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  command->add_option("--threads", arguments->options.threads, "Frames at a time")
+      ->check(WholeNumberBetween(1, 256));
   AddBagOptions(command, arguments.get());
   AddKittiOptions(command, arguments.get());
   AddWebdatasetOptions(command, arguments.get());

@@ -79,6 +79,7 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"ceres/", "diagnose"},
     {"unsupported/Eigen/", "diagnose"},
     {"openssl/", "dataset"},
+    {"libdeflate.h", "dataset"},
     {"lz4frame.h", "dataset"},
     {"bzlib.h", "dataset"},
     {"libnova/", "sim"},

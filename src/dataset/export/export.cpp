@@ -13,6 +13,7 @@
 #include "dataset/export/stopped_export.h"
 #include "dataset/files/frame_log.h"
 #include "dataset/files/whole_folder.h"
+#include "dataset/format/png.h"
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -119,6 +120,7 @@ void CountFiles(const fs::path& folder, ExportReport* report) {
 }  // namespace
 
 ExportReport Export(const fs::path& dataset, const fs::path& out, const ExportOptions& options) {
+  PreparePng();
   const Recording recording(dataset);
   RequirePlainPaths(recording);
   RequireNewPlace(dataset, out);

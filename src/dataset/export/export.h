@@ -16,7 +16,8 @@ struct ExportReport {
 };
 
 /// Writes the recording `dataset` as the new folder `out`, in pieces: no more of it is in memory
-/// than one record of each channel and what the format gathers before it writes.
+/// than one record of each channel, the frames that threads work on, two a thread, and what the
+/// format gathers before it writes.
 ///
 /// Throws InputError where the recording cannot be read or has nothing for the format, and where
 /// `out` is there already or cannot be written; then nothing is left behind but, with `resume` and

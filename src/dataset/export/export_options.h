@@ -127,6 +127,7 @@ struct ExportOptions {
   /// Go on with what a stopped export with these options has left; and where this one is stopped by
   /// a fault, leave what can be gone on with.
   bool resume = false;
+  int threads = 2;  ///< that read, decode and encode frames; they change no byte
   /// UTC of the recording's time 0, in ns since 1970. Without it, times stay what they are, but in
   /// formats that must have a date, where it is kDefaultStart_ns.
   std::optional<TimeNs> start_utc_ns;

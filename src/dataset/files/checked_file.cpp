@@ -60,21 +60,28 @@ CheckedFile::~CheckedFile() {
 }
 
 void CheckedFile::Append(std::string_view bytes) {
-  buffer_ += bytes;
   bytes_ += static_cast<std::int64_t>(bytes.size());
+  if (bytes.size() >= kBufferBytes) {
+    Flush();
+    return Write(bytes);
+  }
+  buffer_ += bytes;
   if (buffer_.size() >= kBufferBytes) Flush();
 }
 
 void CheckedFile::Flush() {
+  Write(buffer_);
+  buffer_.clear();
+}
+
+void CheckedFile::Write(std::string_view bytes) {
   TERA_CHECK(descriptor_ >= 0, path_.string());
-  std::size_t done = 0;
-  while (done < buffer_.size()) {
-    const ssize_t count = ::write(descriptor_, buffer_.data() + done, buffer_.size() - done);
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) FailFile(path_, "cannot be written", errno);
-    done += static_cast<std::size_t>(count);
+    bytes.remove_prefix(static_cast<std::size_t>(count));
   }
-  buffer_.clear();
 }
 
 void CheckedFile::Commit() {

@@ -33,6 +33,9 @@ class CheckedFile {
   const std::filesystem::path& temporary() const { return temporary_; }
 
  private:
+  /// To the system.
+  void Write(std::string_view bytes);
+
   std::filesystem::path path_, temporary_;
   int descriptor_ = -1;
   bool committed_ = false, left_ = false;

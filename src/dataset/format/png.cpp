@@ -2,15 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <optional>
 #include <vector>
 
 #include "core/check.h"
 #include "core/error.h"
 #include "dataset/files/checked_file.h"
+#include "dataset/format/png_rows.h"
 
 namespace tera {
 namespace {
@@ -45,8 +48,10 @@ bool EndsAsPng(const std::string& bytes) {
   return bytes.size() > kEndBytes && bytes.compare(bytes.size() - kEndBytes, kEndBytes, kEnd) == 0;
 }
 
-cv::Mat Decode(const std::filesystem::path& file, int type, const char* need) {
-  const std::string bytes = ReadWholeFile(file);
+/// By OpenCV, which says of a file what is wrong with it, and reads forms that DecodePngRows does
+/// not.
+cv::Mat Decode(const std::filesystem::path& file, const std::string& bytes, int type,
+               const char* need) {
   cv::Mat image;
   if (BeginsAsPng(bytes) && EndsAsPng(bytes)) {
     const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
@@ -86,8 +91,27 @@ std::string EncodeAny(const Image<T>& image, int depth) {
 }
 
 template <typename T>
+Image<T> FromRows(const PngRows& rows) {
+  Image<T> image(rows.width_px, rows.height_px, rows.components);
+  if constexpr (sizeof(T) == 1) {
+    std::copy(rows.bytes.begin(), rows.bytes.end(), image.data.begin());
+  } else {
+    for (std::size_t k = 0; k < image.data.size(); ++k) {
+      image.data[k] = static_cast<T>(rows.bytes[2 * k] << 8 | rows.bytes[2 * k + 1]);
+    }
+  }
+  return image;
+}
+
+template <typename T>
 Image<T> ReadAny(const std::filesystem::path& file, int depth, int components, const char* need) {
-  cv::Mat image = Decode(file, CV_MAKETYPE(depth, components), need);
+  const std::string bytes = ReadWholeFile(file);
+  const std::optional<PngRows> rows = DecodePngRows(bytes);
+  constexpr int kBits = 8 * sizeof(T);
+  if (rows && rows->components == components && rows->component_bits == kBits) {
+    return FromRows<T>(*rows);
+  }
+  cv::Mat image = Decode(file, bytes, CV_MAKETYPE(depth, components), need);
   if (components == 3) cv::cvtColor(image, image, cv::COLOR_BGR2RGB);
   return FromMat<T>(image);
 }

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace tera::ros {
@@ -29,6 +30,8 @@ class Serializer {
 
   WireForm form() const { return form_; }
   const std::string& bytes() const { return bytes_; }
+  /// The bytes of the last message.
+  std::string TakeBytes() { return std::move(bytes_); }
   /// For the next message.
   void Clear() {
     bytes_.clear();

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/error.h"
+#include "dataset/export/frames_recording.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/format/sample_recording.h"
 
@@ -67,6 +68,28 @@ class ExportTest : public testing::Test {
 
   ScratchDirectory scratch_;
 };
+
+// Five frames of each sensor, of which many are on their way at a time.
+TEST_F(ExportTest, IsTheSameBytesWithAnyNumberOfThreads) {
+  fs::remove_all(recording());
+  WriteFramesRecording(recording());
+  for (const ExportFormatName& format : kExportFormats) {
+    if (!IsBag(format.format) && !GoesOnByFrames(format.format) &&
+        format.format != ExportFormat::kPcd && format.format != ExportFormat::kLas) {
+      continue;  // not of frames
+    }
+    std::map<std::string, std::string> by_one;
+    for (const int threads : {1, 2, 7}) {
+      ExportOptions options = {.format = format.format, .threads = threads};
+      options.joint_trees = Tree;
+      Export(recording(), out(), options);
+      if (threads == 1) by_one = AllFiles(out());
+      EXPECT_EQ(AllFiles(out()), by_one) << format.name << " " << threads;
+      fs::remove_all(out());
+    }
+    EXPECT_FALSE(by_one.empty());
+  }
+}
 
 TEST_F(ExportTest, APlaceThatIsTakenIsLeftAsItIs) {
   fs::create_directory(out());

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "dataset/export/export.h"
+#include "dataset/export/frames_recording.h"
 #include "dataset/export/webdataset/tar_writer.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/format/sample_recording.h"
@@ -20,58 +21,9 @@ using testing::AllOf;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-constexpr TimeNs kFrame_ns = 100'000'000;
-constexpr int kFrames = 5;
-constexpr const char* kLens =
-    "model:\n  width_px: 4\n  height_px: 3\n  fx_px: 2\n  fy_px: 2\n  cx_px: 1.5\n  cy_px: 1\n";
-
-std::string Sheet(const std::string& type, const std::string& more) {
-  return "type: " + type +
-         "\nname: x\nparent_link: chassis\nX_parent_sensor:\n  xyz_m: [1, 0, 2]\n"
-         "  quaternion_wxyz: [1, 0, 0, 0]\nrate_hz: 10\nlatency_s: 0\n" +
-         more;
-}
-
-CameraFrame FrameAt(int k) {
-  CameraFrame frame;
-  frame.t_ns = k * kFrame_ns + kFrame_ns / 2;
-  frame.rgb = Image<std::uint8_t>(4, 3, 3);
-  frame.rgb.data[0] = static_cast<std::uint8_t>(k);
-  frame.depth_m = Image<float>(4, 3);
-  frame.semantic = Image<std::uint8_t>(4, 3);
-  frame.instance = Image<std::uint16_t>(4, 3);
-  return frame;
-}
-
-LidarScan ScanAt(int k) {
-  LidarPoint point;
-  point.x_m = 5.0f + static_cast<float>(k);
-  point.label = static_cast<std::uint8_t>(k + 1);
-  return {k * kFrame_ns, k * kFrame_ns, {point}};
-}
-
-std::vector<JointTree> Tree() { return {JointTree{"digger", "chassis"}}; }
-
 class StoppedExport : public testing::Test {
  protected:
-  StoppedExport() {
-    DatasetWriter writer(run(), SampleInfo(), {});
-    const ChannelId front =
-        writer.AddChannel(CameraChannel("digger/front", Sheet("camera", kLens)));
-    const ChannelId lidar = writer.AddChannel(LidarChannel("digger/lidar", Sheet("lidar", "")));
-    const ChannelId pose = writer.AddChannel(PoseChannel("truth/digger/pose.csv"));
-    const ChannelId joints =
-        writer.AddChannel(TableChannel("truth/digger/joints.csv", {"boom_rad", "boom_radps"}));
-    for (int k = 0; k <= kFrames; ++k) {
-      const TimeNs t_ns = k * kFrame_ns;
-      writer.Write(pose, RowOf(TruthPose{t_ns, MakePose(Vec3(k, 0, 0))}));
-      writer.Write(joints, RowSample{t_ns, t_ns, {0, 0}});
-      if (k == kFrames) break;
-      writer.Write(lidar, ScanAt(k));
-      writer.Write(front, FrameAt(k));
-    }
-    writer.Finish();
-  }
+  StoppedExport() { WriteFramesRecording(run()); }
   fs::path run() const { return scratch_.path() / "run"; }
   fs::path out() const { return scratch_.path() / "out"; }
   fs::path half() const { return scratch_.path() / "out.incomplete"; }

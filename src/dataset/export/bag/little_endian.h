@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <bit>
 #include <concepts>
 #include <cstdint>
@@ -11,9 +12,11 @@ namespace tera {
 /// Appends a whole number to `bytes`, low byte first.
 template <std::unsigned_integral T>
 void AppendNumber(T value, std::string* bytes) {
-  for (std::size_t k = 0; k < sizeof value; ++k) {
-    bytes->push_back(static_cast<char>(static_cast<unsigned char>((value >> (8 * k)) & 0xff)));
+  std::array<char, sizeof(T)> parts;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    parts[k] = static_cast<char>(static_cast<unsigned char>((value >> (8 * k)) & 0xff));
   }
+  bytes->append(parts.data(), parts.size());
 }
 
 /// Its length in 32 bits, then the text.

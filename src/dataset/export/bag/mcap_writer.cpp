@@ -1,6 +1,6 @@
 #include "dataset/export/bag/mcap_writer.h"
 
-#include <zlib.h>
+#include <libdeflate.h>
 
 #include <algorithm>
 
@@ -29,17 +29,22 @@ enum Opcode : std::uint8_t {
   kDataEnd = 0x0F
 };
 
+/// What stands before a record's content.
+std::string RecordHead(std::uint8_t opcode, std::size_t content_bytes) {
+  std::string head;
+  AppendNumber(opcode, &head);
+  AppendNumber(static_cast<std::uint64_t>(content_bytes), &head);
+  return head;
+}
+
 std::string RecordBytes(std::uint8_t opcode, std::string_view content) {
-  std::string record;
-  AppendNumber(opcode, &record);
-  AppendNumber(static_cast<std::uint64_t>(content.size()), &record);
+  std::string record = RecordHead(opcode, content.size());
   record.append(content);
   return record;
 }
 
 std::uint32_t Crc(std::uint32_t crc, std::string_view bytes) {
-  return static_cast<std::uint32_t>(
-      crc32_z(crc, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+  return libdeflate_crc32(crc, bytes.data(), bytes.size());
 }
 
 /// A map's bytes behind their number.
@@ -53,8 +58,10 @@ void McapWriter::TimeSpan::Include(std::uint64_t t_ns) {
   empty = false;
 }
 
-McapWriter::McapWriter(const std::filesystem::path& file, BagCompression compression)
-    : file_(file), compression_(compression) {
+McapWriter::McapWriter(const std::filesystem::path& file, BagCompression compression, int threads)
+    : file_(file),
+      compression_(compression),
+      packing_(threads, [this](const Chunk& chunk) { AppendChunk(chunk); }) {
   Append(kMagic);
   std::string header;
   AppendText("ros2", &header);
@@ -121,20 +128,19 @@ void McapWriter::Write(std::size_t topic, TimeNs t_ns, std::string_view message)
 }
 
 void McapWriter::EndChunk() {
-  AppendChunk();
   if (chunk_.records.empty()) return;
-  packing_ = std::async(std::launch::async,
-                        [compression = compression_, chunk = std::move(chunk_)]() mutable {
-                          const std::uint32_t crc = Crc(0, chunk.records);
-                          std::string packed = Compressed(compression, chunk.records);
-                          return PackedChunk{std::move(chunk), crc, std::move(packed)};
-                        });
+  packing_.Give([compression = compression_, chunk = std::move(chunk_)]() mutable {
+    chunk.crc = Crc(0, chunk.records);
+    if (compression != BagCompression::kNone) {
+      chunk.packed = Compressed(compression, chunk.records);
+    }
+    return std::move(chunk);
+  });
   chunk_ = {};
 }
 
-void McapWriter::AppendChunk() {
-  if (!packing_.valid()) return;
-  const auto [chunk, crc, packed] = packing_.get();
+void McapWriter::AppendChunk(const Chunk& chunk) {
+  const std::string& packed = compression_ == BagCompression::kNone ? chunk.records : chunk.packed;
   ChunkEntry entry;
   entry.first_ns = chunk.span.first_ns;
   entry.last_ns = chunk.span.last_ns;
@@ -145,11 +151,13 @@ void McapWriter::AppendChunk() {
   AppendNumber(entry.first_ns, &content);
   AppendNumber(entry.last_ns, &content);
   AppendNumber(entry.bytes, &content);
-  AppendNumber(crc, &content);
+  AppendNumber(chunk.crc, &content);
   AppendText(NameOf(compression_), &content);
   AppendNumber(entry.packed_bytes, &content);
-  content += packed;
-  AppendRecord(kChunk, content);
+  // In pieces, as the last is large.
+  Append(RecordHead(kChunk, content.size() + packed.size()));
+  Append(content);
+  Append(packed);
   const auto after_chunk = static_cast<std::uint64_t>(file_.bytes());
   entry.length = after_chunk - entry.offset;
   for (const auto& [id, places] : chunk.places) {
@@ -242,7 +250,7 @@ void McapWriter::WriteSummary() {
 
 void McapWriter::Finish() {
   EndChunk();
-  AppendChunk();
+  packing_.Finish();
   std::string data_end;
   AppendNumber(crc_, &data_end);
   AppendRecord(kDataEnd, data_end);

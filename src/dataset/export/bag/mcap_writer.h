@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <future>
 #include <map>
 #include <string>
 #include <string_view>
@@ -12,20 +11,22 @@
 #include "dataset/export/bag/bag_writer.h"
 #include "dataset/export/bag/compression.h"
 #include "dataset/files/checked_file.h"
+#include "dataset/files/in_order.h"
 
 namespace tera {
 
 /// An MCAP file of profile `ros2`: messages in compressed chunks with an index of each, and at the
 /// end schemas, channels, statistics and the index of the chunks, found by offsets.
 ///
-/// Model   a chunk ends when it holds kChunkBytes, and is compressed on a thread of its own while
-///         the next is filled; only these two, and 40 bytes or so of each earlier one for the
-///         index, are in memory. CRC-32 of each chunk, of the data and of the summary.
+/// Model   a chunk ends when it holds kChunkBytes, and is compressed on another thread while the
+///         next ones are filled; only these, two for each thread, and 40 bytes or so of each
+///         earlier one for the index, are in memory. CRC-32 of each chunk, of the data and of the
+///         summary.
 /// Source  "MCAP file format specification", mcap.dev, version 0.
 class McapWriter : public BagWriter {
  public:
   /// Throws InputError where the file cannot be written, as every call does.
-  McapWriter(const std::filesystem::path& file, BagCompression compression);
+  McapWriter(const std::filesystem::path& file, BagCompression compression, int threads);
 
   ros::WireForm form() const override { return ros::WireForm::kCdr; }
   std::size_t AddTopic(const Topic& topic) override;
@@ -52,19 +53,17 @@ class McapWriter : public BagWriter {
     TimeSpan span;
     /// By channel: time and place of each message.
     std::map<std::uint16_t, std::vector<std::pair<std::uint64_t, std::uint64_t>>> places;
-  };
-  struct PackedChunk {
-    Chunk chunk;
+    // When it has ended.
     std::uint32_t crc = 0;
-    std::string packed;
+    std::string packed;  ///< the records compressed, where they are
   };
 
   void Append(std::string_view bytes);
   void AppendRecord(std::uint8_t opcode, std::string_view content);
   /// Begins to compress the chunk that has been filled.
   void EndChunk();
-  /// Waits for the chunk that is being compressed, if there is one, and appends it and its index.
-  void AppendChunk();
+  /// With its index.
+  void AppendChunk(const Chunk& chunk);
   void WriteSummary();
   std::string Statistics() const;
   std::string ChunkIndex(const ChunkEntry& chunk) const;
@@ -76,10 +75,10 @@ class McapWriter : public BagWriter {
   std::string schema_records_, channel_records_;
   std::vector<std::uint64_t> messages_;  ///< by channel, so far
   Chunk chunk_;                          ///< being filled
-  std::future<PackedChunk> packing_;     ///< the one before it
   TimeSpan span_;
   std::vector<ChunkEntry> chunks_;
-  bool defined_ = false;  ///< schemas and channels stand in the first chunk
+  bool defined_ = false;    ///< schemas and channels stand in the first chunk
+  InOrder<Chunk> packing_;  ///< the chunks before it
 };
 
 }  // namespace tera

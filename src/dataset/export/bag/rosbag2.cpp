@@ -29,7 +29,7 @@ void ExportRosbag2(ExportJob* job) {
   const std::string file = job->name + "_0." + (mcap ? "mcap" : "db3");
   BagMetadata metadata;
   if (mcap) {
-    McapWriter bag(job->folder / file, job->options.compression);
+    McapWriter bag(job->folder / file, job->options.compression, job->options.threads);
     metadata = WriteMessages(job, &bag);
     bag.Finish();
   } else {

@@ -64,31 +64,26 @@ std::string LocalWkt(const DatasetInfo& info) {
 
 }  // namespace
 
-std::string LasFile::Record(const MapPoint& point) {
+void AppendLasPoint(const MapPoint& point, std::string* bytes) {
   constexpr std::uint8_t kFirstOfOneReturn = 1 | 1 << 4;
   constexpr double kMostIntensity = 65535;
-  least_m_ = points_ == 0 ? point.p_W_m : least_m_.cwiseMin(point.p_W_m);
-  most_m_ = points_ == 0 ? point.p_W_m : most_m_.cwiseMax(point.p_W_m);
-  ++points_;
-  std::string record;
   for (const double coordinate_m : point.p_W_m) {
-    AppendNumber(static_cast<std::uint32_t>(Units(coordinate_m)), &record);
+    AppendNumber(static_cast<std::uint32_t>(Units(coordinate_m)), bytes);
   }
   const double intensity = std::clamp(static_cast<double>(point.intensity), 0.0, 1.0);
-  AppendNumber(static_cast<std::uint16_t>(std::lround(intensity * kMostIntensity)), &record);
-  AppendNumber(kFirstOfOneReturn, &record);
-  AppendNumber(std::uint8_t{0}, &record);  // flags, scanner channel
-  AppendNumber(ClassOf(point.label), &record);
-  AppendNumber(static_cast<std::uint8_t>(point.instance & 0xff), &record);
-  AppendNumber(std::uint16_t{0}, &record);  // scan angle
-  AppendNumber(static_cast<std::uint16_t>(point.sensor + 1), &record);
-  AppendDouble(ToSeconds(point.t_ns), &record);
-  return record;
+  AppendNumber(static_cast<std::uint16_t>(std::lround(intensity * kMostIntensity)), bytes);
+  AppendNumber(kFirstOfOneReturn, bytes);
+  AppendNumber(std::uint8_t{0}, bytes);  // flags, scanner channel
+  AppendNumber(ClassOf(point.label), bytes);
+  AppendNumber(static_cast<std::uint8_t>(point.instance & 0xff), bytes);
+  AppendNumber(std::uint16_t{0}, bytes);  // scan angle
+  AppendNumber(static_cast<std::uint16_t>(point.sensor + 1), bytes);
+  AppendDouble(ToSeconds(point.t_ns), bytes);
 }
 
-std::string LasFile::Header() const {
+std::string LasHeader(const MapExtent& extent, const DatasetInfo& info) {
   constexpr std::uint16_t kWktFlag = 1 << 4;
-  const std::string wkt = LocalWkt(info_) + '\0';
+  const std::string wkt = LocalWkt(info) + '\0';
   const auto before_points =
       static_cast<std::uint32_t>(kHeaderBytes + kVlrHeaderBytes + wkt.size());
   std::string bytes = "LASF";
@@ -97,7 +92,7 @@ std::string LasFile::Header() const {
   bytes.append(16, '\0');                 // project
   AppendNumber(std::uint8_t{1}, &bytes);  // version 1.4
   AppendNumber(std::uint8_t{4}, &bytes);
-  AppendPadded(info_.simulated ? "simulation" : "OTHER", 32, &bytes);
+  AppendPadded(info.simulated ? "simulation" : "OTHER", 32, &bytes);
   AppendPadded("TERA " + std::string(TeraVersion()), 32, &bytes);
   AppendNumber(std::uint16_t{0}, &bytes);  // day and year of creation: the same bytes every day
   AppendNumber(std::uint16_t{0}, &bytes);
@@ -110,13 +105,13 @@ std::string LasFile::Header() const {
   for (int axis = 0; axis < 3; ++axis) AppendDouble(kUnit_m, &bytes);
   for (int axis = 0; axis < 3; ++axis) AppendDouble(0, &bytes);  // offset
   for (int axis = 0; axis < 3; ++axis) {
-    AppendDouble(most_m_[axis], &bytes);
-    AppendDouble(least_m_[axis], &bytes);
+    AppendDouble(extent.most_W_m[axis], &bytes);
+    AppendDouble(extent.least_W_m[axis], &bytes);
   }
   bytes.append(8 + 8 + 4, '\0');  // waveforms, extended records
-  AppendNumber(points_, &bytes);
-  AppendNumber(points_, &bytes);  // first returns
-  bytes.append(14 * 8, '\0');     // second to fifteenth
+  AppendNumber(extent.points, &bytes);
+  AppendNumber(extent.points, &bytes);  // first returns
+  bytes.append(14 * 8, '\0');           // second to fifteenth
   AppendNumber(std::uint16_t{0}, &bytes);
   AppendPadded("LASF_Projection", 16, &bytes);
   AppendNumber(std::uint16_t{2112}, &bytes);  // OGC coordinate system WKT

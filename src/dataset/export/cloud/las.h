@@ -18,19 +18,10 @@ namespace tera {
 /// Omits   rings; a coordinate reference system of the earth: W is a local one, named in a record
 ///         of OGC WKT.
 /// Source  ASPRS, "LAS specification 1.4 - R15", 2019.
-class LasFile {
- public:
-  explicit LasFile(const DatasetInfo& info) : info_(info) {}
 
-  /// Throws InputError for a point more than 200 km from the origin.
-  std::string Record(const MapPoint& point);
-  /// Header and variable length record, of the points so far.
-  std::string Header() const;
-
- private:
-  const DatasetInfo& info_;
-  std::uint64_t points_ = 0;
-  Vec3 least_m_ = Vec3::Zero(), most_m_ = Vec3::Zero();
-};
+/// Throws InputError for a point more than 200 km from the origin.
+void AppendLasPoint(const MapPoint& point, std::string* bytes);
+/// Header and variable length record, before the points.
+std::string LasHeader(const MapExtent& extent, const DatasetInfo& info);
 
 }  // namespace tera

@@ -5,27 +5,63 @@
 #include <vector>
 
 #include "dataset/export/sensor_track.h"
+#include "dataset/files/in_order.h"
 
 namespace tera {
+namespace {
 
-void ForEachMapPoint(ExportJob* job, const std::function<void(const MapPoint&)>& take) {
+/// A scan as part of a map.
+struct MapPart {
+  std::string bytes;
+  MapExtent extent;
+};
+
+MapPart PartOf(const ExportJob& job, const std::string& lidar, const PoseTrack& track,
+               const Record& record, AppendMapPoint append) {
+  MapPart part;
+  const LidarScan scan = job.recording.LoadScan(lidar, record.t_ns);
+  Pose X_WS = Pose::Identity();
+  std::optional<TimeNs> posed_ns;  // rays that leave together come together
+  for (const LidarPoint& point : scan.points) {
+    const TimeNs t_ns = scan.t_ns + point.time_offset_ns;
+    if (posed_ns != t_ns) X_WS = track.At(t_ns);
+    posed_ns = t_ns;
+    const Vec3 p_W_m = X_WS * Vec3(point.x_m, point.y_m, point.z_m);
+    part.extent.Include({1, p_W_m, p_W_m});
+    append({p_W_m, point.intensity, job.Stamp(t_ns), static_cast<std::uint16_t>(record.channel),
+            point.ring, point.instance, point.label},
+           &part.bytes);
+  }
+  return part;
+}
+
+}  // namespace
+
+void MapExtent::Include(const MapExtent& part) {
+  if (part.points == 0) return;
+  least_W_m = points == 0 ? part.least_W_m : least_W_m.cwiseMin(part.least_W_m);
+  most_W_m = points == 0 ? part.most_W_m : most_W_m.cwiseMax(part.most_W_m);
+  points += part.points;
+}
+
+MapExtent WriteMapPoints(ExportJob* job, AppendMapPoint append, CountedFile* file) {
   const std::vector<std::string> lidars = job->recording.SensorsOf(ChannelForm::kScans);
   RequireAny(lidars, *job, "lidar");
   std::vector<PoseTrack> tracks;
   for (const std::string& lidar : lidars) tracks.push_back(SensorTrack(job, lidar).X_WS);
+  MapExtent extent;
+  InOrder<MapPart> parts(job->options.threads, [&](const MapPart& part) {
+    file->Append(part.bytes);
+    extent.Include(part.extent);
+  });
   RecordStream stream(job->recording, lidars);
   for (Record record; job->Next(&stream, &record);) {
-    const LidarScan scan = job->recording.LoadScan(lidars[record.channel], record.t_ns);
-    Pose X_WS = Pose::Identity();
-    std::optional<TimeNs> posed_ns;  // rays that leave together come together
-    for (const LidarPoint& point : scan.points) {
-      const TimeNs t_ns = scan.t_ns + point.time_offset_ns;
-      if (posed_ns != t_ns) X_WS = tracks[record.channel].At(t_ns);
-      posed_ns = t_ns;
-      take({X_WS * Vec3(point.x_m, point.y_m, point.z_m), point.intensity, job->Stamp(t_ns),
-            static_cast<std::uint16_t>(record.channel), point.ring, point.instance, point.label});
-    }
+    parts.Give([&, record] {
+      return PartOf(*job, lidars[record.channel], tracks[record.channel], record, append);
+    });
   }
+  parts.Finish();
+  return extent;
 }
 
 }  // namespace tera

@@ -1,8 +1,10 @@
 #pragma once
 
-#include <functional>
+#include <cstdint>
+#include <string>
 
 #include "core/types/measurement.h"
+#include "dataset/export/counted_file.h"
 #include "dataset/export/export_job.h"
 
 namespace tera {
@@ -18,9 +20,20 @@ struct MapPoint {
   std::uint8_t label = 0;  ///< SemanticClass
 };
 
-/// All points of all lidars, in the order of the scans, in the world: each from where its sensor
-/// was at the time of its own ray (SensorTrack). Throws InputError where there is no lidar or its
-/// place is not known.
-void ForEachMapPoint(ExportJob* job, const std::function<void(const MapPoint&)>& take);
+/// How much a map holds.
+struct MapExtent {
+  std::uint64_t points = 0;
+  Vec3 least_W_m = Vec3::Zero(), most_W_m = Vec3::Zero();  ///< of no points 0
+
+  void Include(const MapExtent& part);
+};
+
+/// Appends a point in the bytes of a format.
+using AppendMapPoint = void (*)(const MapPoint& point, std::string* bytes);
+
+/// Appends all points of all lidars to a file, in the order of the scans, in the world: each from
+/// where its sensor was at the time of its own ray (SensorTrack). Throws InputError where there is
+/// no lidar or its place is not known.
+MapExtent WriteMapPoints(ExportJob* job, AppendMapPoint append, CountedFile* file);
 
 }  // namespace tera

@@ -30,18 +30,6 @@ void AppendPoint(const MapPoint& point, std::string* bytes) {
   AppendNumber(point.label, bytes);
 }
 
-std::int64_t WritePoints(ExportJob* job, CountedFile* file) {
-  std::int64_t points = 0;
-  std::string bytes;
-  ForEachMapPoint(job, [&](const MapPoint& point) {
-    bytes.clear();
-    AppendPoint(point, &bytes);
-    file->Append(bytes);
-    ++points;
-  });
-  return points;
-}
-
 }  // namespace
 
 /// map.pcd: PCD 0.7, binary.
@@ -49,7 +37,7 @@ std::int64_t WritePoints(ExportJob* job, CountedFile* file) {
 /// Source  Point Cloud Library, "The PCD (Point Cloud Data) file format".
 void ExportPcd(ExportJob* job) {
   CountedFile file(job->folder / "map.pcd");
-  const std::int64_t points = WritePoints(job, &file);
+  const std::uint64_t points = WriteMapPoints(job, AppendPoint, &file).points;
   file.Commit(
       fmt::format("# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n"
                   "FIELDS x y z intensity time instance ring sensor label\n"
@@ -64,7 +52,7 @@ void ExportPcd(ExportJob* job) {
 /// Source  Turk, "The PLY polygon file format", 1994.
 void ExportPly(ExportJob* job) {
   CountedFile file(job->folder / "map.ply");
-  const std::int64_t points = WritePoints(job, &file);
+  const std::uint64_t points = WriteMapPoints(job, AppendPoint, &file).points;
   file.Commit(fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment W: local east-north-up, metres\n"
       "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
@@ -76,9 +64,8 @@ void ExportPly(ExportJob* job) {
 /// map.las: LAS 1.4 (las.h).
 void ExportLas(ExportJob* job) {
   CountedFile file(job->folder / "map.las");
-  LasFile las(job->recording.info());
-  ForEachMapPoint(job, [&](const MapPoint& point) { file.Append(las.Record(point)); });
-  file.Commit(las.Header());
+  const MapExtent extent = WriteMapPoints(job, AppendLasPoint, &file);
+  file.Commit(LasHeader(extent, job->recording.info()));
 }
 
 }  // namespace tera

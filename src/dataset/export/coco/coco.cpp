@@ -1,10 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "core/beside.h"
 #include "core/error.h"
 #include "dataset/export/coco/categories.h"
 #include "dataset/export/coco/keypoint_categories.h"
@@ -16,6 +17,7 @@
 #include "dataset/export/record_views.h"
 #include "dataset/export/sensor_names.h"
 #include "dataset/export/stamp_text.h"
+#include "dataset/files/in_order.h"
 #include "dataset/format/png.h"
 
 namespace tera {
@@ -28,6 +30,10 @@ std::string PictureName(const std::string& camera, TimeNs t_ns) {
 
 fs::path PanopticFile(const ExportJob& job, const std::string& name) {
   return job.folder / "annotations/panoptic" / name;
+}
+
+fs::path ImageFile(const ExportJob& job, const std::string& name) {
+  return job.folder / "images" / name;
 }
 
 std::string DateOf(TimeNs unix_ns) {
@@ -69,22 +75,38 @@ void AddBox(const ObjectBox& box, OrderedJson* annotation) {
                              {"size_O_m", {size.x(), size.y(), size.z()}}};
 }
 
+/// An object of an image; its number and its category as one with key points are given when it is
+/// written.
+struct ObjectAnnotation {
+  OrderedJson json;
+  std::optional<ObjectBox> box;  ///< where it has key points
+};
+
+/// What the files of annotations have of an image.
+struct ImageAnnotations {
+  TimeNs t_ns = 0;
+  std::string camera;
+  bool was_written = false;  ///< its pictures were whole already
+  std::vector<ObjectAnnotation> objects;
+  OrderedJson segments;
+};
+
 /// The files of annotations and what numbers their entries.
 class CocoFiles {
  public:
   explicit CocoFiles(ExportJob* job)
-      : job_(*job),
+      : job_(job),
         table_(job->recording),
         instances_(job->folder / "annotations/instances.json"),
         panoptic_(job->folder / "annotations/panoptic.json"),
         keypoints_(job->folder / "annotations/keypoints.json") {
-    instances_.Put("info", InfoJson(job_));
+    instances_.Put("info", InfoJson(*job_));
     instances_.Put("licenses", OrderedJson::array());
     instances_.Put("categories", ThingCategories());
-    panoptic_.Put("info", InfoJson(job_));
+    panoptic_.Put("info", InfoJson(*job_));
     panoptic_.Put("licenses", OrderedJson::array());
     panoptic_.Put("categories", PanopticCategories());
-    keypoints_.Put("info", InfoJson(job_));
+    keypoints_.Put("info", InfoJson(*job_));
     keypoints_.Put("licenses", OrderedJson::array());
   }
 
@@ -94,7 +116,7 @@ class CocoFiles {
     keypoints_.BeginList("images");
     std::int64_t id = 0;
     for (Record record; stream->Next(&record);) {
-      const OrderedJson image = ImageJson(++id, job_, stream->path(record.channel), record.t_ns);
+      const OrderedJson image = ImageJson(++id, *job_, stream->path(record.channel), record.t_ns);
       instances_.Add(image);
       panoptic_.Add(image);
       keypoints_.Add(image);
@@ -104,14 +126,36 @@ class CocoFiles {
     keypoints_.BeginList("annotations");
   }
 
-  /// Of the image after the one before. Its picture of segments is drawn, unless that is there.
-  void AddAnnotations(const std::string& camera, TimeNs t_ns, bool is_drawn) {
+  /// Writes an image's pictures, unless they are there; on any thread.
+  ImageAnnotations WritePictures(const std::string& camera, TimeNs t_ns, bool was_written) const {
+    const LabelledFrame frame = LoadLabels(job_->recording, camera, t_ns);
+    const fs::path rgb = FrameFile(job_->recording, camera, "rgb", t_ns);
+    RequireSizeOfImage(frame, rgb);
+    const fs::path instances = FrameFile(job_->recording, camera, "instance", t_ns);
+    const PanopticPicture picture = PanopticOf(frame, table_, instances);
+    if (!was_written) {
+      const std::string name = PictureName(camera, t_ns);
+      WriteWholeFile(PanopticFile(*job_, name), EncodeRgbPng(picture.rgb));
+      WriteWholeFile(ImageFile(*job_, name), ReadWholePng(rgb));
+    }
+    return {t_ns, camera, was_written, Objects(frame, instances), Segments(picture)};
+  }
+
+  /// Of the image after the one before.
+  void Add(ImageAnnotations image) {
     ++image_;
-    const LabelledFrame frame = LoadLabels(job_.recording, camera, t_ns);
-    RequireSizeOfImage(frame, camera);
-    auto segments = Beside([&] { AddSegments(frame, camera, is_drawn); });
-    AddObjects(frame, FrameFile(job_.recording, camera, "instance", t_ns));
-    segments.get();
+    for (ObjectAnnotation& object : image.objects) {
+      object.json["id"] = ++annotation_;
+      object.json["image_id"] = image_;
+      instances_.Add(object.json);
+      if (!object.box) continue;
+      keypoint_categories_.Annotate(*object.box, &object.json);
+      keypoints_.Add(object.json);
+    }
+    const std::string name = PictureName(image.camera, image.t_ns);
+    panoptic_.Add({{"image_id", image_}, {"file_name", name}, {"segments_info", image.segments}});
+    if (image.was_written) return;
+    job_->Written(image.camera, image.t_ns, {ImageFile(*job_, name), PanopticFile(*job_, name)});
   }
 
   void Commit() {
@@ -123,8 +167,7 @@ class CocoFiles {
   }
 
  private:
-  void RequireSizeOfImage(const LabelledFrame& frame, const std::string& camera) const {
-    const fs::path rgb = FrameFile(job_.recording, camera, "rgb", frame.t_ns);
+  static void RequireSizeOfImage(const LabelledFrame& frame, const fs::path& rgb) {
     const PictureSize size = SizeOfPng(rgb);
     if (size.width_px == frame.instance.width_px && size.height_px == frame.instance.height_px) {
       return;
@@ -135,14 +178,16 @@ class CocoFiles {
                     rgb.string()));
   }
 
-  void AddObjects(const LabelledFrame& frame, const fs::path& file) {
+  std::vector<ObjectAnnotation> Objects(const LabelledFrame& frame, const fs::path& file) const {
     const int width = frame.instance.width_px, height = frame.instance.height_px;
+    std::vector<ObjectAnnotation> objects;
     for (const auto& [instance, mask] : ObjectMasks(frame.instance, table_, file)) {
-      const InstanceTable::Entry& object = table_.Of(instance, file);
-      OrderedJson annotation = {
-          {"id", ++annotation_},
-          {"image_id", image_},
-          {"category_id", CategoryOf(object.label)},
+      const InstanceTable::Entry& entry = table_.Of(instance, file);
+      ObjectAnnotation object;
+      object.json = {
+          {"id", 0},
+          {"image_id", 0},
+          {"category_id", CategoryOf(entry.label)},
           {"iscrowd", 0},
           {"area", mask.runs.area_px()},
           {"bbox", BoundsJson(mask.bounds)},
@@ -150,22 +195,21 @@ class CocoFiles {
            {{"size", {height, width}},
             {"counts", mask.runs.Compressed(static_cast<std::int64_t>(width) * height)}}},
           {"instance_id", instance},
-          {"name", object.name},
-          {"parent_instance_id", object.parent}};
+          {"name", entry.name},
+          {"parent_instance_id", entry.parent}};
       const auto box =
           std::find_if(frame.boxes.begin(), frame.boxes.end(),
                        [id = instance](const ObjectBox& b) { return b.instance == id; });
-      if (box != frame.boxes.end()) AddBox(*box, &annotation);
-      instances_.Add(annotation);
-      if (box == frame.boxes.end() || box->keypoints.empty()) continue;
-      keypoint_categories_.Annotate(*box, &annotation);
-      keypoints_.Add(annotation);
+      if (box != frame.boxes.end()) {
+        AddBox(*box, &object.json);
+        if (!box->keypoints.empty()) object.box = *box;
+      }
+      objects.push_back(std::move(object));
     }
+    return objects;
   }
 
-  void AddSegments(const LabelledFrame& frame, const std::string& camera, bool is_drawn) {
-    const PanopticPicture picture =
-        PanopticOf(frame, table_, FrameFile(job_.recording, camera, "instance", frame.t_ns));
+  static OrderedJson Segments(const PanopticPicture& picture) {
     OrderedJson segments = OrderedJson::array();
     for (const auto& [number, segment] : picture.segments) {
       segments.push_back({{"id", number},
@@ -175,12 +219,10 @@ class CocoFiles {
                           {"iscrowd", 0},
                           {"instance_id", segment.instance}});
     }
-    const std::string name = PictureName(camera, frame.t_ns);
-    if (!is_drawn) WriteWholeFile(PanopticFile(job_, name), EncodeRgbPng(picture.rgb));
-    panoptic_.Add({{"image_id", image_}, {"file_name", name}, {"segments_info", segments}});
+    return segments;
   }
 
-  const ExportJob& job_;
+  ExportJob* job_;
   InstanceTable table_;
   JsonLists instances_, panoptic_, keypoints_;
   KeypointCategories keypoint_categories_;
@@ -208,19 +250,17 @@ void ExportCoco(ExportJob* job) {
   CocoFiles files(job);
   RecordStream images(job->recording, cameras);
   files.AddImages(&images);
+  InOrder<ImageAnnotations> pictures(job->options.threads,
+                                     [&](ImageAnnotations image) { files.Add(std::move(image)); });
   RecordStream stream(job->recording, cameras);
   for (Record record; job->Next(&stream, &record);) {
-    const std::string &camera = cameras[record.channel], name = PictureName(camera, record.t_ns);
-    const bool is_written = job->IsWritten(camera, record.t_ns);
-    const fs::path image = job->folder / "images" / name;
-    auto copied = Beside([&] {
-      if (is_written) return;
-      WriteWholeFile(image, ReadWholePng(FrameFile(job->recording, camera, "rgb", record.t_ns)));
+    const std::string& camera = cameras[record.channel];
+    const bool was_written = job->IsWritten(camera, record.t_ns);
+    pictures.Give([&files, &camera, was_written, t_ns = record.t_ns] {
+      return files.WritePictures(camera, t_ns, was_written);
     });
-    files.AddAnnotations(camera, record.t_ns, is_written);
-    copied.get();
-    if (!is_written) job->Written(camera, record.t_ns, {image, PanopticFile(*job, name)});
   }
+  pictures.Finish();
   files.Commit();
 }
 

@@ -27,22 +27,23 @@ PanopticPicture PanopticOf(const LabelledFrame& frame, const InstanceTable& tabl
   PanopticPicture picture;
   const int width = frame.instance.width_px, height = frame.instance.height_px;
   picture.rgb = Image<std::uint8_t>(width, height, 3);
-  std::uint32_t last_number = 0;
-  PanopticSegment* segment = nullptr;
+  auto rgb = picture.rgb.data.begin();
   for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
+    for (int x = 0; x < width;) {
       const std::uint16_t instance = frame.instance.at(x, y);
       const std::uint8_t label = frame.semantic.at(x, y);
       const std::uint32_t number = SegmentNumber(instance, label);
-      if (segment == nullptr || number != last_number) {
-        segment = &SegmentAt(number, instance, label, table, file, &picture);
-        last_number = number;
+      const int first = x;
+      while (x < width && frame.instance.at(x, y) == instance && frame.semantic.at(x, y) == label) {
+        *rgb++ = static_cast<std::uint8_t>(number);
+        *rgb++ = static_cast<std::uint8_t>(number >> 8);
+        *rgb++ = static_cast<std::uint8_t>(number >> 16);
+        ++x;
       }
-      segment->bounds.Include(x, y, y);
-      ++segment->area_px;
-      for (int c = 0; c < 3; ++c) {
-        picture.rgb.at(x, y, c) = static_cast<std::uint8_t>(number >> (8 * c));
-      }
+      PanopticSegment& segment = SegmentAt(number, instance, label, table, file, &picture);
+      segment.bounds.Include(first, y, y);
+      segment.bounds.Include(x - 1, y, y);
+      segment.area_px += x - first;
     }
   }
   return picture;

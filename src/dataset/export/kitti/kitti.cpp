@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "core/beside.h"
 #include "core/error.h"
 #include "core/units.h"
 #include "dataset/export/export_job.h"
@@ -13,6 +12,7 @@
 #include "dataset/export/kitti/steady_scan.h"
 #include "dataset/export/picture/labelled_frame.h"
 #include "dataset/files/checked_file.h"
+#include "dataset/files/in_order.h"
 #include "dataset/format/png.h"
 
 namespace tera {
@@ -90,14 +90,13 @@ class KittiExport {
     pictured_ = FirstOf(layouts_, {kRaw, kObject, kTracking, kOdometry});
     steady_ = FirstOf(layouts_, {kRaw, kTracking, kOdometry});
     tracked_ = FirstOf(layouts_, {kTracking});
-    PreparePng();
     for (const KittiLayout layout : layouts_) writers_.push_back(Made(layout, job_, rig_));
   }
 
   const KittiRig& rig() const { return rig_; }
-  bool empty() const { return number_ == 0; }
 
-  void Add(const FramePair& pair) {
+  /// The frame after the one before, with nothing read yet.
+  KittiFrame Begin(const FramePair& pair) {
     KittiFrame frame;
     frame.number = number_++;
     frame.times = pair;
@@ -105,17 +104,24 @@ class KittiExport {
     frame.X_WC = rig_.X_WC(pair.picture_ns);
     frame.X_WS = rig_.X_WS(pair.picture_ns);
     if (steady_) RequireSteady(frame);
+    return frame;
+  }
+
+  /// Reads a frame and writes the files that are of it alone; on any thread.
+  KittiFrame WriteFiles(KittiFrame frame) const {
     // The labels of tracks are one file for all frames, which is made anew.
     const bool has_labels = frame.is_written ? tracked_ : labelled_;
-    const bool has_depth = deep_ && !frame.is_written;
-    auto pictures = Beside([&] {
-      if (pictured_ && !frame.is_written) WritePictureAndPoints(frame);
-    });
-    if (has_labels) frame.labels = Labels(pair.picture_ns);
-    if (has_depth) {
-      frame.depth_mm = rectifier_.Nearest(ReadGrey16Png(Needed("depth", pair.picture_ns, *deep_)));
-    }
-    pictures.get();
+    if (has_labels) frame.labels = Labels(frame.times.picture_ns);
+    if (frame.is_written) return frame;
+    if (pictured_) WritePictureAndPoints(frame);
+    if (deep_) frame.depth_mm = Depth(frame.times.picture_ns);
+    for (const auto& writer : writers_) writer->WriteFiles(frame);
+    frame.depth_mm = {};
+    return frame;
+  }
+
+  /// In order of frames.
+  void Add(const KittiFrame& frame) {
     for (const auto& writer : writers_) writer->Add(frame);
     if (!frame.is_written) log_->Written(rig_.lidar.path, frame.number, FilesOf(frame.number));
   }
@@ -157,6 +163,11 @@ class KittiExport {
       for (const fs::path& own : writer->FilesOf(number)) files.push_back(own);
     }
     return files;
+  }
+
+  Image<std::uint16_t> Depth(TimeNs t_ns) const {
+    const fs::path file = Needed("depth", t_ns, *deep_);
+    return rectifier_.Nearest(Sized(ReadGrey16Png(file), file));
   }
 
   std::vector<KittiLabel> Labels(TimeNs t_ns) const {
@@ -217,9 +228,15 @@ class KittiExport {
 void ExportKitti(ExportJob* job) {
   KittiExport kitti(job);
   const KittiRig& rig = kitti.rig();
-  FramePairs frames(job, rig.camera, rig.lidar.path, rig.lidar.period_ns);
-  for (FramePair pair; frames.Next(&pair);) kitti.Add(pair);
-  if (kitti.empty()) {
+  InOrder<KittiFrame> frames(job->options.threads,
+                             [&](const KittiFrame& frame) { kitti.Add(frame); });
+  FramePairs pairs(job, rig.camera, rig.lidar.path, rig.lidar.period_ns);
+  bool any = false;
+  for (FramePair pair; pairs.Next(&pair); any = true) {
+    frames.Give([&kitti, frame = kitti.Begin(pair)] { return kitti.WriteFiles(frame); });
+  }
+  frames.Finish();
+  if (!any) {
     throw InputError(fmt::format(
         "{}: {} took no picture during a scan of {}; need two that ran at the same time, by "
         "--camera and --lidar",

@@ -35,11 +35,12 @@ class KittiLayoutWriter {
   /// Where the picture and the points of a frame belong; nothing where the layout has none.
   virtual std::optional<std::filesystem::path> Picture(int /*frame*/) const { return std::nullopt; }
   virtual std::optional<std::filesystem::path> Points(int /*frame*/) const { return std::nullopt; }
-  /// Files of a frame alone that the layout writes itself. Of a frame that is written they are
-  /// not written again.
+  /// Files of a frame alone that the layout writes itself.
   virtual std::vector<std::filesystem::path> FilesOf(int /*frame*/) const { return {}; }
-  /// Frames come in order, each once.
-  virtual void Add(const KittiFrame& frame) = 0;
+  /// Writes these, of a frame that is not written; on any thread.
+  virtual void WriteFiles(const KittiFrame& /*frame*/) const {}
+  /// Adds to files of all frames. Frames come in order, each once.
+  virtual void Add(const KittiFrame& /*frame*/) {}
   virtual void Commit() {}
 };
 

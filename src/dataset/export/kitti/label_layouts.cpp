@@ -26,8 +26,7 @@ class ObjectLayout : public KittiLayoutWriter {
     return {File("calib", frame, "txt"), File("label_2", frame, "txt")};
   }
 
-  void Add(const KittiFrame& frame) override {
-    if (frame.is_written) return;
+  void WriteFiles(const KittiFrame& frame) const override {
     WriteWholeFile(File("calib", frame.number, "txt"),
                    fmt::format("{}R0_rect: {}\nTr_velo_to_cam: {}\nTr_imu_to_velo: {}\n",
                                ProjectionLines(rig_.lens), NumbersText(Mat3::Identity()),

@@ -72,8 +72,7 @@ class DepthLayout : public KittiLayoutWriter {
     return {folder_ / fmt::format("{:010}.png", frame)};
   }
 
-  void Add(const KittiFrame& frame) override {
-    if (frame.is_written) return;
+  void WriteFiles(const KittiFrame& frame) const override {
     constexpr double kUnitsPerMillimetre = 256.0 / 1000.0;
     Image<std::uint16_t> depth = frame.depth_mm;
     for (std::uint16_t& value : depth.data) {

@@ -32,14 +32,16 @@ class RawLayout : public KittiLayoutWriter {
     return {drive_ / "oxts/data" / fmt::format("{:010}.txt", frame)};
   }
 
+  void WriteFiles(const KittiFrame& frame) const override {
+    WriteWholeFile(FilesOf(frame.number).front(), OxtsOf(job_, rig_, frame));
+  }
+
   void Add(const KittiFrame& frame) override {
     if (frame.number == 0) WriteCalibration(frame.X_CS());
     const std::string now = TimestampLine(job_, frame.times.picture_ns);
     for (CheckedFile* file : {&pictures_, &points_, &oxts_}) file->Append(now);
     starts_.Append(TimestampLine(job_, frame.times.scan_ns));
     ends_.Append(TimestampLine(job_, frame.times.scan_ns + rig_.lidar.period_ns));
-    if (frame.is_written) return;
-    WriteWholeFile(FilesOf(frame.number).front(), OxtsOf(job_, rig_, frame));
   }
 
   void Commit() override {

@@ -13,6 +13,7 @@
 #include "dataset/export/kitti/steady_scan.h"
 #include "dataset/export/stamp_text.h"
 #include "dataset/files/checked_file.h"
+#include "dataset/files/in_order.h"
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -84,6 +85,25 @@ void CountLabels(const fs::path& labels, ClassCounts* counts) {
   }
 }
 
+/// What is left to do of a scan when its files are written.
+struct WrittenScan {
+  TimeNs t_ns = 0;
+  bool was_written = false;  ///< before this export went on
+  fs::path points, labels;
+  ClassCounts counts{};
+};
+
+/// Writes the files of a scan, unless they are there; on any thread.
+void WriteScan(const Recording& recording, const std::string& lidar, const PoseTrack& X_WS,
+               WrittenScan* written) {
+  if (written->was_written) return CountLabels(written->labels, &written->counts);
+  const LidarScan scan = recording.LoadScan(lidar, written->t_ns);
+  const fs::path file =
+      recording.directory() / lidar / "scans" / fmt::format("{}.pcd", written->t_ns);
+  WriteWholeFile(written->points, VelodyneBytes(SteadyScan(scan, X_WS, written->t_ns)));
+  WriteWholeFile(written->labels, LabelBytes(scan, file, &written->counts));
+}
+
 /// The sequence's camera 0: at the lidar's origin, without a picture.
 std::string CalibrationText(const Pose& X_SC) {
   Eigen::Matrix<double, 3, 4> P = Eigen::Matrix<double, 3, 4>::Identity();
@@ -115,6 +135,10 @@ void ExportSemanticKitti(ExportJob* job) {
   const fs::path velodyne = Made(sequence / "velodyne"), labels = Made(sequence / "labels");
   CheckedFile poses(sequence / "poses.txt"), times(sequence / "times.txt");
   ClassCounts counts{};
+  InOrder<WrittenScan> scans(job->options.threads, [&](const WrittenScan& scan) {
+    for (std::size_t c = 0; c < counts.size(); ++c) counts[c] += scan.counts[c];
+    if (!scan.was_written) job->Written(lidar, scan.t_ns, {scan.points, scan.labels});
+  });
   Pose X_CW_first;
   TimeNs first_ns = 0;
   int frame = 0;
@@ -128,18 +152,14 @@ void ExportSemanticKitti(ExportJob* job) {
     poses.Append(PoseText(X_CW_first * X_WC) + "\n");
     times.Append(SecondsText(record.t_ns - first_ns) + "\n");
     const std::string name = fmt::format("{:06}", frame);
-    const fs::path of_points = velodyne / (name + ".bin"), of_labels = labels / (name + ".label");
-    if (job->IsWritten(lidar, record.t_ns)) {
-      CountLabels(of_labels, &counts);
-      continue;
-    }
-    const LidarScan scan = job->recording.LoadScan(lidar, record.t_ns);
-    const fs::path file =
-        job->recording.directory() / lidar / "scans" / fmt::format("{}.pcd", record.t_ns);
-    WriteWholeFile(of_points, VelodyneBytes(SteadyScan(scan, X_WS, record.t_ns)));
-    WriteWholeFile(of_labels, LabelBytes(scan, file, &counts));
-    job->Written(lidar, record.t_ns, {of_points, of_labels});
+    WrittenScan scan = {record.t_ns, job->IsWritten(lidar, record.t_ns), velodyne / (name + ".bin"),
+                        labels / (name + ".label")};
+    scans.Give([&, scan]() mutable {
+      WriteScan(job->recording, lidar, X_WS, &scan);
+      return scan;
+    });
   }
+  scans.Finish();
   poses.Commit();
   times.Commit();
   WriteWholeFile(sequence / "calib.txt", CalibrationText(X_SC));

@@ -1,6 +1,7 @@
 #include "dataset/export/kitti/steady_scan.h"
 
 #include <bit>
+#include <optional>
 #include <string>
 
 #include "dataset/export/bag/little_endian.h"
@@ -10,9 +11,13 @@ namespace tera {
 std::vector<LidarPoint> SteadyScan(const LidarScan& scan, const PoseTrack& X_WS, TimeNs t_ns) {
   std::vector<LidarPoint> points = scan.points;
   const Pose X_SW = X_WS.At(t_ns).inverse();
+  Pose X_SR = Pose::Identity();    // of the sensor when the ray left
+  std::optional<TimeNs> posed_ns;  // rays that leave together come together
   for (LidarPoint& point : points) {
-    const Vec3 p_S_m =
-        X_SW * X_WS.At(scan.t_ns + point.time_offset_ns) * Vec3(point.x_m, point.y_m, point.z_m);
+    const TimeNs ray_ns = scan.t_ns + point.time_offset_ns;
+    if (posed_ns != ray_ns) X_SR = X_SW * X_WS.At(ray_ns);
+    posed_ns = ray_ns;
+    const Vec3 p_S_m = X_SR * Vec3(point.x_m, point.y_m, point.z_m);
     point.x_m = static_cast<float>(p_S_m.x());
     point.y_m = static_cast<float>(p_S_m.y());
     point.z_m = static_cast<float>(p_S_m.z());

@@ -5,8 +5,8 @@
 #include <cctype>
 #include <limits>
 #include <optional>
+#include <utility>
 
-#include "dataset/export/nuscenes/annotations.h"
 #include "dataset/export/stamp_text.h"
 #include "dataset/files/checked_file.h"
 
@@ -131,17 +131,25 @@ void NuScenesScene::WriteAnnotations() {
       scans_ns[frames_[s][f].sample][s] = rig_.sensors[s].t_ns[f];
     }
   }
+  std::int64_t next = 0;
+  InOrder<std::vector<AnnotatedObject>> samples(
+      job_->options.threads, [&](const auto& objects) { annotations.Add(next++, objects); });
   for (std::size_t sample = 0; sample < samples_ns_.size(); ++sample) {
-    std::vector<AnnotatedObject> objects =
-        ObjectsAt(job_->recording, rig_, samples_ns_[sample], period_ns_);
-    for (std::size_t s = 0; s < scans_ns[sample].size() && !objects.empty(); ++s) {
-      const TimeNs t_ns = scans_ns[sample][s];
-      if (t_ns == kNoScan_ns) continue;
-      CountPoints(files_[s].InWorld(files_[s].Points(t_ns), t_ns), &objects);
-    }
-    annotations.Add(static_cast<std::int64_t>(sample), objects);
+    samples.Give([&, sample] { return ObjectsOf(sample, scans_ns[sample]); });
   }
+  samples.Finish();
   annotations.Finish();
+}
+
+std::vector<AnnotatedObject> NuScenesScene::ObjectsOf(std::size_t sample,
+                                                      const std::vector<TimeNs>& scans_ns) const {
+  std::vector<AnnotatedObject> objects =
+      ObjectsAt(job_->recording, rig_, samples_ns_[sample], period_ns_);
+  for (std::size_t s = 0; s < scans_ns.size() && !objects.empty(); ++s) {
+    if (scans_ns[s] == kNoScan_ns) continue;
+    CountPoints(files_[s].InWorld(files_[s].Points(scans_ns[s]), scans_ns[s]), &objects);
+  }
+  return objects;
 }
 
 void NuScenesScene::WriteData() {
@@ -152,13 +160,17 @@ void NuScenesScene::WriteData() {
     MakeFolder(job_->folder / "sweeps" / sensor.channel);
   }
   std::vector<std::size_t> next(paths.size(), 0);
+  WrittenFrames frames(job_->options.threads, [&](const WrittenFrame& frame) {
+    job_->Written(paths[frame.sensor], frame.t_ns, frame.files);
+  });
   RecordStream stream(job_->recording, paths);
   for (Record record; job_->Next(&stream, &record);) {
-    WriteFrame(record.channel, next[record.channel]++);
+    WriteFrame(record.channel, next[record.channel]++, &frames);
   }
+  frames.Finish();
 }
 
-void NuScenesScene::WriteFrame(std::size_t s, std::size_t f) {
+void NuScenesScene::WriteFrame(std::size_t s, std::size_t f, WrittenFrames* frames) {
   const NuScenesSensor& sensor = rig_.sensors[s];
   const FrameOfSample& of = frames_[s][f];
   const TimeNs t_ns = sensor.t_ns[f];
@@ -170,7 +182,7 @@ void NuScenesScene::WriteFrame(std::size_t s, std::size_t f) {
   const std::string file = fmt::format(
       "{}/{}/{}__{}__{}.{}", of.is_key ? "samples" : "sweeps", sensor.channel, log_name_,
       sensor.channel, Stamp_us(*job_, t_ns), sensor.is_camera() ? "png" : "pcd.bin");
-  WriteFiles(s, t_ns, file, of.is_key ? token : "");
+  GiveFiles(s, t_ns, file, of.is_key ? token : "", frames);
   const Pose X_WB = rig_.X_WB.At(t_ns);
   tables_->Add(NuTable::kEgoPose, {{"token", pose_token},
                                    {"timestamp", Stamp_us(*job_, t_ns)},
@@ -191,30 +203,33 @@ void NuScenesScene::WriteFrame(std::size_t s, std::size_t f) {
                 {"next", tokens_.IfAny(NuTable::kSampleData, list, entry + 1, count)}});
 }
 
-void NuScenesScene::WriteFiles(std::size_t s, TimeNs t_ns, const std::string& file,
-                               const std::string& key_token) {
+void NuScenesScene::GiveFiles(std::size_t s, TimeNs t_ns, const std::string& file,
+                              const std::string& key_token, WrittenFrames* frames) {
   const NuScenesSensor& sensor = rig_.sensors[s];
-  const bool is_labelled = !sensor.is_camera() && !key_token.empty();
-  const std::string labels =
-      fmt::format("lidarseg/{}/{}_lidarseg.bin", kNuScenesVersion, key_token);
-  if (is_labelled) {
+  WrittenFrame frame = {s, t_ns, {job_->folder / file}};
+  if (!sensor.is_camera() && !key_token.empty()) {
+    const std::string labels =
+        fmt::format("lidarseg/{}/{}_lidarseg.bin", kNuScenesVersion, key_token);
     tables_->Add(NuTable::kLidarseg,
                  {{"token", key_token}, {"sample_data_token", key_token}, {"filename", labels}});
+    frame.files.push_back(job_->folder / labels);
   }
   if (job_->IsWritten(sensor.path, t_ns)) return;
-  std::vector<std::filesystem::path> written = {job_->folder / file};
-  if (sensor.is_camera()) {
-    WriteWholeFile(written.front(), files_[s].PictureBytes(t_ns));
-  } else {
-    const std::vector<LidarPoint> points = files_[s].Points(t_ns);
-    const std::string categories = files_[s].Categories(points, t_ns, own_);
-    WriteWholeFile(written.front(), NuScenesPointBytes(points));
-    if (is_labelled) {
-      written.push_back(job_->folder / labels);
-      WriteWholeFile(written.back(), categories);
-    }
+  frames->Give([this, frame = std::move(frame)] { return WriteFiles(frame); });
+}
+
+NuScenesScene::WrittenFrame NuScenesScene::WriteFiles(WrittenFrame frame) const {
+  const SensorFrames& frames = files_[frame.sensor];
+  if (rig_.sensors[frame.sensor].is_camera()) {
+    WriteWholeFile(frame.files.front(), frames.PictureBytes(frame.t_ns));
+    return frame;
   }
-  job_->Written(sensor.path, t_ns, written);
+  const std::vector<LidarPoint> points = frames.Points(frame.t_ns);
+  const std::string categories = frames.Categories(points, frame.t_ns, own_);
+  WriteWholeFile(frame.files.front(), NuScenesPointBytes(points));
+  const bool is_labelled = frame.files.size() > 1;
+  if (is_labelled) WriteWholeFile(frame.files.back(), categories);
+  return frame;
 }
 
 std::string NuScenesScene::MountToken(std::size_t s, TimeNs t_ns) {

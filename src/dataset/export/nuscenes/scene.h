@@ -1,15 +1,18 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "dataset/export/nuscenes/annotations.h"
 #include "dataset/export/nuscenes/key_frames.h"
 #include "dataset/export/nuscenes/nuscenes_rig.h"
 #include "dataset/export/nuscenes/nuscenes_tables.h"
 #include "dataset/export/nuscenes/sensor_frames.h"
+#include "dataset/files/in_order.h"
 
 namespace tera {
 
@@ -41,10 +44,22 @@ class NuScenesScene {
   void WriteSensors();
   void WriteSamples();
   void WriteAnnotations();
+  /// What is to be seen at a sample; of each sensor the time of its scan then, or none.
+  std::vector<AnnotatedObject> ObjectsOf(std::size_t sample,
+                                         const std::vector<TimeNs>& scans_ns) const;
   void WriteData();
-  void WriteFrame(std::size_t sensor, std::size_t frame);
-  void WriteFiles(std::size_t sensor, TimeNs t_ns, const std::string& file,
-                  const std::string& key_token);
+  /// The files of a frame that are written.
+  struct WrittenFrame {
+    std::size_t sensor = 0;
+    TimeNs t_ns = 0;
+    std::vector<std::filesystem::path> files;
+  };
+  using WrittenFrames = InOrder<WrittenFrame>;
+  void WriteFrame(std::size_t sensor, std::size_t frame, WrittenFrames* frames);
+  /// Gives the files to be written; their names are in tables then.
+  void GiveFiles(std::size_t sensor, TimeNs t_ns, const std::string& file,
+                 const std::string& key_token, WrittenFrames* frames);
+  WrittenFrame WriteFiles(WrittenFrame frame) const;
   /// Of the row of the sensor's mount at a time, which is written where it is a new one.
   std::string MountToken(std::size_t sensor, TimeNs t_ns);
 

@@ -1,7 +1,7 @@
 #include "dataset/export/picture/labelled_frame.h"
 
 #include <fmt/format.h>
-#include <zlib.h>
+#include <libdeflate.h>
 
 #include <algorithm>
 #include <array>
@@ -47,7 +47,7 @@ bool HasWholeChunks(std::string_view png) {
     const std::size_t length = NumberAt(png, at);
     if (length > png.size() - at - kAround) return false;
     const std::string_view summed = png.substr(at + 4, 4 + length);
-    const auto sum = crc32_z(0, reinterpret_cast<const Bytef*>(summed.data()), summed.size());
+    const std::uint32_t sum = libdeflate_crc32(0, summed.data(), summed.size());
     at += kAround + length;
     if (NumberAt(png, at - 4) != sum) return false;
     if (summed.starts_with("IEND")) return at == png.size();

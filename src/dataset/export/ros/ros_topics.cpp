@@ -28,8 +28,7 @@ constexpr SampleClock kClock = {100.0, 0};  ///< of /clock
 
 }  // namespace
 
-RosTopics::RosTopics(ExportJob* job, BagWriter* bag)
-    : job_(job), bag_(bag), serializer_(bag->form()) {
+RosTopics::RosTopics(ExportJob* job, BagWriter* bag) : job_(job), bag_(bag) {
   clock_ = AddTopic<ros::Clock>("/clock", kLatest);
   transforms_ = AddTopic<ros::TfMessage>("/tf", kManyTransforms);
   static_transforms_ = AddTopic<ros::TfMessage>("/tf_static", kLatched);
@@ -128,12 +127,7 @@ void RosTopics::AddCamera(const std::string& path) {
     return fs::is_directory(folder, ignored) && !fs::is_empty(folder, ignored);
   };
   const bool compressed = job_->options.images == BagImages::kCompressed;
-  struct Pictures {
-    std::string kind;
-    TopicId topic;
-    const LabelChannel* label = nullptr;  ///< of rgb and depth none
-  };
-  std::vector<Pictures> pictures;
+  std::vector<PictureTopic> pictures;
   std::vector<TopicId> infos;
   const auto add = [&](const std::string& kind, const std::string& below,
                        const LabelChannel* label) {
@@ -154,32 +148,57 @@ void RosTopics::AddCamera(const std::string& path) {
     infos.push_back(AddTopic<ros::CameraInfo>(topic + ros::kDepthInfoTopic, kLarge));
   }
   AddTake(path, [=, this](const Record& record) {
-    const TimeNs at_ns = job_->Stamp(record.t_available_ns), stamp_ns = job_->Stamp(record.t_ns);
-    CameraFrame frame;
-    if (!compressed) frame = job_->recording.LoadFrame(path, record.t_ns);
-    frame.t_ns = stamp_ns;
-    for (const Pictures& own : pictures) {
+    std::vector<PictureTopic> there;
+    for (const PictureTopic& own : pictures) {
       const fs::path file = FrameFile(job_->recording, path, own.kind, record.t_ns);
-      if (!fs::exists(file)) {
-        job_->absent.Add(file);
-        continue;
-      }
-      if (compressed) {
-        Write(own.topic, at_ns,
-              ros::CompressedImage{{stamp_ns, frame_id}, "png", ReadWholePng(file)});
-      } else if (own.label != nullptr) {
-        Write(own.topic, at_ns, ros::LabelMessage(*own.label, frame, frame_id));
+      if (fs::exists(file)) {
+        there.push_back(own);
       } else {
-        Write(own.topic, at_ns,
-              own.kind == "rgb" ? ros::ColourMessage(frame, frame_id)
-                                : ros::DepthMessage(frame, frame_id));
+        job_->absent.Add(file);
       }
     }
+    messages_->Give([=, this] {
+      return compressed ? CompressedPictures(path, record, there, frame_id)
+                        : RawPictures(path, record, there, frame_id);
+    });
+    const TimeNs at_ns = job_->Stamp(record.t_available_ns), stamp_ns = job_->Stamp(record.t_ns);
     for (const TopicId info : infos) {
       Write(info, at_ns, ros::CameraInfoMessage({stamp_ns, frame_id}, *sheet.lens));
     }
   });
   channels_.back().delay_ns = sheet.latency_ns;
+}
+
+std::vector<RosTopics::WireMessage> RosTopics::CompressedPictures(
+    const std::string& path, const Record& record, const std::vector<PictureTopic>& pictures,
+    const std::string& frame_id) const {
+  std::vector<WireMessage> messages;
+  for (const PictureTopic& own : pictures) {
+    const fs::path file = FrameFile(job_->recording, path, own.kind, record.t_ns);
+    messages.push_back(Wire(
+        own.topic, job_->Stamp(record.t_available_ns),
+        ros::CompressedImage{{job_->Stamp(record.t_ns), frame_id}, "png", ReadWholePng(file)}));
+  }
+  return messages;
+}
+
+std::vector<RosTopics::WireMessage> RosTopics::RawPictures(
+    const std::string& path, const Record& record, const std::vector<PictureTopic>& pictures,
+    const std::string& frame_id) const {
+  const TimeNs at_ns = job_->Stamp(record.t_available_ns);
+  CameraFrame frame = job_->recording.LoadFrame(path, record.t_ns);
+  frame.t_ns = job_->Stamp(record.t_ns);
+  std::vector<WireMessage> messages;
+  for (const PictureTopic& own : pictures) {
+    if (own.label != nullptr) {
+      messages.push_back(Wire(own.topic, at_ns, ros::LabelMessage(*own.label, frame, frame_id)));
+    } else {
+      messages.push_back(Wire(own.topic, at_ns,
+                              own.kind == "rgb" ? ros::ColourMessage(frame, frame_id)
+                                                : ros::DepthMessage(frame, frame_id)));
+    }
+  }
+  return messages;
 }
 
 void RosTopics::AddLidar(const std::string& path) {
@@ -189,9 +208,12 @@ void RosTopics::AddLidar(const std::string& path) {
   const TopicId id =
       AddTopic<ros::PointCloud2>(ros::TopicOf(machine, name) + "/" + ros::kPointsTopic, kLarge);
   AddTake(path, [=, this](const Record& record) {
-    LidarScan scan = job_->recording.LoadScan(path, record.t_ns);
-    scan.t_ns = job_->Stamp(record.t_ns);
-    Write(id, job_->Stamp(record.t_available_ns), ros::PointCloudMessage(scan, frame_id));
+    const TimeNs at_ns = job_->Stamp(record.t_available_ns);
+    messages_->Give([=, this, t_ns = record.t_ns]() -> std::vector<WireMessage> {
+      LidarScan scan = job_->recording.LoadScan(path, t_ns);
+      scan.t_ns = job_->Stamp(t_ns);
+      return {Wire(id, at_ns, ros::PointCloudMessage(scan, frame_id))};
+    });
   });
   // A scan is there when its last ray is.
   const TimeNs turn_ns = sheet.rate_hz > 0 ? SampleClock{sheet.rate_hz, 0}.Period() : 0;
@@ -282,8 +304,18 @@ void RosTopics::WriteGroundUntil(TimeNs t_ns) {
   }
 }
 
+void RosTopics::Put(const std::vector<WireMessage>& messages) {
+  for (const WireMessage& message : messages) {
+    bag_->Write(message.topic, message.t_ns, message.bytes);
+    ++job_->messages;
+    if (told_) told_(message.topic, message.t_ns);
+  }
+}
+
 void RosTopics::WriteAll() {
   stream_ = std::make_unique<RecordStream>(job_->recording, channels_);
+  messages_ = std::make_unique<InOrder<std::vector<WireMessage>>>(
+      job_->options.threads, [this](const std::vector<WireMessage>& messages) { Put(messages); });
   Record record;
   bool more = job_->Next(stream_.get(), &record);
   // Before all else, also before what a clock that is behind gave a time below 0.
@@ -296,6 +328,7 @@ void RosTopics::WriteAll() {
     for (const Take& take : takes_.at(channels_[record.channel].path)) take(record);
   }
   WriteGroundUntil(std::numeric_limits<TimeNs>::max());
+  messages_->Finish();
 }
 
 }  // namespace tera

@@ -13,11 +13,13 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/types/label_channels.h"
 #include "dataset/export/bag/bag_writer.h"
 #include "dataset/export/export_job.h"
 #include "dataset/export/record_stream.h"
 #include "dataset/export/ros/ground_snapshots.h"
 #include "dataset/export/ros/joint_tree.h"
+#include "dataset/files/in_order.h"
 #include "dataset/ros/messages.h"
 #include "dataset/ros/names.h"
 #include "dataset/ros/serialize_messages.h"
@@ -45,6 +47,19 @@ class RosTopics {
   /// Where a record of a channel goes.
   using Take = std::function<void(const Record&)>;
   using TopicId = std::size_t;
+  /// A message as it stands in the bag.
+  struct WireMessage {
+    TopicId topic = 0;
+    TimeNs t_ns = 0;
+    std::string bytes;
+  };
+
+  /// Where pictures of a kind go.
+  struct PictureTopic {
+    std::string kind;
+    TopicId topic = 0;
+    const LabelChannel* label = nullptr;  ///< of rgb and depth none
+  };
 
   void AddChannels();
   void AddSensor(const std::string& path);
@@ -62,7 +77,21 @@ class RosTopics {
   template <typename Message>
   TopicId AddTopic(const std::string& name, const TopicQuality& quality);
   template <typename Message>
-  void Write(TopicId topic, TimeNs t_ns, const Message& message);
+  WireMessage Wire(TopicId topic, TimeNs t_ns, const Message& message) const;
+  /// Behind those that come before it.
+  template <typename Message>
+  void Write(TopicId topic, TimeNs t_ns, const Message& message) {
+    messages_->GiveResult({Wire(topic, t_ns, message)});
+  }
+  /// Messages of a camera's frame; on any thread.
+  std::vector<WireMessage> CompressedPictures(const std::string& path, const Record& record,
+                                              const std::vector<PictureTopic>& pictures,
+                                              const std::string& frame_id) const;
+  std::vector<WireMessage> RawPictures(const std::string& path, const Record& record,
+                                       const std::vector<PictureTopic>& pictures,
+                                       const std::string& frame_id) const;
+  /// To the bag.
+  void Put(const std::vector<WireMessage>& messages);
   void AddTake(const std::string& path, Take take);
   /// Any row, by the names of its columns.
   Take JointStateTake(const std::string& topic, const std::string& frame_id,
@@ -78,12 +107,13 @@ class RosTopics {
 
   ExportJob* job_;
   BagWriter* bag_;
-  ros::Serializer serializer_;
   std::vector<Topic> topics_;
   std::set<std::string> names_;
   std::vector<StreamedChannel> channels_;
   std::map<std::string, std::vector<Take>> takes_;  ///< by channel
   std::unique_ptr<RecordStream> stream_;            ///< while all is written
+  /// On their way to the bag, in order: frames are decoded side by side.
+  std::unique_ptr<InOrder<std::vector<WireMessage>>> messages_;
   TopicId clock_, transforms_, static_transforms_, ground_ = 0;
   std::deque<GroundSnapshot> snapshots_;  ///< that were not written yet
   std::int64_t next_tick_ = 0;
@@ -103,13 +133,10 @@ RosTopics::TopicId RosTopics::AddTopic(const std::string& name, const TopicQuali
 }
 
 template <typename Message>
-void RosTopics::Write(TopicId topic, TimeNs t_ns, const Message& message) {
-  serializer_.Clear();
-  Put(message, &serializer_);
-  const TimeNs known_ns = std::max<TimeNs>(0, t_ns);
-  bag_->Write(topic, known_ns, serializer_.bytes());
-  ++job_->messages;
-  if (told_) told_(topic, known_ns);
+RosTopics::WireMessage RosTopics::Wire(TopicId topic, TimeNs t_ns, const Message& message) const {
+  ros::Serializer serializer(bag_->form());
+  ros::Put(message, &serializer);
+  return {topic, std::max<TimeNs>(0, t_ns), serializer.TakeBytes()};
 }
 
 }  // namespace tera

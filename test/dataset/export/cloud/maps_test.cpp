@@ -136,13 +136,13 @@ TEST_F(MapsTest, ALasSaysWhereItsPointsAreAndHowMany) {
 }
 
 // Classes 64 to 255 are the users' own, 0 to 63 the standard's.
-TEST(LasFile, LabelsWithoutAPlaceAmongTheUsersClassesAreUnclassified) {
-  const DatasetInfo info;
-  LasFile las(info);
+TEST(LasPoint, OfALabelWithoutAPlaceAmongTheUsersClassesIsUnclassified) {
   const auto class_of = [&](int label) {
     MapPoint point;
     point.label = static_cast<std::uint8_t>(label);
-    return static_cast<unsigned char>(las.Record(point)[16]);
+    std::string bytes;
+    AppendLasPoint(point, &bytes);
+    return static_cast<unsigned char>(bytes[16]);
   };
   EXPECT_EQ(class_of(11), 75);  // a person
   EXPECT_EQ(class_of(191), 255);
