@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <pcl/filters/impl/filter_indices.hpp>
+#include <pcl/filters/impl/statistical_outlier_removal.hpp>
 
 #include "survey/points/pcl_cloud.h"
 #include "survey/points/voxels.h"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <pcl/filters/impl/morphological_filter.hpp>
+#include <pcl/segmentation/impl/progressive_morphological_filter.hpp>
 
 #include "survey/points/pcl_cloud.h"
 #include "survey/site/cell_grid.h"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <pcl/segmentation/impl/extract_clusters.hpp>
 
 #include "survey/points/pcl_cloud.h"
 #include "survey/points/voxels.h"
