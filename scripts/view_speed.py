@@ -62,13 +62,13 @@ def repeat(source, out, times, long_rows):
 
 def repeated_table(text, times, length_ns):
     head, *lines = text.splitlines()
-    rows = [(int(line.split(",", 1)[0]), line.partition(",")[2]) for line in lines]
+    rows = [(int(stamp), comma, rest) for stamp, comma, rest in (line.partition(",") for line in lines)]
     out = [head]
     for k in range(times):
-        for stamp, rest in rows:
+        for stamp, comma, rest in rows:
             if 0 <= stamp < length_ns:
                 later = stamp + k * length_ns
-                out.append(f"{later}," + (FRAME.sub(rf"{later}.\2", rest) if head == "t_ns,filename" else rest))
+                out.append(f"{later}{comma}" + (FRAME.sub(rf"{later}.\2", rest) if head == "t_ns,filename" else rest))
     return "\n".join(out) + "\n"
 
 

@@ -58,6 +58,12 @@ void PrintNotes(const ImportedChannel& channel) {
         "right?\n",
         channel.strokes_beyond, channel.furthest_beyond_m);
   }
+  if (channel.too_fast > 0) {
+    fmt::print(
+        "  {} rates beyond 20 rad/s, up to {:.4g} rad/s of {}: is it in degrees, or does it "
+        "jump?\n",
+        channel.too_fast, channel.fastest_radps, channel.fastest_joint);
+  }
 }
 
 /// How clocks differ, and what a mapping would say of it.

@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -21,8 +24,12 @@ void AddOverviewCommand(CLI::App* app) {
     const auto or_inside = [&](const std::string& file, const char* name) {
       return file.empty() ? dataset / name : std::filesystem::path(file);
     };
-    WriteOverview(dataset, or_inside(arguments->image, "overview.png"),
-                  or_inside(arguments->video, "overview.mp4"));
+    const std::filesystem::path image = or_inside(arguments->image, "overview.png");
+    const std::filesystem::path video = or_inside(arguments->video, "overview.mp4");
+    WriteOverview(dataset, image, video);
+    for (const std::filesystem::path& file : {image, video}) {
+      if (std::filesystem::exists(file)) fmt::print("{}\n", file.string());
+    }
   });
 }
 

@@ -236,6 +236,7 @@ TEST(Overview, DrawsADatasetInItsOwnFolder) {
   const Outcome outcome = RunTera({"overview", "run"}, {scratch.path()});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
+  EXPECT_EQ(outcome.out, "run/overview.png\nrun/overview.mp4\n");
   EXPECT_EQ(ReadWholeFile(scratch.path() / "run/overview.png").substr(1, 3), "PNG");
   EXPECT_EQ(ReadWholeFile(scratch.path() / "run/overview.mp4").substr(4, 4), "ftyp");
 }

@@ -253,6 +253,10 @@ TEST_F(LayoutCommand, ADamagedReportIsRefusedByItsName) {
            StartsWith("bad/layout.json: "));
   }
   Refuse({"layout", "compare", "seen/rig", "absent", "--out", "compared"}, HasSubstr("absent"));
+  // All rigs' folder in place of one rig's.
+  Refuse({"layout", "compare", "seen", "seen/rig", "--out", "compared"},
+         AllOf(StartsWith("seen/layout.json: is not there; need the folder"),
+               HasSubstr("`tera layout evaluate` wrote of a rig")));
 }
 
 TEST_F(LayoutCommand, AMountInsideOfTheMachineIsAWarningAndWithStrictAnError) {

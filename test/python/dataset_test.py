@@ -268,7 +268,7 @@ class WholeDatasets(unittest.TestCase):
 
     def test_no_dataset_and_a_newer_one_are_refused(self):
         with tempfile.TemporaryDirectory() as folder:
-            with self.assertRaises(FileNotFoundError):
+            with self.assertRaisesRegex(FileNotFoundError, "is no complete recording, it has no dataset.yaml"):
                 tera.Dataset(folder)
             (Path(folder) / "dataset.yaml").write_text("format: 7\n")
             with self.assertRaisesRegex(ValueError, "format is 7"):

@@ -31,6 +31,8 @@ class Dataset:
 
     def __init__(self, path: str | Path):
         self.path = Path(path)
+        if not (self.path / "dataset.yaml").is_file():
+            raise FileNotFoundError(f"{self.path}: is no complete recording, it has no dataset.yaml; name the folder that holds it")
         with (self.path / "dataset.yaml").open(encoding="utf-8") as text:
             self.info: dict = yaml.safe_load(text)
         if self.info.get("format") != 1:

@@ -21,7 +21,10 @@ void NeedFile(const fs::path& file, const std::string& shown) {
   if (internal::IsFile(file)) return;
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) {
-    throw InputError(fmt::format("{}: is a folder; need a YAML file", file.string()));
+    const fs::path scenario = file / "scenario.yaml";
+    throw InputError(fmt::format(
+        "{}: is a folder; need a YAML file{}", file.string(),
+        internal::IsFile(scenario) ? fmt::format(", such as {}", scenario.string()) : ""));
   }
   throw InputError(fmt::format("{}: no such file; need a YAML file", shown));
 }

@@ -62,6 +62,12 @@ YAML::Node LoadYaml(const fs::path& file, const std::string& shown) {
   }
   std::stringstream text;
   text << stream.rdbuf();
+  if ((text >> std::ws).peek() == '<') {
+    throw InputError(
+        fmt::format("{}:1:1: is XML; need YAML (a URDF is named by the key `urdf` of a machine "
+                    "file, docs/guide/my-machine.md)",
+                    shown));
+  }
   try {
     YAML::Node node = YAML::Load(text.str());
     ApplyMergeKeys(node);

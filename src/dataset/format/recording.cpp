@@ -203,8 +203,12 @@ std::vector<RecordedInput> LoadInputs(const fs::path& directory) {
 Recording::Recording(const fs::path& directory) : directory_(directory) {
   std::error_code ignored;
   if (!fs::is_directory(directory, ignored)) {
-    throw InputError(
-        fmt::format("{}: no such folder; name that of a recording", directory.string()));
+    throw InputError(fmt::format(
+        "{}: {}", directory.string(),
+        fs::exists(directory, ignored)
+            ? "is a file; need the folder of a recording, as `tera generate` writes one of a "
+              "scenario and `tera import` one of a log"
+            : "no such folder; name that of a recording"));
   }
   if (!fs::is_regular_file(directory / "dataset.yaml", ignored)) {
     const bool incomplete = WasStopped(directory);

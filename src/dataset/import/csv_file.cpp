@@ -247,8 +247,11 @@ std::optional<TimeNs> CsvFile::WholeNanoseconds(std::size_t row, std::size_t col
 
 double CsvFile::Number(std::size_t row, std::size_t column) const {
   const std::optional<double> value = NumberIfAny(row, column);
-  if (!value) Fail(row, column, "need a finite number");
-  return *value;
+  if (value) return *value;
+  const bool has_comma = Field(row, column).find(',') != std::string_view::npos;
+  Fail(row, column,
+       has_comma ? "need a finite number, with a decimal point in place of the comma"
+                 : "need a finite number");
 }
 
 TimeNs CsvFile::Time(std::size_t row) const {

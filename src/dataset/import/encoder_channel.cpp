@@ -87,6 +87,23 @@ void CountStrokesBeyond(const std::vector<JointColumns>& joints, const std::vect
   }
 }
 
+/// Counts rates of joints that turn as no machine's do.
+void CountTooFast(const std::vector<JointColumns>& joints,
+                  const std::vector<EncoderSample>& samples, ImportedChannel* channel) {
+  constexpr double kMost_radps = 20;
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    if (joints[j].axis.linear) continue;
+    for (const EncoderSample& sample : samples) {
+      const double rate_radps = std::abs(sample.qd_radps[j]);
+      if (rate_radps <= kMost_radps) continue;
+      ++channel->too_fast;
+      if (rate_radps <= channel->fastest_radps) continue;
+      channel->fastest_radps = rate_radps;
+      channel->fastest_joint = joints[j].axis.name;
+    }
+  }
+}
+
 /// An angle from the way that a wheel or a track has rolled.
 ColumnMapping ReadRolled(const ConfigMap& config) {
   ColumnMapping rolled = ReadColumnMapping(config.Map("rolled"), Dimension::kLength);
@@ -243,6 +260,7 @@ ImportJob ReadEncoder(const ConfigMap& config, const ConfigMap& top, Mapping* ma
     std::vector<JointColumns> found = joints;
     DropMissing(source, rows, &found);
     const std::vector<EncoderSample> samples = EncoderSamples(found, rows);
+    CountTooFast(found, samples, run->last());
     run->AddMotion(source, MotionOf(axes, samples));
     DatasetWriter* writer = run->writer();
     if (writer == nullptr) return;

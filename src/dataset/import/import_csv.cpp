@@ -10,7 +10,9 @@
 #include "core/config/plain_name.h"
 #include "core/error.h"
 #include "dataset/format/recorded_inputs.h"
+#include "dataset/import/bag/bag_source.h"
 #include "dataset/import/import_run.h"
+#include "dataset/import/logs/foreign_log.h"
 
 namespace tera {
 namespace {
@@ -95,10 +97,24 @@ double DurationOf_s(const ImportReport& report) {
   return last_ns > first_ns ? ToSeconds(last_ns - first_ns) : 0.0;
 }
 
+/// A log in the place of its mapping is the first mistake of many.
+void RequireNoLog(const std::filesystem::path& mapping) {
+  const std::string ending = mapping.extension().string();
+  const bool is_table = ending == ".csv" || ending == ".tsv" || ending == ".txt";
+  std::error_code ignored;
+  if (!std::filesystem::exists(mapping, ignored)) return;
+  if (!is_table && !LooksLikeBag(mapping) && TypeOfLog(mapping).empty()) return;
+  throw InputError(fmt::format(
+      "{0}: is a log; need a mapping, a YAML file that says what the log's columns are: "
+      "`tera import --suggest {0} > mapping.yaml` writes a first one",
+      mapping.string()));
+}
+
 }  // namespace
 
 ImportReport ImportCsv(const std::filesystem::path& mapping_file, const std::filesystem::path& out,
                        const ImportOptions& options) {
+  RequireNoLog(mapping_file);
   const Config config = Config::FromFile(mapping_file, options.overrides);
   UnpackedFiles unpacked;
   Mapping mapping = ReadMapping(config.root(), options, &unpacked);

@@ -40,6 +40,9 @@ struct ImportedChannel {
   double largest_lever = 0;         ///< of those beyond full
   std::int64_t strokes_beyond = 0;  ///< what the joint's travel gives its cylinder
   double furthest_beyond_m = 0;
+  std::int64_t too_fast = 0;  ///< rates of joints that no machine's joint has
+  double fastest_radps = 0;   ///< of these
+  std::string fastest_joint;
 };
 
 struct ImportReport {

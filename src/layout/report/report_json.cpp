@@ -127,6 +127,11 @@ LayoutReport ReadReport(const std::filesystem::path& file_or_folder) {
   const std::filesystem::path file = std::filesystem::is_directory(file_or_folder, ignored)
                                          ? file_or_folder / "layout.json"
                                          : file_or_folder;
+  if (!std::filesystem::exists(file, ignored)) {
+    throw InputError(
+        fmt::format("{}: is not there; need the folder that `tera layout evaluate` wrote of a rig",
+                    file.string()));
+  }
   const std::string text = ReadWholeFile(file);
   try {
     return FromJson(json::parse(text));

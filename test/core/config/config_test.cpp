@@ -37,6 +37,14 @@ TEST(Config, UnknownKeyNamesPlaceAndNearestKey) {
             "a.yaml:2:3: lidar.max_rang_m: unknown key (did you mean 'max_range_m'?)");
 }
 
+TEST(Config, AFileOfXmlIsToldToBeOne) {
+  const std::filesystem::path file = OwnFolder() / "digger.urdf";
+  std::ofstream(file) << "\n<?xml version=\"1.0\"?>\n<robot/>\n";
+  EXPECT_THAT([&] { Config::FromFile(file); }, testing::ThrowsMessage<InputError>(AllOf(
+                                                   HasSubstr("digger.urdf:1:1: is XML; need YAML"),
+                                                   HasSubstr("key `urdf` of a machine file"))));
+}
+
 TEST(Config, NumbersLaidBeneathGiveWayToWhatIsWritten) {
   const Config config = Config::FromText("file: x.urdf\na: {b: 1}\n", "a.yaml", {"a.c=2"});
   config.root().Text("file");

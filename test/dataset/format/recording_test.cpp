@@ -305,6 +305,13 @@ TEST_F(RecordingTest, RejectsAFolderThatIsNoRecording) {
               ThrowsMessage<InputError>(HasSubstr("no dataset.yaml")));
 }
 
+TEST_F(RecordingTest, RejectsAFileAndSaysWhatMakesARecordingOfIt) {
+  WriteWholeFile(scratch_.path() / "log.csv", "t,boom\n0,1\n");
+  EXPECT_THAT([&] { Recording(scratch_.path() / "log.csv"); },
+              ThrowsMessage<InputError>(HasSubstr("log.csv: is a file; need the folder of a "
+                                                  "recording, as `tera generate` writes")));
+}
+
 TEST_F(RecordingTest, RejectsALabelOrderOfAnotherFormat) {
   Edit("dataset.yaml", "{id: 10, name: truck}", "{id: 10, name: person}");
   EXPECT_THAT([&] { Open(); }, ThrowsMessage<InputError>(HasSubstr("need 'truck'")));

@@ -53,6 +53,24 @@ constexpr char kImu[] =
     "      wz: {column: gz, unit: deg/s, scale: -1}\n      ax: {column: ax, unit: g}\n"
     "      ay: {column: ay, unit: g}\n      az: {column: az, unit: g, offset: 0.01}\n";
 
+TEST_F(ImportTest, ALogInThePlaceOfItsMappingIsRefusedWithTheWayToOne) {
+  const fs::path log = scratch_.path() / "log.csv";
+  EXPECT_THAT([&] { ImportCsv(log, scratch_.path() / "out"); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr(
+                  "log.csv: is a log; need a mapping, a YAML file that says what "
+                  "the log's columns are: `tera import --suggest ")));
+  EXPECT_FALSE(fs::exists(scratch_.path() / "out"));
+}
+
+TEST_F(ImportTest, ADecimalCommaIsRefusedByItsName) {
+  WriteWholeFile(scratch_.path() / "log.csv", "ms;x\n1000;0,5\n1100;0,6\n");
+  EXPECT_THAT(
+      [&] { Import("tables:\n  - {name: a, columns: {x: {column: x, unit: '1'}}}\n"); },
+      testing::ThrowsMessage<InputError>(testing::HasSubstr(
+          "log.csv:2: column 'x': found '0,5', need a finite number, with a decimal point in place "
+          "of the comma")));
+}
+
 TEST_F(ImportTest, ConvertsUnitsScalesOffsetsAndAxesOfAnImu) {
   const Recording recording = Import(kImu);
   EXPECT_FALSE(recording.info().simulated);
@@ -95,6 +113,24 @@ TEST_F(ImportTest, DifferentiatesAnAngleWithoutRates) {
   const double speed_mps[] = {2.5, 1.25, 3.75, 7.5};
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(travel.samples[i].qd_radps[0], speed_mps[i], 1e-9) << i;
+  }
+}
+
+TEST_F(ImportTest, AnglesInDegreesThatAreTakenForRadiansAreToldByTheirRates) {
+  // The boom goes from 30 to 36 degrees in 0.2 s, at 0.5 rad/s; taken for radians, at 30.
+  WriteWholeFile(scratch_.path() / "log.csv", "ms,boom,arm\n1000,30,1\n1100,33,1\n1200,36,1\n");
+  for (const std::string unit : {"deg", "rad"}) {
+    WriteWholeFile(scratch_.path() / "mapping.yaml",
+                   Top() +
+                       "encoders:\n  - name: joints\n    joints:\n      - {name: boom, angle: "
+                       "{column: boom, unit: " +
+                       unit + "}}\n      - {name: arm, angle: {column: arm, unit: rad}}\n");
+    const ImportReport report =
+        ImportCsv(scratch_.path() / "mapping.yaml", "", {.checks_only = true});
+    ASSERT_EQ(report.channels.size(), 1u);
+    EXPECT_EQ(report.channels[0].too_fast, unit == "rad" ? 3 : 0);
+    EXPECT_NEAR(report.channels[0].fastest_radps, unit == "rad" ? 30 : 0, 1e-9);
+    EXPECT_EQ(report.channels[0].fastest_joint, unit == "rad" ? "boom" : "");
   }
 }
 

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <utility>
 
+#include "core/error.h"
 #include "dataset/import/bag/bag_source.h"
 #include "dataset/import/csv_file.h"
 #include "dataset/import/logs/foreign_log.h"
@@ -45,11 +47,25 @@ class TableGuess {
     form.has_header = has_header_;
     const CsvFile csv(log, form, &left_out);
     for (std::size_t c = 0; c < csv.columns().size(); ++c) columns_.push_back(NumbersOf(csv, c));
+    if (std::all_of(columns_.begin(), columns_.end(),
+                    [](const NumbersOfColumn& column) { return column.values.empty(); })) {
+      throw InputError(fmt::format(
+          "{}: has no column of numbers; need a table, a bag or another log that is known "
+          "(docs/reference/dataset.md, importing)",
+          log.string()));
+    }
   }
 
   std::string Yaml() {
+    // One after the other: what one takes is none of those behind it.
     std::string yaml = Top();
-    yaml += Imu() + Gnss() + Pose() + Encoders() + Others();
+    yaml += Imu();
+    yaml += Gnss();
+    yaml += Pose();
+    yaml += Encoders();
+    const std::string levers = Levers();
+    const std::string tables = levers + Others();
+    if (!tables.empty()) yaml += "tables:\n" + tables;
     return yaml;
   }
 
@@ -215,6 +231,31 @@ class TableGuess {
     return joints.empty() ? "" : "encoders:\n  - name: joints\n    joints:\n" + joints;
   }
 
+  /// Columns whose names say that they are levers become the table that operators replay.
+  std::string Levers() {
+    std::vector<std::pair<std::string, const NumbersOfColumn*>> levers;
+    double largest = 0;
+    for (const std::string lever : {"left_track", "right_track", "slew", "swing", "boom", "arm",
+                                    "stick", "bucket", "blade"}) {
+      const std::string stem = Stem(lever);
+      const auto* column =
+          Find({"lever" + stem, stem + "lever", "cmd" + stem, stem + "cmd", "command" + stem,
+                stem + "command", "joystick" + stem, stem + "joystick"});
+      if (column == nullptr) continue;
+      Take({column});
+      largest = std::max(largest, column->LargestSize());
+      levers.emplace_back(lever, column);
+    }
+    constexpr double kMostOfFull = 1.5;  // beyond it, -1 to 1 is not what was logged
+    const std::string unit = largest > kMostOfFull ? "%" : "1";
+    std::string yaml;
+    for (const auto& [lever, column] : levers) {
+      yaml += fmt::format("      {}: {}   # guessed: up to {:.4g}\n", lever,
+                          ColumnYaml(column->name, {unit}), column->LargestSize());
+    }
+    return yaml.empty() ? "" : "  - name: commands\n    columns:\n" + yaml;
+  }
+
   /// What is left becomes a table, in units that nobody knows.
   std::string Others() const {
     std::string yaml;
@@ -228,7 +269,7 @@ class TableGuess {
       yaml += fmt::format("      {}: {}   # guessed: unit unknown, up to {:.4g}\n", name,
                           ColumnYaml(column.name, {"1"}), column.LargestSize());
     }
-    return yaml.empty() ? "" : "tables:\n  - name: others\n    columns:\n" + yaml;
+    return yaml.empty() ? "" : "  - name: others\n    columns:\n" + yaml;
   }
 
   std::filesystem::path log_;

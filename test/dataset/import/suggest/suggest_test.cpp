@@ -63,6 +63,30 @@ TEST_F(Suggest, NamesThatSayTheirUnitAreBelieved) {
                           HasSubstr("angle: {column: boom_deg, unit: deg}}\n")));
 }
 
+TEST_F(Suggest, AColumnThatIsTakenIsNotThereTwice) {
+  const std::string yaml = OfTable(
+      "t_s,boom_deg,gyro_x,gyro_y,gyro_z,acc_x,acc_y,acc_z,fuel\n"
+      "0,1,0,0,0,0,0,9.8,7\n1,2,0,0,0,0,0,9.8,7\n");
+  for (const std::string column : {"boom_deg", "gyro_x", "acc_z", "fuel"}) {
+    const std::string mapped = "{column: " + column + ",";
+    const std::size_t first = yaml.find(mapped);
+    ASSERT_NE(first, std::string::npos) << column;
+    EXPECT_EQ(yaml.find(mapped, first + 1), std::string::npos) << yaml;
+  }
+}
+
+TEST_F(Suggest, LeversByTheirNamesAreCommandsInPerCentWhereTheyAreBeyondFull) {
+  EXPECT_THAT(
+      OfTable("t_s,lever_boom,arm_cmd,lever_left_track,fuel\n0,0,-80,0,7\n1,60,10,0,7\n"),
+      HasSubstr("tables:\n  - name: commands\n    columns:\n"
+                "      left_track: {column: lever_left_track, unit: '%'}   # guessed: up to 0\n"
+                "      boom: {column: lever_boom, unit: '%'}   # guessed: up to 60\n"
+                "      arm: {column: arm_cmd, unit: '%'}   # guessed: up to 80\n"
+                "  - name: others\n"));
+  EXPECT_THAT(OfTable("t_s,boom_lever\n0,0.5\n1,-1\n"),
+              HasSubstr("boom: {column: boom_lever, unit: '1'}   # guessed: up to 1\n"));
+}
+
 TEST_F(Suggest, EpochsAreToldByTheirSize) {
   for (const auto& [first, unit] : {std::pair{"1700000000.5", "s"},
                                     {"1700000000500", "ms"},
@@ -105,6 +129,9 @@ TEST_F(Suggest, ABagIsMappedByItsTypes) {
 }
 
 TEST_F(Suggest, WhatIsNoLogIsToldOf) {
+  WriteWholeFile(scratch_.path() / "README.md", "# A page\n\nof words, and of no number.\n");
+  EXPECT_THAT([&] { SuggestMapping(scratch_.path() / "README.md"); },
+              testing::ThrowsMessage<InputError>(HasSubstr("README.md: has no column of numbers")));
   WriteWholeFile(scratch_.path() / "log.mcap", "nothing");
   EXPECT_THROW(SuggestMapping(scratch_.path() / "log.mcap"), InputError);
   EXPECT_THROW(SuggestMapping(scratch_.path() / "none.csv"), InputError);
