@@ -78,6 +78,7 @@ void Measure(const Scenario& scenario, const SceneAssembly& assembly,
     }
   }
   report->camera_s = rig.camera_wall_s();
+  report->camera_wait_s = rig.camera_wait_s();
   report->lidar_s = rig.lidar_wall_s();
 }
 

@@ -14,6 +14,11 @@ Pose SensedStep::LinkAt(int link, double s) const {
   return Interpolate(before.links[link].X_WB, after.links[link].X_WB, s);
 }
 
+KeptScene SensedScene::Keep() const {
+  const std::shared_ptr<const void> nobody;  // what is pointed to belongs to the scene
+  return {{nobody, &ground()}, ShapesNow(), {nobody, air().dust}};
+}
+
 void InstantSampler::Sample(const SensedStep& step) {
   for (; clock_.Due(next_) <= step.t1_ns; ++next_) MeasureAt(next_, clock_.Due(next_), step);
 }

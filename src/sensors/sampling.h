@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,15 +16,22 @@
 
 namespace tera {
 
-class Rasterizer;
 class RayScene;
 class SiteFrame;
+class Studios;
 struct SensorDescription;
 
 /// What the air of a scene carries.
 struct SensedAir {
   const DustVolume* dust = nullptr;  ///< null: none
   double rain_mmph = 0;
+};
+
+/// What a picture looks at beside poses, as it is at the end of a step.
+struct KeptScene {
+  std::shared_ptr<const TerrainSurface> ground;
+  Shapes shapes;
+  std::shared_ptr<const DustVolume> dust;  ///< null: none
 };
 
 /// The scene around a rig, for sensors that see it. It is that of the step which is being sampled.
@@ -41,7 +49,10 @@ class SensedScene {
   virtual std::vector<Pose> BodiesAt(TimeNs t_ns) const = 0;
   /// The air at the end of the step.
   virtual SensedAir air() const { return {}; }
-  virtual Rasterizer* rasterizer() const = 0;
+  /// What of it stays as it is for as long as it is held: where studios work beside the run,
+  /// through later steps; else to the end of the step. To be let go by the thread that asked.
+  virtual KeptScene Keep() const;
+  virtual Studios* studios() const = 0;
   virtual RayScene* ray_scene() const = 0;
   /// Threads that rays may use; no measurement depends on it.
   virtual int threads() const = 0;

@@ -26,12 +26,16 @@ Rig::Rig(const Scenario& scenario, const SceneAssembly& assembly, const EglOptio
     }
   }
   if (Has(ChannelForm::kPictures) || Has(ChannelForm::kScans)) scene_.FollowAir(scenario);
-  if (Has(ChannelForm::kPictures)) scene_.MakeRasterizer(egl);
+  if (Has(ChannelForm::kPictures)) scene_.OpenStudios(egl, sink->TakesFramesLate());
   if (Has(ChannelForm::kScans)) scene_.MakeRayScene();
   if (std::any_of(units_.begin(), units_.end(),
                   [](const Unit& unit) { return unit.sampler->LooksBack(); })) {
     scene_.KeepPast();
   }
+}
+
+double Rig::camera_wall_s() const {
+  return scene_.studios() != nullptr ? scene_.studios()->busy_s() : 0.0;
 }
 
 bool Rig::Has(ChannelForm form) const {

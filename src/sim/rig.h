@@ -41,7 +41,10 @@ class Rig {
   /// which nothing else is sampled.
   void Finish(const WorldStep& step);
 
-  double camera_wall_s() const { return WallOf(ChannelForm::kPictures); }
+  /// For which pictures held up the run.
+  double camera_wait_s() const { return WallOf(ChannelForm::kPictures); }
+  /// For which the busiest studio took pictures, which may be beside the run; after Finish.
+  double camera_wall_s() const;
   double lidar_wall_s() const { return WallOf(ChannelForm::kScans); }
 
  private:

@@ -21,8 +21,10 @@ RigScene::RigScene(const SceneAssembly& assembly, int threads)
 
 RigScene::~RigScene() = default;
 
-void RigScene::MakeRasterizer(const EglOptions& egl) {
-  rasterizer_ = std::make_unique<Rasterizer>(assembly_.model(), egl, threads_);
+/// With one thread pictures are taken by it.
+void RigScene::OpenStudios(const EglOptions& egl, bool late) {
+  const int beside = late && threads_ > 1 ? Studios::FittingCount(egl, threads_) : 0;
+  studios_ = std::make_unique<Studios>(assembly_.model(), egl, threads_, beside);
 }
 
 void RigScene::MakeRayScene() { ray_scene_ = std::make_unique<RayScene>(assembly_.model()); }
@@ -32,6 +34,7 @@ void RigScene::Advance(const WorldStep& step) {
   after_ = &step.after;
   ground_ = &step.ground;
   shapes_known_ = false;
+  kept_.reset();
   if (scenario_ != nullptr && scenario_->environment.weather.dust) {
     if (!dust_) dust_.emplace(*scenario_, step.before, step.ground);
     dust_->Step(step);
@@ -57,6 +60,17 @@ SensedAir RigScene::air() const {
   if (dust_) air.dust = &dust_->volume();
   if (scenario_ != nullptr) air.rain_mmph = scenario_->environment.weather.rain_mmph;
   return air;
+}
+
+/// Copied once in a step, and only where pictures are taken beside the run.
+KeptScene RigScene::Keep() const {
+  if (!studios_->work_beside()) return SensedScene::Keep();
+  if (kept_) return *kept_;
+  const DustVolume* dust = air().dust;
+  const bool is_new = dust != nullptr && (!dust_copy_ || dust_copy_->version != dust->version);
+  if (is_new) dust_copy_ = std::make_shared<const DustVolume>(*dust);
+  kept_ = {ground_copies_.Of(*ground_), ShapesNow(), dust_copy_};
+  return *kept_;
 }
 
 std::vector<Pose> RigScene::BodiesBetween(double s) const {

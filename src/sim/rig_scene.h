@@ -5,10 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "render/gl/rasterizer.h"
+#include "render/gl/studios.h"
 #include "render/rays/ray_scene.h"
 #include "sensors/sampling.h"
 #include "sim/dust/site_dust.h"
+#include "sim/ground_copies.h"
 #include "sim/scene_assembly.h"
 #include "sim/world_state.h"
 
@@ -22,8 +23,9 @@ class RigScene : public SensedScene {
   RigScene(const SceneAssembly& assembly, int threads);
   ~RigScene() override;
 
-  /// For sensors that take pictures. Throws InputError where there is no way to draw.
-  void MakeRasterizer(const EglOptions& egl);
+  /// For sensors that take pictures, beside the run if `late`. Throws InputError where there is no
+  /// way to draw.
+  void OpenStudios(const EglOptions& egl, bool late);
   /// For sensors that cast rays.
   void MakeRayScene();
   /// For sensors that look back: from then on past poses are kept.
@@ -41,7 +43,8 @@ class RigScene : public SensedScene {
   std::vector<Pose> BodiesBetween(double s) const override;
   std::vector<Pose> BodiesAt(TimeNs t_ns) const override;
   SensedAir air() const override;
-  Rasterizer* rasterizer() const override { return rasterizer_.get(); }
+  KeptScene Keep() const override;
+  Studios* studios() const override { return studios_.get(); }
   RayScene* ray_scene() const override { return ray_scene_.get(); }
   int threads() const override { return threads_; }
 
@@ -54,12 +57,15 @@ class RigScene : public SensedScene {
 
   const SceneAssembly& assembly_;
   int threads_;
-  std::unique_ptr<Rasterizer> rasterizer_;
+  std::unique_ptr<Studios> studios_;
   std::unique_ptr<RayScene> ray_scene_;
   const Instant *before_ = nullptr, *after_ = nullptr;
   const TerrainSurface* ground_ = nullptr;
   mutable Shapes shapes_;  ///< of the step, if they are known
   mutable bool shapes_known_ = false;
+  mutable GroundCopies ground_copies_;
+  mutable std::optional<KeptScene> kept_;                ///< of the step, once it was asked for
+  mutable std::shared_ptr<const DustVolume> dust_copy_;  ///< the last one
   bool keeps_past_ = false;
   std::deque<Moment> history_;
   const Scenario* scenario_ = nullptr;  ///< of which the air is followed

@@ -20,7 +20,8 @@ void PrintReport(const GenerateReport& report, const std::string& out) {
   };
   fmt::print("{}: {:.1f} s simulated in {:.1f} s, {} frames, {:.1f} MB\n", out, report.simulated_s,
              report.wall_s, report.frames, 1e-6 * static_cast<double>(report.bytes));
-  const double measured_s = report.physics_s + report.soil_s + report.camera_s + report.lidar_s;
+  const double measured_s =
+      report.physics_s + report.soil_s + report.camera_wait_s + report.lidar_s;
   fmt::print("  stage          wall s   real time\n");
   const std::pair<const char*, double> stages[] = {{"physics", report.physics_s},
                                                    {"soil", report.soil_s},

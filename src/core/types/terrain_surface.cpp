@@ -144,4 +144,31 @@ void TerrainSurface::Set(int i, int j, const Vertex& vertex) {
   blocks_[block_of_[slot.tile]][slot.local] = vertex;
 }
 
+void TerrainSurface::Follow(const TerrainSurface& other) {
+  const auto is_of = [&](const TerrainSurface& ground) {
+    return static_cast<const TerrainGrid&>(*this) == ground && base_cells_ == ground.base_cells_ &&
+           base_height_m_ == ground.base_height_m_ && tile_cover_ == ground.tile_cover_;
+  };
+  if (!is_of(other)) {
+    *this = other;
+    return;
+  }
+  grains_ = other.grains_;
+  for (std::size_t tile = 0; tile < version_.size(); ++tile) {
+    if (version_[tile] == other.version_[tile]) continue;
+    version_[tile] = other.version_[tile];
+    const std::int32_t from = other.block_of_[tile];
+    std::int32_t& to = block_of_[tile];
+    if (from < 0) {
+      to = -1;
+      continue;
+    }
+    if (to < 0) {
+      blocks_.emplace_back();
+      to = static_cast<std::int32_t>(blocks_.size()) - 1;
+    }
+    blocks_[to] = other.blocks_[from];
+  }
+}
+
 }  // namespace tera

@@ -89,6 +89,9 @@ class TerrainSurface : public TerrainGrid {
   void SetGrains(std::vector<Grain> grains) { grains_ = std::move(grains); }
 
   void Set(int i, int j, const Vertex& vertex);
+  /// Becomes what `other` is, at the cost of the tiles whose versions differ: where both have been
+  /// the same ground, at whatever moments, of what changed between them.
+  void Follow(const TerrainSurface& other);
   /// Gives each vertex of tile (a, b) and of its border its own place.
   void Refine(int a, int b);
   bool IsRefined(int a, int b) const { return block_of_[tile_index(a, b)] >= 0; }

@@ -24,6 +24,10 @@ class MeasurementSink {
   /// next frame will truly come, whatever the sensor's clock says.
   virtual bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs next_ns) const = 0;
   virtual void MarkPresent(ChannelId channel, TimeNs t_ns) = 0;
+
+  /// Whether a frame may come after other channels' measurements of later times, so that it can be
+  /// measured while the run goes on.
+  virtual bool TakesFramesLate() const { return false; }
 };
 
 }  // namespace tera

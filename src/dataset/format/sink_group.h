@@ -7,7 +7,7 @@
 namespace tera {
 
 /// Several sinks as one: each gets every channel and every measurement. A frame is needed when any
-/// of them needs it, and then goes to all.
+/// of them needs it, and then goes to all; none comes late.
 class SinkGroup : public MeasurementSink {
  public:
   /// The sinks must outlive the group.

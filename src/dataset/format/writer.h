@@ -46,6 +46,7 @@ class DatasetWriter : public MeasurementSink {
   /// False when resuming and the files of this channel's frame at `t_ns` are whole already.
   bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs next_ns) const override;
   void MarkPresent(ChannelId channel, TimeNs t_ns) override;
+  bool TakesFramesLate() const override { return true; }
 
   /// Where to put a file of another kind (truth/terrain/*.tif); its folder exists.
   std::filesystem::path PathFor(const std::string& relative);

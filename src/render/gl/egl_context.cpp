@@ -73,7 +73,7 @@ std::vector<Candidate> Candidates(int wanted_device) {
   return candidates;
 }
 
-/// Held while any context is current, made or destroyed.
+/// Held while a context that draws in software is current, and while any is made or destroyed.
 std::mutex& Turn() {
   static std::mutex turn;
   return turn;
@@ -99,6 +99,11 @@ std::string GlText(GLenum name) {
   return text == nullptr ? "unknown" : reinterpret_cast<const char*>(text);
 }
 
+/// Mesa's renderers by what GL_RENDERER begins with.
+bool DrawsInSoftware(const std::string& renderer) {
+  return renderer.starts_with("llvmpipe") || renderer.starts_with("softpipe");
+}
+
 }  // namespace
 
 EglContext::EglContext(const EglOptions& options) {
@@ -119,10 +124,12 @@ EglContext::EglContext(const EglOptions& options) {
         "renderer (Debian: libegl1 libegl-mesa0 libgl1-mesa-dri) or a GPU driver with EGL",
         tried.empty() ? "none available" : tried));
   }
+  info_.is_software = true;  // until it is known
   const Current current(*this);
   info_.vendor = GlText(GL_VENDOR);
   info_.renderer = GlText(GL_RENDERER);
   info_.version = GlText(GL_VERSION);
+  info_.is_software = DrawsInSoftware(info_.renderer);
 }
 
 EglContext::~EglContext() {
@@ -132,14 +139,16 @@ EglContext::~EglContext() {
 }
 
 EglContext::Current::Current(const EglContext& context)
-    : display_(context.display_), context_(context.context_) {
+    : display_(context.display_),
+      context_(context.context_),
+      takes_turns_(context.info_.is_software) {
   Take();
 }
 
 EglContext::Current::~Current() { Release(); }
 
 void EglContext::Current::Take() {
-  Turn().lock();
+  if (takes_turns_) Turn().lock();
   is_taken_ = true;
   eglBindAPI(EGL_OPENGL_API);
   const bool made = eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_);
@@ -150,7 +159,7 @@ void EglContext::Current::Release() {
   if (!is_taken_) return;
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   is_taken_ = false;
-  Turn().unlock();
+  if (takes_turns_) Turn().unlock();
 }
 
 }  // namespace tera

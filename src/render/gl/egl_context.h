@@ -19,9 +19,9 @@ class EglContext {
 
   const GlInfo& info() const { return info_; }
 
-  /// Makes the context current for a scope. All contexts of the process take turns: Mesa's software
-  /// renderer (22.3) crashes now and then where two contexts of one display draw at once, and uses
-  /// every core for one anyway.
+  /// Makes the context current for a scope. Contexts that draw in software take turns, one at a
+  /// time in the process: Mesa's renderer (22.3) crashes now and then where two contexts of one
+  /// display draw at once, and uses every core for one anyway.
   class Current {
    public:
     explicit Current(const EglContext& context);
@@ -35,6 +35,7 @@ class EglContext {
    private:
     void* display_;
     void* context_;
+    bool takes_turns_;
     bool is_taken_ = false;
   };
 

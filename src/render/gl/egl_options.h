@@ -14,6 +14,7 @@ struct EglOptions {
 struct GlInfo {
   std::string egl_platform;  ///< "device 0" or "surfaceless"
   std::string vendor, renderer, version;
+  bool is_software = false;  ///< drawn by the processor
 };
 
 }  // namespace tera

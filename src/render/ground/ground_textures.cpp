@@ -41,7 +41,17 @@ GroundTextures::Pyramid::Pyramid(int width, int height, bool holds_signed)
                         Wrap::kClamp, static_cast<int>(levels.size()));
 }
 
-void GroundTextures::Pyramid::Shrink(int level, const TexelWindow& window) {
+void GroundTextures::Pyramid::Shrink(int level, const TexelWindow& window, Workers* workers) {
+  constexpr int kLeastTexels = 2048;
+  const auto rows = static_cast<std::size_t>(window.j1 - window.j0);
+  const auto least = static_cast<std::size_t>(kLeastTexels / (window.i1 - window.i0) + 1);
+  workers->ForRanges(rows, least, [&](std::size_t begin, std::size_t end) {
+    ShrinkRows(level, {window.i0, window.j0 + static_cast<int>(begin), window.i1,
+                       window.j0 + static_cast<int>(end)});
+  });
+}
+
+void GroundTextures::Pyramid::ShrinkRows(int level, const TexelWindow& window) {
   const Level& fine = levels[level - 1];
   Level& coarse = levels[level];
   for (int j = window.j0; j < window.j1; ++j) {
@@ -57,9 +67,8 @@ void GroundTextures::Pyramid::Shrink(int level, const TexelWindow& window) {
             sum += is_signed ? static_cast<std::int8_t>(t) : t;
           }
         }
-        const int mean = static_cast<int>(std::floor((sum + 2) / 4.0));
         coarse.texels[(static_cast<std::size_t>(j) * coarse.width + i) * 4 + k] =
-            static_cast<std::uint8_t>(mean);
+            static_cast<std::uint8_t>((sum + 2) >> 2);  // rounded, also below 0
       }
     }
   }
@@ -74,7 +83,7 @@ void GroundTextures::Pyramid::Upload(int level, const TexelWindow& w) const {
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
-void GroundTextures::Pyramid::Send(TexelWindow w) {
+void GroundTextures::Pyramid::Send(TexelWindow w, Workers* workers) {
   Upload(0, w);
   for (int level = 1; level < static_cast<int>(levels.size()); ++level) {
     const Level& l = levels[level];
@@ -82,7 +91,7 @@ void GroundTextures::Pyramid::Send(TexelWindow w) {
     w.j0 = std::min(w.j0 / 2, l.height - 1);
     w.i1 = std::clamp((w.i1 + 1) / 2, w.i0 + 1, l.width);
     w.j1 = std::clamp((w.j1 + 1) / 2, w.j0 + 1, l.height);
-    Shrink(level, w);
+    Shrink(level, w, workers);
     Upload(level, w);
   }
 }
@@ -210,8 +219,8 @@ void GroundTextures::Update(const TerrainSurface& terrain, const std::vector<Til
   if (!painted_) dirty = {{0, 0, heights_.width(), heights_.height()}};
   painted_ = true;
   for (const TexelWindow& window : Gathered(dirty, kTexelsOfAWindow)) {
-    albedo_.Send(window);
-    shape_.Send(window);
+    albedo_.Send(window, workers);
+    shape_.Send(window, workers);
   }
   SendShadow(shadow_.Update(heights_, risen));
 }

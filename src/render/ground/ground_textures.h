@@ -61,10 +61,11 @@ class GroundTextures {
     Pyramid() = default;
     Pyramid(int width, int height, bool holds_signed);
     /// Remakes smaller levels below the texels and sends them.
-    void Send(TexelWindow window);
+    void Send(TexelWindow window, Workers* workers);
 
    private:
-    void Shrink(int level, const TexelWindow& window);
+    void Shrink(int level, const TexelWindow& window, Workers* workers);
+    void ShrinkRows(int level, const TexelWindow& window);
     void Upload(int level, const TexelWindow& window) const;
   };
 

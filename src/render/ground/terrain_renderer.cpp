@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/check.h"
 #include "render/ground/ground_cover.h"
@@ -60,34 +61,49 @@ void TerrainRenderer::Update(const TerrainSurface& terrain) {
       Tile& tile = tiles_[terrain.tile_index(a, b)];
       if (tile.version == version) continue;
       tile.version = version;
-      UploadTile(terrain, a, b);
       changed.push_back({a, b});
       border = border || terrain.IsBorderTile(a, b);
-      ++uploaded_tiles_;
     }
   }
+  UploadTiles(terrain, changed);
   textures_.Update(terrain, changed, workers_);
   if (border) apron_.Update(terrain);
 }
 
-void TerrainRenderer::UploadTile(const TerrainSurface& terrain, int a, int b) {
-  Tile& tile = tiles_[terrain.tile_index(a, b)];
-  const TileGrid grid(terrain, a, b);
-  const int pool = grid.step_cells == 1 ? 0 : 1;
-  if (tile.pool != pool) {
-    tile.pool = pool;
-    tile.place = pools_[pool].Add();
+/// Threads share what follows from the heights; one sends it.
+void TerrainRenderer::UploadTiles(const TerrainSurface& terrain,
+                                  const std::vector<TileIndex>& changed) {
+  std::vector<std::optional<TileGrid>> grids(changed.size());
+  workers_->ForRanges(changed.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const TileIndex& t = changed[k];
+      grids[k].emplace(terrain, t.x, t.y);
+      tiles_[terrain.tile_index(t.x, t.y)].Measure(*grids[k]);
+    }
+  });
+  for (std::size_t k = 0; k < changed.size(); ++k) {
+    Tile& tile = tiles_[terrain.tile_index(changed[k].x, changed[k].y)];
+    const int pool = grids[k]->step_cells == 1 ? 0 : 1;
+    if (tile.pool != pool) {
+      tile.pool = pool;
+      tile.place = pools_[pool].Add();
+    }
+    pools_[pool].Send(tile.place, *grids[k]);
+    ++uploaded_tiles_;
   }
-  pools_[pool].Send(tile.place, grid);
+}
+
+/// Takes over the box and the errors of coarser strides.
+void TerrainRenderer::Tile::Measure(const TileGrid& grid) {
   Eigen::AlignedBox3f box;
   for (const Eigen::Vector3f& p : grid.vertices_W_m) box.extend(p);
-  tile.box_W_m = box.cast<double>();
+  box_W_m = box.cast<double>();
   for (std::size_t s = 0; s < kTileStrides.size(); ++s) {
     const int stride = kTileStrides[s];
     const bool coarser = stride > grid.step_cells && stride % grid.step_cells == 0;
-    tile.error_m[s] = coarser                     ? grid.StrideError_m(stride)
-                      : stride == grid.step_cells ? 0
-                                                  : std::numeric_limits<float>::infinity();
+    error_m[s] = coarser                     ? grid.StrideError_m(stride)
+                 : stride == grid.step_cells ? 0
+                                             : std::numeric_limits<float>::infinity();
   }
 }
 

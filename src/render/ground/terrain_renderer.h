@@ -41,11 +41,12 @@ class TerrainRenderer {
     Eigen::AlignedBox3d box_W_m;
     std::array<float, kTileStrides.size()> error_m{};  ///< infinite where a stride does not fit
 
+    void Measure(const TileGrid& grid);
     int StrideFor(double distance_m, double fy_px) const;
   };
 
   void Restart(const TerrainSurface& terrain);
-  void UploadTile(const TerrainSurface& terrain, int a, int b);
+  void UploadTiles(const TerrainSurface& terrain, const std::vector<TileIndex>& changed);
   void DrawTiles(const View& view) const;
   void DrawApron(const View& view) const;
 

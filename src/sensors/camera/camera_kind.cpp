@@ -1,7 +1,13 @@
 #include <fmt/format.h>
 
+#include <chrono>
+#include <deque>
+#include <future>
+#include <optional>
 #include <utility>
+#include <vector>
 
+#include "render/gl/studios.h"
 #include "sensors/camera/camera_view.h"
 #include "sensors/sensor.h"
 #include "sensors/slots/frame_slots.h"
@@ -13,11 +19,14 @@ namespace tera {
 namespace {
 
 /// A picture is taken when its last row is complete, over the ground of then.
+///
+/// Model   it is ordered in a studio, and written when it is there: in a later step where studios
+///         work beside the run. A picture of many instants is waited for.
 class CameraSampler : public SensorSampler {
  public:
   explicit CameraSampler(const SensorPlace& place)
-      : camera_(std::get<CameraModel>(place.sensor.model), place.sensor.clock,
-                place.sensor.latency_ns, place.seed, place.folder),
+      : cameras_(1, Camera(std::get<CameraModel>(place.sensor.model), place.sensor.clock,
+                           place.sensor.latency_ns, place.seed, place.folder)),
         slots_(place.sensor.effects, place.seed, place.folder),
         clock_(place.sensor.clock),
         output_(place.output) {
@@ -27,51 +36,104 @@ class CameraSampler : public SensorSampler {
   }
 
   void Sample(const SensedStep& step) override {
+    while (!ordered_.empty() && IsThere(ordered_.front())) WriteFirst();
     if (LooksBack()) X_WS_.Append(step.t1_ns, step.after.links[link_].X_WB * X_BT_);
-    for (; clock_.Due(next_) + camera_.Reach() <= step.t1_ns; ++next_) Take(step);
+    for (; clock_.Due(next_) + camera().Reach() <= step.t1_ns; ++next_) Take(step);
     if (LooksBack()) X_WS_.DropBefore(Opens_ns());
   }
+  void Finish(const SensedStep&) override { WriteAllBut(0); }
 
-  bool LooksBack() const override { return camera_.Reach() > 0; }
+  bool LooksBack() const override { return camera().Reach() > 0; }
   TimeNs SceneNeededSince(TimeNs now_ns) const override {
     return LooksBack() ? std::min(Opens_ns(), now_ns) : now_ns;
   }
 
  private:
-  /// When the shutter opens for the next picture.
-  TimeNs Opens_ns() const { return clock_.Due(next_) - camera_.Reach(); }
+  /// A picture that is not written yet.
+  struct Ordered {
+    ReportClock::Times times;
+    bool is_needed;
+    KeptScene scene = {};                 ///< that `frame` looks at
+    std::future<CameraFrame> frame = {};  ///< none where nobody needs it
+  };
 
-  SeenScene SceneAtTime(const SensedStep& step, TimeNs t_ns) const {
-    SeenScene seen;
-    seen.state.t_ns = t_ns;
-    seen.state.terrain = &step.scene.ground();
-    seen.state.shapes = step.scene.ShapesNow();
-    seen.state.dust = step.scene.air().dust;
-    if (LooksBack()) {
-      seen.X_WC = X_WS_.At(t_ns) * OpticalInSensor();
-      seen.state.X_WB = step.scene.BodiesAt(t_ns);
-    } else {
-      const double s = step.FractionAt(t_ns);
-      seen.X_WC = step.LinkAt(link_, s) * X_BT_ * OpticalInSensor();
-      seen.state.X_WB = step.scene.BodiesBetween(s);
-    }
-    return seen;
-  }
+  const Camera& camera() const { return cameras_.front(); }
+  /// When the shutter opens for the next picture.
+  TimeNs Opens_ns() const { return clock_.Due(next_) - camera().Reach(); }
 
   void Take(const SensedStep& step) {
     const ReportClock::Times times = slots_.Stamp(next_, clock_.Due(next_));
-    const bool is_needed =
-        output_.sink->NeedsFrame(output_.channel, times.t_ns, clock_.Due(next_ + 1));
-    if (!is_needed) output_.sink->MarkPresent(output_.channel, times.t_ns);
-    if (!is_needed && !camera_.HasMemory()) return;
-    CameraFrame frame = camera_.Measure(
-        next_, [&](TimeNs t_ns) { return SceneAtTime(step, t_ns); }, step.scene.rasterizer());
-    if (!is_needed) return;
-    slots_.Apply(next_, times, &frame);
-    output_.sink->Write(output_.channel, std::move(frame));
+    Ordered picture{times,
+                    output_.sink->NeedsFrame(output_.channel, times.t_ns, clock_.Due(next_ + 1))};
+    if (picture.is_needed || camera().HasMemory()) Order(step, &picture);
+    ordered_.push_back(std::move(picture));
+    const bool is_late = step.scene.studios()->work_beside() && !LooksBack();
+    WriteAllBut(is_late ? cameras_.size() + 1 : 0);  // so that no studio waits for orders
   }
 
-  Camera camera_;
+  /// A camera with a memory keeps to one studio. Any other goes from one to the next, and there is
+  /// one of it for each.
+  void Order(const SensedStep& step, Ordered* picture) {
+    Studios& studios = *step.scene.studios();
+    if (!first_studio_) first_studio_ = studios.NextForACamera();
+    if (!camera().HasMemory()) cameras_.resize(studios.count(), camera());
+    const std::size_t turn = static_cast<std::size_t>(next_) % cameras_.size();
+    picture->scene = step.scene.Keep();
+    picture->frame =
+        studios.Take((*first_studio_ + turn) % studios.count(),
+                     [this, k = next_, &camera = cameras_[turn], times = picture->times,
+                      scene_at = ScenesOf(step, picture->scene)](Rasterizer* rasterizer) {
+                       CameraFrame frame = camera.Measure(k, scene_at, rasterizer);
+                       slots_.Apply(k, times, &frame);
+                       return frame;
+                     });
+  }
+
+  /// Of a camera that looks back they are good for as long as the step, else for as long as `kept`.
+  SceneAt ScenesOf(const SensedStep& step, const KeptScene& kept) const {
+    SeenScene seen;
+    seen.state.terrain = kept.ground.get();
+    seen.state.shapes = kept.shapes;
+    seen.state.dust = kept.dust.get();
+    if (LooksBack()) {
+      return [this, &step, seen](TimeNs t_ns) mutable {
+        seen.state.t_ns = t_ns;
+        seen.X_WC = X_WS_.At(t_ns) * OpticalInSensor();
+        seen.state.X_WB = step.scene.BodiesAt(t_ns);
+        return seen;
+      };
+    }
+    seen.state.t_ns = clock_.Due(next_);
+    const double s = step.FractionAt(seen.state.t_ns);
+    seen.X_WC = step.LinkAt(link_, s) * X_BT_ * OpticalInSensor();
+    seen.state.X_WB = step.scene.BodiesBetween(s);
+    return [seen](TimeNs) { return seen; };
+  }
+
+  static bool IsThere(const Ordered& picture) {
+    return !picture.frame.valid() ||
+           picture.frame.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  }
+
+  void WriteAllBut(std::size_t last) {
+    while (ordered_.size() > last) WriteFirst();
+  }
+
+  /// Waits for it.
+  void WriteFirst() {
+    Ordered picture = std::move(ordered_.front());
+    ordered_.pop_front();
+    CameraFrame frame;
+    if (picture.frame.valid()) frame = picture.frame.get();
+    if (picture.is_needed) {
+      output_.sink->Write(output_.channel, std::move(frame));
+    } else {
+      output_.sink->MarkPresent(output_.channel, picture.times.t_ns);
+    }
+  }
+
+  std::vector<Camera> cameras_;  ///< the same, for each studio where they can be apart
+  std::optional<std::size_t> first_studio_;
   FrameSlots slots_;
   SampleClock clock_;
   int link_ = 0;
@@ -79,6 +141,7 @@ class CameraSampler : public SensorSampler {
   SensorOutput output_;
   PoseTrack X_WS_;  ///< of a camera that looks back
   std::int64_t next_ = 0;
+  std::deque<Ordered> ordered_;
 };
 
 std::vector<Mechanism> CameraMechanisms() {

@@ -56,6 +56,7 @@ void RunToEnd(const Scenario& scenario, const std::string& resolved_yaml,
   report->physics_s = run.simulation().physics_wall_s();
   report->soil_s = run.simulation().soil_wall_s();
   report->camera_s = run.rig().camera_wall_s();
+  report->camera_wait_s = run.rig().camera_wait_s();
   report->lidar_s = run.rig().lidar_wall_s();
   report->frames = writer->frames_written();
   report->bytes = writer->bytes_written();

@@ -23,10 +23,13 @@ struct GenerateOptions {
   std::function<void(const GenerateProgress&)> progress;  ///< called now and then
 };
 
-/// Where the wall-clock time went.
+/// Where the wall-clock time went. Pictures may be taken beside the other stages: `camera_s` is
+/// that of the busiest of the threads that take them, `camera_wait_s` for how long they held up the
+/// run.
 struct GenerateReport {
   double simulated_s = 0, wall_s = 0;
-  double physics_s = 0, soil_s = 0, camera_s = 0, lidar_s = 0, other_sensors_s = 0;
+  double physics_s = 0, soil_s = 0, camera_s = 0, camera_wait_s = 0, lidar_s = 0,
+         other_sensors_s = 0;
   std::int64_t frames = 0, bytes = 0;
 };
 

@@ -125,5 +125,45 @@ TEST(TerrainSurface, ARefinedTileTakesMemoryForItselfAlone) {
   EXPECT_TRUE(copy.IsRefined(0, kTiles - 1));
 }
 
+void ExpectSame(const TerrainSurface& a, const TerrainSurface& b) {
+  for (int j = 0; j < a.ny; ++j) {
+    for (int i = 0; i < a.nx; ++i) ASSERT_EQ(a.at(i, j), b.at(i, j)) << i << " " << j;
+  }
+  for (int y = 0; y < a.tiles_y(); ++y) {
+    for (int x = 0; x < a.tiles_x(); ++x) {
+      EXPECT_EQ(a.tile_version(x, y), b.tile_version(x, y)) << x << " " << y;
+      EXPECT_EQ(a.IsRefined(x, y), b.IsRefined(x, y)) << x << " " << y;
+    }
+  }
+  EXPECT_EQ(a.grains().size(), b.grains().size());
+}
+
+// Also by a copy that has been behind for several changes, or has tiles in another order.
+TEST(TerrainSurface, ACopyFollowsWhatItWasCopiedFrom) {
+  TerrainSurface ground = Waves();
+  TerrainSurface early = ground, late;
+  late.Follow(ground);
+  ground.Set(120, 80, {1.5f, {.soil = 1, .looseness = 255}});
+  ground.SetGrains({{.radius_m = 0.1f}});
+  late.Follow(ground);
+  ExpectSame(late, ground);
+  ground.Set(50, 10, {-1, {.soil = 1}});  // on the border of two tiles
+  ground.Set(120, 80, {1.4f, {.soil = 1, .rut = 20}});
+  ground.SetGrains({});
+  late.Follow(ground);
+  early.Follow(ground);
+  ExpectSame(late, ground);
+  ExpectSame(early, ground);
+  ground.Set(51, 10, {-2, {.soil = 1}});
+  EXPECT_NE(late.height_m(51, 10), -2) << "a copy of its own";
+}
+
+TEST(TerrainSurface, FollowsAnotherGroundAltogether) {
+  TerrainSurface ground = Waves();
+  ground.Set(3, 4, {7, {}});
+  ground.Follow(Small());
+  ExpectSame(ground, Small());
+}
+
 }  // namespace
 }  // namespace tera

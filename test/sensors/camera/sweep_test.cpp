@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "core/error.h"
 #include "core/units.h"
+#include "render/gl/studios.h"
 #include "render/hand_made_scene.h"
 #include "sensors/camera/camera.h"
 #include "sensors/gnss/site_frame.h"
@@ -194,7 +196,8 @@ class FrameKeeper : public MeasurementSink {
 /// A square that passes at 4 m/s, as the scene of a step.
 class PassingScene : public SensedScene {
  public:
-  explicit PassingScene(Rasterizer* rasterizer) : rasterizer_(rasterizer) {}
+  explicit PassingScene(const SceneModel& model)
+      : studios_(std::make_unique<Studios>(model, EglOptions{}, 1, 0)) {}
   const TerrainSurface& ground() const override { return ground_; }
   Shapes ShapesNow() const override { return {}; }
   std::vector<Pose> BodiesBetween(double) const override {
@@ -204,12 +207,12 @@ class PassingScene : public SensedScene {
   std::vector<Pose> BodiesAt(TimeNs t_ns) const override {
     return {MakePose({4 * ToSeconds(t_ns), kDistance_m, 40}, 0, 0, 90 * kDeg)};
   }
-  Rasterizer* rasterizer() const override { return rasterizer_; }
+  Studios* studios() const override { return studios_.get(); }
   RayScene* ray_scene() const override { return nullptr; }
   int threads() const override { return 1; }
 
  private:
-  Rasterizer* rasterizer_;
+  std::unique_ptr<Studios> studios_;
   TerrainSurface ground_ = testing::Ground(11, 11, 1.0, -5, [](double, double) { return 0.0; });
 };
 
@@ -228,7 +231,7 @@ TEST_F(SquareThatPasses, ASamplerTakesAPictureWhenItsLastRowIsComplete) {
   const auto sampler = KindOf(sensor).sampler({sensor, {sensor}, machine, "m/s", 1, {&sink, 0}});
   EXPECT_TRUE(sampler->LooksBack());
   const SiteFrame site(46.78, -71.27, 90);
-  const PassingScene scene(&rasterizer_);
+  const PassingScene scene(model_);
   const SampleClock steps{.rate_hz = 200};
   const auto state_at = [&](std::int64_t k) {
     MachineState state;
