@@ -137,6 +137,37 @@ float SkyView::Factor(const HeightTexels& heights, int i, int j) const {
   return sum / directions_.size();
 }
 
+void SkyView::Factors(const HeightTexels& heights, const TexelRow& row, float* factors) const {
+  const int reach = reach_texels_;
+  const bool is_inner = row.j >= reach && row.j + reach < heights.height();
+  const int begin = is_inner ? std::clamp(reach, row.i0, row.i1) : row.i1;
+  const int end = std::clamp(heights.width() - reach, begin, row.i1);
+  for (int i = row.i0; i < begin; ++i) factors[i - row.i0] = Factor(heights, i, row.j);
+  for (int i = begin; i < end; i += kAtOnce) {
+    InnerFactors(heights, i, row.j, std::min(kAtOnce, end - i), factors + (i - row.i0));
+  }
+  for (int i = end; i < row.i1; ++i) factors[i - row.i0] = Factor(heights, i, row.j);
+}
+
+/// Of texels whose samples lie within the ground: what Factor does, for all of them in each step.
+void SkyView::InnerFactors(const HeightTexels& heights, int i, int j, int count,
+                           float* factors) const {
+  const float* here_m = heights.from(i, j);
+  std::array<float, kAtOnce> sum{}, steepest;
+  for (const auto& samples : directions_) {
+    steepest.fill(0);
+    for (const Sample& s : samples) {
+      const float* there_m = heights.from(i + s.di, j + s.dj);
+      for (int k = 0; k < count; ++k) {
+        const float tangent = (there_m[k] - here_m[k]) / s.distance_m;
+        steepest[k] = std::max(steepest[k], tangent);
+      }
+    }
+    for (int k = 0; k < count; ++k) sum[k] += 1.0f / (1.0f + steepest[k] * steepest[k]);
+  }
+  for (int k = 0; k < count; ++k) factors[k] = sum[k] / directions_.size();
+}
+
 /// Walks the grid so that the line that casts shadow on a line is done before it.
 struct GroundShadow::Sweep {
   bool along_x;       ///< lines are columns (constant i), else rows (constant j)

@@ -45,6 +45,8 @@ class HeightTexels {
   std::size_t index(int i, int j) const { return static_cast<std::size_t>(j) * width_ + i; }
   float at(int i, int j) const { return height_m_[index(i, j)]; }
   float at(std::size_t k) const { return height_m_[k]; }
+  /// The texel and those after it.
+  const float* from(int i, int j) const { return &height_m_[index(i, j)]; }
   /// Texels of tile (a, b) and of its border.
   TexelWindow Of(int a, int b) const;
   /// Takes over the heights there; returns where they were others before.
@@ -69,6 +71,8 @@ class SkyView {
   SkyView() = default;
   explicit SkyView(double texel_m);
   float Factor(const HeightTexels& heights, int i, int j) const;
+  /// Those of a row, one after the other, from its first texel on.
+  void Factors(const HeightTexels& heights, const TexelRow& row, float* factors) const;
   /// Heights further away than this along either axis change nothing.
   int reach_texels() const { return reach_texels_; }
 
@@ -77,6 +81,9 @@ class SkyView {
     int di = 0, dj = 0;
     float distance_m = 1;
   };
+  static constexpr int kAtOnce = 64;
+  void InnerFactors(const HeightTexels& heights, int i, int j, int count, float* factors) const;
+
   std::array<std::array<Sample, 5>, 8> directions_;
   int reach_texels_ = 0;
 };

@@ -142,7 +142,7 @@ TexelWindow GroundTextures::ReadCovers(const TerrainSurface& terrain, const Texe
   return changed;
 }
 
-void GroundTextures::PaintTexel(int i, int j) {
+void GroundTextures::PaintTexel(int i, int j, float sky) {
   const TerrainSurface::Cover cover = cover_[heights_.index(i, j)];
   const SoilAppearance& soil = soils_[std::min<std::size_t>(cover.soil, soils_.size() - 1)];
   const bool is_water = IsUnderWater(heights_.index(i, j));
@@ -157,7 +157,7 @@ void GroundTextures::PaintTexel(int i, int j) {
     const Vec2 p_W_m = origin_W_m_ + heights_.texel_m() * Vec2(i, j);
     bare = paint_->Over(bare, p_W_m.x(), p_W_m.y(), heights_.at(i, j), loose);
   }
-  albedo[3] = Unorm8(sky_view_.Factor(heights_, i, j));
+  albedo[3] = Unorm8(sky);
 
   const int il = std::max(i - 1, 0), ir = std::min(i + 1, heights_.width() - 1);
   const int jl = std::max(j - 1, 0), jr = std::min(j + 1, heights_.height() - 1);
@@ -188,8 +188,12 @@ void GroundTextures::Paint(const std::vector<TexelWindow>& windows, Workers* wor
   const std::vector<TexelRow> rows = RowsOf(windows);
   constexpr std::size_t kLeastRows = 8;
   workers->ForRanges(rows.size(), kLeastRows, [&](std::size_t begin, std::size_t end) {
+    std::vector<float> sky;
     for (std::size_t r = begin; r < end; ++r) {
-      for (int i = rows[r].i0; i < rows[r].i1; ++i) PaintTexel(i, rows[r].j);
+      const TexelRow& row = rows[r];
+      sky.resize(static_cast<std::size_t>(row.i1 - row.i0));
+      sky_view_.Factors(heights_, row, sky.data());
+      for (int i = row.i0; i < row.i1; ++i) PaintTexel(i, row.j, sky[i - row.i0]);
     }
   });
 }

@@ -71,7 +71,8 @@ class GroundTextures {
 
   TexelWindow ReadCovers(const TerrainSurface& terrain, const TexelWindow& window);
   void Paint(const std::vector<TexelWindow>& windows, Workers* workers);
-  void PaintTexel(int i, int j);
+  /// `sky` is the share of its light that reaches the texel.
+  void PaintTexel(int i, int j, float sky);
   bool IsUnderWater(std::size_t texel) const;
   void SendShadow(const TexelWindow& window) const;
 

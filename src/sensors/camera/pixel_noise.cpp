@@ -15,12 +15,15 @@ class NormalQuantiles {
  public:
   static constexpr int kBits = bits;
 
-  NormalQuantiles() {
+  explicit NormalQuantiles(Workers* workers) {
+    constexpr std::size_t kLeastOfThread = 256;
+    workers->ForRanges(values_.size(), kLeastOfThread, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        values_[i] = static_cast<float>(Quantile((i + 0.5) / values_.size()));
+      }
+    });
     double squares = 0;
-    for (std::size_t i = 0; i < values_.size(); ++i) {
-      values_[i] = static_cast<float>(Quantile((i + 0.5) / values_.size()));
-      squares += values_[i] * values_[i] / values_.size();
-    }
+    for (const float v : values_) squares += v * v / values_.size();
     for (float& v : values_) v /= static_cast<float>(std::sqrt(squares));
   }
   float operator[](std::uint64_t part) const { return values_[part & (values_.size() - 1)]; }
@@ -61,7 +64,7 @@ void ForEachDraw(const UniformBits& noise, std::uint64_t first, std::size_t pixe
 /// wherever noise is drawn often.
 void AddDisparityNoise(double scale_1pm, const UniformBits& noise, std::uint64_t first,
                        const Image<float>& dust, Workers* workers, Image<float>* depth_m) {
-  static const NormalQuantiles<16> normal;
+  static const NormalQuantiles<16> normal(workers);
   constexpr int kUnused = UniformBits::kBits - normal.kBits;
   const auto scale = static_cast<float>(scale_1pm);
   ForEachDraw(noise, first, depth_m->data.size(), workers, [&](std::size_t i, std::uint64_t draw) {
@@ -78,7 +81,7 @@ void AddDisparityNoise(double scale_1pm, const UniformBits& noise, std::uint64_t
 /// pixel come from one draw.
 void AddRgbNoise(double sigma, const UniformBits& noise, std::uint64_t first, Workers* workers,
                  Image<std::uint8_t>* rgb) {
-  static const NormalQuantiles<12> normal;
+  static const NormalQuantiles<12> normal(workers);
   constexpr float kMaxValue = 255.0f;
   constexpr int kUnused = UniformBits::kBits - 48;
   const auto gain = static_cast<float>(sigma);

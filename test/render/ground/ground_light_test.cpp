@@ -127,6 +127,33 @@ TEST(SkyView, OfLevelGroundIsWhole) {
   EXPECT_FLOAT_EQ(SkyView(kCell_m).Factor(texels, 20, 20), 1.0f);
 }
 
+// Also at borders, beyond which samples lie, and over more texels than are done at a time.
+TEST(SkyView, OfARowIsThatOfEachOfItsTexels) {
+  TerrainSurface ground({.origin_W_m = Vec2::Zero(), .cell_m = kCell_m, .nx = 181, .ny = 61});
+  for (int j = 0; j < ground.ny; ++j) {
+    for (int i = 0; i < ground.nx; ++i) {
+      const double height_m = 0.3 * std::sin(0.3 * i) * std::cos(0.4 * j) + 0.1 * std::sin(2.0 * i);
+      ground.Set(i, j, {.height_m = static_cast<float>(height_m), .cover = {}});
+    }
+  }
+  const HeightTexels texels = Texels(ground);
+  const SkyView sky(kCell_m);
+  for (const TexelRow& row : {TexelRow{30, 0, 181},
+                              {2, 0, 181},
+                              {60, 5, 90},
+                              {31, 20, 21},
+                              {30, 40, 130},
+                              {29, 0, 3},
+                              {28, 175, 181}}) {
+    std::vector<float> factors(static_cast<std::size_t>(row.i1 - row.i0));
+    sky.Factors(texels, row, factors.data());
+    for (int i = row.i0; i < row.i1; ++i) {
+      EXPECT_EQ(factors[static_cast<std::size_t>(i - row.i0)], sky.Factor(texels, i, row.j))
+          << i << " " << row.j;
+    }
+  }
+}
+
 TEST(SkyView, AtTheFootOfAWallIsClosedInThreeOfEightDirections) {
   const HeightTexels texels = Texels(GroundWithWall());
   // cos2 of the horizon of a wall, seen from one cell straight ahead and aslant.
