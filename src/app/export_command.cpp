@@ -22,6 +22,8 @@ namespace {
 
 constexpr std::int64_t kBytesPerMb = 1'000'000;
 constexpr int kMostShardMb = 1'000'000;
+/// Threads where none are asked for: each holds two frames, some 50 MB of a large rig's.
+constexpr unsigned kMostByItself = 8;
 
 /// Between lines where standard error is no terminal.
 constexpr double kPipeLine_s = 10;
@@ -178,7 +180,8 @@ void AddExportCommand(CLI::App* app) {
   command->add_flag("--resume", arguments->options.resume,
                     "Go on with an export that was stopped, where the format is of many files; "
                     "begin it again where it is not");
-  arguments->options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  arguments->options.threads =
+      static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, kMostByItself));
   command->add_option("--threads", arguments->options.threads, "Frames at a time")
       ->check(WholeNumberBetween(1, 256));
   AddBagOptions(command, arguments.get());

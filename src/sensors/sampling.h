@@ -18,7 +18,7 @@ namespace tera {
 
 class RayScene;
 class SiteFrame;
-class Studios;
+class RasterizerPool;
 struct SensorDescription;
 
 /// What the air of a scene carries.
@@ -49,10 +49,10 @@ class SensedScene {
   virtual std::vector<Pose> BodiesAt(TimeNs t_ns) const = 0;
   /// The air at the end of the step.
   virtual SensedAir air() const { return {}; }
-  /// What of it stays as it is for as long as it is held: where studios work beside the run,
+  /// What of it stays as it is for as long as it is held: where rasterizers work beside the run,
   /// through later steps; else to the end of the step. To be let go by the thread that asked.
   virtual KeptScene Keep() const;
-  virtual Studios* studios() const = 0;
+  virtual RasterizerPool* rasterizers() const = 0;
   virtual RayScene* ray_scene() const = 0;
   /// Threads that rays may use; no measurement depends on it.
   virtual int threads() const = 0;

@@ -26,7 +26,7 @@ Rig::Rig(const Scenario& scenario, const SceneAssembly& assembly, const EglOptio
     }
   }
   if (Has(ChannelForm::kPictures) || Has(ChannelForm::kScans)) scene_.FollowAir(scenario);
-  if (Has(ChannelForm::kPictures)) scene_.OpenStudios(egl, sink->TakesFramesLate());
+  if (Has(ChannelForm::kPictures)) scene_.OpenRasterizers(egl, sink->TakesFramesLate());
   if (Has(ChannelForm::kScans)) scene_.MakeRayScene();
   if (std::any_of(units_.begin(), units_.end(),
                   [](const Unit& unit) { return unit.sampler->LooksBack(); })) {
@@ -35,7 +35,7 @@ Rig::Rig(const Scenario& scenario, const SceneAssembly& assembly, const EglOptio
 }
 
 double Rig::camera_wall_s() const {
-  return scene_.studios() != nullptr ? scene_.studios()->busy_s() : 0.0;
+  return scene_.rasterizers() != nullptr ? scene_.rasterizers()->busy_s() : 0.0;
 }
 
 bool Rig::Has(ChannelForm form) const {

@@ -37,13 +37,13 @@ class Rig {
   void SampleStart(const Instant& now, const TerrainSurface& ground);
   /// Samples everything that falls due in the step, its end included.
   void Sample(const WorldStep& step);
-  /// Writes the inertial samples that the last step left open, after the step that follows it, in
-  /// which nothing else is sampled.
+  /// Writes the pictures that are still being taken, and the inertial samples that the last step
+  /// left open, after the step that follows it, in which nothing else is sampled.
   void Finish(const WorldStep& step);
 
   /// For which pictures held up the run.
   double camera_wait_s() const { return WallOf(ChannelForm::kPictures); }
-  /// For which the busiest studio took pictures, which may be beside the run; after Finish.
+  /// For which the busiest rasterizer took pictures, which may be beside the run; after Finish.
   double camera_wall_s() const;
   double lidar_wall_s() const { return WallOf(ChannelForm::kScans); }
 
@@ -64,7 +64,7 @@ class Rig {
 
   SiteFrame site_;
   std::vector<Unit> units_;
-  RigScene scene_;
+  RigScene scene_;  ///< behind the units, so that its rasterizers, which use them, go first
   std::array<double, 3> wall_s_ = {};  ///< by form
 };
 

@@ -22,9 +22,9 @@ RigScene::RigScene(const SceneAssembly& assembly, int threads)
 RigScene::~RigScene() = default;
 
 /// With one thread pictures are taken by it.
-void RigScene::OpenStudios(const EglOptions& egl, bool late) {
-  const int beside = late && threads_ > 1 ? Studios::FittingCount(egl, threads_) : 0;
-  studios_ = std::make_unique<Studios>(assembly_.model(), egl, threads_, beside);
+void RigScene::OpenRasterizers(const EglOptions& egl, bool late) {
+  const int beside = late && threads_ > 1 ? RasterizerPool::FittingCount(egl, threads_) : 0;
+  rasterizers_ = std::make_unique<RasterizerPool>(assembly_.model(), egl, threads_, beside);
 }
 
 void RigScene::MakeRayScene() { ray_scene_ = std::make_unique<RayScene>(assembly_.model()); }
@@ -64,7 +64,7 @@ SensedAir RigScene::air() const {
 
 /// Copied once in a step, and only where pictures are taken beside the run.
 KeptScene RigScene::Keep() const {
-  if (!studios_->work_beside()) return SensedScene::Keep();
+  if (!rasterizers_->work_beside()) return SensedScene::Keep();
   if (kept_) return *kept_;
   const DustVolume* dust = air().dust;
   const bool is_new = dust != nullptr && (!dust_copy_ || dust_copy_->version != dust->version);

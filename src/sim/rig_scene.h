@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/gl/studios.h"
+#include "render/gl/rasterizer_pool.h"
 #include "render/rays/ray_scene.h"
 #include "sensors/sampling.h"
 #include "sim/dust/site_dust.h"
@@ -25,7 +25,7 @@ class RigScene : public SensedScene {
 
   /// For sensors that take pictures, beside the run if `late`. Throws InputError where there is no
   /// way to draw.
-  void OpenStudios(const EglOptions& egl, bool late);
+  void OpenRasterizers(const EglOptions& egl, bool late);
   /// For sensors that cast rays.
   void MakeRayScene();
   /// For sensors that look back: from then on past poses are kept.
@@ -44,7 +44,7 @@ class RigScene : public SensedScene {
   std::vector<Pose> BodiesAt(TimeNs t_ns) const override;
   SensedAir air() const override;
   KeptScene Keep() const override;
-  Studios* studios() const override { return studios_.get(); }
+  RasterizerPool* rasterizers() const override { return rasterizers_.get(); }
   RayScene* ray_scene() const override { return ray_scene_.get(); }
   int threads() const override { return threads_; }
 
@@ -57,7 +57,7 @@ class RigScene : public SensedScene {
 
   const SceneAssembly& assembly_;
   int threads_;
-  std::unique_ptr<Studios> studios_;
+  std::unique_ptr<RasterizerPool> rasterizers_;
   std::unique_ptr<RayScene> ray_scene_;
   const Instant *before_ = nullptr, *after_ = nullptr;
   const TerrainSurface* ground_ = nullptr;

@@ -33,7 +33,7 @@ class NoScene : public SensedScene {
   Shapes ShapesNow() const override { return {}; }
   std::vector<Pose> BodiesBetween(double) const override { return {}; }
   std::vector<Pose> BodiesAt(TimeNs) const override { return {}; }
-  Studios* studios() const override { return nullptr; }
+  RasterizerPool* rasterizers() const override { return nullptr; }
   RayScene* ray_scene() const override { return nullptr; }
   int threads() const override { return 1; }
 

@@ -26,7 +26,7 @@ class SceneOfARig : public testing::Test {
   void Open(int threads, bool late) {
     scene_.emplace(assembly_, threads);
     scene_->FollowAir(scenario_);
-    scene_->OpenStudios(EglOptions{}, late);
+    scene_->OpenRasterizers(EglOptions{}, late);
   }
   /// A step at whose end the ground is that high at one place.
   void Step(float height_m) {

@@ -1,12 +1,18 @@
 #include "dataset/files/frame_queue.h"
 
+#include <system_error>
+
 #include "core/check.h"
 
 namespace tera {
 
 FrameQueue::FrameQueue(int threads, int capacity) : capacity_(static_cast<std::size_t>(capacity)) {
   TERA_CHECK(threads >= 1 && capacity >= 1, threads, capacity);
-  for (int i = 0; i < threads; ++i) workers_.emplace_back([this] { Work(); });
+  try {
+    for (int i = 0; i < threads; ++i) workers_.emplace_back([this] { Work(); });
+  } catch (const std::system_error&) {
+    // The system has no more threads: those that there are do the work, or the caller's does.
+  }
 }
 
 FrameQueue::~FrameQueue() {
@@ -20,6 +26,7 @@ FrameQueue::~FrameQueue() {
 }
 
 void FrameQueue::Push(std::function<void()> job) {
+  if (workers_.empty()) return job();
   std::unique_lock lock(mutex_);
   room_or_end_.wait(lock, [this] { return failure_ || jobs_.size() < capacity_; });
   RethrowLocked();

@@ -14,7 +14,8 @@ namespace tera {
 ///
 /// Model   jobs start in the order given and may end in any; Push blocks while `capacity` jobs
 ///         wait. The first exception of a job is kept, later jobs are dropped unrun, and the next
-///         Push or Drain throws it on the caller's thread.
+///         Push or Drain throws it on the caller's thread. Where the system has fewer threads to
+///         give, these do the work; where it has none, Push does.
 class FrameQueue {
  public:
   FrameQueue(int threads, int capacity);

@@ -16,9 +16,10 @@ namespace tera {
 /// which it was given.
 ///
 /// Model   `threads` threads do the work; the caller's thread takes the results, within its calls.
-///         So what is taken, in which order, and which fault is thrown, is the same for any number
-///         of threads. While more than kPerThread pieces a thread are not taken, Give waits: no
-///         more of their results are in memory.
+///         So what is taken, in which order, and which fault of work is thrown, is the same for any
+///         number of threads; a fault of who gives the work may come before those of work that was
+///         given and not taken. While more than kPerThread pieces a thread are not taken, Give
+///         waits: no more of their results are in memory.
 template <typename Result>
 class InOrder {
  public:

@@ -100,7 +100,7 @@ double DurationOf_s(const ImportReport& report) {
 /// A log in the place of its mapping is the first mistake of many.
 void RequireNoLog(const std::filesystem::path& mapping) {
   const std::string ending = mapping.extension().string();
-  const bool is_table = ending == ".csv" || ending == ".tsv" || ending == ".txt";
+  const bool is_table = ending == ".csv" || ending == ".tsv";
   std::error_code ignored;
   if (!std::filesystem::exists(mapping, ignored)) return;
   if (!is_table && !LooksLikeBag(mapping) && TypeOfLog(mapping).empty()) return;

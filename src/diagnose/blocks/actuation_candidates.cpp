@@ -40,28 +40,23 @@ struct Reach {
   double largest_load_nm = 0;
   double lowest_rad = 0, highest_rad = 0;
   bool is_joint = false, has_stops = false, has_cylinder = false;
-  /// Angular frequency of the fastest swing that samples of the rate tell from a slower one: half
-  /// their rate (Shannon 1949).
-  double fastest_swing_radps = 0;
+  double nyquist_radps = 0;  ///< of the samples: faster swings look like slower ones (Shannon 1949)
 };
 
-/// The median interval between samples of an axis's rate; of the sensor that has the shortest.
-double Interval_s(const AxisLog& log, std::size_t axis) {
-  double shortest_s = std::numeric_limits<double>::infinity();
-  for (const MeasuredRate& measured : log.measured) {
-    if (measured.axis != axis || measured.at_step.size() < 2) continue;
-    std::vector<double> interval_s;
-    for (std::size_t k = 1; k < measured.at_step.size(); ++k) {
-      interval_s.push_back((measured.at_step[k] - measured.at_step[k - 1]) * log.step_s);
-    }
-    const auto middle = interval_s.begin() + static_cast<std::ptrdiff_t>(interval_s.size() / 2);
-    std::nth_element(interval_s.begin(), middle, interval_s.end());
-    shortest_s = std::min(shortest_s, *middle);
+/// The median interval between samples.
+double Interval_s(const MeasuredRate& measured, double step_s) {
+  std::vector<double> interval_s;
+  for (std::size_t k = 1; k < measured.at_step.size(); ++k) {
+    interval_s.push_back((measured.at_step[k] - measured.at_step[k - 1]) * step_s);
   }
-  return shortest_s;
+  if (interval_s.empty()) return std::numeric_limits<double>::infinity();
+  const auto middle = interval_s.begin() + static_cast<std::ptrdiff_t>(interval_s.size() / 2);
+  std::nth_element(interval_s.begin(), middle, interval_s.end());
+  return *middle;
 }
 
-Reach ReachOf(const MachineModel& model, const AxisLog& log, std::size_t axis) {
+Reach ReachOf(const MachineModel& model, const AxisLog& log, const MeasuredRate& measured) {
+  const std::size_t axis = measured.axis;
   Reach reach;
   reach.is_joint = axis < model.joints.size();
   if (reach.is_joint) {
@@ -78,7 +73,7 @@ Reach ReachOf(const MachineModel& model, const AxisLog& log, std::size_t axis) {
     reach.full_rate_radps = model.gear_drives[axis - model.joints.size()].max_rate_radps;
     reach.slower_rate_radps = reach.full_rate_radps;
   }
-  reach.fastest_swing_radps = std::numbers::pi / Interval_s(log, axis);
+  reach.nyquist_radps = std::numbers::pi / Interval_s(measured, log.step_s);
   reach.lowest_rad = reach.highest_rad = log.motion[axis].position_rad;
   for (std::size_t k = 0; k < log.steps; ++k) {
     const AxisMotion& motion = log.motion[k * log.axes + axis];
@@ -164,8 +159,8 @@ void AddActuator(const Reach& reach, double step_s, CandidateList* out) {
       "rate_limit",
       {{0, w / 5, w / kShortestRise_s, true}, {.index = 1, .upper = 2 * step_s, .refines = true}},
       {{w / 0.1, 0}, {w / 0.3, 0}, {w / 1, 0}});
-  if (reach.fastest_swing_radps > kSlowestRing_radps) {
-    const double most = std::min(60.0, reach.fastest_swing_radps);
+  if (reach.nyquist_radps > kSlowestRing_radps) {
+    const double most = std::min(60.0, reach.nyquist_radps);
     Candidate& ring = out->Add(
         "actuator_ring", {{0, kSlowestRing_radps, most, true}, {1, 0.5, 30, true}, {2, -1.5, 1.5}},
         StartsUpTo(most, {{20, 6, 0}, {12, 4, 0}, {28, 8, 0}, {8, 3, 0}}));
@@ -206,8 +201,8 @@ void AddGainAndLoad(const Reach& reach, CandidateList* out) {
   out->Add("pressure_droop", {{0, 0.5 * load, 30 * load, true}, {1, 0, 0.5}},
            {{8 * load, 0.05}, {3 * load, 0.05}, {1.5 * load, 0.05}});
   out->Add("sag", {{0, 2e-4, 0.15, true}}, {{0.003, 40}, {0.01, 40}, {0.04, 40}});
-  if (reach.is_joint && reach.fastest_swing_radps > kSlowestFlex_radps) {
-    const double most = std::min(80.0, reach.fastest_swing_radps);
+  if (reach.is_joint && reach.nyquist_radps > kSlowestFlex_radps) {
+    const double most = std::min(80.0, reach.nyquist_radps);
     // Steel and oil oscillate; what is damped more is a lag under another name.
     out->Add("structural_flex",
              {{0, kSlowestFlex_radps, most, true},
@@ -254,8 +249,10 @@ std::vector<Candidate> LossOfAxis(const MachineModel& model, std::size_t axis) {
 }
 
 std::vector<Candidate> CandidatesOfAxis(const MachineModel& model, const AxisLog& log,
-                                        std::size_t axis, const std::optional<PumpDemand>& pump) {
-  const Reach reach = ReachOf(model, log, axis);
+                                        const MeasuredRate& measured,
+                                        const std::optional<PumpDemand>& pump) {
+  const std::size_t axis = measured.axis;
+  const Reach reach = ReachOf(model, log, measured);
   CandidateList out = ListOf(model, axis);
   AddTimingAndMap(HoldStarts(log, axis), log.step_s, &out);
   AddActuator(reach, log.step_s, &out);

@@ -286,7 +286,7 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   // Other levers act on the axis through its position and load alone, which are measured.
   block.commands = {channel.variables[0].series};
   block.channels.push_back(std::move(channel));
-  block.candidates = CandidatesOfAxis(model, log, axis, replay.pump());
+  block.candidates = CandidatesOfAxis(model, log, fresh, replay.pump());
   block.of_chance = LossOfAxis(model, axis);
   block.replay = [replay, grid](const Structure& terms, std::size_t samples) {
     const AxisEffects effects = WithTerms(replay.effects(), terms);

@@ -4,6 +4,7 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cstring>
 #include <mutex>
 #include <optional>
@@ -99,9 +100,12 @@ std::string GlText(GLenum name) {
   return text == nullptr ? "unknown" : reinterpret_cast<const char*>(text);
 }
 
-/// Mesa's renderers by what GL_RENDERER begins with.
-bool DrawsInSoftware(const std::string& renderer) {
-  return renderer.starts_with("llvmpipe") || renderer.starts_with("softpipe");
+/// By Mesa's renderers in GL_RENDERER, which others that draw through them name as well: "zink
+/// Vulkan 1.3(llvmpipe ...)", "virgl (LLVMPIPE ...)".
+bool DrawsInSoftware(std::string renderer) {
+  for (char& c : renderer) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return renderer.find("llvmpipe") != std::string::npos ||
+         renderer.find("softpipe") != std::string::npos;
 }
 
 }  // namespace

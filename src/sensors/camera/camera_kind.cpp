@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "render/gl/studios.h"
+#include "render/gl/rasterizer_pool.h"
 #include "sensors/camera/camera_view.h"
 #include "sensors/sensor.h"
 #include "sensors/slots/frame_slots.h"
@@ -20,7 +20,8 @@ namespace {
 
 /// A picture is taken when its last row is complete, over the ground of then.
 ///
-/// Model   it is ordered in a studio, and written when it is there: in a later step where studios
+/// Model   it is ordered from a rasterizer, and written when it is there: in a later step where
+/// rasterizers
 ///         work beside the run. A picture of many instants is waited for.
 class CameraSampler : public SensorSampler {
  public:
@@ -67,26 +68,26 @@ class CameraSampler : public SensorSampler {
                     output_.sink->NeedsFrame(output_.channel, times.t_ns, clock_.Due(next_ + 1))};
     if (picture.is_needed || camera().HasMemory()) Order(step, &picture);
     ordered_.push_back(std::move(picture));
-    const bool is_late = step.scene.studios()->work_beside() && !LooksBack();
-    WriteAllBut(is_late ? cameras_.size() + 1 : 0);  // so that no studio waits for orders
+    const bool is_late = step.scene.rasterizers()->work_beside() && !LooksBack();
+    WriteAllBut(is_late ? cameras_.size() + 1 : 0);  // so that no rasterizer waits for orders
   }
 
-  /// A camera with a memory keeps to one studio. Any other goes from one to the next, and there is
-  /// one of it for each.
+  /// A camera with a memory keeps to one rasterizer. Any other goes from one to the next, and there
+  /// is one of it for each.
   void Order(const SensedStep& step, Ordered* picture) {
-    Studios& studios = *step.scene.studios();
-    if (!first_studio_) first_studio_ = studios.NextForACamera();
-    if (!camera().HasMemory()) cameras_.resize(studios.count(), camera());
+    RasterizerPool& rasterizers = *step.scene.rasterizers();
+    if (!first_rasterizer_) first_rasterizer_ = rasterizers.NextForACamera();
+    if (!camera().HasMemory()) cameras_.resize(rasterizers.count(), camera());
     const std::size_t turn = static_cast<std::size_t>(next_) % cameras_.size();
     picture->scene = step.scene.Keep();
     picture->frame =
-        studios.Take((*first_studio_ + turn) % studios.count(),
-                     [this, k = next_, &camera = cameras_[turn], times = picture->times,
-                      scene_at = ScenesOf(step, picture->scene)](Rasterizer* rasterizer) {
-                       CameraFrame frame = camera.Measure(k, scene_at, rasterizer);
-                       slots_.Apply(k, times, &frame);
-                       return frame;
-                     });
+        rasterizers.Take((*first_rasterizer_ + turn) % rasterizers.count(),
+                         [this, k = next_, &camera = cameras_[turn], times = picture->times,
+                          scene_at = ScenesOf(step, picture->scene)](Rasterizer* rasterizer) {
+                           CameraFrame frame = camera.Measure(k, scene_at, rasterizer);
+                           slots_.Apply(k, times, &frame);
+                           return frame;
+                         });
   }
 
   /// Of a camera that looks back they are good for as long as the step, else for as long as `kept`.
@@ -132,8 +133,8 @@ class CameraSampler : public SensorSampler {
     }
   }
 
-  std::vector<Camera> cameras_;  ///< the same, for each studio where they can be apart
-  std::optional<std::size_t> first_studio_;
+  std::vector<Camera> cameras_;  ///< the same, for each rasterizer where they can be apart
+  std::optional<std::size_t> first_rasterizer_;
   FrameSlots slots_;
   SampleClock clock_;
   int link_ = 0;

@@ -28,8 +28,7 @@ struct GenerateOptions {
 /// run.
 struct GenerateReport {
   double simulated_s = 0, wall_s = 0;
-  double physics_s = 0, soil_s = 0, camera_s = 0, camera_wait_s = 0, lidar_s = 0,
-         other_sensors_s = 0;
+  double physics_s = 0, soil_s = 0, camera_s = 0, camera_wait_s = 0, lidar_s = 0;
   std::int64_t frames = 0, bytes = 0;
 };
 

@@ -27,9 +27,9 @@ class Run {
 
   void Step();
   /// Takes one step more, and of it writes only what belongs to its start: the state at the end,
-  /// whose rates are the mean of those before and after it, the levers in force from there on, and
-  /// inertial samples. So all that a run writes is the beginning of what a longer one does. No step
-  /// may follow.
+  /// whose rates are the mean of those before and after it, the levers in force from there on,
+  /// inertial samples, and pictures that are still being taken. So all that a run writes is the
+  /// beginning of what a longer one does. No step may follow.
   void Finish();
 
   const Simulation& simulation() const { return simulation_; }

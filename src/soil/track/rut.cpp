@@ -72,6 +72,7 @@ struct Rut::Under {
   Vec3 d_W_m;   ///< from the middle of the patch, on its plane
   double ease;  ///< see Rolling
   bool on_wheel;
+  double middle_m, width_m;  ///< across, of what touches of the patch
   double along_m() const { return d_W_m.dot(foot.along_W); }
   double across_m() const { return d_W_m.dot(foot.across_W); }
 };
@@ -103,8 +104,9 @@ double Rut::Press(std::size_t patch_index, double touching, const Rolling& rolli
     pressed_.push_back(k);
     const double ease =
         rolling.Ease(patch_index, d_W.dot(foot.along_W), ground->skin(k).pressed_m, pen_m);
-    work_j += Sink({k, patch_index, foot, d_W, ease, rolling.OnWheel(patch_index)}, pen_m, body,
-                   dt_s, ground);
+    work_j += Sink({k, patch_index, foot, d_W, ease, rolling.OnWheel(patch_index), middle_m,
+                    touching * patch.width_m},
+                   pen_m, body, dt_s, ground);
   });
   if (!pressed_.empty() && !side) touching_.push_back(patch_index);
   covered_.insert(covered_.end(), pressed_.begin(), pressed_.end());
@@ -115,7 +117,7 @@ double Rut::Press(std::size_t patch_index, double touching, const Rolling& rolli
 /// patch's pressure does not do.
 double Rut::Sink(const Under& column, double pen_m, const BodyState& body, double dt_s,
                  Columns* ground) {
-  const auto& [k, patch_index, foot, d_W, ease, on_wheel] = column;
+  const auto& [k, patch_index, foot, d_W, ease, on_wheel, middle_m, width_m] = column;
   const ContactPatch& patch = gear_.patches[patch_index];
   const Plate& plate = plates_[patch_index * soils_.size() + ground->soil_at(k)];
   const double was_m = ground->skin(k).pressed_m;
@@ -139,7 +141,8 @@ double Rut::Sink(const Under& column, double pen_m, const BodyState& body, doubl
   SpoilMix beside;
   ground->Press(k, plastic_m / -foot.n_W.z(), kInfluenceDepths * patch.width_m, &beside);
   if (!beside.empty()) {
-    const double out_m = std::copysign(0.5 * patch.width_m + ground->cell_m(), column.across_m());
+    const double from_middle_m = column.across_m() - middle_m;
+    const double out_m = middle_m + std::copysign(0.5 * width_m + ground->cell_m(), from_middle_m);
     const Vec3 out_W = foot.p_W_m + d_W + (out_m - column.across_m()) * foot.across_W;
     ground->DepositAt(ground->NearestI(out_W.x()), ground->NearestJ(out_W.y()), beside);
   }

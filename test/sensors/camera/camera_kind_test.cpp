@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/units.h"
-#include "render/gl/studios.h"
+#include "render/gl/rasterizer_pool.h"
 #include "render/hand_made_scene.h"
 #include "sensors/gnss/site_frame.h"
 #include "sensors/sensor.h"
@@ -23,7 +23,7 @@ const SampleClock kSteps{.rate_hz = 50};
 class WorkedScene : public SensedScene {
  public:
   WorkedScene(const SceneModel& model, int beside)
-      : studios_(std::make_unique<Studios>(model, EglOptions{}, 1, beside)) {}
+      : rasterizers_(std::make_unique<RasterizerPool>(model, EglOptions{}, 1, beside)) {}
   void Step(std::int64_t k) {
     k_ = k;
     for (int i = 0; i < 5; ++i) ground_.Set(10 + i, static_cast<int>(k % 40), {0.5f, {}});
@@ -38,17 +38,17 @@ class WorkedScene : public SensedScene {
     return {CubeAt(ToSeconds(t_ns) * kSteps.rate_hz)};
   }
   KeptScene Keep() const override {
-    if (!studios_->work_beside()) return SensedScene::Keep();
+    if (!rasterizers_->work_beside()) return SensedScene::Keep();
     return {std::make_shared<const TerrainSurface>(ground_), {}, nullptr};
   }
-  Studios* studios() const override { return studios_.get(); }
+  RasterizerPool* rasterizers() const override { return rasterizers_.get(); }
   RayScene* ray_scene() const override { return nullptr; }
   int threads() const override { return 1; }
 
  private:
   static Pose CubeAt(double steps) { return MakePose({4, 0.02 * steps - 1, 0.5}); }
 
-  std::unique_ptr<Studios> studios_;
+  std::unique_ptr<RasterizerPool> rasterizers_;
   TerrainSurface ground_ = testing::Ground(81, 81, 0.25, -10, [](double, double) { return 0.0; });
   std::int64_t k_ = 0;
 };

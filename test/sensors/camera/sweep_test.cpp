@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "core/units.h"
-#include "render/gl/studios.h"
+#include "render/gl/rasterizer_pool.h"
 #include "render/hand_made_scene.h"
 #include "sensors/camera/camera.h"
 #include "sensors/gnss/site_frame.h"
@@ -197,7 +197,7 @@ class FrameKeeper : public MeasurementSink {
 class PassingScene : public SensedScene {
  public:
   explicit PassingScene(const SceneModel& model)
-      : studios_(std::make_unique<Studios>(model, EglOptions{}, 1, 0)) {}
+      : rasterizers_(std::make_unique<RasterizerPool>(model, EglOptions{}, 1, 0)) {}
   const TerrainSurface& ground() const override { return ground_; }
   Shapes ShapesNow() const override { return {}; }
   std::vector<Pose> BodiesBetween(double) const override {
@@ -207,12 +207,12 @@ class PassingScene : public SensedScene {
   std::vector<Pose> BodiesAt(TimeNs t_ns) const override {
     return {MakePose({4 * ToSeconds(t_ns), kDistance_m, 40}, 0, 0, 90 * kDeg)};
   }
-  Studios* studios() const override { return studios_.get(); }
+  RasterizerPool* rasterizers() const override { return rasterizers_.get(); }
   RayScene* ray_scene() const override { return nullptr; }
   int threads() const override { return 1; }
 
  private:
-  std::unique_ptr<Studios> studios_;
+  std::unique_ptr<RasterizerPool> rasterizers_;
   TerrainSurface ground_ = testing::Ground(11, 11, 1.0, -5, [](double, double) { return 0.0; });
 };
 

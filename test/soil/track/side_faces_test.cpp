@@ -123,6 +123,19 @@ class LeaningTrack {
     }
     return sum_m3;
   }
+  /// Of ground above where it was, further out from the edge than `from_m`.
+  double RaisedBeyond_m3(double from_m) const {
+    double sum_m3 = 0;
+    for (int j = 0; j < ground_.ny(); ++j) {
+      for (int i = 0; i < ground_.nx(); ++i) {
+        const double out_m =
+            ground_.y_m(j) * std::cos(kYaw_rad) - ground_.x_m(i) * std::sin(kYaw_rad);
+        if (left_ * out_m > from_m)
+          sum_m3 += std::max(0.0, ground_.TopAt(i, j)) * ground_.area_m2();
+      }
+    }
+    return sum_m3;
+  }
   /// Mass that is neither where it was nor where it was put, over what was put anywhere.
   double Lost() const {
     const Columns::Gain gain = ground_.GroundGain();
@@ -178,6 +191,18 @@ TEST(SideFaces, SweepTheSoilThatTheirTouchingPartMeets) {
     EXPECT_NEAR(now_m3 / whole_m3, swept_m3(lean_deg * kDeg) / whole_m3, 0.05) << lean_deg;
     EXPECT_LT((now_m3 - before_m3) / whole_m3, 0.2) << lean_deg;
     before_m3 = now_m3;
+  }
+}
+
+TEST(SideFaces, PushSoilOutBesideWhatTouches) {
+  // Dense soil goes to both sides of what presses it: some of it out, beyond the part that touches.
+  for (const double lean_deg : {22.0, -23.0, 25.0}) {
+    const double lean_rad = std::abs(lean_deg) * kDeg;
+    const double touching = SideFaces::Bearing(std::sin(lean_rad));
+    LeaningTrack track(lean_deg * kDeg, LeaningTrack::Yielding(1600), 0.0125);
+    track.PushDown(0.1);
+    const double strip_m = touching * LeaningTrack::kFace_m * std::sin(lean_rad);
+    EXPECT_GT(track.RaisedBeyond_m3(strip_m), 0.05 * track.SideDisplaces_m3()) << lean_deg;
   }
 }
 

@@ -1,4 +1,4 @@
-#include "render/gl/studios.h"
+#include "render/gl/rasterizer_pool.h"
 
 #include <algorithm>
 #include <system_error>
@@ -11,12 +11,13 @@
 
 namespace tera {
 
-int Studios::FittingCount(const EglOptions& egl, int threads) {
-  if (threads < 2 * kThreadsOfStudio || EglContext(egl).info().is_software) return 1;
-  return std::min(threads / kThreadsOfStudio, kMost);
+int RasterizerPool::FittingCount(const EglOptions& egl, int threads) {
+  if (threads < 2 * kThreadsOfEach || EglContext(egl).info().is_software) return 1;
+  return std::min(threads / kThreadsOfEach, kMost);
 }
 
-Studios::Studios(const SceneModel& model, const EglOptions& egl, int threads, int beside)
+RasterizerPool::RasterizerPool(const SceneModel& model, const EglOptions& egl, int threads,
+                               int beside)
     : work_beside_(beside > 0) {
   const int count = std::max(beside, 1);
   std::vector<std::future<std::unique_ptr<Rasterizer>>> made;
@@ -25,33 +26,33 @@ Studios::Studios(const SceneModel& model, const EglOptions& egl, int threads, in
         [&] { return std::make_unique<Rasterizer>(model, egl, std::max(threads / count, 1)); }));
   }
   for (auto& rasterizer : made) {
-    studios_.emplace_back(std::make_unique<Studio>())->rasterizer = rasterizer.get();
+    workers_.emplace_back(std::make_unique<Worker>())->rasterizer = rasterizer.get();
   }
   if (!work_beside_) return;
   try {
-    for (const auto& studio : studios_) {
-      studio->thread = std::thread([&place = *studio] { place.TakeAll(); });
+    for (const auto& worker : workers_) {
+      worker->thread = std::thread([&place = *worker] { place.TakeAll(); });
     }
   } catch (const std::system_error&) {
     // The computer gives no more threads; the caller's takes the pictures of the others.
   }
 }
 
-Studios::~Studios() {
-  for (const auto& studio : studios_) {
-    if (!studio->thread.joinable()) continue;
+RasterizerPool::~RasterizerPool() {
+  for (const auto& worker : workers_) {
+    if (!worker->thread.joinable()) continue;
     {
-      const std::lock_guard lock(studio->mutex);
-      studio->closes = true;
+      const std::lock_guard lock(worker->mutex);
+      worker->closes = true;
     }
-    studio->is_asked.notify_one();
-    studio->thread.join();
+    worker->is_asked.notify_one();
+    worker->thread.join();
   }
 }
 
-std::future<CameraFrame> Studios::Take(std::size_t studio, Work work) {
-  TERA_CHECK(studio < studios_.size(), studio, studios_.size());
-  Studio& place = *studios_[studio];
+std::future<CameraFrame> RasterizerPool::Take(std::size_t rasterizer, Work work) {
+  TERA_CHECK(rasterizer < workers_.size(), rasterizer, workers_.size());
+  Worker& place = *workers_[rasterizer];
   Order order([&place, work = std::move(work)] {
     const Stopwatch watch(&place.busy_s);
     return work(place.rasterizer.get());
@@ -69,8 +70,8 @@ std::future<CameraFrame> Studios::Take(std::size_t studio, Work work) {
   return frame;
 }
 
-/// Until the studio closes.
-void Studios::Studio::TakeAll() {
+/// Until the rasterizer closes.
+void RasterizerPool::Worker::TakeAll() {
   std::unique_lock lock(mutex);
   while (true) {
     is_asked.wait(lock, [this] { return closes || !orders.empty(); });
@@ -83,9 +84,9 @@ void Studios::Studio::TakeAll() {
   }
 }
 
-double Studios::busy_s() const {
+double RasterizerPool::busy_s() const {
   double most_s = 0;
-  for (const auto& studio : studios_) most_s = std::max(most_s, studio->busy_s);
+  for (const auto& worker : workers_) most_s = std::max(most_s, worker->busy_s);
   return most_s;
 }
 

@@ -1,4 +1,4 @@
-#include "render/gl/studios.h"
+#include "render/gl/rasterizer_pool.h"
 
 #include <gtest/gtest.h>
 
@@ -32,20 +32,20 @@ class PicturesOfABox : public testing::Test {
   }
 
   /// Of all pictures, ordered before the first is looked at.
-  std::vector<CameraFrame> AllBy(Studios* studios) const {
+  std::vector<CameraFrame> AllBy(RasterizerPool* rasterizers) const {
     std::vector<std::future<CameraFrame>> ordered;
     for (int k = 0; k < kPictures; ++k) {
       ordered.push_back(
-          studios->Take(static_cast<std::size_t>(k) % studios->count(),
-                        [this, k](Rasterizer* rasterizer) { return Shoot(k, rasterizer); }));
+          rasterizers->Take(static_cast<std::size_t>(k) % rasterizers->count(),
+                            [this, k](Rasterizer* rasterizer) { return Shoot(k, rasterizer); }));
     }
     std::vector<CameraFrame> frames;
     for (auto& picture : ordered) frames.push_back(picture.get());
     return frames;
   }
 
-  void ExpectAsAlone(Studios* studios) const {
-    const std::vector<CameraFrame> frames = AllBy(studios);
+  void ExpectAsAlone(RasterizerPool* rasterizers) const {
+    const std::vector<CameraFrame> frames = AllBy(rasterizers);
     Rasterizer alone(stage_.model, {});
     for (int k = 0; k < kPictures; ++k) {
       const CameraFrame one = Shoot(k, &alone);
@@ -60,52 +60,52 @@ class PicturesOfABox : public testing::Test {
   std::vector<TerrainSurface> grounds_;
 };
 
-TEST_F(PicturesOfABox, AreTheSameFromAnyNumberOfStudios) {
+TEST_F(PicturesOfABox, AreTheSameFromAnyNumberOfRasterizers) {
   for (const int beside : {0, 1, 3}) {
     SCOPED_TRACE(beside);
-    Studios studios(stage_.model, {}, 2, beside);
-    EXPECT_EQ(studios.count(), beside == 3 ? 3u : 1u);
-    EXPECT_EQ(studios.work_beside(), beside > 0);
-    ExpectAsAlone(&studios);
-    EXPECT_GT(studios.busy_s(), 0);
+    RasterizerPool rasterizers(stage_.model, {}, 2, beside);
+    EXPECT_EQ(rasterizers.count(), beside == 3 ? 3u : 1u);
+    EXPECT_EQ(rasterizers.work_beside(), beside > 0);
+    ExpectAsAlone(&rasterizers);
+    EXPECT_GT(rasterizers.busy_s(), 0);
   }
 }
 
 TEST_F(PicturesOfABox, ThatCannotBeTakenSayWhy) {
   for (const int beside : {0, 1}) {
-    Studios studios(stage_.model, {}, 1, beside);
-    auto picture = studios.Take(
+    RasterizerPool rasterizers(stage_.model, {}, 1, beside);
+    auto picture = rasterizers.Take(
         0, [](Rasterizer*) -> CameraFrame { throw std::runtime_error("the lens cap is on"); });
     EXPECT_THROW(picture.get(), std::runtime_error);
-    EXPECT_EQ(studios.Take(0, [this](Rasterizer* r) { return Shoot(0, r); }).get().rgb.width_px,
+    EXPECT_EQ(rasterizers.Take(0, [this](Rasterizer* r) { return Shoot(0, r); }).get().rgb.width_px,
               Pinhole().width_px);
   }
 }
 
-TEST_F(PicturesOfABox, ThatWereNotBegunAreNoneWhereStudiosClose) {
+TEST_F(PicturesOfABox, ThatWereNotBegunAreNoneWhereThePoolCloses) {
   std::future<CameraFrame> last;
   {
-    Studios studios(stage_.model, {}, 1, 1);
+    RasterizerPool rasterizers(stage_.model, {}, 1, 1);
     for (int k = 0; k < kPictures; ++k) {
-      last = studios.Take(0, [this, k](Rasterizer* r) { return Shoot(k, r); });
+      last = rasterizers.Take(0, [this, k](Rasterizer* r) { return Shoot(k, r); });
     }
   }
   EXPECT_THROW(last.get(), std::future_error);
 }
 
-TEST_F(PicturesOfABox, OfOneCameraAfterAnotherGoFromStudioToStudio) {
-  Studios studios(stage_.model, {}, 1, 2);
-  EXPECT_EQ(studios.NextForACamera(), 0u);
-  EXPECT_EQ(studios.NextForACamera(), 1u);
-  EXPECT_EQ(studios.NextForACamera(), 0u);
+TEST_F(PicturesOfABox, OfOneCameraAfterAnotherGoFromRasterizerToRasterizer) {
+  RasterizerPool rasterizers(stage_.model, {}, 1, 2);
+  EXPECT_EQ(rasterizers.NextForACamera(), 0u);
+  EXPECT_EQ(rasterizers.NextForACamera(), 1u);
+  EXPECT_EQ(rasterizers.NextForACamera(), 0u);
 }
 
 // Software takes every core for one picture already.
-TEST(StudiosThatFit, AreOneWhereNoGpuDraws) {
-  EXPECT_EQ(Studios::FittingCount({}, 1), 1);
+TEST(RasterizersThatFit, AreOneWhereNoGpuDraws) {
+  EXPECT_EQ(RasterizerPool::FittingCount({}, 1), 1);
   const Rasterizer rasterizer(Stage().model, {});
-  const int many = Studios::FittingCount({}, 64);
-  EXPECT_EQ(many, rasterizer.info().is_software ? 1 : Studios::kMost);
+  const int many = RasterizerPool::FittingCount({}, 64);
+  EXPECT_EQ(many, rasterizer.info().is_software ? 1 : RasterizerPool::kMost);
 }
 
 }  // namespace
