@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/units.h"
-#include "sim/operators/dig_place.h"
 #include "sim/operators/joint_servo.h"
 
 namespace tera {
@@ -69,7 +68,6 @@ std::vector<double> DigCycle::Levers(const OperatorView& view) {
   if (!started_) {
     started_ = true;
     X_WJ_start_ = SlewFrame(view);
-    dump_ground_W_m_ = DumpGround_W_m(view);
     last_ns_ = view.t_ns;
     Enter(Phase::kApproach, view);
   }
@@ -181,10 +179,7 @@ void DigCycle::Advance(const OperatorView& view) {
     case Phase::kDump:
       if ((placed && load.mass_kg <= kDumpedShare * phase_load_kg_) || late) {
         ++cycle_;
-        const SpoilHeap heap = {plan_.dump_azimuth_rad, plan_.dump_reach_m,
-                                DumpGround_W_m(view) - dump_ground_W_m_};
-        dig_azimuth_rad_ = NextDigAzimuth_rad({dig_azimuth_rad_, plan_.reach_m, plan_.cut_length_m},
-                                              plan_.azimuth_step_rad, heap);
+        dig_azimuth_rad_ += plan_.azimuth_step_rad;
         const bool done = plan_.cycles > 0 && cycle_ >= plan_.cycles;
         const Phase back = plan_.clear_dump_rad > 0 ? Phase::kReturn : Phase::kApproach;
         Enter(done ? Phase::kDone : back, view);
@@ -216,19 +211,10 @@ Pose DigCycle::SlewFrame(const OperatorView& view) const {
   return view.state.links[slew.parent].X_WB * slew.X_PJ;
 }
 
-Vec3 DigCycle::AsAtTheStart_W_m(const OperatorView& view, double azimuth_rad, double r_m) const {
-  const Vec3& axis = view.model.joints[plan_.joints.slew].axis_J;
-  return X_WJ_start_ * (Eigen::AngleAxisd(azimuth_rad, axis) * Vec3(r_m, 0, 0));
-}
-
-double DigCycle::DumpGround_W_m(const OperatorView& view) const {
-  const Vec3 p_W_m = AsAtTheStart_W_m(view, plan_.dump_azimuth_rad, plan_.dump_reach_m);
-  return view.ground.HeightAt(p_W_m.x(), p_W_m.y());
-}
-
 DigCycle::Place DigCycle::PlaceOf(const OperatorView& view, double azimuth_rad, double r_m) const {
   const Vec3& axis = view.model.joints[plan_.joints.slew].axis_J;
-  const Vec3 p_J = SlewFrame(view).inverse() * AsAtTheStart_W_m(view, azimuth_rad, r_m);
+  const Vec3 p_W = X_WJ_start_ * (Eigen::AngleAxisd(azimuth_rad, axis) * Vec3(r_m, 0, 0));
+  const Vec3 p_J = SlewFrame(view).inverse() * p_W;
   return {std::atan2(axis.dot(Vec3::UnitX().cross(p_J)), p_J.x()), p_J.head<2>().norm()};
 }
 

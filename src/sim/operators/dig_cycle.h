@@ -16,7 +16,7 @@ struct DigPlan {
   int tip_frame = -1;
   int shovel = -1;  ///< the one that the bucket joint moves
   double dig_azimuth_rad = 0;
-  double azimuth_step_rad = 0;  ///< added to the dig azimuth after each cycle, and over the heap
+  double azimuth_step_rad = 0;  ///< added to the dig azimuth after each cycle
   double dump_azimuth_rad = 0;
   double reach_m = 4.2;  ///< radius at which the teeth enter
   double cut_length_m = 1.6;
@@ -40,8 +40,7 @@ struct DigPlan {
 ///         bucket.
 ///         The levers pass through DeadZoneCompensation.
 ///         Places stay where they are in W when the tracks turn or slide: an operator sees the
-///         truck that he loads. The dump place does so wholly, the dig place by its azimuth, which
-///         steps over the spoil heap (NextDigAzimuth_rad). Levers
+///         truck that he loads. The dump place does so wholly, the dig place by its azimuth. Levers
 ///         move no faster than a hand does. The slew turns at most at sqrt(2 a e), from which
 ///         braking at a stops it over the angle e that is left.
 /// Omits   force control; avoidance of obstacles; boom swing and travel stay neutral.
@@ -64,10 +63,6 @@ class DigCycle : public Operator {
   };
 
   Pose SlewFrame(const OperatorView& view) const;
-  /// A place in W that an azimuth and a radius meant at the start.
-  Vec3 AsAtTheStart_W_m(const OperatorView& view, double azimuth_rad, double r_m) const;
-  /// Height of the ground where it dumps.
-  double DumpGround_W_m(const OperatorView& view) const;
   Place PlaceOf(const OperatorView& view, double azimuth_rad, double r_m) const;
   Place DumpPlace(const OperatorView& view) const;
   Place DigPlace(const OperatorView& view) const;
@@ -92,7 +87,6 @@ class DigCycle : public Operator {
   int cycle_ = 0;
   bool started_ = false;
   Pose X_WJ_start_ = Pose::Identity();  ///< frame of the slew's axis when the first cycle began
-  double dump_ground_W_m_ = 0;          ///< when the first cycle began
   double dig_azimuth_rad_;
   double cut_s_m_ = 0;                            ///< along the cut
   double cut_raised_m_ = 0;                       ///< above the planned line, to get through
