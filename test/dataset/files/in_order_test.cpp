@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <thread>
 #include <vector>
 
@@ -61,19 +62,27 @@ TEST(InOrder, ThrowsTheFaultOfTheFirstThatFailsAndTakesThoseBeforeIt) {
 }
 
 TEST(InOrder, HoldsNoMoreResultsThanTwoForEachThread) {
-  constexpr int kThreads = 2, kPieces = 50;
+  constexpr int kThreads = 2, kPieces = 50, kMost = kThreads * InOrder<int>::kPerThread;
   int taken = 0;
   std::atomic<int> begun = 0;
-  InOrder<int> numbers(kThreads, [&](int number) { taken = number; });
-  for (int k = 1; k <= kPieces; ++k) {
-    numbers.Give([&, k] {
-      ++begun;
-      return k;
-    });
-    // One that is given waits for room until one before it is taken.
-    EXPECT_LE(k - taken, kThreads * InOrder<int>::kPerThread);
-  }
-  numbers.Finish();
+  std::atomic<bool> may_end = false;
+  std::thread giver([&] {
+    InOrder<int> numbers(kThreads, [&](int number) { taken = number; });
+    for (int k = 1; k <= kPieces; ++k) {
+      numbers.Give([&, k] {
+        ++begun;
+        while (k == 1 && !may_end) std::this_thread::yield();
+        return k;
+      });
+    }
+    numbers.Finish();
+  });
+  // While the first is not done, the one with which there are too many is the last that is given.
+  while (begun < kMost + 1) std::this_thread::yield();
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(begun, kMost + 1);
+  may_end = true;
+  giver.join();
   EXPECT_EQ(taken, kPieces);
   EXPECT_EQ(begun, kPieces);
 }
