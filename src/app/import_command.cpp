@@ -60,9 +60,9 @@ void PrintNotes(const ImportedChannel& channel) {
   }
   if (channel.too_fast > 0) {
     fmt::print(
-        "  {} rates beyond 20 rad/s, up to {:.4g} rad/s of {}: is it in degrees, or does it "
+        "  {} rates beyond {} rad/s, up to {:.4g} rad/s of {}: is it in degrees, or does it "
         "jump?\n",
-        channel.too_fast, channel.fastest_radps, channel.fastest_joint);
+        channel.too_fast, kFastestJoint_radps, channel.fastest_radps, channel.fastest_joint);
   }
 }
 

@@ -90,12 +90,11 @@ void CountStrokesBeyond(const std::vector<JointColumns>& joints, const std::vect
 /// Counts rates of joints that turn as no machine's do.
 void CountTooFast(const std::vector<JointColumns>& joints,
                   const std::vector<EncoderSample>& samples, ImportedChannel* channel) {
-  constexpr double kMost_radps = 20;
   for (std::size_t j = 0; j < joints.size(); ++j) {
     if (joints[j].axis.linear) continue;
     for (const EncoderSample& sample : samples) {
       const double rate_radps = std::abs(sample.qd_radps[j]);
-      if (rate_radps <= kMost_radps) continue;
+      if (rate_radps <= kFastestJoint_radps) continue;
       ++channel->too_fast;
       if (rate_radps <= channel->fastest_radps) continue;
       channel->fastest_radps = rate_radps;

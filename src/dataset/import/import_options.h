@@ -27,6 +27,9 @@ struct ImportOptions {
   std::function<CylinderStroke(const ConfigMap& machine, const ConfigMap& joint)> cylinder_stroke;
 };
 
+/// No joint or track of a machine turns faster: what does is in degrees, or jumps.
+inline constexpr double kFastestJoint_radps = 20;
+
 /// What came of one channel.
 struct ImportedChannel {
   std::string path, file;

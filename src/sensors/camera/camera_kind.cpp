@@ -21,8 +21,7 @@ namespace {
 /// A picture is taken when its last row is complete, over the ground of then.
 ///
 /// Model   it is ordered from a rasterizer, and written when it is there: in a later step where
-/// rasterizers
-///         work beside the run. A picture of many instants is waited for.
+///         rasterizers work beside the run. A picture of many instants is waited for.
 class CameraSampler : public SensorSampler {
  public:
   explicit CameraSampler(const SensorPlace& place)

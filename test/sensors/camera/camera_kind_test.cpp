@@ -8,6 +8,7 @@
 #include "core/units.h"
 #include "render/gl/rasterizer_pool.h"
 #include "render/hand_made_scene.h"
+#include "sensors/camera/camera_on_a_link.h"
 #include "sensors/gnss/site_frame.h"
 #include "sensors/sensor.h"
 
@@ -78,18 +79,9 @@ class PicturesBesideARun : public ::testing::TestWithParam<std::string> {
  protected:
   /// What a camera of 10 Hz writes in 0.8 s.
   FrameShelf Run(int beside, int has_every = 0) const {
-    const Config config = Config::FromText(
-        "sensor: {name: s, type: camera, link: upper, rate_hz: 10, width_px: 80, "
-        "height_px: 60, fx_px: 60, " +
-            GetParam() + "}",
-        "rig.yaml");
-    const SensorDescription sensor = ReadSensor(config.root().Map("sensor"));
-    config.Finish();
-    MachineModel machine;
-    machine.links.emplace_back();
-    machine.links.back().name = "upper";
+    const CameraOnALink camera("width_px: 80, height_px: 60, fx_px: 60, " + GetParam());
     FrameShelf sink(has_every);
-    const auto sampler = KindOf(sensor).sampler({sensor, {sensor}, machine, "m/s", 1, {&sink, 0}});
+    const auto sampler = camera.SamplerInto(&sink);
     const SiteFrame site(46.78, -71.27, 90);
     WorkedScene scene(model_, beside);
     const auto state_at = [](std::int64_t k) {

@@ -10,6 +10,7 @@
 #include "render/gl/rasterizer_pool.h"
 #include "render/hand_made_scene.h"
 #include "sensors/camera/camera.h"
+#include "sensors/camera/camera_on_a_link.h"
 #include "sensors/gnss/site_frame.h"
 #include "sensors/sensor.h"
 
@@ -218,17 +219,11 @@ class PassingScene : public SensedScene {
 
 // The link moves along +x of W at 1 m/s, and the square at 4 m/s: as a square that passes at 3 m/s.
 TEST_F(SquareThatPasses, ASamplerTakesAPictureWhenItsLastRowIsComplete) {
-  const Config config = Config::FromText(
-      "sensor: {name: s, type: camera, link: upper, rate_hz: 10, width_px: 160, height_px: 121, "
-      "fx_px: 150, image_sensor: {exposure_s: 0.02, shutter: {readout_s: 0.06}}}",
-      "rig.yaml");
-  const SensorDescription sensor = ReadSensor(config.root().Map("sensor"));
-  config.Finish();
-  MachineModel machine;
-  machine.links.emplace_back();
-  machine.links.back().name = "upper";
+  const CameraOnALink camera(
+      "width_px: 160, height_px: 121, fx_px: 150, "
+      "image_sensor: {exposure_s: 0.02, shutter: {readout_s: 0.06}}");
   FrameKeeper sink;
-  const auto sampler = KindOf(sensor).sampler({sensor, {sensor}, machine, "m/s", 1, {&sink, 0}});
+  const auto sampler = camera.SamplerInto(&sink);
   EXPECT_TRUE(sampler->LooksBack());
   const SiteFrame site(46.78, -71.27, 90);
   const PassingScene scene(model_);

@@ -9,6 +9,7 @@
 
 #include "core/units.h"
 #include "dataset/format/dataset_description.h"
+#include "dataset/import/import_options.h"
 
 namespace tera {
 namespace {
@@ -123,9 +124,8 @@ double SecondsOf(const UnitGuess& unit) {
 
 UnitGuess GuessRateUnit(const std::vector<const NumbersOfColumn*>& rates) {
   if (const char* unit = UnitOfName(rates.front()->name, kRateEndings)) return {unit, 1.0, ""};
-  constexpr double kFastest_radps = 20.0;
   const double largest = LargestOf(rates);
-  const bool is_deg = largest > kFastest_radps;
+  const bool is_deg = largest > kFastestJoint_radps;
   return {is_deg ? "deg/s" : "rad/s", 1.0, fmt::format("the largest is {:.4g}", largest)};
 }
 
