@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "dataset/import/cloud/read_point_cloud.h"
+#include "dataset/import/foreign_file.h"
 #include "soil/site/survey_raster.h"
 
 namespace tera {
@@ -25,6 +26,7 @@ bool IsRaster(const std::filesystem::path& file) {
     if (ending == other) return false;
   }
   if (ending == ".tif" || ending == ".tiff") return true;
+  RefuseForeignFile(file, "a survey as .pcd, .ply, .las or .tif");
   throw InputError(
       fmt::format("{}: '{}' is no ending of a survey that is known; need .pcd, .ply, "
                   ".las or .tif",

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string_view>
 
 #include "dataset/files/checked_file.h"
 #include "dataset/import/cloud/cloud_bytes.h"
+#include "dataset/import/foreign_file.h"
 
 namespace tera {
 namespace {
@@ -18,19 +20,30 @@ std::string EndingOf(const std::filesystem::path& file) {
   return ending;
 }
 
+/// Refuses what is no point cloud whatever its name says: pointers, archives, captures.
+void RefuseOtherForms(const std::filesystem::path& file, std::string_view bytes) {
+  for (const std::string_view own : {"LASF", "ply", "# .PCD", "VERSION"}) {
+    if (bytes.starts_with(own)) return;
+  }
+  if (const auto kind = ForeignFileOf(bytes, file)) {
+    RefuseCloud(file, fmt::format("is {}; need a point cloud as .pcd, .ply or .las; {}", kind->name,
+                                  kind->remedy));
+  }
+}
+
 PointCloud Parse(const std::filesystem::path& file) {
   const std::string ending = EndingOf(file);
+  const std::string bytes = ReadWholeFile(file);
+  RefuseOtherForms(file, bytes);
   if (ending == ".laz") {
     RefuseCloud(file, "LAZ is compressed; write it as LAS first, e.g. with pdal translate");
   }
-  if (ending != ".pcd" && ending != ".ply" && ending != ".las") {
-    RefuseCloud(file, fmt::format("'{}' is no ending of a point cloud that is known; need .pcd, "
-                                  ".ply or .las",
-                                  ending));
-  }
-  const std::string bytes = ReadWholeFile(file);
   if (ending == ".pcd") return ParsePcd(file, bytes);
-  return ending == ".ply" ? ParsePly(file, bytes) : ParseLas(file, bytes);
+  if (ending == ".ply") return ParsePly(file, bytes);
+  if (ending == ".las") return ParseLas(file, bytes);
+  RefuseCloud(file, fmt::format("'{}' is no ending of a point cloud that is known; need .pcd, "
+                                ".ply or .las",
+                                ending));
 }
 
 }  // namespace

@@ -230,6 +230,9 @@ TEST(PointCloudFile, WhatIsCutOffIsRefusedWhereverItEnds) {
 TEST(PointCloudFile, WhatIsNoPointCloudIsRefusedWithWhatIsNeeded) {
   EXPECT_THAT(FaultOf("text.las", "easting,northing\n1,2\n"),
               HasSubstr("does not begin as a LAS file does"));
+  EXPECT_THAT(FaultOf("pointer.las", "version https://git-lfs.github.com/spec/v1\noid sha256:4d"),
+              HasSubstr("is a pointer of Git LFS, which stands for the file; need a point cloud as "
+                        ".pcd, .ply or .las; fetch the file itself: git lfs pull"));
   EXPECT_THAT(FaultOf("packed.laz", "LASF"), HasSubstr("LAZ is compressed; write it as LAS"));
   EXPECT_THAT(FaultOf("points.xyz", "1 2 3\n"),
               HasSubstr("'.xyz' is no ending of a point cloud that is known; need .pcd"));
