@@ -5,6 +5,22 @@ target_link_libraries(tera_module_headers PRIVATE tera_options)
 target_precompile_headers(tera_module_headers PRIVATE <Eigen/Geometry> <algorithm> <filesystem> <fmt/format.h> <functional> <map>
   <memory> <optional> <string> <variant> <vector>)
 
+# tera_unite(TARGET): with CMAKE_UNITY_BUILD the sources of one folder compile as one, at most twelve at a time, since most
+# time goes into the headers that neighbours share. Names in anonymous namespaces are therefore unique within a folder.
+function(tera_unite TARGET)
+  set_target_properties(${TARGET} PROPERTIES UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${TARGET} SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  set(most 12)
+  foreach(source IN LISTS sources)
+    get_filename_component(folder ${source} DIRECTORY)
+    string(MAKE_C_IDENTIFIER "room_${folder}" room)
+    math(EXPR part "0${count_${room}} / ${most}")
+    math(EXPR count_${room} "0${count_${room}} + 1")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${room}_${part})
+  endforeach()
+endfunction()
+
 # tera_module(NAME [PROGRAM_ONLY] SOURCES ... PUBLIC ... PRIVATE ...): the static library tera_NAME of
 # one folder of src/, with what it links. PUBLIC are other modules; third-party libraries are PRIVATE
 # so that their headers stay inside the folder. A module that only the program uses is not installed.
@@ -15,6 +31,7 @@ function(tera_module NAME)
   set_target_properties(tera_${NAME} PROPERTIES EXPORT_NAME ${NAME})
   target_link_libraries(tera_${NAME} PUBLIC tera_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   target_precompile_headers(tera_${NAME} REUSE_FROM tera_module_headers)
+  tera_unite(tera_${NAME})
   if(NOT ARG_PROGRAM_ONLY)
     install(TARGETS tera_${NAME} EXPORT teraTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
       COMPONENT development)
@@ -30,6 +47,7 @@ function(tera_test NAME)
   target_link_libraries(${NAME} PRIVATE ${ARG_LINK} GTest::gmock GTest::gtest_main)
   target_include_directories(${NAME} PRIVATE ${CMAKE_SOURCE_DIR}/test)
   target_precompile_headers(${NAME} REUSE_FROM ${TERA_TEST_HEADERS})
+  tera_unite(${NAME})
   if(ARG_SLOW)
     list(JOIN ARG_SLOW ":" slow)
     tera_discover_tests(${NAME} "-${slow}" "${ARG_LABELS}")

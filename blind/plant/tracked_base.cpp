@@ -13,7 +13,7 @@
 namespace tera::blind {
 namespace {
 
-constexpr double kGravity_mps2 = 9.80665;
+constexpr double kTrackedBaseGravity_mps2 = 9.80665;
 constexpr int kShoes = 11;
 constexpr double kCreep_mps = 0.002;   ///< sliding at which friction is three quarters there
 constexpr double kSlowest_mps = 0.02;  ///< of a shoe over the ground that it shears
@@ -51,7 +51,7 @@ struct Push {
 Push PushOf(const PlainTracks& tracks, const TrackForm& form, double y_m, double shoe_mps,
             std::span<const double> x) {
   Push push;
-  const double load_n = tracks.mass_kg * kGravity_mps2 / (2 * kShoes);
+  const double load_n = tracks.mass_kg * kTrackedBaseGravity_mps2 / (2 * kShoes);
   const double direction = shoe_mps < 0 ? -1 : 1;
   for (int i = 0; i < kShoes; ++i) {
     const double along = (i + 0.5) / kShoes - 0.5;
@@ -65,8 +65,8 @@ Push PushOf(const PlainTracks& tracks, const TrackForm& form, double y_m, double
     push.left_n -= grip * slide_y;
     push.turning_nm += grip * slide_x * y_m - grip * slide_y * at_m;
   }
-  const double drag_n =
-      form.drag * tracks.mass_kg * kGravity_mps2 / 2 * std::tanh(shoe_mps / kSlowest_mps);
+  const double drag_n = form.drag * tracks.mass_kg * kTrackedBaseGravity_mps2 / 2 *
+                        std::tanh(shoe_mps / kSlowest_mps);
   push.forward_n -= drag_n;
   push.turning_nm += drag_n * y_m;
   return push;

@@ -26,9 +26,9 @@ constexpr int kMostShardMb = 1'000'000;
 constexpr unsigned kMostByItself = 8;
 
 /// Between lines where standard error is no terminal.
-constexpr double kPipeLine_s = 10;
+constexpr double kExportLine_s = 10;
 
-struct Arguments {
+struct ExportArguments {
   std::string dataset, out, start_utc;
   std::vector<std::string> moved;
   std::int64_t shard_mb = kDefaultShardBytes / kBytesPerMb;
@@ -58,14 +58,14 @@ std::map<std::string, ExportFormat> FormatsByName() {
   return formats;
 }
 
-ExportReport ExportWithProgress(const Arguments& arguments) {
+ExportReport ExportWithProgress(const ExportArguments& arguments) {
   ExportOptions options = arguments.options;
   options.joint_trees = [&] { return RecordedJointTrees(arguments.dataset, arguments.moved); };
   if (IsBag(options.format)) {
     options.read_ground = ReaderOfGround(Recording(arguments.dataset).info());
   }
   options.shard_bytes = arguments.shard_mb * kBytesPerMb;
-  ProgressBar bar(kPipeLine_s);
+  ProgressBar bar(kExportLine_s);
   if (!arguments.start_utc.empty()) options.start_utc_ns = UtcTime(arguments.start_utc);
   options.progress = [&](const ExportProgress& progress) {
     bar.Show({progress.recorded_s, progress.duration_s, progress.records}, "records");
@@ -73,7 +73,7 @@ ExportReport ExportWithProgress(const Arguments& arguments) {
   return Export(arguments.dataset, arguments.out, options);
 }
 
-void RunExport(const Arguments& arguments) {
+void RunExport(const ExportArguments& arguments) {
   const ExportReport report = ExportWithProgress(arguments);
   const std::string messages = IsBag(arguments.options.format)
                                    ? fmt::format("{} messages of ", report.messages)
@@ -86,7 +86,7 @@ void RunExport(const Arguments& arguments) {
 }
 
 /// Options of bags, which mean nothing to other formats.
-void AddBagOptions(CLI::App* command, Arguments* arguments) {
+void AddBagOptions(CLI::App* command, ExportArguments* arguments) {
   ExportOptions* const options = &arguments->options;
   command->add_option("--storage", options->storage, "Of rosbag2: mcap (the default) or sqlite3")
       ->transform(OneOf(kStorages));
@@ -107,7 +107,7 @@ void AddBagOptions(CLI::App* command, Arguments* arguments) {
 }
 
 /// Options of formats that are of one camera and one lidar.
-void AddKittiOptions(CLI::App* command, Arguments* arguments) {
+void AddKittiOptions(CLI::App* command, ExportArguments* arguments) {
   ExportOptions* const options = &arguments->options;
   command->add_option("--camera", options->camera, "Of kitti: MACHINE/CAMERA; the first");
   command->add_option("--lidar", options->lidar,
@@ -119,7 +119,7 @@ void AddKittiOptions(CLI::App* command, Arguments* arguments) {
       ->transform(OneOf(KittiLayoutsByName()));
 }
 
-void AddWebdatasetOptions(CLI::App* command, Arguments* arguments) {
+void AddWebdatasetOptions(CLI::App* command, ExportArguments* arguments) {
   command
       ->add_option("--shard-mb", arguments->shard_mb,
                    "Of webdataset: about how large an archive is, in MB; 256")
@@ -129,7 +129,7 @@ void AddWebdatasetOptions(CLI::App* command, Arguments* arguments) {
                       "person or organization, for README.md and croissant.json");
 }
 
-void AddNuscenesOptions(CLI::App* command, Arguments* arguments) {
+void AddNuscenesOptions(CLI::App* command, ExportArguments* arguments) {
   constexpr double kMostKeyFrames_hz = 1000;
   command
       ->add_option("--key-frames-hz", arguments->options.key_frames_hz,
@@ -164,7 +164,7 @@ void RequireNoIdleOption(const CLI::App& command, const ExportOptions& options) 
 }  // namespace
 
 void AddExportCommand(CLI::App* app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ExportArguments>();
   CLI::App* command =
       app->add_subcommand("export", "Write a dataset in a format that other programs read");
   command->add_option("DATASET", arguments->dataset, "Dataset directory")->required();

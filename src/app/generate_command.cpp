@@ -16,7 +16,7 @@
 namespace tera {
 namespace {
 
-struct Arguments {
+struct GenerateArguments {
   ScenarioOptions scenario;
   std::optional<double> duration_s;
   RunOptions run;
@@ -29,7 +29,7 @@ void RequireInputsOfStopped(const std::filesystem::path& out) {
                 fmt::format("put that file back, or delete {} to start afresh", stopped.string()));
 }
 
-void RunGenerate(const Arguments& arguments) {
+void RunGenerate(const GenerateArguments& arguments) {
   if (arguments.run.resume) RequireInputsOfStopped(arguments.run.out);
   std::vector<std::string> overrides;
   if (arguments.duration_s)
@@ -40,7 +40,7 @@ void RunGenerate(const Arguments& arguments) {
 }  // namespace
 
 void AddGenerateCommand(CLI::App* app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<GenerateArguments>();
   CLI::App* command = app->add_subcommand("generate", "Simulate a scenario and write its dataset");
   AddScenarioOptions(command, &arguments->scenario);
   AddRunOptions(command, &arguments->run);

@@ -27,7 +27,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kPipeLine_s = 30;  ///< between lines of progress where nobody sees a bar
+constexpr double kSearchLine_s = 30;  ///< between lines of progress where nobody sees a bar
 
 struct EvaluateArguments {
   fs::path cycle, study, out;
@@ -66,7 +66,7 @@ void RunEvaluate(const EvaluateArguments& arguments) {
   const std::size_t machine = FindMachine(study, cycle.scenario()).machine;
   std::vector<LayoutReport> reports;
   {
-    ProgressBar bar(kPipeLine_s);
+    ProgressBar bar(kSearchLine_s);
     reports = Evaluate(cycle, study, LoadLayouts(arguments, cycle, machine),
                        {.threads = arguments.host.threads,
                         .strict = arguments.strict,

@@ -17,13 +17,13 @@ constexpr int kFound = 1;
 /// Of frames that are left out.
 constexpr int kMostSpread = 1'000'000;
 
-struct Arguments {
+struct LintArguments {
   std::string dataset, json, sarif, statistics;
   int every_frame = 1;
   bool strict = false, rules = false, write_hashes = false;
 };
 
-void WriteFiles(const Arguments& arguments, const LintReport& report) {
+void WriteFiles(const LintArguments& arguments, const LintReport& report) {
   if (!arguments.json.empty()) WriteWholeFile(arguments.json, LintJson(report));
   if (!arguments.sarif.empty()) WriteWholeFile(arguments.sarif, LintSarif(report));
   if (!arguments.statistics.empty()) {
@@ -33,7 +33,7 @@ void WriteFiles(const Arguments& arguments, const LintReport& report) {
 
 /// Hashes say that a dataset is what it was when it was found right: of a wrong one none are
 /// written.
-void WriteHashes(const Arguments& arguments, bool found_errors) {
+void WriteHashes(const LintArguments& arguments, bool found_errors) {
   if (found_errors) {
     fmt::print("{}: not written, since there are errors\n", kFrameHashesName);
     return;
@@ -41,7 +41,7 @@ void WriteHashes(const Arguments& arguments, bool found_errors) {
   fmt::print("{}: {} files\n", kFrameHashesName, WriteFrameHashes(arguments.dataset));
 }
 
-void RunLint(const Arguments& arguments) {
+void RunLint(const LintArguments& arguments) {
   if (arguments.rules) {
     fmt::print("{}", LintRulesTable());
     return;
@@ -61,7 +61,7 @@ void RunLint(const Arguments& arguments) {
 }  // namespace
 
 void AddLintCommand(CLI::App* app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<LintArguments>();
   CLI::App* command =
       app->add_subcommand("lint", "Hold a dataset to the rules of its format and to itself");
   command->add_option("DATASET", arguments->dataset, "Dataset directory");

@@ -19,12 +19,12 @@
 namespace tera {
 namespace {
 
-struct Arguments {
+struct ProveArguments {
   blind::ProveOptions prove;
   int threads = HostOptions().threads;
 };
 
-void RunProve(Arguments* arguments) {
+void RunProve(ProveArguments* arguments) {
   RequireNewFolder(arguments->prove.out);
   blind::ProveOptions& prove = arguments->prove;
   if (prove.maker == blind::MakerKind::kOwn) {
@@ -66,7 +66,7 @@ void RunProve(Arguments* arguments) {
 }  // namespace
 
 void AddProveCommand(CLI::App* app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ProveArguments>();
   CLI::App* command = app->add_subcommand(
       "prove", "Conceal effects in recordings of another simulator and score what diagnose says");
   command->add_option("--cases", arguments->prove.cases, "How many")->check(CLI::Range(1, 100000));

@@ -23,7 +23,7 @@ namespace {
 // Exit statuses of a registration that gives no whole pose.
 constexpr int kNoOverlap = 3, kNotConverged = 4, kOpen = 5;
 
-struct Arguments {
+struct RegisterArguments {
   std::filesystem::path a, b, json;
   std::vector<double> start;
   RegistrationRequest request;
@@ -58,7 +58,7 @@ void PrintOpen(const Registration& found) {
   }
 }
 
-void RequireOneMap(const Arguments& arguments, const Survey& a, const Survey& b) {
+void RequireOneMap(const RegisterArguments& arguments, const Survey& a, const Survey& b) {
   if (!a.map || !b.map || a.map->wkt == b.map->wkt) return;
   throw InputError(fmt::format("{}: is in '{}', and {} in '{}'; reproject one of them",
                                arguments.b.string(), b.map->name, arguments.a.string(),
@@ -69,7 +69,7 @@ std::vector<Vec3> PointsOf(const Survey& survey) {
   return survey.pixel_m ? WithoutSteps(survey.p_m, *survey.pixel_m) : survey.p_m;
 }
 
-void RunRegister(Arguments arguments) {
+void RunRegister(RegisterArguments arguments) {
   const Survey a = ReadSurvey(arguments.a), b = ReadSurvey(arguments.b);
   RequireOneMap(arguments, a, b);
   if (!arguments.start.empty()) {
@@ -104,7 +104,7 @@ void RunRegister(Arguments arguments) {
 void AddRegisterCommand(CLI::App* app) {
   constexpr int kPoseNumbers = 6;
   constexpr double kLeast_m = 0.001, kMost_m = 100;
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RegisterArguments>();
   CLI::App* command = app->add_subcommand(
       "register",
       "Align two scans, or a scan and a terrain: how B lies in A, and how well; exit status 3 "

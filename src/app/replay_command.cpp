@@ -10,13 +10,13 @@
 namespace tera {
 namespace {
 
-struct Arguments {
+struct ReplayArguments {
   std::filesystem::path recording;
   std::vector<std::string> moved;
   RunOptions options;
 };
 
-void RunReplay(const Arguments& arguments) {
+void RunReplay(const ReplayArguments& arguments) {
   RequireAnotherPlace(arguments.recording, arguments.options.out);
   FollowRun(LoadRecordedRun(arguments.recording, arguments.moved), arguments.options);
 }
@@ -24,7 +24,7 @@ void RunReplay(const Arguments& arguments) {
 }  // namespace
 
 void AddReplayCommand(CLI::App* app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReplayArguments>();
   CLI::App* command = app->add_subcommand(
       "replay", "Simulate a recorded run again from its commands, to the same bytes");
   command

@@ -11,14 +11,14 @@
 namespace tera {
 namespace {
 
-struct Arguments {
+struct ResenseArguments {
   std::filesystem::path dataset;
   ResenseRig rig;
   std::vector<std::string> moved;
   RunOptions options;
 };
 
-void RunResense(const Arguments& arguments) {
+void RunResense(const ResenseArguments& arguments) {
   RequireAnotherPlace(arguments.dataset, arguments.options.out);
   FollowRun(
       [&](const GenerateOptions& run) {
@@ -30,7 +30,7 @@ void RunResense(const Arguments& arguments) {
 }  // namespace
 
 void AddResenseCommand(CLI::App* app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ResenseArguments>();
   CLI::App* command = app->add_subcommand(
       "resense", "Measure a recorded scene with another rig, without simulating it again");
   command

@@ -19,7 +19,7 @@
 namespace tera {
 namespace {
 
-struct Arguments {
+struct Ros2Arguments {
   ScenarioOptions scenario;
   HostOptions host;
   std::optional<int> domain_id;
@@ -86,7 +86,7 @@ void PrintReport(const ros::LiveRosReport& report) {
   fmt::print("\n");
 }
 
-void RunRos2(const Arguments& arguments) {
+void RunRos2(const Ros2Arguments& arguments) {
   LoadedScenario loaded = Load(arguments.scenario);
 
   ros::LiveRosOptions options = arguments.options;
@@ -134,7 +134,7 @@ void AddPaceOptions(CLI::App* command, ros::LiveRosOptions* options) {
 }  // namespace
 
 void AddRos2Command(CLI::App* app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<Ros2Arguments>();
   CLI::App* command = app->add_subcommand(
       "ros2", "Run a scenario live for ROS 2, until Ctrl-C (docs/reference/ros2.md)");
   AddScenarioOptions(command, &arguments->scenario);

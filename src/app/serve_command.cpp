@@ -18,7 +18,7 @@
 namespace tera {
 namespace {
 
-struct Arguments {
+struct ServeArguments {
   ScenarioOptions scenario;
   HostOptions host;
   ServerOptions server{.port = 50051, .name = std::string("tera ") + kVersion};
@@ -26,7 +26,7 @@ struct Arguments {
   bool stop_with_stdin = false;
 };
 
-void RunServe(const Arguments& arguments) {
+void RunServe(const ServeArguments& arguments) {
   const ScenarioSource source =
       SourceOf(Load(arguments.scenario).resolved_yaml, arguments.scenario.scenario);
   const std::shared_ptr<const Scenario> scenario = source(std::nullopt).scenario;
@@ -44,7 +44,7 @@ void RunServe(const Arguments& arguments) {
 }  // namespace
 
 void AddServeCommand(CLI::App* app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ServeArguments>();
   CLI::App* command = app->add_subcommand(
       "serve",
       "Let a program step a scenario over a socket, until Ctrl-C (docs/reference/serve.md)");

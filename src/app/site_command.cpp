@@ -18,7 +18,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-struct Arguments {
+struct SiteArguments {
   fs::path survey, out;
   std::vector<double> origin;
   double cell_m = 0, steepest_deg = 45;
@@ -64,7 +64,7 @@ void Print(const SurveySite& site) {
   }
 }
 
-void RunSite(Arguments arguments) {
+void RunSite(SiteArguments arguments) {
   RequireNoneStopped(arguments.out);
   if (HoldsSomething(arguments.out)) {
     throw InputError(fmt::format("{}: is not an empty directory; choose another place or delete it",
@@ -93,7 +93,7 @@ void RunSite(Arguments arguments) {
 
 void AddSiteCommand(CLI::App* app) {
   constexpr double kFinest_m = 0.01, kCoarsest_m = 10, kWidest_m = 50;
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<SiteArguments>();
   CLI::App* command = app->add_subcommand(
       "site", "Make a site of a survey: its terrain, and what stands on it as obstacles");
   command->add_option("SURVEY", arguments->survey, "Points (.pcd, .ply, .las) or elevations (.tif)")

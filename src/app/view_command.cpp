@@ -19,17 +19,17 @@
 namespace tera {
 namespace {
 
-constexpr std::uint64_t kBytesPerMb = 1'000'000;
+constexpr std::uint64_t kMbBytes = 1'000'000;
 constexpr int kHighestPort = 65535, kMostExcerptMb = 500;
 
-struct Arguments {
+struct ViewArguments {
   std::vector<std::string> paths, moved;
   std::string excerpt;
   int port = 0, size_mb = 25;
   bool stop_with_stdin = false;
 };
 
-std::vector<Viewed> Open(const Arguments& arguments) {
+std::vector<Viewed> Open(const ViewArguments& arguments) {
   std::vector<Viewed> viewed;
   for (const std::string& path : arguments.paths) {
     viewed.push_back(OpenViewed(path));
@@ -42,15 +42,15 @@ std::vector<Viewed> Open(const Arguments& arguments) {
   return viewed;
 }
 
-void WriteExcerpt(const Arguments& arguments) {
+void WriteExcerpt(const ViewArguments& arguments) {
   const Excerpt excerpt = MakeExcerpt(Open(arguments), ReadPage(PagePlaces()),
-                                      kBytesPerMb * static_cast<std::uint64_t>(arguments.size_mb));
+                                      kMbBytes * static_cast<std::uint64_t>(arguments.size_mb));
   WriteWholeFile(arguments.excerpt, excerpt.html);
   fmt::print("{}: {:.1f} MB. {}\n", arguments.excerpt,
-             static_cast<double>(excerpt.html.size()) / kBytesPerMb, excerpt.words);
+             static_cast<double>(excerpt.html.size()) / kMbBytes, excerpt.words);
 }
 
-void Serve(const Arguments& arguments) {
+void Serve(const ViewArguments& arguments) {
   std::vector<Viewed> viewed = Open(arguments);
   const StopSignals stop;
   const ViewServer server(std::move(viewed), ReadPage(PagePlaces()), arguments.port);
@@ -62,7 +62,7 @@ void Serve(const Arguments& arguments) {
 }  // namespace
 
 void AddViewCommand(CLI::App* app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ViewArguments>();
   CLI::App* command = app->add_subcommand(
       "view", "Look at datasets and diagnoses in a browser (docs/reference/view.md)");
   command

@@ -12,6 +12,9 @@
 
 namespace tera {
 
+/// How far from 1 the length of a stored quaternion may be: what rounding to text explains.
+inline constexpr double kQuaternionTolerance = 1e-5;
+
 using Pose = Eigen::Isometry3d;
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;

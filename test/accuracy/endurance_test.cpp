@@ -17,7 +17,7 @@
 namespace tera {
 namespace {
 
-constexpr double kUsual_s = 120;
+constexpr double kEnduranceUsual_s = 120;
 /// A machine that works stands on both tracks: slopes and its own rocking tilt it by less.
 constexpr double kStanding_rad = 20 * kDeg;
 /// In a longer shift a cut sometimes gets stuck, and the boom lifts the machine on its bucket, as
@@ -63,7 +63,7 @@ TEST(Endurance, DiggingGoesOnUprightFiniteAndWithAllItsSoil) {
   const TerrainSurface before = simulation.ground();
   const double links_at_4_mps_j = 0.5 * model.TotalMass_kg() * 4 * 4;
 
-  const double length_s = FromEnvironment("TERA_ENDURANCE_S", kUsual_s);
+  const double length_s = FromEnvironment("TERA_ENDURANCE_S", kEnduranceUsual_s);
   Lean most;
   double most_j = 0, leaning_s = 0, heaviest_load_kg = 0, undermined_m = 0, furthest_m = 0;
   const auto steps = std::llround(length_s * scenario.physics_rate_hz);
@@ -100,7 +100,7 @@ TEST(Endurance, DiggingGoesOnUprightFiniteAndWithAllItsSoil) {
       -ledger.total_kg() / ledger.shifted_kg, ledger.outside_kg, simulation.physics_wall_s(),
       simulation.soil_wall_s());
   EXPECT_LT(most_j, links_at_4_mps_j);
-  EXPECT_LT(most.tilt_rad, length_s <= kUsual_s ? kStanding_rad : kLying_rad);
+  EXPECT_LT(most.tilt_rad, length_s <= kEnduranceUsual_s ? kStanding_rad : kLying_rad);
   EXPECT_LE(leaning_s, 0.1 * length_s);
   EXPECT_LT(furthest_m, 1.0);       // further and it would be in its own pit
   EXPECT_LT(undermined_m, 0.5);     // as high as its tracks

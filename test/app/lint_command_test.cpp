@@ -19,7 +19,7 @@ using testing::StartsWith;
 namespace fs = std::filesystem;
 
 /// An excavator that digs about, with one sensor of each kind and every label.
-constexpr const char* kExcavator = R"(name: small
+constexpr const char* kLintCommandExcavator = R"(name: small
 seed: 5
 duration_s: 1.2
 site: {lat_deg: 46.78, lon_deg: -71.27, height_m: 90}
@@ -64,7 +64,8 @@ class LintCommand : public testing::Test {
 };
 
 TEST_F(LintCommand, WhatIsGeneratedIsClean) {
-  WriteWholeFile(Path("small.yaml"), Edited(kExcavator, "RECORD", "record: {poses_hz: 50}"));
+  WriteWholeFile(Path("small.yaml"),
+                 Edited(kLintCommandExcavator, "RECORD", "record: {poses_hz: 50}"));
   Made({"generate", "small.yaml", "--out", "run"});
   ExpectClean("run");
   // Every rule but that of hashes has something to look at.
@@ -74,7 +75,7 @@ TEST_F(LintCommand, WhatIsGeneratedIsClean) {
 }
 
 TEST_F(LintCommand, WhatIsGeneratedWithoutPosesOfSensorsIsClean) {
-  WriteWholeFile(Path("small.yaml"), Edited(kExcavator, "RECORD", ""));
+  WriteWholeFile(Path("small.yaml"), Edited(kLintCommandExcavator, "RECORD", ""));
   Made({"generate", "small.yaml", "--out", "run"});
   ExpectClean("run");
 }

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 namespace fs = std::filesystem;
 
-constexpr char kRig[] = R"(sensors:
+constexpr char kResenseCommandRig[] = R"(sensors:
   - {name: imu, preset: tera:config/sensors/icm_20948.yaml, link: chassis, xyz_m: [0.2, 0, 0.4]}
   - {name: gnss, preset: tera:config/sensors/rtk_f9p.yaml, link: chassis, xyz_m: [0, 0, 1]}
 )";
@@ -23,7 +23,7 @@ class ResenseCommand : public testing::Test {
  protected:
   ResenseCommand() {
     WriteWholeFile(path() / "small.yaml", SmallScenario());
-    WriteWholeFile(path() / "rig.yaml", kRig);
+    WriteWholeFile(path() / "rig.yaml", kResenseCommandRig);
   }
 
   const fs::path& path() const { return scratch_.path(); }
@@ -121,7 +121,7 @@ TEST_F(ResenseCommand, AnUnknownMachineIsRefusedWithThoseThatThereAre) {
 TEST_F(ResenseCommand, ARigWithAFaultIsRefusedWithItsPlace) {
   KeepState();
   const std::string rig =
-      Edited(kRig, "icm_20948.yaml, link: chassis", "icm_20948.yaml, link: roof");
+      Edited(kResenseCommandRig, "icm_20948.yaml, link: chassis", "icm_20948.yaml, link: roof");
   WriteWholeFile(path() / "faulty.yaml", rig);
   ExpectRefused(scratch_, Resense("other", "faulty.yaml"),
                 AllOf(HasSubstr("faulty.yaml:" + LineAndColumn(rig, "roof") + ": "),

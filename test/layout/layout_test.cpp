@@ -18,7 +18,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-constexpr char kScene[] = R"(
+constexpr char kLayoutScene[] = R"(
 name: scene
 duration_s: 0.4
 settle_s: 0
@@ -49,7 +49,7 @@ class SceneLayouts : public testing::Test {
   }
   const std::filesystem::path& path() const { return scratch_.path(); }
   void WriteScene(const std::string& effects) {
-    std::string scene = kScene;
+    std::string scene = kLayoutScene;
     WriteWholeFile(path() / "scene.yaml", scene.replace(scene.find("EFFECTS"), 7, effects));
   }
   Cycle TheCycle() const { return Cycle(path() / "scene.yaml", {}); }

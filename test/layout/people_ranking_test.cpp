@@ -27,7 +27,7 @@ constexpr TimeNs kHalfScan_ns = 50'000'000;
 constexpr int kMany = 50;  ///< points of a cluster, so that not nearly all in sight have them
 
 /// As in the test of elevation maps, each with a dense and with a sparse lidar.
-const std::map<std::string, std::string> kMounts = {
+const std::map<std::string, std::string> kPeopleRankingMounts = {
     {"roof", "xyz_m: [0.05, 0.35, 2.3], rpy_deg: [0, 10, 0]"},
     {"low", "xyz_m: [0.9, 0.5, 1.0], rpy_deg: [0, 0, 0]"},
     {"tilted", "xyz_m: [0.8, 0.5, 2.2], rpy_deg: [0, 32, 0]"}};
@@ -124,7 +124,7 @@ class PeopleRanking : public testing::Test {
     study_.points = 200;
     study_.person.postures = {{"standing", Vec3(0.3, 0.5, 1.75)}};
     for (const std::string& lidar : kLidars) {
-      for (const auto& [name, mount] : kMounts) {
+      for (const auto& [name, mount] : kPeopleRankingMounts) {
         site_.Resense(name + "_" + lidar, lidar, mount);
         layouts_.push_back(LoadLayout(site_.RigFile(name + "_" + lidar), cycle_, 0));
       }

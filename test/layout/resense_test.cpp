@@ -22,7 +22,7 @@ using testing::ThrowsMessage;
 namespace fs = std::filesystem;
 using Files = std::map<std::string, std::string>;
 
-constexpr char kScene[] = R"(
+constexpr char kResenseScene[] = R"(
 name: scene
 seed: 5
 duration_s: 0.8
@@ -87,7 +87,7 @@ f 4 1 5
 class ResenseScene : public testing::Test {
  protected:
   ResenseScene() {
-    WriteWholeFile(path() / "scene.yaml", kScene);
+    WriteWholeFile(path() / "scene.yaml", kResenseScene);
     WriteWholeFile(path() / "excavator_rig.yaml", kExcavatorRig);
     WriteWholeFile(path() / "mast_rig.yaml", kMastRig);
     WriteWholeFile(path() / "other_rig.yaml", kOtherRig);

@@ -20,10 +20,10 @@ obstacles:
 const Vec3 kOnWall_W(8, 10, 0), kOutOfWall_W = RotationFromRpy(0, 0, 25 * kDeg) * -Vec3::UnitY();
 
 /// The cart drives and turns, and its mast turns too.
-Pose Driven(double t_s) {
+Pose ScanCasterDriven(double t_s) {
   return MakePose(Vec3(2 + 1.5 * t_s, -1 + t_s, 0.3), RotationFromRpy(0.05, -0.1, 0.4 + 0.2 * t_s));
 }
-double Turned(double t_s) { return 0.3 - 0.5 * t_s; }
+double ScanCasterTurned(double t_s) { return 0.3 - 0.5 * t_s; }
 
 SensorDescription LidarOnMast() {
   SensorDescription sensor;
@@ -41,8 +41,9 @@ SensorCalibration AsDocumented() { return {.X_BT = LidarOnMast().X_BS}; }
 
 /// Where the sensor is, and how it is turned, by geometry alone.
 Pose SensorAt(double t_s, const Pose& X_BT = LidarOnMast().X_BS) {
-  const Pose X_BaseMast = MakePose(Vec3(0, 0, kMastHeight_m), RotationFromRpy(0, 0, Turned(t_s)));
-  return Driven(t_s) * X_BaseMast * X_BT;
+  const Pose X_BaseMast =
+      MakePose(Vec3(0, 0, kMastHeight_m), RotationFromRpy(0, 0, ScanCasterTurned(t_s)));
+  return ScanCasterDriven(t_s) * X_BaseMast * X_BT;
 }
 
 double RangeToPlane_m(const Pose& X_WS, const Vec3& d_S, const Vec3& on_plane_W,
@@ -58,8 +59,8 @@ class CastFromTheCart : public testing::Test {
   CastFromTheCart() : scenario_(CartScenario(scratch_.path(), Wall())), assembly_(scenario_) {
     const RecordedCart cart{.pose_t_ns = EvenTimes(0, 3, 0.01),
                             .turn_t_ns = EvenTimes(0, 3, 0.01),
-                            .X_WB = Driven,
-                            .turn_rad = Turned};
+                            .X_WB = ScanCasterDriven,
+                            .turn_rad = ScanCasterTurned};
     machines_.emplace_back(scenario_.machines[0].placement, cart.machine,
                            WriteCart(scratch_.path() / "r", cart));
     stage_ = std::make_unique<RecordedStage>(scenario_, machines_, 0);
@@ -144,9 +145,9 @@ obstacles: [{name: cone1, preset: tera:config/obstacles/cone.yaml, xy_m: [4, 1],
   config.Finish();
   const SceneAssembly assembly(scenario);
   const ScratchDirectory scratch;
-  const Recording poses =
-      WriteCart(scratch.path() / "r",
-                {.pose_t_ns = EvenTimes(0, 1, 0.1), .X_WB = Driven, .machine = "excavator1"});
+  const Recording poses = WriteCart(
+      scratch.path() / "r",
+      {.pose_t_ns = EvenTimes(0, 1, 0.1), .X_WB = ScanCasterDriven, .machine = "excavator1"});
   std::vector<RecordedMotion> machines;
   machines.emplace_back(scenario.machines[0].placement, "excavator1", poses);
   const std::vector<Surface> surfaces = SurfacesOf(scenario, assembly, machines);

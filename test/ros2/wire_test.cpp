@@ -19,7 +19,7 @@ namespace {
 using testing::ElementsAre;
 
 /// The pose with every number different: a turn about no axis of the frame.
-Pose SkewPose() {
+Pose WireSkewPose() {
   Pose pose(Eigen::AngleAxisd(1.2, Vec3(1, -2, 2) / 3));
   pose.translation() = Vec3(1.5, -2.25, 3.125);
   return pose;
@@ -92,16 +92,16 @@ TEST_F(Wire, Float64) {
 
 TEST_F(Wire, PoseStamped) {
   CdrReader cdr(Across("geometry_msgs::msg::dds_::PoseStamped_",
-                       ros::PoseStamped{In("excavator1/undercarriage"), SkewPose()}));
+                       ros::PoseStamped{In("excavator1/undercarriage"), WireSkewPose()}));
   ExpectHeader(&cdr, "excavator1/undercarriage");
   ExpectSkewPose(&cdr);
   EXPECT_TRUE(cdr.AtEnd());
 }
 
 TEST_F(Wire, TFMessage) {
-  CdrReader cdr(
-      Across("tf2_msgs::msg::dds_::TFMessage_",
-             ros::TfMessage{{{In("map"), "a", SkewPose()}, {In("a"), "a/child", SkewPose()}}}));
+  CdrReader cdr(Across(
+      "tf2_msgs::msg::dds_::TFMessage_",
+      ros::TfMessage{{{In("map"), "a", WireSkewPose()}, {In("a"), "a/child", WireSkewPose()}}}));
   ASSERT_EQ(cdr.U32(), 2u);
   ExpectHeader(&cdr, "map");
   EXPECT_EQ(cdr.Text(), "a");
@@ -113,8 +113,9 @@ TEST_F(Wire, TFMessage) {
 }
 
 TEST_F(Wire, Odometry) {
-  CdrReader cdr(Across("nav_msgs::msg::dds_::Odometry_",
-                       ros::Odometry{In("map"), "base", SkewPose(), Vec3(1, 2, 3), Vec3(4, 5, 6)}));
+  CdrReader cdr(
+      Across("nav_msgs::msg::dds_::Odometry_",
+             ros::Odometry{In("map"), "base", WireSkewPose(), Vec3(1, 2, 3), Vec3(4, 5, 6)}));
   ExpectHeader(&cdr, "map");
   EXPECT_EQ(cdr.Text(), "base");
   ExpectSkewPose(&cdr);

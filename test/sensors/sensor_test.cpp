@@ -11,7 +11,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-SensorDescription Read(const std::string& keys) {
+SensorDescription SensorRead(const std::string& keys) {
   const Config config = Config::FromText("sensor: {" + keys + "}", "rig.yaml");
   const SensorDescription sensor = ReadSensor(config.root().Map("sensor"));
   config.Finish();
@@ -20,7 +20,7 @@ SensorDescription Read(const std::string& keys) {
 
 std::string FaultOf(const std::string& keys) {
   try {
-    Read(keys);
+    SensorRead(keys);
   } catch (const InputError& e) {
     return e.what();
   }
@@ -29,11 +29,11 @@ std::string FaultOf(const std::string& keys) {
 
 template <typename Model>
 Model ModelOf(const std::string& keys) {
-  return std::get<Model>(Read("name: s, link: upper, rate_hz: 10, " + keys).model);
+  return std::get<Model>(SensorRead("name: s, link: upper, rate_hz: 10, " + keys).model);
 }
 
 TEST(ReadSensor, PlaceRateAndLatencyAreRead) {
-  const SensorDescription s = Read(
+  const SensorDescription s = SensorRead(
       "name: imu_boom, type: imu, link: boom, xyz_m: [1, 2, 3], rpy_deg: [0, 0, 90], "
       "rate_hz: 200, latency_s: 0.025");
   EXPECT_EQ(s.name, "imu_boom");
@@ -57,13 +57,13 @@ TEST(ReadSensor, EveryPresetIsWhole) {
                                      {"encoder", "encoder"}}) {
     const std::string place = std::string(type) == "encoder" ? "" : "link: upper, ";
     const SensorDescription s =
-        Read("name: s, " + place + "preset: 'tera:config/sensors/" + preset + ".yaml'");
+        SensorRead("name: s, " + place + "preset: 'tera:config/sensors/" + preset + ".yaml'");
     EXPECT_EQ(TypeOf(s), type) << preset;
   }
 }
 
 TEST(ReadSensor, KeysBesideThePresetPrevail) {
-  const SensorDescription s = Read(
+  const SensorDescription s = SensorRead(
       "name: s, link: upper, preset: 'tera:config/sensors/os1_64.yaml', rate_hz: 20, "
       "max_range_m: 30");
   EXPECT_EQ(s.clock.rate_hz, 20);
@@ -207,9 +207,10 @@ TEST(ReadSensor, LidarKeysReachTheModelInSiUnits) {
 
 TEST(ReadSensor, EncoderKeysReachTheModel) {
   const auto m = std::get<EncoderModel>(
-      Read("name: joints, type: encoder, rate_hz: 100, joints: [boom, arm], resolution_deg: 90, "
-           "noise_deg: 180, rate_noise_degps: 360, resolution_m: 0.1, noise_m: 0.2, "
-           "rate_noise_mps: 0.3")
+      SensorRead(
+          "name: joints, type: encoder, rate_hz: 100, joints: [boom, arm], resolution_deg: 90, "
+          "noise_deg: 180, rate_noise_degps: 360, resolution_m: 0.1, noise_m: 0.2, "
+          "rate_noise_mps: 0.3")
           .model);
   EXPECT_EQ(m.joints, (std::vector<std::string>{"boom", "arm"}));
   EXPECT_NEAR(m.resolution_rad, kPi / 2, 1e-12);
@@ -262,8 +263,8 @@ TEST(ReadSensor, ModelsThatContradictThemselvesAreRefused) {
 
 TEST(SensorYaml, StatesPlaceRateAndModel) {
   const std::string text = SensorYaml(
-      Read("name: imu_boom, type: imu, link: boom, xyz_m: [1, 2, 3], rpy_deg: [0, 0, 90], "
-           "rate_hz: 200, latency_s: 0.025, gyro_noise_density_degpsrthz: 0.007"));
+      SensorRead("name: imu_boom, type: imu, link: boom, xyz_m: [1, 2, 3], rpy_deg: [0, 0, 90], "
+                 "rate_hz: 200, latency_s: 0.025, gyro_noise_density_degpsrthz: 0.007"));
   EXPECT_THAT(text, HasSubstr("type: imu\n"));
   EXPECT_THAT(text, HasSubstr("parent_link: boom\n"));
   EXPECT_THAT(text, HasSubstr("xyz_m: [1, 2, 3]\n"));
@@ -277,7 +278,7 @@ TEST(SensorYaml, ItsModelReadsBackToTheSameModel) {
        {"xsens_mti_670", "rtk_f9p", "realsense_d435i", "os1_64", "vlp16", "encoder"}) {
     const std::string link = preset == "encoder" ? "" : "link: upper, ";
     const SensorDescription sensor =
-        Read("name: s, " + link + "preset: 'tera:config/sensors/" + preset + ".yaml'");
+        SensorRead("name: s, " + link + "preset: 'tera:config/sensors/" + preset + ".yaml'");
     const std::string text = SensorYaml(sensor);
     const Config config = Config::FromText(text, "sensor.yaml");
     const ConfigMap model = config.root().Map("model");

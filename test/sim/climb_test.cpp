@@ -40,14 +40,14 @@ Drive Over(const Way& way, const std::string& obstacle, double slew_deg = 0) {
       fmt::format("    ground: {}\n", way.ground) + obstacle);
 }
 
-double Tilt_rad(const Drive& drive) { return std::acos(drive.body().X_WB.linear()(2, 2)); }
+double ClimbTilt_rad(const Drive& drive) { return std::acos(drive.body().X_WB.linear()(2, 2)); }
 
 TEST(Climb, TracksDriveOverAPlankOfTenCentimetres) {
   for (const Way& way : kWays) {
     SCOPED_TRACE(fmt::format("{}, {}", way.soil, way.ground));
     Drive drive = Over(way, Box(0.5, {0.5, 4, 0.1}));
     double most_rad = 0;
-    drive.Run(10.0, [&] { most_rad = std::max(most_rad, Tilt_rad(drive)); });
+    drive.Run(10.0, [&] { most_rad = std::max(most_rad, ClimbTilt_rad(drive)); });
     EXPECT_NEAR(drive.place().x(), kStart_m + 10 * kSpeed_mps, 0.4);
     EXPECT_NEAR(drive.place().z(), 0, 0.08);  // on the ground again, in ruts where it is dirt
     // Its tracks are 1.6 m long between their round ends; they rock over the plank, and in dirt
@@ -65,7 +65,7 @@ TEST(Climb, TracksDriveOnAPlateOfSixCentimetresAndLeaveTheGroundBelowAlone) {
     drive.Run(7.0);
     EXPECT_NEAR(drive.place().x(), kStart_m + 7 * kSpeed_mps, 0.4);
     EXPECT_NEAR(drive.place().z(), 0.06, 0.015);
-    EXPECT_NEAR(Tilt_rad(drive) / kDeg, 0, 1);
+    EXPECT_NEAR(ClimbTilt_rad(drive) / kDeg, 0, 1);
     for (const double x_m : {0.6, 1.2, 1.8, 2.4}) {
       for (const double y_m : {-0.6, -0.5, 0.5, 0.6}) {
         EXPECT_EQ(drive.simulation->ground().HeightAt(x_m, y_m), before.HeightAt(x_m, y_m));

@@ -77,14 +77,14 @@ struct Outcome {
 };
 
 /// How the ground withstands a boom that goes down at full lever.
-enum class Way { kLiftsTheMachine, kStallsTheBoom, kThrowsTheBucketOut, kDoesNot };
+enum class FullLeverWay { kLiftsTheMachine, kStallsTheBoom, kThrowsTheBucketOut, kDoesNot };
 
-Way HowItEnds(const Outcome& outcome) {
-  if (outcome.lifted_m > 0.05) return Way::kLiftsTheMachine;
-  if (outcome.boom_share < 0.1) return Way::kStallsTheBoom;
+FullLeverWay HowItEnds(const Outcome& outcome) {
+  if (outcome.lifted_m > 0.05) return FullLeverWay::kLiftsTheMachine;
+  if (outcome.boom_share < 0.1) return FullLeverWay::kStallsTheBoom;
   // Arm and bucket take the edge out again while the boom goes on down.
-  if (outcome.last_tip_m < outcome.deepest_tip_m - 0.05) return Way::kThrowsTheBucketOut;
-  return Way::kDoesNot;
+  if (outcome.last_tip_m < outcome.deepest_tip_m - 0.05) return FullLeverWay::kThrowsTheBucketOut;
+  return FullLeverWay::kDoesNot;
 }
 
 /// Boom down at full lever, every other lever at an end or neutral.
@@ -160,10 +160,11 @@ TEST_P(FullLever, OfAHundredEdgesDrivenIntoTheGroundEachLiftsTheMachineOrStallsA
     EXPECT_TRUE(outcome.is_finite) << trial;
     deepest_m = std::max(deepest_m, outcome.deepest_tip_m);
     most_gained_j = std::max(most_gained_j, outcome.most_gained_j);
-    const Way way = HowItEnds(outcome);
-    EXPECT_NE(way, Way::kDoesNot) << trial << ": " << outcome.deepest_tip_m << " m deep, at last "
-                                  << outcome.last_tip_m << " m, lifted " << outcome.lifted_m
-                                  << " m, at " << outcome.boom_share << " of the boom's rate";
+    const FullLeverWay way = HowItEnds(outcome);
+    EXPECT_NE(way, FullLeverWay::kDoesNot)
+        << trial << ": " << outcome.deepest_tip_m << " m deep, at last " << outcome.last_tip_m
+        << " m, lifted " << outcome.lifted_m << " m, at " << outcome.boom_share
+        << " of the boom's rate";
     if (outcome.deepest_tip_m > 0.05) {
       ++with_the_edge;
       ++ways[static_cast<int>(way)];
@@ -175,15 +176,15 @@ TEST_P(FullLever, OfAHundredEdgesDrivenIntoTheGroundEachLiftsTheMachineOrStallsA
     EXPECT_LT(outcome.lost_share, 1e-9) << trial;
   }
   EXPECT_EQ(with_the_edge, 100) << "of " << trial;
-  EXPECT_LE(ways[static_cast<int>(Way::kThrowsTheBucketOut)], 3);
+  EXPECT_LE(ways[static_cast<int>(FullLeverWay::kThrowsTheBucketOut)], 3);
   const auto record = [](const char* what, auto value) {
     RecordProperty(what, fmt::format("{:.3g}", static_cast<double>(value)));
   };
   record("poses", trial);
   record("edge_in_the_ground", with_the_edge);
-  record("lifts_the_machine", ways[static_cast<int>(Way::kLiftsTheMachine)]);
-  record("stalls_the_boom", ways[static_cast<int>(Way::kStallsTheBoom)]);
-  record("throws_the_bucket_out", ways[static_cast<int>(Way::kThrowsTheBucketOut)]);
+  record("lifts_the_machine", ways[static_cast<int>(FullLeverWay::kLiftsTheMachine)]);
+  record("stalls_the_boom", ways[static_cast<int>(FullLeverWay::kStallsTheBoom)]);
+  record("throws_the_bucket_out", ways[static_cast<int>(FullLeverWay::kThrowsTheBucketOut)]);
   record("deepest_m", deepest_m);
   record("most_gained_j", most_gained_j);
 }

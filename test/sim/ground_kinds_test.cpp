@@ -19,9 +19,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr const char* kExcavator = "tb235.yaml";
+constexpr const char* kGroundKindsExcavator = "tb235.yaml";
 constexpr const char* kRover = "warthog.yaml";
-constexpr double kG_mps2 = 9.80665;
+constexpr double kGroundKindsG_mps2 = 9.80665;
 constexpr const char* kStart = "{xy_m: [-6, -3], yaw_deg: 25}";
 
 std::string Ground(const std::string& ground, const std::string& base = "") {
@@ -50,7 +50,7 @@ TEST(TrackDrive, IdealTracksMoveAsADifferentialDrive) {
   const struct {
     const char* machine;
     double full_mps, gauge_m;
-  } machines[] = {{kExcavator, 1.25, 1.148}, {kRover, 5.0, 1.08}};
+  } machines[] = {{kGroundKindsExcavator, 1.25, 1.148}, {kRover, 5.0, 1.08}};
   for (const auto& [machine, full_mps, gauge_m] : machines) {
     for (const char* soil : {"asphalt", "dirt"}) {
       for (const auto& [left, right] :
@@ -68,7 +68,7 @@ TEST(TrackDrive, IdealTracksMoveAsADifferentialDrive) {
 TEST(TrackDrive, KinematicTracksWithoutEffectsAreIdealOnes) {
   for (const char* ground : {"ideal", "kinematic"}) {
     const PlanarTwist twist =
-        Steady(kExcavator, "cell_m: 0.1, soil: dirt", 0.3, 0.5, Ground(ground));
+        Steady(kGroundKindsExcavator, "cell_m: 0.1, soil: dirt", 0.3, 0.5, Ground(ground));
     EXPECT_NEAR(twist.forward_mps, 0.5, 1e-3) << ground;
     EXPECT_NEAR(twist.yaw_radps, 0.25 / 1.148, 1e-3) << ground;
   }
@@ -77,7 +77,7 @@ TEST(TrackDrive, KinematicTracksWithoutEffectsAreIdealOnes) {
 TEST(TrackDrive, EffectsOfSlipActOnAMachineThatDrives) {
   const std::string flat = "cell_m: 0.1, soil: asphalt";
   const auto with = [&](const std::string& base) {
-    return Steady(kExcavator, flat, 0.3, 0.5, Ground("kinematic", base));
+    return Steady(kGroundKindsExcavator, flat, 0.3, 0.5, Ground("kinematic", base));
   };
   const double yaw_radps = 0.25 / 1.148;
   EXPECT_NEAR(with("track_slip: {slip: 0.1}").forward_mps, 0.45, 1e-3);
@@ -99,8 +99,8 @@ TEST(TrackDrive, SlopesMakeAMachineSlipAndDrift) {
       fmt::format("cell_m: 0.1, soil: asphalt, relief: {{slope_deg: {}, slope_direction_deg: 90}}",
                   std::atan(0.2) / kDeg);
   const auto heading = [&](double yaw_deg, const std::string& base) {
-    Drive drive(kExcavator, fmt::format("{{xy_m: [0, -4], yaw_deg: {}}}", yaw_deg), slope, 0.4, 0.4,
-                Ground("kinematic", base));
+    Drive drive(kGroundKindsExcavator, fmt::format("{{xy_m: [0, -4], yaw_deg: {}}}", yaw_deg),
+                slope, 0.4, 0.4, Ground("kinematic", base));
     drive.Run(2.0);
     return TwistOf(drive);
   };
@@ -123,7 +123,7 @@ TEST(TrackDrive, ScaleAndAsymmetryActOnTheSoilToo) {
 TEST(TrackDrive, ScaleAndAsymmetryLieBetweenSprocketsAndShoes) {
   // 0.1 of 1.25 m/s on sprockets of 0.25 m is 0.5 rad/s, whatever the shoes make of it.
   for (const char* ground : {"terramechanics", "ideal", "kinematic"}) {
-    Drive drive(kExcavator, kStart, "cell_m: 0.1, soil: asphalt", 0.1, 0.1,
+    Drive drive(kGroundKindsExcavator, kStart, "cell_m: 0.1, soil: asphalt", 0.1, 0.1,
                 Ground(ground, "track_scale: {scale: 0.9}, track_asymmetry: {difference: 0.1}"));
     drive.Run(2.0);
     EXPECT_NEAR(drive.machine().gear_rate_radps[0], 0.5, 1e-3) << ground;
@@ -137,7 +137,7 @@ TEST(TrackDrive, TheGroundHoldsNoMoreThanItsStrength) {
   // Locked tracks on wet pavement of friction 20 deg: still at 14 deg, and at 24 deg sliding with
   // g (sin 24 - tan 20 cos 24) = 0.728 m/s^2.
   const auto slide = [](double slope_deg) {
-    Drive drive(kExcavator, "{xy_m: [0, 3], yaw_deg: 90}",
+    Drive drive(kGroundKindsExcavator, "{xy_m: [0, 3], yaw_deg: 90}",
                 fmt::format("cell_m: 0.1, soil: wet, custom_soils: [{{preset: "
                             "tera:config/soils/asphalt.yaml, name: wet, friction_angle_deg: 20}}], "
                             "relief: {{slope_deg: {}, slope_direction_deg: 90}}",
@@ -153,7 +153,7 @@ TEST(TrackDrive, TheGroundHoldsNoMoreThanItsStrength) {
 
 TEST(TrackDrive, SprocketsCarryTheWeightOnTheSlope) {
   // Uphill at 10 deg, 3500 kg, two sprockets of 0.25 m.
-  Drive drive(kExcavator, "{xy_m: [0, -4], yaw_deg: 90}",
+  Drive drive(kGroundKindsExcavator, "{xy_m: [0, -4], yaw_deg: 90}",
               "cell_m: 0.1, soil: asphalt, relief: {slope_deg: 10, slope_direction_deg: 90}", 0.4,
               0.4, Ground("kinematic", "rolling_resistance: {coefficient: 0.1}"));
   drive.Run(2.0);
@@ -162,7 +162,7 @@ TEST(TrackDrive, SprocketsCarryTheWeightOnTheSlope) {
     torque_nm += (drive.machine().gear_torque_nm[0] + drive.machine().gear_torque_nm[1]) / 250;
   });
   const double expected_nm =
-      0.25 * 3500 * kG_mps2 * (std::sin(10 * kDeg) + 0.1 * std::cos(10 * kDeg));
+      0.25 * 3500 * kGroundKindsG_mps2 * (std::sin(10 * kDeg) + 0.1 * std::cos(10 * kDeg));
   EXPECT_NEAR(torque_nm / expected_nm, 1, 0.03);
 }
 
@@ -170,7 +170,7 @@ TEST(TrackDrive, StrengthOfTheSoilDecidesWhatHolds) {
   // Pavement of friction 38.7 deg at half its strength holds up to atan(0.40) = 21.8 deg.
   for (const char* ground : {"terramechanics", "ideal"}) {
     const auto creep = [&](double slope_deg) {
-      Drive drive(kExcavator, "{xy_m: [0, 3], yaw_deg: 90}",
+      Drive drive(kGroundKindsExcavator, "{xy_m: [0, 3], yaw_deg: 90}",
                   fmt::format("cell_m: 0.1, soil: asphalt, relief: {{slope_deg: {}, "
                               "slope_direction_deg: 90}}",
                               slope_deg),
@@ -185,7 +185,7 @@ TEST(TrackDrive, StrengthOfTheSoilDecidesWhatHolds) {
 
 TEST(TrackDrive, StiffnessOfTheSoilDecidesTheSinkage) {
   const auto sinkage = [](double stiffness) {
-    Drive drive(kExcavator, kStart, "cell_m: 0.1, soil: loose", 0, 0,
+    Drive drive(kGroundKindsExcavator, kStart, "cell_m: 0.1, soil: loose", 0, 0,
                 Ground("ideal", fmt::format("soil_strength: {{stiffness: {}}}", stiffness)));
     return -drive.place().z();
   };
@@ -221,19 +221,21 @@ std::string FaultOf(const std::string& machine, const std::string& more) {
 }
 
 TEST(TrackDrive, FaultsOfTheChoiceSayWhatIsNeeded) {
-  EXPECT_THAT(FaultOf(kExcavator, Ground("kinematik")), HasSubstr("ground"));
-  EXPECT_THAT(FaultOf(kExcavator, Ground("kinematik")), HasSubstr("kinematic"));
+  EXPECT_THAT(FaultOf(kGroundKindsExcavator, Ground("kinematik")), HasSubstr("ground"));
+  EXPECT_THAT(FaultOf(kGroundKindsExcavator, Ground("kinematik")), HasSubstr("kinematic"));
   EXPECT_THAT(FaultOf("mast.yaml", Ground("ideal")), HasSubstr("running gear left and right"));
   for (const char* ground : {"terramechanics", "ideal"}) {
-    EXPECT_THAT(FaultOf(kExcavator, Ground(ground, "track_slip: {slip: 0.1}")),
+    EXPECT_THAT(FaultOf(kGroundKindsExcavator, Ground(ground, "track_slip: {slip: 0.1}")),
                 HasSubstr("'track_slip' acts only on a machine with ground: kinematic"));
   }
-  EXPECT_THAT(FaultOf(kExcavator, Ground("kinematic", "track_slip: {slip: 1.5}")),
+  EXPECT_THAT(FaultOf(kGroundKindsExcavator, Ground("kinematic", "track_slip: {slip: 1.5}")),
               HasSubstr("out of range"));
-  EXPECT_THAT(FaultOf(kExcavator, Ground("kinematic", "effective_gauge: {}")), HasSubstr("ratio"));
-  EXPECT_THAT(FaultOf(kExcavator, Ground("kinematic", "trak_slip: {slip: 0.1}")),
+  EXPECT_THAT(FaultOf(kGroundKindsExcavator, Ground("kinematic", "effective_gauge: {}")),
+              HasSubstr("ratio"));
+  EXPECT_THAT(FaultOf(kGroundKindsExcavator, Ground("kinematic", "trak_slip: {slip: 0.1}")),
               HasSubstr("track_slip"));
-  EXPECT_EQ(FaultOf(kExcavator, Ground("kinematic", "track_slip: {slip: 0.1}")), "no fault");
+  EXPECT_EQ(FaultOf(kGroundKindsExcavator, Ground("kinematic", "track_slip: {slip: 0.1}")),
+            "no fault");
 }
 
 /// A file of a cart on tracks whose blade is on that link.

@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-Scenario Excavator() {
+Scenario MachineWearExcavator() {
   const Config config = Config::FromText(std::string(kSite) + kExcavator, "s.yaml", {});
   Scenario scenario = ReadScenario(config.root());
   config.Finish();
@@ -21,7 +21,7 @@ double FromSoil_m(const NodeWear& wear, const Vec3& p_B_m) {
 }
 
 TEST(MachineWear, IsAsFarFromTheSoilAsThePartIs) {
-  const Scenario scenario = Excavator();
+  const Scenario scenario = MachineWearExcavator();
   const MachineModel& machine = scenario.machines[0].placement.model;
   const Wear wear{.mud = 1};
   const Vec3 soil(0.2, 0.15, 0.1);

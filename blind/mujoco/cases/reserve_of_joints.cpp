@@ -9,7 +9,7 @@ namespace {
 
 /// Slots of 7 ms against messages of 20 ms: the phase is one of 7 ms, 3 ms on average; 0.25 / 0.75
 /// of a slot beside.
-Effect CommandDelay(std::size_t axis, const Draw& draw) {
+Effect ReservedCommandDelay(std::size_t axis, const Draw& draw) {
   constexpr double kSlot_s = 0.007, kContested = 0.25;
   constexpr double kWaits_s = 0.003 + kSlot_s * kContested / (1 - kContested);
   const double late_s = kTolerances.late_s * draw.Times();
@@ -24,7 +24,7 @@ Effect CommandDelay(std::size_t axis, const Draw& draw) {
   });
 }
 
-Effect CommandDrops(std::size_t axis, const Draw& draw) {
+Effect ReservedCommandDrops(std::size_t axis, const Draw& draw) {
   const double lost = std::min(0.5, 0.05 * draw.Times());
   const double fades_hz = draw.draws->Between(0.8, 1.6);
   Effect effect =
@@ -36,7 +36,7 @@ Effect CommandDrops(std::size_t axis, const Draw& draw) {
   });
 }
 
-Effect DeadBand(std::size_t axis, const Draw& draw) {
+Effect ReservedDeadBand(std::size_t axis, const Draw& draw) {
   const double width = kTolerances.dead_band * draw.Times();
   Effect effect =
       OfJoint("dead_band", axis, "pilot pressure below a spring's, then a soft start", {"lever"});
@@ -48,7 +48,7 @@ Effect DeadBand(std::size_t axis, const Draw& draw) {
 }
 
 /// The owner's rate is the mean of both ways.
-Effect AsymmetricGain(std::size_t axis, const Draw& draw) {
+Effect ReservedAsymmetricGain(std::size_t axis, const Draw& draw) {
   const double part = std::min(0.65, kTolerances.rate * draw.Times());
   const double slower = 1 - part / (2 - part), faster = 1 + part / (2 - part);
   const bool rod_is_positive = draw.draws->Chance(0.5);
@@ -61,7 +61,7 @@ Effect AsymmetricGain(std::size_t axis, const Draw& draw) {
   });
 }
 
-Effect RateGain(std::size_t axis, const Draw& draw) {
+Effect ReservedRateGain(std::size_t axis, const Draw& draw) {
   const double part = std::min(0.5, kTolerances.rate * draw.Times()) * draw.draws->Sign();
   const double hunts_hz = draw.draws->Between(0.15, 0.35);
   Effect effect =
@@ -74,14 +74,14 @@ Effect RateGain(std::size_t axis, const Draw& draw) {
   });
 }
 
-Effect ActuatorLag(std::size_t axis, const Draw& draw) {
+Effect ReservedActuatorLag(std::size_t axis, const Draw& draw) {
   const double late_s = kTolerances.late_s * draw.Times();
   Effect effect = OfJoint("actuator_lag", axis, "pilot hose that resists and swells all along",
                           {"lever_way", "lever"});
   return WithDrive(effect, axis, [=](DriveForm* drive) { drive->line_s = late_s; });
 }
 
-Effect DriveFriction(std::size_t axis, const Draw& draw) {
+Effect ReservedDriveFriction(std::size_t axis, const Draw& draw) {
   const double share = kTolerances.dead_band * draw.Times();
   const double motor_s = draw.draws->Between(0.05, 0.1);
   Effect effect = OfJoint("drive_friction", axis, "ring that rubs as the arm's reach tilts it",
@@ -94,7 +94,7 @@ Effect DriveFriction(std::size_t axis, const Draw& draw) {
   });
 }
 
-Effect Backlash(std::size_t axis, const Draw& draw) {
+Effect ReservedBacklash(std::size_t axis, const Draw& draw) {
   const double gap_rad = 0.0045 * draw.Times();
   const double worst_rad = draw.draws->Within(1);
   Effect effect = OfJoint("backlash", axis, "ring worn on the side where it works most",
@@ -106,7 +106,7 @@ Effect Backlash(std::size_t axis, const Draw& draw) {
   });
 }
 
-Effect PressureDroop(std::size_t axis, const Draw& draw) {
+Effect ReservedPressureDroop(std::size_t axis, const Draw& draw) {
   const double share = std::min(0.7, kTolerances.rate * draw.Times());
   Effect effect =
       OfJoint("pressure_droop", axis, "rate that falls as it lifts, behind a counterbalance valve",
@@ -119,11 +119,11 @@ Effect PressureDroop(std::size_t axis, const Draw& draw) {
 Effect DrawReservedOfJoint(const std::string& name, std::size_t axis, const Draw& draw) {
   using Drawn = Effect (*)(std::size_t, const Draw&);
   const std::map<std::string, Drawn> drawn = {
-      {"command_delay", CommandDelay},   {"command_drops", CommandDrops},
-      {"dead_band", DeadBand},           {"asymmetric_gain", AsymmetricGain},
-      {"rate_gain", RateGain},           {"actuator_lag", ActuatorLag},
-      {"drive_friction", DriveFriction}, {"backlash", Backlash},
-      {"pressure_droop", PressureDroop}};
+      {"command_delay", ReservedCommandDelay},   {"command_drops", ReservedCommandDrops},
+      {"dead_band", ReservedDeadBand},           {"asymmetric_gain", ReservedAsymmetricGain},
+      {"rate_gain", ReservedRateGain},           {"actuator_lag", ReservedActuatorLag},
+      {"drive_friction", ReservedDriveFriction}, {"backlash", ReservedBacklash},
+      {"pressure_droop", ReservedPressureDroop}};
   return drawn.at(name)(axis, draw);
 }
 

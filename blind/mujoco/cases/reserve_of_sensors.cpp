@@ -8,7 +8,7 @@
 namespace tera::blind::mujoco {
 namespace {
 
-Effect UnitMount(const Draw& draw) {
+Effect ReservedUnitMount(const Draw& draw) {
   const std::size_t unit = draw.draws->Below(kUnits);
   const double angle_rad = kTolerances.mount_rad * draw.Times() * draw.draws->Sign();
   const bool about_x = draw.draws->Chance(0.5);
@@ -19,7 +19,7 @@ Effect UnitMount(const Draw& draw) {
   return effect;
 }
 
-Effect UnitBias(const Draw& draw) {
+Effect ReservedUnitBias(const Draw& draw) {
   const bool is_gyro = draw.draws->Chance(0.5);
   const std::size_t unit = is_gyro ? draw.draws->Below(kUnits) : MovingUnit(draw);
   const auto axis = static_cast<Eigen::Index>(draw.draws->Below(3));
@@ -40,7 +40,7 @@ Effect UnitBias(const Draw& draw) {
 }
 
 /// Late by as much as is drawn after 50 s, a fifth of it at first.
-Effect UnitLate(const Draw& draw) {
+Effect ReservedUnitLate(const Draw& draw) {
   const std::size_t unit = MovingUnit(draw);
   const double late_s = kTolerances.late_s * draw.Times();
   const Mount& mount = draw.numbers.units[unit];
@@ -54,7 +54,7 @@ Effect UnitLate(const Draw& draw) {
 }
 
 /// As far aside as is drawn, and lower.
-Effect Antenna(const Draw& draw) {
+Effect ReservedAntenna(const Draw& draw) {
   const std::size_t receiver = draw.draws->Below(kReceivers);
   const double off_m = kTolerances.antenna_m * draw.Times();
   const double towards_rad = draw.draws->Within(std::numbers::pi);
@@ -70,7 +70,7 @@ Effect Antenna(const Draw& draw) {
   return effect;
 }
 
-Effect ReceiverClock(const Draw& draw) {
+Effect ReservedReceiverClock(const Draw& draw) {
   const std::size_t receiver = draw.draws->Below(kReceivers);
   const double late_s = kTolerances.late_s * draw.Times();
   const double set_s = draw.draws->Between(8, 20);
@@ -84,7 +84,7 @@ Effect ReceiverClock(const Draw& draw) {
   return effect;
 }
 
-Effect Reflections(const Draw& draw) {
+Effect ReservedReflections(const Draw& draw) {
   const std::size_t receiver = draw.draws->Below(kReceivers);
   const double push_m = std::min(0.4, kTolerances.datum_m * draw.Times());
   Effect effect = OfSensor(draw.numbers.antennas[receiver].name, "multipath",
@@ -97,7 +97,7 @@ Effect Reflections(const Draw& draw) {
 
 double MiddleOf(const JointNumbers& joint) { return (joint.lower_rad + joint.upper_rad) / 2; }
 
-Effect EncoderZero(const Draw& draw) {
+Effect ReservedEncoderZero(const Draw& draw) {
   const double zero_rad = kTolerances.zero_rad * draw.Times() * draw.draws->Sign();
   auto [axis, effect] = OfEncoder(draw, "bias", "ring off its centre, most amid travel");
   effect.concealed.besides = {"scale"};
@@ -109,7 +109,7 @@ Effect EncoderZero(const Draw& draw) {
   return effect;
 }
 
-Effect EncoderReversed(const Draw& draw) {
+Effect ReservedEncoderReversed(const Draw& draw) {
   auto [axis, effect] = OfEncoder(draw, "axis_flip", "rate alone counts the other way");
   effect.concealed.alike = {"scale"};
   effect.put = [axis = axis](Forms* forms) { forms->sensors.encoders[axis].rate_factor = -1; };
@@ -117,7 +117,7 @@ Effect EncoderReversed(const Draw& draw) {
 }
 
 /// Set right amid travel; what is wound up already makes the drum larger.
-Effect EncoderScale(const Draw& draw) {
+Effect ReservedEncoderScale(const Draw& draw) {
   const double part = 0.013 * draw.Times() * draw.draws->Sign();
   auto [axis, effect] = OfEncoder(draw, "scale", "cord on a drum of another radius");
   effect.concealed.besides = {"bias"};
@@ -138,11 +138,11 @@ Effect EncoderScale(const Draw& draw) {
 Effect DrawReservedOfSensor(const std::string& name, const Draw& draw) {
   using Drawn = Effect (*)(const Draw&);
   const std::map<std::string, Drawn> drawn = {
-      {"unit_mount", UnitMount},         {"unit_bias", UnitBias},
-      {"unit_late", UnitLate},           {"antenna", Antenna},
-      {"receiver_clock", ReceiverClock}, {"reflections", Reflections},
-      {"encoder_zero", EncoderZero},     {"encoder_reversed", EncoderReversed},
-      {"encoder_scale", EncoderScale}};
+      {"unit_mount", ReservedUnitMount},         {"unit_bias", ReservedUnitBias},
+      {"unit_late", ReservedUnitLate},           {"antenna", ReservedAntenna},
+      {"receiver_clock", ReservedReceiverClock}, {"reflections", ReservedReflections},
+      {"encoder_zero", ReservedEncoderZero},     {"encoder_reversed", ReservedEncoderReversed},
+      {"encoder_scale", ReservedEncoderScale}};
   return drawn.at(name)(draw);
 }
 

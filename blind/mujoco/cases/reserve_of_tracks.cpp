@@ -7,7 +7,7 @@ namespace {
 
 /// Sideways the shoes slide all along, so that a track's thrust in a turn balances half the moment
 /// of both. One track gives way four times as much as the other.
-Effect EffectiveGauge(const Draw& draw) {
+Effect ReservedEffectiveGauge(const Draw& draw) {
   constexpr double kSofter = 1.6, kHarder = 0.4;
   const double ratio = 1 + std::min(0.6, kTolerances.gauge * draw.Times());
   const double slip = 1 - 1 / ratio;
@@ -29,7 +29,7 @@ Effect EffectiveGauge(const Draw& draw) {
   return effect;
 }
 
-Effect TrackSlip(const Draw& draw) {
+Effect ReservedTrackSlip(const Draw& draw) {
   const double slip = std::min(0.3, kTolerances.travel * draw.Times());
   Effect effect;
   effect.concealed.name = "track_slip";
@@ -49,7 +49,7 @@ Effect TrackSlip(const Draw& draw) {
   return effect;
 }
 
-Effect TrackAsymmetry(const Draw& draw) {
+Effect ReservedTrackAsymmetry(const Draw& draw) {
   const double apart = kTolerances.tracks_apart * draw.Times();
   const bool is_left = draw.draws->Chance(0.5);
   Effect effect;
@@ -64,9 +64,9 @@ Effect TrackAsymmetry(const Draw& draw) {
 }  // namespace
 
 Effect DrawReservedOfTracks(const std::string& name, const Draw& draw) {
-  return name == "effective_gauge" ? EffectiveGauge(draw)
-         : name == "track_slip"    ? TrackSlip(draw)
-                                   : TrackAsymmetry(draw);
+  return name == "effective_gauge" ? ReservedEffectiveGauge(draw)
+         : name == "track_slip"    ? ReservedTrackSlip(draw)
+                                   : ReservedTrackAsymmetry(draw);
 }
 
 }  // namespace tera::blind::mujoco

@@ -11,7 +11,7 @@ namespace {
 constexpr double kHeave_radps = 90, kHeaveDamping = 0.4;
 constexpr double kShear_radps = 70, kShearDamping = 0.3;
 constexpr double kCreep_mps = 0.05;  ///< below which resistances fade
-constexpr double kGravity_mps2 = 9.8071;
+constexpr double kShoesGravity_mps2 = 9.8071;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ Shoes::Shoes(const MachineNumbers& numbers, const PlantForm& form, const Ground&
     : ground_(ground),
       form_(form.shoes),
       contact_m_(numbers.contact_m * form.shoes.length),
-      weight_n_(mass_kg * kGravity_mps2),
+      weight_n_(mass_kg * kShoesGravity_mps2),
       packs_(form.packs) {
   const double share_kg = mass_kg / (2 * kShoes);
   carry_npm_ = share_kg * kHeave_radps * kHeave_radps;

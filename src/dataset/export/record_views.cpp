@@ -10,9 +10,6 @@
 namespace tera {
 namespace {
 
-/// How far a quaternion's norm may be from 1: the digits of single precision.
-constexpr double kQuaternionTolerance = 1e-5;
-
 Vec3 Vector3(const Record& record, std::size_t first) {
   return {record.values[first], record.values[first + 1], record.values[first + 2]};
 }

@@ -29,9 +29,6 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// How far a quaternion's norm may be from 1: the digits of single precision.
-constexpr double kQuaternionTolerance = 1e-5;
-
 /// A file that dataset.yaml lists.
 CsvFile Open(const fs::path& path) {
   if (!fs::exists(path)) {

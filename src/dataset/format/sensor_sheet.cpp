@@ -11,7 +11,6 @@
 namespace tera {
 namespace {
 
-constexpr double kQuaternionTolerance = 1e-5;
 constexpr double kMostPixels = 65535;
 
 Pose ReadPlace(const ConfigMap& map) {

@@ -12,7 +12,7 @@ namespace {
 constexpr int kMargin_px = 4, kLine_px = 13;
 constexpr double kTextScale = 0.36;
 
-cv::Mat View(Picture* picture) {
+cv::Mat PixelsOf(Picture* picture) {
   return {picture->height_px, picture->width_px, CV_8UC3, picture->data.data()};
 }
 
@@ -29,7 +29,7 @@ std::string Cut(std::string line, int width_px) {
 }
 
 void WriteLines(const SheetTile& tile, int x_px, int y_px, Picture* sheet) {
-  cv::Mat view = View(sheet);
+  cv::Mat view = PixelsOf(sheet);
   for (const std::string& line : tile.lines) {
     y_px += kLine_px;
     cv::putText(view, Cut(line, tile.picture.width_px - 2), {x_px + 1, y_px - 3},

@@ -13,7 +13,7 @@ namespace {
 using Colour = std::array<std::uint8_t, 3>;
 
 constexpr Colour kBackground = {12, 12, 16}, kUnknownClass = {255, 255, 255};
-constexpr double kShownShare = 0.98;  ///< share of the points that lie inside the view from above
+constexpr double kShareInView = 0.98;  ///< share of the points that lie inside the view from above
 constexpr double kRingStep_m = 10.0, kMinRadius_m = 10.0;
 
 Colour ClassColour(std::uint8_t label) {
@@ -25,7 +25,7 @@ double ShownRadius_m(const std::vector<LidarPoint>& points) {
   for (const LidarPoint& p : points) ranges_m.push_back(std::hypot(p.x_m, p.y_m));
   if (ranges_m.empty()) return kMinRadius_m;
   const auto place =
-      ranges_m.begin() + static_cast<std::ptrdiff_t>(kShownShare * double(ranges_m.size() - 1));
+      ranges_m.begin() + static_cast<std::ptrdiff_t>(kShareInView * double(ranges_m.size() - 1));
   std::nth_element(ranges_m.begin(), place, ranges_m.end());
   return std::max(kMinRadius_m, *place);
 }

@@ -20,8 +20,8 @@ namespace {
 constexpr std::ptrdiff_t kFewestSamples = 200;
 /// Time after which a rate that repeats itself without a lever says nothing.
 constexpr double kLongestRepeat_s = 1;
-constexpr int kLags = 12;  ///< of the lever, in the flexible regressor
-constexpr double kLongestLag_s = 0.8;
+constexpr int kLeverLags = 12;  ///< of the lever, in the flexible regressor
+constexpr double kLongestLeverLag_s = 0.8;
 /// Share of the model's effort that a drive surely has: samples that need more are excluded.
 constexpr double kSureEffortShare = 0.5;
 /// Share of the moving samples that may be excluded for that; with more, all of them stay.
@@ -139,8 +139,8 @@ Eigen::MatrixXd ByLagAndPlace(const Series& lever, const Series& position, const
   double heaviest = 1e-9;
   for (const double nm : load.value) heaviest = std::max(heaviest, std::abs(nm));
   std::vector<std::size_t> lags;
-  for (int i = 0; i < kLags; ++i) {
-    const double lag_s = kLongestLag_s * std::pow(i / (kLags - 1.0), 1.5);
+  for (int i = 0; i < kLeverLags; ++i) {
+    const double lag_s = kLongestLeverLag_s * std::pow(i / (kLeverLags - 1.0), 1.5);
     const auto lag = static_cast<std::size_t>(std::llround(lag_s / lever.period_s));
     if (lags.empty() || lag > lags.back()) lags.push_back(lag);
   }

@@ -13,7 +13,7 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kFewestSamples = 200;
+constexpr std::size_t kFewestEfforts = 200;
 constexpr double kNominalMass =
     0.03;  ///< standard deviation of mass, inertia and weight, as shares
 /// Quantile of the efforts' magnitudes that bounds the sizes of candidates.
@@ -22,19 +22,19 @@ constexpr double kLargestQuantile = 0.99;
 constexpr double kSignWidth = 0.02;
 
 /// The largest effort and rate of the log, by which sizes of candidates are bounded.
-struct Reach {
+struct EffortReach {
   double effort_nm = 0, rate_radps = 0;
   double viscous_nmsprad() const { return effort_nm / rate_radps; }
 };
 
-Reach ReachOf(const EffortLog& log) {
+EffortReach ReachOf(const EffortLog& log) {
   std::vector<double> magnitude_nm = ValidValues(log.measured);
   for (double& e : magnitude_nm) e = std::abs(e);
   return {Quantile(magnitude_nm, kLargestQuantile), LargestMagnitude(log.rate_radps)};
 }
 
 std::vector<Candidate> CandidatesOf(const std::string& joint, const Effects& present,
-                                    const Reach& reach) {
+                                    const EffortReach& reach) {
   const double f = reach.effort_nm, w = reach.rate_radps, c = reach.viscous_nmsprad();
   CandidateList out(joint, EffectTarget::kJoint, present, ActuationMechanisms());
   out.Add("coulomb_friction", {{0, 0, 2 * f}}, {{0.02 * f}, {0.07 * f}, {0.2 * f}, {0.6 * f}});
@@ -113,8 +113,8 @@ Series CommandOf(const EffortLog& log, double largest_radps) {
 }  // namespace
 
 std::optional<ReplayBlock> MakeEffortBlock(const MachineModel& model, EffortLog given) {
-  if (CountValid(given.measured.valid) < kFewestSamples) return std::nullopt;
-  const Reach reach = ReachOf(given);
+  if (CountValid(given.measured.valid) < kFewestEfforts) return std::nullopt;
+  const EffortReach reach = ReachOf(given);
   if (reach.rate_radps <= 0 || reach.effort_nm <= 0) return std::nullopt;
   // The block's replay keeps both alive.
   const auto log = std::make_shared<const EffortLog>(std::move(given));

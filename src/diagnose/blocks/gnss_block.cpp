@@ -16,7 +16,7 @@ namespace tera {
 namespace {
 
 constexpr std::ptrdiff_t kFewestPositions = 100;
-constexpr std::array<const char*, 3> kColumns = {"/east_m", "/north_m", "/up_m"};
+constexpr std::array<const char*, 3> kEnuColumns = {"/east_m", "/north_m", "/up_m"};
 constexpr std::size_t kMostPositions = 1200;  ///< of a receiver, that are compared
 constexpr double kLargestYaw_deg = 135;       ///< of a pair: half a turn is an exchange
 constexpr double kPlacement_m = 0.01;    ///< standard deviation of an antenna's place on its link
@@ -27,7 +27,7 @@ constexpr TimeNs kHalfSpan_ns = 250'000'000;  ///< over which velocities are mea
 /// Delays that the flexible regressor can follow: short ones, and those between GPS time and UTC.
 constexpr std::array<double, 8> kLate_s = {-18, -8, -3, -1, 1, 3, 8, 18};
 
-using Axes = std::array<std::vector<double>, 3>;
+using AxisSeries = std::array<std::vector<double>, 3>;
 
 /// The time grid of all receivers of a block.
 struct CommonGrid {
@@ -82,7 +82,7 @@ CommonGrid GridOf(const GnssLog& log) {
 }
 
 /// The motion of an antenna at its documented mount, at the places of a grid.
-struct Course {
+struct ReceiverCourse {
   std::vector<double> east_mps, north_mps, up_mps;
   std::vector<double> forward_mps, left_mps, turning_radps;
   std::vector<double> yaw_rad, roll_rad, pitch_rad, time_s;
@@ -91,7 +91,7 @@ struct Course {
       away_m;  ///< where it was so much earlier, from here
 };
 
-void AddBoom(const ReceiverLog& log, TimeNs t_ns, Course* course) {
+void AddBoom(const ReceiverLog& log, TimeNs t_ns, ReceiverCourse* course) {
   const Vec3 boom_W =
       log.boom ? Vec3(log.boom->At(t_ns).linear() * log.boom_direction_B) : Vec3(Vec3::Zero());
   const double raised = std::max(0.0, boom_W.z()), level = std::hypot(boom_W.x(), boom_W.y());
@@ -100,8 +100,9 @@ void AddBoom(const ReceiverLog& log, TimeNs t_ns, Course* course) {
   course->raised_north.push_back(level > 0 ? raised * boom_W.y() / level : 0);
 }
 
-Course CourseOf(const SensorDescription& receiver, const ReceiverLog& log, const CommonGrid& grid) {
-  Course course;
+ReceiverCourse CourseOf(const SensorDescription& receiver, const ReceiverLog& log,
+                        const CommonGrid& grid) {
+  ReceiverCourse course;
   const Vec3& p_LS_m = receiver.X_BS.translation();
   const double span_s = ToSeconds(2 * kHalfSpan_ns);
   for (std::size_t place = 0; place < grid.size(); ++place) {
@@ -132,7 +133,7 @@ Course CourseOf(const SensorDescription& receiver, const ReceiverLog& log, const
 }
 
 /// The flexible regressor of east, north or up.
-Eigen::MatrixXd FlexibleRegressor(const Course& course, int axis) {
+Eigen::MatrixXd FlexibleRegressor(const ReceiverCourse& course, int axis) {
   std::vector<double> sine, cosine, swing_sine, swing_cosine, time, square;
   const double last_s = std::max(course.time_s.back(), 1e-9);
   for (std::size_t k = 0; k < course.time_s.size(); ++k) {
@@ -175,7 +176,7 @@ Eigen::MatrixXd FlexibleRegressor(const Course& course, int axis) {
 
 /// Changes of east, north or up where the antenna is mounted a little further ahead, and to the
 /// left.
-Eigen::MatrixXd PlacementColumns(const Course& course, std::size_t axis) {
+Eigen::MatrixXd PlacementColumns(const ReceiverCourse& course, std::size_t axis) {
   const auto size = static_cast<Eigen::Index>(course.yaw_rad.size());
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(size, axis < 2 ? 2 : 0);
   for (Eigen::Index k = 0; axis < 2 && k < size; ++k) {
@@ -192,7 +193,8 @@ Series Whole(std::vector<double> values, double period_s) {
   return {period_s, std::move(values), std::move(all)};
 }
 
-std::vector<RegimeVariable> VariablesOf(const Course& course, bool has_boom, double period_s) {
+std::vector<RegimeVariable> VariablesOf(const ReceiverCourse& course, bool has_boom,
+                                        double period_s) {
   std::vector<RegimeVariable> variables = {{"yaw", Whole(course.yaw_rad, period_s), true},
                                            {"speed", Whole(course.forward_mps, period_s)},
                                            {"yaw_rate", Whole(course.turning_radps, period_s)},
@@ -260,8 +262,8 @@ std::vector<Candidate> CandidatesOf(const std::vector<SensorDescription>& receiv
 }
 
 /// Positions relative to `origin_m`, by axis.
-Axes Split(const std::vector<Vec3>& p_m, const std::vector<Vec3>& origin_m) {
-  Axes split;
+AxisSeries Split(const std::vector<Vec3>& p_m, const std::vector<Vec3>& origin_m) {
+  AxisSeries split;
   for (std::size_t k = 0; k < p_m.size(); ++k) {
     const Vec3 away_m = p_m[k] - origin_m[k];
     for (int i = 0; i < 3; ++i) split[static_cast<std::size_t>(i)].push_back(away_m[i]);
@@ -309,14 +311,14 @@ std::string NameOf(const std::vector<SensorDescription>& receivers, const std::s
   return name;
 }
 
-void AddChannels(const ReplayData& held, std::size_t r, const Course& course,
+void AddChannels(const ReplayData& held, std::size_t r, const ReceiverCourse& course,
                  const CommonGrid& grid, const std::string& channel, ReplayBlock* block) {
   const ReceiverLog& log = held.log[r];
-  const Axes measured = Split(log.p_WS_m, held.documented_m[r]);
+  const AxisSeries measured = Split(log.p_WS_m, held.documented_m[r]);
   const auto& noise = std::get<GnssModel>(held.receivers[r].model);
   for (std::size_t i = 0; i < 3; ++i) {
     const double slow_m = i < 2 ? noise.correlated_horizontal_m : noise.correlated_vertical_m;
-    block->channels.push_back({channel + kColumns[i],
+    block->channels.push_back({channel + kEnuColumns[i],
                                "m",
                                grid.of[r].SpreadSeries(Every(grid.every[r], measured[i]),
                                                        Every(grid.every[r], log.known)),
@@ -341,7 +343,7 @@ std::optional<ReplayBlock> MakeGnssBlock(const std::vector<SensorDescription>& r
   block.name = NameOf(receivers, machine);
   block.first_ns = grid.first_ns;
   for (std::size_t r = 0; r < receivers.size(); ++r) {
-    const Course course = CourseOf(receivers[r], held->log[r], grid);
+    const ReceiverCourse course = CourseOf(receivers[r], held->log[r], grid);
     AddChannels(*held, r, course, grid, machine + "/" + receivers[r].name, &block);
     if (r > 0) continue;
     block.commands = {CommandOf(course.forward_mps, kLeastSpeed_mps, grid.period_s()),

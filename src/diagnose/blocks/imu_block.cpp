@@ -12,16 +12,16 @@
 namespace tera {
 namespace {
 
-constexpr std::ptrdiff_t kFewestIntervals = 100;
+constexpr std::ptrdiff_t kFewestImuIntervals = 100;
 constexpr std::size_t kQuantities = 6;
 /// Correlation of a predicted quantity from one interval to the next, at least, for it to be
 /// motion.
 constexpr double kLeastCorrelation = 0.3;
-constexpr double kLeastTurning_radps = 0.02;  ///< of a link: less is rest
+constexpr double kLeastLinkTurning_radps = 0.02;  ///< of a link: less is rest
 constexpr std::array<const char*, kQuantities> kColumns = {"wx_radps", "wy_radps", "wz_radps",
                                                            "ax_mps2",  "ay_mps2",  "az_mps2"};
 /// Lags of the flexible regressor's columns, in intervals.
-constexpr std::array<std::size_t, 4> kLags = {0, 1, 2, 4};
+constexpr std::array<std::size_t, 4> kImuLags = {0, 1, 2, 4};
 
 using Quantities = std::array<std::vector<double>, kQuantities>;
 
@@ -55,7 +55,7 @@ bool IsExcited(const std::vector<double>& predicted) {
 bool IsAtRest(const Quantities& predicted) {
   return std::all_of(predicted.begin(), predicted.begin() + 3, [](const std::vector<double>& w) {
     return std::all_of(w.begin(), w.end(),
-                       [](double one) { return std::abs(one) < kLeastTurning_radps; });
+                       [](double one) { return std::abs(one) < kLeastLinkTurning_radps; });
   });
 }
 
@@ -168,11 +168,11 @@ Quantities Split(const std::vector<ImuSample>& samples, const Vec3& mean_f_S_mps
 Eigen::MatrixXd FlexibleRegressor(const Quantities& predicted) {
   const std::size_t rows = predicted[0].size();
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(rows),
-                          static_cast<Eigen::Index>(kQuantities * kLags.size() + 6 + 3 + 2));
+                          static_cast<Eigen::Index>(kQuantities * kImuLags.size() + 6 + 3 + 2));
   for (std::size_t k = 0; k < rows; ++k) {
     const auto row = static_cast<Eigen::Index>(k);
     Eigen::Index c = 0;
-    for (const std::size_t lag : kLags) {
+    for (const std::size_t lag : kImuLags) {
       for (const auto& quantity : predicted) columns(row, c++) = quantity[k >= lag ? k - lag : 0];
     }
     for (std::size_t a = 0; a < 3; ++a) {
@@ -235,7 +235,7 @@ std::vector<Series> CommandsOf(const Quantities& predicted, double period_s) {
   }
   std::vector<Series> commands;
   for (std::size_t a = 0; a < 3; ++a) {
-    double largest = kLeastTurning_radps;
+    double largest = kLeastLinkTurning_radps;
     for (const double w : predicted[a]) largest = std::max(largest, std::abs(w));
     std::vector<double> share;
     for (const double w : predicted[a]) share.push_back(w / largest);
@@ -249,7 +249,7 @@ std::vector<Series> CommandsOf(const Quantities& predicted, double period_s) {
 
 std::optional<ReplayBlock> MakeImuBlock(const SensorDescription& sensor, ImuLog given,
                                         const std::string& channel, bool poses_were_measured) {
-  if (std::count(given.known.begin(), given.known.end(), true) < kFewestIntervals) return {};
+  if (std::count(given.known.begin(), given.known.end(), true) < kFewestImuIntervals) return {};
   // The block's replay keeps all three alive.
   const auto log = std::make_shared<const ImuLog>(std::move(given));
   const auto described = std::make_shared<const SensorDescription>(sensor);

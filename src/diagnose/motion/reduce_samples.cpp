@@ -12,7 +12,7 @@ namespace {
 constexpr double kLargestStep = 1.5;  ///< between consecutive rows, in usual periods
 constexpr double kTravelWindow_s = 0.1, kStillMargin_s = 0.3;
 constexpr double kLeastMove_rad = 0.004, kNoiseShare = 6;
-constexpr double kStepShare = 1.5;  ///< of a resolution: a step to either side, and rounding
+constexpr double kResolutionShare = 1.5;  ///< of a resolution: a step to either side, and rounding
 
 /// How far an angle may seem to move while it rests.
 double RestingMove_rad(const GearTrack& gear) {
@@ -22,7 +22,7 @@ double RestingMove_rad(const GearTrack& gear) {
     second.push_back(angle[k] - 2 * angle[k - 1] + angle[k - 2]);
   }
   if (second.empty()) return kLeastMove_rad;
-  return std::max({kLeastMove_rad, kStepShare * gear.resolution_rad,
+  return std::max({kLeastMove_rad, kResolutionShare * gear.resolution_rad,
                    kNoiseShare * RobustScale(second) / std::sqrt(6.0)});
 }
 

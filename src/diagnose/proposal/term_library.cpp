@@ -6,8 +6,8 @@
 namespace tera {
 namespace {
 
-constexpr double kConstantRatio = 1e-9;      ///< standard deviation over RMS of a constant column
-constexpr double kAlikeCorrelation = 0.999;  ///< of columns of which one is left out
+constexpr double kConstantRatio = 1e-9;  ///< standard deviation over RMS of a constant column
+constexpr double kSameColumnCorrelation = 0.999;  ///< of columns of which one is left out
 
 bool IsAngle(const RegimeVariable& variable, const std::string& channel_unit) {
   const std::string kind = variable.name.substr(0, variable.name.find('/'));
@@ -39,7 +39,7 @@ class Library {
     const double size = centred.norm();
     if (!(size > kConstantRatio * (column.norm() + 1e-300))) return;
     for (const Eigen::VectorXd& earlier : centred_) {
-      if (std::abs(centred.dot(earlier)) > kAlikeCorrelation * size) return;
+      if (std::abs(centred.dot(earlier)) > kSameColumnCorrelation * size) return;
     }
     centred_.push_back(centred / size);
     terms_.push_back({std::move(factors), std::move(column)});

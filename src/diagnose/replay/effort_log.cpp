@@ -40,8 +40,8 @@ struct Samples {
   }
 };
 
-std::optional<Samples> PositionOf(const std::string& joint,
-                                  const std::vector<NamedEncoders>& encoders) {
+std::optional<Samples> PositionSamples(const std::string& joint,
+                                       const std::vector<NamedEncoders>& encoders) {
   for (const auto& [channel, recording] : encoders) {
     for (std::size_t i = 0; i < recording.axes.size(); ++i) {
       if (recording.axes[i].name != joint || recording.samples.size() < kFewestSamples) continue;
@@ -307,7 +307,7 @@ std::vector<EffortLog> MakeEffortLogs(const MachineModel& model, const std::stri
   if (efforts.t_ns.size() < kFewestSamples) return logs;
   Sides sides;
   for (const Joint& joint : model.joints)
-    sides.position.push_back(PositionOf(joint.name, encoders));
+    sides.position.push_back(PositionSamples(joint.name, encoders));
   for (std::size_t c = 0; c < efforts.columns.size(); ++c) {
     const int joint = JointOf(model, efforts.columns[c]);
     if (joint < 0 || !sides.position[joint]) continue;

@@ -22,7 +22,7 @@ constexpr double kLeastExcessOfCause = 1.0 / 3;
 /// What changes less than noise does may be an error of the motion's model, which no noise hides in
 /// a long recording: splines that lag behind a shake, means over intervals.
 constexpr double kLeastSignalToNoise = 1;
-constexpr std::string_view kClock = "clock_offset";
+constexpr std::string_view kClockMechanism = "clock_offset";
 
 /// The index of a parameter of a mechanism; none where it has no such number.
 std::optional<std::size_t> IndexOf(const Mechanism& mechanism, const std::string& name) {
@@ -140,7 +140,7 @@ FoundNumber TakeRest(const OffsetReceiver& offset, DiagnosedSensors* sensors) {
   for (auto* list : {&sensors->findings, &sensors->unconfirmed, &sensors->within_tolerance}) {
     const auto is_rest = [&](const SensorFound& told) {
       const Candidate& candidate = *told.finding.term.candidate;
-      return candidate.mechanism->id == kClock && candidate.target == offset.target;
+      return candidate.mechanism->id == kClockMechanism && candidate.target == offset.target;
     };
     const auto found = std::find_if(list->begin(), list->end(), is_rest);
     if (found == list->end()) continue;
@@ -208,7 +208,7 @@ void TellOffset(const std::vector<OffsetReceiver>& offset, const std::string& ma
   Teller teller(machine, sensors);
   for (const OffsetReceiver& one : offset) {
     const FoundNumber rest = TakeRest(one, sensors);
-    SensorFinding found{.target = one.target, .mechanism = std::string(kClock)};
+    SensorFinding found{.target = one.target, .mechanism = std::string(kClockMechanism)};
     found.numbers = {{"offset_s", "s", one.shift_s + rest.value, rest.sigma, one.documented_s,
                       one.tolerance_s, true}};
     found.p = one.p;

@@ -17,7 +17,7 @@ constexpr double kRivalShare = 0.5;  ///< of a gain, without which a group is no
 constexpr double kRivalOdds = 3;
 constexpr double kCancels = 0.98;    ///< correlation of two numbers whose effects cancel
 constexpr double kWithinSigmas = 3;  ///< from the documented value, to be listed
-constexpr std::size_t kFewestSegments = 3;
+constexpr std::size_t kFewestJudgedSegments = 3;
 constexpr std::size_t kMostParts = 12;  ///< of a recording, that are judged apart
 
 using Set = std::vector<int>;
@@ -323,7 +323,7 @@ void Judge::ListOthers(const Set& named, GroupJudgement* judgement) const {
 GroupJudgement Judge::Run() {
   GroupJudgement judgement;
   Set set;
-  if (segments_.size() >= kFewestSegments) {
+  if (segments_.size() >= kFewestJudgedSegments) {
     while (static_cast<int>(set.size()) < options_.most_named && Grow(&set)) {
     }
   }

@@ -16,7 +16,7 @@ constexpr double kEstimated_s = 0.5;  ///< up to which the estimate finds delays
 constexpr double kAlpha = 0.01;       ///< for all receivers together
 constexpr double kOneSided95 = 1.645;
 /// What fixes move by over what gear and joints say: tracks slip, and a wheel's radius is worn.
-constexpr double kLeastShare = 0.5, kMostShare = 1.5;
+constexpr double kLeastLagShare = 0.5, kMostLagShare = 1.5;
 constexpr const char* kClock = "clock_offset";
 constexpr const char* kOffset = "offset_s";
 
@@ -42,8 +42,8 @@ std::vector<PlanarFix> FixesOf(const SensorDescription& receiver,
 
 bool IsOffset(const ReceiverLag& one, std::size_t receivers) {
   const PathLag& lag = one.lag;
-  return lag.p * static_cast<double>(receivers) <= kAlpha && lag.share >= kLeastShare &&
-         lag.share <= kMostShare && std::abs(lag.lag_s) - kOneSided95 * lag.sigma_s > one.near_s;
+  return lag.p * static_cast<double>(receivers) <= kAlpha && lag.share >= kLeastLagShare &&
+         lag.share <= kMostLagShare && std::abs(lag.lag_s) - kOneSided95 * lag.sigma_s > one.near_s;
 }
 
 }  // namespace

@@ -11,13 +11,13 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kFurthest_s = 60, kLag_s = 0.1;
-constexpr double kApart_s = 1;          ///< from which on lags are others
-constexpr double kMean_s = 1;           ///< over which fixes are averaged
-constexpr double kPeriods = 2;          ///< of fixes that come seldom, over which they are averaged
-constexpr int kStepsOfBlock = 5;        ///< with one turn
-constexpr std::size_t kMostParts = 24;  ///< of a recording that count as independent evidence
-constexpr double kApartSigmas = 4;      ///< from which on lags are others, where that is more
+constexpr double kFurthestLag_s = 60, kLag_s = 0.1;
+constexpr double kApart_s = 1;    ///< from which on lags are others
+constexpr double kMean_s = 1;     ///< over which fixes are averaged
+constexpr double kPeriods = 2;    ///< of fixes that come seldom, over which they are averaged
+constexpr int kStepsOfBlock = 5;  ///< with one turn
+constexpr std::size_t kMostPathParts = 24;  ///< of a recording that count as independent evidence
+constexpr double kApartSigmas = 4;          ///< from which on lags are others, where that is more
 constexpr std::size_t kFewestSteps = 10;
 /// Power of the first difference of white noise where it is largest, over its variance.
 constexpr double kLoudest = 2;
@@ -178,7 +178,7 @@ std::vector<ManoeuvreGain> Comparison::GainsOf(const Steps& better, const Steps&
     gains[block].gain = (b.left_m2[block] - a.left_m2[block]) / twice_m2;
     gains[block].possible /= twice_m2;
   }
-  std::vector<ManoeuvreGain> parts(std::min(kMostParts, blocks_));
+  std::vector<ManoeuvreGain> parts(std::min(kMostPathParts, blocks_));
   for (std::size_t block = 0; block < blocks_; ++block) {
     ManoeuvreGain& part = parts[block * parts.size() / blocks_];
     part.gain += gains[block].gain;
@@ -190,7 +190,7 @@ std::vector<ManoeuvreGain> Comparison::GainsOf(const Steps& better, const Steps&
 /// The lags that are looked at.
 std::vector<double> Lags() {
   std::vector<double> lags_s;
-  const int most = static_cast<int>(std::lround(kFurthest_s / kLag_s));
+  const int most = static_cast<int>(std::lround(kFurthestLag_s / kLag_s));
   for (int k = -most; k <= most; ++k) lags_s.push_back(k * kLag_s);
   return lags_s;
 }

@@ -19,8 +19,8 @@
 namespace tera {
 namespace {
 
-constexpr double kStep_s = 0.05;   ///< of the splines
-constexpr double kMargin_s = 0.5;  ///< of a segment's spline, for what is late or early
+constexpr double kSplineStep_s = 0.05;  ///< of the splines
+constexpr double kMargin_s = 0.5;       ///< of a segment's spline, for what is late or early
 constexpr double kSegment_s = 10, kShortestSegment_s = 4;
 constexpr double kFewestSegments = 8;
 constexpr double kImuWindow_s = 0.1;
@@ -172,11 +172,11 @@ void Builder::CutSegments() {
   const double wanted_s = std::clamp(length_s / kFewestSegments, kShortestSegment_s, kSegment_s);
   const auto count = std::max(1.0, std::round(length_s / wanted_s));
   segment_s_ = length_s / count;
-  const int needed = static_cast<int>(std::ceil((segment_s_ + 2 * kMargin_s) / kStep_s)) + 3;
+  const int needed = static_cast<int>(std::ceil((segment_s_ + 2 * kMargin_s) / kSplineStep_s)) + 3;
   for (int s = 0; s < static_cast<int>(count); ++s) {
     MotionSegment segment;
     segment.start_ns = start_ns + FromSeconds(s * segment_s_ - kMargin_s);
-    segment.spline = {kStep_s, (needed + 3) / 4 * 4};
+    segment.spline = {kSplineStep_s, (needed + 3) / 4 * 4};
     motion().segments.push_back(std::move(segment));
   }
 }
@@ -399,7 +399,7 @@ void Builder::AddTravel() {
   if (!model().fixed_base) return;
   value.setZero();
   for (std::size_t s = 0; s < motion().segments.size(); ++s) {
-    for (double t_s = 0; t_s < segment_s_; t_s += kStep_s) {
+    for (double t_s = 0; t_s < segment_s_; t_s += kSplineStep_s) {
       const TimeNs t_ns = at_ns(static_cast<double>(s) * segment_s_ + t_s);
       Observe(ObservationKind::kStill, 0, t_ns, t_ns, value);
     }
@@ -429,7 +429,7 @@ void Builder::SetStart() {
     segment.start.resize(segment.spline.coefficients, motion().numbers());
     const double start_s = Seconds(segment.start_ns);
     for (int i = 0; i < segment.spline.coefficients; ++i) {
-      const double t_s = start_s + (i - 1) * kStep_s;
+      const double t_s = start_s + (i - 1) * kSplineStep_s;
       for (std::size_t n = 0; n < base.size(); ++n) {
         segment.start(i, static_cast<Eigen::Index>(n)) = base[n].At(t_s);
       }
@@ -449,7 +449,7 @@ void Builder::AddGround(const std::array<TimeSeries, kBaseNumbers>& base) {
   std::optional<Vec2> last_m;
   for (MotionSegment& segment : motion().segments) {
     const double start_s = Seconds(segment.start_ns);
-    for (double t_s = kMargin_s; t_s < kMargin_s + segment_s_; t_s += kStep_s) {
+    for (double t_s = kMargin_s; t_s < kMargin_s + segment_s_; t_s += kSplineStep_s) {
       const double at_s = start_s + t_s;
       const Vec2 place_m(base[0].At(at_s), base[1].At(at_s));
       if (last_m && (place_m - *last_m).norm() < kGroundEvery_m) continue;

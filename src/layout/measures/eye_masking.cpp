@@ -16,12 +16,12 @@
 namespace tera {
 namespace {
 
-constexpr double kStep_m = 0.05;  ///< between places that are tried first
-constexpr int kHalvings = 6;      ///< of a step, to find where a masking begins or ends
+constexpr double kEyeStep_m = 0.05;  ///< between places that are tried first
+constexpr int kHalvings = 6;         ///< of a step, to find where a masking begins or ends
 constexpr int kHullSectors = 360;
 
 /// 1 sigma of a masking's width: either end lies anywhere in the last half of a step.
-double WidthError_m() { return std::sqrt(2.0) * EvenSigma(kStep_m / std::exp2(kHalvings)); }
+double WidthError_m() { return std::sqrt(2.0) * EvenSigma(kEyeStep_m / std::exp2(kHalvings)); }
 
 /// A closed line around the machine, by its length from the beginning, counterclockwise.
 struct ClosedLine {
@@ -168,7 +168,7 @@ struct Found {
 };
 
 Found MaskingsOn(const ClosedLine& line, const Moment& now) {
-  const auto count = static_cast<std::size_t>(std::ceil(line.length_m / kStep_m));
+  const auto count = static_cast<std::size_t>(std::ceil(line.length_m / kEyeStep_m));
   const double step_m = line.length_m / static_cast<double>(count);
   std::vector<Vec2> places_H_m;
   for (std::size_t i = 0; i < count; ++i) {

@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-constexpr double kStep_m = 1.0;
+constexpr double kRangeStep_m = 1.0;
 constexpr double kNear_m = 12.0;
 constexpr double kSector_rad = 2 * kPi / PersonRange::kSectors;
 
@@ -45,7 +45,8 @@ PersonRange::PersonRange(Posture posture, const PersonStudy& study, double refle
 
 std::vector<double> PersonRange::Distances_m() const {
   std::vector<double> distances_m;
-  for (double d_m = kStep_m; d_m <= study_.farthest_m; d_m += kStep_m) distances_m.push_back(d_m);
+  for (double d_m = kRangeStep_m; d_m <= study_.farthest_m; d_m += kRangeStep_m)
+    distances_m.push_back(d_m);
   return distances_m;
 }
 
@@ -78,12 +79,12 @@ void PersonRange::Add(const Pose& X_WH, const std::vector<double>& hull_m, const
 
 PersonRange::Reach PersonRange::ReachOf(const std::vector<bool>& detected) const {
   const std::vector<double> distances_m = Distances_m();
-  Reach reach{.from_m = distances_m.back() + kStep_m};
+  Reach reach{.from_m = distances_m.back() + kRangeStep_m};
   for (std::size_t s = 0; s < detected.size(); ++s) {
     if (!detected[s]) continue;
     reach.from_m = std::min(reach.from_m, distances_m[s]);
     reach.to_m = distances_m[s];
-    reach.over_m += kStep_m;
+    reach.over_m += kRangeStep_m;
   }
   return reach;
 }
@@ -130,7 +131,7 @@ std::vector<Figure> PersonRange::Figures() const {
                {}};
       for (const Reach& reach : quarters_[q]) f.at.push_back(reach.*number);
       // Each end is somewhere between two tried distances.
-      f.error.assign(f.at.size(), EvenSigma(kStep_m));
+      f.error.assign(f.at.size(), EvenSigma(kRangeStep_m));
       figures.push_back(std::move(f));
     };
     figure("from", false, &Reach::from_m);
@@ -177,7 +178,7 @@ PolarMap PersonRange::DetectedMap() const {
                            posture_.name),
       .sectors = kSectors,
       .rings = static_cast<int>(Distances_m().size()),
-      .ring_m = kStep_m};
+      .ring_m = kRangeStep_m};
   for (std::size_t p = 0; p < had_place_.size(); ++p) {
     map.value.push_back(had_place_[p] > 0 ? had_enough_[p] / had_place_[p] : -1);
   }

@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-constexpr double kSector_rad = 2 * kPi / PolarGrid::kSectors;
+constexpr double kGridSector_rad = 2 * kPi / PolarGrid::kSectors;
 
 }  // namespace
 
@@ -16,7 +16,7 @@ bool IsOnSite(const TerrainGrid& grid, const Vec3& p_W_m) {
          p_W_m.y() >= grid.y_m(0) && p_W_m.y() <= grid.y_m(grid.ny - 1);
 }
 
-double PolarGrid::Azimuth_rad(int sector) { return sector * kSector_rad; }
+double PolarGrid::Azimuth_rad(int sector) { return sector * kGridSector_rad; }
 
 Vec2 PolarGrid::Middle_m(int sector, int ring) {
   const double azimuth_rad = Azimuth_rad(sector), radius_m = Radius_m(ring);
@@ -25,7 +25,7 @@ Vec2 PolarGrid::Middle_m(int sector, int ring) {
 
 double PolarGrid::Area_m2(int ring) {
   const double low_m = ring * kRing_m, high_m = low_m + kRing_m;
-  return 0.5 * kSector_rad * (high_m * high_m - low_m * low_m);
+  return 0.5 * kGridSector_rad * (high_m * high_m - low_m * low_m);
 }
 
 PolarPlaces PlacesAt(double height_m, const Pose& X_WH, const Sighting& sighting,

@@ -13,7 +13,7 @@ namespace tera {
 namespace {
 
 constexpr double kFarthest_m = 300;  ///< of what may hide the sky
-constexpr double kSector_rad = 2 * kPi / SkyGrid::kSectors;
+constexpr double kSkySector_rad = 2 * kPi / SkyGrid::kSectors;
 
 /// Sines of the lowest and highest elevation of a ring above the mask.
 struct Band {
@@ -40,7 +40,7 @@ SkyView::SkyView(const MachineModel& model, std::size_t machine,
       if (band.high <= band.low) continue;
       const std::size_t cell = SkyGrid::Index(sector, ring);
       const double sine = band.low + within.Uniform(cell, 0) * (band.high - band.low);
-      const double azimuth_rad = (sector - 0.5 + within.Uniform(cell, 1)) * kSector_rad;
+      const double azimuth_rad = (sector - 0.5 + within.Uniform(cell, 1)) * kSkySector_rad;
       const double level = std::sqrt(1 - sine * sine);
       sky_.push_back({cell,
                       {level * std::cos(azimuth_rad), level * std::sin(azimuth_rad), sine},

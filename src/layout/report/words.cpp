@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-constexpr double kPercent = 100;
+constexpr double kPercentOfOne = 100;
 
 /// The parts of a name between slashes.
 std::vector<std::string> Parts(const std::string& name) {
@@ -118,7 +118,7 @@ std::string Describe(const Figure& figure) {
 }
 
 std::string ValueText(const Figure& figure, double value) {
-  if (figure.unit.empty()) return fmt::format("{:.1f} %", kPercent * value);
+  if (figure.unit.empty()) return fmt::format("{:.1f} %", kPercentOfOne * value);
   constexpr double kSmall = 0.1;  // below, digits that count and not decimals
   const double size = std::abs(value);
   const std::string number = size < kSmall ? fmt::format("{:.2g}", value + 0.0)

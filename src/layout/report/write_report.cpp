@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kMap_px = 480;
-constexpr double kPercent = 100;
+constexpr double kPercentShare = 100;
 constexpr double kLeastShown = 0.005;  ///< of shares on the page; the tables have all
 
 std::string FiguresCsv(const LayoutReport& report) {
@@ -177,7 +177,7 @@ std::string ShareTable(const std::string& heading, const char* first, const char
     for (const auto& [share, name] : sorted) {
       if (share < kLeastShown) continue;
       rows += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"r\">{:.1f} %</td></tr>\n",
-                          Escape(zone), Escape(name), kPercent * share);
+                          Escape(zone), Escape(name), kPercentShare * share);
     }
   }
   if (rows.empty()) return "";

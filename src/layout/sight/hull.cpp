@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kHighest_m = 1.75;   ///< of a person
 constexpr double kThinnest_m = 0.05;  ///< of a part that counts
-constexpr double kFarthest_m = 20;    ///< of a machine's parts from its middle
+constexpr double kHullReach_m = 20;   ///< of a machine's parts from its middle
 
 bool IsHull(SemanticClass label) {
   return label == SemanticClass::kUndercarriage || label == SemanticClass::kUpperStructure ||
@@ -30,8 +30,8 @@ std::vector<double> HullRadii_m(const Pose& X_WH, std::size_t machine, int secto
       const Vec3 middle_W_m = X_WH * Vec3(0, 0, height_m);
       const Vec3 out_W_m = X_WH.linear() * turn.col(0);
       const double to_m =
-          sighting.NearestOf(is_hull, middle_W_m + kFarthest_m * out_W_m, -out_W_m, kFarthest_m);
-      farthest_m = std::max(farthest_m, kFarthest_m - to_m);
+          sighting.NearestOf(is_hull, middle_W_m + kHullReach_m * out_W_m, -out_W_m, kHullReach_m);
+      farthest_m = std::max(farthest_m, kHullReach_m - to_m);
     }
     radii_m.push_back(farthest_m);
   }

@@ -11,8 +11,8 @@
 namespace tera {
 namespace {
 
-constexpr int kDirections = 100;
-constexpr double kFarthest_m = 30;  ///< of a machine's parts from each other
+constexpr int kTriedDirections = 100;
+constexpr double kFarthestPart_m = 30;  ///< of a machine's parts from each other
 
 bool IsSolidPart(SemanticClass label) { return label != SemanticClass::kSoilInBucket; }
 
@@ -20,8 +20,8 @@ bool IsSolidPart(SemanticClass label) { return label != SemanticClass::kSoilInBu
 std::vector<Vec3> Directions() {
   const double golden_rad = kPi * (3 - std::sqrt(5.0));
   std::vector<Vec3> directions;
-  for (int i = 0; i < kDirections; ++i) {
-    const double up = 1 - 2 * (i + 0.5) / kDirections, out = std::sqrt(1 - up * up);
+  for (int i = 0; i < kTriedDirections; ++i) {
+    const double up = 1 - 2 * (i + 0.5) / kTriedDirections, out = std::sqrt(1 - up * up);
     directions.emplace_back(out * std::cos(i * golden_rad), out * std::sin(i * golden_rad), up);
   }
   return directions;
@@ -30,7 +30,7 @@ std::vector<Vec3> Directions() {
 /// What the lines from a mount tell of one part.
 struct Evidence {
   int inside = 0;  ///< directions in which the mount is inside
-  double nearest_m = kFarthest_m;
+  double nearest_m = kFarthestPart_m;
 };
 
 /// Counts one direction.
@@ -55,11 +55,12 @@ void MountCheck::Add(std::size_t machine, std::span<const Viewer> viewers,
   for (const Viewer& viewer : viewers) {
     const Vec3 from_W_m = viewer.X_WS.translation();
     std::vector<Sighting::Line> lines;
-    for (const Vec3& d_W : directions) lines.push_back({from_W_m, from_W_m + kFarthest_m * d_W});
+    for (const Vec3& d_W : directions)
+      lines.push_back({from_W_m, from_W_m + kFarthestPart_m * d_W});
     std::map<std::uint16_t, Evidence> of_parts;
     for (const auto& crossings : sighting.CrossingsOf(lines)) Count(crossings, is_part, &of_parts);
     for (const auto& [instance, part] : of_parts) {
-      if (part.inside <= kDirections / 2 || part.nearest_m < kLeastDepth_m) continue;
+      if (part.inside <= kTriedDirections / 2 || part.nearest_m < kLeastDepth_m) continue;
       Keep({viewer.name, sighting.NameOf({instance}), part.nearest_m});
     }
   }

@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-constexpr float kFarthest_m = 300;
+constexpr float kFarthestSeen_m = 300;
 constexpr std::size_t kDirections = 6;
 constexpr std::size_t kDown = 5;  ///< of them
 
@@ -87,7 +87,7 @@ std::vector<bool> Sighting::AreInside(const std::vector<Vec3>& places_W_m) const
   for (const Vec3& p_W_m : places_W_m) {
     for (const Eigen::Vector3f& d_W : directions) {
       rays.push_back(
-          {.origin_W_m = p_W_m.cast<float>(), .direction_W = d_W, .max_range_m = kFarthest_m});
+          {.origin_W_m = p_W_m.cast<float>(), .direction_W = d_W, .max_range_m = kFarthestSeen_m});
     }
   }
   std::vector<RayHit> hits(rays.size());

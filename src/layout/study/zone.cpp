@@ -16,7 +16,7 @@
 namespace tera {
 namespace {
 
-constexpr double kFarthest_m = 200;  ///< of any length of a zone, beyond every sensor's use
+constexpr double kLongestZone_m = 200;  ///< of any length of a zone, beyond every sensor's use
 
 /// Of the rectangle around an outline that it must fill: places are tried all over that.
 constexpr double kLeastFilled = 0.01, kPercent = 100;
@@ -135,7 +135,7 @@ Zone ReadZone(const ConfigMap& config) {
   zone.frame = config.Text("frame", zone.frame);
   zone.level = config.Boolean("level", zone.level);
   zone.X_FZ = config.PoseXyzRpy();
-  const Range length{.min = 0, .max = kFarthest_m, .min_excluded = true, .unit = "m"};
+  const Range length{.min = 0, .max = kLongestZone_m, .min_excluded = true, .unit = "m"};
   const int shapes = config.Has("box_m") + config.Has("cylinder") + config.Has("prism");
   if (shapes != 1) {
     config.Fault("",

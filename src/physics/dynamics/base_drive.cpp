@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-enum Row { kForward, kLeft, kYaw, kRowCount };
+enum BaseRow { kForward, kLeft, kYaw, kBaseRowCount };
 /// Place in Bullet's velocity vector where the linear velocity of the root begins.
 constexpr int kLinear = 3;
 
@@ -23,14 +23,14 @@ class BaseDrive::Constraint : public btMultiBodyConstraint {
   BT_DECLARE_ALIGNED_ALLOCATOR();
 
   Constraint(btMultiBody* body, const Vec3& contact_P_m, const Mat3& R_PB)
-      : btMultiBodyConstraint(body, nullptr, -1, -1, kRowCount, true,
+      : btMultiBodyConstraint(body, nullptr, -1, -1, kBaseRowCount, true,
                               MULTIBODY_CONSTRAINT_1DOF_JOINT_MOTOR),
         contact_P_m_(contact_P_m),
         R_PB_(R_PB) {}
 
   void finalizeMultiDof() override {
     allocateJacobiansMultiDof();
-    for (int row = 0; row < kRowCount; ++row) {
+    for (int row = 0; row < kBaseRowCount; ++row) {
       std::fill_n(jacobianA(row), 6 + m_bodyA->getNumDofs(), 0.0);
     }
     m_numDofsFinalized = m_jacSizeBoth;
@@ -63,12 +63,12 @@ class BaseDrive::Constraint : public btMultiBodyConstraint {
   BaseEffort most;
 
  private:
-  void AimAt(Row row, const Vec3& angular_W, const Vec3& linear_W) {
+  void AimAt(BaseRow row, const Vec3& angular_W, const Vec3& linear_W) {
     std::copy_n(angular_W.data(), 3, jacobianA(row));
     std::copy_n(linear_W.data(), 3, jacobianA(row) + kLinear);
   }
 
-  void AddRow(Row row, double rate, double impulse, btMultiBodyConstraintArray& rows,
+  void AddRow(BaseRow row, double rate, double impulse, btMultiBodyConstraintArray& rows,
               btMultiBodyJacobianData& data, const btContactSolverInfo& info) {
     internalSetAppliedImpulse(row, 0);
     if (impulse <= 0) return;

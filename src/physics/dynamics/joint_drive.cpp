@@ -23,7 +23,7 @@ constexpr double kStopReachMargin_rad = 2e-3;
 /// which of two equal rows bears a load would be left to the solver's rounding.
 constexpr double kHeld_radps = 1e-7;
 
-enum Row { kMotor, kFriction, kViscous, kLowerStop, kUpperStop, kRowCount };
+enum JointRow { kMotor, kFriction, kViscous, kLowerStop, kUpperStop, kJointRowCount };
 
 }  // namespace
 
@@ -32,7 +32,7 @@ class JointDrive::Constraint : public btMultiBodyConstraint {
   BT_DECLARE_ALIGNED_ALLOCATOR();
 
   Constraint(btMultiBody* body, int link)
-      : btMultiBodyConstraint(body, nullptr, link, -1, kRowCount, true,
+      : btMultiBodyConstraint(body, nullptr, link, -1, kJointRowCount, true,
                               MULTIBODY_CONSTRAINT_1DOF_JOINT_MOTOR) {}
 
   void finalizeMultiDof() override {
@@ -52,7 +52,7 @@ class JointDrive::Constraint : public btMultiBodyConstraint {
   void createConstraintRows(btMultiBodyConstraintArray& rows, btMultiBodyJacobianData& data,
                             const btContactSolverInfo& info) override {
     if (m_numDofsFinalized != m_jacSizeBoth) finalizeMultiDof();
-    for (int row = 0; row < kRowCount; ++row) internalSetAppliedImpulse(row, 0);
+    for (int row = 0; row < kJointRowCount; ++row) internalSetAppliedImpulse(row, 0);
     const double dt_s = info.m_timeStep;
     const double q = m_bodyA->getJointPos(m_linkA), qd = m_bodyA->getJointVel(m_linkA);
     double rate = target.rate_radps;
@@ -101,8 +101,8 @@ class JointDrive::Constraint : public btMultiBodyConstraint {
   double lower = 0, upper = 0;
 
  private:
-  btMultiBodySolverConstraint& AddRow(Row row, double rate, double min_impulse, double max_impulse,
-                                      btMultiBodyConstraintArray& rows,
+  btMultiBodySolverConstraint& AddRow(JointRow row, double rate, double min_impulse,
+                                      double max_impulse, btMultiBodyConstraintArray& rows,
                                       btMultiBodyJacobianData& data,
                                       const btContactSolverInfo& info) {
     const btVector3 zero(0, 0, 0);

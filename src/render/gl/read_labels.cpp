@@ -10,14 +10,14 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kLeastOfThread = 1 << 15;  ///< pixels
+constexpr std::size_t kLeastLabelsOfThread = 1 << 15;  ///< pixels
 
 /// From `first_bit` on, one component after the other.
 template <typename T>
 void Extract(std::span<const std::uint32_t> words, int first_bit, Workers* workers,
              Image<T>* picture) {
   const auto components = static_cast<std::size_t>(picture->channels);
-  workers->ForRanges(words.size(), kLeastOfThread, [&](std::size_t begin, std::size_t end) {
+  workers->ForRanges(words.size(), kLeastLabelsOfThread, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       for (std::size_t c = 0; c < components; ++c) {
         picture->data[components * p + c] =

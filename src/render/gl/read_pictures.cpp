@@ -5,22 +5,23 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kLeastOfThread = 1 << 15;  ///< pixels
+constexpr std::size_t kLeastPixelsOfThread = 1 << 15;  ///< pixels
 
 }  // namespace
 
 Image<std::uint8_t> ColourOf(std::span<const std::uint8_t> rgba, int width_px, int height_px,
                              Workers* workers) {
   Image<std::uint8_t> rgb(width_px, height_px, 3);
-  workers->ForRanges(rgba.size() / 4, kLeastOfThread, [&](std::size_t begin, std::size_t end) {
-    const std::uint8_t* from = &rgba[4 * begin];
-    std::uint8_t* to = &rgb.data[3 * begin];
-    for (std::size_t p = begin; p < end; ++p, from += 4, to += 3) {
-      to[0] = from[0];
-      to[1] = from[1];
-      to[2] = from[2];
-    }
-  });
+  workers->ForRanges(rgba.size() / 4, kLeastPixelsOfThread,
+                     [&](std::size_t begin, std::size_t end) {
+                       const std::uint8_t* from = &rgba[4 * begin];
+                       std::uint8_t* to = &rgb.data[3 * begin];
+                       for (std::size_t p = begin; p < end; ++p, from += 4, to += 3) {
+                         to[0] = from[0];
+                         to[1] = from[1];
+                         to[2] = from[2];
+                       }
+                     });
   return rgb;
 }
 
@@ -38,7 +39,7 @@ Image<float> DepthOf(std::span<const float> stored, const CameraIntrinsics& came
                      Workers* workers) {
   Image<float> z_m(camera.width_px, camera.height_px);
   const auto near_m = static_cast<float>(camera.near_m), far_m = static_cast<float>(camera.far_m);
-  workers->ForRanges(stored.size(), kLeastOfThread, [&](std::size_t begin, std::size_t end) {
+  workers->ForRanges(stored.size(), kLeastPixelsOfThread, [&](std::size_t begin, std::size_t end) {
     for (std::size_t p = begin; p < end; ++p) {
       const float z = stored[p] > 0 ? near_m / stored[p] : 0.0f;
       z_m.data[p] = z <= far_m ? z : 0.0f;

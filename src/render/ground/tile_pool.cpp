@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-constexpr int kCells = TerrainGrid::kTileCells;
+constexpr int kCellsOfTile = TerrainGrid::kTileCells;
 constexpr float kSkirtM = 0.5f;
 constexpr int kFirstCapacity = 16;  ///< tiles
 
@@ -18,9 +18,9 @@ TileGrid::TileGrid(const TerrainSurface& terrain, int a, int b)
     : step_cells(terrain.step_cells(a, b)) {
   vertices_W_m.reserve(static_cast<std::size_t>(side()) * side());
   for (int j = 0; j < side(); ++j) {
-    const int gj = std::min(b * kCells + j * step_cells, terrain.ny - 1);
+    const int gj = std::min(b * kCellsOfTile + j * step_cells, terrain.ny - 1);
     for (int i = 0; i < side(); ++i) {
-      const int gi = std::min(a * kCells + i * step_cells, terrain.nx - 1);
+      const int gi = std::min(a * kCellsOfTile + i * step_cells, terrain.nx - 1);
       const Vec3 p_W_m(terrain.x_m(gi), terrain.y_m(gj), terrain.height_m(gi, gj));
       vertices_W_m.push_back(p_W_m.cast<float>());
     }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMaxNodeDepth = 100;
 
-[[noreturn]] void Refuse(const std::filesystem::path& file, const std::string& finding) {
+[[noreturn]] void RefuseGltf(const std::filesystem::path& file, const std::string& finding) {
   throw InputError(fmt::format("{}: {}", file.string(), finding));
 }
 
@@ -46,8 +46,8 @@ tinygltf::Model ReadModel(const std::filesystem::path& file,
     while (!error.empty() && std::isspace(static_cast<unsigned char>(error.back()))) {
       error.pop_back();
     }
-    Refuse(file, fmt::format("not a readable glTF 2.0 file ({}); export it again",
-                             error.empty() ? "no reason given" : error));
+    RefuseGltf(file, fmt::format("not a readable glTF 2.0 file ({}); export it again",
+                                 error.empty() ? "no reason given" : error));
   }
   return model;
 }
@@ -58,25 +58,25 @@ class Accessor {
   Accessor(const std::filesystem::path& file, const tinygltf::Model& model, int index)
       : file_(file) {
     if (index < 0 || index >= static_cast<int>(model.accessors.size())) {
-      Refuse(file, fmt::format("names accessor {}, which does not exist", index));
+      RefuseGltf(file, fmt::format("names accessor {}, which does not exist", index));
     }
     accessor_ = &model.accessors[index];
     if (accessor_->sparse.isSparse || accessor_->bufferView < 0 ||
         accessor_->bufferView >= static_cast<int>(model.bufferViews.size())) {
-      Refuse(file, "has a sparse or empty accessor; export it with plain buffers");
+      RefuseGltf(file, "has a sparse or empty accessor; export it with plain buffers");
     }
     const tinygltf::BufferView& view = model.bufferViews[accessor_->bufferView];
     const int stride = accessor_->ByteStride(view);
     const int element = tinygltf::GetComponentSizeInBytes(accessor_->componentType) *
                         tinygltf::GetNumComponentsInType(accessor_->type);
     if (view.buffer < 0 || view.buffer >= static_cast<int>(model.buffers.size()) || stride <= 0) {
-      Refuse(file, "has a buffer view without a buffer");
+      RefuseGltf(file, "has a buffer view without a buffer");
     }
     const std::vector<unsigned char>& data = model.buffers[view.buffer].data;
     const std::size_t begin = view.byteOffset + accessor_->byteOffset;
     const std::size_t need = accessor_->count == 0 ? 0 : (accessor_->count - 1) * stride + element;
     if (begin > data.size() || need > data.size() - begin) {
-      Refuse(file, "is cut short: an accessor reaches beyond its buffer; export it again");
+      RefuseGltf(file, "is cut short: an accessor reaches beyond its buffer; export it again");
     }
     first_ = data.data() + begin;
     stride_ = static_cast<std::size_t>(stride);
@@ -86,7 +86,8 @@ class Accessor {
 
   /// Texture coordinates, of whichever of glTF's three forms.
   Eigen::Vector2f Uv(std::size_t i) const {
-    if (accessor_->type != TINYGLTF_TYPE_VEC2) Refuse(file_, "has coordinates that are not pairs");
+    if (accessor_->type != TINYGLTF_TYPE_VEC2)
+      RefuseGltf(file_, "has coordinates that are not pairs");
     const unsigned char* at = first_ + i * stride_;
     const auto pair = [&]<typename T>(T scale) {
       std::array<T, 2> v;
@@ -102,14 +103,14 @@ class Accessor {
       case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
         return pair(std::numeric_limits<std::uint16_t>::max());
       default:
-        Refuse(file_, "has coordinates that are not floats or unsigned integers");
+        RefuseGltf(file_, "has coordinates that are not floats or unsigned integers");
     }
   }
 
   Eigen::Vector3f Vector3(std::size_t i) const {
     if (accessor_->componentType != TINYGLTF_COMPONENT_TYPE_FLOAT ||
         accessor_->type != TINYGLTF_TYPE_VEC3) {
-      Refuse(file_, "has positions or normals that are not three floats");
+      RefuseGltf(file_, "has positions or normals that are not three floats");
     }
     Eigen::Vector3f v;
     std::memcpy(v.data(), first_ + i * stride_, sizeof(float) * 3);
@@ -132,7 +133,7 @@ class Accessor {
         return value;
       }
       default:
-        Refuse(file_, "has indices that are not unsigned integers");
+        RefuseGltf(file_, "has indices that are not unsigned integers");
     }
   }
 
@@ -202,7 +203,7 @@ struct Reader {
     if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != -1) return;
     const auto position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end()) {
-      Refuse(file, "has a primitive without positions");
+      RefuseGltf(file, "has a primitive without positions");
     }
     const Eigen::Affine3f X_up((Eigen::Affine3d(ZUp()) * X).cast<float>());
     const Eigen::Matrix3f normal_map = X_up.linear().inverse().transpose();
@@ -236,27 +237,28 @@ struct Reader {
     const std::string name = fmt::format("TEXCOORD_{}", UvSetOf(file, material).value_or(0));
     const auto uv = primitive.attributes.find(name);
     if (uv == primitive.attributes.end()) {
-      Refuse(file, fmt::format("has triangles of material '{}', which has textures, without {}; "
-                               "export it again with texture coordinates",
-                               material.name, name));
+      RefuseGltf(file,
+                 fmt::format("has triangles of material '{}', which has textures, without {}; "
+                             "export it again with texture coordinates",
+                             material.name, name));
     }
     const Accessor uvs(file, model, uv->second);
     for (std::size_t i = 0; i < uvs.count(); ++i) part->uvs.push_back(uvs.Uv(i));
     if (part->uvs.size() != part->positions_m.size()) {
-      Refuse(file, fmt::format("has {} texture coordinates for {} vertices; export it again",
-                               part->uvs.size(), part->positions_m.size()));
+      RefuseGltf(file, fmt::format("has {} texture coordinates for {} vertices; export it again",
+                                   part->uvs.size(), part->positions_m.size()));
     }
   }
 
   void AddNode(int index, const Eigen::Affine3d& X_root_parent, bool is_root, int depth) {
     if (index < 0 || index >= static_cast<int>(model.nodes.size()) || depth > kMaxNodeDepth) {
-      Refuse(file, "has a broken node hierarchy; export it again");
+      RefuseGltf(file, "has a broken node hierarchy; export it again");
     }
     const tinygltf::Node& node = model.nodes[index];
     const Eigen::Affine3d X = is_root ? X_root_parent : X_root_parent * NodeTransform(node);
     if (node.mesh >= 0) {
       if (node.mesh >= static_cast<int>(model.meshes.size())) {
-        Refuse(file, fmt::format("names mesh {}, which does not exist", node.mesh));
+        RefuseGltf(file, fmt::format("names mesh {}, which does not exist", node.mesh));
       }
       for (const tinygltf::Primitive& primitive : model.meshes[node.mesh].primitives) {
         AddPrimitive(primitive, X);
@@ -305,7 +307,7 @@ Eigen::Affine3d PlaceOf(const std::filesystem::path& file, const tinygltf::Model
     X = NodeTransform(*parent) * X;
     index = static_cast<int>(parent - model.nodes.begin());
   }
-  Refuse(file, "has a broken node hierarchy; export it again");
+  RefuseGltf(file, "has a broken node hierarchy; export it again");
 }
 
 }  // namespace
@@ -322,7 +324,7 @@ Mesh LoadGltf(const std::filesystem::path& file, const std::string& node, Textur
     const std::vector<std::string> names = NamesOf(model);
     const auto found = std::find(names.begin(), names.end(), node);
     if (found == names.end()) {
-      Refuse(file, fmt::format("has no node '{}'{}", node, NodeHint(node, names)));
+      RefuseGltf(file, fmt::format("has no node '{}'{}", node, NodeHint(node, names)));
     }
     const int index = static_cast<int>(found - names.begin());
     reader.AddNode(index, frame == NodeFrame::kScene ? PlaceOf(file, model, index) : identity, true,

@@ -16,7 +16,7 @@
 namespace tera {
 namespace {
 
-constexpr int kChannels = 4;
+constexpr int kRgba = 4;
 
 /// A pixel's number within 0 .. n - 1, as the picture goes on beyond its border.
 int Wrapped(int i, int n, Texture::Wrap wrap) {
@@ -51,7 +51,7 @@ std::shared_ptr<const Texture> ReadPictureFile(const std::filesystem::path& mesh
   const bool ok =
       !bytes.empty() && tinygltf::LoadImageData(&image, 0, &fault, &warning, 0, 0, bytes.data(),
                                                 static_cast<int>(bytes.size()), nullptr);
-  if (!ok || image.image.empty() || image.bits != 8 || image.component != kChannels) {
+  if (!ok || image.image.empty() || image.bits != 8 || image.component != kRgba) {
     refuse(
         fmt::format("has '{}', {} bytes that are no picture of 8 bits a channel; need PNG or "
                     "JPEG",
@@ -74,10 +74,10 @@ Vec3 MeanAlbedo(const Texture& texture) {
   std::array<double, 256> linear;
   for (int k = 0; k < 256; ++k) linear[k] = LinearOf(static_cast<std::uint8_t>(k));
   Vec3 sum = Vec3::Zero();
-  for (std::size_t p = 0; p < texture.rgba.size(); p += kChannels) {
+  for (std::size_t p = 0; p < texture.rgba.size(); p += kRgba) {
     sum += Vec3(linear[texture.rgba[p]], linear[texture.rgba[p + 1]], linear[texture.rgba[p + 2]]);
   }
-  return sum * kChannels / static_cast<double>(texture.rgba.size());
+  return sum * kRgba / static_cast<double>(texture.rgba.size());
 }
 
 Vec3 AlbedoAt(const Texture& texture, double u, double v) {
@@ -87,7 +87,7 @@ Vec3 AlbedoAt(const Texture& texture, double u, double v) {
     const int column = Wrapped(static_cast<int>(a), texture.width_px, texture.wrap_x);
     const int row = Wrapped(static_cast<int>(b), texture.height_px, texture.wrap_y);
     const std::uint8_t* p =
-        &texture.rgba[kChannels * (static_cast<std::size_t>(row) * texture.width_px + column)];
+        &texture.rgba[kRgba * (static_cast<std::size_t>(row) * texture.width_px + column)];
     return Vec3(LinearOf(p[0]), LinearOf(p[1]), LinearOf(p[2]));
   };
   const double s = x - i, t = y - j;

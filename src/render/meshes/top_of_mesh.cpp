@@ -14,7 +14,7 @@ namespace {
 constexpr double kSlack = 1e-6;
 
 /// One triangle of a part, on its way into the grid.
-struct Triangle {
+struct PlacedTriangle {
   const MeshPart& part;
   const std::uint32_t* corner;
 
@@ -38,7 +38,7 @@ struct Triangle {
 };
 
 /// Enters the triangle wherever it is the highest so far.
-void Enter(const Triangle& triangle, TopOfMesh* top) {
+void Enter(const PlacedTriangle& triangle, TopOfMesh* top) {
   const Vec3 a = triangle.At(0), b = triangle.At(1), c = triangle.At(2);
   const double area = (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
   if (area == 0) return;  // upright

@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-constexpr double kHalf_px = 0.5;
+constexpr double kHalfPixel_px = 0.5;
 constexpr double kSameDepth = 0.01;  // of it: between pixels a surface's depth may bend
 
 /// For each body, and first for what stands still, how it carries points of C to the other C.
@@ -22,9 +22,10 @@ std::vector<Pose> CarriedBy(const SeenSurfaces& from, const SeenSurfaces& to) {
   return carried;
 }
 
-bool IsInPicture(const CameraIntrinsics& lens, const Vec2& pixel_px) {
-  return pixel_px.x() >= -kHalf_px && pixel_px.y() >= -kHalf_px &&
-         pixel_px.x() < lens.width_px - kHalf_px && pixel_px.y() < lens.height_px - kHalf_px;
+bool IsOnPixels(const CameraIntrinsics& lens, const Vec2& pixel_px) {
+  return pixel_px.x() >= -kHalfPixel_px && pixel_px.y() >= -kHalfPixel_px &&
+         pixel_px.x() < lens.width_px - kHalfPixel_px &&
+         pixel_px.y() < lens.height_px - kHalfPixel_px;
 }
 
 /// Whether a picture shows a body's point at that place and depth (0: infinitely far).
@@ -66,7 +67,7 @@ void FlowBetween(const PixelRays& rays, const SeenSurfaces& from, const SeenSurf
       if (flow == nullptr || !lens.Sees(p_D_m)) continue;
       const Vec2 pixel_px = lens.Project(p_D_m);
       const double there_m = depth_m > 0 ? lens.DepthOf(p_D_m) : 0;
-      const FlowState state = !IsInPicture(lens, pixel_px)         ? FlowState::kOutside
+      const FlowState state = !IsOnPixels(lens, pixel_px)          ? FlowState::kOutside
                               : Shows(to, body, pixel_px, there_m) ? FlowState::kSeen
                                                                    : FlowState::kHidden;
       Put(PixelOfFlow(pixel_px - Vec2(x, y), state), x, y, flow);

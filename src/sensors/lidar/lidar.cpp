@@ -18,8 +18,6 @@ namespace {
 constexpr double kMaxColumns = 65536;
 constexpr std::size_t kMaxBeams = 1024;
 constexpr int kColumnsPerBlock = 16;
-/// Reflectance of the dark target for which data sheets state a range.
-constexpr double kDarkTarget = 0.1;
 constexpr double kSecondsPerMicrosecond = 1e-6;
 
 std::vector<double> ReadPerBeam(const ConfigMap& config, std::string_view key, const Range& each,

@@ -11,6 +11,9 @@
 
 namespace tera {
 
+/// Reflectance of the dark target for which data sheets state a range.
+inline constexpr double kDarkTarget = 0.1;
+
 class AirEchoes;
 
 /// Spinning multi-beam lidar as its data sheet has it.

@@ -8,8 +8,6 @@
 namespace tera {
 namespace {
 
-/// Reflectance of the target for which data sheets state a range.
-constexpr double kDarkTarget = 0.1;
 constexpr double kPoint_bytes = 16;  ///< coordinates and intensity in single precision
 
 /// Where neighbouring beams share the sphere between them: half way between elevations; at both

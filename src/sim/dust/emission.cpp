@@ -11,7 +11,7 @@ namespace {
 constexpr double kGrainDensity_kgpm3 = 2650;
 constexpr double kWaterDensity_kgpm3 = 1000;
 constexpr double kAirViscosity_pas = 1.81e-5;  // at 15 C
-constexpr double kVonKarman = 0.4;
+constexpr double kKarman = 0.4;
 
 /// By size from what is below 2.5, 10 and 30 um.
 DustMass BySize(double pm2_5, double pm10, double pm30) {
@@ -62,7 +62,7 @@ DustMass WindErosion_kg(double potential_kg) {
 
 double FrictionVelocity_mps(double wind_10m_mps) {
   constexpr double kHeight_m = 10, kRoughness_m = 0.005;
-  return kVonKarman * wind_10m_mps / std::log(kHeight_m / kRoughness_m);
+  return kKarman * wind_10m_mps / std::log(kHeight_m / kRoughness_m);
 }
 
 double WaterByMass_percent(double saturation, double bank_density_kgpm3) {

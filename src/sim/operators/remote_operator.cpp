@@ -25,7 +25,7 @@ constexpr DeadZoneAdaptation kPositioning = {.transition = 0.012,
                                              .wait_s = 0.6,
                                              .rate_1ps = 0.3};
 /// Beyond full lever by no more than this is a rounding of the sender's.
-constexpr double kLeverRounding = 1e-6;
+constexpr double kMessageRounding = 1e-6;
 
 /// Beyond a joint's limit by no more than this (or metres) is where a stop that yields holds it.
 constexpr double kStopYield_rad = 0.02;
@@ -52,7 +52,7 @@ std::optional<std::string> FaultOfLevers(const std::vector<double>& position,
                                          const MachineModel& model) {
   if (auto fault = FaultOfNumbers(position, "lever positions", model)) return fault;
   for (std::size_t i = 0; i < position.size(); ++i) {
-    if (std::abs(position[i]) > 1 + kLeverRounding) {
+    if (std::abs(position[i]) > 1 + kMessageRounding) {
       return fmt::format("lever '{}' is {}, need -1 to 1", model.levers[i].name, position[i]);
     }
   }

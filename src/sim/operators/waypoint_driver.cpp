@@ -10,16 +10,16 @@ namespace {
 
 constexpr double kTurnOnSpot_rad = 50 * kDeg;  // beyond this bearing, turn before driving on
 constexpr double kTurnRate_radps = 0.5;
-constexpr double kSlowDownDistance_m = 1.0;  // before the last waypoint
-constexpr double kMinApproachSpeed = 0.15;   // of the cruising speed
-constexpr double kLeverRate_1ps = 1.5;       // a careful hand: neutral to full lever in 0.7 s
+constexpr double kSlowDownDistance_m = 1.0;    // before the last waypoint
+constexpr double kMinApproachSpeed = 0.15;     // of the cruising speed
+constexpr double kCarefulLeverRate_1ps = 1.5;  // a careful hand: neutral to full lever in 0.7 s
 
 }  // namespace
 
 std::vector<double> WaypointDriver::Levers(const OperatorView& view) {
   std::vector<double> levers = Wanted(view);
   levers_now_.resize(levers.size(), 0.0);
-  const double reach = kLeverRate_1ps * ToSeconds(view.t_ns - last_ns_.value_or(view.t_ns));
+  const double reach = kCarefulLeverRate_1ps * ToSeconds(view.t_ns - last_ns_.value_or(view.t_ns));
   last_ns_ = view.t_ns;
   for (std::size_t i = 0; i < levers.size(); ++i) {
     levers[i] = std::clamp(levers[i], levers_now_[i] - reach, levers_now_[i] + reach);

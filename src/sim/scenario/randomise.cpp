@@ -20,7 +20,7 @@
 namespace tera {
 namespace {
 
-constexpr int kMostTries = 1000;  ///< of a place that is far enough from all others
+constexpr int kMostDraws = 1000;  ///< of a place that is far enough from all others
 constexpr std::array<std::string_view, 5> kKinds = {"key", "together", "keys", "places", "site"};
 constexpr std::array<std::string_view, 5> kOfKey = {"uniform", "log_uniform", "normal", "integer",
                                                     "choice"};
@@ -242,18 +242,18 @@ void Draw::Places(const ConfigMap& entry) {
       at_m = {x_m.At(stream.Uniform(episode_, 2 * tries)),
               y_m.At(stream.Uniform(episode_, 2 * tries + 1))};
     } while ((!is_free(placed_m, at_m, apart_m) || !is_free(clear_of_m, at_m, clear_m)) &&
-             ++tries < kMostTries);
-    if (tries == kMostTries) {
+             ++tries < kMostDraws);
+    if (tries == kMostDraws) {
       entry.Fault("places", fmt::format("no place found for '{}' in {} tries; widen x_m and y_m, "
                                         "or lessen apart_m or clear_m",
-                                        key, kMostTries));
+                                        key, kMostDraws));
       return;
     }
     placed_m.push_back(at_m);
     Give(entry, key + ".xy_m", fmt::format("[{}, {}]", at_m.x(), at_m.y()));
     if (entry.Has("yaw_deg")) {
       Give(entry, key + ".yaw_deg",
-           NumberText(yaw_deg.At(stream.Uniform(episode_, 2 * kMostTries))));
+           NumberText(yaw_deg.At(stream.Uniform(episode_, 2 * kMostDraws))));
     }
   }
 }

@@ -12,7 +12,7 @@ namespace tera {
 namespace {
 
 constexpr double kObstacle_m = 1.5;  ///< to each side of an obstacle that is there
-constexpr double kFootOverHeight = 1.8;
+constexpr double kPileFootOverHeight = 1.8;
 
 /// A mapping of its own for YAML on one line; its faults are told where it is read.
 std::optional<Config> Alone(const std::string& yaml) {
@@ -66,7 +66,7 @@ std::vector<Footprint> StandingThings(const ConfigMap& scenario,
     if (!alone) continue;
     const ConfigMap root = alone->root();
     add(root.Vector2("xy_m", Any("m"), Vec2::Zero()),
-        kFootOverHeight * root.Number("height_m", Any("m"), 0));
+        kPileFootOverHeight * root.Number("height_m", Any("m"), 0));
   }
   return things;
 }

@@ -19,10 +19,10 @@ constexpr double kTurnStep_rad = 15 * kDeg, kWidestTurn_rad = 120.5 * kDeg;
 constexpr double kExitPerTurn = 1.0 / 3, kExitPerSlope = 0.6;
 constexpr double kAround_rad = 25 * kDeg;  ///< they are looked for in this range about that exit
 
-double Cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+double CrossOf(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// First moment, about the upright through the pole, of the triangle between it and two points.
-double Moment_m3(const Vec2& a, const Vec2& b) { return Cross(a, b) / 6 * (a.x() + b.x()); }
+double Moment_m3(const Vec2& a, const Vec2& b) { return CrossOf(a, b) / 6 * (a.x() + b.x()); }
 
 /// The equation of moments for one blade in one soil, ready for many spirals.
 class Spirals {
@@ -50,15 +50,15 @@ class Spirals {
     if (climbs <= 0) return std::numeric_limits<double>::infinity();
     const double radius_m = in_.depth_m / climbs;
     const Vec2 edge = radius_m * from, end = radius_m * grows * to;
-    const double low_arm_m = Cross(edge + blade_m_ / 3 * up_blade_, push_);
-    const double mid_arm_m = Cross(edge + blade_m_ / 2 * up_blade_, push_);
+    const double low_arm_m = CrossOf(edge + blade_m_ / 3 * up_blade_, push_);
+    const double mid_arm_m = CrossOf(edge + blade_m_ / 2 * up_blade_, push_);
     if (low_arm_m <= 0 || mid_arm_m <= 0) return std::numeric_limits<double>::infinity();
     const Vec2 lip = edge + blade_m_ * up_blade_;
     const double weight_n =
         weight_npm3_ * (SectorMoment_m3(edge, end) + Moment_m3(end, lip) + Moment_m3(lip, edge));
     const double sector_m2 = (end.squaredNorm() - edge.squaredNorm()) / (4 * tan_friction_);
     const double cohesive_n = 2 * sector_m2 * in_.cohesion_pa;
-    const double adhesive_n = in_.adhesion_pa * Cross(edge, blade_m_ * up_blade_);
+    const double adhesive_n = in_.adhesion_pa * CrossOf(edge, blade_m_ * up_blade_);
     const double surcharge_n =
         (in_.surcharge_pa + in_.overburden_pa) * 0.5 * (end.x() * end.x() - lip.x() * lip.x());
     const double others_n = cohesive_n + adhesive_n + surcharge_n +
@@ -80,7 +80,7 @@ class Spirals {
   double FlanksMoment_n(const Vec2& edge, const Vec2& end, double sector_m2) const {
     const Vec2 above = edge + in_.depth_m * Vec2::UnitY();
     const double side_m2 =
-        std::max(0.0, sector_m2 + 0.5 * (Cross(end, above) + Cross(above, edge)));
+        std::max(0.0, sector_m2 + 0.5 * (CrossOf(end, above) + CrossOf(above, edge)));
     const double at_rest = 1 - std::sin(in_.friction_rad);  // Jaky
     const double normal_pa = at_rest * (weight_npm3_ * in_.depth_m / 3 + in_.overburden_pa);
     const double shear_n = side_m2 * (in_.cohesion_pa + normal_pa * tan_friction_) +
@@ -94,7 +94,7 @@ class Spirals {
                          double sector_m2) const {
     const double speed2 = in_.speed_mps * in_.speed_mps;
     const double inertia_npm = in_.density_kgpm3 * speed2 * in_.depth_m * in_.depth_m /
-                               Cross(chord.normalized(), blade_m_ * up_blade_);
+                               CrossOf(chord.normalized(), blade_m_ * up_blade_);
     const double length_m = (end.norm() - edge.norm()) / sin_friction_;
     return inertia_npm * 2 * sector_m2 / length_m;
   }

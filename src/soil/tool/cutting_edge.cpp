@@ -11,7 +11,7 @@ namespace tera {
 namespace {
 
 constexpr double kElasticTravel_m = 0.006;  ///< travel over which the force builds up
-constexpr double kWedgeLength = 2;          ///< of what an upright blade lifts, in depths
+constexpr double kWedgeLengthInDepths = 2;  ///< of what an upright blade lifts, in depths
 constexpr double kLeastSpan_m = 0.225;      ///< over which the ground ahead is looked at
 constexpr double kNearAhead_m = 0.075;      ///< where the depth is measured
 constexpr double kLeastLevelMouth = 0.1;    ///< a mouth that looks more up or down than this
@@ -19,8 +19,8 @@ constexpr double kLeastLevel = 1e-6;        ///< no direction below it
 /// Slope of the surface ahead. What is steeper is a step, at whose top or foot the slope ends: the
 /// wedge, which comes out of a plane, would not.
 constexpr double kSteepestSlope_rad = 25 * kDeg;
-constexpr double kDeadLoad = 0.8;         ///< of the capacity: from here soil separates along it
-constexpr double kLeastSpeed_mps = 1e-4;  ///< slower edges keep their elastic travel
+constexpr double kDeadLoad = 0.8;          ///< of the capacity: from here soil separates along it
+constexpr double kSlowestEdge_mps = 1e-4;  ///< slower edges keep their elastic travel
 
 /// Horizontal direction in which the edge cuts: along the ground in the plane of the cross-section,
 /// mouth first. Nothing where that plane lies level.
@@ -49,7 +49,7 @@ Surface SurfaceAhead(const Vec3& p_W, double near_m, const Vec3& travel_W, const
   };
   double sum_m = above_m(near_m), moment_m = -0.5 * sum_m;
   if (sum_m <= 0) return {0, 0};
-  const double span_m = std::max(kLeastSpan_m, kWedgeLength * sum_m);
+  const double span_m = std::max(kLeastSpan_m, kWedgeLengthInDepths * sum_m);
   for (int k = 1; k < kPlaces; ++k) {
     const double part = k / (kPlaces - 1.0);
     const double at_m = above_m(near_m + part * span_m);
@@ -64,7 +64,7 @@ Surface SurfaceAhead(const Vec3& p_W, double near_m, const Vec3& travel_W, const
 
 /// Slope of what lies under loose soil ahead of a place, over the same length.
 double FirmSlope_rad(const Vec2& at, double depth_m, const Vec3& travel_W, const Columns& ground) {
-  const double span_m = std::max(kLeastSpan_m, kWedgeLength * depth_m);
+  const double span_m = std::max(kLeastSpan_m, kWedgeLengthInDepths * depth_m);
   const auto firm_m = [&](const Vec2& p) {
     const int i = std::clamp(ground.NearestI(p.x()), 0, ground.nx() - 1);
     const int j = std::clamp(ground.NearestJ(p.y()), 0, ground.ny() - 1);
@@ -224,7 +224,7 @@ Wrench CuttingEdge::Act(const ShovelShape& shape, const BodyState& body, const C
                      pierce_share * pierce_n * cut_dir_W;
     // The ground never drives the edge on.
     const double power_w = force_W_n.dot(v_strip_W), v2 = v_strip_W.squaredNorm();
-    if (power_w > 0 && v2 > kLeastSpeed_mps * kLeastSpeed_mps) {
+    if (power_w > 0 && v2 > kSlowestEdge_mps * kSlowestEdge_mps) {
       force_W_n -= power_w / v2 * v_strip_W;
     }
     wrench.AddForceAt(force_W_n, strip.p_W, body.X_WB.translation());

@@ -9,8 +9,8 @@
 namespace tera {
 namespace {
 
-constexpr double kBeside_m = 1e-7;  ///< from a corner of the shell, to look at both its sides
-constexpr double kStep_m = 1e-4;    ///< more is a step of the shell
+constexpr double kBesideCorner_m = 1e-7;  ///< from a corner of the shell, to look at both its sides
+constexpr double kStep_m = 1e-4;          ///< more is a step of the shell
 constexpr double kMostTilt_rad = 75 * kDeg;  ///< sideways
 constexpr double kMound = 0.3;               ///< slope of the mound over the steepest one
 constexpr double kRoundTop = 0.25;           ///< radius of the mound's top over the mouth's length
@@ -93,8 +93,8 @@ void HeapGrid::CutSlices(const ShovelShape& shape, double cell_m) {
   for (const Vec2& p : outline) corners_m.push_back(p.x());
   std::sort(corners_m.begin(), corners_m.end());
   for (std::size_t c = 0; c < corners_m.size(); ++c) {
-    const Slice before = SliceAt(outline, corners_m[c] - kBeside_m);
-    const Slice after = SliceAt(outline, corners_m[c] + kBeside_m);
+    const Slice before = SliceAt(outline, corners_m[c] - kBesideCorner_m);
+    const Slice after = SliceAt(outline, corners_m[c] + kBesideCorner_m);
     const bool is_step = before.holds != after.holds ||
                          std::abs(before.floor_m - after.floor_m) > kStep_m ||
                          (before.ceiling_m == kOpen) != (after.ceiling_m == kOpen);

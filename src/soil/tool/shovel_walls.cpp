@@ -12,18 +12,18 @@
 namespace tera {
 namespace {
 
-constexpr double kElasticTravel_m = 0.006;  ///< travel over which the force builds up
-constexpr double kBeside_m = 0.075;         ///< where the ground is looked at
-constexpr double kLeastLevel = 0.3;         ///< walls that lean over further push nothing aside
-constexpr double kSteep = 0.35;             ///< backs that face further down rest on the ground
-constexpr double kLeastSpeed_mps = 1e-4;    ///< slower walls keep their elastic travel
-constexpr int kStrips = 4;                  ///< of a wall
-constexpr int kRimPieces = 4;               ///< of each edge of the mouth
+constexpr double kWallElasticTravel_m = 0.006;  ///< travel over which the force builds up
+constexpr double kBesideWall_m = 0.075;         ///< where the ground is looked at
+constexpr double kLeastUpright = 0.3;           ///< walls that lean over further push nothing aside
+constexpr double kSteep = 0.35;                 ///< backs that face further down rest on the ground
+constexpr double kSlowestWall_mps = 1e-4;       ///< slower walls keep their elastic travel
+constexpr int kStrips = 4;                      ///< of a wall
+constexpr int kRimPieces = 4;                   ///< of each edge of the mouth
 
 /// Takes out of a force what would drive its point on.
 Vec3 Opposing(const Vec3& force_W_n, const Vec3& v_W_mps) {
   const double power_w = force_W_n.dot(v_W_mps), v2 = v_W_mps.squaredNorm();
-  if (power_w <= 0 || v2 <= kLeastSpeed_mps * kLeastSpeed_mps) return force_W_n;
+  if (power_w <= 0 || v2 <= kSlowestWall_mps * kSlowestWall_mps) return force_W_n;
   return force_W_n - power_w / v2 * v_W_mps;
 }
 
@@ -33,8 +33,8 @@ struct Beside {
   double x_m, y_m;
 
   Beside(const Vec3& p_W, const Vec3& outward_W, const Columns& ground)
-      : x_m(p_W.x() + LookBeside_m(kBeside_m, ground.cell_m()) * outward_W.x()),
-        y_m(p_W.y() + LookBeside_m(kBeside_m, ground.cell_m()) * outward_W.y()) {
+      : x_m(p_W.x() + LookBeside_m(kBesideWall_m, ground.cell_m()) * outward_W.x()),
+        y_m(p_W.y() + LookBeside_m(kBesideWall_m, ground.cell_m()) * outward_W.y()) {
     depth_m = ground.HeightAt(x_m, y_m) - p_W.z();
   }
   CutSoil SoilAbove(double z_m, const std::vector<SoilType>& soils, Columns* ground) const {
@@ -119,7 +119,7 @@ void ShovelWalls::Push(const std::vector<Strip>& strips, const Vec3& normal_B,
                        double* travel_m, Columns* ground, Wrench* wrench) const {
   const Vec3 n_W = body.X_WB.linear() * normal_B;
   const double level = n_W.head<2>().norm();
-  if (strips.empty() || level < kLeastLevel) {
+  if (strips.empty() || level < kLeastUpright) {
     *travel_m = 0;
     return;
   }
@@ -128,7 +128,7 @@ void ShovelWalls::Push(const std::vector<Strip>& strips, const Vec3& normal_B,
   const double out_mps = v_W.dot(out_W);
   const double length_m = strips.front().width_m * static_cast<double>(strips.size());
   const double stays = std::max(0.0, 1 - (v_W - out_mps * out_W).norm() * dt_s / length_m);
-  *travel_m = std::clamp(stays * *travel_m + out_mps * dt_s, 0.0, kElasticTravel_m);
+  *travel_m = std::clamp(stays * *travel_m + out_mps * dt_s, 0.0, kWallElasticTravel_m);
   if (*travel_m == 0) return;
   // From the wall's own upright, which leans back by the normal's rise, to the level ahead.
   const double rake_rad = std::atan2(level, n_W.z());
@@ -155,7 +155,7 @@ void ShovelWalls::Push(const std::vector<Strip>& strips, const Vec3& normal_B,
     if (all.draft_n <= above.draft_n) continue;
     const Vec3 force_W_n = -(all.draft_n - above.draft_n) * out_W -
                            (all.vertical_n - above.vertical_n) * Vec3::UnitZ();
-    wrench->AddForceAt(*travel_m / kElasticTravel_m * Opposing(force_W_n, v_strip_W),
+    wrench->AddForceAt(*travel_m / kWallElasticTravel_m * Opposing(force_W_n, v_strip_W),
                        body.X_WB * p_B, body.X_WB.translation());
   }
   if (deepest_m <= 0) *travel_m = 0;
@@ -168,7 +168,7 @@ void ShovelWalls::PierceWithRim(const ShovelShape& shape, const BodyState& body,
   const Vec3 mouth_W = R_WB * shape.mouth_normal_B();
   const Vec3 edge_B = shape.edge_B(), chord_B = shape.top_edge_B() - edge_B;
   const Vec3 v_W = PointVelocity(body, edge_B + 0.5 * chord_B);
-  rim_m_ = std::clamp(rim_m_ + v_W.dot(mouth_W) * dt_s, 0.0, kElasticTravel_m);
+  rim_m_ = std::clamp(rim_m_ + v_W.dot(mouth_W) * dt_s, 0.0, kWallElasticTravel_m);
   if (rim_m_ == 0) return;
   double deepest_m = 0;
   const auto pierce = [&](const Vec3& p_B, const Vec3& outward_B, double length_m) {
@@ -177,7 +177,7 @@ void ShovelWalls::PierceWithRim(const ShovelShape& shape, const BodyState& body,
     deepest_m = std::max(deepest_m, beside.depth_m);
     if (beside.depth_m <= 0) return;
     const double force_n =
-        rim_m_ / kElasticTravel_m * length_m * shovel_.edge_thickness_m *
+        rim_m_ / kWallElasticTravel_m * length_m * shovel_.edge_thickness_m *
         piercing_.Pressure_pa(beside.SoilAbove(p_W.z(), soils, ground), beside.depth_m);
     wrench->AddForceAt(Opposing(-force_n * mouth_W, PointVelocity(body, p_B)), p_W,
                        body.X_WB.translation());

@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+constexpr float kUnfilled = std::numeric_limits<float>::quiet_NaN();
 constexpr std::array<std::array<int, 2>, 4> kSides = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
 /// Each unknown cell's height as the mean over the known ones of the smallest block of 2^n cells to
@@ -31,7 +31,7 @@ std::vector<float> Guess(int nx, int ny, const std::vector<float>& height_m) {
     }
   }
   for (std::size_t k = 0; k < sums.size(); ++k) {
-    sums[k] = counts[k] > 0 ? sums[k] / counts[k] : kUnknown;
+    sums[k] = counts[k] > 0 ? sums[k] / counts[k] : kUnfilled;
   }
   const std::vector<float> coarse = Guess(half_x, half_y, sums);
   std::vector<float> guess = height_m;

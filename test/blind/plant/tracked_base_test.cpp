@@ -7,11 +7,11 @@
 namespace tera::blind {
 namespace {
 
-PlainTracks Tb235() { return PlainTracks::Read("config/machines/tb235.yaml"); }
+PlainTracks TrackedBaseTb235() { return PlainTracks::Read("config/machines/tb235.yaml"); }
 
 /// Levers held for 4 s, and how the base moves then.
 struct Steady {
-  Steady(const TrackForm& form, TrackLevers levers) : tracks(Tb235()) {
+  Steady(const TrackForm& form, TrackLevers levers) : tracks(TrackedBaseTb235()) {
     drive = DriveAlong(tracks, form, 4, {3.9}, [&](double) { return levers; });
   }
   double forward_mps() const { return drive.forward_mps.back(); }

@@ -24,7 +24,7 @@ struct DiagnosedReceivers : BlockDiagnosis {
 };
 
 /// "left gnss_lever_arm".
-std::vector<std::string> NamesOf(const BlockDiagnosis& diagnosis) {
+std::vector<std::string> GnssBlockNamesOf(const BlockDiagnosis& diagnosis) {
   std::vector<std::string> names;
   for (const Finding& finding : diagnosis.findings) {
     names.push_back(finding.term.candidate->target + " " +
@@ -37,14 +37,14 @@ TEST(GnssBlock, FindsNothingOfReceiversThatAreAsDocumented) {
   const Receivers receivers({}, {});
   const DiagnosedReceivers diagnosis(receivers);
   EXPECT_TRUE(diagnosis.is_testable);
-  EXPECT_THAT(NamesOf(diagnosis), IsEmpty());
+  EXPECT_THAT(GnssBlockNamesOf(diagnosis), IsEmpty());
   EXPECT_THAT(diagnosis.unexplained, IsEmpty());
 }
 
 TEST(GnssBlock, NamesAnAntennaThatIsNotWhereItIsDocumented) {
   const Receivers receivers({}, {Named("gnss_lever_arm", {0.3, -0.2, 0})});
   const DiagnosedReceivers diagnosis(receivers);
-  ASSERT_THAT(NamesOf(diagnosis), ElementsAre("right gnss_lever_arm"));
+  ASSERT_THAT(GnssBlockNamesOf(diagnosis), ElementsAre("right gnss_lever_arm"));
   EXPECT_NEAR(diagnosis.findings[0].parameters[0].value, 0.3, 0.02);
   EXPECT_NEAR(diagnosis.findings[0].parameters[1].value, -0.2, 0.02);
 }
@@ -52,7 +52,7 @@ TEST(GnssBlock, NamesAnAntennaThatIsNotWhereItIsDocumented) {
 TEST(GnssBlock, NamesADatumThatDoesNotTurnWithTheMachine) {
   const Receivers receivers({Named("position_datum", {0.4, -0.7})}, {});
   const DiagnosedReceivers diagnosis(receivers);
-  ASSERT_THAT(NamesOf(diagnosis), ElementsAre("left position_datum"));
+  ASSERT_THAT(GnssBlockNamesOf(diagnosis), ElementsAre("left position_datum"));
   EXPECT_NEAR(diagnosis.findings[0].parameters[0].value, 0.4, 0.02);
   EXPECT_NEAR(diagnosis.findings[0].parameters[1].value, -0.7, 0.02);
 }
@@ -60,28 +60,28 @@ TEST(GnssBlock, NamesADatumThatDoesNotTurnWithTheMachine) {
 TEST(GnssBlock, TellsAntennasThatAreSwappedFromTwoThatSitElsewhere) {
   const Receivers receivers({}, {Named("antenna_swap", {})});
   const DiagnosedReceivers diagnosis(receivers);
-  ASSERT_THAT(NamesOf(diagnosis), ElementsAre("left antenna_swap"));
+  ASSERT_THAT(GnssBlockNamesOf(diagnosis), ElementsAre("left antenna_swap"));
   EXPECT_EQ(diagnosis.findings[0].evidence.rivals.size(), 1u);
 }
 
 TEST(GnssBlock, NamesAPairThatIsTurned) {
   const Receivers receivers({Named("antenna_yaw", {7})}, {});
   const DiagnosedReceivers diagnosis(receivers);
-  ASSERT_THAT(NamesOf(diagnosis), ElementsAre("left antenna_yaw"));
+  ASSERT_THAT(GnssBlockNamesOf(diagnosis), ElementsAre("left antenna_yaw"));
   EXPECT_NEAR(diagnosis.findings[0].parameters[0].value, 7, 1);
 }
 
 TEST(GnssBlock, NamesReflectionsThatComeWithTheBoom) {
   const Receivers receivers({Named("multipath", {0.1, 0.2, 40})}, {});
   const DiagnosedReceivers diagnosis(receivers);
-  ASSERT_THAT(NamesOf(diagnosis), ElementsAre("left multipath"));
+  ASSERT_THAT(GnssBlockNamesOf(diagnosis), ElementsAre("left multipath"));
   EXPECT_NEAR(diagnosis.findings[0].parameters[2].value, 40, 10);
 }
 
 TEST(GnssBlock, NamesAClockOfAnotherTimeScale) {
   const Receivers receivers({Named("clock_offset", {18})}, {});
   const DiagnosedReceivers diagnosis(receivers);
-  ASSERT_THAT(NamesOf(diagnosis), ElementsAre("left clock_offset"));
+  ASSERT_THAT(GnssBlockNamesOf(diagnosis), ElementsAre("left clock_offset"));
   EXPECT_NEAR(diagnosis.findings[0].parameters[0].value, 18, 0.03);
 }
 

@@ -76,7 +76,7 @@ struct Recorded {
 };
 
 /// "imu clock_offset" and what is not told apart from it.
-std::vector<std::string> NamesOf(const BlockDiagnosis& diagnosis) {
+std::vector<std::string> ImuBlockNamesOf(const BlockDiagnosis& diagnosis) {
   std::vector<std::string> names;
   for (const Finding& finding : diagnosis.findings) {
     for (const Candidate* candidate : finding.evidence.rivals) {
@@ -90,7 +90,7 @@ TEST(ImuBlock, AtRestNamesABias) {
   Recorded recorded({.moves = false, .accel_bias_mps2 = {0.05, -0.03, 0.06}});
   const BlockDiagnosis diagnosis = recorded.Diagnose(false);
   EXPECT_TRUE(diagnosis.is_testable);
-  ASSERT_THAT(NamesOf(diagnosis), ElementsAre("imu bias"));
+  ASSERT_THAT(ImuBlockNamesOf(diagnosis), ElementsAre("imu bias"));
   EXPECT_NEAR(diagnosis.findings[0].parameters[3].value, 0.05, 0.002);
   EXPECT_NEAR(diagnosis.findings[0].parameters[5].value, 0.06, 0.002);
 }
@@ -99,7 +99,7 @@ TEST(ImuBlock, AtRestAndAsDocumentedHasNothingToSay) {
   Recorded recorded({.moves = false});
   const BlockDiagnosis diagnosis = recorded.Diagnose(false);
   EXPECT_TRUE(diagnosis.is_testable);
-  EXPECT_THAT(NamesOf(diagnosis), IsEmpty());
+  EXPECT_THAT(ImuBlockNamesOf(diagnosis), IsEmpty());
   EXPECT_THAT(diagnosis.unexplained, IsEmpty());
 }
 
@@ -107,7 +107,7 @@ TEST(ImuBlock, DoesNotTellLatePosesFromAClockThatIsBehind) {
   Recorded recorded({.duration_s = 40, .poses_late_s = 0.25});
   const BlockDiagnosis diagnosis = recorded.Diagnose(true);
   ASSERT_EQ(diagnosis.findings.size(), 1u);
-  EXPECT_THAT(NamesOf(diagnosis), ElementsAre("poses latency", "imu clock_offset"));
+  EXPECT_THAT(ImuBlockNamesOf(diagnosis), ElementsAre("poses latency", "imu clock_offset"));
   EXPECT_NEAR(diagnosis.findings[0].parameters[0].value, 0.25, 0.01);
 }
 
@@ -115,7 +115,7 @@ TEST(ImuBlock, TellsAMapThatLeansFromAUnitThatDoes) {
   Recorded recorded(
       {.duration_s = 30, .R_WL = RotationFromRpy(2 * kDeg, -1 * kDeg, 0).transpose()});
   const BlockDiagnosis diagnosis = recorded.Diagnose(true);
-  ASSERT_THAT(NamesOf(diagnosis), ElementsAre("poses mount_rotation"));
+  ASSERT_THAT(ImuBlockNamesOf(diagnosis), ElementsAre("poses mount_rotation"));
   EXPECT_NEAR(diagnosis.findings[0].parameters[0].value, 2, 0.05);
   EXPECT_NEAR(diagnosis.findings[0].parameters[1].value, -1, 0.05);
 }

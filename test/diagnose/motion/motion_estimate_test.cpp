@@ -13,7 +13,7 @@
 namespace tera {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kMotionEstimateInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSigma[] = {0.01, 0.02};
 constexpr int kSamples = 500;  // of each encoder and segment, 5 s at 100 Hz
 /// Residuals much smaller than the scale weigh (5 + 1) / 5.
@@ -52,7 +52,8 @@ MotionProblem TwoEncoders(int segments, double scale, double zero) {
   return problem;
 }
 
-ParameterPrior Prior(double sigma, double lower = -kInfinity, double upper = kInfinity) {
+ParameterPrior Prior(double sigma, double lower = -kMotionEstimateInfinity,
+                     double upper = kMotionEstimateInfinity) {
   const auto one = [](double value) {
     return Eigen::VectorXd(Eigen::VectorXd::Constant(1, value));
   };

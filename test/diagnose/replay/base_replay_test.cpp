@@ -20,15 +20,15 @@
 namespace tera {
 namespace {
 
-struct Recorded {
+struct BaseReplayRecorded {
   NamedEncoders encoders{"m/wheels", {}};
   std::vector<TruthPose> poses;
 };
 
 /// Ideal encoders of the gears at 100 Hz, and poses at 20 Hz.
-Recorded Record(Drive* drive, double duration_s) {
+BaseReplayRecorded BaseReplayRecord(Drive* drive, double duration_s) {
   const MachineModel& model = drive->scenario.machines[0].placement.model;
-  Recorded recorded;
+  BaseReplayRecorded recorded;
   for (const RunningGear& gear : model.ground_tools.gears) {
     recorded.encoders.recording.axes.push_back({gear.name});
   }
@@ -73,20 +73,20 @@ PlanarTwist RmsError(const BaseLog& log, const std::vector<PlanarTwist>& predict
           std::sqrt(sum.yaw_radps / n)};
 }
 
-struct Case {
+struct BaseReplayCase {
   std::string terrain, base;
 };
 
-void PrintTo(const Case& tested, std::ostream* out) {
+void PrintTo(const BaseReplayCase& tested, std::ostream* out) {
   *out << tested.terrain << " {" << tested.base << "}";
 }
 
-class ReplayOfGround : public ::testing::TestWithParam<Case> {};
+class ReplayOfGround : public ::testing::TestWithParam<BaseReplayCase> {};
 
 TEST_P(ReplayOfGround, TellsHowTheSimulatedMachineMovedAndTheIdealTracksDoNot) {
   Drive drive = Meandering(GetParam().terrain, GetParam().base);
   const MachineModel& model = drive.scenario.machines[0].placement.model;
-  const Recorded recorded = Record(&drive, 10);
+  const BaseReplayRecorded recorded = BaseReplayRecord(&drive, 10);
   const BaseLog log = MakeBaseLog(model, {recorded.encoders}, recorded.poses, 0.1);
   ASSERT_GT(log.intervals.size(), 90u);
   const BaseReplay replay(model, log);
@@ -101,13 +101,13 @@ TEST_P(ReplayOfGround, TellsHowTheSimulatedMachineMovedAndTheIdealTracksDoNot) {
 
 INSTANTIATE_TEST_SUITE_P(
     Mechanisms, ReplayOfGround,
-    ::testing::Values(Case{"soil: asphalt", "track_slip: {slip: 0.15}"},
-                      Case{"soil: asphalt", "track_slip: {slip: 0.05, turn_slip: 0.6}"},
-                      Case{"soil: asphalt", "effective_gauge: {ratio: 1.7}"},
-                      Case{"soil: asphalt", "track_asymmetry: {difference: 0.2}"},
-                      Case{"soil: asphalt", "icr_shift: {forward_m: 0.2, left_m: 0.1}"},
-                      Case{"soil: dirt, relief: {slope_deg: 8}",
-                           "slope_slip: {slip: 0.02, slip_per_slope: 1.5}"}));
+    ::testing::Values(BaseReplayCase{"soil: asphalt", "track_slip: {slip: 0.15}"},
+                      BaseReplayCase{"soil: asphalt", "track_slip: {slip: 0.05, turn_slip: 0.6}"},
+                      BaseReplayCase{"soil: asphalt", "effective_gauge: {ratio: 1.7}"},
+                      BaseReplayCase{"soil: asphalt", "track_asymmetry: {difference: 0.2}"},
+                      BaseReplayCase{"soil: asphalt", "icr_shift: {forward_m: 0.2, left_m: 0.1}"},
+                      BaseReplayCase{"soil: dirt, relief: {slope_deg: 8}",
+                                     "slope_slip: {slip: 0.02, slip_per_slope: 1.5}"}));
 
 /// How much further a machine goes than its tracks, of which either goes one way for 2 s and the
 /// other way for 2 s.
@@ -150,7 +150,7 @@ TEST(BaseBlock, LetsPassWhatGroundThatHoldsLittleChanges) {
     return NamedLevers{{"left_track", lever}, {"right_track", lever}};
   });
   const MachineModel& model = drive.scenario.machines[0].placement.model;
-  const Recorded recorded = Record(&drive, 22);
+  const BaseReplayRecorded recorded = BaseReplayRecord(&drive, 22);
   const BaseLog log = MakeBaseLog(model, {recorded.encoders}, recorded.poses, 0.2);
   const auto block = MakeBaseBlock(model, log, "m/base", false);
   ASSERT_TRUE(block);
@@ -205,7 +205,7 @@ TEST(BaseBlock, JudgesNoTurningThatLooseGroundCannotGiveAtOnce) {
     return NamedLevers{{"left_track", -lever}, {"right_track", lever}};
   });
   const MachineModel& model = drive.scenario.machines[0].placement.model;
-  const Recorded recorded = Record(&drive, 24);
+  const BaseReplayRecorded recorded = BaseReplayRecord(&drive, 24);
   BaseLog log = MakeBaseLog(model, {recorded.encoders}, recorded.poses, 0.1);
   std::vector<ReplayBlock> blocks(1, MakeBaseBlock(model, log, "m/base", false).value());
   const std::vector<ExcludedSamples> excluded = ExcludeLaggingSamples(&blocks);
@@ -239,7 +239,7 @@ TEST(BaseBlock, ExcludesTheSameTurningHoweverLongTheMachineStandsAfterwards) {
       const double lever = t_s > 20 ? 0 : turned;
       return NamedLevers{{"left_track", -lever}, {"right_track", lever}};
     });
-    const Recorded recorded = Record(&drive, duration_s);
+    const BaseReplayRecorded recorded = BaseReplayRecord(&drive, duration_s);
     const MachineModel& model = drive.scenario.machines[0].placement.model;
     const BaseLog log = MakeBaseLog(model, {recorded.encoders}, recorded.poses, 0.1);
     return MakeBaseBlock(model, log, "m/base", false).value().channels[2].is_lagging;
@@ -335,7 +335,7 @@ TEST(BaseLog, TakesTheRateAsItWasMeasuredWhereTheAngleIsAnother) {
 TEST(BaseLog, NamesTheGearThatNoEncoderMeasures) {
   Drive drive = Meandering("soil: asphalt", "");
   const MachineModel& model = drive.scenario.machines[0].placement.model;
-  Recorded recorded = Record(&drive, 0.5);
+  BaseReplayRecorded recorded = BaseReplayRecord(&drive, 0.5);
   recorded.encoders.recording.axes[1].name = "idler";
   try {
     MakeBaseLog(model, {recorded.encoders}, recorded.poses, 0.1);
@@ -379,7 +379,7 @@ TEST(BaseBlock, BesideLatePosesWouldHaveMovedAsMuchLater) {
 struct Waited {
   Drive drive = Meandering("soil: asphalt", "");
   const MachineModel& model = drive.scenario.machines[0].placement.model;
-  Recorded recorded = Record(&drive, 60);
+  BaseReplayRecorded recorded = BaseReplayRecord(&drive, 60);
 
   Waited() {
     TimeNs last_ns = 0;
@@ -397,7 +397,7 @@ struct Waited {
   }
 };
 
-double Rms(const Series& measured, const std::vector<double>& predicted) {
+double BaseReplayRms(const Series& measured, const std::vector<double>& predicted) {
   double sum = 0, count = 0;
   for (std::size_t k = 0; k < measured.size(); ++k) {
     if (!measured.valid[k]) continue;
@@ -416,8 +416,8 @@ TEST(BaseBlock, FollowsPosesThatWaitedByWhenTheyWereMeasured) {
   const auto as_stamped = block->predict({}), known = block->predict({{&arrivals, {}}});
   for (const std::size_t c : {0u, 2u}) {
     const Series& measured = block->channels[c].measured;
-    EXPECT_GT(Rms(measured, as_stamped[c]), 0.1) << c;
-    EXPECT_LT(Rms(measured, known[c]), 0.02) << c;
+    EXPECT_GT(BaseReplayRms(measured, as_stamped[c]), 0.1) << c;
+    EXPECT_LT(BaseReplayRms(measured, known[c]), 0.02) << c;
   }
 }
 

@@ -34,17 +34,17 @@ SensorDescription OnTheBoom() {
 
 /// What a recording would hold: the unit at 200 Hz with `effects`, ideal encoders and poses at 100
 /// Hz.
-struct Recorded {
+struct ImuReplayRecorded {
   std::vector<ImuSample> imu;
   std::vector<NamedEncoders> encoders{{"m/encoders", {}}};
   std::vector<TruthPose> poses;
 };
 
-Recorded Record(Drive* drive, const Effects& effects, double duration_s) {
+ImuReplayRecorded ImuReplayRecord(Drive* drive, const Effects& effects, double duration_s) {
   const MachineModel& model = drive->scenario.machines[0].placement.model;
   const SensorDescription sensor = OnTheBoom();
   const auto link = static_cast<std::size_t>(model.LinkIndex(sensor.link));
-  Recorded recorded;
+  ImuReplayRecorded recorded;
   for (const Joint& joint : model.joints) {
     recorded.encoders[0].recording.axes.push_back({joint.name});
   }
@@ -75,18 +75,19 @@ Drive Working() {
   return drive;
 }
 
-ImuLog LogOf(const Drive& drive, const Recorded& recorded, const SensorDescription& sensor) {
+ImuLog LogOf(const Drive& drive, const ImuReplayRecorded& recorded,
+             const SensorDescription& sensor) {
   return MakeImuLog(drive.scenario.machines[0].placement.model, sensor, recorded.imu,
                     recorded.encoders, recorded.poses, 0.2);
 }
 
-struct Rms {
+struct ImuReplayRms {
   double w_radps = 0, f_mps2 = 0;
 };
 
 /// After the jolt of the start.
-Rms ErrorOf(const ImuLog& log, const std::vector<ImuSample>& predicted) {
-  Rms sum;
+ImuReplayRms ErrorOf(const ImuLog& log, const std::vector<ImuSample>& predicted) {
+  ImuReplayRms sum;
   double n = 0;
   for (std::size_t k = 10; k < log.known.size(); ++k) {
     if (!log.known[k]) continue;
@@ -108,10 +109,10 @@ Effect Named(std::string_view id, std::vector<double> values) {
 
 TEST(ImuReplay, MeasuresWhatTheUnitOnTheMovingMachineMeasured) {
   Drive drive = Working();
-  const Recorded recorded = Record(&drive, {}, 15);
+  const ImuReplayRecorded recorded = ImuReplayRecord(&drive, {}, 15);
   const SensorDescription sensor = OnTheBoom();
   const ImuLog log = LogOf(drive, recorded, sensor);
-  const Rms error = ErrorOf(log, ImuReplay(sensor, log).Predict({}));
+  const ImuReplayRms error = ErrorOf(log, ImuReplay(sensor, log).Predict({}));
   // The slew alone turns at 0.3 rad/s, gravity is 9.8 m/s^2.
   EXPECT_LT(error.w_radps, 0.001);
   EXPECT_LT(error.f_mps2, 0.03);
@@ -121,7 +122,7 @@ TEST(ImuReplay, MeasuresWhatTheUnitOnTheMovingMachineMeasured) {
 struct Carried {
   Drive drive = Working();
   SensorDescription sensor = OnTheBoom();
-  Recorded recorded;
+  ImuReplayRecorded recorded;
 
   explicit Carried(const std::function<Pose(double t_s)>& motion) {
     sensor.link = drive.scenario.machines[0].placement.model.links[0].name;
@@ -148,7 +149,7 @@ TEST(ImuReplay, ComparesForcesThroughTheSameWindow) {
     return MakePose({0.05 * std::sin(2 * kPi * 2 * t_s), 0, 0}, 0, 0, 0.3 * t_s);
   });
   const ImuLog log = LogOf(carried.drive, carried.recorded, carried.sensor);
-  const Rms error = ErrorOf(log, ImuReplay(carried.sensor, log).Predict({}));
+  const ImuReplayRms error = ErrorOf(log, ImuReplay(carried.sensor, log).Predict({}));
   // 0.05 m times the square of the rate, over the root of two, is 5.6 m/s^2.
   EXPECT_LT(error.f_mps2, 0.01);
 }
@@ -163,7 +164,7 @@ TEST(ImuReplay, TurnsWithinLongIntervalsAsTheLinkDid) {
   ImuLog log = MakeImuLog(carried.drive.scenario.machines[0].placement.model, carried.sensor,
                           carried.recorded.imu, {}, carried.recorded.poses, 0.4);
   log.known.back() = false;  // the unit had ended before the poses did
-  const Rms error =
+  const ImuReplayRms error =
       ErrorOf(log, ImuReplay(carried.sensor, log).Predict({Named("clock_offset", {-0.22})}));
   // Of 0.67 rad/s, of which straight lines over half an interval would leave 0.02.
   EXPECT_LT(error.w_radps, 0.004);
@@ -174,12 +175,12 @@ TEST(ImuReplay, WithTheUnitsOwnErrorsMeasuresAsItDid) {
                            Named("bias", {0.5, 0, -0.5, 0.2, 0, 0.1}),
                            Named("clock_offset", {0.12})};
   Drive drive = Working();
-  const Recorded recorded = Record(&drive, effects, 15);
+  const ImuReplayRecorded recorded = ImuReplayRecord(&drive, effects, 15);
   const SensorDescription sensor = OnTheBoom();
   const ImuLog log = LogOf(drive, recorded, sensor);
   const ImuReplay replay(sensor, log);
-  const Rms with = ErrorOf(log, replay.Predict(effects));
-  const Rms without = ErrorOf(log, replay.Predict({}));
+  const ImuReplayRms with = ErrorOf(log, replay.Predict(effects));
+  const ImuReplayRms without = ErrorOf(log, replay.Predict({}));
   EXPECT_LT(with.w_radps, 0.003);
   EXPECT_LT(with.f_mps2, 0.03);
   EXPECT_GT(without.w_radps, 0.02);
@@ -188,7 +189,7 @@ TEST(ImuReplay, WithTheUnitsOwnErrorsMeasuresAsItDid) {
 
 TEST(ImuReplay, SaysNothingWhereAJointOnTheWayWasNotMeasured) {
   Drive drive = Working();
-  Recorded recorded = Record(&drive, {}, 2);
+  ImuReplayRecorded recorded = ImuReplayRecord(&drive, {}, 2);
   for (EncoderAxis& axis : recorded.encoders[0].recording.axes) {
     if (axis.name == "slew") axis.name = "other";
   }
@@ -198,7 +199,7 @@ TEST(ImuReplay, SaysNothingWhereAJointOnTheWayWasNotMeasured) {
 TEST(ImuReplay, WithoutPosesAMachineWhoseTracksNeverTurnedStandsLevel) {
   Drive drive = Working();
   const MachineModel& model = drive.scenario.machines[0].placement.model;
-  Recorded recorded;
+  ImuReplayRecorded recorded;
   SensorDescription sensor = OnTheBoom();
   sensor.link = model.links[0].name;
   sensor.X_BS = Pose::Identity();

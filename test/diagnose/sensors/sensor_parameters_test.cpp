@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-const UsualTolerances kTolerances;
+const UsualTolerances kSensorParametersTolerances;
 
 Effect Named(EffectTarget target, std::string_view id, std::vector<double> values) {
   for (const Mechanism& mechanism : SensorMechanisms()) {

@@ -39,7 +39,7 @@ Viewer Lidar(
                   std::move(looks));
 }
 
-TestBox Nothing() { return {Vec3(0, 0, -0.5), Vec3(0.01, 0.01, -0.4)}; }
+TestBox OccupancyEntropyNothing() { return {Vec3(0, 0, -0.5), Vec3(0.01, 0.01, -0.4)}; }
 
 // -0.5 ln 0.5 - 0.5 ln 0.5 = ln 2 = 0.693147;
 // -0.25 ln 0.25 - 0.75 ln 0.75 = 0.346574 + 0.215762 = 0.562335.
@@ -54,7 +54,7 @@ TEST(OccupancyEntropy, OfAYesOrNo) {
 }
 
 TEST(OccupancyEntropy, IsSummedOverTheVoxelsThatAreCovered) {
-  const Yard yard(Nothing());
+  const Yard yard(OccupancyEntropyNothing());
   const auto figures = FiguresOf(yard, {Lidar(yard, 1e4)});
   EXPECT_NEAR(FigureOf(figures, "information/smig").at[2], kOften_nat + kSeldom_nat, 1e-5);
   EXPECT_NEAR(FigureOf(figures, "information/smig_occluded").at[2], kOften_nat + kSeldom_nat, 1e-5);
@@ -66,7 +66,7 @@ TEST(OccupancyEntropy, IsSummedOverTheVoxelsThatAreCovered) {
 TEST(OccupancyEntropy, NeedsARayInTheVoxel) {
   // The voxels are sqrt(3.25^2 + 2.25^2 + 1.25^2) = 4.146 m away: 0.25 / 4.146^2 = 0.01454 sr, one
   // ray at 68.8 per steradian.
-  const Yard yard(Nothing());
+  const Yard yard(OccupancyEntropyNothing());
   EXPECT_EQ(FigureOf(FiguresOf(yard, {Lidar(yard, 68)}), "information/smig").at[0], 0);
   EXPECT_GT(FigureOf(FiguresOf(yard, {Lidar(yard, 69.5)}), "information/smig").at[0], 1);
   Viewer near_sighted = Lidar(yard, 1e4);
@@ -82,7 +82,7 @@ TEST(OccupancyEntropy, IsLessWithOcclusionThanWithout) {
 }
 
 TEST(OccupancyEntropy, OneMoreSensorNeverTakesAnyAway) {
-  const Yard yard(Nothing());
+  const Yard yard(OccupancyEntropyNothing());
   const Viewer left = Lidar(yard, 1e4, [](const Vec3& d_S) { return d_S.x() < 0; });
   const Viewer all = Lidar(yard, 1e4);
   const auto one = FiguresOf(yard, {left}), both = FiguresOf(yard, {left, all});
@@ -91,7 +91,7 @@ TEST(OccupancyEntropy, OneMoreSensorNeverTakesAnyAway) {
 }
 
 TEST(OccupancyEntropy, IsNoneOfWhatMeasuresNoRange) {
-  const Yard yard(Nothing());
+  const Yard yard(OccupancyEntropyNothing());
   Viewer camera = Lidar(yard, 1e4);
   camera.field.ranges = false;
   EXPECT_EQ(FigureOf(FiguresOf(yard, {camera}), "information/smig").at[0], 0);

@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-TestBox Nothing() { return {Vec3(0, 0, -0.5), Vec3(0.01, 0.01, -0.4)}; }
+TestBox PerceptionEntropyNothing() { return {Vec3(0, 0, -0.5), Vec3(0.01, 0.01, -0.4)}; }
 
 PersonStudy Standing() {
   PersonStudy person;
@@ -64,19 +64,19 @@ TEST(PerceptionEntropy, FallsWithEverySampleMore) {
     EXPECT_LT(nat, last_nat);
     last_nat = nat;
   }
-  const Yard yard(Nothing());
+  const Yard yard(PerceptionEntropyNothing());
   EXPECT_LT(EntropyOf(yard, {Camera(yard, 2e4)}), EntropyOf(yard, {Camera(yard, 1e4)}));
 }
 
 TEST(PerceptionEntropy, OfTwoEqualSensorsIsLessByTheLogarithmOfTwo) {
   // sigma / sqrt(2) each: 2 ln(1 / sqrt(2)) = -ln 2, at every place alike.
-  const Yard yard(Nothing());
+  const Yard yard(PerceptionEntropyNothing());
   const Viewer camera = Camera(yard, 1e4);
   EXPECT_NEAR(EntropyOf(yard, {camera, camera}), EntropyOf(yard, {camera}) - std::log(2.0), 1e-9);
 }
 
 TEST(PerceptionEntropy, OfNoSensorOrABlindOneIsThatOfTheLowestPrecision) {
-  const Yard yard(Nothing());
+  const Yard yard(PerceptionEntropyNothing());
   const double none_nat = 2 * std::log(999.0) + 1 + std::log(2 * kPi);
   EXPECT_NEAR(EntropyOf(yard, {}), none_nat, 1e-9);
   Viewer blind = Camera(yard, 0);
@@ -86,7 +86,7 @@ TEST(PerceptionEntropy, OfNoSensorOrABlindOneIsThatOfTheLowestPrecision) {
 }
 
 TEST(PerceptionEntropy, UsesTheStudysCoefficientsOfEachKind) {
-  const Yard yard(Nothing());
+  const Yard yard(PerceptionEntropyNothing());
   InformationStudy other;
   other.camera = {0.05, 0.2};
   const Viewer camera = Camera(yard, 1e4);

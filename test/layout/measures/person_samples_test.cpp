@@ -10,12 +10,12 @@
 namespace tera {
 namespace {
 
-TestBox Nothing() { return {Vec3(0, 0, -0.5), Vec3(0.01, 0.01, -0.4)}; }
-const Posture kStanding{"standing", Vec3(0.3, 0.5, 1.75)};
+TestBox PersonSamplesNothing() { return {Vec3(0, 0, -0.5), Vec3(0.01, 0.01, -0.4)}; }
+const Posture kPersonSamplesStanding{"standing", Vec3(0.3, 0.5, 1.75)};
 
 TEST(PersonSamples, PatchesAreAllOfHerButHerSoles) {
   double area_m2 = 0;
-  for (const BodyPatch& patch : PatchesOf(kStanding)) {
+  for (const BodyPatch& patch : PatchesOf(kPersonSamplesStanding)) {
     area_m2 += patch.area_m2;
     EXPECT_GT(patch.p_P_m.z(), 0);
     EXPECT_LE(patch.p_P_m.z(), 1.75);
@@ -27,18 +27,19 @@ TEST(PersonSamples, PatchesAreAllOfHerButHerSoles) {
 TEST(PersonSamples, AreThoseOfTheSolidAngleThatSheFills) {
   // From 20 m away, level with her middle: only her front, 0.5 m by 1.75 m, whose solid angle is
   // its area over 20 m less half her depth squared, within (1.75 / 2 / 20)^2 = 0.2 %.
-  const Yard yard(Nothing());
+  const Yard yard(PersonSamplesNothing());
   const Pose X_WP = MakePose(Vec3(-12, 9, 0), 0, 0, 0.7);
   const Viewer viewer = ViewerOf(ViewField::Samples::kPixels, 1e5,
                                  X_WP * MakePose(Vec3(-20, 0, 0.875), 0.2, 0.1, -0.4));
   const double expected = 1e5 * 0.5 * 1.75 / (19.85 * 19.85);
-  const auto samples = SamplesOnPersons(PatchesOf(kStanding), {X_WP}, viewer, 0.2, yard.sighting());
+  const auto samples =
+      SamplesOnPersons(PatchesOf(kPersonSamplesStanding), {X_WP}, viewer, 0.2, yard.sighting());
   ASSERT_EQ(samples.size(), 1u);
   EXPECT_NEAR(samples[0], expected, 0.003 * expected);
 }
 
 TEST(PersonSamples, PlacesLieTheirDistanceFromTheMachinesSides) {
-  const Yard yard(Nothing());
+  const Yard yard(PersonSamplesNothing());
   const std::vector<double> hull_m = HullRadii_m(yard.X_WH(), 0, 36, yard.sighting());
   const auto places = PlacesAroundHull(yard.X_WH(), hull_m, {1, 4}, yard.sighting(), yard.ground());
   ASSERT_EQ(places.size(), 72u);

@@ -11,7 +11,7 @@ namespace {
 constexpr double kPxPerRad = 1000;  ///< so that the density is 1000 px / m at 1 m
 
 /// Out of the way of everything.
-TestBox Nothing() { return {Vec3(0, 0, -0.5), Vec3(0.01, 0.01, -0.4)}; }
+TestBox PixelDensityNothing() { return {Vec3(0, 0, -0.5), Vec3(0.01, 0.01, -0.4)}; }
 
 /// Above the origin of H and level with the places, turned as it is.
 Viewer Camera(const Yard& yard, std::function<bool(const Vec3&)> looks) {
@@ -27,7 +27,7 @@ PixelDensity DensityOf(const Yard& yard, const Viewer& viewer) {
 }
 
 TEST(PixelDensity, FallsWithDistanceThroughTheStandardsPurposes) {
-  const Yard yard(Nothing());
+  const Yard yard(PixelDensityNothing());
   const PixelDensity density = DensityOf(yard, Camera(yard, [](const Vec3&) { return true; }));
   // 25 px/m at 40 m, beyond the grid; 62.5 at 16, 125 at 8, 250 at 4 m, so that the last cells have
   // their middles at 23.5, 15.5, 7.5, 3.5 m.
@@ -46,7 +46,7 @@ TEST(PixelDensity, FallsWithDistanceThroughTheStandardsPurposes) {
 }
 
 TEST(PixelDensity, IsThatOfDirectionsThatACameraShows) {
-  const Yard yard(Nothing());
+  const Yard yard(PixelDensityNothing());
   const auto to_the_left = [](const Vec3& d_S) { return d_S.y() > 0.1; };
   const std::vector<Figure> figures = DensityOf(yard, Camera(yard, to_the_left)).Figures();
   EXPECT_EQ(FigureOf(figures, "pixels/recognise/mean_to_m_left").at[0], 7.5);
@@ -57,7 +57,7 @@ TEST(PixelDensity, IsThatOfDirectionsThatACameraShows) {
 }
 
 TEST(PixelDensity, IsDrawnByDirection) {
-  const Yard yard(Nothing());
+  const Yard yard(PixelDensityNothing());
   const auto to_the_left = [](const Vec3& d_S) { return d_S.y() > 0.1; };
   const PolarCurve recognise = DensityOf(yard, Camera(yard, to_the_left)).Curves().at(2);
   EXPECT_EQ(recognise.name, "pixels/recognise");
@@ -75,7 +75,7 @@ TEST(PixelDensity, EndsAtWhatStandsInTheWay) {
 }
 
 TEST(PixelDensity, IsNoneOfALidar) {
-  const Yard yard(Nothing());
+  const Yard yard(PixelDensityNothing());
   Viewer lidar = Camera(yard, [](const Vec3&) { return true; });
   lidar.field.samples = ViewField::Samples::kPoints;
   EXPECT_EQ(FigureOf(DensityOf(yard, lidar).Figures(), "pixels/detect/share_to_12m").at[0], 0);

@@ -23,7 +23,7 @@ Zone ZoneOf(const std::string& keys) {
   return zone;
 }
 
-void ExpectRefused(const std::string& keys, const std::string& message) {
+void ExpectZoneRefused(const std::string& keys, const std::string& message) {
   EXPECT_THAT([&] { ZoneOf(keys); }, ThrowsMessage<InputError>(HasSubstr(message))) << keys;
 }
 
@@ -37,52 +37,53 @@ bool IsInL(const Vec3& p) {
 }
 
 TEST(ReadZone, RefusesWhatIsNoZone) {
-  ExpectRefused("box_m: [1, 2, 3]", "name");
-  ExpectRefused("name: a", "needs one shape");
-  ExpectRefused("name: a, box_m: [1, 2, 3], cylinder: {radius_m: 1, height_m: 2}",
-                "needs one shape");
-  ExpectRefused("name: a, box_m: [1, 2]", "box_m");
-  ExpectRefused("name: a, box_m: [1, -2, 3]", "box_m");
-  ExpectRefused("name: a, box_m: [1, 0, 3]", "box_m");
-  ExpectRefused("name: a, box_m: [1, .nan, 3]", "box_m");
-  ExpectRefused("name: a, box_m: [1, .inf, 3]", "box_m");
-  ExpectRefused("name: a, box_m: high", "box_m");
-  ExpectRefused("name: a, cylinder: {radius_m: 1}", "height_m");
-  ExpectRefused("name: a, cylinder: {radius_m: 0, height_m: 1}", "radius_m");
-  ExpectRefused("name: a, cylinder: {radius_m: 1, height_m: -1}", "height_m");
-  ExpectRefused("name: a, cylinder: {radius_m: 1, height_m: 1, colour: red}", "colour");
-  ExpectRefused("name: a, box_m: [1, 1, 1], level: perhaps", "level");
-  ExpectRefused("name: a, box_m: [1, 1, 1], xyz_m: [1, 2]", "xyz_m");
-  ExpectRefused("name: a, box_m: [1, 1, 1], rpy_degs: [1, 2, 3]", "rpy_degs");
+  ExpectZoneRefused("box_m: [1, 2, 3]", "name");
+  ExpectZoneRefused("name: a", "needs one shape");
+  ExpectZoneRefused("name: a, box_m: [1, 2, 3], cylinder: {radius_m: 1, height_m: 2}",
+                    "needs one shape");
+  ExpectZoneRefused("name: a, box_m: [1, 2]", "box_m");
+  ExpectZoneRefused("name: a, box_m: [1, -2, 3]", "box_m");
+  ExpectZoneRefused("name: a, box_m: [1, 0, 3]", "box_m");
+  ExpectZoneRefused("name: a, box_m: [1, .nan, 3]", "box_m");
+  ExpectZoneRefused("name: a, box_m: [1, .inf, 3]", "box_m");
+  ExpectZoneRefused("name: a, box_m: high", "box_m");
+  ExpectZoneRefused("name: a, cylinder: {radius_m: 1}", "height_m");
+  ExpectZoneRefused("name: a, cylinder: {radius_m: 0, height_m: 1}", "radius_m");
+  ExpectZoneRefused("name: a, cylinder: {radius_m: 1, height_m: -1}", "height_m");
+  ExpectZoneRefused("name: a, cylinder: {radius_m: 1, height_m: 1, colour: red}", "colour");
+  ExpectZoneRefused("name: a, box_m: [1, 1, 1], level: perhaps", "level");
+  ExpectZoneRefused("name: a, box_m: [1, 1, 1], xyz_m: [1, 2]", "xyz_m");
+  ExpectZoneRefused("name: a, box_m: [1, 1, 1], rpy_degs: [1, 2, 3]", "rpy_degs");
 }
 
 TEST(ReadZone, RefusesAPrismThatIsNone) {
   const auto prism = [](const std::string& keys) { return "name: a, prism: {" + keys + "}"; };
   const std::string square = "xy_m: [[0, 0], [1, 0], [1, 1], [0, 1]]";
   EXPECT_NO_THROW(ZoneOf(prism(square + ", high_m: 2")));
-  ExpectRefused(prism(square), "high_m");
-  ExpectRefused(prism(square + ", low_m: 2, high_m: 2"), "high_m");
-  ExpectRefused(prism(square + ", low_m: 3, high_m: 2"), "high_m");
-  ExpectRefused(prism("high_m: 2"), "xy_m");
-  ExpectRefused(prism("xy_m: [], high_m: 2"), "xy_m");
-  ExpectRefused(prism("xy_m: [[0, 0], [1, 0]], high_m: 2"), "xy_m");
-  ExpectRefused(prism("xy_m: [[0, 0], [1, 0], [1]], high_m: 2"), "xy_m");
-  ExpectRefused(prism("xy_m: [[0, 0], [1, 0], [x, 1]], high_m: 2"), "xy_m");
+  ExpectZoneRefused(prism(square), "high_m");
+  ExpectZoneRefused(prism(square + ", low_m: 2, high_m: 2"), "high_m");
+  ExpectZoneRefused(prism(square + ", low_m: 3, high_m: 2"), "high_m");
+  ExpectZoneRefused(prism("high_m: 2"), "xy_m");
+  ExpectZoneRefused(prism("xy_m: [], high_m: 2"), "xy_m");
+  ExpectZoneRefused(prism("xy_m: [[0, 0], [1, 0]], high_m: 2"), "xy_m");
+  ExpectZoneRefused(prism("xy_m: [[0, 0], [1, 0], [1]], high_m: 2"), "xy_m");
+  ExpectZoneRefused(prism("xy_m: [[0, 0], [1, 0], [x, 1]], high_m: 2"), "xy_m");
 }
 
 TEST(ReadZone, RefusesAPrismWithoutArea) {
-  ExpectRefused("name: a, prism: {xy_m: [[0, 0], [1, 1], [2, 2]], high_m: 2}", "xy_m");
-  ExpectRefused("name: a, prism: {xy_m: [[0, 0], [0, 0], [0, 0]], high_m: 2}", "xy_m");
+  ExpectZoneRefused("name: a, prism: {xy_m: [[0, 0], [1, 1], [2, 2]], high_m: 2}", "xy_m");
+  ExpectZoneRefused("name: a, prism: {xy_m: [[0, 0], [0, 0], [0, 0]], high_m: 2}", "xy_m");
 }
 
 TEST(ReadZone, RefusesAPrismThatIsASliver) {
   // Places would be tried in a million cells around it for each that lies in it.
-  ExpectRefused("name: a, prism: {xy_m: [[0, 0], [10, 10], [10, 10.00001]], high_m: 2}", "xy_m");
+  ExpectZoneRefused("name: a, prism: {xy_m: [[0, 0], [10, 10], [10, 10.00001]], high_m: 2}",
+                    "xy_m");
 }
 
 TEST(ReadZone, RefusesAPrismWhoseOutlineCrossesItself) {
   // A bow tie: its two halves turn opposite ways, so that it has no one area.
-  ExpectRefused("name: a, prism: {xy_m: [[0, 0], [2, 2], [2, 0], [0, 1]], high_m: 2}", "xy_m");
+  ExpectZoneRefused("name: a, prism: {xy_m: [[0, 0], [2, 2], [2, 0], [0, 1]], high_m: 2}", "xy_m");
 }
 
 TEST(ReadZone, TakesEveryKey) {

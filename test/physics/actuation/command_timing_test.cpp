@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-constexpr double kStep_s = 0.002;
+constexpr double kCommandTimingStep_s = 0.002;
 
 CommandTiming TimingFrom(const std::string& yaml, std::int64_t first_step = 0,
                          const std::string& stream = "m/boom/command_drops") {
@@ -22,7 +22,7 @@ TEST(CommandTiming, WithoutEffectsIsThePassThrough) {
   CommandTiming timing = TimingFrom("{}", -31);
   for (int i = 0; i < 500; ++i) {
     const double u = std::sin(0.37 * i);
-    EXPECT_EQ(timing.Step(u, kStep_s), u);
+    EXPECT_EQ(timing.Step(u, kCommandTimingStep_s), u);
   }
 }
 
@@ -30,7 +30,7 @@ TEST(CommandTiming, ADelayOfWholeStepsShiftsTheCommand) {
   CommandTiming timing = TimingFrom("command_delay: {delay_s: 0.1}");
   for (int i = 0; i < 300; ++i) {
     const double late = i < 50 ? 0 : std::sin(0.11 * (i - 50));
-    EXPECT_NEAR(timing.Step(std::sin(0.11 * i), kStep_s), late, 1e-9);
+    EXPECT_NEAR(timing.Step(std::sin(0.11 * i), kCommandTimingStep_s), late, 1e-9);
   }
 }
 
@@ -40,7 +40,8 @@ TEST(CommandTiming, AnyDelayKeepsWhatTheCommandSumsTo) {
   for (const double delay_s : {0.0007, 0.0503, 0.25, 0.3331}) {
     CommandTiming timing = TimingFrom("command_delay: {delay_s: " + std::to_string(delay_s) + "}");
     double sum_s = 0;
-    for (int i = 0; i < 500; ++i) sum_s += timing.Step(1, kStep_s) * kStep_s;
+    for (int i = 0; i < 500; ++i)
+      sum_s += timing.Step(1, kCommandTimingStep_s) * kCommandTimingStep_s;
     EXPECT_NEAR(sum_s, 1.0 - delay_s, 1e-9) << delay_s;
   }
 }
@@ -51,8 +52,8 @@ TEST(CommandTiming, ASineComesLaterByTheDelayAtAnyFraction) {
   CommandTiming timing = TimingFrom("command_delay: {delay_s: 0.0413}");
   double in_phase = 0, quadrature = 0;
   for (int i = 0; i < 1500; ++i) {
-    const double t_s = i * kStep_s;
-    const double y = timing.Step(std::sin(2 * M_PI * t_s), kStep_s);
+    const double t_s = i * kCommandTimingStep_s;
+    const double y = timing.Step(std::sin(2 * M_PI * t_s), kCommandTimingStep_s);
     if (i < 500) continue;
     in_phase += y * std::sin(2 * M_PI * t_s);
     quadrature += y * std::cos(2 * M_PI * t_s);
@@ -68,8 +69,8 @@ TEST(CommandTiming, ASpreadDelayRoundsASineByTheWidthOfItsBox) {
   CommandTiming timing = TimingFrom("command_delay: {delay_s: 0.2, spread_s: 0.06}");
   double in_phase = 0, quadrature = 0;
   for (int i = 0; i < 1500; ++i) {
-    const double phase = 2 * M_PI * kSine_hz * i * kStep_s;
-    const double y = timing.Step(std::sin(phase), kStep_s);
+    const double phase = 2 * M_PI * kSine_hz * i * kCommandTimingStep_s;
+    const double y = timing.Step(std::sin(phase), kCommandTimingStep_s);
     if (i < 500) continue;
     in_phase += y * std::sin(phase);
     quadrature += y * std::cos(phase);
@@ -86,19 +87,22 @@ TEST(CommandTiming, ASpreadDelayKeepsWhatTheCommandSumsTo) {
     CommandTiming timing =
         TimingFrom("command_delay: {delay_s: 0.1503, spread_s: " + std::to_string(spread_s) + "}");
     double sum_s = 0;
-    for (int i = 0; i < 500; ++i) sum_s += timing.Step(1, kStep_s) * kStep_s;
+    for (int i = 0; i < 500; ++i)
+      sum_s += timing.Step(1, kCommandTimingStep_s) * kCommandTimingStep_s;
     // The box is taken at the middle of each step: an edge is met to dt^2 / (8 w) at most.
-    const double width_s = std::hypot(std::sqrt(12) * std::min(spread_s, 0.08), kStep_s);
-    EXPECT_NEAR(sum_s, 1.0 - 0.1503, kStep_s * kStep_s / (8 * width_s)) << spread_s;
+    const double width_s =
+        std::hypot(std::sqrt(12) * std::min(spread_s, 0.08), kCommandTimingStep_s);
+    EXPECT_NEAR(sum_s, 1.0 - 0.1503, kCommandTimingStep_s * kCommandTimingStep_s / (8 * width_s))
+        << spread_s;
   }
 }
 
 TEST(CommandTiming, NoSpreadIsSoWideThatACommandActsBeforeItIsGiven) {
   CommandTiming timing = TimingFrom("command_delay: {delay_s: 0.05, spread_s: 0.5}");
-  for (int i = 0; i < 100; ++i) EXPECT_EQ(timing.Step(0, kStep_s), 0);
-  EXPECT_GT(timing.Step(1, kStep_s), 0);  // the fastest part has no delay at all
-  for (int i = 0; i < 49; ++i) EXPECT_LT(timing.Step(1, kStep_s), 1);
-  EXPECT_NEAR(timing.Step(1, kStep_s), 1, 0.021);
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(timing.Step(0, kCommandTimingStep_s), 0);
+  EXPECT_GT(timing.Step(1, kCommandTimingStep_s), 0);  // the fastest part has no delay at all
+  for (int i = 0; i < 49; ++i) EXPECT_LT(timing.Step(1, kCommandTimingStep_s), 1);
+  EXPECT_NEAR(timing.Step(1, kCommandTimingStep_s), 1, 0.021);
 }
 
 TEST(CommandTiming, AHeldCommandChangesOnceAPeriodAtItsPhase) {
@@ -106,7 +110,7 @@ TEST(CommandTiming, AHeldCommandChangesOnceAPeriodAtItsPhase) {
   std::vector<int> changes;
   double last = 0;
   for (int step = -100; step < 100; ++step) {
-    const double y = timing.Step(step, kStep_s);
+    const double y = timing.Step(step, kCommandTimingStep_s);
     if (y != last && step > -100) {
       changes.push_back(step);
       EXPECT_EQ(y, step);  // the command of that moment
@@ -120,14 +124,15 @@ TEST(CommandTiming, AHeldCommandChangesOnceAPeriodAtItsPhase) {
 TEST(CommandTiming, BeforeTheFirstNewLookTheFirstCommandOfAllStands) {
   // A recording that begins with a lever out: the sender has looked at it before, at 0.5 it holds.
   CommandTiming timing = TimingFrom("input_hold: {period_s: 0.05, phase: 0.4}");
-  for (int step = 0; step < 10; ++step) EXPECT_EQ(timing.Step(0.5 + 0.01 * step, kStep_s), 0.5);
-  EXPECT_EQ(timing.Step(0.7, kStep_s), 0.7);  // step 10, the first look
+  for (int step = 0; step < 10; ++step)
+    EXPECT_EQ(timing.Step(0.5 + 0.01 * step, kCommandTimingStep_s), 0.5);
+  EXPECT_EQ(timing.Step(0.7, kCommandTimingStep_s), 0.7);  // step 10, the first look
   // A run that settles first, with neutral levers, holds neutral until the first look after t = 0.
   CommandTiming settled = TimingFrom("input_hold: {period_s: 0.05, phase: 0.4}", -750);
   for (int step = -750; step < 10; ++step) {
-    EXPECT_EQ(settled.Step(step < 0 ? 0 : 0.7, kStep_s), 0) << step;
+    EXPECT_EQ(settled.Step(step < 0 ? 0 : 0.7, kCommandTimingStep_s), 0) << step;
   }
-  EXPECT_EQ(settled.Step(0.7, kStep_s), 0.7);
+  EXPECT_EQ(settled.Step(0.7, kCommandTimingStep_s), 0.7);
 }
 
 TEST(CommandTiming, LostMessagesLeaveTheLastCommandStanding) {
@@ -137,13 +142,13 @@ TEST(CommandTiming, LostMessagesLeaveTheLastCommandStanding) {
     std::vector<bool> lost;
     double last = 0;
     for (int message = 0; message < 4000; ++message) {
-      const double first = timing.Step(10 * message + 1, kStep_s);
+      const double first = timing.Step(10 * message + 1, kCommandTimingStep_s);
       lost.push_back(first != 10.0 * message + 1);
       if (lost.back()) {
         EXPECT_EQ(first, last);
       }
       for (int i = 2; i <= 10; ++i) {
-        const double y = timing.Step(10 * message + i, kStep_s);
+        const double y = timing.Step(10 * message + i, kCommandTimingStep_s);
         EXPECT_EQ(y, lost.back() ? last : 10.0 * message + i);
       }
       if (!lost.back()) last = 10 * message + 10;
@@ -162,8 +167,8 @@ TEST(CommandTiming, NoMessageIsLostAtProbabilityZeroAndAllAtOne) {
   CommandTiming none = TimingFrom("command_drops: {period_s: 0.02, probability: 0}");
   CommandTiming all = TimingFrom("command_drops: {period_s: 0.02, probability: 1}");
   for (int i = 1; i < 100; ++i) {
-    EXPECT_EQ(none.Step(i, kStep_s), i);
-    EXPECT_EQ(all.Step(i, kStep_s), 0);
+    EXPECT_EQ(none.Step(i, kCommandTimingStep_s), i);
+    EXPECT_EQ(all.Step(i, kCommandTimingStep_s), 0);
   }
 }
 

@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-constexpr double kStep_s = 0.002;
+constexpr double kKinematicGainStep_s = 0.002;
 
 KinematicGain GainFrom(const std::string& yaml) {
   return KinematicGain(KinematicGainOf(EffectsFrom(yaml)));
@@ -17,7 +17,8 @@ KinematicGain GainFrom(const std::string& yaml) {
 
 TEST(KinematicGain, WithoutEffectsIsThePassThrough) {
   KinematicGain gain = GainFrom("{}");
-  for (int i = 0; i < 100; ++i) EXPECT_EQ(gain.Step(std::sin(i), i, kStep_s), std::sin(i));
+  for (int i = 0; i < 100; ++i)
+    EXPECT_EQ(gain.Step(std::sin(i), i, kKinematicGainStep_s), std::sin(i));
 }
 
 TEST(KinematicGain, ACylinderMovesItsJointSoThatItsLengthGrowsSteadily) {
@@ -29,7 +30,7 @@ TEST(KinematicGain, ACylinderMovesItsJointSoThatItsLengthGrowsSteadily) {
   const auto length_m = [](double q_rad) {
     return std::sqrt(0.16 + 1.21 - 0.88 * std::cos(0.6981317 + q_rad));
   };
-  EXPECT_NEAR(gain.Step(0.3, 0.5, kStep_s), 0.3, 1e-12);
+  EXPECT_NEAR(gain.Step(0.3, 0.5, kKinematicGainStep_s), 0.3, 1e-12);
   double q_rad = -0.3;
   const double first_m = length_m(q_rad);
   const int steps = 4000;
@@ -55,9 +56,9 @@ TEST(KinematicGain, BacklashTakesTheGapOfEveryReversal) {
   double before_rad = 0, behind_rad = 0, lowest_rad = 1, highest_rad = 0;
   for (int i = 0; i < 4000; ++i) {
     const double rate = (i / 500) % 2 == 0 ? 0.2 : -0.2;
-    before_rad += rate * kStep_s;
-    const double moved = gain.Step(rate, before_rad, kStep_s);
-    behind_rad += moved * kStep_s;
+    before_rad += rate * kKinematicGainStep_s;
+    const double moved = gain.Step(rate, before_rad, kKinematicGainStep_s);
+    behind_rad += moved * kKinematicGainStep_s;
     // The play operator never lets the two sides leave the gap.
     EXPECT_LE(std::abs(behind_rad - before_rad), 0.015 + 1e-9);
     if (i < 1000) continue;

@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-constexpr double kStep_s = 0.002;
+constexpr double kLoadFrictionStep_s = 0.002;
 
 LoadFriction LoadFrom(const std::string& yaml, double max_effort_nm = 5000) {
   return LoadFriction(LoadFrictionOf(EffectsFrom(yaml), ActuatorEffort::Constant(max_effort_nm)));
@@ -19,54 +19,55 @@ LoadFriction LoadFrom(const std::string& yaml, double max_effort_nm = 5000) {
 TEST(LoadFriction, WithoutEffectsIsThePassThrough) {
   LoadFriction load = LoadFrom("{}");
   for (int i = 0; i < 100; ++i) {
-    EXPECT_EQ(load.Step(std::sin(i), 1e6 * std::cos(i), 0, kStep_s), std::sin(i));
+    EXPECT_EQ(load.Step(std::sin(i), 1e6 * std::cos(i), 0, kLoadFrictionStep_s), std::sin(i));
   }
   EXPECT_FALSE(load.Friction(0.3).any());
 }
 
 TEST(LoadFriction, ALoadSlowsTheActuatorByTheOrificeLaw) {
   const std::string droop = "pressure_droop: {stall_nm: 4000, response_s: 0}";
-  EXPECT_NEAR(LoadFrom(droop).Step(0.5, 3000, 0, kStep_s), 0.25, 1e-12);  // sqrt(1/4)
-  EXPECT_NEAR(LoadFrom(droop).Step(-0.5, -3000, 0, kStep_s), -0.25, 1e-12);
-  EXPECT_NEAR(LoadFrom(droop).Step(-0.5, 5000, 0, kStep_s), -0.75, 1e-12);  // aided: sqrt(9/4)
-  EXPECT_EQ(LoadFrom(droop).Step(0.5, 4001, 0, kStep_s), 0);                // stalls
-  EXPECT_EQ(LoadFrom(droop).Step(0, 3000, 0, kStep_s), 0);
+  EXPECT_NEAR(LoadFrom(droop).Step(0.5, 3000, 0, kLoadFrictionStep_s), 0.25, 1e-12);  // sqrt(1/4)
+  EXPECT_NEAR(LoadFrom(droop).Step(-0.5, -3000, 0, kLoadFrictionStep_s), -0.25, 1e-12);
+  EXPECT_NEAR(LoadFrom(droop).Step(-0.5, 5000, 0, kLoadFrictionStep_s), -0.75,
+              1e-12);                                                     // aided: sqrt(9/4)
+  EXPECT_EQ(LoadFrom(droop).Step(0.5, 4001, 0, kLoadFrictionStep_s), 0);  // stalls
+  EXPECT_EQ(LoadFrom(droop).Step(0, 3000, 0, kLoadFrictionStep_s), 0);
 }
 
 TEST(LoadFriction, FrictionAddsToTheLoadThatSlowsTheActuator) {
   LoadFriction load = LoadFrom(
       "{pressure_droop: {stall_nm: 4000, response_s: 0}, coulomb_friction: {effort_nm: 1000}}");
-  EXPECT_NEAR(load.Step(0.5, 2000, 0, kStep_s), 0.25, 1e-12);
-  EXPECT_NEAR(load.Step(-0.5, -2000, 0, kStep_s), -0.25, 1e-12);
+  EXPECT_NEAR(load.Step(0.5, 2000, 0, kLoadFrictionStep_s), 0.25, 1e-12);
+  EXPECT_NEAR(load.Step(-0.5, -2000, 0, kLoadFrictionStep_s), -0.25, 1e-12);
 }
 
 TEST(LoadFriction, ViscousFrictionAddsToTheLoadThatSlowsTheActuator) {
   LoadFriction load = LoadFrom(
       "{pressure_droop: {stall_nm: 4000, response_s: 0}, viscous_friction: {coefficient_nmsprad: "
       "2000}}");
-  EXPECT_NEAR(load.Step(-0.5, -2000, 0, kStep_s), -0.25, 1e-12);
+  EXPECT_NEAR(load.Step(-0.5, -2000, 0, kLoadFrictionStep_s), -0.25, 1e-12);
 }
 
 TEST(LoadFriction, PressureFollowsTheLoadWithItsResponseTime) {
   LoadFriction load = LoadFrom("pressure_droop: {stall_nm: 4000, response_s: 0.1}");
   double rate = 0;
-  for (int i = 0; i < 50; ++i) rate = load.Step(1, 3000, 0, kStep_s);
+  for (int i = 0; i < 50; ++i) rate = load.Step(1, 3000, 0, kLoadFrictionStep_s);
   // After 0.1 s the pressure shows 1 - 1/e of the load.
   EXPECT_NEAR(rate, std::sqrt(1 - 0.75 * 0.6321205588), 1e-9);
 }
 
 TEST(LoadFriction, ALeakYieldsInProportionToTheLoad) {
   const std::string sag = "sag: {drift_radps: 0.002}";
-  EXPECT_NEAR(LoadFrom(sag).Step(0, 5000, 0, kStep_s), -0.002, 1e-15);
-  EXPECT_NEAR(LoadFrom(sag).Step(0, -2500, 0, kStep_s), 0.001, 1e-15);
-  EXPECT_NEAR(LoadFrom(sag).Step(0.3, 2500, 0, kStep_s), 0.299, 1e-12);
+  EXPECT_NEAR(LoadFrom(sag).Step(0, 5000, 0, kLoadFrictionStep_s), -0.002, 1e-15);
+  EXPECT_NEAR(LoadFrom(sag).Step(0, -2500, 0, kLoadFrictionStep_s), 0.001, 1e-15);
+  EXPECT_NEAR(LoadFrom(sag).Step(0.3, 2500, 0, kLoadFrictionStep_s), 0.299, 1e-12);
 }
 
 TEST(LoadFriction, WhatFrictionHoldsDoesNotLeak) {
   const std::string both = "{sag: {drift_radps: 0.002}, coulomb_friction: {effort_nm: 1000}}";
-  EXPECT_EQ(LoadFrom(both).Step(0, 900, 0, kStep_s), 0);
-  EXPECT_NEAR(LoadFrom(both).Step(0, 3500, 0, kStep_s), -0.001, 1e-15);
-  EXPECT_NEAR(LoadFrom(both).Step(0, -3500, 0, kStep_s), 0.001, 1e-15);
+  EXPECT_EQ(LoadFrom(both).Step(0, 900, 0, kLoadFrictionStep_s), 0);
+  EXPECT_NEAR(LoadFrom(both).Step(0, 3500, 0, kLoadFrictionStep_s), -0.001, 1e-15);
+  EXPECT_NEAR(LoadFrom(both).Step(0, -3500, 0, kLoadFrictionStep_s), 0.001, 1e-15);
 }
 
 TEST(LoadFriction, OilThickensInTheColdAsItsGradeDoes) {
@@ -80,8 +81,10 @@ TEST(LoadFriction, OilThickensInTheColdAsItsGradeDoes) {
 }
 
 TEST(LoadFriction, WarmOilLeaksFaster) {
-  const double cool = LoadFrom("sag: {drift_radps: 0.002, oil_degc: 40}").Step(0, 5000, 0, kStep_s);
-  const double hot = LoadFrom("sag: {drift_radps: 0.002, oil_degc: 100}").Step(0, 5000, 0, kStep_s);
+  const double cool =
+      LoadFrom("sag: {drift_radps: 0.002, oil_degc: 40}").Step(0, 5000, 0, kLoadFrictionStep_s);
+  const double hot =
+      LoadFrom("sag: {drift_radps: 0.002, oil_degc: 100}").Step(0, 5000, 0, kLoadFrictionStep_s);
   EXPECT_NEAR(hot / cool, 46 / 6.8, 1e-9);
 }
 

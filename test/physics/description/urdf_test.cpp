@@ -14,7 +14,7 @@ const std::string kFromUrdf =
     "kind: two_link\nfixed_base: true\nurdf: test/physics/data/two_link.urdf\n";
 
 /// two_link.urdf written in TERA's keys.
-const std::string kTwin = R"(
+const std::string kUrdfTwin = R"(
 kind: two_link
 fixed_base: true
 links:
@@ -50,7 +50,7 @@ levers: [turn, reach]
 
 TEST(Urdf, MovesLikeItsTwinInTeraKeys) {
   const MachineModel urdf = MachineFromText(kFromUrdf + "levers: [turn, reach]\n");
-  const MachineModel twin = MachineFromText(kTwin);
+  const MachineModel twin = MachineFromText(kUrdfTwin);
   const Pose X_WB = MakePose(Vec3(1, 2, 3), 0.1, -0.2, 0.7);
   MachineRun a(urdf, X_WB), b(twin, X_WB);
   a.input.levers = b.input.levers = {0.7, 0.9};
@@ -68,7 +68,7 @@ TEST(Urdf, MovesLikeItsTwinInTeraKeys) {
 
 TEST(Urdf, ReadsCollisionBoxesAndFixedFrames) {
   const MachineModel urdf = MachineFromText(kFromUrdf);
-  const MachineModel twin = MachineFromText(kTwin);
+  const MachineModel twin = MachineFromText(kUrdfTwin);
   ASSERT_EQ(urdf.links[0].collision.size(), 1u);
   EXPECT_TRUE(urdf.links[0].collision[0].X_BG.isApprox(twin.links[0].collision[0].X_BG, 1e-12));
   EXPECT_TRUE(urdf.links[0].collision[0].size_m.isApprox(Vec3(0.4, 0.3, 0.2)));

@@ -97,7 +97,7 @@ TEST(UrdfTransmission, TheMachinesOwnKeysHoldOverTheUrdf) {
 }
 
 /// The faults of the arm with one passage of its URDF replaced.
-std::string FaultsWith(const std::string& passage, const std::string& by) {
+std::string TransmissionFaultsWith(const std::string& passage, const std::string& by) {
   std::ifstream in("test/physics/data/six_axis.urdf");
   std::stringstream read;
   read << in.rdbuf();
@@ -113,31 +113,33 @@ std::string FaultsWith(const std::string& passage, const std::string& by) {
 TEST(UrdfTransmission, FaultsSayWhatTheDriveNeeds) {
   const std::string shoulder = R"(<joint name="shoulder"><hardwareInterface>)";
   EXPECT_THAT(
-      FaultsWith(shoulder, R"(<joint name="sholder"><hardwareInterface>)"),
+      TransmissionFaultsWith(shoulder, R"(<joint name="sholder"><hardwareInterface>)"),
       HasSubstr("transmission 'shoulder_drive' of arm.urdf:101, joint: the URDF has no joint "
                 "'sholder' (did you mean 'shoulder'?)"));
-  EXPECT_THAT(FaultsWith(">-160<", ">0<"),
+  EXPECT_THAT(TransmissionFaultsWith(">-160<", ">0<"),
               HasSubstr("mechanicalReduction: '0'; need a number that is not zero"));
-  EXPECT_THAT(FaultsWith(">-160<", ">many<"), HasSubstr("'many'; need a number that is not zero"));
-  EXPECT_THAT(FaultsWith(shoulder, R"(<joint name="waist"><hardwareInterface>)"),
+  EXPECT_THAT(TransmissionFaultsWith(">-160<", ">many<"),
+              HasSubstr("'many'; need a number that is not zero"));
+  EXPECT_THAT(TransmissionFaultsWith(shoulder, R"(<joint name="waist"><hardwareInterface>)"),
               HasSubstr("joint 'waist' is driven by transmission 'waist_drive'"));
-  EXPECT_THAT(FaultsWith("/EffortJointInterface", "/TorqueInterface"),
+  EXPECT_THAT(TransmissionFaultsWith("/EffortJointInterface", "/TorqueInterface"),
               HasSubstr("hardwareInterface: 'TorqueInterface' is not known, need one of Position"));
-  EXPECT_THAT(FaultsWith(shoulder, R"(<joint name="elbow"/>)" + shoulder),
+  EXPECT_THAT(TransmissionFaultsWith(shoulder, R"(<joint name="elbow"/>)" + shoulder),
               HasSubstr("2 joints and 1 actuators; need one of each"));
   EXPECT_THAT(
-      FaultsWith("SimpleTransmission</type>", "DifferentialTransmission</type>"),
+      TransmissionFaultsWith("SimpleTransmission</type>", "DifferentialTransmission</type>"),
       HasSubstr("type: 'transmission_interface/DifferentialTransmission' is not supported"));
-  EXPECT_THAT(FaultsWith("SimpleTransmission</plugin>", "FourBarLinkageTransmission</plugin>"),
-              HasSubstr("plugin: 'transmission_interface/FourBarLinkageTransmission' is not"));
-  EXPECT_THAT(FaultsWith(R"(name="effort"><param name="min">-45)",
-                         R"(name="torque"><param name="min">-45)"),
+  EXPECT_THAT(
+      TransmissionFaultsWith("SimpleTransmission</plugin>", "FourBarLinkageTransmission</plugin>"),
+      HasSubstr("plugin: 'transmission_interface/FourBarLinkageTransmission' is not"));
+  EXPECT_THAT(TransmissionFaultsWith(R"(name="effort"><param name="min">-45)",
+                                     R"(name="torque"><param name="min">-45)"),
               HasSubstr("'torque' is not known, need position, velocity or effort"));
-  EXPECT_THAT(FaultsWith(">-2.0</param>", ">fast</param>"),
+  EXPECT_THAT(TransmissionFaultsWith(">-2.0</param>", ">fast</param>"),
               HasSubstr("velocity: min is 'fast', need a number"));
-  EXPECT_THAT(FaultsWith(">-2.0</param>", ">4.0</param>"),
+  EXPECT_THAT(TransmissionFaultsWith(">-2.0</param>", ">4.0</param>"),
               HasSubstr("velocity: min 4 is not below max 3"));
-  EXPECT_THAT(FaultsWith(">-2.0</param>", ">1.0</param>"),
+  EXPECT_THAT(TransmissionFaultsWith(">-2.0</param>", ">1.0</param>"),
               HasSubstr("velocity: need min below and max above zero"));
   EXPECT_THAT(
       FaultsOf(kArm + "actuators: {shoulder_moter: {max_effort_nm: 4}}\n"),
@@ -148,14 +150,15 @@ TEST(UrdfTransmission, FaultsSayWhatTheDriveNeeds) {
 }
 
 TEST(UrdfTransmission, ADrivenJointNeedsLimits) {
-  EXPECT_THAT(FaultsWith(R"(<limit effort="900" velocity="2.0"/>)", ""),
+  EXPECT_THAT(TransmissionFaultsWith(R"(<limit effort="900" velocity="2.0"/>)", ""),
               HasSubstr("joint 'waist' of arm.urdf:60, velocity: it is driven but has no velocity "
                         "limit; give it in <limit>, or max_rate_degps in `joints:`"));
-  EXPECT_THAT(FaultsWith(R"(effort="900" velocity="1.6")", R"(effort="0" velocity="1.6")"),
-              HasSubstr("joint 'shoulder' of arm.urdf:66, effort: it is driven but has no effort"));
-  EXPECT_THAT(FaultsWith(R"(<joint name="spin">
+  EXPECT_THAT(
+      TransmissionFaultsWith(R"(effort="900" velocity="1.6")", R"(effort="0" velocity="1.6")"),
+      HasSubstr("joint 'shoulder' of arm.urdf:66, effort: it is driven but has no effort"));
+  EXPECT_THAT(TransmissionFaultsWith(R"(<joint name="spin">
       <state_interface name="position"/>)",
-                         R"(<joint name="spinn">)"),
+                                     R"(<joint name="spinn">)"),
               HasSubstr("ros2_control joint 'spinn' of arm.urdf"));
 }
 

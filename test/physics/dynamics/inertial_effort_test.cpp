@@ -27,7 +27,7 @@ shovels:
   scoop: {link: stick, profile_m: [[1.8, 0], [1.6, -0.2], [1.4, 0]], width_m: 0.5, capacity_m3: 0.05}
 )";
 
-constexpr double kMass_kg = 1.5;
+constexpr double kInertialEffortMass_kg = 1.5;
 /// Four such masses make a link; no three of them on a line.
 const std::array<Vec3, 4> kPoints_B_m = {Vec3(0.3, 0.1, -0.2), Vec3(-0.4, 0.2, 0.1),
                                          Vec3(0.1, -0.5, 0.3), Vec3(0.6, 0.4, 0.2)};
@@ -42,7 +42,8 @@ MachineModel Crane() {
     link.inertia_B_kgm2 = Mat3::Zero();
     for (const Vec3& p : kPoints_B_m) {
       const Vec3 r = p - link.com_B_m;
-      link.inertia_B_kgm2 += kMass_kg * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
+      link.inertia_B_kgm2 +=
+          kInertialEffortMass_kg * (r.squaredNorm() * Mat3::Identity() - r * r.transpose());
     }
   }
   return model;
@@ -99,7 +100,7 @@ Wrench ChangeOfMomentum(const MachineModel& model, std::size_t first, const Vec3
     change.AddForceAt(mass_kg * Acceleration(at), at(kNow_s), about_W_m);
   };
   for (std::size_t i = first; i < model.links.size(); ++i) {
-    for (const Vec3& p : kPoints_B_m) add(i, p, kMass_kg);
+    for (const Vec3& p : kPoints_B_m) add(i, p, kInertialEffortMass_kg);
   }
   add(3, kSoil_B_m, kSoil_kg);
   return change;

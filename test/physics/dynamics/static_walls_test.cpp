@@ -6,7 +6,7 @@ namespace tera {
 namespace {
 
 /// A cart of 1 m length on invisible rails: no gravity, pushed along x.
-const std::string kCart = R"(
+const std::string kStaticWallsCart = R"(
 kind: cart
 links:
   cart:
@@ -18,7 +18,7 @@ links:
 
 /// Where the cart's nose is after 4 s at 60 N, with these triangles about.
 double NoseAfterPush_m(const SiteWalls& walls) {
-  const MachineModel model = MachineFromText(kCart);
+  const MachineModel model = MachineFromText(kStaticWallsCart);
   PhysicsWorld world({PlaceAtStart(model, MakePose(Vec3(0, 0.3, 0.2)))}, {}, 0.0, {}, walls);
   MachineInput input;
   input.levers.assign(model.levers.size(), 0.0);

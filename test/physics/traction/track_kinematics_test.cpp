@@ -42,7 +42,7 @@ struct Place {
   Vec2 p_m = Vec2::Zero();
   double yaw_rad = 0;
 };
-Place Travel(double duration_s, const std::function<PlanarTwist()>& twist) {
+Place TrackKinematicsTravel(double duration_s, const std::function<PlanarTwist()>& twist) {
   Place place;
   constexpr double kStep_s = 1e-3;
   for (int k = 0; k < std::lround(duration_s / kStep_s); ++k) {
@@ -77,7 +77,8 @@ TEST(TrackKinematics, EffectiveGaugeWidensTheCircle) {
   const Effects effects = One("effective_gauge", {1.75});
   const double period_s = 2 * kPi * 2.1 / 0.6;
   const auto twist = [&] { return Move({0.4, 1.0}, effects); };
-  const Place half = Travel(period_s / 2, twist), whole = Travel(period_s, twist);
+  const Place half = TrackKinematicsTravel(period_s / 2, twist),
+              whole = TrackKinematicsTravel(period_s, twist);
   EXPECT_NEAR(half.p_m.y(), 2 * 2.45, 0.01);
   EXPECT_NEAR(half.yaw_rad, kPi, 1e-3);
   EXPECT_LT(whole.p_m.norm(), 0.01);
@@ -85,24 +86,25 @@ TEST(TrackKinematics, EffectiveGaugeWidensTheCircle) {
 
 TEST(TrackKinematics, ScaleAndSlipShortenTheWay) {
   // 20 s at 0.5 m/s are 10 m.
-  EXPECT_NEAR(Travel(20,
-                     [] {
-                       return Move({0.5, 0.5}, One("track_scale", {0.96}));
-                     })
+  EXPECT_NEAR(TrackKinematicsTravel(20,
+                                    [] {
+                                      return Move({0.5, 0.5}, One("track_scale", {0.96}));
+                                    })
                   .p_m.x(),
               9.6, 1e-9);
-  EXPECT_NEAR(Travel(20,
-                     [] {
-                       return Move({0.5, 0.5}, One("track_slip", {0.12, 0, 0.7, 0}));
-                     })
+  EXPECT_NEAR(TrackKinematicsTravel(20,
+                                    [] {
+                                      return Move({0.5, 0.5}, One("track_slip", {0.12, 0, 0.7, 0}));
+                                    })
                   .p_m.x(),
               8.8, 1e-9);
-  EXPECT_NEAR(Travel(20,
-                     [] {
-                       return Move({-0.5, -0.5}, One("track_slip", {0.12, 0, 0.7, 0}));
-                     })
-                  .p_m.x(),
-              -8.8, 1e-9);
+  EXPECT_NEAR(
+      TrackKinematicsTravel(20,
+                            [] {
+                              return Move({-0.5, -0.5}, One("track_slip", {0.12, 0, 0.7, 0}));
+                            })
+          .p_m.x(),
+      -8.8, 1e-9);
 }
 
 TEST(TrackKinematics, ATurnTakesForwardSpeedAndNoYawRate) {

@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-Stage Site() {
+Stage RasterizerThreadsSite() {
   Stage stage;
   stage.SetTerrain(Ground(120, 0.1, Waves));
   stage.AddBox(MakePose(kTarget), Vec3(0.4, 0.4, 0.4), SemanticClass::kUpperStructure);
@@ -57,7 +57,7 @@ class Threads : public testing::TestWithParam<int> {
     }
   }
 
-  Stage stage_ = Site();
+  Stage stage_ = RasterizerThreadsSite();
   LabelSet labels_;
   Rasterizer alone_{stage_.model, EglOptions{}}, shared_{stage_.model, EglOptions{}, GetParam()};
 };

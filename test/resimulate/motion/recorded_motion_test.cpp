@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr int kMast = 1;
+constexpr int kRecordedMotionMast = 1;
 
 class RecordedMotionOfACart : public testing::Test {
  protected:
@@ -27,14 +27,15 @@ class RecordedMotionOfACart : public testing::Test {
 
 /// From (1, 2, 0.5), turned left by 30 deg, to (5, 0, 0.5), turned left by 90 deg, in two seconds
 /// from 1 s on.
-Pose Straight(double t_s) {
+Pose RecordedMotionStraight(double t_s) {
   const double part = 0.5 * (t_s - 1);
   return MakePose(Vec3(1 + 4 * part, 2 - 2 * part, 0.5),
                   RotationFromRpy(0, 0, (30 + 60 * part) * kDeg));
 }
 
 TEST_F(RecordedMotionOfACart, BetweenTwoRowsTheBaseMovesStraightAndTurnsEvenly) {
-  const auto motion = Motion({.pose_t_ns = {FromSeconds(1), FromSeconds(3)}, .X_WB = Straight});
+  const auto motion =
+      Motion({.pose_t_ns = {FromSeconds(1), FromSeconds(3)}, .X_WB = RecordedMotionStraight});
   const BodyState base = motion.At(FromSeconds(2.5)).links[0];
   EXPECT_LT((base.X_WB.translation() - Vec3(4, 0.5, 0.5)).norm(), 1e-6);
   EXPECT_TRUE(base.X_WB.linear().isApprox(RotationFromRpy(0, 0, 75 * kDeg), 1e-6));
@@ -46,7 +47,7 @@ TEST_F(RecordedMotionOfACart, AnEncodersLineIsFoundAgainWhereverItIsAskedFor) {
   const auto line = [](double t_s) { return 0.4 + 0.3 * (t_s - 2); };
   const auto motion = Motion({.pose_t_ns = {FromSeconds(1), FromSeconds(3)},
                               .turn_t_ns = EvenTimes(1, 3, 0.01),
-                              .X_WB = Straight,
+                              .X_WB = RecordedMotionStraight,
                               .turn_rad = line});
   for (const double t_s : {1.0, 1.003, 2.0, 2.0071, 2.998}) {  // ends and between samples too
     EXPECT_NEAR(motion.At(FromSeconds(t_s)).q_rad[0], line(t_s), 1e-9) << t_s;
@@ -54,9 +55,9 @@ TEST_F(RecordedMotionOfACart, AnEncodersLineIsFoundAgainWhereverItIsAskedFor) {
   const MachineState state = motion.At(FromSeconds(2.2));
   EXPECT_NEAR(state.qd_radps[0], 0.3, 1e-9);
   // The mast stands above the base and turns with both.
-  const Vec3 p_W = Straight(2.2) * Vec3(0, 0, kMastHeight_m);
-  EXPECT_LT((state.links[kMast].X_WB.translation() - p_W).norm(), 1e-6);
-  EXPECT_NEAR(state.links[kMast].w_WB_radps.z(), 0.3 + 30 * kDeg, 1e-4);
+  const Vec3 p_W = RecordedMotionStraight(2.2) * Vec3(0, 0, kMastHeight_m);
+  EXPECT_LT((state.links[kRecordedMotionMast].X_WB.translation() - p_W).norm(), 1e-6);
+  EXPECT_NEAR(state.links[kRecordedMotionMast].w_WB_radps.z(), 0.3 + 30 * kDeg, 1e-4);
 }
 
 TEST_F(RecordedMotionOfACart, ErrorsThatAlternateFromSampleToSampleAreAFifthInTheirMean) {
@@ -66,7 +67,7 @@ TEST_F(RecordedMotionOfACart, ErrorsThatAlternateFromSampleToSampleAreAFifthInTh
   };
   const auto motion = Motion({.pose_t_ns = {FromSeconds(1), FromSeconds(3)},
                               .turn_t_ns = EvenTimes(1, 3, 0.01),
-                              .X_WB = Straight,
+                              .X_WB = RecordedMotionStraight,
                               .turn_rad = noisy});
   // Of the five samples within 25 ms of one of them, three err to its side and two to the other.
   EXPECT_NEAR(motion.At(FromSeconds(2)).q_rad[0], 0.4 + kError_rad / 5, 1e-9);
@@ -76,7 +77,7 @@ TEST_F(RecordedMotionOfACart, ErrorsThatAlternateFromSampleToSampleAreAFifthInTh
 TEST_F(RecordedMotionOfACart, BetweenSamplesThatAreFarApartTheJointMovesStraight) {
   const auto motion = Motion({.pose_t_ns = {FromSeconds(1), FromSeconds(3)},
                               .turn_t_ns = EvenTimes(1, 3, 0.2),
-                              .X_WB = Straight,
+                              .X_WB = RecordedMotionStraight,
                               .turn_rad = [](double t_s) { return t_s * t_s; }});
   const double before = 2.0 * 2.0, after = 2.2 * 2.2;
   EXPECT_NEAR(motion.At(FromSeconds(2.05)).q_rad[0], before + 0.25 * (after - before), 1e-9);
@@ -85,7 +86,7 @@ TEST_F(RecordedMotionOfACart, BetweenSamplesThatAreFarApartTheJointMovesStraight
 TEST_F(RecordedMotionOfACart, IsKnownAMomentBeyondWhatPosesAndEncodersCoverAndNoFurther) {
   const auto motion = Motion({.pose_t_ns = EvenTimes(1, 5, 0.1),
                               .turn_t_ns = EvenTimes(1.5, 4, 0.1),
-                              .X_WB = Straight,
+                              .X_WB = RecordedMotionStraight,
                               .turn_rad = [](double) { return 0.1; }});
   EXPECT_EQ(motion.first_ns(), FromSeconds(1));
   EXPECT_FALSE(motion.IsKnownAt(FromSeconds(1.1)));  // of the poses alone
@@ -99,7 +100,7 @@ TEST_F(RecordedMotionOfACart, IsNotKnownWithinAGapOfAMeasurement) {
   for (const TimeNs t_ns : EvenTimes(6, 9, 0.1)) with_gap.push_back(t_ns);
   RecordedCart cart{.pose_t_ns = EvenTimes(1, 9, 0.1),
                     .turn_t_ns = with_gap,
-                    .X_WB = Straight,
+                    .X_WB = RecordedMotionStraight,
                     .turn_rad = [](double) { return 0.1; }};
   const auto of_encoder = Motion(cart);
   std::swap(cart.pose_t_ns, cart.turn_t_ns);
@@ -114,25 +115,25 @@ TEST_F(RecordedMotionOfACart, IsNotKnownWithinAGapOfAMeasurement) {
 }
 
 TEST_F(RecordedMotionOfACart, PosesOnceASecondHaveNoGaps) {
-  const auto motion = Motion({.pose_t_ns = EvenTimes(1, 9, 1), .X_WB = Straight});
+  const auto motion = Motion({.pose_t_ns = EvenTimes(1, 9, 1), .X_WB = RecordedMotionStraight});
   EXPECT_TRUE(motion.IsKnownAt(FromSeconds(4.5)));
 }
 
 TEST_F(RecordedMotionOfACart, AJointWithoutEncoderStaysAsTheScenarioHasItAndIsNotShown) {
-  const auto motion = Motion({.pose_t_ns = EvenTimes(1, 3, 0.1), .X_WB = Straight});
+  const auto motion = Motion({.pose_t_ns = EvenTimes(1, 3, 0.1), .X_WB = RecordedMotionStraight});
   EXPECT_NEAR(motion.At(FromSeconds(2)).q_rad[0], 40 * kDeg, 1e-12);
   EXPECT_FALSE(motion.shows_whole());
   EXPECT_TRUE(motion.Carries(0));
-  EXPECT_FALSE(motion.Carries(kMast));
+  EXPECT_FALSE(motion.Carries(kRecordedMotionMast));
 }
 
 TEST_F(RecordedMotionOfACart, WithAnEncoderOfEveryJointTheMachineIsShownWhole) {
   const auto motion = Motion({.pose_t_ns = EvenTimes(1, 3, 0.1),
                               .turn_t_ns = EvenTimes(1, 3, 0.1),
-                              .X_WB = Straight,
+                              .X_WB = RecordedMotionStraight,
                               .turn_rad = [](double) { return 0.1; }});
   EXPECT_TRUE(motion.shows_whole());
-  EXPECT_TRUE(motion.Carries(kMast));
+  EXPECT_TRUE(motion.Carries(kRecordedMotionMast));
 }
 
 TEST_F(RecordedMotionOfACart, WithoutPosesItSaysOfWhichMachineTheyAreMissing) {
@@ -152,8 +153,8 @@ TEST(RecordedMotion, OnAFixedBaseWithoutPosesTheMachineStaysWhereItWasPlaced) {
   EXPECT_EQ(motion.obstacle(), "");
   const MachineState state = motion.At(FromSeconds(2));
   EXPECT_LT((state.links[0].X_WB.translation() - Vec3(3, -2, 0)).norm(), 1e-6);
-  EXPECT_TRUE(
-      state.links[kMast].X_WB.linear().isApprox(RotationFromRpy(0, 0, 30 * kDeg + 0.2), 1e-6));
+  EXPECT_TRUE(state.links[kRecordedMotionMast].X_WB.linear().isApprox(
+      RotationFromRpy(0, 0, 30 * kDeg + 0.2), 1e-6));
 }
 
 }  // namespace

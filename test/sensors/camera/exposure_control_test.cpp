@@ -24,7 +24,7 @@ CameraIntrinsics LongLens() {
 }
 
 /// All but without noise, and linear over many stops.
-ImageSensorModel Plain() {
+ImageSensorModel ExposureControlPlain() {
   ImageSensorModel model;
   model.exposure_s = 0.001;
   model.full_well_e = 1e8;
@@ -79,7 +79,7 @@ class Controlled {
 // The error in EV of picture j is that of the start times (1 - rate)^floor(j / delay): from 0.02 to
 // the target 0.16 are three stops.
 TEST(ExposureControl, AnErrorDecaysByItsRateEachDelay) {
-  ImageSensorModel model = Plain();
+  ImageSensorModel model = ExposureControlPlain();
   model.auto_exposure = AutomaticExposure{};
   model.auto_exposure->target = 0.16;
   model.auto_exposure->rate = 0.4;
@@ -97,7 +97,7 @@ TEST(ExposureControl, AnErrorDecaysByItsRateEachDelay) {
 
 // Eight stops too dark: five of exposure, up to 0.032 s, and 18.06 dB of the gain's 20.
 TEST(ExposureControl, GainHelpsWhereTheLongestExposureIsNotEnough) {
-  ImageSensorModel model = Plain();
+  ImageSensorModel model = ExposureControlPlain();
   model.auto_exposure = AutomaticExposure{};
   model.auto_exposure->target = 0.256;
   model.auto_exposure->rate = 1;
@@ -118,7 +118,7 @@ TEST(ExposureControl, GainHelpsWhereTheLongestExposureIsNotEnough) {
 }
 
 TEST(ExposureControl, OnlyItsZoneIsMetered) {
-  ImageSensorModel model = Plain();
+  ImageSensorModel model = ExposureControlPlain();
   model.auto_exposure = AutomaticExposure{};
   model.auto_exposure->zone = {.left = 0.5, .top = 0, .right = 1, .bottom = 1};
   Controlled camera(model);
@@ -135,7 +135,7 @@ TEST(ExposureControl, OnlyItsZoneIsMetered) {
 
 // Under light of twice the red and half the blue of daylight, grey becomes grey again.
 TEST(ExposureControl, WhiteBalanceMakesGreyOfALightsColour) {
-  ImageSensorModel model = Plain();
+  ImageSensorModel model = ExposureControlPlain();
   model.quantum_efficiency = Vec3(0.4, 0.6, 0.5);
   model.auto_white_balance = AutomaticWhiteBalance{};
   Controlled camera(model);
@@ -152,7 +152,7 @@ TEST(ExposureControl, WhiteBalanceMakesGreyOfALightsColour) {
 }
 
 TEST(ExposureControl, BalanceStaysWithinItsLimits) {
-  ImageSensorModel model = Plain();
+  ImageSensorModel model = ExposureControlPlain();
   model.auto_white_balance = AutomaticWhiteBalance{};
   model.auto_white_balance->most = 1.5;
   Controlled camera(model);

@@ -10,10 +10,10 @@
 namespace tera {
 namespace {
 
-constexpr int kWidth = 160, kHeight = 120;
+constexpr int kImageSensorWidth = 160, kHeight = 120;
 
-CameraIntrinsics Lens() {
-  return {.width_px = kWidth,
+CameraIntrinsics ImageSensorLens() {
+  return {.width_px = kImageSensorWidth,
           .height_px = kHeight,
           .fx_px = 120,
           .fy_px = 120,
@@ -23,7 +23,7 @@ CameraIntrinsics Lens() {
 
 /// A sensor for each colour, of 12 bits and 10 000 electrons, behind a lens so long that its light
 /// is even: what photons there are follows from the luminance alone.
-ImageSensorModel Plain() {
+ImageSensorModel ImageSensorPlain() {
   ImageSensorModel model;
   model.filter.reset();
   model.full_well_e = 10'000;
@@ -33,14 +33,14 @@ ImageSensorModel Plain() {
   return model;
 }
 
-CameraIntrinsics LongLens() {
-  CameraIntrinsics lens = Lens();
+CameraIntrinsics ImageSensorLongLens() {
+  CameraIntrinsics lens = ImageSensorLens();
   lens.fx_px = lens.fy_px = 1e5;
   return lens;
 }
 
 Image<float> Flat(double luminance_cdpm2) {
-  Image<float> picture(kWidth, kHeight, 3);
+  Image<float> picture(kImageSensorWidth, kHeight, 3);
   std::fill(picture.data.begin(), picture.data.end(), static_cast<float>(luminance_cdpm2));
   return picture;
 }
@@ -76,8 +76,8 @@ double LuminanceFor(const ImageSensorModel& model, double electrons) {
 // difference over the mean above dark rises by K; what is left in the dark is read noise and
 // rounding, and the brightest level is the full well.
 TEST(ImageSensor, PhotonTransferReturnsGainReadNoiseAndFullWell) {
-  const ImageSensorModel model = Plain();
-  const ImageSensor sensor(model, LongLens(), 1, "camera");
+  const ImageSensorModel model = ImageSensorPlain();
+  const ImageSensor sensor(model, ImageSensorLongLens(), 1, "camera");
   double sum_xx = 0, sum_xy = 0;
   const Moments dark_mean = MomentsOf(sensor.Expose(Flat(0), 0), nullptr, 1);
   const Image<std::uint16_t> dark_pair = sensor.Expose(Flat(0), 1);
@@ -102,14 +102,14 @@ TEST(ImageSensor, PhotonTransferReturnsGainReadNoiseAndFullWell) {
 // Of n = 19 200 pixels: five standard errors of the mean and, by Poisson's fourth moment, of the
 // variance; rounding adds 1/12 where counts are no whole numbers.
 TEST(ImageSensor, CountsOfFewPhotonsArePoissons) {
-  ImageSensorModel model = Plain();
+  ImageSensorModel model = ImageSensorPlain();
   model.read_noise_e = 0;
   model.gain_db = 20 * std::log10(10'000 / 3995.0);  // a digital number an electron
-  const ImageSensor sensor(model, LongLens(), 3, "camera");
+  const ImageSensor sensor(model, ImageSensorLongLens(), 3, "camera");
   for (const double electrons : {0.5, 3.0, 15.0, 25.0, 100.0}) {
     const Image<std::uint16_t> raw = sensor.Expose(Flat(LuminanceFor(model, electrons)), 7);
     const Moments moments = MomentsOf(raw, nullptr, 1);
-    const double n = kWidth * kHeight;
+    const double n = kImageSensorWidth * kHeight;
     EXPECT_NEAR(moments.mean - 100, electrons, 5 * std::sqrt(electrons / n)) << electrons;
     EXPECT_NEAR(moments.variance, electrons,
                 5 * electrons * std::sqrt((2 + 1 / electrons) / n) + 1.0 / 12)
@@ -119,9 +119,9 @@ TEST(ImageSensor, CountsOfFewPhotonsArePoissons) {
 
 // ISO 12232: light behind a lens of f/4 from 4000 cd/m^2 is pi 4000 0.9 / 64 = 176.7 lux.
 TEST(ImageSensor, PhotonsFollowFromLensExposureAndPixel) {
-  ImageSensorModel model = Plain();
+  ImageSensorModel model = ImageSensorPlain();
   model.quantum_efficiency = Vec3(0.3, 0.6, 0.15);
-  const ImageSensor sensor(model, LongLens(), 1, "camera");
+  const ImageSensor sensor(model, ImageSensorLongLens(), 1, "camera");
   const double photons = 176.715 * 0.002 * 1.1152e16 / 3 * 3.45e-6 * 3.45e-6;  // in each colour
   const Image<std::uint16_t> raw = sensor.Expose(Flat(4000), 0);
   for (int c = 0; c < 3; ++c) {
@@ -131,10 +131,10 @@ TEST(ImageSensor, PhotonsFollowFromLensExposureAndPixel) {
 }
 
 TEST(ImageSensor, ACornerIsDarkerByTheFourthPowerOfItsCosine) {
-  ImageSensorModel model = Plain();
+  ImageSensorModel model = ImageSensorPlain();
   model.bits = 16;
   model.full_well_e = 1e7;  // noise of half a thousandth
-  const ImageSensor sensor(model, Lens(), 1, "camera");
+  const ImageSensor sensor(model, ImageSensorLens(), 1, "camera");
   const Image<std::uint16_t> raw = sensor.Expose(Flat(LuminanceFor(model, 5e6)), 0);
   const double middle = raw.at(79, 59, 1) - 100.0, corner = raw.at(0, 0, 1) - 100.0;
   const double cosine = 120 / std::sqrt(120 * 120 + 79.5 * 79.5 + 59.5 * 59.5);
@@ -144,12 +144,12 @@ TEST(ImageSensor, ACornerIsDarkerByTheFourthPowerOfItsCosine) {
 // EMVA 1288, chapter 8: what stays from picture to picture, by the mean of 16, which leaves a
 // sixteenth of the variance of noise. A deviation of 19 200 pixels is good to 0.5 %.
 TEST(ImageSensor, SensitivityAndDarkSignalDifferFromPixelToPixelAndStay) {
-  ImageSensorModel model = Plain();
+  ImageSensorModel model = ImageSensorPlain();
   model.prnu = 0.02;
   model.dsnu_e = 12;
-  const ImageSensor sensor(model, LongLens(), 5, "camera");
+  const ImageSensor sensor(model, ImageSensorLongLens(), 5, "camera");
   const auto spatial_e = [&](double luminance) {
-    std::vector<double> mean(kWidth * kHeight, 0.0);
+    std::vector<double> mean(kImageSensorWidth * kHeight, 0.0);
     for (int k = 0; k < 16; ++k) {
       const Image<std::uint16_t> raw = sensor.Expose(Flat(luminance), k);
       for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += raw.data[3 * i + 1] / 16.0;
@@ -165,7 +165,7 @@ TEST(ImageSensor, SensitivityAndDarkSignalDifferFromPixelToPixelAndStay) {
 }
 
 TEST(ImageSensor, DarkCurrentDoublesWithTemperatureAndSomePixelsAreHot) {
-  ImageSensorModel model = Plain();
+  ImageSensorModel model = ImageSensorPlain();
   model.read_noise_e = 0;
   model.exposure_s = 1;
   model.dark_current_eps = 20;
@@ -173,7 +173,7 @@ TEST(ImageSensor, DarkCurrentDoublesWithTemperatureAndSomePixelsAreHot) {
   model.dark_doubling_k = 8;
   model.temperature_degc = 41;
   model.hot_pixels = 0.01;
-  const ImageSensor sensor(model, LongLens(), 6, "camera");
+  const ImageSensor sensor(model, ImageSensorLongLens(), 6, "camera");
   const Image<std::uint16_t> raw = sensor.Expose(Flat(0), 0);
   double sum = 0;
   int hot = 0, others = 0;
@@ -191,18 +191,18 @@ TEST(ImageSensor, DarkCurrentDoublesWithTemperatureAndSomePixelsAreHot) {
 }
 
 TEST(ImageSensor, RowsAreOffTogetherAndAnewInEachPicture) {
-  ImageSensorModel model = Plain();
+  ImageSensorModel model = ImageSensorPlain();
   model.read_noise_e = 0;
   model.row_noise_e = 30;
-  const ImageSensor sensor(model, LongLens(), 8, "camera");
+  const ImageSensor sensor(model, ImageSensorLongLens(), 8, "camera");
   const Image<float> flat = Flat(LuminanceFor(model, 2000));
   std::vector<double> offset_e;
   for (int k = 0; k < 4; ++k) {
     const Image<std::uint16_t> raw = sensor.Expose(flat, k);
     for (int y = 0; y < kHeight; ++y) {
       double sum = 0;
-      for (int x = 0; x < kWidth; ++x) sum += raw.at(x, y, 1) - 100.0;
-      offset_e.push_back(sum / kWidth / sensor.gain_dn_per_e() - 2000);
+      for (int x = 0; x < kImageSensorWidth; ++x) sum += raw.at(x, y, 1) - 100.0;
+      offset_e.push_back(sum / kImageSensorWidth / sensor.gain_dn_per_e() - 2000);
     }
   }
   double squares = 0, both = 0;
@@ -214,8 +214,8 @@ TEST(ImageSensor, RowsAreOffTogetherAndAnewInEachPicture) {
 
 /// Colour of the middle of a flat picture of these values over the exposure's white.
 Vec3 MiddleOf(const ImageSensorModel& model, const Vec3& colour) {
-  const ImageSensor sensor(model, LongLens(), 2, "camera");
-  Image<float> flat(kWidth, kHeight, 3);
+  const ImageSensor sensor(model, ImageSensorLongLens(), 2, "camera");
+  Image<float> flat(kImageSensorWidth, kHeight, 3);
   const double white = LuminanceFor(model, model.full_well_e);
   for (std::size_t i = 0; i < flat.data.size(); ++i) {
     flat.data[i] = static_cast<float>(white * colour[static_cast<Eigen::Index>(i % 3)]);
@@ -232,7 +232,7 @@ Vec3 MiddleOf(const ImageSensorModel& model, const Vec3& colour) {
 
 // sRGB of 0.5, 0.2 and 0.05 is 187.5, 123.6 and 63.0 of 255, whatever the filters are.
 TEST(ImageSensor, ColoursComeBackBehindAllFilters) {
-  ImageSensorModel model = Plain();
+  ImageSensorModel model = ImageSensorPlain();
   model.full_well_e = 1e6;
   model.bits = 14;
   model.quantum_efficiency = Vec3(0.4, 0.6, 0.45);
@@ -247,10 +247,10 @@ TEST(ImageSensor, ColoursComeBackBehindAllFilters) {
 }
 
 TEST(ImageSensor, SameSeedSamePicture) {
-  const ImageSensorModel model = Plain();
+  const ImageSensorModel model = ImageSensorPlain();
   const Image<float> flat = Flat(LuminanceFor(model, 700));
-  const ImageSensor one(model, Lens(), 9, "a"), again(model, Lens(), 9, "a"),
-      other(model, Lens(), 9, "b");
+  const ImageSensor one(model, ImageSensorLens(), 9, "a"), again(model, ImageSensorLens(), 9, "a"),
+      other(model, ImageSensorLens(), 9, "b");
   EXPECT_EQ(one.Expose(flat, 3).data, again.Expose(flat, 3).data);
   EXPECT_NE(one.Expose(flat, 3).data, one.Expose(flat, 4).data);
   EXPECT_NE(one.Expose(flat, 3).data, other.Expose(flat, 3).data);

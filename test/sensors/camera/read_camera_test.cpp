@@ -18,7 +18,7 @@ CameraModel Read(const std::string& keys, std::string* resolved = nullptr) {
   return std::get<CameraModel>(s.model);
 }
 
-std::string Refusal(const std::string& keys, const std::string& camera = kCamera) {
+std::string CameraRefusal(const std::string& keys, const std::string& camera = kCamera) {
   try {
     Read(camera + keys);
   } catch (const InputError& error) {
@@ -28,7 +28,7 @@ std::string Refusal(const std::string& keys, const std::string& camera = kCamera
 }
 
 void ExpectRefused(const std::string& keys, const std::string& message) {
-  EXPECT_NE(Refusal(keys).find(message), std::string::npos) << Refusal(keys);
+  EXPECT_NE(CameraRefusal(keys).find(message), std::string::npos) << CameraRefusal(keys);
 }
 
 TEST(ReadCamera, AnImageSensorTakesThePlaceOfAPresetsNoise) {
@@ -99,7 +99,7 @@ TEST(ReadCamera, DepthSensorsThatCannotBeAreRefused) {
   ExpectRefused(depth + "time_of_flight: {frequency_hz: 20}", "frequency_hz: 20 is out of range");
   std::string wide = kCamera;
   wide.replace(wide.find("64"), 2, "2000");
-  const std::string refusal = Refusal(depth + "time_of_flight: {parts: 5}", wide);
+  const std::string refusal = CameraRefusal(depth + "time_of_flight: {parts: 5}", wide);
   EXPECT_NE(refusal.find("2000 px wide or high are 10000 px; need 8192 px at most, 4 parts"),
             std::string::npos)
       << refusal;

@@ -25,7 +25,7 @@ CameraIntrinsics LensOf(const std::string& keys) {
 }
 
 /// What is said of keys that are refused.
-std::string Refusal(const std::string& keys) {
+std::string LensRefusal(const std::string& keys) {
   try {
     LensOf(keys);
   } catch (const InputError& error) {
@@ -146,29 +146,30 @@ TEST(Lens, HorizontalFieldIsThatOfTheKey) {
 TEST(Lens, ThatFoldsWithinItsPictureIsRefusedWhereItSaysSo) {
   // theta - theta^3 / 2 is greatest at 0.816 rad, 0.54 focal lengths off the axis.
   const std::string folding = kSize + "fx_px: 300, lens: kannala_brandt, k1: -0.5";
-  EXPECT_NE(Refusal(folding).find("lens.k1: under this distortion pixel"), std::string::npos)
-      << Refusal(folding);
-  EXPECT_NE(Refusal(folding).find("narrower field_of_view_deg"), std::string::npos);
-  EXPECT_EQ(Refusal(folding + ", field_of_view_deg: 90"), "") << "it folds beyond its field";
-  EXPECT_EQ(Refusal(kSize + "fx_px: 900, lens: kannala_brandt, k1: -0.5"), "")
+  EXPECT_NE(LensRefusal(folding).find("lens.k1: under this distortion pixel"), std::string::npos)
+      << LensRefusal(folding);
+  EXPECT_NE(LensRefusal(folding).find("narrower field_of_view_deg"), std::string::npos);
+  EXPECT_EQ(LensRefusal(folding + ", field_of_view_deg: 90"), "") << "it folds beyond its field";
+  EXPECT_EQ(LensRefusal(kSize + "fx_px: 900, lens: kannala_brandt, k1: -0.5"), "")
       << "it folds beyond its picture";
-  EXPECT_NE(Refusal(kSize + "fx_px: 330, lens: rational, k1: -0.6"), "");
+  EXPECT_NE(LensRefusal(kSize + "fx_px: 330, lens: rational, k1: -0.6"), "");
 }
 
 TEST(Lens, ThatFoldsBeforeItsFieldEndsIsRefusedByItsField) {
   // theta - 5 theta^3 is below 0 from 0.447 rad on.
   const std::string refusal =
-      Refusal(kSize + "horizontal_fov_deg: 120, lens: kannala_brandt, k1: -5");
+      LensRefusal(kSize + "horizontal_fov_deg: 120, lens: kannala_brandt, k1: -5");
   EXPECT_NE(refusal.find("lens.horizontal_fov_deg: the lens folds over"), std::string::npos)
       << refusal;
 }
 
 TEST(Lens, KeysOfAnotherLawAreUnknown) {
-  EXPECT_NE(Refusal(kSize + "fx_px: 300, lens: kannala_brandt, p1: 0.1").find("p1: unknown key"),
-            std::string::npos);
-  EXPECT_NE(Refusal(kSize + "fx_px: 300, k4: 0.1").find("k4: unknown key"), std::string::npos);
-  EXPECT_NE(Refusal(kSize + "fx_px: 300, lens: fisheye").find("lens"), std::string::npos);
-  EXPECT_NE(Refusal(kSize + "fx_px: 300, lens: f_theta, field_of_view_deg: 210").find("200"),
+  EXPECT_NE(
+      LensRefusal(kSize + "fx_px: 300, lens: kannala_brandt, p1: 0.1").find("p1: unknown key"),
+      std::string::npos);
+  EXPECT_NE(LensRefusal(kSize + "fx_px: 300, k4: 0.1").find("k4: unknown key"), std::string::npos);
+  EXPECT_NE(LensRefusal(kSize + "fx_px: 300, lens: fisheye").find("lens"), std::string::npos);
+  EXPECT_NE(LensRefusal(kSize + "fx_px: 300, lens: f_theta, field_of_view_deg: 210").find("200"),
             std::string::npos);
 }
 

@@ -17,8 +17,8 @@ namespace {
 using testing::OneBodyEach;
 using testing::WallMesh;
 
-constexpr int kWidth = 160, kHeight = 120;
-constexpr double kFocal_px = 150;
+constexpr int kSurfaceLabelsWidth = 160, kHeight = 120;
+constexpr double kSurfaceLabelsFocal_px = 150;
 constexpr double kRounding_px = 0.5 / 64 + 1e-3;  // of the pixel form, and of depth in 32 bits
 
 LabelSet Labels(std::initializer_list<std::size_t> channels) {
@@ -33,10 +33,10 @@ class FlowBeforeAWall : public ::testing::Test {
  protected:
   FlowBeforeAWall()
       : model_(OneBodyEach({WallMesh(20, 0.5), WallMesh(0.5, 0.5)})), rasterizer_(model_, {}) {
-    lens_ = {.width_px = kWidth,
+    lens_ = {.width_px = kSurfaceLabelsWidth,
              .height_px = kHeight,
-             .fx_px = kFocal_px,
-             .fy_px = kFocal_px,
+             .fx_px = kSurfaceLabelsFocal_px,
+             .fy_px = kSurfaceLabelsFocal_px,
              .cx_px = 79.5,
              .cy_px = 59.5};
     square_W_m_ = {0, 3, 40};
@@ -67,10 +67,11 @@ const LabelSet kFlows =
 TEST_F(FlowBeforeAWall, FirstPictureHasNone) {
   SurfaceLabels labels(lens_, kFlows);
   const CameraFrame frame = Next(&labels);
-  ASSERT_EQ(frame.flow_to_previous.data.size(), 3u * kWidth * kHeight);
-  EXPECT_EQ(std::ranges::count(frame.flow_to_previous.data, 0), 3 * kWidth * kHeight);
-  EXPECT_EQ(std::ranges::count(frame.flow_to_this.data, 0), 3 * kWidth * kHeight);
-  EXPECT_EQ(std::ranges::count(frame.scene_flow_to_previous.data, 0), 3 * kWidth * kHeight);
+  ASSERT_EQ(frame.flow_to_previous.data.size(), 3u * kSurfaceLabelsWidth * kHeight);
+  EXPECT_EQ(std::ranges::count(frame.flow_to_previous.data, 0), 3 * kSurfaceLabelsWidth * kHeight);
+  EXPECT_EQ(std::ranges::count(frame.flow_to_this.data, 0), 3 * kSurfaceLabelsWidth * kHeight);
+  EXPECT_EQ(std::ranges::count(frame.scene_flow_to_previous.data, 0),
+            3 * kSurfaceLabelsWidth * kHeight);
 }
 
 TEST_F(FlowBeforeAWall, SquareThatMovesHasItsOwn) {
@@ -80,7 +81,7 @@ TEST_F(FlowBeforeAWall, SquareThatMovesHasItsOwn) {
   const CameraFrame frame = Next(&labels);
   int on_square = 0, hidden = 0, seen = 0;
   for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+    for (int x = 0; x < kSurfaceLabelsWidth; ++x) {
       const PixelFlow back = FlowAt(frame.flow_to_previous, x, y);
       const auto shift = ShiftAt(frame.scene_flow_to_previous, x, y);
       ASSERT_TRUE(shift) << x << " " << y;
@@ -104,7 +105,7 @@ TEST_F(FlowBeforeAWall, SquareThatMovesHasItsOwn) {
   // 50 x 50 px; a strip of 6 px at its left was behind it.
   EXPECT_EQ(on_square, 50 * 50);
   EXPECT_NEAR(hidden, 6 * 50, 50);
-  EXPECT_EQ(seen + hidden, kWidth * kHeight - on_square);
+  EXPECT_EQ(seen + hidden, kSurfaceLabelsWidth * kHeight - on_square);
 }
 
 TEST_F(FlowBeforeAWall, ForwardFlowLiesOnThePreviousPicture) {
@@ -114,7 +115,7 @@ TEST_F(FlowBeforeAWall, ForwardFlowLiesOnThePreviousPicture) {
   const CameraFrame frame = Next(&labels);
   int hidden = 0;
   for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+    for (int x = 0; x < kSurfaceLabelsWidth; ++x) {
       const PixelFlow on = FlowAt(frame.flow_to_this, x, y);
       const bool is_square = before.instance.at(x, y) == 2;
       EXPECT_LT((on.flow_px - (is_square ? Vec2(6, 3) : Vec2(0, 0))).norm(), 2 * kRounding_px);
@@ -133,9 +134,9 @@ TEST_F(FlowBeforeAWall, TurningCameraMovesTheSkyByItsTurnAlone) {
   Next(&labels);
   X_WS_ = MakePose({0.4, -0.3, 40.2}, 0, 0, 272 * kDeg);  // to its left: all moves to the right
   const CameraFrame frame = Next(&labels);
-  for (int x = 0; x < kWidth; x += 7) {
-    const double angle = std::atan((x - 79.5) / kFocal_px);
-    const double was_px = 79.5 + kFocal_px * std::tan(angle - 2 * kDeg);
+  for (int x = 0; x < kSurfaceLabelsWidth; x += 7) {
+    const double angle = std::atan((x - 79.5) / kSurfaceLabelsFocal_px);
+    const double was_px = 79.5 + kSurfaceLabelsFocal_px * std::tan(angle - 2 * kDeg);
     const PixelFlow back = FlowAt(frame.flow_to_previous, x, 59);
     EXPECT_NEAR(back.flow_px.x(), was_px - x, kRounding_px) << x;
     EXPECT_EQ(back.state, was_px < -0.5 ? FlowState::kOutside : FlowState::kSeen) << x;
@@ -148,7 +149,7 @@ TEST_F(FlowBeforeAWall, IsWhatOpenCvProjectsThroughALens) {
   lens_.k2 = 0.07;
   lens_.p1 = 0.001;
   lens_.p2 = -0.0007;
-  const cv::Matx33d K(kFocal_px, 0, 79.5, 0, kFocal_px, 59.5, 0, 0, 1);
+  const cv::Matx33d K(kSurfaceLabelsFocal_px, 0, 79.5, 0, kSurfaceLabelsFocal_px, 59.5, 0, 0, 1);
   const std::vector<double> d = {lens_.k1, lens_.k2, lens_.p1, lens_.p2};
   SurfaceLabels labels(lens_, kFlows);
   Next(&labels);
@@ -157,7 +158,7 @@ TEST_F(FlowBeforeAWall, IsWhatOpenCvProjectsThroughALens) {
   const Pose X_WC = X_WS_ * OpticalInSensor();
   const CameraFrame frame = Next(&labels);
   for (int y = 4; y < kHeight; y += 9) {
-    for (int x = 3; x < kWidth; x += 11) {
+    for (int x = 3; x < kSurfaceLabelsWidth; x += 11) {
       std::vector<cv::Point2d> undistorted;
       cv::undistortPoints(
           std::vector<cv::Point2d>{{double(x), double(y)}}, undistorted, K, d, cv::noArray(),
@@ -183,7 +184,8 @@ TEST_F(FlowBeforeAWall, DistanceIsAlongTheRay) {
   const CameraFrame frame = Next(&labels);
   EXPECT_TRUE(frame.flow_to_previous.empty());
   for (int x = 1; x < 50; x += 8) {
-    const double along_m = 6 * std::hypot(1.0, (x - 79.5) / kFocal_px, (8 - 59.5) / kFocal_px);
+    const double along_m = 6 * std::hypot(1.0, (x - 79.5) / kSurfaceLabelsFocal_px,
+                                          (8 - 59.5) / kSurfaceLabelsFocal_px);
     EXPECT_NEAR(frame.distance.at(x, 8), 1000 * along_m, 1.01) << x;
   }
 }

@@ -24,7 +24,7 @@ using testing::WallMesh;
 const SampleClock kTenHz = {.rate_hz = 10};
 
 /// One horizontal beam, 360 columns.
-LidarModel OneBeam() {
+LidarModel LidarOneBeam() {
   LidarModel model;
   model.elevation_rad = {0};
   model.azimuth_offset_rad = {0};
@@ -69,7 +69,7 @@ TEST(Lidar, TimesOfItsSlowestRevolutionFitTheirField) {
   scene.Update({{MakePose({-10, 0, 0})}}, NoGround());
   const SampleClock clock = {.rate_hz = Lidar::kSlowest_hz};
   const LidarScan scan =
-      Lidar(OneBeam(), clock, 0, 1, "m/lidar").Measure(0, Still(Pose::Identity()), scene, 1);
+      Lidar(LidarOneBeam(), clock, 0, 1, "m/lidar").Measure(0, Still(Pose::Identity()), scene, 1);
   ASSERT_FALSE(scan.points.empty());
   // The last of 360 columns of 4 s.
   EXPECT_EQ(scan.points.back().time_offset_ns, 3'988'888'889u);
@@ -101,7 +101,7 @@ TEST(Lidar, AFaultOnAnyOfItsThreadsReachesTheCaller) {
   RayScene scene(OneBodyEach({WallMesh(20, 0.5)}));
   scene.Update({{MakePose({10, 0, 0})}}, NoGround());
   const PoseTrack nowhere;
-  const Lidar lidar(OneBeam(), {.rate_hz = 10}, 0, 1, "m/lidar");
+  const Lidar lidar(LidarOneBeam(), {.rate_hz = 10}, 0, 1, "m/lidar");
   EXPECT_THROW(lidar.Measure(0, nowhere, scene, 4), InternalError);
 }
 
@@ -109,7 +109,7 @@ TEST(Lidar, PointsAreInTheSensorFrame) {
   // The plane x = 10 m; a sensor 6 m before it, looking along +y of W: the wall is to its right.
   RayScene scene(OneBodyEach({WallMesh(20, 0.5)}));
   scene.Update({{MakePose({10, 0, 0})}}, NoGround());
-  const LidarScan scan = Scan(OneBeam(), Still(MakePose({4, 0, 0.3}, 0, 0, 90 * kDeg)), scene);
+  const LidarScan scan = Scan(LidarOneBeam(), Still(MakePose({4, 0, 0.3}, 0, 0, 90 * kDeg)), scene);
   ASSERT_FALSE(scan.points.empty());
   const LidarPoint right = Towards(scan, -Vec3::UnitY());
   EXPECT_NEAR((PointOf(right) - Vec3(0, -6, 0)).norm(), 0, 1e-4);
@@ -139,7 +139,7 @@ TEST(Lidar, RangeToAWallIsDistanceOverCosine) {
 TEST(Lidar, RangeNoiseLiesAlongTheRayAndHasItsDeviation) {
   RayScene scene(OneBodyEach({CubeMesh(5)}));
   scene.Update({{MakePose({0, 0, 0})}}, NoGround());
-  LidarModel model = OneBeam();
+  LidarModel model = LidarOneBeam();
   model.columns = 20000;
   model.range_noise_m = 0.03;
   const LidarScan exact = Scan(
@@ -165,7 +165,7 @@ TEST(Lidar, RangeNoiseLiesAlongTheRayAndHasItsDeviation) {
 TEST(Lidar, ARevolutionTurnsClockwiseFromBehind) {
   RayScene scene(OneBodyEach({CubeMesh(5)}));
   scene.Update({{MakePose({0, 0, 0})}}, NoGround());
-  LidarModel model = OneBeam();
+  LidarModel model = LidarOneBeam();
   LidarScan scan = Scan(model, Still(MakePose({0, 0, 0})), scene);
   ASSERT_EQ(scan.points.size(), 360u);
   EXPECT_NEAR((PointOf(scan.points[0]) - Vec3(-5, 0, 0)).norm(), 0, 1e-5);
@@ -188,7 +188,7 @@ TEST(Lidar, AScanOfATurningSensorIsSkewedByItsTurn) {
   for (int k = 0; k <= 50; ++k) {
     track.Append(2'000'000 * k, MakePose({0, 0, 0}, 0, 0, 36 * kDeg * k / 50));
   }
-  const LidarScan scan = Scan(OneBeam(), track, scene);
+  const LidarScan scan = Scan(LidarOneBeam(), track, scene);
   ASSERT_EQ(scan.points.size(), 360u);
   EXPECT_NEAR((PointOf(scan.points[180]) - Vec3(5 / std::cos(18 * kDeg), 0, 0)).norm(), 0, 1e-4);
   EXPECT_NEAR((PointOf(scan.points[90]) - Vec3(0, 5 / std::cos(9 * kDeg), 0)).norm(), 0, 1e-4);
@@ -198,7 +198,7 @@ TEST(Lidar, AMovingWallIsSeenWhereItStoodAtEachRay) {
   // The wall comes nearer by 2 m in a revolution; the ray straight ahead leaves half-way.
   RayScene scene(OneBodyEach({WallMesh(20, 0.5)}));
   scene.Update({{MakePose({10, 0, 0})}, {MakePose({8, 0, 0})}}, NoGround());
-  const LidarScan scan = Scan(OneBeam(), Still(MakePose({0, 0, 0})), scene);
+  const LidarScan scan = Scan(LidarOneBeam(), Still(MakePose({0, 0, 0})), scene);
   for (const LidarPoint& p : scan.points) {
     EXPECT_NEAR(p.x_m, 10 - 2 * p.time_offset_ns * 1e-8, 1e-4);
   }
@@ -209,7 +209,7 @@ TEST(Lidar, FiringOffsetsDelayAndTurnEachBeam) {
   // One beam fires a quarter of a column late: 0.25 degrees on, and that much later.
   RayScene scene(OneBodyEach({CubeMesh(5)}));
   scene.Update({{MakePose({0, 0, 0})}}, NoGround());
-  LidarModel model = OneBeam();
+  LidarModel model = LidarOneBeam();
   model.elevation_rad = {0.1, 0.1};
   model.azimuth_offset_rad = {0, 0};
   model.firing_offset_s = {0, 0.1 / 360 / 4};
@@ -226,7 +226,7 @@ TEST(Lidar, FiringOffsetsDelayAndTurnEachBeam) {
 TEST(Lidar, AzimuthOffsetsTurnBeamsToTheLeft) {
   RayScene scene(OneBodyEach({CubeMesh(5)}));
   scene.Update({{MakePose({0, 0, 0})}}, NoGround());
-  LidarModel model = OneBeam();
+  LidarModel model = LidarOneBeam();
   model.azimuth_offset_rad = {4 * kDeg};
   const LidarPoint ahead = Scan(model, Still(MakePose({0, 0, 0})), scene).points[180];
   EXPECT_NEAR(std::atan2(ahead.y_m, ahead.x_m), 4 * kDeg, 1e-5);
@@ -234,7 +234,7 @@ TEST(Lidar, AzimuthOffsetsTurnBeamsToTheLeft) {
 
 TEST(Lidar, DarkTargetsEndAtTheDataSheetsRange) {
   // Head-on: 10 % is seen to 40 m, 40 % to twice that, 90 % as far as the greatest range.
-  LidarModel model = OneBeam();
+  LidarModel model = LidarOneBeam();
   model.range_at_10_percent_m = 40;
   model.max_range_m = 110;
   const auto seen = [&](double reflectance, double distance_m) {
@@ -253,7 +253,7 @@ TEST(Lidar, DarkTargetsEndAtTheDataSheetsRange) {
 TEST(Lidar, TiltedTargetsReturnLess) {
   // At 60 degrees half of the light comes back: a 20 % wall ends where a 10 % wall does head-on,
   // and its intensity is 0.1.
-  LidarModel model = OneBeam();
+  LidarModel model = LidarOneBeam();
   model.range_at_10_percent_m = 40;
   const auto scan = [&](double distance_m) {
     RayScene scene(OneBodyEach({WallMesh(0.2, 0.2)}));
@@ -266,7 +266,7 @@ TEST(Lidar, TiltedTargetsReturnLess) {
 }
 
 TEST(Lidar, SurfacesNearerThanTheLeastRangeBlockWithoutAReturn) {
-  LidarModel model = OneBeam();
+  LidarModel model = LidarOneBeam();
   model.min_range_m = 1;
   RayScene scene(OneBodyEach({WallMesh(5, 0.5), WallMesh(5, 0.5)}));
   scene.Update({{MakePose({0.8, 0, 0}), MakePose({3, 0, 0})}}, NoGround());

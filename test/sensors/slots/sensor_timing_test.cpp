@@ -15,7 +15,7 @@ namespace {
 
 using testing::Given;
 
-const SiteFrame kSite(46.78, -71.27, 90);
+const SiteFrame kSensorTimingSite(46.78, -71.27, 90);
 
 /// Times that each type of sensor writes on measurements that were valid at `t_ns`, in this order:
 /// imu, gnss, encoder, lidar, camera; and when they can be had, 30 ms later than that.
@@ -49,7 +49,7 @@ Stamps StampsOf(const std::string& yaml, const std::vector<TimeNs>& t_ns) {
       [](auto* slots, auto, auto* s) { slots->Apply(s); }, &stamps);
   Pass(
       GnssSlots(given(EffectTarget::kGnss), 1, "m/gnss"), GnssSample(), t_ns,
-      [](auto* slots, auto, auto* s) { slots->Apply({}, kSite, s); }, &stamps);
+      [](auto* slots, auto, auto* s) { slots->Apply({}, kSensorTimingSite, s); }, &stamps);
   Pass(
       EncoderSlots(given(EffectTarget::kEncoder), {}, {}, {}, 1, "m/e"), EncoderSample(), t_ns,
       [](auto* slots, auto, auto* s) { slots->Apply(s); }, &stamps);
@@ -137,11 +137,11 @@ std::vector<Filtered> FilterOf(Signal signal, int samples) {
     g.fix = GnssFix::kRtkFixed;
     EncoderSample e{t_ns, t_ns, {x}, {3 * x}};
     imu.Apply(&i);
-    gnss.Apply({}, kSite, &g);
+    gnss.Apply({}, kSensorTimingSite, &g);
     encoder.Apply(&e);
     EXPECT_NEAR(-i.f_S_mps2.z(), i.w_WS_S_radps.y(), 1e-12);
     EXPECT_NEAR(e.qd_radps[0], 3 * e.q_rad[0], 1e-12);
-    EXPECT_NEAR(kSite.ToGeodetic(g.enu_m).lat_deg, g.lat_deg, 1e-12);
+    EXPECT_NEAR(kSensorTimingSite.ToGeodetic(g.enu_m).lat_deg, g.lat_deg, 1e-12);
     EXPECT_EQ(i.t_ns, t_ns);
     filtered.push_back({x, i.w_WS_S_radps.y(), g.enu_m.y(), e.q_rad[0]});
   }
@@ -205,7 +205,7 @@ Pulse PulseThrough(const std::string& of_imu, const std::string& of_gnss,
     g.fix = GnssFix::kRtkFixed;
     EncoderSample e{t_ns, t_ns, {x}, {x}};
     imu.Apply(&i);
-    gnss.Apply({}, kSite, &g);
+    gnss.Apply({}, kSensorTimingSite, &g);
     encoder.Apply(&e);
     pulse.gyro.push_back(i.w_WS_S_radps.y());
     pulse.east.push_back(g.enu_m.x());

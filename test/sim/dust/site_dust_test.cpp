@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-double Sum(const DustMass& mass) { return std::accumulate(mass.begin(), mass.end(), 0.0); }
+double SiteDustSum(const DustMass& mass) { return std::accumulate(mass.begin(), mass.end(), 0.0); }
 
 std::string Dusty(double moisture, const std::string& environment = "") {
   return fmt::format(
@@ -58,7 +58,7 @@ struct Worked {
       dust.Step({before, after, simulation.ground()});
     }
   }
-  double emitted_kg() const { return Sum(dust.field().budget().emitted_kg); }
+  double emitted_kg() const { return SiteDustSum(dust.field().budget().emitted_kg); }
 };
 
 TEST(SiteDust, SoilTakenUpRaisesWhatAp42SaysOfItsMassAndMoisture) {
@@ -83,7 +83,7 @@ TEST(SiteDust, DrivingRaisesWhatAp42SaysOfItsWay) {
   const double way_km = 2.0 * tools.gears[0].ShoeRadius_m() * 0.2 / 1000;
   const double moisture = 5 / 255.0 * 100 * (1000 / 1474.0 - 1000 / 2650.0);
   const double expected_kg =
-      way_km * MoistRoadShare(moisture) * Sum(RoadEmission_kgpkm(8.5, tools.mass_kg));
+      way_km * MoistRoadShare(moisture) * SiteDustSum(RoadEmission_kgpkm(8.5, tools.mass_kg));
   EXPECT_NEAR(dry.emitted_kg(), expected_kg, 0.01 * expected_kg);
   Worked wet(Dusty(kDry, ", rain_mmph: 3, cloud_cover: 1"));
   wet.Run(0, 2.0);
@@ -116,7 +116,8 @@ TEST(SiteDust, ClodsRaiseDustWhereTheyLandByTheirFall) {
   work.dust.Step({work.before, work.after, ground});
   const double moisture = 5 / 255.0 * 100 * (1000 / 1474.0 - 1000 / 2650.0);
   const double mass_t = 4 * M_PI / 3 * std::pow(radius_m, 3) * 1474 / 1.1 / 1000;
-  const double expected_kg = mass_t * Sum(DropEmission_kgpt(3, moisture));  // of a fall of 1.5 m
+  const double expected_kg =
+      mass_t * SiteDustSum(DropEmission_kgpt(3, moisture));  // of a fall of 1.5 m
   EXPECT_NEAR(work.emitted_kg(), expected_kg, 0.01 * expected_kg);
 }
 
@@ -137,12 +138,12 @@ TEST(DustSources, AGaleTakesHalfOfLooseGroundsPotentialInTwoMinutes) {
   std::vector<DustPuff> puffs;
   sources.AddBlown(ground, 120, &puffs);
   double blown_kg = 0;
-  for (const DustPuff& puff : puffs) blown_kg += Sum(puff.mass_kg);
+  for (const DustPuff& puff : puffs) blown_kg += SiteDustSum(puff.mass_kg);
   EXPECT_NEAR(blown_kg, 0.5 * 4.41 * 0.0321, 0.01 * blown_kg);
   puffs.clear();
   sources.AddBlown(ground, 120, &puffs);
   double next_kg = 0;
-  for (const DustPuff& puff : puffs) next_kg += Sum(puff.mass_kg);
+  for (const DustPuff& puff : puffs) next_kg += SiteDustSum(puff.mass_kg);
   EXPECT_NEAR(next_kg, 0.5 * blown_kg, 1e-9);
   scenario.environment.weather.wind.speed_mps = 15;
   puffs.clear();

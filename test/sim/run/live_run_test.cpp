@@ -25,7 +25,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kScenario = R"(
+constexpr const char* kLiveRunScenario = R"(
 name: live
 seed: 5
 duration_s: 60
@@ -54,7 +54,7 @@ struct Loaded {
 /// Read once, for all runs here.
 const Loaded& Load() {
   static const Loaded loaded = [] {
-    const Config config = Config::FromText(kScenario, "live.yaml");
+    const Config config = Config::FromText(kLiveRunScenario, "live.yaml");
     auto scenario = std::make_shared<const Scenario>(ReadScenario(config.root()));
     config.Finish();
     return Loaded{std::move(scenario), config.ResolvedYaml()};
@@ -70,7 +70,7 @@ ControlMessage Levers(const std::map<std::string, double>& positions, const Mach
   return {.command = levers};
 }
 
-std::map<std::string, std::string> ReadAll(const fs::path& root) {
+std::map<std::string, std::string> ReadLiveRun(const fs::path& root) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(root)) {
     if (!entry.is_regular_file()) continue;
@@ -171,7 +171,7 @@ TEST(LiveRun, IsReplayedFromItsCommandsToTheSameBytes) {
   Scenario replayed = *loaded.scenario;
   CommandAsRecorded(Recording(live), &replayed);
   Generate(replayed, loaded.yaml, {.out = again});
-  const auto first = ReadAll(live), second = ReadAll(again);
+  const auto first = ReadLiveRun(live), second = ReadLiveRun(again);
   ASSERT_EQ(first.size(), second.size());
   EXPECT_TRUE(first.contains("excavator1/camera/rgb/1000000000.png"));
   for (const auto& [name, bytes] : first) {
@@ -197,7 +197,7 @@ TEST(LiveRun, ThatWasStoppedIsReplayedAsFarAsItsCommandsCame) {
   Record(folder / "stopped", 640, false);
   const fs::path stopped = folder / "stopped.incomplete";
   ASSERT_TRUE(WasStopped(stopped));
-  EXPECT_THAT(ReadAll(stopped)["INCOMPLETE.txt"],
+  EXPECT_THAT(ReadLiveRun(stopped)["INCOMPLETE.txt"],
               AllOf(HasSubstr("tera replay"), Not(HasSubstr("--resume"))));
   const Loaded& loaded = Load();
   try {
@@ -217,8 +217,8 @@ TEST(LiveRun, ThatWasStoppedIsReplayedAsFarAsItsCommandsCame) {
   EXPECT_DOUBLE_EQ(as_commanded.duration_s, 638 / as_commanded.physics_rate_hz);
   Generate(as_commanded, loaded.yaml, {.out = folder / "replayed"});
   Record(folder / "whole", 638, true);
-  const auto replayed = ReadAll(folder / "replayed"), recorded = ReadAll(stopped);
-  EXPECT_TRUE(ReadAll(folder / "whole") == replayed);
+  const auto replayed = ReadLiveRun(folder / "replayed"), recorded = ReadLiveRun(stopped);
+  EXPECT_TRUE(ReadLiveRun(folder / "whole") == replayed);
   for (const auto& [name, bytes] : replayed) {
     if (!name.ends_with(".csv") || name == "excavator1/commands.csv") continue;
     ASSERT_TRUE(recorded.contains(name + ".part")) << name;

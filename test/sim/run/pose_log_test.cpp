@@ -55,7 +55,7 @@ class RowsByFile : public MeasurementSink {
   std::vector<std::string> files_;
 };
 
-Scenario Read(const std::string& record) {
+Scenario ReadPoseLog(const std::string& record) {
   const Config config = Config::FromText(kScene + record, "scene.yaml");
   Scenario scenario = ReadScenario(config.root());
   config.Finish();
@@ -72,7 +72,7 @@ Pose PoseOf(const RowSample& row) {
 
 /// A second at 200 steps/s, what it was at each of them, and what was written.
 struct Second {
-  explicit Second(const std::string& record) : scenario(Read(record)) {
+  explicit Second(const std::string& record) : scenario(ReadPoseLog(record)) {
     PoseLog log(scenario, &sink);
     Simulation simulation(scenario);
     instants.push_back(simulation.state());
@@ -99,7 +99,7 @@ TEST(PoseLog, WritesNothingUnlessItIsAskedFor) {
 TEST(PoseLog, ARateOutOfRangeIsAFaultWithItsPlace) {
   for (const std::string rate : {"0", "-5", "10000", "often"}) {
     try {
-      Read("record: {poses_hz: " + rate + "}");
+      ReadPoseLog("record: {poses_hz: " + rate + "}");
       ADD_FAILURE() << rate;
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find("record.poses_hz"), std::string::npos)

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 
 std::string Site(const std::string& more) { return std::string(kSite) + more + kExcavator; }
 
-Scenario Read(const std::string& yaml) {
+Scenario LitScenario(const std::string& yaml) {
   const Config config = Config::FromText(yaml, "s.yaml", {});
   Scenario scenario = ReadScenario(config.root());
   config.Finish();
@@ -26,8 +26,8 @@ Scenario Read(const std::string& yaml) {
 TEST(ReadLight, TimeGivesTheSunOfThePlace) {
   // The sun of sun_test.cpp: 39.888 degrees high, 194.34 from north.
   const Scenario scenario =
-      Read(Site("site: {lat_deg: 39.742476, lon_deg: -105.1786, height_m: 1830}\n"
-                "environment: {time: '2003-10-17T19:30:30Z'}\n"));
+      LitScenario(Site("site: {lat_deg: 39.742476, lon_deg: -105.1786, height_m: 1830}\n"
+                       "environment: {time: '2003-10-17T19:30:30Z'}\n"));
   const Environment& environment = scenario.environment;
   EXPECT_NEAR(std::asin(environment.to_sun_W.z()) / kDeg, 39.888, 0.02);
   EXPECT_NEAR(environment.sun_illuminance_klx, 127.5 * std::exp(-0.21 / 0.6413), 0.1);
@@ -37,7 +37,8 @@ TEST(ReadLight, TimeGivesTheSunOfThePlace) {
 }
 
 TEST(ReadLight, NightHasNoSun) {
-  const Environment night = Read(Site("environment: {time: '2026-12-21T23:00:00Z'}\n")).environment;
+  const Environment night =
+      LitScenario(Site("environment: {time: '2026-12-21T23:00:00Z'}\n")).environment;
   EXPECT_EQ(night.sun_illuminance_klx, 0);
   ASSERT_TRUE(night.sky_illuminance_lx);
   EXPECT_LT(*night.sky_illuminance_lx, 0.001);
@@ -46,8 +47,8 @@ TEST(ReadLight, NightHasNoSun) {
 
 TEST(ReadLight, ExposureAndSunCanStillBeGiven) {
   const Environment environment =
-      Read(Site("environment: {time: '2026-06-21T10:00:00Z', exposure_ev100: 9, "
-                "sun_illuminance_klx: 55, cloud_cover: 0.8}\n"))
+      LitScenario(Site("environment: {time: '2026-06-21T10:00:00Z', exposure_ev100: 9, "
+                       "sun_illuminance_klx: 55, cloud_cover: 0.8}\n"))
           .environment;
   EXPECT_EQ(environment.exposure_ev100, 9);
   EXPECT_EQ(environment.sun_illuminance_klx, 55);
@@ -72,11 +73,11 @@ TEST(ReadLight, RefusesASunThatShinesAtNight) {
 
 TEST(ReadLight, LampsHangOnLinksOrStandOnTheSite) {
   const Scenario scenario =
-      Read(Site("lamps:\n"
-                "  - {machine: excavator1, link: boom, xyz_m: [1, 0, 0.3], rpy_deg: [0, 20, "
-                "0], flux_lm: 2500, beam_deg: 60}\n"
-                "  - {xyz_m: [4, 4, 6], rpy_deg: [0, 45, -135], flux_lm: 40000, beam_deg: "
-                "100}\n"));
+      LitScenario(Site("lamps:\n"
+                       "  - {machine: excavator1, link: boom, xyz_m: [1, 0, 0.3], rpy_deg: [0, 20, "
+                       "0], flux_lm: 2500, beam_deg: 60}\n"
+                       "  - {xyz_m: [4, 4, 6], rpy_deg: [0, 45, -135], flux_lm: 40000, beam_deg: "
+                       "100}\n"));
   ASSERT_EQ(scenario.lamps.size(), 2u);
   EXPECT_EQ(scenario.lamps[0].link, "boom");
   EXPECT_NEAR(scenario.lamps[0].half_angle_rad, 30 * kDeg, 1e-12);

@@ -13,7 +13,7 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 /// The excavator with an inertial unit and the encoders of its boom, and these tolerances.
-std::string With(const std::string& tolerances) {
+std::string WithTolerances(const std::string& tolerances) {
   return WithRig(
              "{name: imu_boom, preset: tera:config/sensors/xsens_mti_670.yaml, link: boom}, "
              "{name: encoders, preset: tera:config/sensors/encoder.yaml, joints: [boom]}") +
@@ -28,10 +28,10 @@ Tolerances TolerancesOf(const std::string& yaml, const std::vector<std::string>&
 }
 
 TEST(ReadTolerances, AreOfJointsTracksPumpsSensorsAxesAndTheBase) {
-  const Tolerances read = TolerancesOf(
-      With("{excavator1: {boom: {dead_band: {width: 0.03}}, left_track: {rate_gain: {gain: 0.1}}, "
-           "imu_boom: {mount_rotation: {pitch_deg: 2}}, encoders/boom: {bias: {angle_deg: 1}}, "
-           "base: {effective_gauge: {ratio: 0.2}}}}"));
+  const Tolerances read = TolerancesOf(WithTolerances(
+      "{excavator1: {boom: {dead_band: {width: 0.03}}, left_track: {rate_gain: {gain: 0.1}}, "
+      "imu_boom: {mount_rotation: {pitch_deg: 2}}, encoders/boom: {bias: {angle_deg: 1}}, "
+      "base: {effective_gauge: {ratio: 0.2}}}}"));
   std::vector<std::string> found;
   for (const Tolerance& one : read) {
     found.push_back(fmt::format("{} {} {} {}", one.target, one.mechanism->id,
@@ -45,31 +45,33 @@ TEST(ReadTolerances, AreOfJointsTracksPumpsSensorsAxesAndTheBase) {
 
 TEST(ReadTolerances, OfTheScenarioStandOverThoseOfTheMachinesFile) {
   const Tolerances read =
-      TolerancesOf(With("{excavator1: {boom: {dead_band: {width: 0.03}}}}"),
+      TolerancesOf(WithTolerances("{excavator1: {boom: {dead_band: {width: 0.03}}}}"),
                    {"machines[0].machine.tolerances={boom: {dead_band: {width: 0.5}}}"});
   ASSERT_EQ(read.size(), 1u);
   EXPECT_EQ(read[0].half_width, 0.03);
 }
 
 TEST(ReadTolerances, NegativeAndUnknownOnesAreRefusedByTheirPlace) {
-  EXPECT_THAT(FaultsOf(With("{excavator1: {boom: {dead_band: {width: -0.1}}}}")),
+  EXPECT_THAT(FaultsOf(WithTolerances("{excavator1: {boom: {dead_band: {width: -0.1}}}}")),
               AllOf(HasSubstr("tolerances.excavator1.boom.dead_band.width"),
                     HasSubstr("-0.1 is out of range, need at least 0")));
-  EXPECT_THAT(FaultsOf(With("{excavator1: {boom: {dead_band: {widht: 0.1}}}}")),
+  EXPECT_THAT(FaultsOf(WithTolerances("{excavator1: {boom: {dead_band: {widht: 0.1}}}}")),
               AllOf(HasSubstr("widht"), HasSubstr("did you mean 'width'?")));
-  EXPECT_THAT(FaultsOf(With("{excavator1: {boom: {dead_bant: {width: 0.1}}}}")),
+  EXPECT_THAT(FaultsOf(WithTolerances("{excavator1: {boom: {dead_bant: {width: 0.1}}}}")),
               HasSubstr("tolerances.excavator1.boom.dead_bant: unknown key"));
-  EXPECT_THAT(FaultsOf(With("{excavator1: {bom: {dead_band: {width: 0.1}}}}")),
+  EXPECT_THAT(FaultsOf(WithTolerances("{excavator1: {bom: {dead_band: {width: 0.1}}}}")),
               HasSubstr("tolerances.excavator1.bom: unknown key"));
-  EXPECT_THAT(FaultsOf(With("{digger: {boom: {dead_band: {width: 0.1}}}}")),
+  EXPECT_THAT(FaultsOf(WithTolerances("{digger: {boom: {dead_band: {width: 0.1}}}}")),
               HasSubstr("tolerances.digger: unknown key"));
 }
 
 TEST(ReadTolerances, ValuesWhereMappingsBelongAreRefused) {
-  EXPECT_THAT(FaultsOf(With("0.1")), HasSubstr("tolerances: '0.1' found, need machines"));
-  EXPECT_THAT(FaultsOf(With("{excavator1: 0.1}")), HasSubstr("'0.1' found, need {TARGET"));
-  EXPECT_THAT(FaultsOf(With("{excavator1: {boom: 0.1}}")), HasSubstr("'0.1' found, need {TARGET"));
-  EXPECT_THAT(FaultsOf(With("{excavator1: {boom: {dead_band: 0.1}}}")),
+  EXPECT_THAT(FaultsOf(WithTolerances("0.1")), HasSubstr("tolerances: '0.1' found, need machines"));
+  EXPECT_THAT(FaultsOf(WithTolerances("{excavator1: 0.1}")),
+              HasSubstr("'0.1' found, need {TARGET"));
+  EXPECT_THAT(FaultsOf(WithTolerances("{excavator1: {boom: 0.1}}")),
+              HasSubstr("'0.1' found, need {TARGET"));
+  EXPECT_THAT(FaultsOf(WithTolerances("{excavator1: {boom: {dead_band: 0.1}}}")),
               HasSubstr("'0.1' found, need {PARAMETER: HALF_WIDTH}"));
 }
 

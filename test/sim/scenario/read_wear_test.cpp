@@ -10,13 +10,14 @@ namespace {
 
 using ::testing::HasSubstr;
 
-std::string Site(const std::string& root, const std::string& machine, const std::string& obstacle) {
+std::string WornSite(const std::string& root, const std::string& machine,
+                     const std::string& obstacle) {
   return std::string(kSite) + root + kExcavator + machine +
          "obstacles: [{name: truck1, preset: 'tera:config/obstacles/truck.yaml', xy_m: [3, 3]" +
          obstacle + "}]\n";
 }
 
-Scenario Read(const std::string& text) {
+Scenario WornScenario(const std::string& text) {
   const Config config = Config::FromText(text, "s.yaml", {});
   Scenario scenario = ReadScenario(config.root());
   config.Finish();
@@ -24,22 +25,22 @@ Scenario Read(const std::string& text) {
 }
 
 TEST(ReadWear, WithoutItEverythingIsNew) {
-  const Scenario scenario = Read(Site("", "", ""));
+  const Scenario scenario = WornScenario(WornSite("", "", ""));
   EXPECT_FALSE(scenario.machines[0].wear.any());
   EXPECT_FALSE(scenario.obstacles[0].wear.any());
 }
 
 TEST(ReadWear, ThatOfTheScenarioIsOfAllAndEachMayDiffer) {
-  const Scenario scenario =
-      Read(Site("wear: {dust: 0.3, mud: 0.2}\n", "    wear: {mud: 0.7}\n", ", wear: {rust: 0.4}"));
+  const Scenario scenario = WornScenario(
+      WornSite("wear: {dust: 0.3, mud: 0.2}\n", "    wear: {mud: 0.7}\n", ", wear: {rust: 0.4}"));
   EXPECT_EQ(scenario.machines[0].wear, (Wear{.dust = 0.3, .mud = 0.7}));
   EXPECT_EQ(scenario.obstacles[0].wear, (Wear{.dust = 0.3, .mud = 0.2, .rust = 0.4}));
 }
 
 TEST(ReadWear, EveryFaultIsNamed) {
-  EXPECT_THAT(FaultsOf(Site("wear: {mud: 1.5}\n", "", "")),
+  EXPECT_THAT(FaultsOf(WornSite("wear: {mud: 1.5}\n", "", "")),
               HasSubstr("wear.mud: 1.5 is out of range"));
-  EXPECT_THAT(FaultsOf(Site("", "    wear: {dirt: 0.5}\n", "")),
+  EXPECT_THAT(FaultsOf(WornSite("", "    wear: {dirt: 0.5}\n", "")),
               HasSubstr("machines[0].wear.dirt: unknown key"));
 }
 

@@ -14,19 +14,19 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-std::string Site(const std::string& environment) {
+std::string SiteWithWeather(const std::string& environment) {
   return std::string(kSite) + "environment: {" + environment + "}\n" + kExcavator;
 }
 
-Environment Read(const std::string& environment) {
-  const Config config = Config::FromText(Site(environment), "s.yaml", {});
+Environment ReadEnvironment(const std::string& environment) {
+  const Config config = Config::FromText(SiteWithWeather(environment), "s.yaml", {});
   const Scenario scenario = ReadScenario(config.root());
   config.Finish();
   return scenario.environment;
 }
 
 TEST(ReadWeather, NothingIsCalmAndDry) {
-  const Environment environment = Read("");
+  const Environment environment = ReadEnvironment("");
   EXPECT_FALSE(environment.weather.dust);
   EXPECT_EQ(environment.weather.wind.speed_mps, 0);
   EXPECT_EQ(environment.weather.rain_mmph, 0);
@@ -35,7 +35,8 @@ TEST(ReadWeather, NothingIsCalmAndDry) {
 }
 
 TEST(ReadWeather, WindIsNamedByWhereItComesFrom) {
-  const Weather weather = Read("wind_mps: 6, wind_from_deg: 270, dust: {silt_percent: 12}").weather;
+  const Weather weather =
+      ReadEnvironment("wind_mps: 6, wind_from_deg: 270, dust: {silt_percent: 12}").weather;
   EXPECT_NEAR(weather.wind.towards_W().x(), 1, 1e-12) << "a west wind blows to the east";
   EXPECT_NEAR(weather.wind.towards_W().y(), 0, 1e-12);
   ASSERT_TRUE(weather.dust);
@@ -46,36 +47,36 @@ TEST(ReadWeather, WindIsNamedByWhereItComesFrom) {
 TEST(ReadWeather, RainTakesItsPartOfTheVisibility) {
   // 25 mm/h by Marshall and Palmer: pi 8e6 / (4100 25^-0.21)^3 = 2.77 / km, beside the 1.956 / km
   // that leave 2 % over 2 km.
-  const Environment rain = Read("rain_mmph: 25, cloud_cover: 1");
+  const Environment rain = ReadEnvironment("rain_mmph: 25, cloud_cover: 1");
   EXPECT_NEAR(rain.fog_visibility_m, std::log(50.0) / (2.77e-3 + 1.956e-3), 2);
 }
 
 TEST(ReadWeather, RefusesWeatherThatContradictsItself) {
-  EXPECT_THAT(FaultsOf(Site("rain_mmph: 5")),
+  EXPECT_THAT(FaultsOf(SiteWithWeather("rain_mmph: 5")),
               AllOf(HasSubstr("s.yaml:5:"),
                     HasSubstr("environment.rain_mmph: rain falls from a sky without cloud_cover, "
                               "which is clear; need cloud_cover of at least 0.5")));
-  EXPECT_THAT(FaultsOf(Site("rain_mmph: 5, cloud_cover: 0.2")),
+  EXPECT_THAT(FaultsOf(SiteWithWeather("rain_mmph: 5, cloud_cover: 0.2")),
               HasSubstr("environment.rain_mmph: rain falls from a sky with cloud_cover 0.2"));
-  EXPECT_THAT(FaultsOf(Site("snow_depth_m: 0.1, temperature_degc: 30")),
+  EXPECT_THAT(FaultsOf(SiteWithWeather("snow_depth_m: 0.1, temperature_degc: 30")),
               HasSubstr("environment.snow_depth_m: snow lies on the ground at 30 C"));
-  EXPECT_THAT(FaultsOf(Site("rain_mmph: 5, cloud_cover: 1, temperature_degc: -20")),
+  EXPECT_THAT(FaultsOf(SiteWithWeather("rain_mmph: 5, cloud_cover: 1, temperature_degc: -20")),
               HasSubstr("environment.rain_mmph: rain falls at -20 C"));
-  EXPECT_EQ(FaultsOf(Site("rain_mmph: 5, cloud_cover: 1, temperature_degc: 12")), "");
-  EXPECT_EQ(FaultsOf(Site("snow_depth_m: 0.1, temperature_degc: -3")), "");
+  EXPECT_EQ(FaultsOf(SiteWithWeather("rain_mmph: 5, cloud_cover: 1, temperature_degc: 12")), "");
+  EXPECT_EQ(FaultsOf(SiteWithWeather("snow_depth_m: 0.1, temperature_degc: -3")), "");
 }
 
 TEST(ReadWeather, RefusesWhatIsOutOfRange) {
-  EXPECT_THAT(FaultsOf(Site("rain_mmph: -1, cloud_cover: 1")),
+  EXPECT_THAT(FaultsOf(SiteWithWeather("rain_mmph: -1, cloud_cover: 1")),
               HasSubstr("environment.rain_mmph: -1 is out of range"));
-  EXPECT_THAT(FaultsOf(Site("wind_mps: -3")),
+  EXPECT_THAT(FaultsOf(SiteWithWeather("wind_mps: -3")),
               HasSubstr("environment.wind_mps: -3 is out of range"));
-  EXPECT_THAT(FaultsOf(Site("dust: {emission_factor: -1}")),
+  EXPECT_THAT(FaultsOf(SiteWithWeather("dust: {emission_factor: -1}")),
               HasSubstr("environment.dust.emission_factor: -1 is out of range"));
   EXPECT_THAT(
-      FaultsOf(Site("dust: {slit_percent: 3}")),
+      FaultsOf(SiteWithWeather("dust: {slit_percent: 3}")),
       HasSubstr("environment.dust.slit_percent: unknown key (did you mean 'silt_percent'?)"));
-  EXPECT_THAT(FaultsOf(Site("dust: {extent_m: 400, cell_m: 0.2}")),
+  EXPECT_THAT(FaultsOf(SiteWithWeather("dust: {extent_m: 400, cell_m: 0.2}")),
               HasSubstr("environment.dust.cell_m: 0.2 m makes"));
 }
 

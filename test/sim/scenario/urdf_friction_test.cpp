@@ -30,12 +30,12 @@ std::string Pendulum(const std::string& dynamics, const std::string& type = "con
          "</joint></robot>";
 }
 
-struct Read {
+struct FrictionRead {
   Scenario scenario;
   std::string resolved;
 };
 
-Read ReadText(const std::string& text) {
+FrictionRead ReadText(const std::string& text) {
   const Config config = Config::FromText(text, "s.yaml");
   Scenario scenario = ReadScenario(config.root());
   config.Finish();
@@ -43,8 +43,8 @@ Read ReadText(const std::string& text) {
 }
 
 /// A scenario with the URDF on a post and `effects` of its machine.
-Read WithUrdf(const std::string& urdf, const std::string& effects,
-              const std::string& start = "initial_deg: 6") {
+FrictionRead WithUrdf(const std::string& urdf, const std::string& effects,
+                      const std::string& start = "initial_deg: 6") {
   const std::string name = std::to_string(std::hash<std::string>{}(urdf)) + ".urdf";
   const std::string file = OwnFolder() / name;
   std::ofstream(file) << urdf;
@@ -111,7 +111,7 @@ TEST(UrdfFriction, IsTheEffectOfThatName) {
   const std::string both =
       "{pin: {viscous_friction: {coefficient_nmsprad: 0.9}, "
       "coulomb_friction: {effort_nm: 0.2}}}";
-  const Read urdf = WithUrdf(Pendulum(R"(<dynamics damping="0.9" friction="0.2"/>)"), "{}");
+  const FrictionRead urdf = WithUrdf(Pendulum(R"(<dynamics damping="0.9" friction="0.2"/>)"), "{}");
   const auto q_rad = Motion(urdf.scenario);
   EXPECT_EQ(q_rad, Motion(WithUrdf(Pendulum(""), both).scenario));
   EXPECT_NE(q_rad, Motion(WithUrdf(Pendulum(""), "{}").scenario));
@@ -120,7 +120,7 @@ TEST(UrdfFriction, IsTheEffectOfThatName) {
 
 TEST(UrdfFriction, EffectsLieOverIt) {
   const std::string damped = Pendulum(R"(<dynamics damping="0.9"/>)");
-  const Read more = WithUrdf(damped, "{pin: {viscous_friction: {coefficient_nmsprad: 3}}}");
+  const FrictionRead more = WithUrdf(damped, "{pin: {viscous_friction: {coefficient_nmsprad: 3}}}");
   const auto q_rad = Motion(more.scenario);
   EXPECT_EQ(q_rad, Motion(WithUrdf(Pendulum(R"(<dynamics damping="3"/>)"), "{}").scenario));
   EXPECT_EQ(q_rad, Motion(ReadText(more.resolved).scenario));
@@ -134,8 +134,8 @@ TEST(UrdfFriction, EffectsLieOverIt) {
 }
 
 TEST(UrdfFriction, NoneTakesItAwayAlsoWhenTheRunIsRepeated) {
-  const Read taken = WithUrdf(Pendulum(R"(<dynamics damping="0.9" friction="0.2"/>)"),
-                              "{pin: {viscous_friction: none, coulomb_friction: none}}");
+  const FrictionRead taken = WithUrdf(Pendulum(R"(<dynamics damping="0.9" friction="0.2"/>)"),
+                                      "{pin: {viscous_friction: none, coulomb_friction: none}}");
   const auto q_rad = Motion(taken.scenario);
   EXPECT_EQ(q_rad, Motion(WithUrdf(Pendulum(""), "{}").scenario));
   EXPECT_EQ(q_rad, Motion(ReadText(taken.resolved).scenario));

@@ -25,7 +25,7 @@ using testing::Not;
 
 const fs::path kData = "test/sim/data";
 
-Scenario Read(const fs::path& machine = kData / "backhoe_loader.yaml") {
+Scenario ReadUrdfScenario(const fs::path& machine = kData / "backhoe_loader.yaml") {
   const Config config = Config::FromText(R"(
 name: test
 duration_s: 1
@@ -51,7 +51,7 @@ const Link& LinkOf(const Scenario& scenario, const std::string& name) {
 }
 
 TEST(UrdfMachine, HasTheLeversOfItsDrivesInTheirOrder) {
-  const Scenario scenario = Read();
+  const Scenario scenario = ReadUrdfScenario();
   EXPECT_EQ(ModelOf(scenario).links.size(), 23u);
   std::vector<std::string> levers;
   for (const Lever& lever : ModelOf(scenario).levers) levers.push_back(lever.name);
@@ -82,7 +82,7 @@ std::vector<const Mesh*> Shown(const SceneModel& scene, const std::string& name)
 }
 
 TEST(UrdfMachine, ShowsBoxesBallsCylindersAndMeshesAsLargeAsTheyAre) {
-  const Scenario scenario = Read();
+  const Scenario scenario = ReadUrdfScenario();
   const SceneAssembly assembly(scenario);
   const SceneModel& scene = assembly.model();
   // A tyre of 0.9 m about its axle along y, its rim 2 cm wider.
@@ -96,7 +96,7 @@ TEST(UrdfMachine, ShowsBoxesBallsCylindersAndMeshesAsLargeAsTheyAre) {
 }
 
 TEST(UrdfMachine, SolidsAndStlFilesHaveTheColourOfTheirMaterial) {
-  const Scenario scenario = Read();
+  const Scenario scenario = ReadUrdfScenario();
   const SceneAssembly assembly(scenario);
   const auto material = [&](const std::string& link, std::size_t which) -> const Material& {
     return Shown(assembly.model(), link).at(which)->parts.at(0).material;
@@ -111,7 +111,7 @@ TEST(UrdfMachine, SolidsAndStlFilesHaveTheColourOfTheirMaterial) {
 }
 
 TEST(UrdfMachine, CollisionMeshesAreTheBoxesAroundThem) {
-  const Scenario scenario = Read();
+  const Scenario scenario = ReadUrdfScenario();
   const Link& bucket = LinkOf(scenario, "loader_bucket");
   ASSERT_EQ(bucket.collision.size(), 1u);
   EXPECT_TRUE(bucket.collision[0].size_m.isApprox(Vec3(0.7, 2.2, 0.6), 1e-6));
@@ -136,7 +136,7 @@ class Constant : public Operator {
 };
 
 TEST(UrdfMachine, MovesByItsLeversWithinItsLimits) {
-  Scenario scenario = Read();
+  Scenario scenario = ReadUrdfScenario();
   Operators operators;
   operators.push_back(std::make_unique<Constant>(0.5));
   Simulation simulation(scenario, std::move(operators));
@@ -192,7 +192,7 @@ std::string FaultsWith(const std::string& passage, const std::string& by) {
   text.replace(at, passage.size(), by);
   std::ofstream(folder / "backhoe_loader.urdf") << text;
   try {
-    Read(folder / "backhoe_loader.yaml");
+    ReadUrdfScenario(folder / "backhoe_loader.yaml");
   } catch (const InputError& e) {
     return e.what();
   }
@@ -246,7 +246,7 @@ TEST(UrdfMachine, MirroredMeshesAreShownMirrored) {
   }
   std::ofstream(folder / "corners.urdf") << urdf << "</robot>";
   std::ofstream(folder / "corners.yaml") << "kind: r\nfixed_base: true\nurdf: corners.urdf\n";
-  const Scenario scenario = Read(folder / "corners.yaml");
+  const Scenario scenario = ReadUrdfScenario(folder / "corners.yaml");
   const SceneAssembly assembly(scenario);
   for (const SceneNode& node : assembly.model().nodes) {
     EXPECT_NEAR(node.X_BG.linear().determinant(), 1, 1e-9);  // a pose cannot mirror

@@ -12,7 +12,7 @@ namespace {
 using testing_soil::kStep_s;
 using testing_soil::LevelColumns;
 
-SoilType Sand() {
+SoilType GrainsSand() {
   SoilType sand;
   sand.bank_density_kgpm3 = 1500;
   sand.max_density_kgpm3 = 1800;
@@ -41,8 +41,8 @@ Vec2 CentreOfGain(const Columns& ground) {
 }
 
 TEST(Grains, AClodFallsAsGalileoSaysAndSlidesAsFarAsFrictionLetsIt) {
-  Columns ground = LevelColumns(Sand(), 0.05, 201);
-  Grains grains({Sand()}, 1);
+  Columns ground = LevelColumns(GrainsSand(), 0.05, 201);
+  Grains grains({GrainsSand()}, 1);
   // Many at once: their scatter of 0.15 m/s averages out.
   SpoilMix spoil;
   spoil.Add({13, 0.01, 0, 0});
@@ -57,8 +57,8 @@ TEST(Grains, AClodFallsAsGalileoSaysAndSlidesAsFarAsFrictionLetsIt) {
 }
 
 TEST(Grains, ASlidingClodStopsAfterItsBrakingDistance) {
-  Columns ground = LevelColumns(Sand(), 0.05, 201);
-  Grains grains({Sand()}, 1);
+  Columns ground = LevelColumns(GrainsSand(), 0.05, 201);
+  Grains grains({GrainsSand()}, 1);
   SpoilMix spoil;
   spoil.Add({13, 0.01, 0, 0});
   grains.Pour(spoil, Vec3(-2, 0, 0), Vec3(-2, 0, 0), Vec3(3, 0, 0), &ground);
@@ -77,8 +77,8 @@ TEST(Grains, OnASlopeSteeperThanFrictionTheyGoDownAndOnAGentlerOneTheyStay) {
         plan.base_height_m.push_back(2.5 * a * std::tan(slope_deg * kDeg));
     }
     plan.profiles.push_back(GroundProfile({{1e9, 0, 0, 1500}}));
-    Columns ground(plan, {Sand()});
-    Grains grains({Sand()}, 1);
+    Columns ground(plan, {GrainsSand()});
+    Grains grains({GrainsSand()}, 1);
     const Vec3 p(2, 0, ground.HeightAt(2, 0));
     grains.Pour(OneClod(), p, p, Vec3::Zero(), &ground);
     for (int k = 0; grains.count() > 0 && k < 5000; ++k) grains.Step(kStep_s, &ground);
@@ -97,8 +97,8 @@ TEST(Grains, OnASlopeSteeperThanFrictionTheyGoDownAndOnAGentlerOneTheyStay) {
 }
 
 TEST(Grains, ThereAreNeverMoreThanTheMostAndNoMassIsLost) {
-  Columns ground = LevelColumns(Sand(), 0.05, 201);
-  Grains grains({Sand()}, 1);
+  Columns ground = LevelColumns(GrainsSand(), 0.05, 201);
+  Grains grains({GrainsSand()}, 1);
   double poured_kg = 0;
   for (int k = 0; k < 100; ++k) {
     SpoilMix spoil;
@@ -115,8 +115,8 @@ TEST(Grains, ThereAreNeverMoreThanTheMostAndNoMassIsLost) {
 }
 
 TEST(Grains, SoilOverTheBorderLeavesTheSite) {
-  Columns ground = LevelColumns(Sand(), 0.05, 41);
-  Grains grains({Sand()}, 1);
+  Columns ground = LevelColumns(GrainsSand(), 0.05, 41);
+  Grains grains({GrainsSand()}, 1);
   grains.Pour(OneClod(), Vec3(5, 0, 1), Vec3(5, 0, 1), Vec3::Zero(), &ground);
   for (int k = 0; k < 2000; ++k) grains.Step(kStep_s, &ground);
   EXPECT_EQ(ground.GroundGain().net_kg, 0);

@@ -17,7 +17,7 @@ using testing_soil::FolderTest;
 
 class MapRasterTest : public FolderTest {};
 
-constexpr SiteOrigin kQuebec{46.81, -71.21, 87.5};
+constexpr SiteOrigin kMapRasterQuebec{46.81, -71.21, 87.5};
 
 /// 12 x 8 m at 10 cm, that rises towards one side by 5 deg: 121 x 81 columns.
 Columns Slope() {
@@ -27,8 +27,8 @@ Columns Slope() {
 
 TEST_F(MapRasterTest, HeightsComeBackAsTheyStandInTheWorld) {
   const Columns ground = Slope();
-  WriteGroundRaster(File("height.tif"), ground, GroundRaster::kHeight, kQuebec, 1);
-  const SiteMap map = ReadSiteHeights(File("height.tif"), kQuebec, 200);
+  WriteGroundRaster(File("height.tif"), ground, GroundRaster::kHeight, kMapRasterQuebec, 1);
+  const SiteMap map = ReadSiteHeights(File("height.tif"), kMapRasterQuebec, 200);
   ASSERT_EQ(map.nx, 121);
   ASSERT_EQ(map.ny, 81);
   EXPECT_NEAR(map.square_m, 0.1, 1e-12);
@@ -43,8 +43,8 @@ TEST_F(MapRasterTest, HeightsComeBackAsTheyStandInTheWorld) {
 
 TEST_F(MapRasterTest, OfTooManyPixelsSquaresHoldTheMean) {
   const Columns ground = Slope();
-  WriteGroundRaster(File("height.tif"), ground, GroundRaster::kHeight, kQuebec, 1);
-  const SiteMap map = ReadSiteHeights(File("height.tif"), kQuebec, 61);
+  WriteGroundRaster(File("height.tif"), ground, GroundRaster::kHeight, kMapRasterQuebec, 1);
+  const SiteMap map = ReadSiteHeights(File("height.tif"), kMapRasterQuebec, 61);
   ASSERT_EQ(map.nx, 60);  // 121 columns make 60 squares of two
   ASSERT_EQ(map.ny, 40);
   EXPECT_NEAR(map.square_m, 0.2, 1e-12);
@@ -56,16 +56,16 @@ TEST_F(MapRasterTest, OfTooManyPixelsSquaresHoldTheMean) {
 }
 
 TEST_F(MapRasterTest, AnotherProjectionOrNoRasterIsRefused) {
-  WriteGroundRaster(File("height.tif"), Slope(), GroundRaster::kHeight, kQuebec, 1);
-  SiteOrigin other = kQuebec;
+  WriteGroundRaster(File("height.tif"), Slope(), GroundRaster::kHeight, kMapRasterQuebec, 1);
+  SiteOrigin other = kMapRasterQuebec;
   other.lon_deg += 0.001;
   EXPECT_THAT([&] { ReadSiteMap(File("height.tif"), other, 100); },
               ThrowsMessage<InputError>(HasSubstr("is in another projection")));
-  EXPECT_THAT([&] { ReadSiteMap(File("none.tif"), kQuebec, 100); },
+  EXPECT_THAT([&] { ReadSiteMap(File("none.tif"), kMapRasterQuebec, 100); },
               ThrowsMessage<InputError>(HasSubstr("none.tif: not readable as a GeoTIFF")));
   testing_soil::WriteUtmRaster(File("bare.tif"), {{1, 2}, {3, 4}}, 1, {0, 0}, GDT_Byte,
                                /*referenced=*/false);
-  EXPECT_THAT([&] { ReadSiteMap(File("bare.tif"), kQuebec, 100); },
+  EXPECT_THAT([&] { ReadSiteMap(File("bare.tif"), kMapRasterQuebec, 100); },
               ThrowsMessage<InputError>(HasSubstr("bare.tif: has no projection")));
 }
 

@@ -21,11 +21,11 @@ Shovel Box() {
   return box;
 }
 
-constexpr double kYaw_rad = 0.4;
-constexpr double kLong_s = 1e3;  ///< of travel at any speed: the soil has failed
+constexpr double kShovelWallsYaw_rad = 0.4;
+constexpr double kShovelWallsLong_s = 1e3;  ///< of travel at any speed: the soil has failed
 constexpr double kGround_m = 2.0;
-const Vec3 kAhead_W(std::cos(kYaw_rad), std::sin(kYaw_rad), 0);
-const Vec3 kLeft_W(-std::sin(kYaw_rad), std::cos(kYaw_rad), 0);
+const Vec3 kShovelWallsAhead_W(std::cos(kShovelWallsYaw_rad), std::sin(kShovelWallsYaw_rad), 0);
+const Vec3 kLeft_W(-std::sin(kShovelWallsYaw_rad), std::cos(kShovelWallsYaw_rad), 0);
 
 /// Force on a shovel whose origin lies `depth_m` below level ground, once soil has failed.
 Vec3 Force_n(const Shovel& shovel, const SoilType& soil, double depth_m, const Vec3& v_W_mps,
@@ -33,10 +33,10 @@ Vec3 Force_n(const Shovel& shovel, const SoilType& soil, double depth_m, const V
   Columns ground = LevelColumns(soil, 0.1, 101, kGround_m);
   ShovelWalls walls(shovel, {soil});
   BodyState body;
-  body.X_WB =
-      MakePose(Vec3(-1.0, -0.3, kGround_m - depth_m), RotationFromRpy(0, pitch_rad, kYaw_rad));
+  body.X_WB = MakePose(Vec3(-1.0, -0.3, kGround_m - depth_m),
+                       RotationFromRpy(0, pitch_rad, kShovelWallsYaw_rad));
   body.v_WB_mps = v_W_mps;
-  return walls.Act(ShovelShape(shovel), body, kLong_s, {soil}, &ground).force_W_n;
+  return walls.Act(ShovelShape(shovel), body, kShovelWallsLong_s, {soil}, &ground).force_W_n;
 }
 
 TEST(ShovelWalls, ASideWallPushedSidewaysMeetsRankinesPassivePressure) {
@@ -56,11 +56,13 @@ TEST(ShovelWalls, ASideWallPushedSidewaysMeetsRankinesPassivePressure) {
 TEST(ShovelWalls, TheBackPushesSoilBehindItAndIsNotHeldFromBehind) {
   const double force_n = 3 * 1500 * 9.81 * 0.4 * 0.4 / 2 * 0.6;  // over the width
   // A narrow wedge: the shear on its ends is a third of that.
-  EXPECT_NEAR(Force_n(Box(), SandOf30Deg(), 0.4, -1e-3 * kAhead_W).dot(kAhead_W) / force_n, 1.2,
-              0.2);
+  EXPECT_NEAR(
+      Force_n(Box(), SandOf30Deg(), 0.4, -1e-3 * kShovelWallsAhead_W).dot(kShovelWallsAhead_W) /
+          force_n,
+      1.2, 0.2);
   Shovel blade = Box();  // without a rim
   blade.capacity_m3 = 0;
-  EXPECT_LT(Force_n(blade, SandOf30Deg(), 0.4, 1e-3 * kAhead_W).norm(), 1e-6);
+  EXPECT_LT(Force_n(blade, SandOf30Deg(), 0.4, 1e-3 * kShovelWallsAhead_W).norm(), 1e-6);
 }
 
 TEST(ShovelWalls, TheRimOfAMouthThatLooksDownIsPushedInLikeAThinEdge) {

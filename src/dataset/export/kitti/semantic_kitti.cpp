@@ -114,7 +114,7 @@ std::string CalibrationText(const Pose& X_SC) {
   return text + "Tr: " + PoseText(X_SC.inverse()) + "\n";
 }
 
-fs::path Made(const fs::path& folder) {
+fs::path MadeFolder(const fs::path& folder) {
   MakeFolder(folder);
   return folder;
 }
@@ -132,7 +132,8 @@ void ExportSemanticKitti(ExportJob* job) {
   const PoseTrack X_WS = SensorTrack(job, lidar).X_WS;
   const Pose X_SC = OpticalAxesInSensor();
   const fs::path sequence = job->folder / "sequences/00";
-  const fs::path velodyne = Made(sequence / "velodyne"), labels = Made(sequence / "labels");
+  const fs::path velodyne = MadeFolder(sequence / "velodyne"),
+                 labels = MadeFolder(sequence / "labels");
   CheckedFile poses(sequence / "poses.txt"), times(sequence / "times.txt");
   ClassCounts counts{};
   InOrder<WrittenScan> scans(job->options.threads, [&](const WrittenScan& scan) {

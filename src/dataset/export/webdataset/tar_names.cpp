@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-constexpr std::uintmax_t kBlockBytes = 512;
+constexpr std::uintmax_t kTarBlockBytes = 512;
 constexpr std::size_t kNameBytes = 100, kSizeAt = 124, kSizeDigits = 11, kMagicAt = 257;
 
 std::string_view Trimmed(std::string_view field) { return field.substr(0, field.find('\0')); }
@@ -20,7 +20,7 @@ std::optional<std::uintmax_t> BlocksOf(std::string_view header) {
   const char* const first = header.data() + kSizeAt;
   const auto [end, error] = std::from_chars(first, first + kSizeDigits, bytes, 8);
   if (error != std::errc() || end != first + kSizeDigits) return std::nullopt;
-  return (bytes + kBlockBytes - 1) / kBlockBytes;
+  return (bytes + kTarBlockBytes - 1) / kTarBlockBytes;
 }
 
 }  // namespace
@@ -29,13 +29,14 @@ std::optional<std::vector<std::string>> NamesInTar(const std::filesystem::path& 
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(archive, error);
   std::ifstream file(archive, std::ios::binary);
-  if (error || !file || size % kBlockBytes != 0) return std::nullopt;
+  if (error || !file || size % kTarBlockBytes != 0) return std::nullopt;
   std::vector<std::string> names;
-  std::string header(kBlockBytes, '\0');
-  const std::uintmax_t blocks = size / kBlockBytes;
+  std::string header(kTarBlockBytes, '\0');
+  const std::uintmax_t blocks = size / kTarBlockBytes;
   for (std::uintmax_t block = 0; block + 2 <= blocks;) {
-    file.seekg(static_cast<std::streamoff>(block * kBlockBytes));
-    if (!file.read(header.data(), static_cast<std::streamsize>(kBlockBytes))) return std::nullopt;
+    file.seekg(static_cast<std::streamoff>(block * kTarBlockBytes));
+    if (!file.read(header.data(), static_cast<std::streamsize>(kTarBlockBytes)))
+      return std::nullopt;
     const bool is_end = std::all_of(header.begin(), header.end(), [](char c) { return c == 0; });
     if (is_end && block + 2 == blocks) return names;
     const auto of_file = BlocksOf(header);

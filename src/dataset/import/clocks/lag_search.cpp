@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoMean = std::numeric_limits<float>::quiet_NaN();
 constexpr double kCoarseStep_s = 0.1, kCoarseAverage_s = 0.2;
 constexpr double kShortestSegment_s = 20;
 /// Of the values that a segment could have; with fewer it tells nothing.
@@ -26,7 +26,7 @@ std::vector<float> Averaged(const std::vector<float>& values, std::size_t half) 
     sums[k + 1] = sums[k] + (is_there ? values[k] : 0.0);
     counts[k + 1] = counts[k] + (is_there ? 1 : 0);
   }
-  std::vector<float> means(values.size(), kNothing);
+  std::vector<float> means(values.size(), kNoMean);
   for (std::size_t k = half; k + half < values.size(); ++k) {
     const std::size_t count = counts[k + half + 1] - counts[k - half];
     if (2 * count > 2 * half + 1) {
@@ -126,7 +126,7 @@ double SmoothSeries::last_s() const {
 
 float SmoothSeries::At(double t_s) const {
   const double place = (t_s - first_s_) / step_s_;
-  if (!(place >= 0) || place > static_cast<double>(values_.size() - 1)) return kNothing;
+  if (!(place >= 0) || place > static_cast<double>(values_.size() - 1)) return kNoMean;
   const auto before = std::min(static_cast<std::size_t>(place), values_.size() - 2);
   const auto share = static_cast<float>(place - static_cast<double>(before));
   return values_[before] + share * (values_[before + 1] - values_[before]);

@@ -29,9 +29,9 @@ struct Header {
   std::size_t body = 0;  ///< where the points begin
 };
 
-class HeaderReader {
+class PcdHeaderReader {
  public:
-  HeaderReader(const std::filesystem::path& file, std::string_view bytes)
+  PcdHeaderReader(const std::filesystem::path& file, std::string_view bytes)
       : file_(file), bytes_(bytes) {}
 
   Header Read() {
@@ -244,7 +244,7 @@ void ReadAscii(const std::filesystem::path& file, const Header& header, std::str
 }  // namespace
 
 PointCloud ParsePcd(const std::filesystem::path& file, std::string_view bytes) {
-  const Header header = HeaderReader(file, bytes).Read();
+  const Header header = PcdHeaderReader(file, bytes).Read();
   const std::string_view body = bytes.substr(header.body);
   PointCloud cloud;
   if (header.data == "binary") {

@@ -70,9 +70,9 @@ struct Vertices {
   std::size_t body = 0;  ///< where they begin in the file
 };
 
-class HeaderReader {
+class PlyHeaderReader {
  public:
-  HeaderReader(const std::filesystem::path& file, std::string_view bytes)
+  PlyHeaderReader(const std::filesystem::path& file, std::string_view bytes)
       : file_(file), bytes_(bytes) {}
 
   Vertices Read() {
@@ -198,7 +198,7 @@ void ReadAscii(const std::filesystem::path& file, const Vertices& vertices, std:
 }  // namespace
 
 PointCloud ParsePly(const std::filesystem::path& file, std::string_view bytes) {
-  const Vertices vertices = HeaderReader(file, bytes).Read();
+  const Vertices vertices = PlyHeaderReader(file, bytes).Read();
   const std::string_view body = bytes.substr(vertices.body);
   PointCloud cloud;
   if (vertices.form == "ascii") {

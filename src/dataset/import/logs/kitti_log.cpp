@@ -16,7 +16,7 @@ namespace tera {
 namespace {
 
 /// In the order of dataformat.txt.
-constexpr std::array<const char*, 30> kFields = {
+constexpr std::array<const char*, 30> kOxtsFields = {
     "lat",          "lon",     "alt",     "roll",    "pitch",   "yaw",    "vn", "ve",
     "vf",           "vl",      "vu",      "ax",      "ay",      "az",     "af", "al",
     "au",           "wx",      "wy",      "wz",      "wf",      "wl",     "wu", "pos_accuracy",
@@ -24,7 +24,7 @@ constexpr std::array<const char*, 30> kFields = {
 constexpr std::size_t kLat = 0, kLon = 1, kAlt = 2, kRoll = 3, kPitch = 4, kYaw = 5;
 
 /// "2011-09-26 13:02:25.964389445".
-std::optional<TimeNs> TimeOf(std::string_view text) {
+std::optional<TimeNs> OxtsTime(std::string_view text) {
   constexpr std::size_t kDate = 10;
   if (text.size() <= kDate || text[kDate] != ' ') return std::nullopt;
   const auto day_ns = DateOfText(text.substr(0, kDate));
@@ -58,7 +58,7 @@ std::vector<NumberTable::Cell> PoseOf(const std::vector<double>& v, const Geodet
 
 std::unique_ptr<const RowTable> ReadKittiLog(const std::filesystem::path& timestamps,
                                              LeftOutRows* left_out) {
-  std::vector<std::string> columns(kFields.begin(), kFields.end());
+  std::vector<std::string> columns(kOxtsFields.begin(), kOxtsFields.end());
   columns.insert(columns.end(), {"x", "y", "z", "qw", "qx", "qy", "qz"});
   auto table = std::make_unique<NumberTable>(timestamps, columns);
   std::optional<GeodeticPlace> origin;
@@ -67,7 +67,7 @@ std::unique_ptr<const RowTable> ReadKittiLog(const std::filesystem::path& timest
     if (line.empty()) continue;
     const std::filesystem::path file =
         timestamps.parent_path() / "data" / fmt::format("{:010}.txt", lines.number() - 1);
-    const auto t_ns = TimeOf(line);
+    const auto t_ns = OxtsTime(line);
     if (!t_ns) {
       lines.Fault(fmt::format("'{}' is no time", line), left_out);
       continue;
@@ -75,16 +75,16 @@ std::unique_ptr<const RowTable> ReadKittiLog(const std::filesystem::path& timest
     std::error_code ignored;
     const bool is_there = std::filesystem::is_regular_file(file, ignored);
     const std::vector<double> values = is_there ? NumbersOf(file) : std::vector<double>();
-    if (values.size() != kFields.size()) {
+    if (values.size() != kOxtsFields.size()) {
       lines.Fault(fmt::format("{} {}, need {} numbers", file.string(),
                               is_there ? fmt::format("has {}", values.size()) : "is not there",
-                              kFields.size()),
+                              kOxtsFields.size()),
                   left_out);
       continue;
     }
     if (!origin) origin = GeodeticPlace{values[kLat] * kDeg, values[kLon] * kDeg, values[kAlt]};
     std::vector<NumberTable::Cell> cells = PoseOf(values, *origin);
-    for (std::size_t k = 0; k < values.size(); ++k) cells.push_back({kFields[k], values[k]});
+    for (std::size_t k = 0; k < values.size(); ++k) cells.push_back({kOxtsFields[k], values[k]});
     table->AddRow(lines.number(), *t_ns, cells);
   }
   return table;

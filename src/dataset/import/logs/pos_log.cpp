@@ -13,9 +13,9 @@ namespace tera {
 namespace {
 
 /// Behind the two fields of the time, in order.
-constexpr std::array<const char*, 13> kFields = {"latitude", "longitude", "height", "Q",    "ns",
-                                                 "sdn",      "sde",       "sdu",    "sdne", "sdeu",
-                                                 "sdun",     "age",       "ratio"};
+constexpr std::array<const char*, 13> kSolutionFields = {
+    "latitude", "longitude", "height", "Q",    "ns",  "sdn",  "sde",
+    "sdu",      "sdne",      "sdeu",   "sdun", "age", "ratio"};
 constexpr std::size_t kTimeFields = 2, kNeeded = kTimeFields + 8;  // up to sdu
 
 enum class TimeSystem { kUtc, kGps, kJapan };
@@ -87,14 +87,14 @@ void AddSolution(const std::vector<std::string_view>& fields, TimeSystem system,
     return;
   }
   std::vector<NumberTable::Cell> cells;
-  for (std::size_t f = 0; f < kFields.size() && kTimeFields + f < fields.size(); ++f) {
+  for (std::size_t f = 0; f < kSolutionFields.size() && kTimeFields + f < fields.size(); ++f) {
     const std::string_view text = fields[kTimeFields + f];
     const auto value = WholeNumber(text);
     if (!value) {
-      lines.Fault(fmt::format("{} is '{}', need a number", kFields[f], text), left_out);
+      lines.Fault(fmt::format("{} is '{}', need a number", kSolutionFields[f], text), left_out);
       return;
     }
-    cells.push_back({kFields[f], *value});
+    cells.push_back({kSolutionFields[f], *value});
   }
   constexpr std::size_t kQ = 3, kSdn = 5, kSde = 6, kSdu = 7;
   const auto squared = [&](std::size_t k) { return cells[k].value * cells[k].value; };
@@ -109,7 +109,7 @@ void AddSolution(const std::vector<std::string_view>& fields, TimeSystem system,
 
 std::unique_ptr<const RowTable> ReadPosLog(const std::filesystem::path& file,
                                            LeftOutRows* left_out) {
-  std::vector<std::string> columns(kFields.begin(), kFields.end());
+  std::vector<std::string> columns(kSolutionFields.begin(), kSolutionFields.end());
   columns.insert(columns.end(), {"fix", "var_n", "var_e", "var_u"});
   auto table = std::make_unique<NumberTable>(file, columns);
   std::optional<TimeSystem> system;

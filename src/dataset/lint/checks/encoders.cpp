@@ -16,7 +16,7 @@ namespace {
 
 /// Encoders resolve a tenth of a degree and tenths of a millimetre; what their rates' noise adds
 /// over a window lies below that.
-constexpr double kAngleFloor_rad = 0.02, kTravelFloor_m = 0.005;
+constexpr double kJointFloor_rad = 0.02, kTravelFloor_m = 0.005;
 /// Ten revolutions at the first row, or a wheel of a metre at 100 m/s: no joint of a machine.
 constexpr double kMostFirstAngle_rad = 20 * kPi, kMostRate_radps = 100;
 /// A zero position that is off by 10 degrees, or 10 cm, is one that nobody has set.
@@ -40,7 +40,7 @@ std::vector<Joint> JointsOf(const ScannedTable& table) {
 
 void CheckRates(LintJob* job, const std::string& channel, const ScannedTable& table,
                 const Joint& joint) {
-  ChangeVote vote(joint.linear ? kTravelFloor_m : kAngleFloor_rad);
+  ChangeVote vote(joint.linear ? kTravelFloor_m : kJointFloor_rad);
   for (const RowWindow& window : WindowsOf(table.rows)) {
     job->Applies("encoders.rates");
     double integral = 0;

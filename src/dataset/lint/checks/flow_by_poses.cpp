@@ -19,7 +19,7 @@ namespace {
 
 /// Pictures of a camera that are compared, spread over the recording, and every how many pixels of
 /// a row and of a column: a wrong sign, order or pose shows everywhere.
-constexpr std::size_t kMostPictures = 20;
+constexpr std::size_t kMostFlowPictures = 20;
 constexpr int kPixelStep = 5;
 /// Flow is rounded to 1/64 px and distance to 1 mm; poses are recorded at another rate than
 /// pictures are taken and are interpolated, which at 1 rad/s^2 and 50 Hz is a tenth of a pixel.
@@ -90,13 +90,13 @@ bool HasFolders(const LintJob& job, const std::string& camera) {
   return has("flow_to_previous") && has("distance") && has("instance") && has("semantic");
 }
 
-void CheckCamera(LintJob* job, const std::string& camera) {
+void CheckFlowOf(LintJob* job, const std::string& camera) {
   const std::optional<SensorSheet> sheet = job->SheetOf(camera);
   if (!sheet || !sheet->lens || !IsProjectable(*sheet->lens) || !HasFolders(*job, camera)) return;
   const std::optional<SensorPoses> sensor = FindSensorPoses(*job, camera);
   if (!sensor || sensor->of_root) return;
   const std::vector<FrameRow> frames = FramesOf(*job, camera);
-  const std::size_t step = frames.size() / kMostPictures + 1;
+  const std::size_t step = frames.size() / kMostFlowPictures + 1;
   FlowAgreement agreement;
   for (std::size_t i = 1; i < frames.size(); i += step) {
     const auto X_WS = PoseAt(sensor->poses, frames[i].t_ns);
@@ -119,7 +119,7 @@ void CheckCamera(LintJob* job, const std::string& camera) {
 
 void CheckFlowByPoses(LintJob* job) {
   for (const std::string& camera : job->recording().SensorsOf(ChannelForm::kPictures)) {
-    job->Try(camera, [&] { CheckCamera(job, camera); });
+    job->Try(camera, [&] { CheckFlowOf(job, camera); });
   }
 }
 

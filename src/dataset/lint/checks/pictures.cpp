@@ -61,7 +61,7 @@ void ReadOne(LintJob* job, const PictureSet& set, const FrameFolder& folder, Pic
   }
 }
 
-void CheckCamera(LintJob* job, const std::string& camera) {
+void CheckPicturesOf(LintJob* job, const std::string& camera) {
   const std::vector<FrameRow> frames = FramesOf(*job, camera);
   const std::vector<FrameFolder> folders = UsedPictureFolders(*job, camera);
   const std::optional<SensorSheet> sheet = job->SheetOf(camera);
@@ -112,7 +112,7 @@ PictureSet ReadPictures(LintJob* job, const std::string& camera, const FrameRow&
 void CheckCameras(LintJob* job) {
   const std::vector<std::string> cameras = job->recording().SensorsOf(ChannelForm::kPictures);
   for (const std::string& camera : cameras) {
-    job->Try(camera, [&] { CheckCamera(job, camera); });
+    job->Try(camera, [&] { CheckPicturesOf(job, camera); });
   }
 }
 

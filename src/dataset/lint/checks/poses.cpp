@@ -9,8 +9,6 @@
 namespace tera {
 namespace {
 
-/// As the reader of recordings has it: the digits of single precision.
-constexpr double kQuaternionTolerance = 1e-5;
 /// Contact moves a machine by steps that its velocity, a mean of the steps beside a row, does not
 /// tell; they stay far below these.
 constexpr double kPositionFloor_m = 0.03, kAngleFloor_rad = 0.02;

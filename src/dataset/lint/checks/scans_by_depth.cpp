@@ -24,7 +24,7 @@ namespace {
 constexpr TimeNs kSameTime_ns = 50'000'000;
 /// So many pictures of a pair of sensors, spread over the recording: a wrong mount or unit shows in
 /// each of them.
-constexpr std::size_t kMostPictures = 20;
+constexpr std::size_t kMostDepthPictures = 20;
 /// Noise of stereo cameras and of lidars, and edges; parallax and the time between them put some
 /// points off by more, most of them not.
 constexpr double kTolerance_m = 0.15, kToleranceShare = 0.05, kLeastAgreeing = 0.5;
@@ -110,7 +110,7 @@ std::vector<FrameRow> ScansAt(const std::vector<FrameRow>& scans, TimeNs picture
 void ComparePair(LintJob* job, const Pair& pair) {
   const std::vector<FrameRow> pictures = FramesOf(*job, pair.camera);
   const std::vector<FrameRow> scans = FramesOf(*job, pair.lidar);
-  const std::size_t step = pictures.size() / kMostPictures + 1;
+  const std::size_t step = pictures.size() / kMostDepthPictures + 1;
   Agreement agreement;
   for (std::size_t i = 0; i < pictures.size(); i += step) {
     Image<std::uint16_t> picture;

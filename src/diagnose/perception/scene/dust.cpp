@@ -18,7 +18,7 @@ namespace {
 constexpr double kLeastBeforeSurface_m = 0.5, kLeastOverGround_m = 0.3;
 constexpr double kVoxel_m = 0.5;
 constexpr double kStep_m = 0.5 * kVoxel_m;      ///< along a ray that is followed through voxels
-constexpr int kReach = 2;                       ///< voxels between members of a cloud
+constexpr int kCloudReach = 2;                  ///< voxels between members of a cloud
 constexpr std::size_t kFewestReturns = 40;      ///< of a cloud
 constexpr std::size_t kFewestOfCubicMetre = 6;  ///< returns whose scatter is known
 constexpr std::size_t kMostParts = 8;           ///< of a recording, looked at alone
@@ -43,7 +43,7 @@ struct AirReturn {
 };
 
 /// Rays that came to a cloud in one block of time.
-struct RayCount {
+struct CloudRays {
   double stopped = 0, passed = 0;
   double share() const { return stopped / (stopped + passed); }
 };
@@ -93,9 +93,9 @@ std::map<Voxel, int> Clouds(const std::vector<AirReturn>& air_returns, int* coun
     while (!open.empty()) {
       const Voxel at = open.back();
       open.pop_back();
-      for (int a = -kReach; a <= kReach; ++a) {
-        for (int b = -kReach; b <= kReach; ++b) {
-          for (int c = -kReach; c <= kReach; ++c) {
+      for (int a = -kCloudReach; a <= kCloudReach; ++a) {
+        for (int b = -kCloudReach; b <= kCloudReach; ++b) {
+          for (int c = -kCloudReach; c <= kCloudReach; ++c) {
             const auto next = cloud.find({at[0] + a, at[1] + b, at[2] + c});
             if (next == cloud.end() || next->second >= 0) continue;
             next->second = *count;
@@ -110,14 +110,14 @@ std::map<Voxel, int> Clouds(const std::vector<AirReturn>& air_returns, int* coun
 }
 
 /// What is known of one cloud.
-struct Tally {
-  std::map<std::size_t, RayCount> blocks;
+struct CloudTally {
+  std::map<std::size_t, CloudRays> blocks;
   std::vector<const AirReturn*> air_returns;
 };
 
 /// Counts a ray once for each cloud that it went through and did not end in.
 void CountPassingRays(const std::vector<MeasuredRay>& rays, const ScanSplit& split,
-                      const std::map<Voxel, int>& cloud, std::vector<Tally>* tallies) {
+                      const std::map<Voxel, int>& cloud, std::vector<CloudTally>* tallies) {
   for (const MeasuredRay& ray : rays) {
     std::vector<int> met;
     for (double r = kStep_m; r < ray.length_m - kVoxel_m; r += kStep_m) {
@@ -180,7 +180,7 @@ Window PresentIn(const Shares& seen, double least) {
 }
 
 /// Times at which more than `least` of a block's rays ended in the cloud; none if that is always.
-void AddIntervals(const RangeSource& source, const ScanSplit& split, const Tally& tally,
+void AddIntervals(const RangeSource& source, const ScanSplit& split, const CloudTally& tally,
                   double least, DustCloud* cloud) {
   bool open = false, always = true;
   for (std::size_t s = 0; s < source.scans.size(); ++s) {
@@ -216,7 +216,7 @@ double ThicknessOf(const std::vector<const AirReturn*>& air_returns) {
   return thickness_m.empty() ? 0 : Median(thickness_m);
 }
 
-DustCloud CloudOf(const RangeSource& source, const ScanSplit& split, const Tally& tally) {
+DustCloud CloudOf(const RangeSource& source, const ScanSplit& split, const CloudTally& tally) {
   DustCloud cloud;
   cloud.returns = tally.air_returns.size();
   cloud.low_W_m = cloud.high_W_m = tally.air_returns.front()->p_W_m;
@@ -240,7 +240,7 @@ DustCloud CloudOf(const RangeSource& source, const ScanSplit& split, const Tally
   const double least = kLeastPresent * Quantile(SharesIn(seen, best), 0.9);
   const Window present = PresentIn(seen, least);
   cloud.p_confirmed = kMoreThanRare.P(SharesIn(held_out, present));
-  RayCount while_there;
+  CloudRays while_there;
   for (const auto& [block, count] : tally.blocks) {
     if (!present.Has(block)) continue;
     while_there.stopped += count.stopped;
@@ -264,9 +264,9 @@ Dust FindDust(const RangeSource& source, const ScanSplit& split,
   if (air_returns.size() < kFewestReturns) return dust;
   int count = 0;
   std::map<Voxel, int> cloud = Clouds(air_returns, &count);
-  std::vector<Tally> tallies(static_cast<std::size_t>(count));
+  std::vector<CloudTally> tallies(static_cast<std::size_t>(count));
   for (const AirReturn& air_return : air_returns) {
-    Tally& tally = tallies[static_cast<std::size_t>(cloud.at(VoxelAt(air_return.p_W_m)))];
+    CloudTally& tally = tallies[static_cast<std::size_t>(cloud.at(VoxelAt(air_return.p_W_m)))];
     tally.air_returns.push_back(&air_return);
     tally.blocks[split.block[air_return.scan]].stopped += 1;
   }
@@ -274,12 +274,11 @@ Dust FindDust(const RangeSource& source, const ScanSplit& split,
     return tallies[static_cast<std::size_t>(voxel.second)].air_returns.size() < kFewestReturns;
   });
   if (cloud.empty()) return dust;
-  const auto large =
-      static_cast<double>(std::count_if(tallies.begin(), tallies.end(), [](const Tally& tally) {
-        return tally.air_returns.size() >= kFewestReturns;
-      }));
+  const auto large = static_cast<double>(std::count_if(
+      tallies.begin(), tallies.end(),
+      [](const CloudTally& tally) { return tally.air_returns.size() >= kFewestReturns; }));
   CountPassingRays(rays, split, cloud, &tallies);
-  for (const Tally& tally : tallies) {
+  for (const CloudTally& tally : tallies) {
     if (tally.air_returns.size() < kFewestReturns) continue;
     const DustCloud one = CloudOf(source, split, tally);
     const bool is_chosen = one.p_chosen <= kChosenP / large;

@@ -10,7 +10,7 @@ using Json = OrderedJson;
 using Kind = CauseInRecording::Kind;
 
 /// Raised when a key changes its name or meaning.
-constexpr int kFormat = 1;
+constexpr int kRecordingsFormat = 1;
 
 std::string_view NameOf(Kind kind) {
   switch (kind) {
@@ -73,7 +73,7 @@ std::string RecordingsJson(const std::vector<std::string>& recordings,
                            const std::vector<SharedCause>& causes) {
   Json list = Json::array();
   for (const SharedCause& cause : causes) list.push_back(CauseJson(cause));
-  const Json all = {{"format", kFormat},
+  const Json all = {{"format", kRecordingsFormat},
                     {"recordings", recordings},
                     {"answer", AnswerText(causes, recordings.size())},
                     {"causes", std::move(list)}};

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kDigits = 2;  ///< of a number in a plain sentence
 /// Standard deviations by which one of several numbers must differ from none to be told.
-constexpr double kClearDeviations = 3;
+constexpr double kToldDeviations = 3;
 constexpr double kSetAxis = 0.5;  ///< value from which on an axis of `axis_flip` is reversed
 
 std::string Number(double value, const ReadableUnit& unit) {
@@ -90,7 +90,7 @@ bool IsClear(const Finding& finding, const FreeParameter& free) {
   const double without = candidate.present.empty()
                              ? candidate.mechanism->parameters[free.index].otherwise.value_or(0)
                              : candidate.present[free.index];
-  return std::abs(estimate.value - without) > kClearDeviations * estimate.sigma.value_or(0);
+  return std::abs(estimate.value - without) > kToldDeviations * estimate.sigma.value_or(0);
 }
 
 /// The fitted numbers of a finding by their names, those in `told` apart. Of several, those that

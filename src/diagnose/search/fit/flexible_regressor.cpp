@@ -19,8 +19,8 @@ constexpr double kNoiseRidge = 1e-6;
 /// Ridges to choose from, in parts of each column's energy: the last leaves hardly anything of a
 /// column.
 constexpr std::array kRidges = {1e-4, 1e-2, 0.1, 1.0, 10.0, 100.0, 1000.0};
-constexpr std::size_t kFolds = 5;
-constexpr int kReweightings = 3;           ///< of Huber's regression
+constexpr std::size_t kRegressorFolds = 5;
+constexpr int kHuberReweightings = 3;      ///< of Huber's regression
 constexpr std::size_t kHighestOrder = 10;  ///< of the noise's autoregression
 /// Degrees of freedom of the innovations, at least. A machine that rests half the time leaves
 /// residuals of two scales; with heavier tails its motion would pass for outliers, and only rest
@@ -76,7 +76,7 @@ Eigen::VectorXd HuberWeights(const Eigen::VectorXd& left) {
 Eigen::VectorXd Regress(const Problem& problem, double ridge) {
   Eigen::VectorXd beta = Eigen::VectorXd::Zero(problem.x.cols());
   Eigen::VectorXd weight = Eigen::VectorXd::Ones(problem.y.size());
-  for (int pass = 0; pass < kReweightings; ++pass) {
+  for (int pass = 0; pass < kHuberReweightings; ++pass) {
     if (pass > 0) weight = HuberWeights(problem.y - problem.x * beta);
     const Products products(problem.x, problem.y, weight);
     beta = Solve(products.information, products.pull, ridge);
@@ -91,7 +91,7 @@ std::optional<double> BestRidge(const Problem& problem) {
       HuberWeights(problem.y - problem.x * Regress(problem, kRidges.front()));
   const Products all(problem.x, problem.y, weight);
   std::array<double, kRidges.size()> left{};
-  for (std::size_t f = 0; f < kFolds; ++f) {
+  for (std::size_t f = 0; f < kRegressorFolds; ++f) {
     std::vector<Eigen::Index> rows;
     for (std::size_t k = 0; k < problem.fold.size(); ++k) {
       if (problem.fold[k] == f) rows.push_back(static_cast<Eigen::Index>(k));
@@ -124,7 +124,7 @@ std::vector<std::size_t> FoldOfSamples(const std::vector<Manoeuvre>& manoeuvres,
   for (const Manoeuvre& manoeuvre : manoeuvres) {
     if (manoeuvre.part != Part::kTrain) continue;
     for (std::size_t k = manoeuvre.samples.begin; k < manoeuvre.samples.end; ++k) {
-      fold[k] = count % kFolds;
+      fold[k] = count % kRegressorFolds;
     }
     ++count;
   }
@@ -230,10 +230,10 @@ Misfit ResidualBeyondFlexible(const ReplayBlock& block, const Likelihood& likeli
 Misfit CrossFittedResidual(const ReplayBlock& block, const Likelihood& likelihood,
                            const Misfit& misfit, const std::vector<Manoeuvre>& manoeuvres) {
   Misfit out = misfit;
-  for (std::size_t f = 0; f < kFolds; ++f) {
+  for (std::size_t f = 0; f < kRegressorFolds; ++f) {
     std::vector<Manoeuvre> parted = manoeuvres;
     for (std::size_t m = 0; m < parted.size(); ++m) {
-      parted[m].part = m % kFolds == f ? Part::kFinal : Part::kTrain;
+      parted[m].part = m % kRegressorFolds == f ? Part::kFinal : Part::kTrain;
     }
     const Misfit beyond = ResidualBeyondFlexible(block, likelihood, misfit, parted);
     for (const Manoeuvre& manoeuvre : parted) {

@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-constexpr Eigen::Index kSplines = 10;
+constexpr Eigen::Index kTestSplines = 10;
 constexpr double kEffectiveFreedom = 5;
 /// Information of a direction over that of the best known one, at least.
 constexpr double kLeastInformation = 2e-3;
@@ -74,7 +74,7 @@ RegimeProbe::RegimeProbe(const RegimeVariable& variable, const WhiteningFilter& 
   const Eigen::MatrixXd centred =
       gram_ - cross * cross.transpose() / std::max(constant.squaredNorm(), 1e-300);
 
-  const Eigen::MatrixXd splines = axis_.Splines(kSplines);
+  const Eigen::MatrixXd splines = axis_.Splines(kTestSplines);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> information(splines.transpose() * centred *
                                                                    splines);
   const Eigen::VectorXd& known = information.eigenvalues();
@@ -87,7 +87,7 @@ RegimeProbe::RegimeProbe(const RegimeVariable& variable, const WhiteningFilter& 
   const Eigen::MatrixXd unit = information.eigenvectors().rightCols(kept) *
                                known.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> rough(unit.transpose() *
-                                                             axis_.Roughness(kSplines) * unit);
+                                                             axis_.Roughness(kTestSplines) * unit);
   directions_ = splines * unit * rough.eigenvectors();
   weights_ = ShrinkingWeights(rough.eigenvalues());
 }

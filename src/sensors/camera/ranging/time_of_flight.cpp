@@ -13,7 +13,7 @@ namespace tera {
 namespace {
 
 constexpr double kLight_mps = 299792458;
-constexpr double kLeast_lx = 1e-4;  // of the scene's light, from which reflectance is told
+constexpr double kDarkest_lx = 1e-4;  // of the scene's light, from which reflectance is told
 
 /// Phase of light that has gone `way_m`.
 Phasor After(double way_m, double frequency_hz) {
@@ -100,7 +100,7 @@ std::vector<LitPatch> TimeOfFlight::PartsOf(const SeenScene& scene, Rasterizer* 
     for (int x = 0; x < finer_.width_px; ++x) {
       const double depth_m = double(frame.depth_m.at(x, y)), lux = double(light.at(x, y, 0));
       const auto normal_C = NormalAt(frame.normal, x, y);
-      if (!(depth_m > 0) || !normal_C || lux < kLeast_lx) continue;
+      if (!(depth_m > 0) || !normal_C || lux < kDarkest_lx) continue;
       LitPatch& part = parts[static_cast<std::size_t>(y) * finer_.width_px + x];
       part.p_C_m = depth_m * finer_.Unproject(Vec2(x, y));
       part.normal_C = *normal_C;

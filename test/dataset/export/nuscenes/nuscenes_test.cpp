@@ -20,7 +20,7 @@ using nlohmann::json;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-constexpr TimeNs kMs = 1'000'000;
+constexpr TimeNs kNuscenesMs = 1'000'000;
 constexpr std::uint16_t kPerson = 2, kDigger = 5, kBoom = 6;
 
 std::string Sheet(const std::string& type, const std::string& link, const std::string& xyz_m,
@@ -94,8 +94,8 @@ class NuscenesTest : public testing::Test {
       writer.Write(joints, RowSample{t_ns, t_ns, {t_s, 1}});
     }
     for (const TimeNs t_ms : {0, 100, 600}) {
-      writer.Write(front, FrameAt(t_ms * kMs, t_ms == 600 ? 0.5 : 0.9));
-      CameraFrame other = FrameAt(t_ms * kMs, 1);
+      writer.Write(front, FrameAt(t_ms * kNuscenesMs, t_ms == 600 ? 0.5 : 0.9));
+      CameraFrame other = FrameAt(t_ms * kNuscenesMs, 1);
       other.boxes.clear();
       writer.Write(boom, std::move(other));
     }
@@ -112,7 +112,7 @@ class NuscenesTest : public testing::Test {
       ground.label = static_cast<std::uint8_t>(SemanticClass::kTerrain);
       own.label = static_cast<std::uint8_t>(SemanticClass::kBoom);
       own.instance = kBoom;
-      writer.Write(lidar, LidarScan{t_ms * kMs, t_ms * kMs, {person, ground, own}});
+      writer.Write(lidar, LidarScan{t_ms * kNuscenesMs, t_ms * kNuscenesMs, {person, ground, own}});
     }
     writer.Finish();
   }

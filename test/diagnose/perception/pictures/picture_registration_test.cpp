@@ -11,8 +11,8 @@
 namespace tera {
 namespace {
 
-constexpr int kWidth = 160, kHeight = 120;
-constexpr double kFocal_px = 140;
+constexpr int kPictureRegistrationWidth = 160, kHeight = 120;
+constexpr double kPictureRegistrationFocal_px = 140;
 
 /// One picture of a wall across the optical axis, whose paint is the larger the further away it
 /// is: the picture is always the same.
@@ -25,10 +25,11 @@ PictureSource Wall(double away_m) {
   R_SC << 0, 0, 1, -1, 0, 0, 0, -1, 0;
   source.X_SC.linear() = R_SC;
   source.t_ns = {7'000'000'000};
-  SimulatedPicture picture{Image<float>(kWidth, kHeight), Image<float>(kWidth, kHeight),
-                           Image<std::uint8_t>(kWidth, kHeight)};
+  SimulatedPicture picture{Image<float>(kPictureRegistrationWidth, kHeight),
+                           Image<float>(kPictureRegistrationWidth, kHeight),
+                           Image<std::uint8_t>(kPictureRegistrationWidth, kHeight)};
   for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+    for (int x = 0; x < kPictureRegistrationWidth; ++x) {
       picture.grey.at(x, y) = static_cast<float>(PaintAt(x / 14.0, y / 14.0));
       picture.depth_m.at(x, y) = static_cast<float>(away_m);
       picture.surface.at(x, y) = static_cast<std::uint8_t>(Surface::kObstacle);
@@ -42,10 +43,12 @@ PictureSource Wall(double away_m) {
     return link;
   };
   source.project = [](const Vec3& p_C_m) {
-    return Vec2(79.5 + kFocal_px * p_C_m.x() / p_C_m.z(), 59.5 + kFocal_px * p_C_m.y() / p_C_m.z());
+    return Vec2(79.5 + kPictureRegistrationFocal_px * p_C_m.x() / p_C_m.z(),
+                59.5 + kPictureRegistrationFocal_px * p_C_m.y() / p_C_m.z());
   };
   source.ray = [](const Vec2& px) -> std::optional<Vec3> {
-    return Vec3((px.x() - 79.5) / kFocal_px, (px.y() - 59.5) / kFocal_px, 1);
+    return Vec3((px.x() - 79.5) / kPictureRegistrationFocal_px,
+                (px.y() - 59.5) / kPictureRegistrationFocal_px, 1);
   };
   return source;
 }
@@ -72,7 +75,8 @@ TEST(PictureRegistration, JudgesNoLandmarkBeyondTheBorderOfThePicture) {
   // Turned by half of its field of view, half of what it saw is beside it, and some of the rest,
   // being nearer to the edge then, above and below.
   testing::TrueSensor turned;
-  turned.rpy_deg.z() = std::atan(0.5 * kWidth / kFocal_px) / kDeg;
+  turned.rpy_deg.z() =
+      std::atan(0.5 * kPictureRegistrationWidth / kPictureRegistrationFocal_px) / kDeg;
   for (const PointResidual& r : ResidualsOf(source, turned, 0)) {
     EXPECT_EQ(r.out_of_picture, !r.is_judged());
   }
@@ -93,7 +97,7 @@ TEST(PictureRegistration, MovesALandmarkAcrossThePictureAsTheCameraIsShiftedAndT
   for (std::size_t i = 0; i < at.size(); ++i) {
     // An edge along the picture's rows says nothing of either.
     const double per_m = derivative(i, -Vec3::UnitY(), kShiftOfMount);
-    if (std::abs(per_m) < 0.9 * kFocal_px / 6) continue;
+    if (std::abs(per_m) < 0.9 * kPictureRegistrationFocal_px / 6) continue;
     ++steep;
     const double per_rad = derivative(i, Vec3::UnitZ(), kTurnOfMount);
     // A turn moves what is aside further, by the square of the tangent, at most a third here.
@@ -107,9 +111,10 @@ TEST(PictureRegistration, TrustsWhatIsNearInBlurredPicturesByWhatAShiftOfTheCame
   // A shift by 0.1 m moves a point on the axis by 0.1 m times the focal length over the distance.
   const auto near = ResidualsOf(Wall(2), {}, 3), far = ResidualsOf(Wall(20), {}, 3);
   ASSERT_EQ(near.size(), far.size());
-  const double moves_px2 = std::pow(0.1 * kFocal_px, 2) * (1 / 4.0 - 1 / 400.0);
+  const double moves_px2 = std::pow(0.1 * kPictureRegistrationFocal_px, 2) * (1 / 4.0 - 1 / 400.0);
   // Off the axis also by a shift along it: at the corner, by a quarter more of the square.
-  const double corner = 0.5 * (80.0 * 80 + 60 * 60) / (kFocal_px * kFocal_px);
+  const double corner =
+      0.5 * (80.0 * 80 + 60 * 60) / (kPictureRegistrationFocal_px * kPictureRegistrationFocal_px);
   std::size_t judged = 0;
   for (std::size_t i = 0; i < near.size(); ++i) {
     if (!near[i].is_judged()) continue;

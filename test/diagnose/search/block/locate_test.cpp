@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kSamples = 4500;
+constexpr std::size_t kLocateSamples = 4500;
 constexpr double kPeriod_s = 0.01;
 
 /// A lever moves a joint; what is measured is off by `error` of lever, angle and time, and by
@@ -22,13 +22,13 @@ class Locating : public testing::Test {
   using Error = std::function<double(double lever, double angle, double t_s)>;
 
   Location Of(const Error& error, const NoiseModel& noise_model = {.scale = 0.01, .dof = 8}) const {
-    const std::vector<double> lever = ToyLever(kSamples, 5);
+    const std::vector<double> lever = ToyLever(kLocateSamples, 5);
     const Stream noise(5, "noise");
     Channel channel;
     channel.measured = MakeSeries(kPeriod_s, lever);
     Series residual = channel.measured, angle = residual, time = residual;
     double q_rad = 0;
-    for (std::size_t k = 0; k < kSamples; ++k) {
+    for (std::size_t k = 0; k < kLocateSamples; ++k) {
       const double t_s = kPeriod_s * static_cast<double>(k);
       q_rad += 0.5 * kPeriod_s * lever[k];
       angle.value[k] = q_rad;
@@ -103,13 +103,13 @@ double FlaggedShare(const NoiseModel& noise, bool has_rest) {
   constexpr int kRuns = 12;
   for (int seed = 0; seed < kRuns; ++seed) {
     Channel channel;
-    channel.measured = NoiseSeries(noise, kSamples, Stream(seed, "noise alone"));
+    channel.measured = NoiseSeries(noise, kLocateSamples, Stream(seed, "noise alone"));
     NoiseLevel level{{}, 0.5 * std::sqrt(VarianceOf(noise))};  // differences miss slow noise
     if (has_rest) level.at_rest = std::sqrt(VarianceOf(noise));
     const Location location =
         Locate(channel, 0, channel.measured, noise, level, Stream(5, "shifts"));
     for (const Segment& one : location.intervals) {
-      flagged += static_cast<double>(one.size()) / (kSamples * kRuns);
+      flagged += static_cast<double>(one.size()) / (kLocateSamples * kRuns);
     }
   }
   return flagged;
@@ -129,7 +129,7 @@ TEST(NoiseAlone, IsNoMismatchWhateverItsColour) {
 
 TEST(NoiseAlone, AnErrorIsFoundWhereThereIsNoNoise) {
   Channel channel;
-  channel.measured = MakeSeries(kPeriod_s, std::vector<double>(kSamples, 0.0));
+  channel.measured = MakeSeries(kPeriod_s, std::vector<double>(kLocateSamples, 0.0));
   for (std::size_t k = 1000; k < 2000; ++k) channel.measured.value[k] = 0.1;
   const Location location = Locate(channel, 0, channel.measured, {.scale = 1e-9, .dof = 8},
                                    {.at_rest = 0.0}, Stream(5, "shifts"));
@@ -139,7 +139,7 @@ TEST(NoiseAlone, AnErrorIsFoundWhereThereIsNoNoise) {
 TEST_F(Locating, ALoudErrorOfNothingThatWasRecordedHasNoVariable) {
   int told = 0;
   for (int seed = 0; seed < 10; ++seed) {
-    const Series slow = NoiseSeries({.ar = {0.98}, .scale = 0.02, .dof = 50}, kSamples,
+    const Series slow = NoiseSeries({.ar = {0.98}, .scale = 0.02, .dof = 50}, kLocateSamples,
                                     Stream(seed, "unknown cause"));
     const auto error = [&](double, double, double t_s) {
       return slow.value[static_cast<std::size_t>(t_s / kPeriod_s + 0.5)];

@@ -15,8 +15,8 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-constexpr std::size_t kSamples = 8000;
-constexpr double kNoise = 0.03;
+constexpr std::size_t kLostCommandsSamples = 8000;
+constexpr double kLostCommandsNoise = 0.03;
 
 const Mechanism& Loss() {
   static const Mechanism loss = {"drops",
@@ -54,7 +54,8 @@ std::vector<double> WithPlay(const std::vector<double>& lever, double gap) {
 
 BlockDiagnosis Diagnosed(const std::vector<double>& lever, const std::vector<double>& driven,
                          std::uint64_t seed, ReplayBlock* block) {
-  *block = ToyBlock(lever, ToyMeasured(ToyResponse(driven, 0, 0, 0), kNoise, seed), {0, 3});
+  *block =
+      ToyBlock(lever, ToyMeasured(ToyResponse(driven, 0, 0, 0), kLostCommandsNoise, seed), {0, 3});
   block->of_chance = {{&Loss(), "toy", {}, {{0.1, 0.05}}, {}}};
   return DiagnoseBlock(*block, {}, Stream(seed, "diagnose"));
 }
@@ -62,7 +63,7 @@ BlockDiagnosis Diagnosed(const std::vector<double>& lever, const std::vector<dou
 // A loss each 1.8 s, of 0.3 s on average.
 TEST(LostCommands, AreNamedWhereADriveMissesMessages) {
   for (const std::uint64_t seed : {11u, 12u, 13u}) {
-    const std::vector<double> lever = ToyLever(kSamples, seed);
+    const std::vector<double> lever = ToyLever(kLostCommandsSamples, seed);
     ReplayBlock block;
     const BlockDiagnosis diagnosis =
         Diagnosed(lever, Received(lever, 1.5, 0.3, seed), seed, &block);
@@ -77,7 +78,7 @@ TEST(LostCommands, AreNamedWhereADriveMissesMessages) {
 
 TEST(LostCommands, AreNotNamedWhereNothingIsLost) {
   for (const std::uint64_t seed : {21u, 22u, 23u}) {
-    const std::vector<double> lever = ToyLever(kSamples, seed);
+    const std::vector<double> lever = ToyLever(kLostCommandsSamples, seed);
     ReplayBlock block;
     EXPECT_THAT(Diagnosed(lever, lever, seed, &block).findings, IsEmpty()) << seed;
   }
@@ -86,7 +87,7 @@ TEST(LostCommands, AreNotNamedWhereNothingIsLost) {
 // Play holds what it drives at each reversal, which comes back with the lever; no candidate has it.
 TEST(LostCommands, AreNotNamedForPlay) {
   for (const std::uint64_t seed : {31u, 32u, 33u}) {
-    const std::vector<double> lever = ToyLever(kSamples, seed);
+    const std::vector<double> lever = ToyLever(kLostCommandsSamples, seed);
     ReplayBlock block;
     const BlockDiagnosis diagnosis = Diagnosed(lever, WithPlay(lever, 0.3), seed, &block);
     EXPECT_THAT(NamesOf(diagnosis.findings), Not(::testing::Contains("drops"))) << seed;
@@ -95,13 +96,15 @@ TEST(LostCommands, AreNotNamedForPlay) {
 
 /// What was lost in the search's eyes, if one candidate alone were to make this of the lever.
 std::optional<LostCommands> LostBeside(const std::vector<double>& alone) {
-  const std::vector<double> lever = ToyLever(kSamples, 11);
+  const std::vector<double> lever = ToyLever(kLostCommandsSamples, 11);
   ReplayBlock block = ToyBlock(
-      lever, ToyMeasured(ToyResponse(Received(lever, 1.5, 0.3, 11), 0, 0, 0), kNoise, 11), {0});
+      lever,
+      ToyMeasured(ToyResponse(Received(lever, 1.5, 0.3, 11), 0, 0, 0), kLostCommandsNoise, 11),
+      {0});
   block.replay = WholeReplay([&](const Structure& terms) {
     return std::vector<std::vector<double>>{terms.empty() ? lever : alone};
   });
-  const std::vector<Manoeuvre> manoeuvres = EqualManoeuvres(32, kSamples / 32);
+  const std::vector<Manoeuvre> manoeuvres = EqualManoeuvres(32, kLostCommandsSamples / 32);
   const SearchOptions options;
   const Stream stream(11, "diagnose");
   const EvaluationContext context(block, options, stream, manoeuvres,
@@ -109,11 +112,11 @@ std::optional<LostCommands> LostBeside(const std::vector<double>& alone) {
   SearchResult search;
   search.found.misfit = context.likelihood.Evaluate(block.predict({}));
   search.singles = {{&block.candidates[0], {0.1}, 10, 10}};
-  return LostCommandsOf(context, search, kNoise, 0);
+  return LostCommandsOf(context, search, kLostCommandsNoise, 0);
 }
 
 TEST(LostCommands, AreNoneWhereOneMechanismHoldsTheSame) {
-  const std::vector<double> lever = ToyLever(kSamples, 11);
+  const std::vector<double> lever = ToyLever(kLostCommandsSamples, 11);
   EXPECT_TRUE(LostBeside(lever).has_value());
   EXPECT_FALSE(LostBeside(Received(lever, 1.5, 0.3, 11)).has_value());
 }

@@ -13,7 +13,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-constexpr std::size_t kSamples = 4000;
+constexpr std::size_t kStructureFitSamples = 4000;
 
 /// A square of the lever with three numbers: its size, its place, and one that does nothing.
 const Mechanism kSquare = {
@@ -24,10 +24,10 @@ const Mechanism kSquare = {
 
 struct Fixture {
   explicit Fixture(double size)
-      : lever(ToyLever(kSamples, 3)),
+      : lever(ToyLever(kStructureFitSamples, 3)),
         block(ToyBlock(lever, ToyMeasured(Response(size, 0.1), 0.05, 3), {})),
-        likelihood(block, {{.scale = 0.05, .dof = 4}}, Mask(kSamples, 1)),
-        fitter(block, likelihood, {{0, kSamples}}) {
+        likelihood(block, {{.scale = 0.05, .dof = 4}}, Mask(kStructureFitSamples, 1)),
+        fitter(block, likelihood, {{0, kStructureFitSamples}}) {
     candidate = {&kSquare,
                  "toy",
                  {{0, -2, 2}, {1, -1, 1}, {2, -180, 180}},
@@ -97,7 +97,7 @@ TEST(StructureFit, ANumberThatMovesInstantsIsFoundFromAfar) {
   Fixture toy(0);
   const auto pulses = [](double place) {
     std::vector<double> y;
-    for (std::size_t k = 0; k < kSamples; ++k) {
+    for (std::size_t k = 0; k < kStructureFitSamples; ++k) {
       const double since_s = std::fmod(0.01 * static_cast<double>(k), 2.0);
       y.push_back(since_s > 0.5 + 0.5 * place && since_s < 1.5 ? 1 : 0);
     }
@@ -107,8 +107,9 @@ TEST(StructureFit, ANumberThatMovesInstantsIsFoundFromAfar) {
   toy.block.replay = WholeReplay([&](const Structure& terms) {
     return std::vector<std::vector<double>>{pulses(terms.empty() ? 0 : terms[0].values[1])};
   });
-  const Likelihood likelihood(toy.block, {{.scale = 0.05, .dof = 4}}, Mask(kSamples, 1));
-  const StructureFitter fitter(toy.block, likelihood, {{0, kSamples}});
+  const Likelihood likelihood(toy.block, {{.scale = 0.05, .dof = 4}},
+                              Mask(kStructureFitSamples, 1));
+  const StructureFitter fitter(toy.block, likelihood, {{0, kStructureFitSamples}});
   toy.candidate.free = {{1, -1, 1}};
   toy.candidate.starts = {{0.1, -0.2, 40}};
   EXPECT_LT(fitter.FitFrom({{&toy.candidate, {0.1, -0.2, 40}}}).terms[0].values[1], 0);
@@ -129,8 +130,9 @@ TEST(StructureFit, AnInstantBetweenTwoStepsOfAReplayIsNoPlaceToEnd) {
   toy.block.replay = WholeReplay([&](const Structure& terms) {
     return std::vector<std::vector<double>>{smeared(terms.empty() ? 0 : terms[0].values[1])};
   });
-  const Likelihood likelihood(toy.block, {{.scale = 0.05, .dof = 4}}, Mask(kSamples, 1));
-  const StructureFitter fitter(toy.block, likelihood, {{0, kSamples}});
+  const Likelihood likelihood(toy.block, {{.scale = 0.05, .dof = 4}},
+                              Mask(kStructureFitSamples, 1));
+  const StructureFitter fitter(toy.block, likelihood, {{0, kStructureFitSamples}});
   toy.candidate.free = {{1, -1, 1}};
   const Structure start = {{&toy.candidate, {0.1, 0.252, 40}}};
   EXPECT_LT(fitter.FitFrom(start).terms[0].values[1], 0.27);

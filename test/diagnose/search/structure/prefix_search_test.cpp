@@ -14,7 +14,7 @@ using ::testing::IsEmpty;
 using ::testing::UnorderedElementsAre;
 
 constexpr std::size_t kFourMinutes = 24000;
-constexpr double kNoise = 0.05;
+constexpr double kPrefixSearchNoise = 0.05;
 
 /// Manoeuvres of one length, of which every other one is at rest.
 std::vector<Manoeuvre> MovingHalfTheTime(std::size_t count, std::size_t length) {
@@ -37,7 +37,7 @@ TEST(Prefix, IsAllWhereItWouldSpareLittleOrTooLittleMoves) {
 
 TEST(Prefix, IsTheSameBlockForAShorterTime) {
   const std::vector<double> lever = ToyLever(3000, 5);
-  const ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 5), {0, 3});
+  const ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kPrefixSearchNoise, 5), {0, 3});
   const ReplayBlock prefix = PrefixOf(block, 1000);
   EXPECT_EQ(prefix.samples(), 1000u);
   EXPECT_EQ(prefix.commands[0].size(), 1000u);
@@ -55,7 +55,7 @@ TEST(Prefix, DoesNotHideWhatActsLater) {
   std::vector<double> clean = ToyResponse(lever, 0.2, 0, 0);
   const std::vector<double> later = ToyResponse(lever, 0.2, 0.15, 0);
   for (std::size_t k = kFourMinutes / 2; k < kFourMinutes; ++k) clean[k] = later[k];
-  ReplayBlock block = ToyBlock(lever, ToyMeasured(clean, kNoise, 21), {0, 3});
+  ReplayBlock block = ToyBlock(lever, ToyMeasured(clean, kPrefixSearchNoise, 21), {0, 3});
   // A candidate that acts from then on.
   block.candidates.push_back({&ToyMechanisms()[2], "toy", {{0, -2, 2}}, {{0.1}, {-0.1}}});
   const Replay always = block.replay;
@@ -88,7 +88,7 @@ TEST(Prefix, NumbersThatItDoesNotDetermineAreFreeAgain) {
     std::copy(more.begin() + kFourMinutes / 2, more.end(), y.begin() + kFourMinutes / 2);
     return y;
   };
-  ReplayBlock block = ToyBlock(lever, ToyMeasured(response(0.2, 0.1), kNoise, 23), {});
+  ReplayBlock block = ToyBlock(lever, ToyMeasured(response(0.2, 0.1), kPrefixSearchNoise, 23), {});
   block.candidates = {{&kBoth, "toy", {{0, -2, 2}, {1, -2, 2}}, {{0.1, 0.01}, {-0.1, 0.01}}, {}}};
   block.replay = WholeReplay([&](const Structure& terms) {
     return std::vector<std::vector<double>>{
@@ -104,8 +104,8 @@ TEST(Prefix, NumbersThatItDoesNotDetermineAreFreeAgain) {
 // own: all pointers are into the block's list.
 TEST(Prefix, NamesTheBlocksOwnCandidates) {
   const std::vector<double> lever = ToyLever(kFourMinutes, 22);
-  const ReplayBlock block =
-      ToyBlock(lever, ToyMeasured(ToyResponse(lever, 0.2, 0, 0), kNoise, 22), {0, 1, 2, 3});
+  const ReplayBlock block = ToyBlock(
+      lever, ToyMeasured(ToyResponse(lever, 0.2, 0, 0), kPrefixSearchNoise, 22), {0, 1, 2, 3});
   const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, Stream(22, "diagnose"));
   const auto is_own = [&](const Candidate* candidate) {
     return candidate >= block.candidates.data() &&

@@ -11,14 +11,14 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kSize = 2000;
+constexpr std::size_t kOppositionSize = 2000;
 
 /// Autoregressive noise about zero.
 std::vector<double> Noise(const std::string& name, std::uint64_t seed, double coefficient) {
   const Stream draw(seed, name);
   std::vector<double> values;
   double last = 0;
-  for (std::size_t k = 0; k < kSize; ++k) {
+  for (std::size_t k = 0; k < kOppositionSize; ++k) {
     last = coefficient * last + draw.Gaussian(k);
     values.push_back(last);
   }
@@ -46,8 +46,8 @@ TEST(Opposition, OfStubbornNoiseIsSeldomTold) { EXPECT_LE(Rejected(0.95, 0.01), 
 
 TEST(Opposition, OfSeriesThatGoAgainstEachOtherHasAVerySmallP) {
   const std::vector<double> one = Noise("one", 1, 0.9), noise = Noise("noise", 1, 0);
-  std::vector<double> other(kSize), same(kSize);
-  for (std::size_t k = 0; k < kSize; ++k) {
+  std::vector<double> other(kOppositionSize), same(kOppositionSize);
+  for (std::size_t k = 0; k < kOppositionSize; ++k) {
     other[k] = -0.5 * one[k] + 0.2 * noise[k];
     same[k] = -other[k];
   }
@@ -57,8 +57,8 @@ TEST(Opposition, OfSeriesThatGoAgainstEachOtherHasAVerySmallP) {
 
 TEST(Opposition, OfFewerThanThreeBlocksSaysNothing) {
   std::vector<double> one, other;
-  for (std::size_t k = 0; k < kSize; ++k) {
-    const double at = static_cast<double>(k) / kSize;
+  for (std::size_t k = 0; k < kOppositionSize; ++k) {
+    const double at = static_cast<double>(k) / kOppositionSize;
     one.push_back(std::sin(3 * at));
     other.push_back(-one.back());
   }

@@ -7,14 +7,14 @@
 namespace tera {
 namespace {
 
-CameraIntrinsics Lens() {
+CameraIntrinsics FlareLens() {
   return {
       .width_px = 641, .height_px = 481, .fx_px = 500, .fy_px = 500, .cx_px = 320, .cy_px = 240};
 }
 
 Image<float> GhostsOf(const FlareModel& model, const Vec2& source_px, std::uint64_t seed = 1) {
-  Image<float> picture(Lens().width_px, Lens().height_px, 3);
-  Flare(model, Lens(), Stream(seed, "m/camera/flare"))
+  Image<float> picture(FlareLens().width_px, FlareLens().height_px, 3);
+  Flare(model, FlareLens(), Stream(seed, "m/camera/flare"))
       .Apply(source_px, Vec3(1e5, 1e5, 1e5), &picture);
   return picture;
 }

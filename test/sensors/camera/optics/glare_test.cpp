@@ -9,12 +9,12 @@
 namespace tera {
 namespace {
 
-CameraIntrinsics Lens() {
+CameraIntrinsics GlareLens() {
   return {.width_px = 161, .height_px = 121, .fx_px = 200, .fy_px = 200, .cx_px = 80, .cy_px = 60};
 }
 
 Image<float> Even(double value) {
-  Image<float> picture(Lens().width_px, Lens().height_px, 3);
+  Image<float> picture(GlareLens().width_px, GlareLens().height_px, 3);
   std::fill(picture.data.begin(), picture.data.end(), static_cast<float>(value));
   return picture;
 }
@@ -38,7 +38,8 @@ TEST(ScatterLaw, OfSlopeTwoFallsWithTheSquareOfTheAngle) {
 
 TEST(PictureGlare, AnEvenPictureStaysEven) {
   Image<float> picture = Even(300);
-  PictureGlare({.scattered = 0.1, .core_deg = 0.3, .slope = 2}, Lens()).Apply(Even(300), &picture);
+  PictureGlare({.scattered = 0.1, .core_deg = 0.3, .slope = 2}, GlareLens())
+      .Apply(Even(300), &picture);
   for (const float value : picture.data) ASSERT_NEAR(value, 300, 0.01);
 }
 
@@ -47,7 +48,7 @@ TEST(PictureGlare, AnEvenPictureStaysEven) {
 // 1 - ln(1 + (R / core)^2) / ln(1 + 1 / core^2).
 TEST(PictureGlare, ABlackSpotIsVeiledByWhatLiesAroundIt) {
   constexpr double kScattered = 0.03, kCore_rad = 0.5 * kDeg, kSpot_px = 20;
-  const CameraIntrinsics lens = Lens();
+  const CameraIntrinsics lens = GlareLens();
   Image<float> picture = Even(1000);
   for (int y = 0; y < lens.height_px; ++y) {
     for (int x = 0; x < lens.width_px; ++x) {

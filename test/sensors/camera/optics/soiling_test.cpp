@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kFocal_px = 400, kPupil_mm = 0.5;
 
-CameraIntrinsics Lens() {
+CameraIntrinsics SoilingLens() {
   return {.width_px = 320,
           .height_px = 240,
           .fx_px = kFocal_px,
@@ -20,11 +20,11 @@ CameraIntrinsics Lens() {
 }
 
 Soiling On(const SoilingModel& model, std::uint64_t seed = 1) {
-  return {model, Lens(), kPupil_mm, Stream(seed, "m/camera/soiling"), "m/camera"};
+  return {model, SoilingLens(), kPupil_mm, Stream(seed, "m/camera/soiling"), "m/camera"};
 }
 
-Image<float> Even(double value) {
-  Image<float> picture(Lens().width_px, Lens().height_px, 3);
+Image<float> SoilingEven(double value) {
+  Image<float> picture(SoilingLens().width_px, SoilingLens().height_px, 3);
   std::fill(picture.data.begin(), picture.data.end(), static_cast<float>(value));
   return picture;
 }
@@ -59,13 +59,13 @@ TEST(Soiling, SmallSpecksAreOutOfFocus) {
 
 TEST(Soiling, OfTheLightThatAFilmTakesAShareComesAsAVeil) {
   const Soiling soiling = On({.film = 0.3});
-  Image<float> picture = Even(1000);
+  Image<float> picture = SoilingEven(1000);
   soiling.Apply(Vec3::Zero(), &picture);
   for (std::size_t i = 0; i < picture.data.size(); i += 101) {
     const double clear = double(soiling.transmitted().data[i / 3]);
     EXPECT_NEAR(picture.data[i], 1000 * (clear + Soiling::kScattered * (1 - clear)), 0.5);
   }
-  Image<float> sunlit = Even(1000);
+  Image<float> sunlit = SoilingEven(1000);
   soiling.Apply(Vec3::Constant(5e4), &sunlit);
   const double clear = double(soiling.transmitted().at(100, 100));
   EXPECT_NEAR(sunlit.at(100, 100, 1) - picture.at(100, 100, 1),
@@ -74,7 +74,7 @@ TEST(Soiling, OfTheLightThatAFilmTakesAShareComesAsAVeil) {
 
 TEST(Soiling, SpecksAreDarkBesideAFilm) {
   const Soiling soiling = On({.specks = 20, .speck_mm = 2});
-  Image<float> picture = Even(1000);
+  Image<float> picture = SoilingEven(1000);
   soiling.Apply(Vec3::Zero(), &picture);
   for (std::size_t i = 0; i < picture.data.size(); i += 101) {
     const double clear = double(soiling.transmitted().data[i / 3]);
@@ -95,7 +95,7 @@ TEST(Soiling, ADropTurnsRaysAsALensOfWater) {
 
 TEST(Soiling, DropsOfClearWaterLeaveAnEvenPictureEven) {
   const Soiling soiling = On({.drops = 10});
-  Image<float> picture = Even(1000);
+  Image<float> picture = SoilingEven(1000);
   soiling.Apply(Vec3::Constant(1e5), &picture);
   for (const float value : picture.data) ASSERT_NEAR(value, 1000, 0.5);
   EXPECT_LT(MeanOf(soiling.transmitted()), 0.999) << "but they let nothing through undeviated";
@@ -103,7 +103,7 @@ TEST(Soiling, DropsOfClearWaterLeaveAnEvenPictureEven) {
 
 // What is on the left shows on the right in a drop.
 TEST(Soiling, ADropShowsTheSceneTurnedRound) {
-  Image<float> ramp = Even(0);
+  Image<float> ramp = SoilingEven(0);
   for (int y = 0; y < ramp.height_px; ++y) {
     for (int x = 0; x < ramp.width_px; ++x) {
       for (int c = 0; c < 3; ++c) ramp.at(x, y, c) = static_cast<float>(x);
