@@ -24,7 +24,7 @@ std::string RowText(const RowSample& row) {
   return text + '\n';
 }
 
-std::string FrameRow(TimeNs t_ns, std::string_view filename) {
+std::string FrameRowText(TimeNs t_ns, std::string_view filename) {
   return fmt::format("{},{}\n", t_ns, filename);
 }
 

@@ -18,6 +18,6 @@ std::string TableHeader(const std::vector<std::string>& columns);
 
 // Rows with their line ends. Every number must be finite.
 std::string RowText(const RowSample& row);
-std::string FrameRow(TimeNs t_ns, std::string_view filename);
+std::string FrameRowText(TimeNs t_ns, std::string_view filename);
 
 }  // namespace tera

@@ -234,7 +234,7 @@ void DatasetWriter::Impl::Write(Channel* channel, const RowSample& row) {
 
 void DatasetWriter::Impl::Write(Channel* channel, CameraFrame frame) {
   TERA_CHECK(channel->form == ChannelForm::kPictures, channel->description.path);
-  AddRow(channel, frame.t_ns, FrameRow(frame.t_ns, FrameName(frame.t_ns, channel->form)));
+  AddRow(channel, frame.t_ns, FrameRowText(frame.t_ns, FrameName(frame.t_ns, channel->form)));
   queue->Push([this, folder = channel->description.path, frame = std::move(frame)] {
     WriteCamera(folder, frame);
   });
@@ -242,7 +242,7 @@ void DatasetWriter::Impl::Write(Channel* channel, CameraFrame frame) {
 
 void DatasetWriter::Impl::Write(Channel* channel, LidarScan scan) {
   TERA_CHECK(channel->form == ChannelForm::kScans, channel->description.path);
-  AddRow(channel, scan.t_ns, FrameRow(scan.t_ns, FrameName(scan.t_ns, channel->form)));
+  AddRow(channel, scan.t_ns, FrameRowText(scan.t_ns, FrameName(scan.t_ns, channel->form)));
   queue->Push([this, folder = channel->description.path, scan = std::move(scan)] {
     WriteScan(folder, scan);
   });
@@ -352,7 +352,7 @@ bool DatasetWriter::NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs) const {
 void DatasetWriter::MarkPresent(ChannelId channel, TimeNs t_ns) {
   TERA_CHECK(!NeedsFrame(channel, t_ns, t_ns), channel, t_ns);
   Channel& frames = impl_->Find(channel);
-  impl_->AddRow(&frames, t_ns, FrameRow(t_ns, FrameName(t_ns, frames.form)));
+  impl_->AddRow(&frames, t_ns, FrameRowText(t_ns, FrameName(t_ns, frames.form)));
 }
 
 fs::path DatasetWriter::PathFor(const std::string& relative) {

@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-constexpr int kTileWidth_px = 480, kTileHeight_px = 360;
+constexpr int kFilmTileWidth_px = 480, kFilmTileHeight_px = 360;
 constexpr int kQuality = 21;  ///< constant rate factor of x264: smaller is better
 
 struct CameraTrack {
@@ -42,22 +42,22 @@ double FrameRate(const std::vector<TimeNs>& times) {
 
 Picture FilmFrame(const Recording& recording, const std::vector<CameraTrack>& cameras,
                   TimeNs t_ns) {
-  Picture sheet(kTileWidth_px * static_cast<int>(cameras.size()), 2 * kTileHeight_px, 3);
+  Picture sheet(kFilmTileWidth_px * static_cast<int>(cameras.size()), 2 * kFilmTileHeight_px, 3);
   int x_px = 0;
   for (const CameraTrack& camera : cameras) {
     const CameraFrame frame = recording.LoadFrame(camera.folder, Latest(camera, t_ns));
     const std::string caption = fmt::format("{} {:.1f} s", camera.folder, ToSeconds(frame.t_ns));
     if (!frame.rgb.empty()) {
-      Paste(FitTile(frame.rgb, kTileWidth_px, kTileHeight_px, caption), x_px, 0, &sheet);
+      Paste(FitTile(frame.rgb, kFilmTileWidth_px, kFilmTileHeight_px, caption), x_px, 0, &sheet);
     }
     bool has_labels = false;
     ForEachLabel(frame, [&](const LabelChannel& channel, const auto& picture) {
       if (picture.empty() || std::exchange(has_labels, true)) return;
-      Paste(FitTile(ColourLabels(channel.colours, picture), kTileWidth_px, kTileHeight_px,
+      Paste(FitTile(ColourLabels(channel.colours, picture), kFilmTileWidth_px, kFilmTileHeight_px,
                     std::string(channel.caption)),
-            x_px, kTileHeight_px, &sheet);
+            x_px, kFilmTileHeight_px, &sheet);
     });
-    x_px += kTileWidth_px;
+    x_px += kFilmTileWidth_px;
   }
   return sheet;
 }
@@ -71,7 +71,7 @@ void WriteFilm(const Recording& recording, const std::filesystem::path& mp4) {
   const std::string arguments = fmt::format(
       "-y -loglevel quiet -f rawvideo -pix_fmt rgb24 -s {}x{} -r {:.6g} -i - -c:v libx264 "
       "-preset veryfast -crf {} -pix_fmt yuv420p -movflags +faststart -f mp4 {}",
-      kTileWidth_px * cameras.size(), 2 * kTileHeight_px, FrameRate(cameras.front().times),
+      kFilmTileWidth_px * cameras.size(), 2 * kFilmTileHeight_px, FrameRate(cameras.front().times),
       kQuality, ShellWord(film.temporary().string()));
   ChildProcess ffmpeg("ffmpeg", arguments,
                       fmt::format("need ffmpeg with libx264 (Debian package ffmpeg), and space "

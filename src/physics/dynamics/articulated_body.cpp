@@ -22,7 +22,7 @@ namespace {
 /// Bullet clamps velocities and impulses at its defaults; nothing here comes near this bound.
 constexpr double kUnlimited = 1e12;
 /// Steel on rock, dry.
-constexpr double kFriction = 0.5;
+constexpr double kSurfaceFriction = 0.5;
 
 /// Products of inertia below this share of the largest moment are rounding: the axes of the link
 /// are taken as they are, and not turned by what an eigensolver makes of them.
@@ -66,7 +66,7 @@ LinkShape MakeShape(const Link& link, const Pose& X_BP, btMultiBody* body, int b
   shape.collider = std::make_unique<btMultiBodyLinkCollider>(body, bullet_link);
   shape.collider->setCollisionShape(shape.compound.get());
   shape.collider->setActivationState(DISABLE_DEACTIVATION);
-  shape.collider->setFriction(kFriction);
+  shape.collider->setFriction(kSurfaceFriction);
   return shape;
 }
 

@@ -24,7 +24,7 @@ constexpr double kForestBegin_m = 150.0, kForestFull_m = 320.0;  // woods among 
 constexpr double kMeadowBegin_m = 2.0, kMeadowFull_m = 16.0;     // where soil gives way to grass
 constexpr double kMeadowFringe_m = 14.0;                         // how far it gives way unevenly
 // Linear colours: meadow, dry patches in it, woods.
-const Eigen::Vector3f kMeadow(0.16f, 0.17f, 0.075f), kDry(0.05f, 0.03f, 0.01f);
+const Eigen::Vector3f kMeadow(0.16f, 0.17f, 0.075f), kDryMeadow(0.05f, 0.03f, 0.01f);
 const Eigen::Vector3f kWoods(0.045f, 0.065f, 0.03f);
 
 double Ramp(double x, double from, double to) {
@@ -87,7 +87,7 @@ void Surroundings::Place(const TerrainSurface& terrain) {
       const float n = colour.At(u * 60, v * 60), broad = colour.At(u * 7, v * 7);
       z += tree * kTrees_m * (0.4 + 1.1 * n);
       if (ring == 0) z -= kSkirt_m;
-      const Eigen::Vector3f meadow = kMeadow * (0.65f + 0.7f * n) + kDry * broad;
+      const Eigen::Vector3f meadow = kMeadow * (0.65f + 0.7f * n) + kDryMeadow * broad;
       const auto green = static_cast<float>(
           Ramp(d_m + kMeadowFringe_m * (n - 0.5), kMeadowBegin_m, kMeadowFull_m));
       const auto wooded = static_cast<float>(

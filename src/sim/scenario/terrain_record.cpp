@@ -19,7 +19,7 @@ constexpr GroundRaster kDefaultRasters[] = {GroundRaster::kHeight, GroundRaster:
                                             GroundRaster::kDensity, GroundRaster::kSoilClass};
 constexpr int kDefaultPixels = 4001;  ///< to a side; a larger raster is asked for by pixel_m
 constexpr double kMostCubes = 5e6;    ///< of one box: 145 MB
-constexpr double kShortest_s = 0.01, kLongest_s = 1e6;
+constexpr double kShortest_s = 0.01, kLongestInterval_s = 1e6;
 
 /// How many cells of the site a length is, which must be a whole number.
 int CellsIn(const ConfigMap& config, std::string_view key, const TerrainGrid& site,
@@ -110,7 +110,7 @@ TerrainRecord ReadTerrainRecord(const std::optional<ConfigMap>& config, const Te
   record.rasters = ReadRasters(*config);
   record.columns_per_pixel = CellsIn(*config, "pixel_m", site, default_columns * site.cell_m);
   if (const auto every_s =
-          config->OptionalNumber("every_s", Between(kShortest_s, kLongest_s, "s"))) {
+          config->OptionalNumber("every_s", Between(kShortest_s, kLongestInterval_s, "s"))) {
     record.period_ns = std::llround(*every_s * 1e9);
   }
   record.voxels = ReadVoxels(*config, site);

@@ -14,10 +14,10 @@ constexpr std::size_t kFirstRecordBytes = 4096;  ///< what its data of blanks fi
 constexpr std::size_t kChunkBytes = 768 * 1024;  ///< as rosbag's own
 
 enum Operation : std::uint8_t {
-  kMessage = 0x02,
+  kMessageRecord = 0x02,
   kBagHeader = 0x03,
   kIndex = 0x04,
-  kChunk = 0x05,
+  kChunkRecord = 0x05,
   kChunkInfo = 0x06,
   kConnection = 0x07
 };
@@ -91,7 +91,7 @@ void Ros1BagWriter::Write(std::size_t topic, TimeNs t_ns, std::string_view messa
   AppendNumber(static_cast<std::uint32_t>(chunk_.size()), &index);
   Fields fields;
   fields.Number("conn", connection).Text("time", TimeBytes(t_ns));
-  chunk_ += RecordBytes(kMessage, fields, message);
+  chunk_ += RecordBytes(kMessageRecord, fields, message);
   if (chunk_.size() >= kChunkBytes) EndChunk();
 }
 
@@ -101,7 +101,7 @@ void Ros1BagWriter::EndChunk() {
   current_.position = kFirstLine.size() + kFirstRecordBytes + bytes_;
   Fields fields;
   fields.Text("compression", "none").Number("size", static_cast<std::uint32_t>(chunk_.size()));
-  Append(RecordBytes(kChunk, fields, chunk_));
+  Append(RecordBytes(kChunkRecord, fields, chunk_));
   for (const auto& [connection, places] : index_) {
     Fields of_connection;
     of_connection.Number("ver", kVersion)

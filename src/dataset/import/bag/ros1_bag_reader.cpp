@@ -16,9 +16,9 @@ constexpr std::string_view kFirstLine = "#ROSBAG V2.0\n";
 constexpr std::uint64_t kLengthBytes = 4;
 
 enum Operation : std::uint8_t {
-  kMessage = 0x02,
+  kMessageRecord = 0x02,
   kBagHeader = 0x03,
-  kChunk = 0x05,
+  kChunkRecord = 0x05,
   kChunkInfo = 0x06,
   kConnection = 0x07
 };
@@ -120,11 +120,11 @@ class Ros1BagReader {
       case kChunkInfo:
         ++chunk_infos_;
         return true;
-      case kChunk:
+      case kChunkRecord:
         ++chunks_;
         return TakeChunk(header, file_.Read(at, bytes));
       case kConnection:
-      case kMessage:
+      case kMessageRecord:
         return TakeRecord(header, file_.Read(at, bytes));
       default:
         return true;
@@ -154,7 +154,7 @@ class Ros1BagReader {
   bool TakeRecord(const Fields& header, std::string_view data) {
     const auto operation = header.Number<std::uint8_t>("op");
     if (operation == kConnection) return TakeConnection(header, data);
-    if (operation != kMessage) return true;
+    if (operation != kMessageRecord) return true;
     const auto id = header.Number<std::uint32_t>("conn");
     const auto connection = connections_.find(id);
     if (connection == connections_.end()) {

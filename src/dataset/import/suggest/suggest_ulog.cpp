@@ -21,7 +21,7 @@ bool HasAll(const UlogTopic& topic, const Columns& columns) {
   });
 }
 
-std::string ColumnsYaml(const Columns& columns, const std::string& unit) {
+std::string UlogColumnsYaml(const Columns& columns, const std::string& unit) {
   std::string yaml;
   for (const auto& [key, field] : columns) {
     yaml += fmt::format("      {}: {{column: \"{}\", {}}}\n", key, field, unit);
@@ -53,11 +53,11 @@ std::string SuggestForUlog(const std::filesystem::path& log) {
     if (IsOf(topic, "sensor_combined") && HasAll(topic, rates) && HasAll(topic, forces)) {
       imus += HeadYaml(topic) +
               "    rpy_deg: [180, 0, 0]   # its axes are forward, right and down\n    columns:\n" +
-              ColumnsYaml(rates, "unit: rad/s") + ColumnsYaml(forces, "unit: m/s2");
+              UlogColumnsYaml(rates, "unit: rad/s") + UlogColumnsYaml(forces, "unit: m/s2");
     } else if (IsOf(topic, "vehicle_gps_position") && HasAll(topic, angles) &&
                HasAll(topic, height)) {
-      gnss += HeadYaml(topic) + "    columns:\n" + ColumnsYaml(angles, "unit: deg") +
-              ColumnsYaml(height, "unit: m") +
+      gnss += HeadYaml(topic) + "    columns:\n" + UlogColumnsYaml(angles, "unit: deg") +
+              UlogColumnsYaml(height, "unit: m") +
               "      fix: {constant: 1}   # guessed: fix_type is not GGA's quality\n"
               "      var_e: {constant: 4}   # guessed\n      var_n: {constant: 4}   # guessed\n"
               "      var_u: {constant: 9}   # guessed\n";
