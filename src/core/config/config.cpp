@@ -1,13 +1,11 @@
 #include "core/config/config.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "core/config/config_layers.h"
 #include "core/config/merge_keys.h"
-#include "core/config/spelling.h"
 #include "core/error.h"
 
 namespace tera {
@@ -22,11 +20,11 @@ void NeedFile(const fs::path& file, const std::string& shown) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) {
     const fs::path scenario = file / "scenario.yaml";
-    throw InputError(fmt::format(
-        "{}: is a folder; need a YAML file{}", file.string(),
-        internal::IsFile(scenario) ? fmt::format(", such as {}", scenario.string()) : ""));
+    const std::string example = internal::IsFile(scenario) ? ", such as " + scenario.string() : "";
+    throw InputError(file.string(),
+                     {FaultKind::kUnreadable, "is a folder; need a YAML file" + example});
   }
-  throw InputError(fmt::format("{}: no such file; need a YAML file", shown));
+  throw InputError(shown, {FaultKind::kUnreadable, "no such file; need a YAML file"});
 }
 
 Layer OverlayLayer(const Config::Overlay& overlay) {
@@ -34,10 +32,18 @@ Layer OverlayLayer(const Config::Overlay& overlay) {
   NeedFile(overlay.file, shown);
   const Layer layer{internal::LoadYaml(overlay.file, shown), shown, overlay.file.parent_path(), ""};
   if (!internal::ValueIn(layer.node, overlay.key) || layer.node.size() != 1) {
-    throw InputError(
-        fmt::format("{}:1:1: need one mapping, '{}:', and nothing else", shown, overlay.key));
+    throw InputError(shown + ":1:1",
+                     {FaultKind::kMalformed,
+                      fmt::format("need one mapping, '{}:', and nothing else", overlay.key)});
   }
   return layer;
+}
+
+/// A key may be read twice, and a file stand in two layers.
+void AddOnce(InputFault fault, std::vector<InputFault>* faults) {
+  if (std::find(faults->begin(), faults->end(), fault) == faults->end()) {
+    faults->push_back(std::move(fault));
+  }
 }
 
 }  // namespace
@@ -67,10 +73,10 @@ Config Config::FromText(const std::string& text, const std::string& name,
     node = YAML::Load(text);
     internal::ApplyMergeKeys(node);
   } catch (const YAML::Exception& e) {
-    throw InputError(fmt::format("{}:{}:{}: not valid YAML: {}", name, e.mark.line + 1,
-                                 e.mark.column + 1, e.msg));
+    throw InputError(fmt::format("{}:{}:{}", name, e.mark.line + 1, e.mark.column + 1),
+                     fault::NotValidYaml(e.msg));
   }
-  if (!node.IsMap()) throw InputError(fmt::format("{}:1:1: need a mapping of keys", name));
+  if (!node.IsMap()) throw InputError(name + ":1:1", fault::NotAMapping());
   auto document = std::make_shared<internal::ConfigDocument>();
   document->root = document->AddNode(
       internal::LayersAbove(Layer{node, name, fs::current_path(), ""}, overrides));
@@ -89,9 +95,10 @@ void Config::LayOver(const std::vector<GivenValue>& values) {
     if (layer) {
       above.push_back(*layer);
     } else {
-      document_->faults.push_back(
-          fmt::format("{}: '{}' is no key path, need key.path, items of lists as key[0]",
-                      value->place, value->path));
+      document_->faults.emplace_back(
+          FaultKind::kMalformed,
+          fmt::format("'{}' is no key path, need key.path, items of lists as key[0]", value->path),
+          value->place);
     }
   }
   above.insert(above.end(), file.begin(), file.end());
@@ -106,34 +113,26 @@ ConfigMap Config::root() const { return ConfigMap(document_->root); }
 
 void Config::Finish() const {
   // A mistyped key first: what the lack of the right one leads to comes after it.
-  std::vector<std::string> faults;
-  std::set<std::string> seen_unknown;
+  std::vector<InputFault> faults;
   for (const auto& node : document_->nodes) {
     if (node->unread) continue;
     for (const Layer& layer : node->layers) {
       std::set<std::string> seen;
       for (const auto& entry : layer.node) {
         const std::string key = entry.first.Scalar();
-        const std::string head = fmt::format("{}: {}: ", internal::PlaceOf(entry.first, layer),
-                                             internal::Join(layer.path, key));
-        if (!seen.insert(key).second) {
-          faults.push_back(head + "repeated key; keep one");
-        } else if (!node->asked.contains(key)) {
-          const std::vector<std::string> known(node->asked.begin(), node->asked.end());
-          const std::string near = DidYouMean(key, known);
-          const std::string fault = fmt::format(
-              "{}unknown key{}", head,
-              near.empty() ? fmt::format("; known here: {}", fmt::join(known, ", ")) : near);
-          if (seen_unknown.insert(fault).second) faults.push_back(fault);
-        }
+        const bool repeated = !seen.insert(key).second;
+        if (!repeated && node->asked.contains(key)) continue;
+        InputFault fault = repeated
+                               ? fault::RepeatedKey()
+                               : fault::UnknownKey(key, {node->asked.begin(), node->asked.end()});
+        fault.place = fmt::format("{}: {}", internal::PlaceOf(entry.first, layer),
+                                  internal::Join(layer.path, key));
+        AddOnce(std::move(fault), &faults);
       }
     }
   }
-  for (const std::string& fault : document_->faults) {
-    // A key may be read twice.
-    if (std::find(faults.begin(), faults.end(), fault) == faults.end()) faults.push_back(fault);
-  }
-  if (!faults.empty()) throw InputError(fmt::format("{}", fmt::join(faults, "\n")));
+  for (const InputFault& fault : document_->faults) AddOnce(fault, &faults);
+  if (!faults.empty()) throw InputError(std::move(faults));
 }
 
 std::string Config::ResolvedYaml() const {

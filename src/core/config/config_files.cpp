@@ -57,27 +57,23 @@ std::string ShownName(const fs::path& path) {
 
 YAML::Node LoadYaml(const fs::path& file, const std::string& shown) {
   std::ifstream stream(file);
-  if (!stream) {
-    throw InputError(fmt::format("{}: cannot be read; need a readable YAML file", shown));
-  }
+  if (!stream) throw InputError(shown, fault::CannotBeRead("a readable YAML file"));
   std::stringstream text;
   text << stream.rdbuf();
   if ((text >> std::ws).peek() == '<') {
-    throw InputError(
-        fmt::format("{}:1:1: is XML; need YAML (a URDF is named by the key `urdf` of a machine "
-                    "file, docs/guide/my-machine.md)",
-                    shown));
+    throw InputError(shown + ":1:1",
+                     {FaultKind::kMalformed,
+                      "is XML; need YAML (a URDF is named by the key `urdf` of a machine "
+                      "file, docs/guide/my-machine.md)"});
   }
   try {
     YAML::Node node = YAML::Load(text.str());
     ApplyMergeKeys(node);
-    if (!node.IsMap()) {
-      throw InputError(fmt::format("{}:1:1: need a mapping of keys at the top", shown));
-    }
+    if (!node.IsMap()) throw InputError(shown + ":1:1", fault::NotAMapping("at the top"));
     return node;
   } catch (const YAML::Exception& e) {
-    throw InputError(fmt::format("{}:{}:{}: not valid YAML: {}", shown, e.mark.line + 1,
-                                 e.mark.column + 1, e.msg));
+    throw InputError(fmt::format("{}:{}:{}", shown, e.mark.line + 1, e.mark.column + 1),
+                     fault::NotValidYaml(e.msg));
   }
 }
 
@@ -85,17 +81,15 @@ std::optional<Layer> LoadLayer(ConfigNode& node, std::string_view key, const Fou
                                const std::string& mapping_path) {
   const fs::path path = Resolve(found.node.Scalar(), found.layer->directory);
   if (!IsFile(path)) {
-    AddFault(node, key, found,
-             fmt::format("file '{}' does not exist; correct the path (relative to {}, or "
-                         "'tera:...' for a file that TERA ships)",
-                         found.node.Scalar(), BaseOf(*found.layer)));
+    AddFault(node, key, found, fault::NoSuchFile(found.node.Scalar(), BaseOf(*found.layer)));
     return std::nullopt;
   }
   const std::string shown = ShownName(path);
   try {
     return Layer{LoadYaml(path, shown), shown, path.parent_path(), mapping_path};
   } catch (const InputError& e) {
-    node.document->faults.push_back(e.what());
+    const auto& faults = e.faults();
+    node.document->faults.insert(node.document->faults.end(), faults.begin(), faults.end());
     return std::nullopt;
   }
 }
@@ -113,8 +107,7 @@ void ConfigMap::ApplyPreset(std::string_view key) const {
   std::set<fs::path> applied;
   for (auto found = Find(*node_, key); found;) {
     if (!found->node.IsScalar()) {
-      AddFault(*node_, key, *found,
-               fmt::format("{} found, need a file's path", Shown(found->node)));
+      AddFault(*node_, key, *found, fault::Mistyped(Shown(found->node), "a file's path"));
       return;
     }
     const fs::path file = internal::Resolve(found->node.Scalar(), found->layer->directory);
@@ -145,7 +138,7 @@ fs::path FileAt(internal::ConfigNode& node, std::string_view key, const std::str
     return {};
   }
   if (!found->node.IsScalar()) {
-    AddFault(node, key, *found, fmt::format("{} found, need a file's path", Shown(found->node)));
+    AddFault(node, key, *found, fault::Mistyped(Shown(found->node), "a file's path"));
     return {};
   }
   fs::path named = internal::Resolve(found->node.Scalar(), found->layer->directory);
@@ -154,9 +147,7 @@ fs::path FileAt(internal::ConfigNode& node, std::string_view key, const std::str
   const fs::path path = node.document->PlaceOf(name, named).lexically_normal();
   if (!internal::IsFile(path)) {
     AddFault(node, key, *found,
-             fmt::format("file '{}' does not exist; correct the path (relative to {}, or "
-                         "'tera:...' for a file that TERA ships)",
-                         found->node.Scalar(), internal::BaseOf(*found->layer)));
+             fault::NoSuchFile(found->node.Scalar(), internal::BaseOf(*found->layer)));
     return {};
   }
   Record(node, key, name);

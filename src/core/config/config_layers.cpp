@@ -82,12 +82,11 @@ std::string Shown(const YAML::Node& node) {
   return "nothing";
 }
 
-void AddFault(ConfigNode& node, std::string_view key, const Found& found,
-              const std::string& finding) {
-  const std::string place = PlaceOf(found.node, *found.layer);
+void AddFault(ConfigNode& node, std::string_view key, const Found& found, InputFault fault) {
+  fault.place = PlaceOf(found.node, *found.layer);
   const std::string path = Join(found.layer->path, key);
-  node.document->faults.push_back(path.empty() ? fmt::format("{}: {}", place, finding)
-                                               : fmt::format("{}: {}: {}", place, path, finding));
+  if (!path.empty()) fault.place += ": " + path;
+  node.document->faults.push_back(std::move(fault));
 }
 
 const Layer& LowestWritten(const ConfigNode& node) {
@@ -99,7 +98,7 @@ const Layer& LowestWritten(const ConfigNode& node) {
 void AddMissing(ConfigNode& node, std::string_view key, const std::string& need) {
   if (node.unread) return;
   const Layer& layer = LowestWritten(node);
-  AddFault(node, key, Found{layer.node, &layer}, fmt::format("missing, need {}", need));
+  AddFault(node, key, Found{layer.node, &layer}, fault::Missing(need));
 }
 
 void Record(ConfigNode& node, std::string_view key, const std::string& scalar) {

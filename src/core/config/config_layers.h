@@ -13,6 +13,7 @@
 
 #include "core/config/config_beneath.h"
 #include "core/config/config_map.h"
+#include "core/config/fault_text.h"
 
 /// The layers that a configuration's mappings are made of, for the files of config_*.cpp.
 
@@ -44,7 +45,7 @@ struct ConfigNode {
 };
 
 struct ConfigDocument {
-  std::vector<std::string> faults;
+  std::vector<InputFault> faults;
   std::vector<std::shared_ptr<ConfigNode>> nodes;
   std::shared_ptr<ConfigNode> root;
   std::map<std::string, std::filesystem::path> inputs;  ///< places by portable name
@@ -111,8 +112,7 @@ std::string OnOneLine(const YAML::Node& node);
 std::string Join(const std::string& path, std::string_view key);
 /// A value as messages show it.
 std::string Shown(const YAML::Node& node);
-void AddFault(ConfigNode& node, std::string_view key, const Found& found,
-              const std::string& finding);
+void AddFault(ConfigNode& node, std::string_view key, const Found& found, InputFault fault);
 void AddMissing(ConfigNode& node, std::string_view key, const std::string& need);
 
 // Numbers.

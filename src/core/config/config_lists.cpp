@@ -46,9 +46,9 @@ std::optional<FoundList> ListAmong(ConfigNode& node, std::string_view key,
   if (list == values.end() || !list->node.IsSequence()) {
     const Found& wrong = list == values.end() ? values.back() : *list;
     const bool patch = wrong.layer->is_patch && wrong.node.IsMap();
-    AddFault(node, key, wrong,
-             fmt::format("{} found, need {}",
-                         patch ? "an item of a list that is not there" : Shown(wrong.node), need));
+    AddFault(
+        node, key, wrong,
+        fault::Mistyped(patch ? "an item of a list that is not there" : Shown(wrong.node), need));
     return std::nullopt;
   }
   FoundList found{*list, std::vector<std::vector<Found>>(list->node.size())};
@@ -60,7 +60,8 @@ std::optional<FoundList> ListAmong(ConfigNode& node, std::string_view key,
         found.items[static_cast<std::size_t>(*number)].push_back({entry.second, patch->layer});
       } else {
         AddFault(node, key, *patch,
-                 fmt::format("no item [{}], the list has {}", index, found.items.size()));
+                 {FaultKind::kNoSuchName,
+                  fmt::format("no item [{}], the list has {}", index, found.items.size())});
       }
     }
   }
@@ -108,8 +109,7 @@ std::vector<double> ConfigMap::Numbers(std::string_view key, const Range& each,
   const auto found = ListAmong(*node_, key, values, need);
   if (!found) return harmless;
   if (found->items.size() < min_count || found->items.size() > max_count) {
-    AddFault(*node_, key, found->list,
-             fmt::format("{} found, need {}", Shown(found->list.node), need));
+    AddFault(*node_, key, found->list, fault::Mistyped(Shown(found->list.node), need));
     return harmless;
   }
   std::vector<double> numbers;
@@ -137,8 +137,7 @@ std::vector<std::vector<double>> ConfigMap::NumberRows(std::string_view key, con
   const auto found = ListAmong(*node_, key, values, need);
   if (!found) return {min_rows, harmless};
   if (found->items.size() < min_rows) {
-    AddFault(*node_, key, found->list,
-             fmt::format("{} found, need {}", Shown(found->list.node), need));
+    AddFault(*node_, key, found->list, fault::Mistyped(Shown(found->list.node), need));
     return {min_rows, harmless};
   }
   const std::string row_need = fmt::format("{} numbers, each {}", columns, Need(each));
@@ -147,8 +146,7 @@ std::vector<std::vector<double>> ConfigMap::NumberRows(std::string_view key, con
     const std::string row_key = fmt::format("{}[{}]", key, i);
     const auto row = ListAmong(*node_, row_key, found->items[i], row_need);
     if (row && row->items.size() != columns) {
-      AddFault(*node_, row_key, row->list,
-               fmt::format("{} found, need {}", Shown(row->list.node), row_need));
+      AddFault(*node_, row_key, row->list, fault::Mistyped(Shown(row->list.node), row_need));
     }
     std::vector<double> numbers = harmless;
     YAML::Node resolved_row(YAML::NodeType::Sequence);
@@ -174,7 +172,7 @@ std::vector<std::string> ConfigMap::YamlItems(std::string_view key) const {
   if (!found) {
     internal::AddMissing(*node_, key, "a list");
   } else if (!found->node.IsSequence()) {
-    AddFault(*node_, key, *found, fmt::format("{} found, need a list", Shown(found->node)));
+    AddFault(*node_, key, *found, fault::Mistyped(Shown(found->node), "a list"));
   } else {
     for (const auto& item : found->node) items.push_back(internal::OnOneLine(item));
   }
@@ -192,8 +190,7 @@ std::vector<std::string> ConfigMap::Texts(std::string_view key) const {
   for (std::size_t i = 0; i < found->items.size(); ++i) {
     const Found& item = found->items[i].front();
     if (!item.node.IsScalar()) {
-      AddFault(*node_, fmt::format("{}[{}]", key, i), item,
-               fmt::format("{} is not a text", Shown(item.node)));
+      AddFault(*node_, fmt::format("{}[{}]", key, i), item, fault::NotAText(Shown(item.node)));
       continue;
     }
     texts.push_back(item.node.Scalar());
@@ -236,8 +233,7 @@ std::vector<ConfigMap> ConfigMap::List(std::string_view key) const {
         layers.push_back({part.node, part.layer->file, part.layer->directory,
                           internal::Join(part.layer->path, item_key), false, part.layer->is_patch});
       } else {
-        AddFault(*node_, item_key, part,
-                 fmt::format("{} found, need a mapping of keys", Shown(part.node)));
+        AddFault(*node_, item_key, part, fault::Mistyped(Shown(part.node), "a mapping of keys"));
       }
     }
     if (layers.empty()) continue;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/config/input_file.h"
+#include "core/error.h"
 #include "core/motion.h"
 
 /// Strict YAML. A reader asks for each key by name, type and range; whatever is then left over,
@@ -125,8 +126,8 @@ class ConfigMap {
   std::vector<InputFile> Inputs() const;
 
   /// Reports a fault that only the caller can see, at the place of `key` (or of the mapping itself
-  /// where `key` is empty or absent). `finding` says what was found and what is needed.
-  void Fault(std::string_view key, const std::string& finding) const;
+  /// where `key` is empty or absent).
+  void Fault(std::string_view key, const InputFault& fault) const;
   /// "file:line:column: key.path", for messages made later.
   std::string Place(std::string_view key = {}) const;
 

@@ -46,8 +46,7 @@ std::vector<Layer> LayersOf(ConfigNode& node, std::string_view key) {
     if (found.node.IsMap()) {
       layers.push_back(LayerAt(key, found));
     } else {
-      AddFault(node, key, found,
-               fmt::format("{} found, need a mapping of keys", Shown(found.node)));
+      AddFault(node, key, found, fault::Mistyped(Shown(found.node), "a mapping of keys"));
     }
   }
   return layers;
@@ -133,7 +132,7 @@ ConfigMap ConfigMap::MapOrFile(std::string_view key) const {
       break;  // a file replaces what lies below
     } else {
       AddFault(*node_, key, found,
-               fmt::format("{} found, need a file's path or a mapping", Shown(found.node)));
+               fault::Mistyped(Shown(found.node), "a file's path or a mapping"));
     }
   }
   const auto child = AddChild(*node_, key, std::move(layers));
@@ -151,7 +150,7 @@ std::optional<ConfigMap> internal::ConfigDocument::MapOrNone(const ConfigMap& co
   for (const Found& found : values) {
     if (TakesAway(found.node)) break;
     if (!found.node.IsMap()) {
-      AddFault(node, key, found, fmt::format("{} found, need {}", Shown(found.node), need));
+      AddFault(node, key, found, fault::Mistyped(Shown(found.node), need));
       return std::nullopt;
     }
     layers.push_back(LayerAt(key, found));
@@ -192,12 +191,12 @@ std::vector<std::pair<std::string, double>> ConfigMap::NamedNumbers(std::string_
   return numbers;
 }
 
-void ConfigMap::Fault(std::string_view key, const std::string& finding) const {
+void ConfigMap::Fault(std::string_view key, const InputFault& fault) const {
   if (const auto found = key.empty() ? std::nullopt : Find(*node_, key)) {
-    AddFault(*node_, key, *found, finding);
+    AddFault(*node_, key, *found, fault);
   } else if (!node_->unread) {
     const Layer& layer = internal::LowestWritten(*node_);
-    AddFault(*node_, key, Found{layer.node, &layer}, finding);
+    AddFault(*node_, key, Found{layer.node, &layer}, fault);
   }
 }
 

@@ -34,13 +34,13 @@ Layer OverrideLayer(const std::string& text) {
   const std::size_t equals = text.find('=');
   const auto value = equals == std::string::npos ? "" : text.substr(equals + 1);
   if (equals == std::string::npos || KeysOf(std::string_view(text).substr(0, equals)).empty()) {
-    throw InputError(
-        fmt::format("--set {}: need key.path=value, items of lists as key[0]=value", text));
+    throw InputError("--set " + text, {FaultKind::kMalformed,
+                                       "need key.path=value, items of lists as key[0]=value"});
   }
   try {
     return *PatchLayer(text.substr(0, equals), value, kOverlayName, fs::current_path());
   } catch (const YAML::Exception& e) {
-    throw InputError(fmt::format("--set {}: not a YAML value: {}", text, e.msg));
+    throw InputError("--set " + text, {FaultKind::kMalformed, "not a YAML value: " + e.msg});
   }
 }
 

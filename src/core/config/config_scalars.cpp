@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/config/config_layers.h"
-#include "core/config/spelling.h"
 
 /// Ranges, and values that are one number, text or choice.
 
@@ -48,13 +47,11 @@ std::optional<double> NumberAt(ConfigNode& node, std::string_view key, const Fou
                                const Range& range) {
   const auto value = found.node.IsScalar() ? ParseNumber(found.node.Scalar()) : std::nullopt;
   if (!value) {
-    AddFault(node, key, found,
-             fmt::format("{} is not a number, need {}", Shown(found.node), Need(range)));
+    AddFault(node, key, found, fault::NotANumber(Shown(found.node), Need(range)));
     return std::nullopt;
   }
   if (!Contains(range, *value)) {
-    AddFault(node, key, found,
-             fmt::format("{} is out of range, need {}", found.node.Scalar(), Need(range)));
+    AddFault(node, key, found, fault::OutOfRange(found.node.Scalar(), Need(range)));
     return std::nullopt;
   }
   return value;
@@ -113,7 +110,7 @@ std::optional<double> ConfigMap::OptionalNumber(std::string_view key, const Rang
 
 std::int64_t ConfigMap::Integer(std::string_view key, const Range& range) const {
   const double value = Number(key, range);
-  if (value != std::floor(value)) Fault(key, fmt::format("{} is not a whole number", value));
+  if (value != std::floor(value)) Fault(key, fault::NotAWholeNumber(value));
   return std::llround(value);
 }
 
@@ -128,7 +125,7 @@ bool ConfigMap::Boolean(std::string_view key, bool otherwise) const {
   const auto found = Find(*node_, key);
   bool value = otherwise;
   if (found && !YAML::convert<bool>::decode(found->node, value)) {
-    AddFault(*node_, key, *found, fmt::format("{} is neither true nor false", Shown(found->node)));
+    AddFault(*node_, key, *found, fault::NotABoolean(Shown(found->node)));
     value = otherwise;
   }
   Record(*node_, key, value ? "true" : "false");
@@ -142,7 +139,7 @@ std::string ConfigMap::Text(std::string_view key) const {
     return {};
   }
   if (!found->node.IsScalar() || found->node.Scalar().empty()) {
-    AddFault(*node_, key, *found, fmt::format("{} is not a text", Shown(found->node)));
+    AddFault(*node_, key, *found, fault::NotAText(Shown(found->node)));
     return {};
   }
   Record(*node_, key, found->node.Scalar());
@@ -164,8 +161,7 @@ std::string ConfigMap::Choice(std::string_view key,
   const std::string value = Text(key);
   if (std::find(allowed.begin(), allowed.end(), value) != allowed.end()) return value;
   if (!value.empty()) {
-    Fault(key, fmt::format("'{}' is not known, need one of {}{}", value, fmt::join(allowed, ", "),
-                           DidYouMean(value, {allowed.begin(), allowed.end()})));
+    Fault(key, fault::NotKnown(value, {allowed.begin(), allowed.end()}));
   }
   return std::string(*allowed.begin());
 }

@@ -1,7 +1,6 @@
 #include "core/config/csv.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -9,8 +8,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "core/config/spelling.h"
-#include "core/error.h"
+#include "core/config/fault_text.h"
 
 namespace tera {
 namespace {
@@ -32,7 +30,7 @@ void TrimCarriageReturn(std::string* line) {
 std::ifstream Open(const std::filesystem::path& file) {
   std::ifstream stream(file);
   if (!stream) {
-    throw InputError(fmt::format("{}: cannot be read; need a CSV file", file.string()));
+    throw InputError(file.string(), fault::CannotBeRead("a CSV file"));
   }
   return stream;
 }
@@ -40,7 +38,8 @@ std::ifstream Open(const std::filesystem::path& file) {
 std::vector<std::string> HeaderOf(std::istream& stream, const std::filesystem::path& file) {
   std::string line;
   if (!std::getline(stream, line)) {
-    throw InputError(fmt::format("{}:1: empty; need a line of column names", file.string()));
+    throw InputError(file.string() + ":1",
+                     {FaultKind::kMalformed, "empty; need a line of column names"});
   }
   TrimCarriageReturn(&line);
   std::vector<std::string> names;
@@ -53,9 +52,9 @@ double ParseField(std::string_view text, const std::filesystem::path& file, std:
   double value = 0;
   const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (status != std::errc() || stop != text.data() + text.size() || !std::isfinite(value)) {
-    throw InputError(
-        fmt::format("{}:{}: {}: '{}' is not a finite number; correct or remove the row",
-                    file.string(), line, column, text));
+    throw InputError(fmt::format("{}:{}: {}", file.string(), line, column),
+                     {FaultKind::kMistyped,
+                      fmt::format("'{}' is not a finite number; correct or remove the row", text)});
   }
   return value;
 }
@@ -75,8 +74,7 @@ std::vector<std::vector<double>> ReadCsvColumns(const std::filesystem::path& fil
   for (const std::string& name : names) {
     const auto found = std::find(header.begin(), header.end(), name);
     if (found == header.end()) {
-      throw InputError(fmt::format("{}:1: no column '{}'{}; it has {}", file.string(), name,
-                                   DidYouMean(name, header), fmt::join(header, ", ")));
+      throw InputError(file.string() + ":1", fault::NoSuchColumn(name, header));
     }
     places.push_back(found - header.begin());
   }
@@ -86,8 +84,8 @@ std::vector<std::vector<double>> ReadCsvColumns(const std::filesystem::path& fil
     TrimCarriageReturn(&line);
     const auto fields = Split(line);
     if (fields.size() != header.size()) {
-      throw InputError(fmt::format("{}:{}: {} fields, need {} as in the first line", file.string(),
-                                   number, fields.size(), header.size()));
+      throw InputError(fmt::format("{}:{}", file.string(), number),
+                       fault::FieldCount(fields.size(), header.size()));
     }
     for (std::size_t c = 0; c < names.size(); ++c) {
       columns[c].push_back(ParseField(fields[places[c]], file, number, names[c]));

@@ -28,9 +28,11 @@ bool IsPlainNameWithPoints(std::string_view name) {
 bool RequirePlainName(const ConfigMap& config, std::string_view key, const std::string& name) {
   if (IsPlainName(name)) return true;
   if (name.empty() && !key.empty()) return false;  // Text has said so
-  config.Fault(key, fmt::format("name '{}' cannot name a folder or a column; need letters, digits, "
-                                "'_' and '-', at most {}",
-                                name, kLongestName));
+  config.Fault(key,
+               {FaultKind::kMalformed,
+                fmt::format("name '{}' cannot name a folder or a column; need letters, digits, "
+                            "'_' and '-', at most {}",
+                            name, kLongestName)});
   return false;
 }
 

@@ -27,9 +27,10 @@ LearnedVariable ReadVariable(const ConfigMap& map, std::span<const LearnedVariab
     std::vector<std::string> names;
     for (const LearnedVariable& one : variables) names.push_back(one.name);
     if (!name.empty()) {
-      map.Fault("variable", fmt::format("'{}' is no variable that a simulation knows here, need "
-                                        "one of {}",
-                                        name, fmt::join(names, ", ")));
+      map.Fault("variable", {FaultKind::kNoSuchName,
+                             fmt::format("'{}' is no variable that a simulation knows here, need "
+                                         "one of {}",
+                                         name, fmt::join(names, ", "))});
     }
     return variables.front();
   }

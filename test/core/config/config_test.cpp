@@ -10,39 +10,32 @@
 #include "core/config/config_beneath.h"
 #include "core/config/config_faults.h"
 #include "core/config/listed_folder.h"
-#include "core/error.h"
+#include "core/faults.h"
 #include "own_folder.h"
 
 namespace tera {
 namespace {
 
-using ::testing::AllOf;
+using enum FaultKind;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
-/// What Finish says, or nothing.
-std::string FaultsOf(const Config& config) {
-  try {
-    config.Finish();
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "";
+std::vector<InputFault> FaultsOf(const Config& config) {
+  return FaultsIn([&] { config.Finish(); });
 }
 
 TEST(Config, UnknownKeyNamesPlaceAndNearestKey) {
   const Config config = Config::FromText("lidar:\n  max_rang_m: 3\n", "a.yaml");
   const ConfigMap lidar = config.root().Map("lidar");
   lidar.Number("max_range_m", Positive("m"), 10.0);
-  EXPECT_EQ(FaultsOf(config),
-            "a.yaml:2:3: lidar.max_rang_m: unknown key (did you mean 'max_range_m'?)");
+  EXPECT_THAT(FaultsOf(config), HasOnlyFault(kUnknown, "a.yaml:2:3: lidar.max_rang_m"));
 }
 
 TEST(Config, AFileOfXmlIsToldToBeOne) {
   const std::filesystem::path file = OwnFolder() / "digger.urdf";
   std::ofstream(file) << "\n<?xml version=\"1.0\"?>\n<robot/>\n";
-  EXPECT_THAT([&] { Config::FromFile(file); }, testing::ThrowsMessage<InputError>(AllOf(
-                                                   HasSubstr("digger.urdf:1:1: is XML; need YAML"),
-                                                   HasSubstr("key `urdf` of a machine file"))));
+  EXPECT_THAT([&] { Config::FromFile(file); }, ThrowsFault(kMalformed, "digger.urdf:1:1"));
 }
 
 TEST(Config, NumbersLaidBeneathGiveWayToWhatIsWritten) {
@@ -54,11 +47,11 @@ TEST(Config, NumbersLaidBeneathGiveWayToWhatIsWritten) {
   EXPECT_EQ(a.Number("b", Any("m")), 1);
   EXPECT_EQ(a.Number("c", Any("m")), 2);
   EXPECT_EQ(a.Number("d", Any("m")), 7);
-  EXPECT_EQ(FaultsOf(config), "x.urdf: extra: unknown key; known here: a, file");
+  EXPECT_THAT(FaultsOf(config), HasOnlyFault(kUnknown, "x.urdf: extra"));
   config.root().Map("extra").Number("f", Positive("m"));
   config.root().Number("g", Any("m"));
-  EXPECT_THAT(FaultsOf(config), AllOf(HasSubstr("x.urdf: extra.f: -8 is out of range"),
-                                      HasSubstr("a.yaml:1:1: g: missing")));
+  EXPECT_THAT(FaultsOf(config), ElementsAre(IsFault(kOutOfRange, "x.urdf: extra.f"),
+                                            IsFault(kMissing, "a.yaml:1:1: g")));
 }
 
 TEST(Config, AChoiceOfKeysThatIsRefusedIsTheOnlyFaultOfItsMapping) {
@@ -72,13 +65,12 @@ TEST(Config, AChoiceOfKeysThatIsRefusedIsTheOnlyFaultOfItsMapping) {
     }
     return FaultsOf(config);
   };
-  EXPECT_EQ(faults("m: {type: box, edge_m: 2}"), "");
-  EXPECT_EQ(faults("m: {type: boxx, edge_m: 2}"),
-            "a.yaml:1:11: m.type: 'boxx' is not known, need one of ball, box (did you mean "
-            "'box'?)");
-  EXPECT_EQ(faults("m: {edge_m: 2}"), "a.yaml:1:4: m.type: missing, need one of ball, box");
+  EXPECT_THAT(faults("m: {type: box, edge_m: 2}"), IsEmpty());
+  EXPECT_THAT(faults("m: {type: boxx, edge_m: 2}"),
+              HasOnlyFault(kNoSuchName, "a.yaml:1:11: m.type"));
+  EXPECT_THAT(faults("m: {edge_m: 2}"), HasOnlyFault(kMissing, "a.yaml:1:4: m.type"));
   EXPECT_THAT(faults("m: {type: box, radius_m: 2}"),
-              AllOf(HasSubstr("m.radius_m: unknown key"), HasSubstr("m.edge_m: missing")));
+              ElementsAre(IsFault(kUnknown, "m.radius_m"), IsFault(kMissing, "m.edge_m")));
 }
 
 TEST(Config, OutOfRangeNumberNamesWhatIsNeeded) {
@@ -86,8 +78,7 @@ TEST(Config, OutOfRangeNumberNamesWhatIsNeeded) {
   for (const ConfigMap& sensor : config.root().List("sensors")) {
     sensor.Number("range_sigma_m", Between(0, 1, "m"));
   }
-  EXPECT_EQ(FaultsOf(config),
-            "a.yaml:2:21: sensors[0].range_sigma_m: -0.02 is out of range, need 0 to 1 m");
+  EXPECT_THAT(FaultsOf(config), HasOnlyFault(kOutOfRange, "a.yaml:2:21: sensors[0].range_sigma_m"));
 }
 
 TEST(Config, EveryFaultIsReportedTogether) {
@@ -98,10 +89,9 @@ TEST(Config, EveryFaultIsReportedTogether) {
   root.Vector3("c", Any("m"));
   root.Number("e", Positive("s"));
   EXPECT_THAT(FaultsOf(config),
-              AllOf(HasSubstr("a: 'x' is not a number"), HasSubstr("f.yaml:2:4: b: '.nan'"),
-                    HasSubstr("c: a list of 2 found, need a list of 3"),
-                    HasSubstr("f.yaml:4:1: a: repeated key"), HasSubstr("d: unknown key"),
-                    HasSubstr("e: missing, need more than 0 s")));
+              ElementsAre(IsFault(kRepeated, "f.yaml:4:1: a"), IsFault(kUnknown, "f.yaml:5:1: d"),
+                          IsFault(kMistyped, "f.yaml:1:4: a"), IsFault(kMistyped, "f.yaml:2:4: b"),
+                          IsFault(kMistyped, "f.yaml:3:4: c"), IsFault(kMissing, "f.yaml:1:1: e")));
 }
 
 TEST(Config, OverridesReplaceValuesInsideLists) {
@@ -111,13 +101,13 @@ TEST(Config, OverridesReplaceValuesInsideLists) {
   EXPECT_EQ(list[0].Number("r", Any("m")), 1);
   EXPECT_EQ(list[1].Number("r", Any("m")), 5);
   EXPECT_EQ(config.root().Number("t", Any("m")), 7);
-  EXPECT_EQ(FaultsOf(config), "");
+  EXPECT_THAT(FaultsOf(config), IsEmpty());
 }
 
 TEST(Config, OverrideOfAnAbsentItemIsAFault) {
   const Config config = Config::FromText("s: [{r: 1}]\n", "a.yaml", {"s[3].r=5"});
   config.root().List("s")[0].Number("r", Any("m"));
-  EXPECT_THAT(FaultsOf(config), HasSubstr("no item [3], the list has 1"));
+  EXPECT_THAT(FaultsOf(config), HasOnlyFault(kNoSuchName, "--set: s"));
 }
 
 TEST(Config, OverridesReplaceNumbersAndTextsInsideLists) {
@@ -128,7 +118,7 @@ TEST(Config, OverridesReplaceNumbersAndTextsInsideLists) {
   EXPECT_EQ(config.root().NumberRows("r", Any("m"), 2, 1),
             (std::vector<std::vector<double>>{{1, 2}, {7, 4}, {8, 9}}));
   EXPECT_EQ(config.root().Texts("t"), (std::vector<std::string>{"a", "c"}));
-  EXPECT_EQ(FaultsOf(config), "");
+  EXPECT_THAT(FaultsOf(config), IsEmpty());
 }
 
 TEST(Config, OfTwoOverridesTheLaterHolds) {
@@ -137,15 +127,14 @@ TEST(Config, OfTwoOverridesTheLaterHolds) {
   EXPECT_EQ(config.root().Vector2("v", Any("m")), Vec2(3, 5));
   EXPECT_EQ(config.root().Map("m").Number("a", Any("m")), 7);
   EXPECT_EQ(config.root().Map("m").Number("b", Any("m")), 8);
-  EXPECT_EQ(FaultsOf(config), "");
+  EXPECT_THAT(FaultsOf(config), IsEmpty());
 }
 
 TEST(Config, OverridesWithoutAPathAreRefused) {
   for (const char* text : {"]=1", "=1", "a", ".=1", "a..b=1", "a.=1", ".a=1", "[0]=1", "a[=1",
                            "a[]=1", "a[x]=1", "a[00].b=1", "a[-1]=1", "a[0]b=1", "a]=1"}) {
     EXPECT_THAT([&] { Config::FromText("a: [1]\n", "a.yaml", {text}); },
-                ::testing::ThrowsMessage<InputError>(AllOf(HasSubstr(std::string("--set ") + text),
-                                                           HasSubstr("need key.path=value"))))
+                ThrowsFault(kMalformed, std::string("--set ") + text))
         << text;
   }
 }
@@ -158,12 +147,11 @@ TEST(Config, AnOverrideOfAnItemByWhatItCannotBeIsAFault) {
     config.root().Vector2("v", Any("m"));
     return FaultsOf(config);
   };
-  EXPECT_EQ(faults("s[0]=foo"), "--set: s[0]: 'foo' found, need a mapping of keys");
-  EXPECT_EQ(faults("s.00.r=1"), "--set: s: no item [00], the list has 1");
-  EXPECT_EQ(faults("v[2]=1"), "--set: v: no item [2], the list has 2");
-  EXPECT_EQ(faults("v[0].x=1"), "--set: v[0]: a mapping is not a number, need a number in m");
-  EXPECT_EQ(faults("absent[0].r=1"),
-            "--set: absent: an item of a list that is not there found, need a list of mappings");
+  EXPECT_THAT(faults("s[0]=foo"), HasOnlyFault(kMistyped, "--set: s[0]"));
+  EXPECT_THAT(faults("s.00.r=1"), HasOnlyFault(kNoSuchName, "--set: s"));
+  EXPECT_THAT(faults("v[2]=1"), HasOnlyFault(kNoSuchName, "--set: v"));
+  EXPECT_THAT(faults("v[0].x=1"), HasOnlyFault(kMistyped, "--set: v[0]"));
+  EXPECT_THAT(faults("absent[0].r=1"), HasOnlyFault(kMistyped, "--set: absent"));
 }
 
 TEST(Config, NamesKeepTheOrderOfTheFileWithOverridesAtTheEnd) {
@@ -199,7 +187,7 @@ TEST_F(Presets, OfAPresetAreAppliedBelowIt) {
   std::vector<double> values;
   for (const char* key : {"x", "y", "z"}) values.push_back(config.root().Number(key, Any("")));
   EXPECT_EQ(values, (std::vector<double>{1, 2, 3}));
-  EXPECT_EQ(FaultsOf(config), "");
+  EXPECT_THAT(FaultsOf(config), IsEmpty());
 }
 
 TEST_F(Presets, InACircleAreAFault) {
@@ -207,7 +195,7 @@ TEST_F(Presets, InACircleAreAFault) {
   Write("b.yaml", "preset: ./b.yaml\n");
   const Config config = Read("a.yaml");
   config.root().ApplyPreset("preset");
-  EXPECT_THAT(FaultsOf(config), HasSubstr("'./b.yaml' is a preset of itself"));
+  EXPECT_THAT(FaultsOf(config), HasOnlyFault(kInconsistent, "b.yaml:1:9: preset"));
 }
 
 TEST_F(Presets, WithNamesThatNoFileCanHaveAreNotThere) {
@@ -216,8 +204,8 @@ TEST_F(Presets, WithNamesThatNoFileCanHaveAreNotThere) {
   const Config config = Read("a.yaml");
   config.root().ApplyPreset("preset");
   config.root().File("file");
-  EXPECT_THAT(FaultsOf(config), AllOf(HasSubstr("xxx.yaml' does not exist"),
-                                      HasSubstr("'loop.yaml' does not exist")));
+  EXPECT_THAT(FaultsOf(config),
+              ElementsAre(IsFault(kUnreadable, "preset"), IsFault(kUnreadable, "file")));
   EXPECT_THROW(Read("loop.yaml"), InputError);
   EXPECT_THROW(Read(std::string(300, 'y')), InputError);
 }
@@ -231,8 +219,8 @@ TEST_F(Presets, FolderStandsForItsListOnlyWhereTheReaderSaysSo) {
   EXPECT_THAT(config.ResolvedYaml(), HasSubstr("run/metadata.yaml"));
   config.root().File("mesh");
   FileOrList(config.root(), "missing", "metadata.yaml");
-  EXPECT_THAT(FaultsOf(config), AllOf(HasSubstr("mesh: file 'run' does not exist"),
-                                      HasSubstr("missing: file 'nowhere' does not exist")));
+  EXPECT_THAT(FaultsOf(config),
+              ElementsAre(IsFault(kUnreadable, "mesh"), IsFault(kUnreadable, "missing")));
 }
 
 TEST(Config, ResolvedDocumentHoldsDefaultsAndReadsBackTheSame) {
@@ -246,28 +234,18 @@ TEST(Config, ResolvedDocumentHoldsDefaultsAndReadsBackTheSame) {
   const Config again = Config::FromText(config.ResolvedYaml(), "resolved.yaml");
   EXPECT_EQ(read(again.root()), first);
   EXPECT_THAT(first, ::testing::ElementsAre(1.5, 0.1, 2, 4));
-  EXPECT_EQ(FaultsOf(again), "");
+  EXPECT_THAT(FaultsOf(again), IsEmpty());
 }
 
-TEST(Config, MissingIncludedFileNamesTheKeyAndTheRemedy) {
+TEST(Config, MissingIncludedFileIsAFaultOfTheKeyThatNamesIt) {
   const Config config = Config::FromText("machine: nowhere.yaml\n", "a.yaml");
   config.root().MapOrFile("machine");
-  EXPECT_THAT(FaultsOf(config), AllOf(HasSubstr("a.yaml:1:10: machine: file 'nowhere.yaml'"),
-                                      HasSubstr("correct the path")));
+  EXPECT_THAT(FaultsOf(config), HasOnlyFault(kUnreadable, "a.yaml:1:10: machine"));
 }
 
 TEST(Config, BrokenYamlNamesLineAndColumn) {
-  EXPECT_THROW(
-      {
-        try {
-          Config::FromText("a: [1, 2\nb: 3\n", "a.yaml");
-        } catch (const InputError& e) {
-          EXPECT_THAT(e.what(), HasSubstr("a.yaml:"));
-          EXPECT_THAT(e.what(), HasSubstr("not valid YAML"));
-          throw;
-        }
-      },
-      InputError);
+  EXPECT_THAT([] { Config::FromText("a: [1, 2\nb: 3\n", "a.yaml"); },
+              ThrowsFault(kMalformed, "a.yaml:2:2"));
 }
 
 TEST(Config, WhatAMappingLacksIsNoFaultWhereItIsNotThereItself) {
@@ -284,17 +262,17 @@ TEST(Config, WhatAMappingLacksIsNoFaultWhereItIsNotThereItself) {
   root.Map("here").Number("depth_m", Positive("m"));
   root.Map("here").Number("width_m", Positive("m"));
   EXPECT_EQ(FaultCount(root), 5u);
-  const std::string faults = FaultsOf(config);
-  EXPECT_EQ(std::count(faults.begin(), faults.end(), '\n'), 4) << faults;
-  EXPECT_THAT(faults, AllOf(HasSubstr("'nowhere.yaml' does not exist"), HasSubstr("list: a list"),
-                            HasSubstr("gone: missing"), HasSubstr("here.depth_m: -2"),
-                            HasSubstr("here.width_m: missing")));
+  EXPECT_THAT(FaultsOf(config),
+              ElementsAre(IsFault(kUnreadable, "file"), IsFault(kMistyped, "list"),
+                          IsFault(kMissing, "gone"), IsFault(kOutOfRange, "here.depth_m"),
+                          IsFault(kMissing, "here.width_m")));
 }
 
 TEST(Config, AnUnknownKeyIsToldBeforeWhatIsMissingForIt) {
   const Config config = Config::FromText("a: {wdth_m: 3}\n", "a.yaml");
   config.root().Map("a").Number("width_m", Positive("m"));
-  EXPECT_THAT(FaultsOf(config), testing::StartsWith("a.yaml:1:5: a.wdth_m: unknown key (did you"));
+  EXPECT_THAT(FaultsOf(config), ElementsAre(IsFault(kUnknown, "a.yaml:1:5: a.wdth_m"),
+                                            IsFault(kMissing, "a.yaml:1:4: a.width_m")));
 }
 
 TEST(Config, MergeKeysBringWhatAMappingDoesNotSay) {
@@ -313,13 +291,12 @@ TEST(Config, MergeKeysBringWhatAMappingDoesNotSay) {
       config.root().Map(key).Number(length, Any("m"), 0);
     }
   }
-  EXPECT_EQ(FaultsOf(config), "");
+  EXPECT_THAT(FaultsOf(config), IsEmpty());
 }
 
 TEST(Config, MergeKeyOfANumberIsAFaultWithItsPlace) {
   EXPECT_THAT([] { Config::FromText("a:\n  <<: 3\n", "a.yaml"); },
-              testing::ThrowsMessage<InputError>(
-                  AllOf(HasSubstr("a.yaml:2:7"), HasSubstr("needs a mapping"))));
+              ThrowsFault(kMalformed, "a.yaml:2:7"));
 }
 
 }  // namespace

@@ -5,14 +5,14 @@
 
 #include <fstream>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "own_folder.h"
 
 namespace tera {
 namespace {
 
+using enum FaultKind;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 std::string Write(const std::string& text) {
   const std::string path = OwnFolder() / "table.csv";
@@ -20,13 +20,9 @@ std::string Write(const std::string& text) {
   return path;
 }
 
-std::string MessageOf(const std::string& text, const std::vector<std::string>& names) {
-  try {
-    ReadCsvColumns(Write(text), names);
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "";
+std::vector<InputFault> FaultsOfCsv(const std::string& text,
+                                    const std::vector<std::string>& names) {
+  return FaultsIn([&] { ReadCsvColumns(Write(text), names); });
 }
 
 TEST(Csv, ReadsNamedColumnsInTheOrderAskedAndIgnoresOthers) {
@@ -36,15 +32,14 @@ TEST(Csv, ReadsNamedColumnsInTheOrderAskedAndIgnoresOthers) {
 }
 
 TEST(Csv, NamesFileAndLineOfWhatIsWrong) {
-  EXPECT_THAT(MessageOf("a,b\n1,2\n1,nan\n", {"b"}), HasSubstr("table.csv:3: b: 'nan' is not"));
-  EXPECT_THAT(MessageOf("a,b\n1,2\n1\n", {"b"}), HasSubstr("table.csv:3: 1 fields, need 2"));
-  EXPECT_THAT(MessageOf("speed,b\n1,2\n", {"sped"}),
-              HasSubstr("no column 'sped' (did you mean 'speed'?)"));
-  EXPECT_THAT(MessageOf("", {"a"}), HasSubstr("table.csv:1: empty"));
+  EXPECT_THAT(FaultsOfCsv("a,b\n1,2\n1,nan\n", {"b"}), HasFault(kMistyped, "table.csv:3: b"));
+  EXPECT_THAT(FaultsOfCsv("a,b\n1,2\n1\n", {"b"}), HasFault(kMalformed, "table.csv:3"));
+  EXPECT_THAT(FaultsOfCsv("speed,b\n1,2\n", {"sped"}), HasFault(kMissing, "table.csv:1"));
+  EXPECT_THAT(FaultsOfCsv("", {"a"}), HasFault(kMalformed, "table.csv:1"));
 }
 
 TEST(Csv, RefusesAFileThatIsNotThere) {
-  EXPECT_THROW(ReadCsvHeader("/nowhere/at/all.csv"), InputError);
+  EXPECT_THAT([] { ReadCsvHeader("/nowhere/at/all.csv"); }, ThrowsFault(kUnreadable, "all.csv"));
 }
 
 }  // namespace

@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "core/config/config.h"
-#include "core/error.h"
+#include "core/faults.h"
 
 namespace tera {
 namespace {
 
+using enum FaultKind;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 const std::vector<LearnedVariable> kVariables = {
     {"lever/boom", "1", LearnedVariable::Kind::kLever, 1},
@@ -33,13 +34,8 @@ std::optional<LearnedEffect> Read(const std::string& yaml) {
   return learned;
 }
 
-std::string FaultsOf(const std::string& yaml) {
-  try {
-    Read(yaml);
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "";
+std::vector<InputFault> FaultsOf(const std::string& yaml) {
+  return FaultsIn([&] { Read(yaml); });
 }
 
 TEST(LearnedEffect, IsStraightBetweenKnotsAndGoesToZeroWithinTheNextInterval) {
@@ -79,7 +75,7 @@ TEST(LearnedEffect, WithoutABandIsItsOwnAndWithHalfOfOneIsRefused) {
   EXPECT_THAT(learned->low, ElementsAre(0.5, 2));
   EXPECT_THAT(learned->high, ElementsAre(0.5, 2));
   EXPECT_THAT(FaultsOf(Table("[-1, 0, 2]", "[0.5, 0, 1]", head, "low: [0, -1, 0]")),
-              HasSubstr("learned.high: missing"));
+              HasFault(kMissing, "learned.high"));
 }
 
 TEST(LearnedEffect, IsTheSameWhenTheResolvedDocumentIsReadAgain) {
@@ -96,63 +92,57 @@ TEST(LearnedEffect, IsTheSameWhenTheResolvedDocumentIsReadAgain) {
 TEST(LearnedEffect, OfAVariableThatNoSimulationKnowsIsRefusedWithThoseItKnows) {
   EXPECT_THAT(
       FaultsOf(Table("[-1, 0, 2]", "[0.5, 0, 1]", "variable: temperature, unit: C, as: added")),
-      HasSubstr("learned.variable: 'temperature' is no variable that a simulation knows "
-                "here, need one of lever/boom, position/boom"));
+      HasFault(kNoSuchName, "learned.variable"));
   EXPECT_THAT(FaultsOf(Table("[-1, 0, 2]", "[0.5, 0, 1]", "unit: rad, as: added")),
-              HasSubstr("learned.variable: missing"));
+              HasFault(kMissing, "learned.variable"));
 }
 
 TEST(LearnedEffect, InAnotherUnitThanItsVariableIsRefused) {
   EXPECT_THAT(
       FaultsOf(Table("[-1, 0, 2]", "[0.5, 0, 1]", "variable: position/boom, unit: deg, as: added")),
-      HasSubstr("learned.unit: 'deg' found, but position/boom is in rad; need that, and the knots "
-                "in it"));
+      HasFault(kInconsistent, "learned.unit"));
 }
 
 TEST(LearnedEffect, IsAddedOrAShareAndNothingElse) {
   EXPECT_THAT(
       FaultsOf(Table("[-1, 0, 2]", "[0.5, 0, 1]", "variable: position/boom, unit: rad, as: gain")),
-      HasSubstr("learned.as: "));
+      HasFault(kNoSuchName, "learned.as"));
 }
 
 TEST(LearnedEffect, NeedsKnotsThatIncrease) {
-  EXPECT_THAT(FaultsOf(Table("[-1, -1, 2]")),
-              HasSubstr("learned.at: -1 follows -1, need knots that increase from each to the "
-                        "next"));
-  EXPECT_THAT(FaultsOf(Table("[-1, 3, 2]")), HasSubstr("learned.at: 2 follows 3"));
+  EXPECT_THAT(FaultsOf(Table("[-1, -1, 2]")), HasFault(kInconsistent, "learned.at"));
+  EXPECT_THAT(FaultsOf(Table("[-1, 3, 2]")), HasFault(kInconsistent, "learned.at"));
 }
 
 TEST(LearnedEffect, NeedsANumberForEachKnotInEveryList) {
-  EXPECT_THAT(FaultsOf(Table("[-1, 0, 2]", "[0.5, 0]")),
-              HasSubstr("learned.value: 2 numbers found, but 'at' has 3 knots; need one for each"));
+  EXPECT_THAT(FaultsOf(Table("[-1, 0, 2]", "[0.5, 0]")), HasFault(kInconsistent, "learned.value"));
   EXPECT_THAT(
       FaultsOf(Table("[-1, 0, 2]", "[0.5, 0, 1]", "variable: position/boom, unit: rad, as: added",
                      "low: [0, -1, 0], high: [1, 1, 2, 3]")),
-      HasSubstr("learned.high: 4 numbers found"));
-  EXPECT_THAT(FaultsOf(Table("[1]", "[0.5]")), HasSubstr("learned.at: "));
+      HasFault(kInconsistent, "learned.high"));
+  EXPECT_THAT(FaultsOf(Table("[1]", "[0.5]")), HasFault(kMistyped, "learned.at"));
 }
 
 TEST(LearnedEffect, NeedsFiniteNumbersAndSharesThatDoNotTurnARateBack) {
-  EXPECT_THAT(FaultsOf(Table("[-1, 0, .inf]")), HasSubstr("learned.at"));
-  EXPECT_THAT(FaultsOf(Table("[-1, 0, 2]", "[0.5, .nan, 1]")), HasSubstr("learned.value"));
+  EXPECT_THAT(FaultsOf(Table("[-1, 0, .inf]")), HasFault(kMistyped, "learned.at[2]"));
+  EXPECT_THAT(FaultsOf(Table("[-1, 0, 2]", "[0.5, .nan, 1]")),
+              HasFault(kMistyped, "learned.value[1]"));
   EXPECT_THAT(FaultsOf(Table("[-1, 0, 2]", "[-1.2, 0, 1]",
                              "variable: position/boom, unit: rad, as: share")),
-              HasSubstr("-1.2 is out of range, need -1 to 9"));
-  EXPECT_EQ(
+              HasFault(kOutOfRange, "learned.value[0]"));
+  EXPECT_THAT(
       FaultsOf(Table("[-1, 0, 2]", "[-1, 0, 1]", "variable: position/boom, unit: rad, as: share",
                      "low: [-1.4, -1, 0], high: [1, 1, 2]")),
-      "");
+      IsEmpty());
 }
 
 TEST(LearnedEffect, LiesWithinItsBand) {
   EXPECT_THAT(FaultsOf(Table("[-1, 0, 2]", "[0.5, 0, 3]")),
-              HasSubstr("learned.value: 3 at 2 is not within its band from 0 to 2, need low <= "
-                        "value <= high at every knot"));
+              HasFault(kInconsistent, "learned.value"));
 }
 
 TEST(LearnedEffect, ThatIsNoTableIsRefusedAsSuch) {
-  EXPECT_THAT(FaultsOf("learned: 3\n"),
-              HasSubstr("need a table, {variable: NAME, unit: UNIT, as: added or share"));
+  EXPECT_THAT(FaultsOf("learned: 3\n"), HasFault(kMistyped, "learned"));
 }
 
 }  // namespace

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <gmock/gmock.h>
+
+#include <cctype>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+
+/// What tests ask of bad input: the kind of each fault and its place, never the sentence.
+
+namespace tera {
+
+using FaultsMatcher = testing::Matcher<const std::vector<InputFault>&>;
+
+/// What is wrong with what `read` reads, or nothing.
+template <typename Read>
+std::vector<InputFault> FaultsIn(const Read& read) {
+  try {
+    read();
+  } catch (const InputError& error) {
+    return error.faults();
+  }
+  return {};
+}
+
+/// `end` is the last part of `place`, in whole components: of "run/a.csv:3: k[0].x" for instance
+/// "x", "k[0].x", "a.csv:3: k[0].x". A line and a column after it need not be named.
+inline bool EndsIn(std::string place, const std::string& end) {
+  const auto is_counted = [&] {
+    const std::size_t colon = place.find_last_not_of("0123456789");
+    return colon != place.npos && colon + 1 < place.size() && place[colon] == ':';
+  };
+  while (!place.ends_with(end) && is_counted()) place.resize(place.find_last_of(':'));
+  if (!place.ends_with(end)) return false;
+  const std::string before = place.substr(0, place.size() - end.size());
+  return before.empty() || end.empty() ||
+         std::string(" ./:[").find(before.back()) != std::string::npos;
+}
+
+MATCHER_P2(IsFault, kind, place, "") { return arg.kind == kind && EndsIn(arg.place, place); }
+
+/// One of the faults is of that kind, at a place that ends in `place`.
+inline auto HasFault(FaultKind kind, const std::string& place = "") {
+  return testing::Contains(IsFault(kind, place));
+}
+
+/// There is one fault, of that kind, at a place that ends in `place`.
+inline auto HasOnlyFault(FaultKind kind, const std::string& place = "") {
+  return testing::ElementsAre(IsFault(kind, place));
+}
+
+inline auto ThrowsFault(FaultKind kind, const std::string& place = "") {
+  return testing::Throws<InputError>(
+      testing::Property("faults", &InputError::faults, HasFault(kind, place)));
+}
+
+/// Of what a program prints: one line is "place: finding", the place ending in `place`.
+MATCHER_P(TellsOf, place, "") {
+  std::istringstream lines(arg);
+  for (std::string line; std::getline(lines, line);) {
+    for (std::size_t at = line.find(": "); at != line.npos; at = line.find(": ", at + 1)) {
+      if (EndsIn(line.substr(0, at), place)) return true;
+    }
+  }
+  return false;
+}
+
+inline void PrintTo(FaultKind kind, std::ostream* out) {
+  constexpr const char* kNames[] = {"kMissing",    "kUnknown",    "kNoSuchName",   "kRepeated",
+                                    "kMistyped",   "kOutOfRange", "kInconsistent", "kMalformed",
+                                    "kUnreadable", "kUnwritable", "kUnsupported"};
+  *out << kNames[static_cast<int>(kind)];
+}
+
+inline void PrintTo(const InputFault& fault, std::ostream* out) {
+  PrintTo(fault.kind, out);
+  *out << " at '" << fault.place << "': " << fault.finding;
+}
+
+}  // namespace tera
