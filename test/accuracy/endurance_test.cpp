@@ -22,7 +22,7 @@ constexpr double kEnduranceUsual_s = 120;
 constexpr double kStanding_rad = 20 * kDeg;
 /// In a longer shift a cut sometimes gets stuck, and the boom lifts the machine on its bucket, as
 /// one of a real excavator can. On its side it would be past this.
-constexpr double kLying_rad = 60 * kDeg;
+constexpr double kEnduranceLying_rad = 60 * kDeg;
 
 /// Where the machine leant most.
 struct Lean {
@@ -100,7 +100,7 @@ TEST(Endurance, DiggingGoesOnUprightFiniteAndWithAllItsSoil) {
       -ledger.total_kg() / ledger.shifted_kg, ledger.outside_kg, simulation.physics_wall_s(),
       simulation.soil_wall_s());
   EXPECT_LT(most_j, links_at_4_mps_j);
-  EXPECT_LT(most.tilt_rad, length_s <= kEnduranceUsual_s ? kStanding_rad : kLying_rad);
+  EXPECT_LT(most.tilt_rad, length_s <= kEnduranceUsual_s ? kStanding_rad : kEnduranceLying_rad);
   EXPECT_LE(leaning_s, 0.1 * length_s);
   EXPECT_LT(furthest_m, 1.0);       // further and it would be in its own pit
   EXPECT_LT(undermined_m, 0.5);     // as high as its tracks

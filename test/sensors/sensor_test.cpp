@@ -18,7 +18,7 @@ SensorDescription SensorRead(const std::string& keys) {
   return sensor;
 }
 
-std::string FaultOf(const std::string& keys) {
+std::string SensorFaultOf(const std::string& keys) {
   try {
     SensorRead(keys);
   } catch (const InputError& e) {
@@ -220,44 +220,44 @@ TEST(ReadSensor, EncoderKeysReachTheModel) {
 }
 
 TEST(ReadSensor, FaultsSayWhereAndWhatIsNeeded) {
-  EXPECT_THAT(FaultOf("name: a, type: imu, link: b, rate_hz: 0"),
+  EXPECT_THAT(SensorFaultOf("name: a, type: imu, link: b, rate_hz: 0"),
               HasSubstr("sensor.rate_hz: 0 is out of range, need more than 0 Hz"));
-  EXPECT_THAT(FaultOf("name: a, type: imu, rate_hz: 1"), HasSubstr("sensor.link: missing"));
-  EXPECT_THAT(FaultOf("type: imu, link: b, rate_hz: 1"), HasSubstr("sensor.name: missing"));
-  EXPECT_THAT(FaultOf("name: a/b, type: imu, link: b, rate_hz: 1"),
+  EXPECT_THAT(SensorFaultOf("name: a, type: imu, rate_hz: 1"), HasSubstr("sensor.link: missing"));
+  EXPECT_THAT(SensorFaultOf("type: imu, link: b, rate_hz: 1"), HasSubstr("sensor.name: missing"));
+  EXPECT_THAT(SensorFaultOf("name: a/b, type: imu, link: b, rate_hz: 1"),
               HasSubstr("name 'a/b' cannot name a folder"));
-  EXPECT_THAT(FaultOf("name: a, type: radar, link: b, rate_hz: 1"),
+  EXPECT_THAT(SensorFaultOf("name: a, type: radar, link: b, rate_hz: 1"),
               HasSubstr("'radar' is not known, need one of imu"));
-  EXPECT_THAT(FaultOf("name: a, type: imu, link: b, rate_hz: 1, latency_s: -1"),
+  EXPECT_THAT(SensorFaultOf("name: a, type: imu, link: b, rate_hz: 1, latency_s: -1"),
               HasSubstr("latency_s: -1 is out of range"));
-  EXPECT_THAT(FaultOf("name: a, type: imu, link: b, rate_hz: 1, gyro_bias_dps: [0, 0, 0]"),
+  EXPECT_THAT(SensorFaultOf("name: a, type: imu, link: b, rate_hz: 1, gyro_bias_dps: [0, 0, 0]"),
               HasSubstr("unknown key (did you mean 'gyro_bias_degps'?)"));
-  EXPECT_THAT(FaultOf("name: e, type: encoder, link: b, rate_hz: 1"), HasSubstr("unknown key"));
-  EXPECT_THAT(FaultOf("name: e, type: encoder, rate_hz: 1, joints: [boom, arm, boom]"),
+  EXPECT_THAT(SensorFaultOf("name: e, type: encoder, link: b, rate_hz: 1"), HasSubstr("unknown key"));
+  EXPECT_THAT(SensorFaultOf("name: e, type: encoder, rate_hz: 1, joints: [boom, arm, boom]"),
               HasSubstr("sensor.joints: 'boom' is named twice; keep one"));
-  EXPECT_THAT(FaultOf("name: a, link: b, preset: nowhere.yaml"),
+  EXPECT_THAT(SensorFaultOf("name: a, link: b, preset: nowhere.yaml"),
               HasSubstr("file 'nowhere.yaml' does not exist"));
 }
 
 TEST(ReadSensor, ModelsThatContradictThemselvesAreRefused) {
   const std::string camera =
       "name: c, type: camera, link: b, rate_hz: 1, width_px: 8, height_px: 8";
-  EXPECT_THAT(FaultOf(camera + ", horizontal_fov_deg: 60, fx_px: 3"), HasSubstr("keep one"));
-  EXPECT_THAT(FaultOf(camera), HasSubstr("fx_px: missing"));
-  EXPECT_THAT(FaultOf(camera + ", fx_px: 3, near_m: 5, far_m: 4"), HasSubstr("near_m < far_m"));
-  EXPECT_THAT(FaultOf(camera + ", fx_px: 3, depth_min_m: 5, depth_max_m: 4"),
+  EXPECT_THAT(SensorFaultOf(camera + ", horizontal_fov_deg: 60, fx_px: 3"), HasSubstr("keep one"));
+  EXPECT_THAT(SensorFaultOf(camera), HasSubstr("fx_px: missing"));
+  EXPECT_THAT(SensorFaultOf(camera + ", fx_px: 3, near_m: 5, far_m: 4"), HasSubstr("near_m < far_m"));
+  EXPECT_THAT(SensorFaultOf(camera + ", fx_px: 3, depth_min_m: 5, depth_max_m: 4"),
               HasSubstr("depth_min_m < depth_max_m"));
-  EXPECT_THAT(FaultOf(camera + ", fx_px: 3, rgb: false, labels: false"), HasSubstr("all off"));
-  EXPECT_THAT(FaultOf(camera + ", fx_px: 3, labels: [semantic, norml]"),
+  EXPECT_THAT(SensorFaultOf(camera + ", fx_px: 3, rgb: false, labels: false"), HasSubstr("all off"));
+  EXPECT_THAT(SensorFaultOf(camera + ", fx_px: 3, labels: [semantic, norml]"),
               AllOf(HasSubstr("labels: 'norml' is no label channel"), HasSubstr("'normal'"),
                     HasSubstr("need some of semantic, instance, normal")));
-  EXPECT_THAT(FaultOf(camera + ", fx_px: 3, labels: normal"), HasSubstr("need a list, [normal]"));
+  EXPECT_THAT(SensorFaultOf(camera + ", fx_px: 3, labels: normal"), HasSubstr("need a list, [normal]"));
   const std::string lidar = "name: l, type: lidar, link: b, rate_hz: 10, elevation_deg: [1, 2]";
-  EXPECT_THAT(FaultOf(lidar + ", columns: 10, azimuth_offset_deg: [1]"),
+  EXPECT_THAT(SensorFaultOf(lidar + ", columns: 10, azimuth_offset_deg: [1]"),
               HasSubstr("need a list of 2 numbers"));
-  EXPECT_THAT(FaultOf(lidar + ", columns: 10, min_range_m: 3, max_range_m: 2"),
+  EXPECT_THAT(SensorFaultOf(lidar + ", columns: 10, min_range_m: 3, max_range_m: 2"),
               HasSubstr("min_range_m < max_range_m"));
-  EXPECT_THAT(FaultOf(lidar + ", columns: 1000, firing_offset_us: [0, 101]"),
+  EXPECT_THAT(SensorFaultOf(lidar + ", columns: 1000, firing_offset_us: [0, 101]"),
               HasSubstr("a column at rate_hz 10 with 1000 columns lasts 100 us"));
 }
 

@@ -10,11 +10,11 @@
 namespace tera {
 namespace {
 
-constexpr int kImageSensorWidth = 160, kHeight = 120;
+constexpr int kImageSensorWidth = 160, kImageSensorHeight = 120;
 
 CameraIntrinsics ImageSensorLens() {
   return {.width_px = kImageSensorWidth,
-          .height_px = kHeight,
+          .height_px = kImageSensorHeight,
           .fx_px = 120,
           .fy_px = 120,
           .cx_px = 79.5,
@@ -40,7 +40,7 @@ CameraIntrinsics ImageSensorLongLens() {
 }
 
 Image<float> Flat(double luminance_cdpm2) {
-  Image<float> picture(kImageSensorWidth, kHeight, 3);
+  Image<float> picture(kImageSensorWidth, kImageSensorHeight, 3);
   std::fill(picture.data.begin(), picture.data.end(), static_cast<float>(luminance_cdpm2));
   return picture;
 }
@@ -109,7 +109,7 @@ TEST(ImageSensor, CountsOfFewPhotonsArePoissons) {
   for (const double electrons : {0.5, 3.0, 15.0, 25.0, 100.0}) {
     const Image<std::uint16_t> raw = sensor.Expose(Flat(LuminanceFor(model, electrons)), 7);
     const Moments moments = MomentsOf(raw, nullptr, 1);
-    const double n = kImageSensorWidth * kHeight;
+    const double n = kImageSensorWidth * kImageSensorHeight;
     EXPECT_NEAR(moments.mean - 100, electrons, 5 * std::sqrt(electrons / n)) << electrons;
     EXPECT_NEAR(moments.variance, electrons,
                 5 * electrons * std::sqrt((2 + 1 / electrons) / n) + 1.0 / 12)
@@ -149,7 +149,7 @@ TEST(ImageSensor, SensitivityAndDarkSignalDifferFromPixelToPixelAndStay) {
   model.dsnu_e = 12;
   const ImageSensor sensor(model, ImageSensorLongLens(), 5, "camera");
   const auto spatial_e = [&](double luminance) {
-    std::vector<double> mean(kImageSensorWidth * kHeight, 0.0);
+    std::vector<double> mean(kImageSensorWidth * kImageSensorHeight, 0.0);
     for (int k = 0; k < 16; ++k) {
       const Image<std::uint16_t> raw = sensor.Expose(Flat(luminance), k);
       for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += raw.data[3 * i + 1] / 16.0;
@@ -199,7 +199,7 @@ TEST(ImageSensor, RowsAreOffTogetherAndAnewInEachPicture) {
   std::vector<double> offset_e;
   for (int k = 0; k < 4; ++k) {
     const Image<std::uint16_t> raw = sensor.Expose(flat, k);
-    for (int y = 0; y < kHeight; ++y) {
+    for (int y = 0; y < kImageSensorHeight; ++y) {
       double sum = 0;
       for (int x = 0; x < kImageSensorWidth; ++x) sum += raw.at(x, y, 1) - 100.0;
       offset_e.push_back(sum / kImageSensorWidth / sensor.gain_dn_per_e() - 2000);
@@ -207,7 +207,7 @@ TEST(ImageSensor, RowsAreOffTogetherAndAnewInEachPicture) {
   }
   double squares = 0, both = 0;
   for (const double e : offset_e) squares += e * e / offset_e.size();
-  for (int y = 0; y < kHeight; ++y) both += offset_e[y] * offset_e[kHeight + y] / kHeight;
+  for (int y = 0; y < kImageSensorHeight; ++y) both += offset_e[y] * offset_e[kImageSensorHeight + y] / kImageSensorHeight;
   EXPECT_NEAR(std::sqrt(squares), 30, 3);
   EXPECT_LT(std::abs(both), 0.35 * squares);
 }
@@ -215,7 +215,7 @@ TEST(ImageSensor, RowsAreOffTogetherAndAnewInEachPicture) {
 /// Colour of the middle of a flat picture of these values over the exposure's white.
 Vec3 MiddleOf(const ImageSensorModel& model, const Vec3& colour) {
   const ImageSensor sensor(model, ImageSensorLongLens(), 2, "camera");
-  Image<float> flat(kImageSensorWidth, kHeight, 3);
+  Image<float> flat(kImageSensorWidth, kImageSensorHeight, 3);
   const double white = LuminanceFor(model, model.full_well_e);
   for (std::size_t i = 0; i < flat.data.size(); ++i) {
     flat.data[i] = static_cast<float>(white * colour[static_cast<Eigen::Index>(i % 3)]);

@@ -17,7 +17,7 @@ namespace {
 using testing::OneBodyEach;
 using testing::WallMesh;
 
-constexpr int kSurfaceLabelsWidth = 160, kHeight = 120;
+constexpr int kSurfaceLabelsWidth = 160, kSurfaceLabelsHeight = 120;
 constexpr double kSurfaceLabelsFocal_px = 150;
 constexpr double kRounding_px = 0.5 / 64 + 1e-3;  // of the pixel form, and of depth in 32 bits
 
@@ -34,7 +34,7 @@ class FlowBeforeAWall : public ::testing::Test {
   FlowBeforeAWall()
       : model_(OneBodyEach({WallMesh(20, 0.5), WallMesh(0.5, 0.5)})), rasterizer_(model_, {}) {
     lens_ = {.width_px = kSurfaceLabelsWidth,
-             .height_px = kHeight,
+             .height_px = kSurfaceLabelsHeight,
              .fx_px = kSurfaceLabelsFocal_px,
              .fy_px = kSurfaceLabelsFocal_px,
              .cx_px = 79.5,
@@ -67,11 +67,11 @@ const LabelSet kFlows =
 TEST_F(FlowBeforeAWall, FirstPictureHasNone) {
   SurfaceLabels labels(lens_, kFlows);
   const CameraFrame frame = Next(&labels);
-  ASSERT_EQ(frame.flow_to_previous.data.size(), 3u * kSurfaceLabelsWidth * kHeight);
-  EXPECT_EQ(std::ranges::count(frame.flow_to_previous.data, 0), 3 * kSurfaceLabelsWidth * kHeight);
-  EXPECT_EQ(std::ranges::count(frame.flow_to_this.data, 0), 3 * kSurfaceLabelsWidth * kHeight);
+  ASSERT_EQ(frame.flow_to_previous.data.size(), 3u * kSurfaceLabelsWidth * kSurfaceLabelsHeight);
+  EXPECT_EQ(std::ranges::count(frame.flow_to_previous.data, 0), 3 * kSurfaceLabelsWidth * kSurfaceLabelsHeight);
+  EXPECT_EQ(std::ranges::count(frame.flow_to_this.data, 0), 3 * kSurfaceLabelsWidth * kSurfaceLabelsHeight);
   EXPECT_EQ(std::ranges::count(frame.scene_flow_to_previous.data, 0),
-            3 * kSurfaceLabelsWidth * kHeight);
+            3 * kSurfaceLabelsWidth * kSurfaceLabelsHeight);
 }
 
 TEST_F(FlowBeforeAWall, SquareThatMovesHasItsOwn) {
@@ -80,7 +80,7 @@ TEST_F(FlowBeforeAWall, SquareThatMovesHasItsOwn) {
   square_W_m_.x() += 0.12;  // to the camera's right: 150 * 0.12 / 3 = 6 px
   const CameraFrame frame = Next(&labels);
   int on_square = 0, hidden = 0, seen = 0;
-  for (int y = 0; y < kHeight; ++y) {
+  for (int y = 0; y < kSurfaceLabelsHeight; ++y) {
     for (int x = 0; x < kSurfaceLabelsWidth; ++x) {
       const PixelFlow back = FlowAt(frame.flow_to_previous, x, y);
       const auto shift = ShiftAt(frame.scene_flow_to_previous, x, y);
@@ -105,7 +105,7 @@ TEST_F(FlowBeforeAWall, SquareThatMovesHasItsOwn) {
   // 50 x 50 px; a strip of 6 px at its left was behind it.
   EXPECT_EQ(on_square, 50 * 50);
   EXPECT_NEAR(hidden, 6 * 50, 50);
-  EXPECT_EQ(seen + hidden, kSurfaceLabelsWidth * kHeight - on_square);
+  EXPECT_EQ(seen + hidden, kSurfaceLabelsWidth * kSurfaceLabelsHeight - on_square);
 }
 
 TEST_F(FlowBeforeAWall, ForwardFlowLiesOnThePreviousPicture) {
@@ -114,7 +114,7 @@ TEST_F(FlowBeforeAWall, ForwardFlowLiesOnThePreviousPicture) {
   square_W_m_ += Vec3(0.12, 0, -0.06);  // right 6 px, down 3 px
   const CameraFrame frame = Next(&labels);
   int hidden = 0;
-  for (int y = 0; y < kHeight; ++y) {
+  for (int y = 0; y < kSurfaceLabelsHeight; ++y) {
     for (int x = 0; x < kSurfaceLabelsWidth; ++x) {
       const PixelFlow on = FlowAt(frame.flow_to_this, x, y);
       const bool is_square = before.instance.at(x, y) == 2;
@@ -157,7 +157,7 @@ TEST_F(FlowBeforeAWall, IsWhatOpenCvProjectsThroughALens) {
   X_WS_ = MakePose({0.2, 0.3, 39.9}, 0.01, -0.02, 91.5 * kDeg);
   const Pose X_WC = X_WS_ * OpticalInSensor();
   const CameraFrame frame = Next(&labels);
-  for (int y = 4; y < kHeight; y += 9) {
+  for (int y = 4; y < kSurfaceLabelsHeight; y += 9) {
     for (int x = 3; x < kSurfaceLabelsWidth; x += 11) {
       std::vector<cv::Point2d> undistorted;
       cv::undistortPoints(

@@ -20,8 +20,8 @@ namespace {
 using testing::OneBodyEach;
 using testing::WallMesh;
 
-constexpr int kSweepWidth = 160, kHeight = 121;
-constexpr double kSweepFocal_px = 150, kDistance_m = 6;
+constexpr int kSweepWidth = 160, kSweepHeight = 121;
+constexpr double kSweepFocal_px = 150, kSweepDistance_m = 6;
 
 /// A dark square, 2 m wide, against the sky 6 m ahead of a camera that looks along +y of W. The
 /// square moves to the camera's right, which is +x of W.
@@ -29,7 +29,7 @@ class SquareThatPasses : public ::testing::Test {
  protected:
   SquareThatPasses() : model_(OneBodyEach({WallMesh(1, 0.5)})), rasterizer_(model_, {}) {
     lens_ = {.width_px = kSweepWidth,
-             .height_px = kHeight,
+             .height_px = kSweepHeight,
              .fx_px = kSweepFocal_px,
              .fy_px = kSweepFocal_px,
              .cx_px = 79.5,
@@ -44,7 +44,7 @@ class SquareThatPasses : public ::testing::Test {
     const Pose X_WS = MakePose({1, 2, 40}, 0, 0, 90 * kDeg + turn_radps * t_s);
     seen.X_WC = X_WS * OpticalInSensor();
     seen.state.t_ns = t_ns;
-    seen.state.X_WB = {MakePose({1 + square_mps * t_s, 2 + kDistance_m, 40}, 0, 0, 90 * kDeg)};
+    seen.state.X_WB = {MakePose({1 + square_mps * t_s, 2 + kSweepDistance_m, 40}, 0, 0, 90 * kDeg)};
     return seen;
   }
 
@@ -88,7 +88,7 @@ class SquareThatPasses : public ::testing::Test {
 // the row above it, 12 px in all. Steps are 1 px, so that a row may be half of one off.
 TEST_F(SquareThatPasses, ItsUprightEdgeIsSkewedByItsSpeedTimesTheTimeOfTheRows) {
   const CameraFrame frame = Shoot({.readout_s = 0.12, .motion_blur = false}, 0.001, 4.0, 0);
-  const double left_px = 79.5 - kSweepFocal_px / kDistance_m;
+  const double left_px = 79.5 - kSweepFocal_px / kSweepDistance_m;
   for (int row = 40; row <= 80; ++row) {
     const double expected_px = left_px + 100 * 0.12 * (row - 60) / 120.0;
     EXPECT_NEAR(LeftEdge(frame, row) - 0.5, expected_px, 0.5 + 0.5) << row;
@@ -108,7 +108,7 @@ TEST_F(SquareThatPasses, ATurningCameraSkewsWhatStandsStill) {
   for (int row = 37; row <= 83; ++row) {
     const double turned_rad = 0.9 * 0.12 * (row - 60) / 120.0;
     const double expected_px =
-        79.5 + kSweepFocal_px * std::tan(turned_rad - std::atan(1 / kDistance_m));
+        79.5 + kSweepFocal_px * std::tan(turned_rad - std::atan(1 / kSweepDistance_m));
     EXPECT_NEAR(LeftEdge(frame, row) - 0.5, expected_px, 0.25 + 0.5) << row;
   }
 }
@@ -119,15 +119,15 @@ TEST_F(SquareThatPasses, ItsEdgeIsBlurredOverItsSpeedTimesTheExposure) {
   const CameraFrame frame = Shoot({.readout_s = 0}, 0.12, 4.0, 0);
   for (const int row : {45, 60, 75}) {
     EXPECT_NEAR(Crossing(row, 0.9) - Crossing(row, 0.1), 9.6, 0.5) << row;
-    EXPECT_NEAR(Crossing(row, 0.5), 79.5 - kSweepFocal_px / kDistance_m, 0.6) << row;
-    EXPECT_NEAR(LeftEdge(frame, row) - 0.5, 79.5 - kSweepFocal_px / kDistance_m, 0.5) << row;
+    EXPECT_NEAR(Crossing(row, 0.5), 79.5 - kSweepFocal_px / kSweepDistance_m, 0.6) << row;
+    EXPECT_NEAR(LeftEdge(frame, row) - 0.5, 79.5 - kSweepFocal_px / kSweepDistance_m, 0.5) << row;
   }
 }
 
 TEST_F(SquareThatPasses, SkewAndBlurAddUp) {
   Shoot({.readout_s = 0.06, .step_px = 0.3, .most_pictures = 101}, 0.12, 4.0, 0);
   for (const int row : {78}) {  // below the horizon, where the background is even
-    const double middle_px = 79.5 - kSweepFocal_px / kDistance_m + 100 * 0.06 * (row - 60) / 120.0;
+    const double middle_px = 79.5 - kSweepFocal_px / kSweepDistance_m + 100 * 0.06 * (row - 60) / 120.0;
     EXPECT_NEAR(Crossing(row, 0.5), middle_px, 0.6) << row;
     EXPECT_NEAR(Crossing(row, 0.9) - Crossing(row, 0.1), 9.6, 0.6) << row;
   }
@@ -207,7 +207,7 @@ class PassingScene : public SensedScene {
     return {Pose::Identity()};
   }
   std::vector<Pose> BodiesAt(TimeNs t_ns) const override {
-    return {MakePose({4 * ToSeconds(t_ns), kDistance_m, 40}, 0, 0, 90 * kDeg)};
+    return {MakePose({4 * ToSeconds(t_ns), kSweepDistance_m, 40}, 0, 0, 90 * kDeg)};
   }
   RasterizerPool* rasterizers() const override { return rasterizers_.get(); }
   RayScene* ray_scene() const override { return nullptr; }
@@ -249,7 +249,7 @@ TEST_F(SquareThatPasses, ASamplerTakesAPictureWhenItsLastRowIsComplete) {
   const CameraFrame& frame = sink.frames.back();
   EXPECT_EQ(frame.t_ns, 100'000'000);
   EXPECT_EQ(frame.t_available_ns, 140'000'000);
-  const double middle_px = 79.5 + 75 * 0.1 - kSweepFocal_px / kDistance_m;  // 3 m/s are 75 px/s
+  const double middle_px = 79.5 + 75 * 0.1 - kSweepFocal_px / kSweepDistance_m;  // 3 m/s are 75 px/s
   for (int row = 45; row <= 75; ++row) {
     EXPECT_NEAR(LeftEdge(frame, row) - 0.5, middle_px + 75 * 0.06 * (row - 60) / 120.0, 1.0) << row;
   }

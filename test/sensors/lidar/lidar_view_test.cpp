@@ -37,7 +37,7 @@ LidarModel UnevenBeams() {
   return model;
 }
 
-LidarModel Preset(const std::string& name) {
+LidarModel ViewPreset(const std::string& name) {
   const Config config = Config::FromText(
       "s: {name: lidar, link: upper, preset: 'tera:config/sensors/" + name + ".yaml'}", "test");
   const SensorDescription sensor = ReadSensor(config.root().Map("s"));
@@ -65,8 +65,8 @@ double PointsInAll(const ViewField& field) {
 
 TEST(LidarView, HasAllPointsOfARevolutionInAllDirections) {
   for (const LidarModel& model :
-       {EvenBeams(64, 20, 0.7, 512), EvenBeams(2, 5, 10, 100), UnevenBeams(), Preset("vlp16"),
-        Preset("os1_128"), Preset("os1_64"), EvenBeams(90, 89, 2, 360)}) {
+       {EvenBeams(64, 20, 0.7, 512), EvenBeams(2, 5, 10, 100), UnevenBeams(), ViewPreset("vlp16"),
+        ViewPreset("os1_128"), ViewPreset("os1_64"), EvenBeams(90, 89, 2, 360)}) {
     const double rays = static_cast<double>(model.elevation_rad.size()) * model.columns;
     EXPECT_NEAR(PointsInAll(ViewOf(model, 10)), rays, 2e-3 * rays) << model.elevation_rad.size();
   }
@@ -92,7 +92,7 @@ TEST(LidarView, OfOneBeamOrOfTwoAtOneElevationIsFinite) {
 TEST(LidarView, PointsOnASurfaceThatFacesItAreThoseOfTheDataSheetsSteps) {
   // Beams every 2 deg and columns every 360 / 1808 deg: at the range r they are r 2 deg apart in
   // height and r cos(e) 0.199 deg across.
-  const ViewField field = ViewOf(Preset("vlp16"), 10);
+  const ViewField field = ViewOf(ViewPreset("vlp16"), 10);
   for (const double elevation_deg : {-13.0, -7.3, 0.0, 1.0, 10.0}) {
     const double r_m = 7;
     const double apart_m2 =
@@ -107,7 +107,7 @@ TEST(LidarView, PointsOnASurfaceThatFacesItAreThoseOfTheDataSheetsSteps) {
 }
 
 TEST(LidarView, LooksNowhereBeyondItsBeams) {
-  const ViewField field = ViewOf(Preset("vlp16"), 10);
+  const ViewField field = ViewOf(ViewPreset("vlp16"), 10);
   for (const double deg : {-90.0, -60.0, -17.0, 17.0, 45.0, 90.0}) {
     EXPECT_EQ(field.per_steradian(Direction(deg * kDeg, 0.4)), 0) << deg;
   }
@@ -148,7 +148,7 @@ TEST(LidarView, PointsOnAWallAreAsManyAsTheLidarMeasures) {
   // is off by its outline in steps: some 200 points are within half a step of it, of which half
   // count, one by one as by chance: sqrt(200) / 2 = 7 of thousands, and less over several
   // attitudes.
-  for (const LidarModel& model : {EvenBeams(128, 30, 0.5, 1024), Preset("os1_128")}) {
+  for (const LidarModel& model : {EvenBeams(128, 30, 0.5, 1024), ViewPreset("os1_128")}) {
     const ViewField field = ViewOf(model, 10);
     double measured = 0, expected = 0;
     for (int k = 0; k < 4; ++k) {

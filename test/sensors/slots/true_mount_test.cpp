@@ -17,14 +17,10 @@
 namespace tera {
 namespace {
 
+using testing::ExpectNear;
 using testing::Given;
 
 constexpr double kG_mps2 = 9.80665;
-
-void ExpectNear(const Vec3& found, const Vec3& wanted, double tolerance) {
-  EXPECT_LT((found - wanted).norm(), tolerance)
-      << "found " << found.transpose() << ", wanted " << wanted.transpose();
-}
 
 /// What a unit documented at X_BS reads on a body that turns about the vertical at 2 rad/s, its
 /// origin, which is at rest, on the axis.

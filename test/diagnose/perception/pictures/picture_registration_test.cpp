@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-constexpr int kPictureRegistrationWidth = 160, kHeight = 120;
+constexpr int kPictureRegistrationWidth = 160, kPictureRegistrationHeight = 120;
 constexpr double kPictureRegistrationFocal_px = 140;
 
 /// One picture of a wall across the optical axis, whose paint is the larger the further away it
@@ -25,10 +25,10 @@ PictureSource Wall(double away_m) {
   R_SC << 0, 0, 1, -1, 0, 0, 0, -1, 0;
   source.X_SC.linear() = R_SC;
   source.t_ns = {7'000'000'000};
-  SimulatedPicture picture{Image<float>(kPictureRegistrationWidth, kHeight),
-                           Image<float>(kPictureRegistrationWidth, kHeight),
-                           Image<std::uint8_t>(kPictureRegistrationWidth, kHeight)};
-  for (int y = 0; y < kHeight; ++y) {
+  SimulatedPicture picture{Image<float>(kPictureRegistrationWidth, kPictureRegistrationHeight),
+                           Image<float>(kPictureRegistrationWidth, kPictureRegistrationHeight),
+                           Image<std::uint8_t>(kPictureRegistrationWidth, kPictureRegistrationHeight)};
+  for (int y = 0; y < kPictureRegistrationHeight; ++y) {
     for (int x = 0; x < kPictureRegistrationWidth; ++x) {
       picture.grey.at(x, y) = static_cast<float>(PaintAt(x / 14.0, y / 14.0));
       picture.depth_m.at(x, y) = static_cast<float>(away_m);

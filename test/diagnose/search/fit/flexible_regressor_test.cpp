@@ -7,12 +7,12 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kSamples = 4000, kManoeuvres = 20;
+constexpr std::size_t kSamples = 4000, kFlexibleRegressorManoeuvres = 20;
 
 std::vector<Manoeuvre> EqualManoeuvres() {
   std::vector<Manoeuvre> manoeuvres;
-  for (std::size_t m = 0; m < kManoeuvres; ++m) {
-    const std::size_t length = kSamples / kManoeuvres;
+  for (std::size_t m = 0; m < kFlexibleRegressorManoeuvres; ++m) {
+    const std::size_t length = kSamples / kFlexibleRegressorManoeuvres;
     Manoeuvre one{{m * length, (m + 1) * length}, 1};
     one.part = m % 3 == 0 ? Part::kTrain : (m % 3 == 1 ? Part::kSelect : Part::kFinal);
     manoeuvres.push_back(one);
