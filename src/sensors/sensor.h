@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/config/config.h"
+#include "core/config/model_archive.h"
 #include "core/motion.h"
 #include "core/time.h"
 #include "core/types/effects.h"
@@ -32,6 +32,16 @@ struct SensorDescription {
 /// The entry of its kind in the table.
 inline const SensorKind& KindOf(const SensorDescription& sensor) {
   return *kSensorKinds[sensor.model.index()];
+}
+
+/// A kind's entries for a model that Serialize describes in whole.
+template <typename Model>
+void ReadModelOf(const ConfigMap& config, SensorDescription* sensor) {
+  sensor->model = ReadModel<Model>(config);
+}
+template <typename Model>
+std::string YamlOfModel(const SensorDescription& sensor) {
+  return ModelYaml(std::get<Model>(sensor.model), 2);
 }
 
 /// "imu", "gnss", "camera", "lidar", "encoder" or another name in the table of kinds.

@@ -134,7 +134,7 @@ TEST(ReadSensor, ImageSensorKeysReachTheModelAndItsFile) {
   const std::string camera = "type: camera, width_px: 8, height_px: 6, fx_px: 9, image_sensor: ";
   const auto m = ModelOf<CameraModel>(camera + yaml);
   ASSERT_TRUE(m.image_sensor.has_value());
-  const std::string file = ImageSensorYaml(*m.image_sensor);
+  const std::string file = ModelYaml(*m.image_sensor, 4);
   for (const std::string line : {"exposure_s: 0.004",
                                  "f_number: 2.8",
                                  "transmission: 0.8",

@@ -1,7 +1,5 @@
 #include "sensors/camera/exposure_control.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -11,29 +9,17 @@ namespace {
 
 constexpr double kMostStep_ev = 4;  ///< of what one picture may ask for
 
-void ReadLoop(const ConfigMap& config, ControlLoop* loop) {
+void SerializeLoop(ModelArchive* archive, ControlLoop* loop) {
   constexpr double kMostDelay = 100;
-  if (config.Has("zone")) {
-    const std::vector<double> sides = config.Numbers("zone", Between(0, 1, "of the picture"), 4, 4);
-    if (sides.size() == 4) {
-      loop->zone = {sides[0], sides[1], sides[2], sides[3]};
-      if (!(sides[0] < sides[2] && sides[1] < sides[3])) {
-        config.Fault("zone",
-                     "is empty; need [left, top, right, bottom] with left < right and "
-                     "top < bottom");
-      }
-    }
-  }
-  loop->delay_pictures = static_cast<int>(
-      config.Integer("delay_pictures", Between(1, kMostDelay, "pictures"), loop->delay_pictures));
-  loop->rate =
-      config.Number("rate", {.min = 0, .max = 1, .min_excluded = true, .unit = "1"}, loop->rate);
-}
-
-std::string LoopYaml(const ControlLoop& loop) {
-  const MeteringZone& z = loop.zone;
-  return fmt::format("      zone: [{}, {}, {}, {}]\n      delay_pictures: {}\n      rate: {}\n",
-                     z.left, z.top, z.right, z.bottom, loop.delay_pictures, loop.rate);
+  MeteringZone& z = loop->zone;
+  std::vector<double> sides{z.left, z.top, z.right, z.bottom};
+  archive->Visit("zone", &sides, Between(0, 1, "of the picture"));
+  z = {sides[0], sides[1], sides[2], sides[3]};
+  archive->Check(z.left < z.right && z.top < z.bottom, "zone",
+                 "is empty; need [left, top, right, bottom] with left < right and "
+                 "top < bottom");
+  archive->Visit("delay_pictures", &loop->delay_pictures, Between(1, kMostDelay, "pictures"));
+  archive->Visit("rate", &loop->rate, {.min = 0, .max = 1, .min_excluded = true, .unit = "1"});
 }
 
 double Product_s(const PictureSettings& settings) {
@@ -48,39 +34,22 @@ double Correction(double wanted, double found, double rate) {
 
 }  // namespace
 
-AutomaticExposure ReadAutomaticExposure(const ConfigMap& config) {
-  AutomaticExposure m;
-  ReadLoop(config, &m);
-  m.target = config.Number("target", Between(0.01, 0.9, "of the range"), m.target);
-  m.shortest_s = config.Number("shortest_s", Positive("s"), m.shortest_s);
-  m.longest_s = config.Number("longest_s", Positive("s"), m.longest_s);
-  if (m.longest_s < m.shortest_s) {
-    config.Fault("longest_s", "below shortest_s; need shortest_s <= longest_s");
-  }
-  m.least_gain_db = config.Number("least_gain_db", Between(0, 48, "dB"), m.least_gain_db);
-  m.most_gain_db = config.Number("most_gain_db", Between(0, 48, "dB"), m.most_gain_db);
-  if (m.most_gain_db < m.least_gain_db) {
-    config.Fault("most_gain_db", "below least_gain_db; need least_gain_db <= most_gain_db");
-  }
-  return m;
+void Serialize(ModelArchive* archive, AutomaticExposure* m) {
+  SerializeLoop(archive, m);
+  archive->Visit("target", &m->target, Between(0.01, 0.9, "of the range"));
+  archive->Visit("shortest_s", &m->shortest_s, Positive("s"));
+  archive->Visit("longest_s", &m->longest_s, Positive("s"));
+  archive->Check(m->longest_s >= m->shortest_s, "longest_s",
+                 "below shortest_s; need shortest_s <= longest_s");
+  archive->Visit("least_gain_db", &m->least_gain_db, Between(0, 48, "dB"));
+  archive->Visit("most_gain_db", &m->most_gain_db, Between(0, 48, "dB"));
+  archive->Check(m->most_gain_db >= m->least_gain_db, "most_gain_db",
+                 "below least_gain_db; need least_gain_db <= most_gain_db");
 }
 
-AutomaticWhiteBalance ReadAutomaticWhiteBalance(const ConfigMap& config) {
-  AutomaticWhiteBalance m;
-  ReadLoop(config, &m);
-  m.most = config.Number("most", Between(1, 100, "1"), m.most);
-  return m;
-}
-
-std::string AutomaticExposureYaml(const AutomaticExposure& m) {
-  return LoopYaml(m) + fmt::format(
-                           "      target: {}\n      shortest_s: {}\n      longest_s: {}\n"
-                           "      least_gain_db: {}\n      most_gain_db: {}\n",
-                           m.target, m.shortest_s, m.longest_s, m.least_gain_db, m.most_gain_db);
-}
-
-std::string AutomaticWhiteBalanceYaml(const AutomaticWhiteBalance& m) {
-  return LoopYaml(m) + fmt::format("      most: {}\n", m.most);
+void Serialize(ModelArchive* archive, AutomaticWhiteBalance* m) {
+  SerializeLoop(archive, m);
+  archive->Visit("most", &m->most, Between(1, 100, "1"));
 }
 
 ExposureControl::ExposureControl(const std::optional<AutomaticExposure>& exposure,

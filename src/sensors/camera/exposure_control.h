@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/config/config.h"
+#include "core/config/model_archive.h"
 #include "core/motion.h"
 
 namespace tera {
@@ -31,11 +31,8 @@ struct AutomaticWhiteBalance : ControlLoop {
   double most = 4;  ///< factor on red or blue; its inverse is the least
 };
 
-AutomaticExposure ReadAutomaticExposure(const ConfigMap& config);
-AutomaticWhiteBalance ReadAutomaticWhiteBalance(const ConfigMap& config);
-/// The models as sensor.yaml has them, six blanks before each key.
-std::string AutomaticExposureYaml(const AutomaticExposure& model);
-std::string AutomaticWhiteBalanceYaml(const AutomaticWhiteBalance& model);
+void Serialize(ModelArchive* archive, AutomaticExposure* model);
+void Serialize(ModelArchive* archive, AutomaticWhiteBalance* model);
 
 /// What a camera sets for one picture.
 struct PictureSettings {

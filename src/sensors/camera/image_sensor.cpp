@@ -1,7 +1,5 @@
 #include "sensors/camera/image_sensor.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -78,22 +76,6 @@ std::vector<float> PhotonsOf(const ImageSensorModel& model, const CameraIntrinsi
   return photons;
 }
 
-/// Where they are given: a rim, loops and a shutter.
-void ReadParts(const ConfigMap& config, ImageSensorModel* m) {
-  if (const auto rim = config.OptionalMap("rim")) {
-    m->rim.emplace();
-    m->rim->radius_mm = rim->Number("radius_mm", Positive("mm"), m->rim->radius_mm);
-    m->rim->distance_mm = rim->Number("distance_mm", AtLeast(0, "mm"), m->rim->distance_mm);
-  }
-  if (const auto loop = config.OptionalMap("auto_exposure")) {
-    m->auto_exposure = ReadAutomaticExposure(*loop);
-  }
-  if (const auto loop = config.OptionalMap("auto_white_balance")) {
-    m->auto_white_balance = ReadAutomaticWhiteBalance(*loop);
-  }
-  if (const auto shutter = config.OptionalMap("shutter")) m->shutter = ReadShutter(*shutter);
-}
-
 }  // namespace
 
 double LongestExposure_s(const ImageSensorModel& model) {
@@ -101,62 +83,41 @@ double LongestExposure_s(const ImageSensorModel& model) {
                              : model.exposure_s;
 }
 
-ImageSensorModel ReadImageSensor(const ConfigMap& config) {
-  ImageSensorModel m;
-  m.exposure_s = config.Number("exposure_s", Positive("s"), m.exposure_s);
-  m.f_number = config.Number("f_number", Positive("1"), m.f_number);
-  m.transmission = config.Number("transmission", Between(0, 1, "1"), m.transmission);
-  m.pixel_um = config.Number("pixel_um", Positive("um"), m.pixel_um);
-  m.quantum_efficiency =
-      config.Vector3("quantum_efficiency", Between(0, 1, "1"), m.quantum_efficiency);
-  m.full_well_e = config.Number("full_well_e", Positive("e"), m.full_well_e);
-  m.read_noise_e = config.Number("read_noise_e", AtLeast(0, "e"), m.read_noise_e);
-  m.dark_current_eps = config.Number("dark_current_eps", AtLeast(0, "e/s"), m.dark_current_eps);
-  m.temperature_degc =
-      config.Number("temperature_degc", Between(-50, 120, "C"), m.temperature_degc);
-  m.dark_temperature_degc =
-      config.Number("dark_temperature_degc", Between(-50, 120, "C"), m.dark_temperature_degc);
-  m.dark_doubling_k = config.Number("dark_doubling_k", Positive("K"), m.dark_doubling_k);
-  m.prnu = config.Number("prnu", Between(0, 0.3, "1"), m.prnu);
-  m.dsnu_e = config.Number("dsnu_e", AtLeast(0, "e"), m.dsnu_e);
-  m.row_noise_e = config.Number("row_noise_e", AtLeast(0, "e"), m.row_noise_e);
-  m.hot_pixels = config.Number("hot_pixels", Between(0, 1, "1"), m.hot_pixels);
-  m.bits = static_cast<int>(config.Integer("bits", Between(8, 16, "bit"), m.bits));
-  m.gain_db = config.Number("gain_db", Between(0, 48, "dB"), m.gain_db);
-  m.black_dn = config.Number("black_dn", Between(0, 0.25 * (1 << m.bits), "DN"), m.black_dn);
-  const std::string filter =
-      config.Choice("filter", {"rggb", "bggr", "grbg", "gbrg", "none"}, "rggb");
-  const auto named = std::find(kFilterNames.begin(), kFilterNames.end(), filter);
-  m.filter.reset();
-  if (named != kFilterNames.end()) {
-    m.filter = static_cast<ColourFilter>(named - kFilterNames.begin());
-  }
-  ReadParts(config, &m);
-  return m;
+static void Serialize(ModelArchive* archive, LensRim* rim) {
+  archive->Visit("radius_mm", &rim->radius_mm, Positive("mm"));
+  archive->Visit("distance_mm", &rim->distance_mm, AtLeast(0, "mm"));
 }
 
-std::string ImageSensorYaml(const ImageSensorModel& m) {
-  const Vec3& qe = m.quantum_efficiency;
-  std::string text = fmt::format(
-      "    exposure_s: {}\n    f_number: {}\n    transmission: {}\n    pixel_um: {}\n"
-      "    quantum_efficiency: [{}, {}, {}]\n    full_well_e: {}\n    read_noise_e: {}\n"
-      "    dark_current_eps: {}\n    temperature_degc: {}\n    dark_temperature_degc: {}\n"
-      "    dark_doubling_k: {}\n    prnu: {}\n    dsnu_e: {}\n    row_noise_e: {}\n"
-      "    hot_pixels: {}\n    bits: {}\n    gain_db: {}\n    black_dn: {}\n    filter: {}\n",
-      m.exposure_s, m.f_number, m.transmission, m.pixel_um, qe[0], qe[1], qe[2], m.full_well_e,
-      m.read_noise_e, m.dark_current_eps, m.temperature_degc, m.dark_temperature_degc,
-      m.dark_doubling_k, m.prnu, m.dsnu_e, m.row_noise_e, m.hot_pixels, m.bits, m.gain_db,
-      m.black_dn, m.filter ? kFilterNames[static_cast<std::size_t>(*m.filter)] : "none");
-  if (m.rim) {
-    text += fmt::format("    rim:\n      radius_mm: {}\n      distance_mm: {}\n", m.rim->radius_mm,
-                        m.rim->distance_mm);
+void Serialize(ModelArchive* archive, ImageSensorModel* m) {
+  archive->Visit("exposure_s", &m->exposure_s, Positive("s"));
+  archive->Visit("f_number", &m->f_number, Positive("1"));
+  archive->Visit("transmission", &m->transmission, Between(0, 1, "1"));
+  archive->Visit("pixel_um", &m->pixel_um, Positive("um"));
+  archive->Visit("quantum_efficiency", &m->quantum_efficiency, Between(0, 1, "1"));
+  archive->Visit("full_well_e", &m->full_well_e, Positive("e"));
+  archive->Visit("read_noise_e", &m->read_noise_e, AtLeast(0, "e"));
+  archive->Visit("dark_current_eps", &m->dark_current_eps, AtLeast(0, "e/s"));
+  archive->Visit("temperature_degc", &m->temperature_degc, Between(-50, 120, "C"));
+  archive->Visit("dark_temperature_degc", &m->dark_temperature_degc, Between(-50, 120, "C"));
+  archive->Visit("dark_doubling_k", &m->dark_doubling_k, Positive("K"));
+  archive->Visit("prnu", &m->prnu, Between(0, 0.3, "1"));
+  archive->Visit("dsnu_e", &m->dsnu_e, AtLeast(0, "e"));
+  archive->Visit("row_noise_e", &m->row_noise_e, AtLeast(0, "e"));
+  archive->Visit("hot_pixels", &m->hot_pixels, Between(0, 1, "1"));
+  archive->Visit("bits", &m->bits, Between(8, 16, "bit"));
+  archive->Visit("gain_db", &m->gain_db, Between(0, 48, "dB"));
+  archive->Visit("black_dn", &m->black_dn, Between(0, 0.25 * (1 << m->bits), "DN"));
+  std::string filter(m->filter ? kFilterNames[static_cast<std::size_t>(*m->filter)] : "none");
+  archive->Visit("filter", &filter, {"rggb", "bggr", "grbg", "gbrg", "none"});
+  const auto named = std::find(kFilterNames.begin(), kFilterNames.end(), filter);
+  m->filter.reset();
+  if (named != kFilterNames.end()) {
+    m->filter = static_cast<ColourFilter>(named - kFilterNames.begin());
   }
-  if (m.auto_exposure) text += "    auto_exposure:\n" + AutomaticExposureYaml(*m.auto_exposure);
-  if (m.auto_white_balance) {
-    text += "    auto_white_balance:\n" + AutomaticWhiteBalanceYaml(*m.auto_white_balance);
-  }
-  if (m.shutter) text += "    shutter:\n" + ShutterYaml(*m.shutter);
-  return text;
+  archive->Visit("rim", &m->rim);
+  archive->Visit("auto_exposure", &m->auto_exposure);
+  archive->Visit("auto_white_balance", &m->auto_white_balance);
+  archive->Visit("shutter", &m->shutter);
 }
 
 ImageSensor::ImageSensor(const ImageSensorModel& model, const CameraIntrinsics& camera,

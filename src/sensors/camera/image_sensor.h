@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/config/config.h"
+#include "core/config/model_archive.h"
 #include "core/random.h"
 #include "core/types/measurement.h"
 #include "render/gl/camera_intrinsics.h"
@@ -43,9 +43,7 @@ struct ImageSensorModel {
 /// The longest that a pixel may gather light for one picture.
 double LongestExposure_s(const ImageSensorModel& model);
 
-ImageSensorModel ReadImageSensor(const ConfigMap& config);
-/// The model as sensor.yaml has it, four blanks before each key.
-std::string ImageSensorYaml(const ImageSensorModel& model);
+void Serialize(ModelArchive* archive, ImageSensorModel* model);
 
 /// What a pixel with an exceptional dark current has, over the others'.
 inline constexpr double kHotPixel = 200;

@@ -59,12 +59,12 @@ void ReadDepthSensor(const ConfigMap& config, CameraModel* model) {
   std::string_view key;
   if (const auto stereo = config.OptionalMap("stereo")) {
     key = "stereo";
-    model->stereo = ReadStereo(*stereo);
+    model->stereo = ReadModel<StereoModel>(*stereo);
   }
   if (const auto flight = config.OptionalMap("time_of_flight")) {
     if (model->stereo) config.Fault("time_of_flight", "given beside stereo; keep one of the two");
     key = "time_of_flight";
-    model->time_of_flight = ReadTimeOfFlight(*flight);
+    model->time_of_flight = ReadModel<TimeOfFlightModel>(*flight);
   }
   // Either takes the place of a preset's noise.
   if (key.empty() || !LiesBelow(config, "disparity_noise_px", key)) {
@@ -167,7 +167,7 @@ CameraModel ReadCameraModel(const ConfigMap& config) {
     m.rgb_noise = config.Number("rgb_noise", Between(0, kMaxValue, "of 255"), 0);
   }
   if (const auto sensor = config.OptionalMap("image_sensor")) {
-    m.image_sensor = ReadImageSensor(*sensor);
+    m.image_sensor = ReadModel<ImageSensorModel>(*sensor);
     if (m.rgb_noise > 0) {
       config.Fault("rgb_noise", "given beside image_sensor, which has noise of its own; keep one");
     }
@@ -175,7 +175,7 @@ CameraModel ReadCameraModel(const ConfigMap& config) {
     CheckLabelsUnderShutter(config, m);
   }
   if (const auto optics = config.OptionalMap("optics")) {
-    m.optics = ReadOptics(*optics);
+    m.optics = ReadModel<OpticsModel>(*optics);
     if (!m.image_sensor) {
       config.Fault("optics",
                    "changes the luminance before an image sensor, which this camera has not; need "
@@ -195,10 +195,10 @@ std::string CameraModelYaml(const CameraModel& m) {
           m.rgb, m.depth, LabelsYaml(m.labels), m.depth_min_m, m.depth_max_m, m.disparity_noise_px,
           m.baseline_m, m.rgb_noise);
   text += ObjectLabelsYaml(m.object_labels);
-  if (m.stereo) text += "  stereo:\n" + StereoYaml(*m.stereo);
-  if (m.time_of_flight) text += "  time_of_flight:\n" + TimeOfFlightYaml(*m.time_of_flight);
-  if (m.image_sensor) text += "  image_sensor:\n" + ImageSensorYaml(*m.image_sensor);
-  if (m.optics) text += "  optics:\n" + OpticsYaml(*m.optics);
+  if (m.stereo) text += "  stereo:\n" + ModelYaml(*m.stereo, 4);
+  if (m.time_of_flight) text += "  time_of_flight:\n" + ModelYaml(*m.time_of_flight, 4);
+  if (m.image_sensor) text += "  image_sensor:\n" + ModelYaml(*m.image_sensor, 4);
+  if (m.optics) text += "  optics:\n" + ModelYaml(*m.optics, 4);
   return text;
 }
 

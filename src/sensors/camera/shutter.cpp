@@ -1,7 +1,5 @@
 #include "sensors/camera/shutter.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -17,26 +15,15 @@ double Open_s(const ShutterModel& model, double exposure_s) {
 
 }  // namespace
 
-ShutterModel ReadShutter(const ConfigMap& config) {
+void Serialize(ModelArchive* archive, ShutterModel* m) {
   constexpr double kMostPictures = 255;
-  ShutterModel m;
-  m.readout_s = config.Number("readout_s", AtLeast(0, "s"), m.readout_s);
-  m.motion_blur = config.Boolean("motion_blur", m.motion_blur);
-  m.step_px = config.Number("step_px", Between(0.05, 100, "px"), m.step_px);
-  m.most_pictures = static_cast<int>(
-      config.Integer("most_pictures", Between(1, kMostPictures, "pictures"), m.most_pictures));
-  if (m.readout_s == 0 && !m.motion_blur) {
-    config.Fault("motion_blur",
+  archive->Visit("readout_s", &m->readout_s, AtLeast(0, "s"));
+  archive->Visit("motion_blur", &m->motion_blur);
+  archive->Visit("step_px", &m->step_px, Between(0.05, 100, "px"));
+  archive->Visit("most_pictures", &m->most_pictures, Between(1, kMostPictures, "pictures"));
+  archive->Check(m->readout_s != 0 || m->motion_blur, "motion_blur",
                  "false beside readout_s 0: the shutter then makes nothing of motion; need a "
                  "readout_s above 0, motion_blur: true, or no shutter");
-  }
-  return m;
-}
-
-std::string ShutterYaml(const ShutterModel& m) {
-  return fmt::format(
-      "      readout_s: {}\n      motion_blur: {}\n      step_px: {}\n      most_pictures: {}\n",
-      m.readout_s, m.motion_blur, m.step_px, m.most_pictures);
 }
 
 Exposures::Exposures(const ShutterModel& model, double exposure_s, int rows, int pictures)

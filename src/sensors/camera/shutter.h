@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/config/config.h"
+#include "core/config/model_archive.h"
 #include "core/time.h"
 
 namespace tera {
@@ -15,9 +15,7 @@ struct ShutterModel {
   int most_pictures = 15;   ///< instants drawn for one picture; beyond, steps grow
 };
 
-ShutterModel ReadShutter(const ConfigMap& config);
-/// The model as sensor.yaml has it, six blanks before each key.
-std::string ShutterYaml(const ShutterModel& model);
+void Serialize(ModelArchive* archive, ShutterModel* model);
 
 /// The instants from which one picture is put together.
 ///

@@ -1,7 +1,6 @@
 #include "sensors/encoder/encoder.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 #include <set>
@@ -12,30 +11,19 @@
 
 namespace tera {
 
-EncoderModel ReadEncoderModel(const ConfigMap& config) {
-  EncoderModel m;
-  m.joints = config.Texts("joints");
+void Serialize(ModelArchive* archive, EncoderModel* m) {
+  archive->Visit("joints", &m->joints);
   std::set<std::string> seen;
-  for (const std::string& joint : m.joints) {
-    if (!seen.insert(joint).second) {
-      config.Fault("joints", fmt::format("'{}' is named twice; keep one", joint));
-    }
+  for (const std::string& joint : m->joints) {
+    archive->Check(seen.insert(joint).second, "joints",
+                   fmt::format("'{}' is named twice; keep one", joint));
   }
-  m.resolution_rad = config.Number("resolution_deg", AtLeast(0, "deg"), 0) * kDeg;
-  m.noise_rad = config.Number("noise_deg", AtLeast(0, "deg"), 0) * kDeg;
-  m.rate_noise_radps = config.Number("rate_noise_degps", AtLeast(0, "deg/s"), 0) * kDeg;
-  m.resolution_m = config.Number("resolution_m", AtLeast(0, "m"), 0);
-  m.noise_m = config.Number("noise_m", AtLeast(0, "m"), 0);
-  m.rate_noise_mps = config.Number("rate_noise_mps", AtLeast(0, "m/s"), 0);
-  return m;
-}
-
-std::string EncoderModelYaml(const EncoderModel& m) {
-  return fmt::format(
-      "  joints: [{}]\n  resolution_deg: {:.12g}\n  noise_deg: {:.12g}\n  rate_noise_degps: "
-      "{:.12g}\n  resolution_m: {}\n  noise_m: {}\n  rate_noise_mps: {}\n",
-      fmt::join(m.joints, ", "), m.resolution_rad / kDeg, m.noise_rad / kDeg,
-      m.rate_noise_radps / kDeg, m.resolution_m, m.noise_m, m.rate_noise_mps);
+  archive->Visit("resolution_deg", &m->resolution_rad, AtLeast(0, "deg"), kDeg);
+  archive->Visit("noise_deg", &m->noise_rad, AtLeast(0, "deg"), kDeg);
+  archive->Visit("rate_noise_degps", &m->rate_noise_radps, AtLeast(0, "deg/s"), kDeg);
+  archive->Visit("resolution_m", &m->resolution_m, AtLeast(0, "m"));
+  archive->Visit("noise_m", &m->noise_m, AtLeast(0, "m"));
+  archive->Visit("rate_noise_mps", &m->rate_noise_mps, AtLeast(0, "m/s"));
 }
 
 Encoder::Encoder(const EncoderModel& model, const SampleClock& clock, TimeNs latency_ns,

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/config/config.h"
+#include "core/config/model_archive.h"
 #include "core/random.h"
 #include "core/types/measurement.h"
 
@@ -18,9 +18,7 @@ struct EncoderModel {
   double resolution_m = 0, noise_m = 0, rate_noise_mps = 0;  ///< of prismatic joints
 };
 
-EncoderModel ReadEncoderModel(const ConfigMap& config);
-/// The model as sensor.yaml has it, two blanks before each key.
-std::string EncoderModelYaml(const EncoderModel& model);
+void Serialize(ModelArchive* archive, EncoderModel* model);
 
 /// Angle and rate sensors of several joints (or tracks, or wheels) read together.
 ///

@@ -177,12 +177,8 @@ constinit const SensorKind kEncoderKind = {
     .name = kEncoderChannel,
     .target = EffectTarget::kEncoder,
     .on_link = false,
-    .read = [](const ConfigMap& config,
-               SensorDescription* s) { s->model = ReadEncoderModel(config); },
-    .model_yaml =
-        [](const SensorDescription& s) {
-          return EncoderModelYaml(std::get<EncoderModel>(s.model));
-        },
+    .read = ReadModelOf<EncoderModel>,
+    .model_yaml = YamlOfModel<EncoderModel>,
     .columns = [](const SensorDescription& s,
                   const MachineModel& machine) { return EncoderColumns(AxesOfSensor(s, machine)); },
     .sampler = [](const SensorPlace& place) -> std::unique_ptr<SensorSampler> {

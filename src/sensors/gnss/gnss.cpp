@@ -1,13 +1,10 @@
 #include "sensors/gnss/gnss.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 #include <utility>
 
 #include "core/check.h"
-#include "sensors/yaml_list.h"
 
 namespace tera {
 namespace {
@@ -32,30 +29,19 @@ std::string_view NameOf(GnssFix fix) {
   return {};
 }
 
-GnssModel ReadGnssModel(const ConfigMap& config) {
+void Serialize(ModelArchive* archive, GnssModel* m) {
   const Range sigma_m = AtLeast(0, "m");
-  GnssModel m;
-  m.white_horizontal_m = config.Number("white_horizontal_m", sigma_m, 0);
-  m.white_vertical_m = config.Number("white_vertical_m", sigma_m, 0);
-  m.correlated_horizontal_m = config.Number("correlated_horizontal_m", sigma_m, 0);
-  m.correlated_vertical_m = config.Number("correlated_vertical_m", sigma_m, 0);
-  m.correlation_time_s = config.Number("correlation_time_s", Positive("s"), m.correlation_time_s);
-  m.bias_enu_m = config.Vector3("bias_enu_m", Any("m"), m.bias_enu_m);
-  const std::string fix = config.Choice(
-      "fix", {"none", "single", "differential", "rtk_fixed", "rtk_float"}, NameOf(m.fix));
+  archive->Visit("white_horizontal_m", &m->white_horizontal_m, sigma_m);
+  archive->Visit("white_vertical_m", &m->white_vertical_m, sigma_m);
+  archive->Visit("correlated_horizontal_m", &m->correlated_horizontal_m, sigma_m);
+  archive->Visit("correlated_vertical_m", &m->correlated_vertical_m, sigma_m);
+  archive->Visit("correlation_time_s", &m->correlation_time_s, Positive("s"));
+  archive->Visit("bias_enu_m", &m->bias_enu_m, Any("m"));
+  std::string fix(NameOf(m->fix));
+  archive->Visit("fix", &fix, {"none", "single", "differential", "rtk_fixed", "rtk_float"});
   for (const auto& [name, value] : kFixNames) {
-    if (name == fix) m.fix = value;
+    if (name == fix) m->fix = value;
   }
-  return m;
-}
-
-std::string GnssModelYaml(const GnssModel& m) {
-  return fmt::format(
-      "  fix: {}\n  white_horizontal_m: {}\n  white_vertical_m: {}\n"
-      "  correlated_horizontal_m: {}\n  correlated_vertical_m: {}\n  correlation_time_s: {}\n"
-      "  bias_enu_m: {}\n",
-      NameOf(m.fix), m.white_horizontal_m, m.white_vertical_m, m.correlated_horizontal_m,
-      m.correlated_vertical_m, m.correlation_time_s, YamlList(m.bias_enu_m));
 }
 
 Gnss::Gnss(const GnssModel& model, const SampleClock& clock, TimeNs latency_ns, std::uint64_t seed,

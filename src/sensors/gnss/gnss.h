@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/config/config.h"
+#include "core/config/model_archive.h"
 #include "core/random.h"
 #include "core/types/measurement.h"
 #include "sensors/gnss/site_frame.h"
@@ -22,9 +22,7 @@ struct GnssModel {
 /// A fix as it is written in YAML: "none", "single", "rtk_fixed", "rtk_float".
 std::string_view NameOf(GnssFix fix);
 
-GnssModel ReadGnssModel(const ConfigMap& config);
-/// The model as sensor.yaml has it, two blanks before each key.
-std::string GnssModelYaml(const GnssModel& model);
+void Serialize(ModelArchive* archive, GnssModel* model);
 
 /// One antenna and its receiver.
 ///

@@ -146,9 +146,8 @@ Mounting TrueGnssMounting(const SensorDescription& sensor, const SensorList& rig
 constinit const SensorKind kGnssKind = {
     .name = kGnssChannel,
     .target = EffectTarget::kGnss,
-    .read = [](const ConfigMap& config, SensorDescription* s) { s->model = ReadGnssModel(config); },
-    .model_yaml =
-        [](const SensorDescription& s) { return GnssModelYaml(std::get<GnssModel>(s.model)); },
+    .read = ReadModelOf<GnssModel>,
+    .model_yaml = YamlOfModel<GnssModel>,
     .columns = [](const SensorDescription&, const MachineModel&) { return GnssColumns(); },
     .sampler = [](const SensorPlace& place) -> std::unique_ptr<SensorSampler> {
       return std::make_unique<GnssSampler>(place);

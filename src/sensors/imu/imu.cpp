@@ -1,13 +1,10 @@
 #include "sensors/imu/imu.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/check.h"
 #include "core/units.h"
-#include "sensors/yaml_list.h"
 
 namespace tera {
 namespace {
@@ -23,34 +20,19 @@ Vec3 Noise(double sigma, const Stream& stream, std::int64_t k) {
 
 }  // namespace
 
-ImuModel ReadImuModel(const ConfigMap& config) {
-  ImuModel m;
-  m.gyro_noise_density_radpsrthz =
-      config.Number("gyro_noise_density_degpsrthz", AtLeast(0, "deg/s/sqrt(Hz)"), 0) * kDeg;
-  m.gyro_bias_random_walk_radps2rthz =
-      config.Number("gyro_bias_random_walk_degps2rthz", AtLeast(0, "deg/s^2/sqrt(Hz)"), 0) * kDeg;
-  m.gyro_bias_radps = config.Vector3("gyro_bias_degps", Any("deg/s"), Vec3::Zero()) * kDeg;
-  m.gyro_sample_noise_radps =
-      config.Number("gyro_sample_noise_degps", AtLeast(0, "deg/s"), 0) * kDeg;
-  m.accel_noise_density_mps2rthz =
-      config.Number("accel_noise_density_ugrthz", AtLeast(0, "ug/sqrt(Hz)"), 0) * kMicroG_mps2;
-  m.accel_bias_random_walk_mps3rthz =
-      config.Number("accel_bias_random_walk_mps3rthz", AtLeast(0, "m/s^3/sqrt(Hz)"), 0);
-  m.accel_bias_mps2 = config.Vector3("accel_bias_mps2", Any("m/s^2"), Vec3::Zero());
-  m.accel_sample_noise_mps2 = config.Number("accel_sample_noise_mps2", AtLeast(0, "m/s^2"), 0);
-  return m;
-}
-
-std::string ImuModelYaml(const ImuModel& m) {
-  return fmt::format(
-      "  gyro_noise_density_degpsrthz: {:.12g}\n  gyro_bias_random_walk_degps2rthz: {:.12g}\n"
-      "  gyro_bias_degps: {}\n  gyro_sample_noise_degps: {:.12g}\n"
-      "  accel_noise_density_ugrthz: {:.12g}\n  accel_bias_random_walk_mps3rthz: {}\n"
-      "  accel_bias_mps2: {}\n  accel_sample_noise_mps2: {}\n",
-      m.gyro_noise_density_radpsrthz / kDeg, m.gyro_bias_random_walk_radps2rthz / kDeg,
-      YamlList(m.gyro_bias_radps, kDeg), m.gyro_sample_noise_radps / kDeg,
-      m.accel_noise_density_mps2rthz / kMicroG_mps2, m.accel_bias_random_walk_mps3rthz,
-      YamlList(m.accel_bias_mps2), m.accel_sample_noise_mps2);
+void Serialize(ModelArchive* archive, ImuModel* m) {
+  archive->Visit("gyro_noise_density_degpsrthz", &m->gyro_noise_density_radpsrthz,
+                 AtLeast(0, "deg/s/sqrt(Hz)"), kDeg);
+  archive->Visit("gyro_bias_random_walk_degps2rthz", &m->gyro_bias_random_walk_radps2rthz,
+                 AtLeast(0, "deg/s^2/sqrt(Hz)"), kDeg);
+  archive->Visit("gyro_bias_degps", &m->gyro_bias_radps, Any("deg/s"), kDeg);
+  archive->Visit("gyro_sample_noise_degps", &m->gyro_sample_noise_radps, AtLeast(0, "deg/s"), kDeg);
+  archive->Visit("accel_noise_density_ugrthz", &m->accel_noise_density_mps2rthz,
+                 AtLeast(0, "ug/sqrt(Hz)"), kMicroG_mps2);
+  archive->Visit("accel_bias_random_walk_mps3rthz", &m->accel_bias_random_walk_mps3rthz,
+                 AtLeast(0, "m/s^3/sqrt(Hz)"));
+  archive->Visit("accel_bias_mps2", &m->accel_bias_mps2, Any("m/s^2"));
+  archive->Visit("accel_sample_noise_mps2", &m->accel_sample_noise_mps2, AtLeast(0, "m/s^2"));
 }
 
 Imu::Imu(const ImuModel& model, const Pose& X_BS, const SampleClock& clock, TimeNs latency_ns,

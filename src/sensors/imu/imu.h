@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/config/config.h"
+#include "core/config/model_archive.h"
 #include "core/motion.h"
 #include "core/random.h"
 #include "core/types/measurement.h"
@@ -23,9 +23,7 @@ struct ImuModel {
   Vec3 accel_bias_mps2 = Vec3::Zero();
 };
 
-ImuModel ReadImuModel(const ConfigMap& config);
-/// The model as sensor.yaml has it, two blanks before each key.
-std::string ImuModelYaml(const ImuModel& model);
+void Serialize(ModelArchive* archive, ImuModel* model);
 
 /// Three gyroscopes and three accelerometers fixed to a body.
 ///

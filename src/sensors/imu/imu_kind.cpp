@@ -126,9 +126,8 @@ void CheckImuEffects(const ConfigMap& effects, const MachineModel& model,
 constinit const SensorKind kImuKind = {
     .name = kImuChannel,
     .target = EffectTarget::kImu,
-    .read = [](const ConfigMap& config, SensorDescription* s) { s->model = ReadImuModel(config); },
-    .model_yaml =
-        [](const SensorDescription& s) { return ImuModelYaml(std::get<ImuModel>(s.model)); },
+    .read = ReadModelOf<ImuModel>,
+    .model_yaml = YamlOfModel<ImuModel>,
     .columns = [](const SensorDescription&, const MachineModel&) { return ImuColumns(); },
     .sampler = [](const SensorPlace& place) -> std::unique_ptr<SensorSampler> {
       return std::make_unique<ImuSampler>(place);

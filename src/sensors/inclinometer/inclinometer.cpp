@@ -1,7 +1,5 @@
 #include "sensors/inclinometer/inclinometer.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "core/check.h"
@@ -21,27 +19,15 @@ InclinometerSample InclinometerSampleOf(const RowSample& row) {
   return {row.t_ns, row.t_available_ns, row.values[0], row.values[1]};
 }
 
-InclinometerModel ReadInclinometerModel(const ConfigMap& config) {
-  InclinometerModel m;
-  m.time_constant_s = config.Number("time_constant_s", AtLeast(0, "s"), 0);
-  m.bias_rad = config.Number("bias_deg", Any("deg"), 0) * kDeg;
-  m.noise_rad = config.Number("noise_deg", AtLeast(0, "deg"), 0) * kDeg;
-  m.resolution_rad = config.Number("resolution_deg", AtLeast(0, "deg"), 0) * kDeg;
-  m.rate_bias_radps = config.Number("rate_bias_degps", Any("deg/s"), 0) * kDeg;
-  m.rate_noise_radps = config.Number("rate_noise_degps", AtLeast(0, "deg/s"), 0) * kDeg;
-  m.vibration_rms_mps2 = config.Number("vibration_rms_mps2", AtLeast(0, "m/s^2"), 0);
-  m.vibration_rectification_s2pm = config.Number("vibration_rectification_s2pm", Any("s^2/m"), 0);
-  return m;
-}
-
-std::string InclinometerModelYaml(const InclinometerModel& m) {
-  return fmt::format(
-      "  time_constant_s: {}\n  bias_deg: {:.12g}\n  noise_deg: {:.12g}\n  resolution_deg: "
-      "{:.12g}\n  rate_bias_degps: {:.12g}\n  rate_noise_degps: {:.12g}\n  vibration_rms_mps2: "
-      "{}\n  vibration_rectification_s2pm: {}\n",
-      m.time_constant_s, m.bias_rad / kDeg, m.noise_rad / kDeg, m.resolution_rad / kDeg,
-      m.rate_bias_radps / kDeg, m.rate_noise_radps / kDeg, m.vibration_rms_mps2,
-      m.vibration_rectification_s2pm);
+void Serialize(ModelArchive* archive, InclinometerModel* m) {
+  archive->Visit("time_constant_s", &m->time_constant_s, AtLeast(0, "s"));
+  archive->Visit("bias_deg", &m->bias_rad, Any("deg"), kDeg);
+  archive->Visit("noise_deg", &m->noise_rad, AtLeast(0, "deg"), kDeg);
+  archive->Visit("resolution_deg", &m->resolution_rad, AtLeast(0, "deg"), kDeg);
+  archive->Visit("rate_bias_degps", &m->rate_bias_radps, Any("deg/s"), kDeg);
+  archive->Visit("rate_noise_degps", &m->rate_noise_radps, AtLeast(0, "deg/s"), kDeg);
+  archive->Visit("vibration_rms_mps2", &m->vibration_rms_mps2, AtLeast(0, "m/s^2"));
+  archive->Visit("vibration_rectification_s2pm", &m->vibration_rectification_s2pm, Any("s^2/m"));
 }
 
 Inclinometer::Inclinometer(const InclinometerModel& model, std::uint64_t seed,

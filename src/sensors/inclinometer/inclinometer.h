@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/config/config.h"
+#include "core/config/model_archive.h"
 #include "core/random.h"
 #include "core/types/effects.h"
 #include "core/types/measurement.h"
@@ -35,9 +35,7 @@ struct InclinometerModel {
   double vibration_rectification_s2pm = 0;  ///< shift along x for each square of that rms
 };
 
-InclinometerModel ReadInclinometerModel(const ConfigMap& config);
-/// The model as sensor.yaml has it, two blanks before each key.
-std::string InclinometerModelYaml(const InclinometerModel& model);
+void Serialize(ModelArchive* archive, InclinometerModel* model);
 
 /// What its effects act on.
 inline constexpr EffectTarget kInclinometerTarget{"an inclinometer"};

@@ -53,12 +53,8 @@ class InclinometerSampler : public SensorSampler {
 constinit const SensorKind kInclinometerKind = {
     .name = "inclinometer",
     .target = kInclinometerTarget,
-    .read = [](const ConfigMap& config,
-               SensorDescription* s) { s->model = ReadInclinometerModel(config); },
-    .model_yaml =
-        [](const SensorDescription& s) {
-          return InclinometerModelYaml(std::get<InclinometerModel>(s.model));
-        },
+    .read = ReadModelOf<InclinometerModel>,
+    .model_yaml = YamlOfModel<InclinometerModel>,
     .columns = [](const SensorDescription&, const MachineModel&) { return InclinometerColumns(); },
     .sampler = [](const SensorPlace& place) -> std::unique_ptr<SensorSampler> {
       return std::make_unique<InclinometerSampler>(place);

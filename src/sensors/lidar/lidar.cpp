@@ -1,7 +1,5 @@
 #include "sensors/lidar/lidar.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -10,7 +8,6 @@
 #include "core/units.h"
 #include "render/rays/threads.h"
 #include "sensors/lidar/air_echoes.h"
-#include "sensors/yaml_list.h"
 
 namespace tera {
 namespace {
@@ -18,16 +15,6 @@ namespace {
 constexpr double kMaxColumns = 65536;
 constexpr std::size_t kMaxBeams = 1024;
 constexpr int kColumnsPerBlock = 16;
-constexpr double kSecondsPerMicrosecond = 1e-6;
-
-std::vector<double> ReadPerBeam(const ConfigMap& config, std::string_view key, const Range& each,
-                                std::size_t beams, double unit) {
-  std::vector<double> values(beams, 0.0);
-  if (!config.Has(key)) return values;
-  values = config.Numbers(key, each, beams, beams);
-  for (double& v : values) v *= unit;
-  return values;
-}
 
 /// Angle that the head turns through in a revolution.
 double Spin(const LidarModel& model) { return (model.clockwise ? -2.0 : 2.0) * kPi; }
@@ -60,37 +47,21 @@ Vec3 Direction(double elevation_rad, double azimuth_rad) {
 
 }  // namespace
 
-LidarModel ReadLidarModel(const ConfigMap& config) {
-  LidarModel m;
-  for (const double e : config.Numbers("elevation_deg", Between(-90, 90, "deg"), 1, kMaxBeams)) {
-    m.elevation_rad.push_back(e * kDeg);
-  }
-  const std::size_t beams = m.elevation_rad.size();
-  m.azimuth_offset_rad =
-      ReadPerBeam(config, "azimuth_offset_deg", Between(-180, 180, "deg"), beams, kDeg);
-  m.firing_offset_s =
-      ReadPerBeam(config, "firing_offset_us", AtLeast(0, "us"), beams, kSecondsPerMicrosecond);
-  m.columns = static_cast<int>(config.Integer("columns", Between(1, kMaxColumns, "")));
-  m.clockwise = config.Boolean("clockwise", m.clockwise);
-  m.min_range_m = config.Number("min_range_m", AtLeast(0, "m"), m.min_range_m);
-  m.max_range_m = config.Number("max_range_m", Positive("m"), m.max_range_m);
-  if (m.max_range_m <= m.min_range_m) {
-    config.Fault("max_range_m", "not beyond min_range_m; need min_range_m < max_range_m");
-  }
-  m.range_noise_m = config.Number("range_noise_m", AtLeast(0, "m"), 0);
-  m.range_at_10_percent_m = config.Number("range_at_10_percent_m", AtLeast(0, "m"), 0);
-  return m;
-}
-
-std::string LidarModelYaml(const LidarModel& m) {
-  constexpr double kMicrosecond = 1e-6;
-  return fmt::format(
-      "  elevation_deg: {}\n  azimuth_offset_deg: {}\n  firing_offset_us: {}\n  columns: {}\n"
-      "  clockwise: {}\n  min_range_m: {}\n  max_range_m: {}\n  range_noise_m: {}\n"
-      "  range_at_10_percent_m: {}\n",
-      YamlList(m.elevation_rad, kDeg), YamlList(m.azimuth_offset_rad, kDeg),
-      YamlList(m.firing_offset_s, kMicrosecond), m.columns, m.clockwise, m.min_range_m,
-      m.max_range_m, m.range_noise_m, m.range_at_10_percent_m);
+void Serialize(ModelArchive* archive, LidarModel* m) {
+  constexpr double kSecondsPerMicrosecond = 1e-6;
+  archive->Need("elevation_deg", &m->elevation_rad, Between(-90, 90, "deg"), kMaxBeams, kDeg);
+  m->azimuth_offset_rad.resize(m->elevation_rad.size());
+  archive->Visit("azimuth_offset_deg", &m->azimuth_offset_rad, Between(-180, 180, "deg"), kDeg);
+  m->firing_offset_s.resize(m->elevation_rad.size());
+  archive->Visit("firing_offset_us", &m->firing_offset_s, AtLeast(0, "us"), kSecondsPerMicrosecond);
+  archive->Need("columns", &m->columns, Between(1, kMaxColumns, ""));
+  archive->Visit("clockwise", &m->clockwise);
+  archive->Visit("min_range_m", &m->min_range_m, AtLeast(0, "m"));
+  archive->Visit("max_range_m", &m->max_range_m, Positive("m"));
+  archive->Check(m->max_range_m > m->min_range_m, "max_range_m",
+                 "not beyond min_range_m; need min_range_m < max_range_m");
+  archive->Visit("range_noise_m", &m->range_noise_m, AtLeast(0, "m"));
+  archive->Visit("range_at_10_percent_m", &m->range_at_10_percent_m, AtLeast(0, "m"));
 }
 
 Lidar::Lidar(const LidarModel& model, const SampleClock& clock, TimeNs latency_ns,

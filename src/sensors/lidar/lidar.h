@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/config/config.h"
+#include "core/config/model_archive.h"
 #include "core/random.h"
 #include "core/types/measurement.h"
 #include "render/rays/ray_scene.h"
@@ -28,9 +28,7 @@ struct LidarModel {
   double range_at_10_percent_m = 0;  ///< data sheet's range on a 10 % target; 0: no power limit
 };
 
-LidarModel ReadLidarModel(const ConfigMap& config);
-/// The model as sensor.yaml has it, two blanks before each key.
-std::string LidarModelYaml(const LidarModel& model);
+void Serialize(ModelArchive* archive, LidarModel* model);
 
 /// Spinning multi-beam lidar.
 ///

@@ -91,7 +91,7 @@ void CheckFirings(const ConfigMap& config, const LidarModel& lidar, const Sample
 }
 
 void ReadLidar(const ConfigMap& config, SensorDescription* sensor) {
-  const LidarModel model = ReadLidarModel(config);
+  const auto model = ReadModel<LidarModel>(config);
   CheckFirings(config, model, sensor->clock);
   sensor->model = model;
 }
@@ -142,8 +142,7 @@ constinit const SensorKind kLidarKind = {
     .form = ChannelForm::kScans,
     .slowest_hz = Lidar::kSlowest_hz,
     .read = ReadLidar,
-    .model_yaml =
-        [](const SensorDescription& s) { return LidarModelYaml(std::get<LidarModel>(s.model)); },
+    .model_yaml = YamlOfModel<LidarModel>,
     .scans = LidarScans,
     .ranging = LidarRanging,
     .view =

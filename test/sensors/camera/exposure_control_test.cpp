@@ -167,7 +167,7 @@ TEST(ExposureControl, BalanceStaysWithinItsLimits) {
 std::string Refusal(const std::string& keys) {
   try {
     const Config config = Config::FromText("image_sensor: {" + keys + "}", "rig.yaml");
-    ReadImageSensor(config.root().Map("image_sensor"));
+    ReadModel<ImageSensorModel>(config.root().Map("image_sensor"));
     config.Finish();
   } catch (const InputError& error) {
     return error.what();
@@ -183,7 +183,8 @@ TEST(ExposureControl, KeysReachTheModelAndItsFile) {
       "image_sensor: {auto_exposure: " + exposure +
           ", auto_white_balance: {zone: [0, 0.5, 1, 1], delay_pictures: 5, rate: 0.1, most: 3}}",
       "rig.yaml");
-  const std::string file = ImageSensorYaml(ReadImageSensor(config.root().Map("image_sensor")));
+  const std::string file =
+      ModelYaml(ReadModel<ImageSensorModel>(config.root().Map("image_sensor")), 4);
   config.Finish();
   for (const std::string line :
        {"zone: [0.1, 0.2, 0.8, 0.9]", "delay_pictures: 4", "rate: 0.25", "target: 0.2",

@@ -114,7 +114,7 @@ TEST(ReadCamera, AStereoMatcherTakesThePlaceOfAPresetsNoise) {
       "64, projector: {intensity_cd: 3000}}");
   EXPECT_EQ(model.disparity_noise_px, 0);
   EXPECT_EQ(model.stereo->disparities_px, 64);
-  EXPECT_EQ(model.stereo->projector.intensity_cd, 3000);
+  EXPECT_EQ(model.stereo->projector->intensity_cd, 3000);
 }
 
 TEST(ReadCamera, LabelsOfObjectsThatCannotBeAreRefused) {

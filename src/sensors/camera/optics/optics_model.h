@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "core/config/config.h"
+#include "core/config/model_archive.h"
 
 namespace tera {
 
@@ -39,8 +39,6 @@ struct OpticsModel {
   std::optional<SoilingModel> soiling;
 };
 
-OpticsModel ReadOptics(const ConfigMap& config);
-/// The model as sensor.yaml has it, four blanks before each key.
-std::string OpticsYaml(const OpticsModel& model);
+void Serialize(ModelArchive* archive, OpticsModel* model);
 
 }  // namespace tera

@@ -36,12 +36,10 @@ double PatternOver(const DotPattern& pattern, const LitEye& eye, int x, int y, d
 
 }  // namespace
 
-DotProjector ReadDotProjector(const ConfigMap& config) {
-  DotProjector m;
-  m.intensity_cd = config.Number("intensity_cd", Positive("cd"));
-  m.cell_deg = config.Number("cell_deg", Between(0.05, 10, "deg"), m.cell_deg);
-  m.dot_share = config.Number("dot_share", Between(0.02, 0.5, "1"), m.dot_share);
-  return m;
+void Serialize(ModelArchive* archive, DotProjector* m) {
+  archive->Need("intensity_cd", &m->intensity_cd, Positive("cd"));
+  archive->Visit("cell_deg", &m->cell_deg, Between(0.05, 10, "deg"));
+  archive->Visit("dot_share", &m->dot_share, Between(0.02, 0.5, "1"));
 }
 
 DotPattern::DotPattern(const DotProjector& projector, const Stream& draw)

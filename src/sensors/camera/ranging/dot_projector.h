@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/config/config.h"
+#include "core/config/model_archive.h"
 #include "core/random.h"
 #include "core/types/measurement.h"
 #include "render/gl/rasterizer.h"
@@ -17,14 +17,12 @@ namespace tera {
 ///         illuminance over the scene's, where the projector sees it.
 /// Omits   speckle of the laser; the cosine of the dots' incidence beside that of the scene's.
 struct DotProjector {
-  double intensity_cd = 0;  ///< of a dot in its middle, as visible light; 0: no projector
+  double intensity_cd = 0;  ///< of a dot in its middle, as visible light
   double cell_deg = 0.5;    ///< side of a cell
   double dot_share = 0.18;
-
-  bool is_on() const { return intensity_cd > 0; }
 };
 
-DotProjector ReadDotProjector(const ConfigMap& config);
+void Serialize(ModelArchive* archive, DotProjector* model);
 
 /// Where a projector's dots are.
 ///

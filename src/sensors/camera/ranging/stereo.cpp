@@ -51,39 +51,18 @@ cv::Mat View(const Image<std::uint8_t>& picture) {
 
 }  // namespace
 
-StereoModel ReadStereo(const ConfigMap& config) {
-  StereoModel m;
-  m.disparities_px =
-      static_cast<int>(config.Integer("disparities_px", Between(16, 1024, "px"), m.disparities_px));
-  if (m.disparities_px % 16 != 0) {
-    config.Fault("disparities_px",
-                 fmt::format("{} is no multiple of 16; need {} or {}", m.disparities_px,
-                             m.disparities_px / 16 * 16, m.disparities_px / 16 * 16 + 16));
-  }
-  m.block_px = static_cast<int>(config.Integer("block_px", Between(1, 11, "px"), m.block_px));
-  if (m.block_px % 2 == 0) {
-    config.Fault("block_px", fmt::format("{} is even; need {} or {}, with a middle", m.block_px,
-                                         m.block_px - 1, m.block_px + 1));
-  }
-  m.uniqueness_percent = static_cast<int>(
-      config.Integer("uniqueness_percent", Between(0, 100, "%"), m.uniqueness_percent));
-  m.noise_dn = config.Number("noise_dn", Between(0, 100, "of 255"), m.noise_dn);
-  if (const auto projector = config.OptionalMap("projector")) {
-    m.projector = ReadDotProjector(*projector);
-  }
-  return m;
-}
-
-std::string StereoYaml(const StereoModel& m) {
-  std::string text = fmt::format(
-      "    disparities_px: {}\n    block_px: {}\n    uniqueness_percent: {}\n    noise_dn: {}\n",
-      m.disparities_px, m.block_px, m.uniqueness_percent, m.noise_dn);
-  if (m.projector.is_on()) {
-    text += fmt::format(
-        "    projector:\n      intensity_cd: {}\n      cell_deg: {}\n      dot_share: {}\n",
-        m.projector.intensity_cd, m.projector.cell_deg, m.projector.dot_share);
-  }
-  return text;
+void Serialize(ModelArchive* archive, StereoModel* m) {
+  archive->Visit("disparities_px", &m->disparities_px, Between(16, 1024, "px"));
+  archive->Check(m->disparities_px % 16 == 0, "disparities_px",
+                 fmt::format("{} is no multiple of 16; need {} or {}", m->disparities_px,
+                             m->disparities_px / 16 * 16, m->disparities_px / 16 * 16 + 16));
+  archive->Visit("block_px", &m->block_px, Between(1, 11, "px"));
+  archive->Check(m->block_px % 2 == 1, "block_px",
+                 fmt::format("{} is even; need {} or {}, with a middle", m->block_px,
+                             m->block_px - 1, m->block_px + 1));
+  archive->Visit("uniqueness_percent", &m->uniqueness_percent, Between(0, 100, "%"));
+  archive->Visit("noise_dn", &m->noise_dn, Between(0, 100, "of 255"));
+  archive->Visit("projector", &m->projector);
 }
 
 Stereo::Stereo(const StereoModel& model, const CameraIntrinsics& camera, double baseline_m,
@@ -92,7 +71,7 @@ Stereo::Stereo(const StereoModel& model, const CameraIntrinsics& camera, double 
       camera_(camera),
       baseline_m_(baseline_m),
       noise_(seed, stream_name + "/stereo") {
-  if (model.projector.is_on()) dots_.emplace(model.projector, Stream(seed, stream_name + "/dots"));
+  if (model.projector) dots_.emplace(*model.projector, Stream(seed, stream_name + "/dots"));
 }
 
 Stereo::Eyes Stereo::Look(std::int64_t k, const SeenScene& scene, Rasterizer* rasterizer) const {
@@ -105,9 +84,9 @@ Stereo::Eyes Stereo::Look(std::int64_t k, const SeenScene& scene, Rasterizer* ra
     const Image<float> from_P_m =
         rasterizer->Render(camera_, scene.X_WC * X_CP, scene.state).depth_m;
     const Pose X_PL = X_CP.inverse(), X_PR = X_CP.inverse() * X_CR;
-    AddDots(model_.projector, *dots_, {camera_, X_PL, left.depth_m, left.light, from_P_m},
+    AddDots(*model_.projector, *dots_, {camera_, X_PL, left.depth_m, left.light, from_P_m},
             &left.luminance_cdpm2);
-    AddDots(model_.projector, *dots_, {camera_, X_PR, right.depth_m, right.light, from_P_m},
+    AddDots(*model_.projector, *dots_, {camera_, X_PR, right.depth_m, right.light, from_P_m},
             &right.luminance_cdpm2);
   }
   const std::vector<float>& light = left.luminance_cdpm2.data;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/config/config.h"
+#include "core/config/model_archive.h"
 #include "core/random.h"
 #include "core/types/measurement.h"
 #include "render/gl/rasterizer.h"
@@ -15,16 +15,14 @@ namespace tera {
 
 /// How a stereo camera finds its depth.
 struct StereoModel {
-  int disparities_px = 96;     ///< range that is searched, from 0; a multiple of 16
-  int block_px = 5;            ///< side of the window that is compared; odd
-  int uniqueness_percent = 8;  ///< by which the best match must beat the second best
-  double noise_dn = 1;         ///< 1 sigma of a grey level of 0..255 of each eye
-  DotProjector projector;      ///< without dots: passive
+  int disparities_px = 96;                ///< range that is searched, from 0; a multiple of 16
+  int block_px = 5;                       ///< side of the window that is compared; odd
+  int uniqueness_percent = 8;             ///< by which the best match must beat the second best
+  double noise_dn = 1;                    ///< 1 sigma of a grey level of 0..255 of each eye
+  std::optional<DotProjector> projector;  ///< none: passive
 };
 
-StereoModel ReadStereo(const ConfigMap& config);
-/// The model as sensor.yaml has it, four blanks before each key.
-std::string StereoYaml(const StereoModel& model);
+void Serialize(ModelArchive* archive, StereoModel* model);
 
 /// Depth of two eyes, matched.
 ///

@@ -1,7 +1,5 @@
 #include "sensors/camera/ranging/time_of_flight.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -38,21 +36,12 @@ CameraIntrinsics Finer(const CameraIntrinsics& lens, int times) {
 
 }  // namespace
 
-TimeOfFlightModel ReadTimeOfFlight(const ConfigMap& config) {
-  TimeOfFlightModel m;
-  m.frequency_hz = config.Number("frequency_hz", Between(1e5, 1e9, "Hz"), m.frequency_hz);
-  m.parts = static_cast<int>(config.Integer("parts", Between(1, 8, ""), m.parts));
-  m.multipath = config.Boolean("multipath", m.multipath);
-  m.noise = config.Number("noise", AtLeast(0, "1"), m.noise);
-  m.least_signal = config.Number("least_signal", AtLeast(0, "1"), m.least_signal);
-  return m;
-}
-
-std::string TimeOfFlightYaml(const TimeOfFlightModel& m) {
-  return fmt::format(
-      "    frequency_hz: {}\n    parts: {}\n    multipath: {}\n    noise: {}\n    least_signal: "
-      "{}\n",
-      m.frequency_hz, m.parts, m.multipath, m.noise, m.least_signal);
+void Serialize(ModelArchive* archive, TimeOfFlightModel* m) {
+  archive->Visit("frequency_hz", &m->frequency_hz, Between(1e5, 1e9, "Hz"));
+  archive->Visit("parts", &m->parts, Between(1, 8, ""));
+  archive->Visit("multipath", &m->multipath);
+  archive->Visit("noise", &m->noise, AtLeast(0, "1"));
+  archive->Visit("least_signal", &m->least_signal, AtLeast(0, "1"));
 }
 
 double AmbiguityRange_m(double frequency_hz) { return kLight_mps / (2 * frequency_hz); }

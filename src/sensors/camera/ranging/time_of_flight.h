@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/config/config.h"
+#include "core/config/model_archive.h"
 #include "core/random.h"
 #include "core/types/measurement.h"
 #include "render/gl/rasterizer.h"
@@ -23,9 +23,7 @@ struct TimeOfFlightModel {
   double least_signal = 0.0;  ///< in the same measure: what is weaker is no measurement
 };
 
-TimeOfFlightModel ReadTimeOfFlight(const ConfigMap& config);
-/// The model as sensor.yaml has it, four blanks before each key.
-std::string TimeOfFlightYaml(const TimeOfFlightModel& model);
+void Serialize(ModelArchive* archive, TimeOfFlightModel* model);
 
 /// Distance along which light of a frequency goes once before its phase repeats, there and back:
 /// c / (2 frequency).

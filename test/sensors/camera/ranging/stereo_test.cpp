@@ -152,14 +152,14 @@ class BeforeASmoothWall : public ::testing::Test {
 TEST_F(BeforeASmoothWall, DotsMakeItSeen) {
   StereoModel model{.disparities_px = 48};
   EXPECT_LT(Right(model), 0.3);
-  model.projector = {.intensity_cd = 2e5, .cell_deg = 1.2, .dot_share = 0.2};
+  model.projector = DotProjector{.intensity_cd = 2e5, .cell_deg = 1.2, .dot_share = 0.2};
   EXPECT_GT(Right(model), 0.8);
 }
 
 // In daylight the dots of a weak projector drown.
 TEST_F(BeforeASmoothWall, WeakDotsDrownInTheNoise) {
   StereoModel model{.disparities_px = 48};
-  model.projector = {.intensity_cd = 10, .cell_deg = 1.2, .dot_share = 0.2};
+  model.projector = DotProjector{.intensity_cd = 10, .cell_deg = 1.2, .dot_share = 0.2};
   EXPECT_LT(Right(model), 0.3);
 }
 
@@ -167,7 +167,7 @@ TEST_F(BeforeASmoothWall, WeakDotsDrownInTheNoise) {
 // z.
 TEST_F(BeforeASmoothWall, SameSeedSameDots) {
   StereoModel model{.disparities_px = 48};
-  model.projector = {.intensity_cd = 2e5, .cell_deg = 1.2};
+  model.projector = DotProjector{.intensity_cd = 2e5, .cell_deg = 1.2};
   const Stereo::Eyes a = Matcher(model).Look(3, seen_, &rasterizer_);
   const Stereo::Eyes b = Matcher(model).Look(3, seen_, &rasterizer_);
   EXPECT_EQ(a.left.data, b.left.data);

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/config/config_map.h"
+#include "core/motion.h"
+
+namespace tera {
+
+/// Reads a model from a mapping, or writes it as YAML, by one description of its keys: `void
+/// Serialize(ModelArchive*, M*)` visits those of a model M in the order in which YAML has them.
+///
+/// Model   a key counts in `unit` of its member: one in degrees has the unit kDeg of a member in
+///         radians. A key that is absent leaves its member as it is. A fault goes to the mapping.
+/// Source  Drake, common/yaml: one Serialize for both ways.
+class ModelArchive {
+ public:
+  explicit ModelArchive(const ConfigMap& source) : sources_{source} {}
+  /// Writes, with `blanks` before each key.
+  explicit ModelArchive(int blanks) : blanks_(blanks) {}
+  const std::string& yaml() const { return yaml_; }
+
+  void Visit(std::string_view key, double* value, const Range& range, double unit = 1);
+  void Visit(std::string_view key, int* value, const Range& range);
+  void Visit(std::string_view key, bool* value);
+  void Visit(std::string_view key, Vec3* value, const Range& each, double unit = 1);
+  /// As many numbers as there are.
+  void Visit(std::string_view key, std::vector<double>* values, const Range& each, double unit = 1);
+  void Visit(std::string_view key, std::vector<std::string>* names);
+  /// One of `allowed`.
+  void Visit(std::string_view key, std::string* choice,
+             std::initializer_list<std::string_view> allowed);
+  /// A number that the model has where its key is there.
+  void Visit(std::string_view key, std::optional<double>* value, const Range& range);
+
+  // Keys that must be there.
+  void Need(std::string_view key, double* value, const Range& range);
+  void Need(std::string_view key, int* value, const Range& range);
+  /// One to `most` numbers.
+  void Need(std::string_view key, std::vector<double>* values, const Range& each, std::size_t most,
+            double unit = 1);
+
+  /// A part that the model has where its key is there.
+  template <typename Part>
+  void Visit(std::string_view key, std::optional<Part>* part) {
+    if (!Enter(key, part->has_value())) return;
+    if (!*part) part->emplace();
+    Serialize(this, &**part);
+    Leave();
+  }
+
+  /// Unless `holds`, what was read has a fault at `key`, or at the whole part where that is empty.
+  void Check(bool holds, std::string_view key, const std::string& finding) const;
+
+ private:
+  bool reads() const { return !sources_.empty(); }
+  const ConfigMap& source() const { return sources_.back(); }
+  void Write(std::string_view key, std::string_view value);
+  bool Enter(std::string_view key, bool is_written);
+  void Leave();
+
+  std::vector<ConfigMap> sources_;  ///< the innermost last; none: writes
+  int blanks_ = 0;
+  std::string yaml_;
+};
+
+template <typename Model>
+Model ReadModel(const ConfigMap& config) {
+  Model model;
+  ModelArchive archive(config);
+  Serialize(&archive, &model);
+  return model;
+}
+
+template <typename Model>
+std::string ModelYaml(Model model, int blanks) {
+  ModelArchive archive(blanks);
+  Serialize(&archive, &model);
+  return archive.yaml();
+}
+
+}  // namespace tera
