@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/check.h"
+#include "core/quantile.h"
 
 namespace tera {
 namespace {
@@ -20,13 +21,9 @@ cv::Mat View(Picture* picture) {
 
 cv::Mat View(const Picture& picture) { return View(const_cast<Picture*>(&picture)); }
 
-/// Value below which `share` of the values lie.
-double Quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  const auto place =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
+/// What most of the sizes lie below, `least` or more.
+double LargestShown(std::vector<double> sizes, double least) {
+  return sizes.empty() ? least : std::max(Quantile(std::move(sizes), kShownShare), least);
 }
 
 /// Colour of s in [0, 1] on OpenCV's turbo scale, blue to red, as RGB.
@@ -105,7 +102,7 @@ Picture Flow(const Image<T>& image) {
   for (std::size_t p = 0; p < pixels; ++p) {
     if (image.data[3 * p + 2] != 0) lengths.push_back(cv::norm(arrow(p)));
   }
-  const double longest = std::max(Quantile(std::move(lengths), kShownShare), 1.0);
+  const double longest = LargestShown(std::move(lengths), 1.0);
   cv::Mat hsv(image.height_px, image.width_px, CV_8UC3, cv::Scalar(0, 0, 0));
   for (std::size_t p = 0; p < pixels; ++p) {
     if (image.data[3 * p + 2] == 0) continue;
@@ -129,7 +126,7 @@ Picture Nearness(const Image<T>& image) {
   for (const T v : image.data) {
     if (v != 0 && v != never) known.push_back(v);
   }
-  const double far = std::max(Quantile(std::move(known), kShownShare), 1.0);
+  const double far = LargestShown(std::move(known), 1.0);
   return Map(image, [&](T v) { return v == 0 ? cv::Vec3b(0, 0, 0) : Turbo(1.0 - v / far); });
 }
 
@@ -141,7 +138,7 @@ Picture Rise(const Image<T>& image) {
   for (const T v : image.data) {
     if (v != 0 && v != kMiddle) departures.push_back(std::abs(v - kMiddle));
   }
-  const double most = std::max(Quantile(std::move(departures), kShownShare), 1.0);
+  const double most = LargestShown(std::move(departures), 1.0);
   return Map(image, [&](T v) {
     if (v == 0) return cv::Vec3b(0, 0, 0);
     const double s = std::clamp((v - kMiddle) / most, -1.0, 1.0);
@@ -178,7 +175,7 @@ Picture ColourDepth(const Image<float>& depth_m) {
   for (const float d : depth_m.data) {
     if (d > 0) measured.push_back(static_cast<double>(d));
   }
-  const double far_m = std::max(Quantile(std::move(measured), kShownShare), 1e-3);
+  const double far_m = LargestShown(std::move(measured), 1e-3);
   return Map(depth_m, [&](float d) {
     return d > 0 ? Turbo(1.0 - static_cast<double>(d) / far_m) : cv::Vec3b(0, 0, 0);
   });

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "core/quantile.h"
 #include "core/units.h"
 
 namespace tera {
@@ -24,10 +25,7 @@ double ShownRadius_m(const std::vector<LidarPoint>& points) {
   std::vector<double> ranges_m;
   for (const LidarPoint& p : points) ranges_m.push_back(std::hypot(p.x_m, p.y_m));
   if (ranges_m.empty()) return kMinRadius_m;
-  const auto place =
-      ranges_m.begin() + static_cast<std::ptrdiff_t>(kShareInView * double(ranges_m.size() - 1));
-  std::nth_element(ranges_m.begin(), place, ranges_m.end());
-  return std::max(kMinRadius_m, *place);
+  return std::max(kMinRadius_m, Quantile(std::move(ranges_m), kShareInView));
 }
 
 /// A square of `size_px`, left out where it would cross the border.

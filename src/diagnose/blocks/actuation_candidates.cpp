@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/quantile.h"
 #include "diagnose/blocks/beats.h"
 #include "diagnose/blocks/candidate_list.h"
 #include "diagnose/tolerances/default_tolerances.h"
@@ -50,9 +51,7 @@ double Interval_s(const MeasuredRate& measured, double step_s) {
     interval_s.push_back((measured.at_step[k] - measured.at_step[k - 1]) * step_s);
   }
   if (interval_s.empty()) return std::numeric_limits<double>::infinity();
-  const auto middle = interval_s.begin() + static_cast<std::ptrdiff_t>(interval_s.size() / 2);
-  std::nth_element(interval_s.begin(), middle, interval_s.end());
-  return *middle;
+  return Median(std::move(interval_s));
 }
 
 Reach ReachOf(const MachineModel& model, const AxisLog& log, const MeasuredRate& measured) {

@@ -38,8 +38,8 @@ std::vector<TimeNs> TimesAsFar(const std::vector<double>& steps_m) {
   for (std::size_t k = kNeighbours; k + kNeighbours < steps_m.size(); ++k) {
     const auto at = steps_m.begin() + static_cast<std::ptrdiff_t>(k);
     const auto neighbours = static_cast<std::ptrdiff_t>(kNeighbours);
-    const double before_m = Median({at - neighbours, at});
-    const double after_m = Median({at + 1, at + 1 + neighbours});
+    const double before_m = Median(std::vector<double>(at - neighbours, at));
+    const double after_m = Median(std::vector<double>(at + 1, at + 1 + neighbours));
     if (std::min(before_m, after_m) < kLeastStep_m) continue;
     if (std::abs(before_m - after_m) > kMostSideDifference * std::max(before_m, after_m)) continue;
     const double far = 2 * *at / (before_m + after_m);

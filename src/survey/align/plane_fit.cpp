@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/quantile.h"
 #include "survey/points/voxels.h"
 
 namespace tera {
@@ -27,18 +28,12 @@ std::vector<Partner> FindPartners(const PlaneMap& a, const std::vector<Vec3>& b_
   return partners;
 }
 
-double MedianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// Tukey's weights, with a scale from the median of the sizes.
 std::vector<double> Weights(const std::vector<Partner>& partners) {
   constexpr double kOfNormal = 1.4826, kTukey = 4.685, kLeastScale_m = 1e-4;
   std::vector<double> sizes;
   for (const Partner& partner : partners) sizes.push_back(std::abs(partner.residual_m));
-  const double bound_m = kTukey * std::max(kOfNormal * MedianOf(sizes), kLeastScale_m);
+  const double bound_m = kTukey * std::max(kOfNormal * Median(sizes), kLeastScale_m);
   std::vector<double> weights;
   for (const Partner& partner : partners) {
     const double u = partner.residual_m / bound_m;
@@ -59,7 +54,7 @@ double BlockEdge_m(const std::vector<Partner>& partners) {
   std::vector<double> radii;
   for (const Partner& partner : partners) radii.push_back(partner.plane->radius_m);
   constexpr double kLeast_m = 1e-3;
-  return std::max(4 * MedianOf(radii), kLeast_m);
+  return std::max(4 * Median(radii), kLeast_m);
 }
 
 /// Of two covariances the larger along each direction.

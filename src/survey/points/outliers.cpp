@@ -8,6 +8,7 @@
 #include <pcl/filters/impl/filter_indices.hpp>
 #include <pcl/filters/impl/statistical_outlier_removal.hpp>
 
+#include "core/quantile.h"
 #include "survey/points/pcl_cloud.h"
 #include "survey/points/voxels.h"
 
@@ -36,9 +37,7 @@ class Spacing {
     for (std::size_t k = 0; k < points.size(); k += 1 + points.size() / kSample) {
       means_m.push_back(MeanOf(points[k]));
     }
-    const auto middle = means_m.begin() + static_cast<std::ptrdiff_t>(means_m.size() / 2);
-    std::nth_element(means_m.begin(), middle, means_m.end());
-    return *middle;
+    return Median(std::move(means_m));
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/quantile.h"
 #include "core/units.h"
 #include "dataset/lint/checks/change_vote.h"
 #include "dataset/lint/checks/sensor_poses.h"
@@ -32,12 +33,6 @@ struct ImuRow {
 ImuRow ImuOf(const ScannedRow& row) {
   const std::vector<double>& v = row.values;
   return {Vec3(v[0], v[1], v[2]), Vec3(v[3], v[4], v[5])};
-}
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 void CheckGravity(LintJob* job, const std::string& channel, const ScannedTable& table) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/quantile.h"
+
 namespace tera {
 namespace {
 
@@ -28,13 +30,6 @@ std::vector<TimeNs> IntervalsOf(const StampScan& stamps) {
     intervals.push_back(stamps.t_ns[i] - stamps.t_ns[i - 1]);
   }
   return intervals;
-}
-
-TimeNs MedianInterval(std::vector<TimeNs> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 bool IsRegular(const std::vector<TimeNs>& intervals, TimeNs median_ns) {
@@ -104,8 +99,8 @@ void Tell(LintJob* job, const std::string& channel, const StampScan& stamps,
   if (stamps.t_ns.empty()) return;
   told.first_ns = stamps.t_ns.front();
   told.last_ns = stamps.t_ns.back();
-  told.median_interval_ns = MedianInterval(intervals);
   if (!intervals.empty()) {
+    told.median_interval_ns = Median(intervals);
     told.longest_interval_ns = *std::max_element(intervals.begin(), intervals.end());
   }
 }
@@ -115,7 +110,7 @@ void Tell(LintJob* job, const std::string& channel, const StampScan& stamps,
 void CheckStamps(LintJob* job, const std::string& channel, const StampScan& stamps) {
   const std::vector<TimeNs> intervals = IntervalsOf(stamps);
   Tell(job, channel, stamps, intervals);
-  const TimeNs median_ns = MedianInterval(intervals);
+  const TimeNs median_ns = intervals.empty() ? 0 : Median(intervals);
   const bool enough = intervals.size() >= kFewestIntervals;
   const bool is_sensor = job->RowsOf(channel) != channel;
   const std::optional<SensorSheet> sheet = is_sensor ? job->SheetOf(channel) : std::nullopt;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/html.h"
 #include "dataset/lint/report/lint_report.h"
 
 namespace tera {
@@ -16,26 +17,6 @@ th,td{padding:.2rem .8rem;border-bottom:1px solid #8884;text-align:right}
 th:first-child,td:first-child{text-align:left}
 .bar{display:inline-block;height:.7em;background:#1769aa}
 </style>)";
-
-std::string Escaped(std::string_view text) {
-  std::string html;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        html += "&amp;";
-        break;
-      case '<':
-        html += "&lt;";
-        break;
-      case '>':
-        html += "&gt;";
-        break;
-      default:
-        html += c;
-    }
-  }
-  return html;
-}
 
 /// A table whose cells are escaped already.
 class HtmlTable {

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/html.h"
 #include "diagnose/statistics/series/series.h"
 
 /// Small figures as inline SVG. Colours and strokes are the page's: elements only carry classes.
@@ -73,8 +74,5 @@ std::string SvgBars(const std::string& what, const std::vector<Bar>& bars, doubl
 /// `factor`.
 std::vector<PlotPoint> EnvelopeOf(const Series& series, const Segment& samples, double factor,
                                   std::size_t most);
-
-/// The text with the characters that HTML and SVG reserve as entities.
-std::string Escaped(std::string_view text);
 
 }  // namespace tera

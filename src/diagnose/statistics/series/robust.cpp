@@ -3,23 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/check.h"
-
 namespace tera {
-
-double Quantile(std::vector<double> values, double share) {
-  TERA_CHECK(!values.empty());
-  TERA_CHECK(share >= 0 && share <= 1, share);
-  const double place = share * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(below);
-  std::nth_element(values.begin(), nth, values.end());
-  if (below + 1 == values.size()) return *nth;
-  return std::lerp(*nth, *std::min_element(nth + 1, values.end()),
-                   place - static_cast<double>(below));
-}
-
-double Median(std::vector<double> values) { return Quantile(std::move(values), 0.5); }
 
 double LargestMagnitude(std::span<const double> values) {
   double largest = 0;

@@ -4,13 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "core/quantile.h"
+
 namespace tera {
-
-/// The value below which a share `share` of the values lies, interpolated linearly between samples.
-/// There must be a value.
-double Quantile(std::vector<double> values, double share);
-
-double Median(std::vector<double> values);
 
 /// The largest magnitude of the values; 0 where there are none.
 double LargestMagnitude(std::span<const double> values);
