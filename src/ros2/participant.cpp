@@ -85,9 +85,8 @@ struct Participant::Impl {
     if (domain > 0) dds_delete(domain);
   }
 
-  dds_entity_t Topic(const dds_topic_descriptor_t& type, const std::string& name) const {
-    const dds_entity_t topic =
-        dds_create_topic(participant, &type, DdsTopicOf(name).c_str(), nullptr, nullptr);
+  dds_entity_t Topic(std::string_view type, const std::string& name) const {
+    const dds_entity_t topic = CreateTopic(participant, DdsTopicOf(name), type);
     TERA_CHECK(topic > 0, name, dds_strretcode(topic));
     return topic;
   }
@@ -111,7 +110,7 @@ Participant::~Participant() = default;
 
 Participant::WriterId Participant::Advertise(const std::string& topic, std::size_t message_index,
                                              Delivery delivery) {
-  const dds_entity_t entity = impl_->Topic(TopicTypeOf(message_index), topic);
+  const dds_entity_t entity = impl_->Topic(TypeOf(message_index), topic);
   const dds_entity_t writer =
       dds_create_writer(impl_->participant, entity, QosOf(delivery).get(), nullptr);
   TERA_CHECK(writer > 0, topic, dds_strretcode(writer));
@@ -133,7 +132,7 @@ bool Participant::HasReaders(WriterId writer) const {
 }
 
 Participant::ReaderId Participant::SubscribeToLevers(const std::string& topic) {
-  const dds_entity_t entity = impl_->Topic(DeltaCanTopicType(), topic);
+  const dds_entity_t entity = impl_->Topic(DeltaCan::kType, topic);
   const Qos qos = MakeQos(DDS_RELIABILITY_BEST_EFFORT, DDS_DURABILITY_VOLATILE, kLeverDepth);
   const dds_entity_t reader = dds_create_reader(impl_->participant, entity, qos.get(), nullptr);
   TERA_CHECK(reader > 0, topic, dds_strretcode(reader));

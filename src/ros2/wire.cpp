@@ -1,209 +1,263 @@
 #include "ros2/wire.h"
 
+#include <dds/ddsi/ddsi_serdata.h>
+#include <dds/ddsi/ddsi_sertype.h>
+#include <dds/ddsi/q_radmin.h>
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <utility>
 
-#include "topic_types.h"
-
-// Cyclone's structs hold pointers; here they point into the plain message, which outlives the call
-// that writes them. Cyclone reads what it writes and neither changes nor frees it.
+#include "dataset/ros/serializer.h"
 
 namespace tera::ros {
 namespace {
 
-char* Borrow(const std::string& text) { return const_cast<char*>(text.c_str()); }
+constexpr std::size_t kEncodingBytes = 4;
 
-template <typename Sequence, typename T>
-Sequence Borrow(const std::vector<T>& items) {
-  Sequence sequence = {};
-  sequence._length = sequence._maximum = static_cast<std::uint32_t>(items.size());
-  sequence._buffer = const_cast<T*>(items.data());
-  return sequence;
-}
-
-/// rclcpp::Time and rclpy's throw at negative seconds, although the type holds them.
-builtin_interfaces_msg_dds__Time_ ToWire(TimeNs t_ns) {
-  const TimeNs from_0_ns = std::max<TimeNs>(t_ns, 0);
-  return {static_cast<std::int32_t>(from_0_ns / kNsPerSecond),
-          static_cast<std::uint32_t>(from_0_ns % kNsPerSecond)};
-}
-
-std_msgs_msg_dds__Header_ ToWire(const Header& header) {
-  return {ToWire(header.t_ns), Borrow(header.frame_id)};
-}
-
-geometry_msgs_msg_dds__Vector3_ ToWire(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-
-geometry_msgs_msg_dds__Quaternion_ Rotation(const Pose& pose) {
-  const Quat q(pose.linear());
-  return {q.x(), q.y(), q.z(), q.w()};
-}
-
-geometry_msgs_msg_dds__Pose_ ToWire(const Pose& pose) {
-  const Vec3& p = pose.translation();
-  return {{p.x(), p.y(), p.z()}, Rotation(pose)};
-}
-
-rosgraph_msgs_msg_dds__Clock_ ToWire(const Clock& m) { return {ToWire(m.t_ns)}; }
-
-std_msgs_msg_dds__Float64_ ToWire(const Float64& m) { return {m.data}; }
-
-geometry_msgs_msg_dds__PoseStamped_ ToWire(const PoseStamped& m) {
-  return {ToWire(m.header), ToWire(m.pose)};
-}
-
-nav_msgs_msg_dds__Odometry_ ToWire(const Odometry& m) {
-  nav_msgs_msg_dds__Odometry_ wire = {};
-  wire.header = ToWire(m.header);
-  wire.child_frame_id = Borrow(m.child_frame_id);
-  wire.pose.pose = ToWire(m.pose);
-  wire.twist.twist = {ToWire(m.linear_mps), ToWire(m.angular_radps)};
-  return wire;
-}
-
-sensor_msgs_msg_dds__Imu_ ToWire(const Imu& m) {
-  sensor_msgs_msg_dds__Imu_ wire = {};
-  wire.header = ToWire(m.header);
-  wire.orientation.w = 1;
-  wire.orientation_covariance[0] = -1;  // ROS's sign that there is no orientation
-  wire.angular_velocity = ToWire(m.angular_velocity_radps);
-  std::ranges::copy(m.angular_velocity_covariance, wire.angular_velocity_covariance);
-  wire.linear_acceleration = ToWire(m.linear_acceleration_mps2);
-  std::ranges::copy(m.linear_acceleration_covariance, wire.linear_acceleration_covariance);
-  return wire;
-}
-
-sensor_msgs_msg_dds__NavSatFix_ ToWire(const NavSatFix& m) {
-  constexpr std::uint16_t kGps = 1;
-  sensor_msgs_msg_dds__NavSatFix_ wire = {};
-  wire.header = ToWire(m.header);
-  wire.status = {m.status, kGps};
-  wire.latitude = m.latitude_deg;
-  wire.longitude = m.longitude_deg;
-  wire.altitude = m.altitude_m;
-  std::ranges::copy(m.position_covariance_m2, wire.position_covariance);
-  wire.position_covariance_type = m.covariance_type;
-  return wire;
-}
-
-sensor_msgs_msg_dds__Image_ ToWire(const Image& m) {
-  sensor_msgs_msg_dds__Image_ wire = {};
-  wire.header = ToWire(m.header);
-  wire.height = m.height_px;
-  wire.width = m.width_px;
-  wire.encoding = Borrow(m.encoding);
-  wire.step = m.step_bytes;
-  wire.data = Borrow<decltype(wire.data)>(m.data);
-  return wire;
-}
-
-sensor_msgs_msg_dds__CameraInfo_ ToWire(const CameraInfo& m) {
-  sensor_msgs_msg_dds__CameraInfo_ wire = {};
-  wire.header = ToWire(m.header);
-  wire.height = m.height_px;
-  wire.width = m.width_px;
-  wire.distortion_model = Borrow(m.distortion_model);
-  wire.d = Borrow<decltype(wire.d)>(m.d);
-  std::ranges::copy(m.k, wire.k);
-  wire.r[0] = wire.r[4] = wire.r[8] = 1;
-  for (int row = 0; row < 3; ++row) std::copy_n(&m.k[3 * row], 3, &wire.p[4 * row]);
-  return wire;
-}
-
-dds_return_t Write(dds_entity_t writer, const JointState& m) {
-  std::vector<char*> names;
-  for (const std::string& name : m.name) names.push_back(Borrow(name));
-  sensor_msgs_msg_dds__JointState_ wire = {};
-  wire.header = ToWire(m.header);
-  wire.name = Borrow<decltype(wire.name)>(names);
-  wire.position = Borrow<decltype(wire.position)>(m.position);
-  wire.velocity = Borrow<decltype(wire.velocity)>(m.velocity);
-  wire.effort = Borrow<decltype(wire.effort)>(m.effort);
-  return dds_write(writer, &wire);
-}
-
-dds_return_t Write(dds_entity_t writer, const TfMessage& m) {
-  std::vector<geometry_msgs_msg_dds__TransformStamped_> transforms;
-  for (const TransformStamped& t : m.transforms) {
-    const Vec3& p = t.pose.translation();
-    transforms.push_back(
-        {ToWire(t.header), Borrow(t.child_frame_id), {{p.x(), p.y(), p.z()}, Rotation(t.pose)}});
+/// Reads the fields of a message in CDR of either byte order.
+class FieldReader {
+ public:
+  explicit FieldReader(std::string_view bytes) : bytes_(bytes) {
+    is_whole_ = bytes.size() >= kEncodingBytes && bytes[0] == 0 && (bytes[1] & ~1) == 0;
+    is_swapped_ = is_whole_ && bytes[1] == 0;
   }
-  tf2_msgs_msg_dds__TFMessage_ wire = {};
-  wire.transforms = Borrow<decltype(wire.transforms)>(transforms);
-  return dds_write(writer, &wire);
+  /// All that was asked for was there.
+  bool is_whole() const { return is_whole_; }
+
+  template <typename T>
+  void operator()(std::string_view, T&& value) {
+    Get(value);
+  }
+
+ private:
+  template <HasFields T>
+  void Get(const T& part) {
+    Fields(*this, part);
+  }
+  template <typename T>
+  requires std::is_arithmetic_v<T>
+  void Get(T& value) {
+    at_ += (sizeof(T) - at_ % sizeof(T)) % sizeof(T);
+    std::array<char, sizeof(T)> raw = {};
+    if (!Has(sizeof(T))) return;
+    std::copy_n(bytes_.data() + kEncodingBytes + at_, sizeof(T), raw.begin());
+    if (is_swapped_) std::reverse(raw.begin(), raw.end());
+    std::memcpy(&value, raw.data(), sizeof(T));
+    at_ += sizeof(T);
+  }
+  void Get(bool& value) {
+    std::uint8_t byte = 0;
+    Get(byte);
+    is_whole_ = is_whole_ && byte <= 1;
+    value = byte == 1;
+  }
+  void Get(std::string& text) {
+    std::uint32_t length = 0;
+    Get(length);
+    if (length == 0 || !Has(length)) return Fail();
+    text = bytes_.substr(kEncodingBytes + at_, length - 1);
+    at_ += length;
+  }
+  template <typename T>
+  void Get(std::vector<T>& list) {
+    std::uint32_t length = 0;
+    Get(length);
+    if (!Has(length * sizeof(T))) return;
+    list.resize(length);
+    for (T& item : list) Get(item);
+  }
+  bool Has(std::size_t size) {
+    is_whole_ = is_whole_ && kEncodingBytes + at_ + size <= bytes_.size();
+    return is_whole_;
+  }
+  void Fail() { is_whole_ = false; }
+
+  std::string_view bytes_;
+  std::size_t at_ = 0;  ///< behind the bytes that name the encoding
+  bool is_whole_, is_swapped_;
+};
+
+std::optional<DeltaCan> LeversOf(std::string_view bytes) {
+  DeltaCan message;
+  FieldReader reader(bytes);
+  Fields(reader, message);
+  return reader.is_whole() ? std::optional(std::move(message)) : std::nullopt;
 }
 
-dds_return_t Write(dds_entity_t writer, const PointCloud2& m) {
-  std::vector<sensor_msgs_msg_dds__PointField_> fields;
-  for (const PointField& f : m.fields) fields.push_back({Borrow(f.name), f.offset, f.datatype, 1});
-  sensor_msgs_msg_dds__PointCloud2_ wire = {};
-  wire.header = ToWire(m.header);
-  wire.height = 1;
-  wire.width = static_cast<std::uint32_t>(m.data.size() / m.point_step_bytes);
-  wire.fields = Borrow<decltype(wire.fields)>(fields);
-  wire.point_step = m.point_step_bytes;
-  wire.row_step = static_cast<std::uint32_t>(m.data.size());
-  wire.data = Borrow<decltype(wire.data)>(m.data);
-  wire.is_dense = true;
-  return dds_write(writer, &wire);
+/// "std_msgs::msg::dds_::Header_"
+std::string WireTypeName(std::string_view type) {
+  const std::size_t slash = type.find('/');
+  return fmt::format("{}::msg::dds_::{}_", type.substr(0, slash), type.substr(slash + 1));
 }
 
-/// All others need nothing beside the message itself.
-template <typename M>
-dds_return_t Write(dds_entity_t writer, const M& message) {
-  const auto wire = ToWire(message);
-  return dds_write(writer, &wire);
+/// What is written: its bytes go over to Cyclone.
+struct Sample {
+  mutable std::string bytes;
+};
+
+/// A message as Cyclone keeps it, or the key of one: no type has one.
+struct WireData : ddsi_serdata {
+  WireData(const ddsi_sertype* type, ddsi_serdata_kind kind, std::string message = {})
+      : ddsi_serdata{}, bytes(std::move(message)) {
+    ddsi_serdata_init(this, type, kind);
+    // DDSI sends multiples of four bytes; the fourth byte of the encoding counts what was added.
+    const std::size_t padding = (4 - bytes.size() % 4) % 4;
+    if (padding == 0) return;
+    bytes.append(padding, '\0');
+    bytes[3] = static_cast<char>(padding);
+  }
+  std::string bytes;
+};
+
+const std::string& BytesOf(const ddsi_serdata* data) {
+  return static_cast<const WireData*>(data)->bytes;
 }
 
-DeltaCan FromWire(const tera_msgs_msg_dds__DeltaCAN_& wire) {
-  DeltaCan m;
-  m.stamp_sec = wire.header.stamp.sec;
-  m.stamp_nanosec = wire.header.stamp.nanosec;
-  m.slew = wire.slew;
-  m.boom = wire.boom;
-  m.arm = wire.arm;
-  m.bucket = wire.bucket;
-  m.left_travel = wire.left_travel;
-  m.right_travel = wire.right_travel;
-  m.blade = wire.blade;
-  m.swing = wire.swing;
-  m.enable = wire.enable;
-  m.hydraulic_lock = wire.hydraulic_lock;
-  m.high_speed = wire.high_speed;
-  m.others.assign(wire.others._buffer, wire.others._buffer + wire.others._length);
-  return m;
+/// Of bytes that came; null if they are no message.
+ddsi_serdata* Received(const ddsi_sertype* type, ddsi_serdata_kind kind, std::string bytes) {
+  static const std::string levers = WireTypeName(DeltaCan::kType);
+  if (kind == SDK_DATA && type->type_name == levers && !LeversOf(bytes)) return nullptr;
+  auto* data = new WireData(type, kind);
+  data->bytes = std::move(bytes);  // padding and all
+  return data;
+}
+
+ddsi_serdata* FromFragments(const ddsi_sertype* type, ddsi_serdata_kind kind,
+                            const nn_rdata* fragment, std::size_t size) {
+  std::string bytes;
+  for (; fragment != nullptr; fragment = fragment->nextfrag) {
+    if (fragment->maxp1 <= bytes.size()) continue;
+    const unsigned char* payload =
+        NN_RMSG_PAYLOADOFF(fragment->rmsg, NN_RDATA_PAYLOAD_OFF(fragment));
+    bytes.append(reinterpret_cast<const char*>(payload) + bytes.size() - fragment->min,
+                 fragment->maxp1 - bytes.size());
+  }
+  bytes.resize(size);
+  return Received(type, kind, std::move(bytes));
+}
+
+ddsi_serdata* FromParts(const ddsi_sertype* type, ddsi_serdata_kind kind, ddsrt_msg_iovlen_t count,
+                        const ddsrt_iovec_t* parts, std::size_t size) {
+  std::string bytes;
+  for (ddsrt_msg_iovlen_t k = 0; k < count; ++k) {
+    bytes.append(static_cast<const char*>(parts[k].iov_base), parts[k].iov_len);
+  }
+  bytes.resize(size);
+  return Received(type, kind, std::move(bytes));
+}
+
+ddsi_serdata* FromSample(const ddsi_sertype* type, ddsi_serdata_kind kind, const void* sample) {
+  return new WireData(type, kind, std::move(static_cast<const Sample*>(sample)->bytes));
+}
+
+ddsi_serdata* BytesFrom(const ddsi_serdata* data, std::size_t begin, std::size_t size,
+                        ddsrt_iovec_t* part) {
+  part->iov_base = const_cast<char*>(BytesOf(data).data() + begin);
+  part->iov_len = size;
+  return ddsi_serdata_ref(data);
+}
+
+constexpr ddsi_serdata_ops kDataOps = {
+    .eqkey = [](const ddsi_serdata*, const ddsi_serdata*) { return true; },
+    .get_size = [](const ddsi_serdata* data) -> std::uint32_t {
+      return static_cast<std::uint32_t>(BytesOf(data).size());
+    },
+    .from_ser = FromFragments,
+    .from_ser_iov = FromParts,
+    .from_keyhash = [](const ddsi_sertype* type, const ddsi_keyhash*) -> ddsi_serdata* {
+      return new WireData(type, SDK_KEY);
+    },
+    .from_sample = FromSample,
+    .to_ser = [](const ddsi_serdata* data, std::size_t begin, std::size_t size,
+                 void* to) { std::memcpy(to, BytesOf(data).data() + begin, size); },
+    .to_ser_ref = BytesFrom,
+    .to_ser_unref = [](ddsi_serdata* data, const ddsrt_iovec_t*) { ddsi_serdata_unref(data); },
+    .to_sample = [](const ddsi_serdata*, void*, void**, void*) { return false; },
+    .to_untyped = [](const ddsi_serdata* data) -> ddsi_serdata* {
+      return new WireData(data->type, SDK_KEY);
+    },
+    .untyped_to_sample = [](const ddsi_sertype*, const ddsi_serdata*, void*, void**,
+                            void*) { return true; },
+    .free = [](ddsi_serdata* data) { delete static_cast<WireData*>(data); },
+    .print = [](const ddsi_sertype*, const ddsi_serdata*, char* text, std::size_t) -> std::size_t {
+      *text = '\0';
+      return 0;
+    },
+    .get_keyhash = [](const ddsi_serdata*, ddsi_keyhash* hash, bool) { *hash = {}; },
+#ifdef DDS_HAS_SHM
+    .get_sample_size = nullptr,
+    .from_iox_buffer = nullptr,
+#endif
+};
+
+/// Messages are written from Sample and taken as bytes, so that Cyclone never makes one.
+constexpr ddsi_sertype_ops kTypeOps = {
+    .version = ddsi_sertype_v0,
+    .arg = nullptr,
+    .free =
+        [](ddsi_sertype* type) {
+          ddsi_sertype_fini(type);
+          delete type;
+        },
+    .zero_samples = [](const ddsi_sertype*, void*, std::size_t) {},
+    .realloc_samples = [](void**, const ddsi_sertype*, void*, std::size_t, std::size_t) {},
+    .free_samples = [](const ddsi_sertype*, void**, std::size_t, dds_free_op_t) {},
+    .equal = [](const ddsi_sertype*, const ddsi_sertype*) { return true; },
+    .hash = [](const ddsi_sertype*) -> std::uint32_t { return 0; },
+    .type_id = nullptr,
+    .type_map = nullptr,
+    .type_info = nullptr,
+    .derive_sertype = nullptr,
+    .get_serialized_size = nullptr,
+    .serialize_into = nullptr,
+};
+
+template <std::size_t... index>
+constexpr std::array<std::string_view, sizeof...(index)> MessageTypes(
+    std::index_sequence<index...>) {
+  return {std::variant_alternative_t<index, Message>::kType...};
 }
 
 }  // namespace
 
-const dds_topic_descriptor_t& TopicTypeOf(std::size_t index) {
-  static const dds_topic_descriptor_t* const kTypes[] = {
-      &rosgraph_msgs_msg_dds__Clock__desc,       &std_msgs_msg_dds__Float64__desc,
-      &geometry_msgs_msg_dds__PoseStamped__desc, &tf2_msgs_msg_dds__TFMessage__desc,
-      &nav_msgs_msg_dds__Odometry__desc,         &sensor_msgs_msg_dds__JointState__desc,
-      &sensor_msgs_msg_dds__Imu__desc,           &sensor_msgs_msg_dds__NavSatFix__desc,
-      &sensor_msgs_msg_dds__Image__desc,         &sensor_msgs_msg_dds__CameraInfo__desc,
-      &sensor_msgs_msg_dds__PointCloud2__desc};
-  static_assert(std::size(kTypes) == std::variant_size_v<Message>);
-  return *kTypes[index];
+std::string_view TypeOf(std::size_t index) {
+  return MessageTypes(std::make_index_sequence<std::variant_size_v<Message>>()).at(index);
 }
 
-const dds_topic_descriptor_t& DeltaCanTopicType() { return tera_msgs_msg_dds__DeltaCAN__desc; }
+dds_entity_t CreateTopic(dds_entity_t participant, const std::string& name, std::string_view type) {
+  auto own = std::make_unique<ddsi_sertype>();
+  ddsi_sertype_init(own.get(), WireTypeName(type).c_str(), &kTypeOps, &kDataOps,
+                    /*topickind_no_key=*/true);
+  own->allowed_data_representation = DDS_DATA_REPRESENTATION_FLAG_XCDR1;
+  ddsi_sertype* taken = own.get();
+  const dds_entity_t topic =
+      dds_create_topic_sertype(participant, name.c_str(), &taken, nullptr, nullptr, nullptr);
+  if (topic > 0) own.release();  // Cyclone's now
+  return topic;
+}
 
 dds_return_t WriteOnWire(dds_entity_t writer, const Message& message) {
-  return std::visit([&](const auto& m) { return Write(writer, m); }, message);
+  Serializer serializer(WireForm::kCdr);
+  std::visit([&](const auto& m) { serializer.Put(m); }, message);
+  const Sample sample{serializer.TakeBytes()};
+  return dds_write(writer, &sample);
 }
 
 dds_return_t TakeFromWire(dds_entity_t reader, int most, std::vector<DeltaCan>* messages) {
-  std::vector<void*> samples(most, nullptr);  // Cyclone lends its own
-  std::vector<dds_sample_info_t> infos(most);
-  const dds_return_t count = dds_take(reader, samples.data(), infos.data(), most, most);
-  if (count <= 0) return count;
+  std::vector<ddsi_serdata*> data(static_cast<std::size_t>(most), nullptr);
+  std::vector<dds_sample_info_t> infos(data.size());
+  const dds_return_t count = dds_takecdr(reader, data.data(), static_cast<std::uint32_t>(most),
+                                         infos.data(), DDS_ANY_STATE);
   for (int i = 0; i < count; ++i) {
-    if (!infos[i].valid_data) continue;  // only says that a publisher has come or gone
-    messages->push_back(FromWire(*static_cast<const tera_msgs_msg_dds__DeltaCAN_*>(samples[i])));
+    // One without data only says that a publisher has come or gone.
+    if (infos[i].valid_data) messages->push_back(*LeversOf(BytesOf(data[i])));
+    ddsi_serdata_unref(data[i]);
   }
-  dds_return_loan(reader, samples.data(), count);
   return count;
 }
 

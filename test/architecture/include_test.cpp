@@ -100,7 +100,6 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"google/protobuf/", "serve"},
     {"tera/v1/", "serve"},
     {"dds/", "ros2"},
-    {"topic_types.h", "ros2"},
 };
 
 bool MayInclude(const std::string& folder, const std::string& library) {

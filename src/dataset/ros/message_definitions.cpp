@@ -4,47 +4,30 @@
 #include <openssl/evp.h>
 
 #include <array>
+#include <map>
 #include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "core/check.h"
+#include "dataset/ros/message_fields.h"
 
 namespace tera::ros {
 namespace {
 
-constexpr std::string_view kTime = "builtin_interfaces/Time", kHeader = "std_msgs/Header";
+constexpr std::string_view kTime = TimePart::kType, kHeader = Header::kType;
 
-struct Definition {
-  std::string_view type, text;
-};
-
-/// Source  the published definitions of common_interfaces, geometry2, rcl_interfaces and grid_map;
-///         examples/ros2/tera_msgs.
-constexpr std::array<Definition, 46> kDefinitions = {{
-    {"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},
-    {"std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"},
-    {"std_msgs/Float64", "float64 data\n"},
+/// Types that nothing here writes.
+///
+/// Source  the published definitions of common_interfaces and geometry2.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kFurther = {{
     {"std_msgs/Bool", "bool data\n"},
     {"std_msgs/Float32", "float32 data\n"},
     {"std_msgs/Int32", "int32 data\n"},
     {"std_msgs/String", "string data\n"},
-    {"std_msgs/MultiArrayDimension", "string label\nuint32 size\nuint32 stride\n"},
-    {"std_msgs/MultiArrayLayout", "std_msgs/MultiArrayDimension[] dim\nuint32 data_offset\n"},
     {"std_msgs/Float64MultiArray", "std_msgs/MultiArrayLayout layout\nfloat64[] data\n"},
-    {"std_msgs/Float32MultiArray", "std_msgs/MultiArrayLayout layout\nfloat32[] data\n"},
-    {"rosgraph_msgs/Clock", "builtin_interfaces/Time clock\n"},
-    {"geometry_msgs/Vector3", "float64 x\nfloat64 y\nfloat64 z\n"},
-    {"geometry_msgs/Point", "float64 x\nfloat64 y\nfloat64 z\n"},
-    {"geometry_msgs/Quaternion", "float64 x\nfloat64 y\nfloat64 z\nfloat64 w\n"},
-    {"geometry_msgs/Pose", "geometry_msgs/Point position\ngeometry_msgs/Quaternion orientation\n"},
-    {"geometry_msgs/Transform",
-     "geometry_msgs/Vector3 translation\ngeometry_msgs/Quaternion rotation\n"},
-    {"geometry_msgs/Twist", "geometry_msgs/Vector3 linear\ngeometry_msgs/Vector3 angular\n"},
-    {"geometry_msgs/PoseWithCovariance", "geometry_msgs/Pose pose\nfloat64[36] covariance\n"},
-    {"geometry_msgs/TwistWithCovariance", "geometry_msgs/Twist twist\nfloat64[36] covariance\n"},
-    {"geometry_msgs/PoseStamped", "std_msgs/Header header\ngeometry_msgs/Pose pose\n"},
     {"geometry_msgs/PoseWithCovarianceStamped",
      "std_msgs/Header header\ngeometry_msgs/PoseWithCovariance pose\n"},
     {"geometry_msgs/TwistStamped", "std_msgs/Header header\ngeometry_msgs/Twist twist\n"},
@@ -58,58 +41,67 @@ constexpr std::array<Definition, 46> kDefinitions = {{
      "std_msgs/Header header\ngeometry_msgs/Vector3 magnetic_field\n"
      "float64[9] magnetic_field_covariance\n"},
     {"sensor_msgs/Joy", "std_msgs/Header header\nfloat32[] axes\nint32[] buttons\n"},
-    {"geometry_msgs/TransformStamped",
-     "std_msgs/Header header\nstring child_frame_id\ngeometry_msgs/Transform transform\n"},
-    {"tf2_msgs/TFMessage", "geometry_msgs/TransformStamped[] transforms\n"},
-    {"nav_msgs/Odometry",
-     "std_msgs/Header header\nstring child_frame_id\ngeometry_msgs/PoseWithCovariance pose\n"
-     "geometry_msgs/TwistWithCovariance twist\n"},
-    {"sensor_msgs/JointState",
-     "std_msgs/Header header\nstring[] name\nfloat64[] position\nfloat64[] velocity\n"
-     "float64[] effort\n"},
-    {"sensor_msgs/Imu",
-     "std_msgs/Header header\ngeometry_msgs/Quaternion orientation\n"
-     "float64[9] orientation_covariance\ngeometry_msgs/Vector3 angular_velocity\n"
-     "float64[9] angular_velocity_covariance\ngeometry_msgs/Vector3 linear_acceleration\n"
-     "float64[9] linear_acceleration_covariance\n"},
-    {"sensor_msgs/NavSatStatus",
-     "int8 STATUS_NO_FIX=-1\nint8 STATUS_FIX=0\nint8 STATUS_SBAS_FIX=1\nint8 STATUS_GBAS_FIX=2\n"
-     "int8 status\nuint16 SERVICE_GPS=1\nuint16 SERVICE_GLONASS=2\nuint16 SERVICE_COMPASS=4\n"
-     "uint16 SERVICE_GALILEO=8\nuint16 service\n"},
-    {"sensor_msgs/NavSatFix",
-     "std_msgs/Header header\nsensor_msgs/NavSatStatus status\nfloat64 latitude\n"
-     "float64 longitude\nfloat64 altitude\nfloat64[9] position_covariance\n"
-     "uint8 COVARIANCE_TYPE_UNKNOWN=0\nuint8 COVARIANCE_TYPE_APPROXIMATED=1\n"
-     "uint8 COVARIANCE_TYPE_DIAGONAL_KNOWN=2\nuint8 COVARIANCE_TYPE_KNOWN=3\n"
-     "uint8 position_covariance_type\n"},
-    {"sensor_msgs/Image",
-     "std_msgs/Header header\nuint32 height\nuint32 width\nstring encoding\nuint8 is_bigendian\n"
-     "uint32 step\nuint8[] data\n"},
-    {"sensor_msgs/CompressedImage", "std_msgs/Header header\nstring format\nuint8[] data\n"},
-    {"sensor_msgs/RegionOfInterest",
-     "uint32 x_offset\nuint32 y_offset\nuint32 height\nuint32 width\nbool do_rectify\n"},
-    {"sensor_msgs/CameraInfo",
-     "std_msgs/Header header\nuint32 height\nuint32 width\nstring distortion_model\nfloat64[] d\n"
-     "float64[9] k\nfloat64[9] r\nfloat64[12] p\nuint32 binning_x\nuint32 binning_y\n"
-     "sensor_msgs/RegionOfInterest roi\n"},
-    {"sensor_msgs/PointField",
-     "uint8 INT8=1\nuint8 UINT8=2\nuint8 INT16=3\nuint8 UINT16=4\nuint8 INT32=5\nuint8 UINT32=6\n"
-     "uint8 FLOAT32=7\nuint8 FLOAT64=8\nstring name\nuint32 offset\nuint8 datatype\nuint32 "
-     "count\n"},
-    {"sensor_msgs/PointCloud2",
-     "std_msgs/Header header\nuint32 height\nuint32 width\nsensor_msgs/PointField[] fields\n"
-     "bool is_bigendian\nuint32 point_step\nuint32 row_step\nuint8[] data\nbool is_dense\n"},
-    {"grid_map_msgs/GridMapInfo",
-     "float64 resolution\nfloat64 length_x\nfloat64 length_y\ngeometry_msgs/Pose pose\n"},
-    {"grid_map_msgs/GridMap",
-     "std_msgs/Header header\ngrid_map_msgs/GridMapInfo info\nstring[] layers\n"
-     "string[] basic_layers\nstd_msgs/Float32MultiArray[] data\nuint16 outer_start_index\n"
-     "uint16 inner_start_index\n"},
-    {"tera_msgs/DeltaCAN",
-     "std_msgs/Header header\nfloat32 slew\nfloat32 boom\nfloat32 arm\nfloat32 bucket\n"
-     "float32 left_travel\nfloat32 right_travel\nfloat32 blade\nfloat32 swing\nbool enable\n"
-     "bool hydraulic_lock\nbool high_speed\nfloat32[] others\n"},
 }};
+
+/// Writes the definition of a type that has Fields.
+struct DefinitionWriter {
+  std::string text;
+
+  template <typename T>
+  void operator()(std::string_view name, const T&) {
+    text += fmt::format("{} {}\n", NameOf<T>(), name);
+  }
+  void Constant(std::string_view line) { text += fmt::format("{}\n", line); }
+
+  template <typename T>
+  static std::string NameOf() {
+    if constexpr (HasFields<T>) {
+      return std::string(T::kType);
+    } else if constexpr (std::is_same_v<T, bool>) {
+      return "bool";
+    } else if constexpr (std::is_enum_v<T>) {
+      return NameOf<std::underlying_type_t<T>>();
+    } else if constexpr (std::is_floating_point_v<T>) {
+      return fmt::format("float{}", 8 * sizeof(T));
+    } else if constexpr (std::is_integral_v<T>) {
+      return fmt::format("{}int{}", std::is_signed_v<T> ? "" : "u", 8 * sizeof(T));
+    } else if constexpr (std::is_same_v<T, std::string>) {
+      return "string";
+    } else if constexpr (std::is_same_v<T, Bytes>) {
+      return "uint8[]";
+    } else if constexpr (requires { std::tuple_size<T>::value; }) {
+      return fmt::format("{}[{}]", NameOf<typename T::value_type>(), std::tuple_size_v<T>);
+    } else {
+      return NameOf<typename T::value_type>() + "[]";
+    }
+  }
+};
+
+template <typename T>
+std::pair<std::string_view, std::string> Described() {
+  DefinitionWriter writer;
+  const T message{};
+  Fields(writer, message);
+  return {T::kType, std::move(writer.text)};
+}
+
+template <typename... T>
+std::map<std::string_view, std::string> AllDescribed() {
+  std::map<std::string_view, std::string> definitions{Described<T>()...};
+  definitions.insert(kFurther.begin(), kFurther.end());
+  return definitions;
+}
+
+const std::map<std::string_view, std::string>& Definitions() {
+  static const auto definitions =
+      AllDescribed<TimePart, Header, Float64, DimensionPart, ArrayLayoutPart, Float32ArrayPart,
+                   Clock, Vector3Part, PointPart, QuaternionPart, PosePart, TransformPart,
+                   TwistPart, PoseWithCovariancePart, TwistWithCovariancePart, PoseStamped,
+                   TransformStamped, TfMessage, Odometry, JointState, Imu, NavSatStatusPart,
+                   NavSatFix, Image, CompressedImage, RegionOfInterestPart, CameraInfo, PointField,
+                   PointCloud2, GridMapInfoPart, GridMap, DeltaCan>();
+  return definitions;
+}
 
 /// A line as a type and the rest of it, which begins with the blank.
 std::pair<std::string_view, std::string_view> TypeAndRest(std::string_view line) {
@@ -137,7 +129,7 @@ std::string Ros1Line(std::string_view owner, std::string_view line) {
   if (type == kHeader) return "Header" + std::string(rest);
   std::string text(line);
   // Matrices of a camera have capital letters there.
-  if (owner == "sensor_msgs/CameraInfo" && rest.size() == 2) {
+  if (owner == CameraInfo::kType && rest.size() == 2) {
     text.back() = static_cast<char>(text.back() - 'a' + 'A');
   }
   return text;
@@ -147,10 +139,10 @@ std::string Text(std::string_view type, WireForm form) {
   if (form == WireForm::kCdr) return std::string(DefinitionOf(type));
   std::string text = type == kHeader ? "uint32 seq\n" : "";
   // There a grid map has its header in its info.
-  if (type == "grid_map_msgs/GridMapInfo") text = "Header header\n";
+  if (type == GridMapInfoPart::kType) text = "Header header\n";
   for (const std::string_view line : Lines(DefinitionOf(type))) {
     const std::string own = Ros1Line(type, line) + "\n";
-    if (type != "grid_map_msgs/GridMap" || own != "Header header\n") text += own;
+    if (type != GridMap::kType || own != "Header header\n") text += own;
   }
   return text;
 }
@@ -180,9 +172,8 @@ std::string Md5Of(std::string_view text) {
 }  // namespace
 
 std::optional<std::string_view> FindDefinition(std::string_view type) {
-  for (const Definition& definition : kDefinitions) {
-    if (definition.type == type) return definition.text;
-  }
+  const auto found = Definitions().find(type);
+  if (found != Definitions().end()) return found->second;
   return std::nullopt;
 }
 

@@ -11,8 +11,8 @@
 #include "core/time.h"
 
 /// ROS's messages as plain data: those that a simulation publishes or a recording becomes, and the
-/// levers that a simulation listens to. Fields and units are those of the ROS definitions of the
-/// same name.
+/// levers that a simulation listens to. Units are those of the ROS definitions of the types kType;
+/// message_fields.h has their fields.
 ///
 /// Source  common_interfaces, geometry2 and rcl_interfaces, branch humble; REP 103 (units, axes),
 ///         REP 105 (frames), REP 118 (depth images).
@@ -21,6 +21,7 @@ namespace tera::ros {
 
 /// When and in which frame. A time before 0 has no place on the wire and counts as 0.
 struct Header {
+  static constexpr std::string_view kType = "std_msgs/Header";
   TimeNs t_ns = 0;
   std::string frame_id;
 };
@@ -28,60 +29,66 @@ struct Header {
 /// A 3 x 3 covariance, row-major. All zero: not known.
 using Covariance3 = std::array<double, 9>;
 
-/// rosgraph_msgs/msg/Clock
 struct Clock {
+  static constexpr std::string_view kType = "rosgraph_msgs/Clock";
   TimeNs t_ns = 0;
 };
 
-/// std_msgs/msg/Float64
 struct Float64 {
+  static constexpr std::string_view kType = "std_msgs/Float64";
   double data = 0;
 };
 
-/// geometry_msgs/msg/PoseStamped: the pose of something in the header's frame.
+/// The pose of something in the header's frame.
 struct PoseStamped {
+  static constexpr std::string_view kType = "geometry_msgs/PoseStamped";
   Header header;
   Pose pose = Pose::Identity();
 };
 
-/// geometry_msgs/msg/TransformStamped: the pose of the child in the header's frame.
+/// The pose of the child in the header's frame.
 struct TransformStamped {
+  static constexpr std::string_view kType = "geometry_msgs/TransformStamped";
   Header header;
   std::string child_frame_id;
   Pose pose = Pose::Identity();
 };
 
-/// tf2_msgs/msg/TFMessage
 struct TfMessage {
+  static constexpr std::string_view kType = "tf2_msgs/TFMessage";
   std::vector<TransformStamped> transforms;
 };
 
-/// nav_msgs/msg/Odometry without covariances: the pose of the child in the header's frame, its
+/// Without covariances: the pose of the child in the header's frame, its
 /// velocities in its own.
 struct Odometry {
+  static constexpr std::string_view kType = "nav_msgs/Odometry";
   Header header;
   std::string child_frame_id;
   Pose pose = Pose::Identity();
   Vec3 linear_mps = Vec3::Zero(), angular_radps = Vec3::Zero();
 };
 
-/// sensor_msgs/msg/JointState: radians, rad/s, Nm, or metres, m/s, N where a joint slides. `effort`
+/// Radians, rad/s, Nm, or metres, m/s, N where a joint slides. `effort`
 /// may be empty.
 struct JointState {
+  static constexpr std::string_view kType = "sensor_msgs/JointState";
   Header header;
   std::vector<std::string> name;
   std::vector<double> position, velocity, effort;
 };
 
-/// sensor_msgs/msg/Imu of a unit that estimates no orientation.
+/// Of a unit that estimates no orientation.
 struct Imu {
+  static constexpr std::string_view kType = "sensor_msgs/Imu";
   Header header;
   Vec3 angular_velocity_radps = Vec3::Zero(), linear_acceleration_mps2 = Vec3::Zero();
   Covariance3 angular_velocity_covariance = {}, linear_acceleration_covariance = {};
 };
 
-/// sensor_msgs/msg/NavSatFix. Altitude above the ellipsoid, covariance along east, north, up.
+/// Altitude above the ellipsoid, covariance along east, north, up.
 struct NavSatFix {
+  static constexpr std::string_view kType = "sensor_msgs/NavSatFix";
   enum Status : std::int8_t {
     kNoFix = -1,
     kFix = 0,
@@ -96,8 +103,9 @@ struct NavSatFix {
   CovarianceType covariance_type = kUnknown;
 };
 
-/// sensor_msgs/msg/Image, little-endian.
+/// Little-endian.
 struct Image {
+  static constexpr std::string_view kType = "sensor_msgs/Image";
   Header header;
   std::uint32_t height_px = 0, width_px = 0;
   std::string encoding;
@@ -105,16 +113,17 @@ struct Image {
   std::vector<std::uint8_t> data;
 };
 
-/// sensor_msgs/msg/CompressedImage: a picture as a file has it.
+/// A picture as a file has it.
 struct CompressedImage {
+  static constexpr std::string_view kType = "sensor_msgs/CompressedImage";
   Header header;
   std::string format;
   std::string data;
 };
 
-/// sensor_msgs/msg/CameraInfo of a camera whose pictures are not rectified: r is the identity and p
-/// is k.
+/// Of a camera whose pictures are not rectified: r is the identity and p is k.
 struct CameraInfo {
+  static constexpr std::string_view kType = "sensor_msgs/CameraInfo";
   Header header;
   std::uint32_t height_px = 0, width_px = 0;
   std::string distortion_model;
@@ -122,23 +131,24 @@ struct CameraInfo {
   std::array<double, 9> k = {};
 };
 
-/// sensor_msgs/msg/PointField
 struct PointField {
+  static constexpr std::string_view kType = "sensor_msgs/PointField";
   enum Datatype : std::uint8_t { kUint8 = 2, kUint16 = 4, kUint32 = 6, kFloat32 = 7 };
   std::string name;
   std::uint32_t offset = 0;
   Datatype datatype = kFloat32;
 };
 
-/// sensor_msgs/msg/PointCloud2: one row of points, little-endian, each of them a measurement.
+/// One row of points, little-endian, each of them a measurement.
 struct PointCloud2 {
+  static constexpr std::string_view kType = "sensor_msgs/PointCloud2";
   Header header;
   std::vector<PointField> fields;
   std::uint32_t point_step_bytes = 0;
   std::vector<std::uint8_t> data;
 };
 
-/// grid_map_msgs/msg/GridMap: layers of numbers on the squares of a plane, NaN where none is known.
+/// Layers of numbers on the squares of a plane, NaN where none is known.
 /// Not published live.
 ///
 /// Model   rows run down x, columns down y, both from the corner that has the most of both; a layer
@@ -146,6 +156,7 @@ struct PointCloud2 {
 /// Source  ANYbotics/grid_map, grid_map_msgs, branches ros2 (master of ROS 1 has the header in the
 ///         message's `info`) and grid_map_ros, GridMapRosConverter.
 struct GridMap {
+  static constexpr std::string_view kType = "grid_map_msgs/GridMap";
   struct Layer {
     std::string name;
     std::vector<float> values;
@@ -161,8 +172,9 @@ struct GridMap {
 using Message = std::variant<Clock, Float64, PoseStamped, TfMessage, Odometry, JointState, Imu,
                              NavSatFix, Image, CameraInfo, PointCloud2>;
 
-/// tera_msgs/msg/DeltaCAN. Of one that came nothing has been checked yet.
+/// Of one that came nothing has been checked yet.
 struct DeltaCan {
+  static constexpr std::string_view kType = "tera_msgs/DeltaCAN";
   /// The header's stamp as it came.
   std::int32_t stamp_sec = 0;
   std::uint32_t stamp_nanosec = 0;

@@ -3,11 +3,13 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "dataset/ros/message_fields.h"
 
 namespace tera::ros {
 
@@ -52,22 +54,42 @@ class Serializer {
   }
   template <typename T>
   requires std::is_arithmetic_v<T>
-  void Put(const std::vector<T>& sequence) {
+  void Put(std::span<const T> sequence) {
     PutLength(sequence.size());
     PutAll(sequence.data(), sequence.size());
+  }
+  template <typename T>
+  void Put(const std::vector<T>& sequence) {
+    if constexpr (std::is_arithmetic_v<T>) {
+      Put(std::span<const T>(sequence));
+    } else {
+      PutLength(sequence.size());
+      for (const T& item : sequence) Put(item);
+    }
   }
   template <typename T, std::size_t n>
   void Put(const std::array<T, n>& values) {
     PutAll(values.data(), n);
   }
-  /// A sequence of bytes.
-  void PutBytes(std::string_view data) {
-    PutLength(data.size());
-    Append(data.data(), data.size());
+  void Put(const Bytes& bytes) {
+    PutLength(bytes.data.size());
+    Append(bytes.data.data(), bytes.data.size());
   }
-  void PutLength(std::size_t length) { Put(static_cast<std::uint32_t>(length)); }
+  /// A message, or a part of one: its fields. A header of ROS 1 has a number, which is 0 here.
+  template <HasFields T>
+  void Put(const T& message) {
+    if (form_ == WireForm::kRos1 && T::kType == Header::kType) Put(std::uint32_t{0});
+    Fields(*this, message);
+  }
+  /// A field, as Fields names it.
+  template <typename T>
+  void operator()(std::string_view, const T& value) {
+    Put(value);
+  }
+  void Constant(std::string_view) {}
 
  private:
+  void PutLength(std::size_t length) { Put(static_cast<std::uint32_t>(length)); }
   static_assert(std::endian::native == std::endian::little, "numbers are copied as they stand");
   static constexpr std::string_view kLittleEndianCdr{"\x00\x01\x00\x00", 4};
 

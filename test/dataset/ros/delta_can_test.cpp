@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dataset/ros/serialize_messages.h"
+#include "dataset/ros/serializer.h"
 
 namespace tera::ros {
 namespace {
@@ -32,8 +32,8 @@ TEST(DeltaCan, HasEachLeverInItsPlace) {
 TEST(DeltaCan, IsAsLongAsItsDefinitionSays) {
   const DeltaCan message = DeltaCanOf({{"tilt"}, {"thumb"}}, {0.25, -0.25}, 0);
   Serializer cdr(WireForm::kCdr), ros1(WireForm::kRos1);
-  Put(message, &cdr);
-  Put(message, &ros1);
+  cdr.Put(message);
+  ros1.Put(message);
   EXPECT_EQ(cdr.bytes().size(), 4u + 13 + 3 + 32 + 3 + 1 + 4 + 8);
   EXPECT_EQ(ros1.bytes().size(), 4u + 8 + 4 + 32 + 3 + 4 + 8);
 }

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "dataset/ros/serialize_messages.h"
-
 namespace tera::ros {
 namespace {
 
@@ -60,18 +58,18 @@ TEST(Serializer, AfterClearTheNextMessageBeginsAnew) {
   EXPECT_EQ(Hex(out.bytes()), "0001000002000000");
 }
 
-TEST(SerializeMessages, TimesBeforeZeroAreZero) {
+TEST(Serializer, TimesBeforeZeroAreZero) {
   Serializer out(WireForm::kRos1);
-  Put(Clock{-1}, &out);
+  out.Put(Clock{-1});
   EXPECT_EQ(Hex(out.bytes()), "0000000000000000");
   out.Clear();
-  Put(Clock{3 * kNsPerSecond + 258}, &out);
+  out.Put(Clock{3 * kNsPerSecond + 258});
   EXPECT_EQ(Hex(out.bytes()), "0300000002010000");
 }
 
-TEST(SerializeMessages, HeadersOfRos1HaveANumberBeforeTheStamp) {
+TEST(Serializer, HeadersOfRos1HaveANumberBeforeTheStamp) {
   Serializer out(WireForm::kRos1);
-  Put(CompressedImage{{kNsPerSecond, "a"}, "png", "xyz"}, &out);
+  out.Put(CompressedImage{{kNsPerSecond, "a"}, "png", "xyz"});
   EXPECT_EQ(Hex(out.bytes()),
             "00000000"
             "0100000000000000"

@@ -18,7 +18,6 @@
 #include "dataset/format/sensor_sheet.h"
 #include "dataset/ros/from_samples.h"
 #include "dataset/ros/names.h"
-#include "dataset/ros/serialize_messages.h"
 
 namespace tera {
 namespace fs = std::filesystem;

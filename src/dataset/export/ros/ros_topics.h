@@ -22,7 +22,7 @@
 #include "dataset/files/in_order.h"
 #include "dataset/ros/messages.h"
 #include "dataset/ros/names.h"
-#include "dataset/ros/serialize_messages.h"
+#include "dataset/ros/serializer.h"
 
 namespace tera {
 
@@ -122,7 +122,7 @@ class RosTopics {
 
 template <typename Message>
 RosTopics::TopicId RosTopics::AddTopic(const std::string& name, const TopicQuality& quality) {
-  const Topic topic = {ros::AllowedName(name), ros::TypeName<Message>::value, quality};
+  const Topic topic = {ros::AllowedName(name), Message::kType, quality};
   if (!names_.insert(topic.name).second) {
     throw InputError(fmt::format(
         "{}: two channels would be the ROS topic {}; rename one of them in the recording",
@@ -135,7 +135,7 @@ RosTopics::TopicId RosTopics::AddTopic(const std::string& name, const TopicQuali
 template <typename Message>
 RosTopics::WireMessage RosTopics::Wire(TopicId topic, TimeNs t_ns, const Message& message) const {
   ros::Serializer serializer(bag_->form());
-  ros::Put(message, &serializer);
+  serializer.Put(message);
   return {topic, std::max<TimeNs>(0, t_ns), serializer.TakeBytes()};
 }
 

@@ -8,7 +8,6 @@
 #include "dataset/files/checked_file.h"
 #include "dataset/format/sample_recording.h"
 #include "dataset/import/bag_bytes.h"
-#include "dataset/ros/serialize_messages.h"
 
 namespace tera {
 namespace {
@@ -77,7 +76,7 @@ TEST_F(GroundSnapshots, HaveTheBytesOfTheDefinition) {
   const GroundSnapshot snapshot{0, {{"elevation", run() / "truth/terrain/height_start.tif"}}};
   const ros::GridMap map = GridMapOf(snapshot, 3'000'000'007, Numbered);
   ros::Serializer cdr(ros::WireForm::kCdr), ros1(ros::WireForm::kRos1);
-  Put(map, &cdr);
+  cdr.Put(map);
   Cdr expected;
   expected.Add(std::int32_t{3}).Add(std::uint32_t{7}).Text("map");
   expected.Add(0.5).Add(1.5).Add(1.0);
@@ -91,7 +90,7 @@ TEST_F(GroundSnapshots, HaveTheBytesOfTheDefinition) {
   expected.Add(std::uint16_t{0}).Add(std::uint16_t{0});
   EXPECT_EQ(cdr.bytes(), expected.bytes());
   // Packed, texts without their 0, and with the header's number before the stamp.
-  Put(map, &ros1);
+  ros1.Put(map);
   EXPECT_EQ(ros1.bytes().size(), 4u + 8 + 4 + 3 + 3 * 8 + 7 * 8 + 2 * (4 + 4 + 9) + 4 + 4 +
                                      (4 + 12 + 8) + (4 + 9 + 8) + 4 + 4 + 6 * 4 + 4);
 }
