@@ -10,7 +10,7 @@ set(rows
   "Embree src/render embree_VERSION"
   "fmt . fmt_VERSION"
   "GDAL src/soil GDAL_VERSION"
-  "GeographicLib src/sensors GEOGRAPHICLIB_VERSION"
+  "GeographicLib src/dataset GEOGRAPHICLIB_VERSION"
   "libepoxy src/render EPOXY_VERSION"
   "OpenCV src/dataset OpenCV_VERSION"
   "OpenSSL src/dataset OPENSSL_VERSION"

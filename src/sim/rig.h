@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dataset/format/measurement_sink.h"
-#include "sensors/gnss/site_frame.h"
+#include "dataset/format/site_frame.h"
 #include "sensors/sampling.h"
 #include "sim/rig_scene.h"
 #include "sim/scenario/scenario.h"

@@ -62,7 +62,7 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"tiny_gltf.h", "render"},
     {"epoxy/", "render"},
     {"embree3/", "render"},
-    {"GeographicLib/", "sensors"},
+    {"GeographicLib/", "dataset"},
     {"opencv2/", "dataset"},
     {"opencv2/", "sensors"},
     {"liblzf/", "dataset"},

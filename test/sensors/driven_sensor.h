@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/check.h"
-#include "sensors/gnss/site_frame.h"
+#include "dataset/format/site_frame.h"
 #include "sensors/sensor.h"
 
 // A sensor of any kind whose samples are rows, at work on a link that moves as a test says.

@@ -6,7 +6,7 @@
 #include "core/config/model_archive.h"
 #include "core/random.h"
 #include "core/types/measurement.h"
-#include "sensors/gnss/site_frame.h"
+#include "dataset/format/site_frame.h"
 
 namespace tera {
 

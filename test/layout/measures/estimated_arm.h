@@ -9,7 +9,7 @@
 #include "core/random.h"
 #include "core/units.h"
 #include "physics/description/machine.h"
-#include "sensors/gnss/site_frame.h"
+#include "dataset/format/site_frame.h"
 #include "sensors/sensor.h"
 
 // An arm whose motion is drawn at random, its sensors at work, and a filter that estimates the

@@ -11,7 +11,7 @@
 #include "render/hand_made_scene.h"
 #include "sensors/camera/camera.h"
 #include "sensors/camera/camera_on_a_link.h"
-#include "sensors/gnss/site_frame.h"
+#include "dataset/format/site_frame.h"
 #include "sensors/sensor.h"
 
 namespace tera {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/units.h"
-#include "dataset/import/wgs84.h"
+#include "dataset/format/site_frame.h"
 
 namespace tera {
 namespace {
@@ -40,16 +40,15 @@ BodyMotion MotionAt(const SensorPoses& poses, const Pose& X_SB, TimeNs t_ns) {
 }
 
 std::string OxtsRow(const BodyMotion& motion, const DatasetInfo& info) {
-  const GeodeticPlace place = GeodeticFromEnu(
-      motion.X_WB.translation(),
-      {info.origin_lat_deg * kDeg, info.origin_lon_deg * kDeg, info.origin_height_m});
+  const SiteFrame site(info.origin_lat_deg, info.origin_lon_deg, info.origin_height_m);
+  const SiteFrame::Geodetic place = site.ToGeodetic(motion.X_WB.translation());
   const Vec3 rpy_rad = RpyFromRotation(motion.X_WB.linear());
   const Mat3 R_BW = motion.X_WB.linear().transpose();
   const Mat3 R_LW = RotationFromRpy(0, 0, rpy_rad.z()).transpose();  // L: level, x forward
   const Vec3 f_W_mps2 = motion.a_W_mps2 + Vec3(0, 0, kStandardGravity_mps2);
   const Vec3 w_W_radps = motion.X_WB.linear() * motion.w_B_radps;
-  std::string row = fmt::format("{:.12f} {:.12f} {:.9f}", place.lat_rad / kDeg,
-                                place.lon_rad / kDeg, place.height_m);
+  std::string row =
+      fmt::format("{:.12f} {:.12f} {:.9f}", place.lat_deg, place.lon_deg, place.height_m);
   row += Numbers(rpy_rad);
   row += fmt::format(" {:.12f} {:.12f}", motion.v_W_mps.y(), motion.v_W_mps.x());
   row += Numbers(R_LW * motion.v_W_mps);

@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "core/types/sample_rows.h"
-#include "core/units.h"
-#include "dataset/import/wgs84.h"
+#include "dataset/format/site_frame.h"
 #include "dataset/lint/checks/change_vote.h"
 #include "dataset/lint/checks/sensor_poses.h"
 #include "dataset/lint/lint_job.h"
@@ -48,13 +47,12 @@ void CheckValues(LintJob* job, const std::string& channel, const ScannedTable& t
 
 void CheckGeodesy(LintJob* job, const std::string& channel, const ScannedTable& table) {
   const DatasetInfo& info = job->recording().info();
-  const GeodeticPlace origin{kDeg * info.origin_lat_deg, kDeg * info.origin_lon_deg,
-                             info.origin_height_m};
+  const SiteFrame site(info.origin_lat_deg, info.origin_lon_deg, info.origin_height_m);
   for (const ScannedRow& row : table.rows) {
     if (!HasFix(row)) continue;
     job->Applies("gnss.geodesy");
-    const GeodeticPlace place{kDeg * row.values[kLat], kDeg * row.values[kLon], row.values[kAlt]};
-    const double wrong_m = (EnuFromGeodetic(place, origin) - EnuOf(row)).norm();
+    const Vec3 place_m = site.ToEnu({row.values[kLat], row.values[kLon], row.values[kAlt]});
+    const double wrong_m = (place_m - EnuOf(row)).norm();
     if (wrong_m <= kGeodesyTolerance_m) continue;
     job->Find("gnss.geodesy", channel,
               {job->RowsOf(channel), row.line,

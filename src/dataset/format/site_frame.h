@@ -17,18 +17,18 @@ namespace tera {
 ///         appendix B.
 class SiteFrame {
  public:
-  SiteFrame(double lat_deg, double lon_deg, double height_m);
-  ~SiteFrame();
-  SiteFrame(SiteFrame&&) noexcept;
   struct Geodetic {
     double lat_deg, lon_deg, height_m;
   };
+  explicit SiteFrame(const Geodetic& origin);
+  SiteFrame(double lat_deg, double lon_deg, double height_m)
+      : SiteFrame(Geodetic{lat_deg, lon_deg, height_m}) {}
   Geodetic ToGeodetic(const Vec3& p_W_m) const;
   Vec3 ToEnu(const Geodetic& place) const;
 
  private:
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::shared_ptr<const Impl> impl_;
 };
 
 }  // namespace tera

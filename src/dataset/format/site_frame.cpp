@@ -1,4 +1,4 @@
-#include "sensors/gnss/site_frame.h"
+#include "dataset/format/site_frame.h"
 
 #include <GeographicLib/LocalCartesian.hpp>
 
@@ -8,12 +8,9 @@ struct SiteFrame::Impl {
   GeographicLib::LocalCartesian plane;
 };
 
-SiteFrame::SiteFrame(double lat_deg, double lon_deg, double height_m)
-    : impl_(
-          std::make_unique<Impl>(Impl{GeographicLib::LocalCartesian(lat_deg, lon_deg, height_m)})) {
-}
-SiteFrame::~SiteFrame() = default;
-SiteFrame::SiteFrame(SiteFrame&&) noexcept = default;
+SiteFrame::SiteFrame(const Geodetic& origin)
+    : impl_(std::make_shared<const Impl>(
+          Impl{GeographicLib::LocalCartesian(origin.lat_deg, origin.lon_deg, origin.height_m)})) {}
 
 SiteFrame::Geodetic SiteFrame::ToGeodetic(const Vec3& p_W_m) const {
   Geodetic place{};
