@@ -1,17 +1,21 @@
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "app/arguments/argument_checks.h"
-#include "app/arguments/utc_time.h"
 #include "app/commands.h"
 #include "app/progress/progress_bar.h"
+#include "core/check.h"
 #include "core/error.h"
+#include "core/time.h"
+#include "core/utc_time.h"
 #include "dataset/export/export.h"
 #include "dataset/format/recording.h"
 #include "sim/joint_trees.h"
@@ -19,6 +23,25 @@
 
 namespace tera {
 namespace {
+
+/// "2026-05-01T12:00:00Z", a date and a time of the years 1970 to 2037.
+CLI::Validator IsUtcTime() {
+  return CLI::Validator(
+      [](const std::string& text) -> std::string {
+        if (ParseUtc(text)) return "";
+        return "'" + text +
+               "'; need a date and time of UTC from 1970 to 2037, "
+               "2026-05-01T12:00:00Z";
+      },
+      "UTC");
+}
+
+/// ns since 1970-01-01 00:00:00 of a text that IsUtcTime takes.
+TimeNs UtcTime(const std::string& text) {
+  const std::optional<TimeNs> time_ns = ParseUtc(text);
+  TERA_CHECK(time_ns, text);
+  return *time_ns;
+}
 
 constexpr std::int64_t kBytesPerMb = 1'000'000;
 constexpr int kMostShardMb = 1'000'000;

@@ -5,7 +5,7 @@
 #include "render/gl/rasterizer.h"
 #include "resimulate/recorded_stage.h"
 #include "resimulate/scan_caster.h"
-#include "resimulate/simulated_picture.h"
+#include "resimulate/simulated_return.h"
 #include "sensors/sensor.h"
 
 namespace tera {

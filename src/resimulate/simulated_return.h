@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
+
 #include "core/motion.h"
 #include "core/time.h"
+#include "core/types/measurement.h"
 
 namespace tera {
 
@@ -36,6 +39,13 @@ struct SimulatedReturn {
 struct Beam {
   Vec3 d_S = Vec3::UnitX();
   TimeNs since_ns = 0;
+};
+
+/// A simulated picture, pixel by pixel.
+struct SimulatedPicture {
+  Image<float> grey;            ///< 0 to 1, as stored (sRGB)
+  Image<float> depth_m;         ///< along the optical axis; 0: nothing, as in the sky
+  Image<std::uint8_t> surface;  ///< a Surface: kMachine moves with the camera's link
 };
 
 }  // namespace tera

@@ -1,14 +1,43 @@
 #include "serve/session.h"
 
 #include <fmt/format.h>
+#include <google/protobuf/message.h>
 
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "core/error.h"
-#include "serve/unknown_field.h"
 
 namespace tera {
 namespace {
+
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+
+/// A field of `message`, or of a message within it, that this build has no name for, as a newer
+/// client sends: "field 9 of Action". What it asks for would be left undone without a word.
+std::optional<std::string> UnknownField(const Message& message) {
+  const google::protobuf::Reflection& reflection = *message.GetReflection();
+  const auto& unknown = reflection.GetUnknownFields(message);
+  if (!unknown.empty()) {
+    return fmt::format("field {} of {}", unknown.field(0).number(),
+                       message.GetDescriptor()->name());
+  }
+  std::vector<const FieldDescriptor*> fields;
+  reflection.ListFields(message, &fields);
+  for (const FieldDescriptor* field : fields) {
+    if (field->cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE) continue;
+    const int count = field->is_repeated() ? reflection.FieldSize(message, field) : 1;
+    for (int k = 0; k < count; ++k) {
+      const Message& inner = field->is_repeated() ? reflection.GetRepeatedMessage(message, field, k)
+                                                  : reflection.GetMessage(message, field);
+      if (auto found = UnknownField(inner)) return found;
+    }
+  }
+  return std::nullopt;
+}
 
 using grpc::Status;
 using grpc::StatusCode;

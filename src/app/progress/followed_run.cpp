@@ -1,15 +1,50 @@
 #include "app/progress/followed_run.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <string>
 #include <utility>
 
 #include "app/progress/progress_bar.h"
-#include "app/progress/stop_message.h"
 
 namespace tera {
 namespace {
+
+/// While it lives, Ctrl-C and SIGTERM still end the program, but first `text` goes to standard
+/// error: how to go on with the run that they stop. One at a time.
+class StopMessage {
+ public:
+  explicit StopMessage(const std::string& text);
+  StopMessage(const StopMessage&) = delete;
+  StopMessage& operator=(const StopMessage&) = delete;
+  ~StopMessage();
+};
+
+std::string message;
+
+/// Runs within the signal: nothing but write and raise. SA_RESETHAND has brought back the default
+/// action, which ends the program when the handler returns.
+void SayAndEnd(int signal) {
+  // The program ends here; where standard error is closed there is nobody to tell.
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
+  raise(signal);
+}
+
+StopMessage::StopMessage(const std::string& text) {
+  message = text;
+  struct sigaction action = {};
+  action.sa_handler = SayAndEnd;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+StopMessage::~StopMessage() {
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+}
 
 constexpr double kPipeLine_s = 10;  ///< between lines of progress where nobody sees a bar
 constexpr double kShown_s = 0.005;  ///< less is 0.00 in the table: a stage that the run has not

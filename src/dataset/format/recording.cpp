@@ -4,9 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <fstream>
 #include <future>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,7 +19,7 @@
 #include "core/types/label_channels.h"
 #include "core/types/sample_rows.h"
 #include "dataset/files/checked_file.h"
-#include "dataset/format/channel_types.h"
+#include "dataset/format/channel.h"
 #include "dataset/format/csv_rows.h"
 #include "dataset/format/object_boxes.h"
 #include "dataset/format/pcd.h"
@@ -26,6 +28,25 @@
 #include "dataset/import/csv_file.h"
 
 namespace tera {
+namespace {
+
+/// A type of channel that this library reads itself.
+struct ChannelType {
+  std::string_view name;
+  ChannelForm form;
+  bool is_sensor;
+};
+
+constexpr std::array<ChannelType, 7> kChannelTypes = {
+    {{kImuChannel, ChannelForm::kRows, true},
+     {kGnssChannel, ChannelForm::kRows, true},
+     {kEncoderChannel, ChannelForm::kRows, true},
+     {kCameraChannel, ChannelForm::kPictures, true},
+     {kLidarChannel, ChannelForm::kScans, true},
+     {kTableChannel, ChannelForm::kRows, false},
+     {kPoseChannel, ChannelForm::kRows, false}}};
+
+}  // namespace
 namespace fs = std::filesystem;
 namespace {
 

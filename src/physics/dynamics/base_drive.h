@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "core/motion.h"
-#include "physics/traction/base_effort.h"
 #include "physics/traction/track_kinematics.h"
 
 class btMultiBody;

@@ -4,24 +4,65 @@
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
+#include <BulletCollision/CollisionShapes/btTriangleMesh.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 #include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
 
+#include <memory>
 #include <optional>
 
 #include "core/check.h"
 #include "physics/dynamics/bullet_types.h"
 #include "physics/dynamics/climb_tag.h"
 #include "physics/dynamics/machine_dynamics.h"
+#include "physics/dynamics/site_walls.h"
 #include "physics/dynamics/soft_row_solver.h"
-#include "physics/dynamics/static_walls.h"
 
 namespace tera {
 namespace {
+
+/// Walls in Bullet: one body that never moves, its triangles in a tree of boxes.
+///
+/// Model   machines' boxes against single triangles, which are thin: what gets a whole box behind a
+///         wall within one step has passed it.
+class StaticWalls {
+ public:
+  StaticWalls(const SiteWalls& walls, double friction, btMultiBodyDynamicsWorld* world);
+  ~StaticWalls() { world_->removeRigidBody(body_.get()); }
+  StaticWalls(const StaticWalls&) = delete;
+  StaticWalls& operator=(const StaticWalls&) = delete;
+
+ private:
+  btMultiBodyDynamicsWorld* world_;
+  ClimbTag tag_;
+  btTriangleMesh triangles_;
+  std::unique_ptr<btBvhTriangleMeshShape> shape_;
+  std::unique_ptr<btRigidBody> body_;
+};
+
+StaticWalls::StaticWalls(const SiteWalls& walls, double friction, btMultiBodyDynamicsWorld* world)
+    : world_(world) {
+  for (std::size_t t = 0; t + 2 < walls.indices.size(); t += 3) {
+    const std::uint32_t* i = &walls.indices[t];
+    const btVector3 a = ToBullet(walls.corners_W_m[i[0]]), b = ToBullet(walls.corners_W_m[i[1]]),
+                    c = ToBullet(walls.corners_W_m[i[2]]);
+    // Either way about: out of a triangle's back Bullet pushes a box too little.
+    triangles_.addTriangle(a, b, c);
+    triangles_.addTriangle(a, c, b);
+  }
+  const bool compressed = true;
+  shape_ = std::make_unique<btBvhTriangleMeshShape>(&triangles_, compressed);
+  body_ = std::make_unique<btRigidBody>(0.0, nullptr, shape_.get());
+  body_->setFriction(friction);
+  body_->setUserPointer(&tag_);
+  world->addRigidBody(body_.get(), btBroadphaseProxy::StaticFilter,
+                      btBroadphaseProxy::DefaultFilter);
+}
 
 constexpr double kObstacleFriction = 0.8;
 /// Softness (s^2/kg) of all constraints. A box on a wall has more contact points than a rigid

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "physics/description/machine.h"
-#include "physics/traction/base_effort.h"
 #include "physics/traction/track_kinematics.h"
 
 namespace tera {

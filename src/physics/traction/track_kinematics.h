@@ -7,6 +7,11 @@
 
 namespace tera {
 
+/// Largest forces, either way, with which a base is driven.
+struct BaseEffort {
+  double forward_n = 0, left_n = 0, yaw_nm = 0;
+};
+
 /// Running gear as the slot sees it.
 struct TrackGeometry {
   double gauge_m = 1;           ///< between the middles of left and right

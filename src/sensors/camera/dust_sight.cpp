@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/types/optical_depth.h"
 #include "render/air/dust_volume.h"
 
 namespace tera {

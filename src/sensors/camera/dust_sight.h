@@ -1,10 +1,20 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
 #include "core/types/measurement.h"
 #include "sensors/camera/pixel_rays.h"
 #include "sensors/camera/sweep.h"
 
 namespace tera {
+
+/// Thousandths of an optical depth; 65535: as much, or more.
+inline std::uint16_t PixelOfOpticalDepth(double depth) {
+  constexpr double kPerOne = 1000, kLargest = 65535;
+  return static_cast<std::uint16_t>(std::clamp(std::round(kPerOne * depth), 0.0, kLargest));
+}
 
 /// Optical depth of the dust before what each pixel of `scene` shows, of that exact depth; before
 /// the sky, of all dust on the way. Nothing where the pixel sees nothing.

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/check.h"
-#include "sensors/slots/restamp.h"
+#include "sensors/slots/report_clock.h"
 
 namespace tera {
 

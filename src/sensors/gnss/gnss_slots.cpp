@@ -1,6 +1,6 @@
 #include "sensors/gnss/gnss_slots.h"
 
-#include "sensors/slots/restamp.h"
+#include "sensors/slots/report_clock.h"
 
 namespace tera {
 

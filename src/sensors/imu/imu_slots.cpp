@@ -1,7 +1,7 @@
 #include "sensors/imu/imu_slots.h"
 
 #include "sensors/slots/effect_numbers.h"
-#include "sensors/slots/restamp.h"
+#include "sensors/slots/report_clock.h"
 
 namespace tera {
 

@@ -6,7 +6,7 @@
 
 #include "core/check.h"
 #include "core/units.h"
-#include "soil/track/footprint.h"
+#include "soil/track/rut.h"
 #include "soil/track/side_faces.h"
 #include "soil/track/terramechanics.h"
 

@@ -4,7 +4,6 @@
 
 #include "core/types/ground_tools.h"
 #include "soil/columns/columns.h"
-#include "soil/track/footprint.h"
 #include "soil/track/low_obstacles.h"
 #include "soil/track/plate.h"
 #include "soil/track/rolling.h"

@@ -4,13 +4,28 @@
 
 #include "core/types/ground_tools.h"
 #include "soil/columns/columns.h"
-#include "soil/track/footprint.h"
 #include "soil/track/low_obstacles.h"
 #include "soil/track/plate.h"
 #include "soil/track/rolling.h"
 #include "soil/track/tread.h"
 
 namespace tera {
+
+/// A patch of running gear where it stands.
+///
+/// Frames  W.
+struct Footprint {
+  Footprint(const ContactPatch& patch, const Pose& X_WB)
+      : p_W_m(X_WB * patch.p_B_m),
+        n_W(X_WB.linear() * patch.outward_B),
+        along_W(X_WB.linear() * patch.travel_B),
+        across_W(n_W.cross(along_W)) {}
+
+  Vec3 p_W_m;     ///< its middle
+  Vec3 n_W;       ///< outward, into the ground
+  Vec3 along_W;   ///< along the shoes' travel when the gear drives forward
+  Vec3 across_W;  ///< right-handed with n_W and along_W
+};
 
 /// What running gear does to the columns under it: it presses a rut and carries soil away.
 ///

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "core/types/optical_depth.h"
 #include "render/air/dust_box.h"
 
 namespace tera {

@@ -4,7 +4,6 @@
 #include "dataset/export/link_path.h"
 #include "dataset/export/ros/joint_table.h"
 #include "dataset/export/ros/ros_topics.h"
-#include "dataset/export/ros/topic_qualities.h"
 #include "dataset/ros/delta_can.h"
 #include "dataset/ros/names.h"
 

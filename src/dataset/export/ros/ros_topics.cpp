@@ -14,7 +14,6 @@
 #include "dataset/export/record_views.h"
 #include "dataset/export/ros/joint_table.h"
 #include "dataset/export/ros/static_transforms.h"
-#include "dataset/export/ros/topic_qualities.h"
 #include "dataset/format/sensor_sheet.h"
 #include "dataset/ros/from_samples.h"
 #include "dataset/ros/names.h"

@@ -26,6 +26,14 @@
 
 namespace tera {
 
+// What docs/reference/ros2.md offers topics with.
+inline constexpr TopicQuality kSensorData = {5, false, false};
+inline constexpr TopicQuality kLarge = {2, true, false};
+inline constexpr TopicQuality kState = {10, true, false};
+inline constexpr TopicQuality kManyTransforms = {100, true, false};
+inline constexpr TopicQuality kLatched = {1, true, true};
+inline constexpr TopicQuality kLatest = {1, false, false};
+
 /// A recording as the ROS topics and frames of docs/reference/ros2.md, written to a bag.
 ///
 /// Model   a message is written at the time at which its measurement was available; its stamp is

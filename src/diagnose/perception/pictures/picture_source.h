@@ -11,7 +11,7 @@
 #include "core/types/effects.h"
 #include "core/types/measurement.h"
 #include "resimulate/sensor_calibration.h"
-#include "resimulate/simulated_picture.h"
+#include "resimulate/simulated_return.h"
 
 /// What a colour camera recorded, and what a simulation of it shows.
 
