@@ -4,16 +4,63 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "core/check.h"
 #include "core/error.h"
-#include "dataset/format/sink_group.h"
+#include "dataset/format/measurement_sink.h"
 #include "dataset/format/writer.h"
 #include "sim/run/run.h"
 #include "sim/run/terrain_log.h"
 
 namespace tera {
 namespace {
+
+/// Several sinks as one: each gets every channel and every measurement. A frame is needed when any
+/// of them needs it, and then goes to all; none comes late.
+class SinkGroup : public MeasurementSink {
+ public:
+  /// The sinks must outlive the group.
+  explicit SinkGroup(std::vector<MeasurementSink*> sinks);
+
+  ChannelId AddChannel(const ChannelInfo& info) override;
+  void Write(ChannelId channel, Measurement measurement) override;
+  bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs next_ns) const override;
+  void MarkPresent(ChannelId channel, TimeNs t_ns) override;
+
+ private:
+  std::vector<MeasurementSink*> sinks_;
+  std::vector<std::vector<ChannelId>> channels_;  ///< of each sink, for each of the group's own
+};
+
+SinkGroup::SinkGroup(std::vector<MeasurementSink*> sinks) : sinks_(std::move(sinks)) {}
+
+ChannelId SinkGroup::AddChannel(const ChannelInfo& info) {
+  std::vector<ChannelId> channels;
+  for (MeasurementSink* sink : sinks_) channels.push_back(sink->AddChannel(info));
+  channels_.push_back(std::move(channels));
+  return static_cast<ChannelId>(channels_.size()) - 1;
+}
+
+void SinkGroup::Write(ChannelId channel, Measurement measurement) {
+  for (std::size_t i = 0; i < sinks_.size(); ++i) {
+    const bool last = i + 1 == sinks_.size();
+    sinks_[i]->Write(channels_[channel][i], last ? std::move(measurement) : measurement);
+  }
+}
+
+bool SinkGroup::NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs next_ns) const {
+  for (std::size_t i = 0; i < sinks_.size(); ++i) {
+    if (sinks_[i]->NeedsFrame(channels_[channel][i], t_ns, next_ns)) return true;
+  }
+  return false;
+}
+
+void SinkGroup::MarkPresent(ChannelId channel, TimeNs t_ns) {
+  for (std::size_t i = 0; i < sinks_.size(); ++i) {
+    sinks_[i]->MarkPresent(channels_[channel][i], t_ns);
+  }
+}
 
 /// Puts a remote operator before each machine's own; `remote` gets the remote ones.
 Operators TakeOver(Operators operators, std::vector<RemoteOperator*>* remote) {

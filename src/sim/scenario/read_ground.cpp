@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "physics/traction/ground_faults.h"
 #include "physics/traction/track_drive.h"
-#include "physics/traction/track_faults.h"
 #include "physics/traction/track_kinematics.h"
 
 namespace tera {

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,7 +12,6 @@
 #include "core/error.h"
 #include "dataset/export/coco/categories.h"
 #include "dataset/export/coco/keypoint_categories.h"
-#include "dataset/export/coco/panoptic_segments.h"
 #include "dataset/export/export_job.h"
 #include "dataset/export/json_lists.h"
 #include "dataset/export/picture/labelled_frame.h"
@@ -21,6 +23,73 @@
 #include "dataset/format/png.h"
 
 namespace tera {
+namespace {
+
+/// A segment of a panoptic picture. No two of a picture share a pixel.
+struct PanopticSegment {
+  SemanticClass label = SemanticClass::kSky;
+  std::uint16_t instance = 0;  ///< 0: all pixels of a class that are of no object
+  PixelBounds bounds;
+  std::int64_t area_px = 0;
+};
+
+/// A picture's segments by their numbers, and the picture that has the number of each pixel as red
+/// + 256 green + 65536 blue.
+///
+/// Model   a part of a machine is a segment of its own, of the number of its instance; pixels of no
+///         instance are one segment a class, of the number 65536 (class + 1). No pixel is void.
+/// Source  COCO, "Panoptic segmentation" of its data format.
+struct PanopticPicture {
+  Image<std::uint8_t> rgb;
+  std::map<std::uint32_t, PanopticSegment> segments;
+};
+
+std::uint32_t SegmentNumber(std::uint16_t instance, std::uint8_t label) {
+  return instance != 0 ? instance : (label + 1u) << 16;
+}
+
+/// Makes the segment at its first pixel.
+PanopticSegment& SegmentAt(std::uint32_t number, std::uint16_t instance, std::uint8_t label,
+                           const InstanceTable& table, const std::filesystem::path& file,
+                           PanopticPicture* picture) {
+  const auto [place, is_new] = picture->segments.try_emplace(number);
+  if (is_new) {
+    place->second.instance = instance;
+    place->second.label =
+        instance != 0 ? table.Of(instance, file).label : static_cast<SemanticClass>(label);
+  }
+  return place->second;
+}
+
+/// Throws InputError about `file`, the picture of instances, where an object is not in the table.
+PanopticPicture PanopticOf(const LabelledFrame& frame, const InstanceTable& table,
+                           const std::filesystem::path& file) {
+  PanopticPicture picture;
+  const int width = frame.instance.width_px, height = frame.instance.height_px;
+  picture.rgb = Image<std::uint8_t>(width, height, 3);
+  auto rgb = picture.rgb.data.begin();
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width;) {
+      const std::uint16_t instance = frame.instance.at(x, y);
+      const std::uint8_t label = frame.semantic.at(x, y);
+      const std::uint32_t number = SegmentNumber(instance, label);
+      const int first = x;
+      while (x < width && frame.instance.at(x, y) == instance && frame.semantic.at(x, y) == label) {
+        *rgb++ = static_cast<std::uint8_t>(number);
+        *rgb++ = static_cast<std::uint8_t>(number >> 8);
+        *rgb++ = static_cast<std::uint8_t>(number >> 16);
+        ++x;
+      }
+      PanopticSegment& segment = SegmentAt(number, instance, label, table, file, &picture);
+      segment.bounds.Include(first, y, y);
+      segment.bounds.Include(x - 1, y, y);
+      segment.area_px += x - first;
+    }
+  }
+  return picture;
+}
+
+}  // namespace
 namespace fs = std::filesystem;
 namespace {
 
