@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -14,6 +13,7 @@
 #include "app/arguments/scenario_options.h"
 #include "app/commands.h"
 #include "core/error.h"
+#include "core/parse_number.h"
 #include "ros2/live.h"
 
 namespace tera {
@@ -60,12 +60,8 @@ std::string_view Environment(const char* name) {
 int DomainOfEnvironment() {
   const std::string_view text = Environment("ROS_DOMAIN_ID");
   if (text.empty()) return 0;
-  int id = -1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), id);
-  if (error == std::errc() && end == text.data() + text.size() && id >= 0 &&
-      id <= ros::Participant::kLargestDomainId) {
-    return id;
-  }
+  const auto id = ParseNumber<int>(text);
+  if (id && *id >= 0 && *id <= ros::Participant::kLargestDomainId) return *id;
   throw InputError(fmt::format("ROS_DOMAIN_ID is '{}'; need a whole number from 0 to {}, or unset",
                                text, ros::Participant::kLargestDomainId));
 }

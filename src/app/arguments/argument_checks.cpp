@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
+
+#include "core/parse_number.h"
 
 namespace tera {
 namespace {
@@ -14,13 +15,8 @@ namespace {
 /// What `text` says, if all of it is a finite number.
 template <typename T>
 std::optional<T> NumberIn(const std::string& text) {
-  T number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc() || rest != end || !std::isfinite(static_cast<double>(number))) {
-    return std::nullopt;
-  }
-  return number;
+  const auto number = ParseNumber<T>(text);
+  return number && std::isfinite(static_cast<double>(*number)) ? number : std::nullopt;
 }
 
 template <typename T>

@@ -2,10 +2,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "core/config/config_layers.h"
+#include "core/parse_number.h"
 
 /// Ranges, and values that are one number, text or choice.
 
@@ -35,12 +35,7 @@ std::string Need(const Range& range) {
 }
 
 std::optional<double> ParseNumber(const std::string& text) {
-  double value = 0;
-  const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
-  const char* end = text.data() + text.size();
-  const auto [stop, status] = std::from_chars(begin, end, value);
-  if (status != std::errc() || stop != end) return std::nullopt;
-  return value;
+  return tera::ParseNumber<double>(std::string_view(text).substr(text.starts_with('+') ? 1 : 0));
 }
 
 std::optional<double> NumberAt(ConfigNode& node, std::string_view key, const Found& found,

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <string_view>
 
 #include "core/config/fault_text.h"
+#include "core/parse_number.h"
 
 namespace tera {
 namespace {
@@ -49,14 +49,13 @@ std::vector<std::string> HeaderOf(std::istream& stream, const std::filesystem::p
 
 double ParseField(std::string_view text, const std::filesystem::path& file, std::size_t line,
                   const std::string& column) {
-  double value = 0;
-  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (status != std::errc() || stop != text.data() + text.size() || !std::isfinite(value)) {
+  const auto value = ParseNumber<double>(text);
+  if (!value || !std::isfinite(*value)) {
     throw InputError(fmt::format("{}:{}: {}", file.string(), line, column),
                      {FaultKind::kMistyped,
                       fmt::format("'{}' is not a finite number; correct or remove the row", text)});
   }
-  return value;
+  return *value;
 }
 
 }  // namespace

@@ -38,16 +38,19 @@ RecordStream::RecordStream(const Recording& recording, const std::vector<std::st
 RecordStream::RecordStream(const Recording& recording, const std::vector<StreamedChannel>& channels)
     : channels_(channels) {
   for (std::size_t c = 0; c < channels_.size(); ++c) {
-    readers_.push_back(std::make_unique<RowReader>(RowsOf(recording, channels_[c].path)));
+    readers_.push_back(std::make_unique<RowScan>(RowsOf(recording, channels_[c].path)));
     Refill(c);
   }
 }
 
 void RecordStream::Refill(std::size_t channel) {
+  ScannedRow row;
+  if (!readers_[channel]->Next(&row)) return;
   Record record;
   record.channel = channel;
-  if (!readers_[channel]->Next(&record.t_ns, &record.values)) return;
-  record.t_available_ns = record.t_ns + channels_[channel].delay_ns;
+  record.t_ns = row.t_ns;
+  record.values = std::move(row.values);
+  record.t_available_ns = row.t_ns + channels_[channel].delay_ns;
   next_.push(std::move(record));
 }
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/time.h"
-#include "dataset/export/row_reader.h"
 #include "dataset/format/recording.h"
+#include "dataset/format/row_scan.h"
 
 namespace tera {
 
@@ -57,7 +57,7 @@ class RecordStream {
     bool operator()(const Record& a, const Record& b) const;
   };
   std::vector<StreamedChannel> channels_;
-  std::vector<std::unique_ptr<RowReader>> readers_;
+  std::vector<std::unique_ptr<RowScan>> readers_;
   std::optional<std::size_t> given_;  ///< whose reader stands at the record that Next gave last
   std::priority_queue<Record, std::vector<Record>, Later> next_;
 };

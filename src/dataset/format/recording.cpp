@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <fstream>
 #include <future>
 #include <string_view>
@@ -16,6 +15,7 @@
 #include "core/check.h"
 #include "core/config/config.h"
 #include "core/error.h"
+#include "core/parse_number.h"
 #include "core/types/label_channels.h"
 #include "core/types/sample_rows.h"
 #include "dataset/files/checked_file.h"
@@ -96,12 +96,9 @@ Mat3 Rotation(const CsvFile& csv, std::size_t row, std::size_t first) {
 
 std::uint64_t Seed(const ConfigMap& map) {
   const std::string text = map.Text("seed");
-  std::uint64_t seed = 0;
-  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), seed);
-  if (status != std::errc() || stop != text.data() + text.size()) {
-    map.Fault("seed", fmt::format("'{}' is not a whole number from 0", text));
-  }
-  return seed;
+  const auto seed = ParseNumber<std::uint64_t>(text);
+  if (!seed) map.Fault("seed", fmt::format("'{}' is not a whole number from 0", text));
+  return seed.value_or(0);
 }
 
 void ReadOrigin(const ConfigMap& map, DatasetInfo* info) {

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <cstring>
 
 #include "core/error.h"
+#include "core/parse_number.h"
 #include "sim/state/state_log.h"
 #include "sim/state/state_rows.h"
 
@@ -19,13 +19,6 @@ std::vector<double> NumbersOf(const std::string& bytes) {
     std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(double));
   }
   return numbers;
-}
-
-std::optional<std::size_t> CountOf(const std::string& text) {
-  std::size_t count = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return count;
 }
 
 }  // namespace
@@ -72,7 +65,7 @@ void StatePlayback::Advance(double dt_s) {
 bool StatePlayback::LoadBlock() {
   std::optional<Block> block = file_.Next();
   if (!block) return false;
-  const std::optional<std::size_t> count = CountOf(block->front());
+  const std::optional<std::size_t> count = ParseNumber<std::size_t>(block->front());
   std::size_t stream = 1;
   if (!count || *count == 0 || !series_.Unpack(*block, *count, &stream, &rows_) ||
       !terrain_.Load(&*block, &stream) || stream != block->size()) {

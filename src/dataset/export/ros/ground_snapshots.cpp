@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <optional>
 #include <system_error>
 #include <utility>
 
 #include "core/error.h"
+#include "core/parse_number.h"
 #include "dataset/ros/names.h"
 
 namespace tera {
@@ -30,10 +30,7 @@ constexpr std::array<Layer, 5> kLayers = {{{"height", kElevationLayer},
 std::optional<TimeNs> TimeOf(std::string_view text, const Recording& recording) {
   if (text == "start") return 0;
   if (text == "end") return FromSeconds(recording.info().duration_s);
-  TimeNs t_ns = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), t_ns);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return t_ns;
+  return ParseNumber<TimeNs>(text);
 }
 
 /// "height_start" as layer and time; nothing for a file of another kind.

@@ -283,7 +283,7 @@ void RosTopics::AddTable(const std::string& path) {
 }
 
 std::vector<std::string> RosTopics::ColumnsOf(const std::string& path) const {
-  return RowReader(job_->recording.directory() / path).columns();
+  return RowScan(job_->recording.directory() / path).columns();
 }
 
 void RosTopics::WriteClockUntil(TimeNs t_ns) {

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <system_error>
 
+#include "core/parse_number.h"
 #include "dataset/export/sensor_names.h"
 #include "dataset/export/webdataset/tar_names.h"
 
@@ -29,11 +29,10 @@ void Shards::AddEnding(const std::string& ending) {
 bool Shards::TakeArchive(const std::vector<std::string>& names) {
   std::vector<TimeNs> times_ns;
   for (const std::string& name : names) {
-    TimeNs t_ns = 0;
-    const char* const point = name.data() + std::min(name.find('.'), name.size());
-    const auto [end, error] = std::from_chars(name.data(), point, t_ns);
-    if (error != std::errc() || end != point || *point != '.') return false;
-    times_ns.push_back(t_ns);
+    const std::size_t point = name.find('.');
+    const auto t_ns = ParseNumber<TimeNs>(std::string_view(name).substr(0, point));
+    if (!t_ns || point == std::string::npos) return false;
+    times_ns.push_back(*t_ns);
   }
   std::int64_t samples = 0;
   for (std::size_t k = 0; k < names.size(); ++k) {

@@ -10,7 +10,7 @@
 namespace tera {
 
 ScannedTable ReadTable(const LintJob& job, const std::string& channel) {
-  RowScan scan(job.Path(job.RowsOf(channel)));
+  RowScan scan(job.Path(job.RowsOf(channel)), {});
   ScannedTable table{scan.columns(), {}};
   for (ScannedRow row; scan.Next(&row);) table.rows.push_back(row);
   return table;

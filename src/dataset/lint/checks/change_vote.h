@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "dataset/format/row_scan.h"
 #include "dataset/lint/lint_job.h"
-#include "dataset/lint/row_scan.h"
 
 namespace tera {
 

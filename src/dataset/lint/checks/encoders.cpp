@@ -124,7 +124,7 @@ void CheckEncoder(LintJob* job, const std::string& channel) {
 
 void CheckLevers(LintJob* job, const std::string& channel) {
   job->Applies("commands.range");
-  RowScan scan(job->Path(channel));
+  RowScan scan(job->Path(channel), {});
   for (ScannedRow row; scan.Next(&row);) {
     for (std::size_t c = 0; c < row.values.size(); ++c) {
       if (std::abs(row.values[c]) <= 1) continue;

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/types/label_channels.h"
-#include "dataset/lint/row_scan.h"
+#include "dataset/format/row_scan.h"
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 std::vector<FrameRow> FramesOf(const LintJob& job, const std::string& channel) {
   std::vector<FrameRow> frames;
   if (job.IsLeftOut(channel)) return frames;
-  RowScan scan(job.Path(job.RowsOf(channel)));
+  RowScan scan(job.Path(job.RowsOf(channel)), {});
   if (!scan.lists_frames()) return frames;
   for (ScannedRow row; scan.Next(&row);) frames.push_back({row.line, row.t_ns, row.filename});
   return frames;

@@ -6,9 +6,9 @@
 #include "core/error.h"
 #include "core/types/sample_rows.h"
 #include "dataset/format/csv_rows.h"
+#include "dataset/format/row_scan.h"
 #include "dataset/lint/checks/stamps.h"
 #include "dataset/lint/lint_job.h"
-#include "dataset/lint/row_scan.h"
 
 // Every row of every channel, whatever it holds.
 

@@ -57,7 +57,7 @@ TEST_F(RowRules, NaNAndInfinity) {
   const LintFinding finding = Only("rows.finite", "digger/commands.csv");
   ASSERT_EQ(finding.count, 2);
   EXPECT_EQ(finding.places[0].line, 4);
-  EXPECT_EQ(finding.places[0].message, "column boom is nan");
+  EXPECT_EQ(finding.places[0].message, "column 'boom': found 'nan', need a finite number");
 }
 
 TEST_F(RowRules, AFrameOfAnotherName) {
