@@ -121,12 +121,8 @@ void AddBagOptions(CLI::App* command, ExportArguments* arguments) {
       ->add_option("--images", options->images,
                    "Of bags: raw pixels (the default) or the PNG files as they are, compressed")
       ->transform(OneOf(kImages));
-  command
-      ->add_option("--moved", arguments->moved,
-                   "Of bags, clouds, nuscenes and formats of one lidar: OLD=NEW: an input that "
-                   "dataset.yaml lists as OLD, or below the folder OLD, is now at NEW; may be "
-                   "repeated")
-      ->take_all();
+  AddMovedOption(command, &arguments->moved,
+                 "Of bags, clouds, nuscenes and formats of one lidar: ");
 }
 
 /// Options of formats that are of one camera and one lidar.

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/arguments/argument_checks.h"
 #include "app/arguments/scenario_options.h"
 #include "app/commands.h"
 #include "app/progress/progress_bar.h"
@@ -39,9 +40,7 @@ struct EvaluateArguments {
 
 void RequireNew(const fs::path& out) {
   RequireNoneStopped(out);
-  if (!HoldsSomething(out)) return;
-  throw InputError(fmt::format("{}: is not an empty directory; choose another place or delete it",
-                               out.string()));
+  RequireNothingAt(out);
 }
 
 std::vector<Layout> LoadLayouts(const EvaluateArguments& arguments, const Cycle& cycle,
@@ -142,11 +141,7 @@ void AddEvaluate(CLI::App* app) {
   command->add_flag(
       "--strict", arguments->strict,
       "A mount inside the machine, or from where next to nothing is seen, is an error");
-  command
-      ->add_option("--moved", arguments->moved,
-                   "OLD=NEW: an input that dataset.yaml lists as OLD, or below the folder OLD, is "
-                   "now at NEW; may be repeated")
-      ->take_all();
+  AddMovedOption(command, &arguments->moved);
   AddHostOptions(command, &arguments->host);
   command->callback([arguments] { RunEvaluate(*arguments); });
 }

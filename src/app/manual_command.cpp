@@ -24,10 +24,7 @@ const std::map<std::string, Shell> kShells = {
     {"bash", Shell::kBash}, {"fish", Shell::kFish}, {"zsh", Shell::kZsh}};
 
 void WriteManual(const CommandHelp& program, const std::filesystem::path& out) {
-  if (HoldsSomething(out)) {
-    throw InputError(fmt::format("{}: is not an empty directory; choose another place or delete it",
-                                 out.string()));
-  }
+  RequireNothingAt(out);
   WholeFolder folder(out);
   for (const auto& [name, page] : ManualPages(program, kVersion)) {
     WriteWholeFile(folder.temporary() / name, page);

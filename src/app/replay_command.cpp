@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/arguments/argument_checks.h"
 #include "app/commands.h"
 #include "app/progress/followed_run.h"
 #include "sim/run/recorded_run.h"
@@ -32,11 +33,7 @@ void AddReplayCommand(CLI::App* app) {
                    "Directory of a simulated dataset; also one that was stopped (.incomplete)")
       ->required();
   AddRunOptions(command, &arguments->options);
-  command
-      ->add_option("--moved", arguments->moved,
-                   "OLD=NEW: an input that dataset.yaml lists as OLD, or below the folder OLD, is "
-                   "now at NEW; may be repeated")
-      ->take_all();
+  AddMovedOption(command, &arguments->moved);
   command->callback([arguments] { RunReplay(*arguments); });
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "app/arguments/argument_checks.h"
 #include "app/commands.h"
 #include "app/progress/followed_run.h"
 #include "layout/resense.h"
@@ -41,11 +42,7 @@ void AddResenseCommand(CLI::App* app) {
   command->add_option("--machine", arguments->rig.machine,
                       "Machine that carries the rig, instead of the scenario's first");
   AddRunOptions(command, &arguments->options);
-  command
-      ->add_option("--moved", arguments->moved,
-                   "OLD=NEW: an input that dataset.yaml lists as OLD, or below the folder OLD, is "
-                   "now at NEW; may be repeated")
-      ->take_all();
+  AddMovedOption(command, &arguments->moved);
   command->callback([arguments] { RunResense(*arguments); });
 }
 

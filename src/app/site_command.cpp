@@ -66,10 +66,7 @@ void Print(const SurveySite& site) {
 
 void RunSite(SiteArguments arguments) {
   RequireNoneStopped(arguments.out);
-  if (HoldsSomething(arguments.out)) {
-    throw InputError(fmt::format("{}: is not an empty directory; choose another place or delete it",
-                                 arguments.out.string()));
-  }
+  RequireNothingAt(arguments.out);
   SiteRequest& request = arguments.request;
   if (arguments.cell_m > 0) request.cell_m = arguments.cell_m;
   request.steepest_rad = arguments.steepest_deg * kDeg;

@@ -78,11 +78,7 @@ void AddViewCommand(CLI::App* app) {
   command->add_option("--size", arguments->size_mb, "Of that file, at most so many MB; 25")
       ->check(WholeNumberBetween(1, kMostExcerptMb))
       ->needs(excerpt);
-  command
-      ->add_option("--moved", arguments->moved,
-                   "OLD=NEW: an input that dataset.yaml lists as OLD, or below the folder OLD, is "
-                   "now at NEW; may be repeated")
-      ->take_all();
+  AddMovedOption(command, &arguments->moved);
   command->add_flag("--stop-with-stdin", arguments->stop_with_stdin,
                     "End when standard input is closed");
   command->callback([arguments] {

@@ -48,4 +48,13 @@ CLI::Validator WholeNumberBetween(int least, int most) {
                             [=](std::int64_t n) { return n >= least && n <= most; });
 }
 
+void AddMovedOption(CLI::App* command, std::vector<std::string>* moved, const std::string& of) {
+  command
+      ->add_option("--moved", *moved,
+                   of +
+                       "OLD=NEW: an input that dataset.yaml lists as OLD, or below the folder OLD, "
+                       "is now at NEW; may be repeated")
+      ->take_all();
+}
+
 }  // namespace tera

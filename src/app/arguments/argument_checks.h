@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <map>
 #include <string>
+#include <vector>
 
 /// What the values of options must be, in the words of its message: "--seed: '-1'; need a whole
 /// number >= 0".
@@ -29,5 +30,8 @@ CLI::Validator OneOf(const std::map<std::string, Enum>& words) {
   };
   return CLI::Validator(to_value, "one of " + all);
 }
+
+/// The option --moved, whose description begins with `of`.
+void AddMovedOption(CLI::App* command, std::vector<std::string>* moved, const std::string& of = "");
 
 }  // namespace tera

@@ -64,4 +64,10 @@ void GiveName(const fs::path& from, const fs::path& to) {
   if (error) FailFile(to, "cannot be given its name", error.value());
 }
 
+void RequireNothingAt(const fs::path& path) {
+  if (!HoldsSomething(path)) return;
+  throw InputError(fmt::format("{}: is not an empty directory; choose another place or delete it",
+                               path.string()));
+}
+
 }  // namespace tera

@@ -50,6 +50,8 @@ void RequireNoneStopped(const std::filesystem::path& folder);
 
 /// Whether there is a file, or a folder that is not empty.
 bool HoldsSomething(const std::filesystem::path& path);
+/// Throws InputError where there is such a thing: something is about to be written there.
+void RequireNothingAt(const std::filesystem::path& path);
 
 /// Renames a folder. Throws InputError.
 void GiveName(const std::filesystem::path& from, const std::filesystem::path& to);

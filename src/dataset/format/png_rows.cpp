@@ -17,14 +17,6 @@ constexpr std::size_t kHeaderBytes = 13;
 /// RFC 1951: no byte of a compressed stream stands for more.
 constexpr std::size_t kMostExpansion = 1032;
 
-std::uint32_t NumberAt(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t k = at; k < at + 4; ++k) {
-    value = value << 8 | static_cast<unsigned char>(bytes[k]);
-  }
-  return value;
-}
-
 /// A PNG's header and its compressed pixels.
 struct Packed {
   std::string_view header;
@@ -37,12 +29,12 @@ std::optional<Packed> Unpacked(std::string_view png) {
   Packed packed;
   packed.pixels.reserve(png.size());
   for (std::size_t at = kSignature.size(); png.size() - at >= kAroundChunk;) {
-    const std::size_t length = NumberAt(png, at);
+    const std::size_t length = PngNumberAt(png, at);
     if (length > png.size() - at - kAroundChunk) return std::nullopt;
     const std::string_view summed = png.substr(at + 4, 4 + length);
     const std::string_view name = summed.substr(0, 4), content = summed.substr(4);
     at += kAroundChunk + length;
-    if (NumberAt(png, at - 4) != libdeflate_crc32(0, summed.data(), summed.size())) {
+    if (PngNumberAt(png, at - 4) != libdeflate_crc32(0, summed.data(), summed.size())) {
       return std::nullopt;
     }
     const bool is_header = name == "IHDR";
@@ -62,7 +54,7 @@ std::optional<Packed> Unpacked(std::string_view png) {
 std::optional<PngRows> FormOf(std::string_view header) {
   constexpr char kGrey = 0, kRgb = 2;
   constexpr std::uint32_t kMostPixels = 1 << 20;  // of a side, as OpenCV has it
-  const std::uint32_t width = NumberAt(header, 0), height = NumberAt(header, 4);
+  const std::uint32_t width = PngNumberAt(header, 0), height = PngNumberAt(header, 4);
   const char bits = header[8], colour = header[9];
   const bool is_plain = header.substr(10) == std::string_view("\0\0\0", 3);
   if (width == 0 || height == 0 || width > kMostPixels || height > kMostPixels || !is_plain ||
@@ -155,6 +147,14 @@ std::optional<PngRows> DecodePngRows(std::string_view png) {
                                  filtered.data(), all, nullptr) == LIBDEFLATE_SUCCESS;
   if (!is_whole || !UnfilterAll(&filtered, count, pixel, &*rows)) return std::nullopt;
   return rows;
+}
+
+std::uint32_t PngNumberAt(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t k = at; k < at + 4; ++k) {
+    value = value << 8 | static_cast<unsigned char>(bytes[k]);
+  }
+  return value;
 }
 
 }  // namespace tera

@@ -23,4 +23,7 @@ struct PngRows {
 /// Source  ISO/IEC 15948:2004, "Portable Network Graphics", 5 to 9; RFC 1950 by libdeflate.
 std::optional<PngRows> DecodePngRows(std::string_view png);
 
+/// A number of a PNG, high byte first.
+std::uint32_t PngNumberAt(std::string_view png, std::size_t at);
+
 }  // namespace tera

@@ -164,10 +164,7 @@ void DatasetWriter::Impl::Begin(const WriterOptions& options) {
         fmt::format("'{}': names no folder of its own; give the recording's folder a name",
                     final_directory.string()));
   }
-  if (HoldsSomething(final_directory)) {
-    throw InputError(fmt::format("{}: is not an empty directory; choose another place or delete it",
-                                 final_directory.string()));
-  }
+  RequireNothingAt(final_directory);
   resumed = HoldsSomething(root);
   if (resumed) lock = std::make_unique<FolderLock>(root);
   if (resumed && !options.resume) {

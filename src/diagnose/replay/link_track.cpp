@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "diagnose/replay/between_samples.h"
+#include "physics/actuation/axes.h"
 
 namespace tera {
 namespace {
@@ -42,11 +43,6 @@ std::optional<Measured<double>> PositionOf(const std::string& joint,
   return std::nullopt;
 }
 
-bool HasLever(const MachineModel& model, int joint) {
-  return std::any_of(model.levers.begin(), model.levers.end(),
-                     [&](const Lever& lever) { return lever.joint == joint; });
-}
-
 /// The joints between the base and a link.
 std::vector<std::size_t> WayTo(const MachineModel& model, int link) {
   std::vector<std::size_t> way;
@@ -65,7 +61,7 @@ std::optional<std::vector<std::optional<Measured<double>>>> JointsTo(
   for (const std::size_t j : WayTo(model, link)) {
     if (model.joints[j].type == JointType::kFixed) continue;
     joints[j] = PositionOf(model.joints[j].name, encoders);
-    if (!joints[j] && HasLever(model, static_cast<int>(j))) return std::nullopt;
+    if (!joints[j] && HasLever(model, j)) return std::nullopt;
   }
   return joints;
 }

@@ -241,10 +241,7 @@ void RequireRoom(const fs::path& out, bool resume) {
         "choose another place for another search",
         out.string(), (out / "search.html").string()));
   }
-  if (HoldsSomething(out)) {
-    throw InputError(fmt::format("{}: is not an empty directory; choose another place or delete it",
-                                 out.string()));
-  }
+  RequireNothingAt(out);
   const fs::path beside = IncompleteOf(out);
   if (resume || !HoldsSomething(beside)) return;
   throw InputError(

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <ranges>
 
+#include "physics/actuation/axes.h"
+
 namespace tera {
 namespace {
 
@@ -13,11 +15,6 @@ constexpr TimeNs kNear_ns = 300'000'000;    ///< from a sample, within which it 
 constexpr TimeNs kPeriodsOfGap = 3;         ///< of mean length; what is longer is a gap
 constexpr TimeNs kSmooth_ns = 25'000'000;   ///< half the window of an encoder
 constexpr TimeNs kRateStep_ns = 5'000'000;  ///< for rates, by differences
-
-bool HasLever(const MachineModel& model, int joint) {
-  return std::any_of(model.levers.begin(), model.levers.end(),
-                     [&](const Lever& lever) { return lever.joint == joint; });
-}
 
 /// Angular velocity in W between two rotations.
 Vec3 RateOf(const Mat3& before, const Mat3& after, double dt_s) {
@@ -99,8 +96,7 @@ RecordedMotion::RecordedMotion(const MachinePlacement& placement, const std::str
   }
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
     joints_.push_back(AxisNamed(model.joints[j].name, name, recording));
-    if (!joints_[j] && model.joints[j].type != JointType::kFixed &&
-        HasLever(model, static_cast<int>(j))) {
+    if (!joints_[j] && model.joints[j].type != JointType::kFixed && HasLever(model, j)) {
       shows_whole_ = false;
     }
   }
@@ -135,8 +131,7 @@ bool RecordedMotion::Carries(int link) const {
   const auto& joints = placement_.model.joints;
   for (std::size_t j = joints.size(); j-- > 0;) {
     if (joints[j].child != link) continue;
-    if (!joints_[j] && joints[j].type != JointType::kFixed &&
-        HasLever(placement_.model, static_cast<int>(j))) {
+    if (!joints_[j] && joints[j].type != JointType::kFixed && HasLever(placement_.model, j)) {
       return false;
     }
     link = joints[j].parent;

@@ -1,5 +1,7 @@
 #include "sim/scenario/effect_targets.h"
 
+#include <fmt/format.h>
+
 #include "physics/actuation/actuation_mechanisms.h"
 #include "physics/traction/ground_mechanisms.h"
 #include "sensors/sensor_mechanisms.h"
@@ -31,6 +33,12 @@ std::vector<NamedTarget> TargetsOf(const MachineModel& model,
     }
   }
   return targets;
+}
+
+bool IsMappingOf(std::string_view need, const ConfigMap& config, std::string_view key) {
+  if (!config.IsText(key)) return true;
+  config.Fault(key, fmt::format("'{}' found, need {}", config.Text(key), need));
+  return false;
 }
 
 }  // namespace tera

@@ -24,4 +24,7 @@ inline constexpr std::string_view kBaseTarget = "base";
 std::vector<NamedTarget> TargetsOf(const MachineModel& model,
                                    const std::vector<SensorDescription>& sensors);
 
+/// Whether a mapping stands at `key`, if anything; a word or a number there is a fault.
+bool IsMappingOf(std::string_view need, const ConfigMap& config, std::string_view key);
+
 }  // namespace tera

@@ -4,16 +4,10 @@
 #include <fmt/ranges.h>
 
 #include "sim/scenario/randomise.h"
+#include "sim/scenario/yaml_text.h"
 
 namespace tera {
 namespace {
-
-/// A YAML text.
-std::string Quoted(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
-  return quoted + "'";
-}
 
 /// Lays what `randomise:` draws over the scenario, and takes it out of what is written.
 void LayEpisode(std::uint64_t episode, Config* config) {
@@ -28,7 +22,7 @@ void LayEpisode(std::uint64_t episode, Config* config) {
   std::vector<Config::GivenValue> values = DrawEpisode(root, SeedOf(root), episode);
   std::vector<std::string> drawn;
   for (const Config::GivenValue& value : values) {
-    drawn.push_back(Quoted(value.path + ": " + value.yaml));
+    drawn.push_back(QuotedText(value.path + ": " + value.yaml));
   }
   values.push_back({"drawn",
                     fmt::format("{{episode: {}, values: [{}]}}", episode, fmt::join(drawn, ", ")),

@@ -17,13 +17,6 @@
 namespace tera {
 namespace {
 
-/// Whether a mapping stands at `key`, if anything; a word or a number there is a fault.
-bool IsMappingOf(std::string_view need, const ConfigMap& config, std::string_view key) {
-  if (!config.IsText(key)) return true;
-  config.Fault(key, fmt::format("'{}' found, need {}", config.Text(key), need));
-  return false;
-}
-
 /// Reads target after target of one machine's effects; a name stands for one of them alone.
 class TargetReader {
  public:

@@ -13,17 +13,10 @@ constexpr std::string_view kNeedOfMachine =
     "{TARGET: {MECHANISM: {PARAMETER: HALF_WIDTH}}}; a target is a joint, a track or wheel set, a "
     "pump, a sensor or base";
 
-/// Whether no word or number stands at `key`, which is a fault.
-bool IsMapping(std::string_view need, const ConfigMap& config, std::string_view key) {
-  if (!config.IsText(key)) return true;
-  config.Fault(key, fmt::format("'{}' found, need {}", config.Text(key), need));
-  return false;
-}
-
 /// The mapping at `key`, if anything stands there.
 std::optional<ConfigMap> MappingOf(std::string_view need, const ConfigMap& config,
                                    std::string_view key) {
-  return IsMapping(need, config, key) ? config.OptionalMap(key) : std::nullopt;
+  return IsMappingOf(need, config, key) ? config.OptionalMap(key) : std::nullopt;
 }
 
 void ReadMechanism(const ConfigMap& config, const std::string& target, const Mechanism& mechanism,
@@ -48,7 +41,7 @@ Tolerances ReadMachineTolerances(const ConfigMap& machine,
                                  const std::vector<SensorDescription>& sensors) {
   Tolerances tolerances;
   const bool overlaid =
-      scenario_tolerances && IsMapping(kNeedOfMachine, *scenario_tolerances, name);
+      scenario_tolerances && IsMappingOf(kNeedOfMachine, *scenario_tolerances, name);
   const auto map = overlaid ? machine.OptionalMapUnder("tolerances", *scenario_tolerances, name)
                             : MappingOf(kNeedOfMachine, machine, "tolerances");
   if (!map) return tolerances;

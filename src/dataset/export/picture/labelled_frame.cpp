@@ -14,6 +14,7 @@
 #include "dataset/files/checked_file.h"
 #include "dataset/format/object_boxes.h"
 #include "dataset/format/png.h"
+#include "dataset/format/png_rows.h"
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -31,25 +32,16 @@ bool IsThere(const fs::path& file) {
       fmt::format("{}: not a whole PNG; need one, write the file again", file.string()));
 }
 
-/// A number of a PNG, high byte first.
-std::uint32_t NumberAt(std::string_view png, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t k = at; k < at + 4; ++k) {
-    value = value << 8 | static_cast<unsigned char>(png[k]);
-  }
-  return value;
-}
-
 /// Whether chunks, each with the sum of its bytes, follow one another from IHDR to IEND.
 bool HasWholeChunks(std::string_view png) {
   constexpr std::size_t kSignatureBytes = 8, kAround = 12;  // length, name and sum of a chunk
   for (std::size_t at = kSignatureBytes; png.size() - at >= kAround;) {
-    const std::size_t length = NumberAt(png, at);
+    const std::size_t length = PngNumberAt(png, at);
     if (length > png.size() - at - kAround) return false;
     const std::string_view summed = png.substr(at + 4, 4 + length);
     const std::uint32_t sum = libdeflate_crc32(0, summed.data(), summed.size());
     at += kAround + length;
-    if (NumberAt(png, at - 4) != sum) return false;
+    if (PngNumberAt(png, at - 4) != sum) return false;
     if (summed.starts_with("IEND")) return at == png.size();
   }
   return false;
@@ -111,7 +103,7 @@ PictureSize SizeOfPng(const fs::path& file) {
   stream.read(header.data(), header.size());
   const std::string_view bytes(header.data(), header.size());
   if (!stream || !bytes.starts_with(kPngStart)) FailPng(file);
-  return {static_cast<int>(NumberAt(bytes, 16)), static_cast<int>(NumberAt(bytes, 20))};
+  return {static_cast<int>(PngNumberAt(bytes, 16)), static_cast<int>(PngNumberAt(bytes, 20))};
 }
 
 std::string ReadWholePng(const fs::path& file) {
