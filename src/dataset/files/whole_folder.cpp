@@ -4,7 +4,7 @@
 
 #include <system_error>
 
-#include "core/error.h"
+#include "core/config/fault_text.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/files/folder_lock.h"
 
@@ -66,8 +66,7 @@ void GiveName(const fs::path& from, const fs::path& to) {
 
 void RequireNothingAt(const fs::path& path) {
   if (!HoldsSomething(path)) return;
-  throw InputError(fmt::format("{}: is not an empty directory; choose another place or delete it",
-                               path.string()));
+  throw InputError(path.string(), fault::NotAnEmptyFolder());
 }
 
 }  // namespace tera

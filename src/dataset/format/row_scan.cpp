@@ -36,9 +36,10 @@ RowScan::RowScan(const std::filesystem::path& file, OnFault on_fault)
     : file_(file), stream_(file), on_fault_(std::move(on_fault)) {
   std::error_code ignored;
   if (!stream_ || !std::filesystem::is_regular_file(file, ignored)) {
-    throw InputError(fmt::format(
-        "{}: cannot be read, though dataset.yaml lists it; need the file, or its line taken out",
-        file.string()));
+    throw InputError(
+        file.string(),
+        {FaultKind::kUnreadable,
+         "cannot be read, though dataset.yaml lists it; need the file, or its line taken out"});
   }
   if (!std::getline(stream_, text_)) Fail("the file is empty; need a header line");
   DropCarriageReturn(&text_);
@@ -56,7 +57,8 @@ bool RowScan::Tell(RowFault fault, const std::string& what) const {
 }
 
 void RowScan::Fail(std::string_view finding) const {
-  throw InputError(fmt::format("{}:{}: {}", file_.string(), line_, finding));
+  throw InputError(fmt::format("{}:{}", file_.string(), line_),
+                   {FaultKind::kMalformed, std::string(finding)});
 }
 
 bool RowScan::Next(ScannedRow* row) {
