@@ -96,4 +96,14 @@ inline void WriteUtmRaster(const std::string& file, const std::vector<std::vecto
   }
 }
 
+/// Changes what a file says of its band.
+template <typename Edit>
+void EditBand(const std::string& file, Edit edit) {
+  GDALAllRegister();
+  std::unique_ptr<GDALDataset, ReadRaster::Close> dataset(
+      static_cast<GDALDataset*>(GDALOpen(file.c_str(), GA_Update)));
+  ASSERT_TRUE(dataset) << file;
+  edit(dataset->GetRasterBand(1));
+}
+
 }  // namespace tera::testing_soil
