@@ -67,7 +67,7 @@ void PerceptionEntropy::Add(const Pose& X_WH, const std::vector<double>& hull_m,
 }
 
 std::vector<Figure> PerceptionEntropy::Figures() const {
-  return {{"information/perception_entropy", "nat", false, mean_nat_, error_nat_}};
+  return {{{Measure::kPerceptionEntropy}, mean_nat_, error_nat_}};
 }
 
 }  // namespace tera
