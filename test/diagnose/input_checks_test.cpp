@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "diagnose/statistics/series/simulated.h"
 
 namespace tera {
 namespace {

@@ -90,15 +90,15 @@ CsvFile::CsvFile(const std::filesystem::path& path, LastLine last_line)
   std::string_view rest = *text_;
   for (int line = 1; !rest.empty(); ++line) {
     const std::size_t end = rest.find('\n');
-    if (end == std::string_view::npos && last_line == LastLine::kIsLeftOutIfCut) break;
-    std::string_view row = rest.substr(0, end);
-    if (end == std::string_view::npos && last_line == LastLine::kMustEnd) {
+    if (end == std::string_view::npos) {
+      if (last_line == LastLine::kIsLeftOutIfCut) break;
       throw InputError(
           fmt::format("{}:{}: the last line is cut off; need whole lines, copy or "
                       "record the file again",
                       path_.string(), line));
     }
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    std::string_view row = rest.substr(0, end);
+    rest.remove_prefix(end + 1);
     if (row.ends_with('\r')) row.remove_suffix(1);
     const std::vector<std::string_view> fields = Split(row);
     if (line == 1) {

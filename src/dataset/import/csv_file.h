@@ -25,7 +25,7 @@ struct CsvForm {
 /// one. Every fault is an InputError with file:line, what was found and what is needed.
 class CsvFile final : public RowTable {
  public:
-  enum class LastLine { kMustEnd, kMayLackItsEnd, kIsLeftOutIfCut };
+  enum class LastLine { kMustEnd, kIsLeftOutIfCut };
 
   /// Reads the file. Faults: no header, a column named twice, a row with too few or too many
   /// fields, and with kMustEnd a last line that was cut off.
