@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/motion.h"
+#include "own_folder.h"
 
 /// Rasters as GDAL alone reads and writes them.
 
@@ -19,17 +20,9 @@ namespace tera::testing_soil {
 /// A folder of its own for each test that writes.
 class FolderTest : public ::testing::Test {
  protected:
-  FolderTest()
-      : folder_(std::filesystem::temp_directory_path() /
-                (std::string("tera_") +
-                 ::testing::UnitTest::GetInstance()->current_test_info()->test_suite_name() + "_" +
-                 ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~FolderTest() override { std::filesystem::remove_all(folder_); }
   std::string File(const std::string& name) const { return (folder_ / name).string(); }
 
-  std::filesystem::path folder_;
+  const std::filesystem::path folder_ = OwnFolder();
 };
 
 /// A raster read back, rows from the north as in the file.
