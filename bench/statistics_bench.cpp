@@ -79,7 +79,7 @@ void Curve(benchmark::State& state) {
   const NoiseModel noise = FitNoise(channel.residual);
   for (auto _ : state) {
     benchmark::DoNotOptimize(ClassifyCurve(FitRegimeCurve(
-        channel.residual, noise, Eigen::MatrixXd(), channel.variables[3], {}, Stream(1, "band"))));
+        channel.residual, noise, Eigen::MatrixXd(), channel.variables[3], Stream(1, "band"))));
   }
 }
 BENCHMARK(Curve)->Unit(benchmark::kMillisecond);
