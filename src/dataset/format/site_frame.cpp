@@ -19,4 +19,11 @@ SiteFrame::Geodetic SiteFrame::ToGeodetic(const Vec3& p_W_m) const {
   return place;
 }
 
+Vec3 SiteFrame::ToEnu(const Geodetic& place) const {
+  Vec3 p_W_m;
+  impl_->plane.Forward(place.lat_deg, place.lon_deg, place.height_m, p_W_m.x(), p_W_m.y(),
+                       p_W_m.z());
+  return p_W_m;
+}
+
 }  // namespace tera

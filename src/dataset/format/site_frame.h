@@ -24,6 +24,7 @@ class SiteFrame {
   SiteFrame(double lat_deg, double lon_deg, double height_m)
       : SiteFrame(Geodetic{lat_deg, lon_deg, height_m}) {}
   Geodetic ToGeodetic(const Vec3& p_W_m) const;
+  Vec3 ToEnu(const Geodetic& place) const;
 
  private:
   struct Impl;

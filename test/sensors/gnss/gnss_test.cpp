@@ -29,6 +29,7 @@ TEST(SiteFrame, AgreesWithCartConvert) {
     EXPECT_NEAR(place.lat_deg, expected[0], 1e-9);
     EXPECT_NEAR(place.lon_deg, expected[1], 1e-9);
     EXPECT_NEAR(place.height_m, expected[2], 1e-4);
+    EXPECT_NEAR((site.ToEnu(place) - p).norm(), 0, 1e-8);
   }
 }
 
