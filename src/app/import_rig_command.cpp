@@ -14,10 +14,11 @@ void AddImportRigCommand(CLI::App* app) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app->add_subcommand(
-      "import-rig", "Turn a rig in the TERA paper's YAML form into one of this schema");
-  command->add_option("FILE", arguments->rig, "Rig in the paper's form (YAML)")->required();
+      "import-rig",
+      "Turn rigs of the TERA paper's project into a rig, or machines, of this schema");
+  command->add_option("FILE", arguments->rig, "Its configuration (YAML)")->required();
   command->add_option("--machine", arguments->machine,
-                      "id of the machine whose rig it is, where FILE holds several");
+                      "id of the one machine whose rig is wanted (all, as machines of a scenario)");
   command->add_option("--out", arguments->out, "File to write; standard output without it");
   command->callback([arguments] {
     const std::string yaml = ImportRig(arguments->rig, arguments->machine);

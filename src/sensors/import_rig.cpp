@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/config/config.h"
+#include "core/config/plain_name.h"
 #include "core/config/spelling.h"
 #include "core/units.h"
 #include "sensors/sensor_kinds.h"
@@ -23,7 +24,7 @@ struct ForeignType {
   std::string name;
   std::string head;    ///< of the sensor's item: its preset or type
   double rate_hz = 0;  ///< 0: as the preset has it
-  bool has_mean = false;
+  enum class Mean { kNone, kConstant, kRangeBias } mean = Mean::kNone;  ///< what a mean becomes
   std::string (*noise)(double mean, double std) = nullptr;  ///< null: as the preset has it
 };
 
@@ -58,13 +59,14 @@ std::string Capitals(std::string_view name) {
 /// The types of the paper, and every other kind of sensor on a link whose samples are rows, by its
 /// own name, as its preset of that name has it.
 std::vector<ForeignType> ForeignTypes() {
+  using Mean = ForeignType::Mean;
   const std::string presets = "preset: tera:config/sensors/";
   std::vector<ForeignType> types = {
-      {"IMU", "type: imu", 100, true, ImuNoise},
-      {"GPS", "type: gnss", 10, true, GpsNoise},
-      {"LIDAR", presets + "vlp16.yaml", 10, false, RangeNoise},
-      {"RGB_CAMERA", presets + "rgb_640.yaml", 10, false, ColourNoise},
-      {"RGBD_CAMERA", presets + "realsense_d435i.yaml", 10, false, ColourNoise}};
+      {"IMU", "type: imu", 100, Mean::kConstant, ImuNoise},
+      {"GPS", "type: gnss", 10, Mean::kConstant, GpsNoise},
+      {"LIDAR", presets + "vlp16.yaml", 10, Mean::kRangeBias, RangeNoise},
+      {"RGB_CAMERA", presets + "rgb_640.yaml", 10, Mean::kNone, ColourNoise},
+      {"RGBD_CAMERA", presets + "realsense_d435i.yaml", 10, Mean::kNone, ColourNoise}};
   for (const SensorKind* kind : kSensorKinds) {
     const bool is_of_the_paper = kind == &kImuKind || kind == &kGnssKind;
     if (!kind->on_link || kind->form != ChannelForm::kRows || is_of_the_paper) continue;
@@ -105,6 +107,9 @@ Mat3 RotationFromUnityEuler(const Vec3& deg) {
   return to_ours * R * to_ours.transpose();
 }
 
+/// Less tilt is rounding.
+constexpr double kLevel_deg = 1e-9;
+
 struct ForeignSensor {
   std::string name;
   const ForeignType* type = nullptr;
@@ -137,6 +142,43 @@ const ForeignType* ReadType(const ConfigMap& config) {
   return &Types().front();
 }
 
+/// Three numbers, as [x, y, z] or {x, y, z}; zero where the key is absent.
+Vec3 ReadUnityVector(const ConfigMap& config, std::string_view key, const std::string& unit) {
+  if (!config.Has(key) || config.IsList(key)) return config.Vector3(key, Any(unit), Vec3::Zero());
+  const ConfigMap map = config.Map(key);
+  return {map.Number("x", Any(unit), 0), map.Number("y", Any(unit), 0),
+          map.Number("z", Any(unit), 0)};
+}
+
+Pose ReadUnityPose(const ConfigMap& config) {
+  const Vec3 offset_m = ReadUnityVector(config, "offset", "m");
+  return MakePose(FromUnity(offset_m),
+                  RotationFromUnityEuler(ReadUnityVector(config, "rotation", "deg")));
+}
+
+/// `noise`, as [mean, std] or {mean, std_dev}.
+void ReadNoise(const ConfigMap& config, ForeignSensor* s) {
+  if (config.IsList("noise")) {
+    const std::vector<double> noise = config.Numbers("noise", Any(""), 2, 2);
+    s->mean = noise[0];
+    s->std = noise[1];
+  } else {
+    const ConfigMap noise = config.Map("noise");
+    s->mean = noise.Number("mean", Any(""), 0);
+    s->std = noise.Number("std_dev", Any(""), 0);
+  }
+  if (s->std < 0) config.Fault("noise", "negative std; need one of at least 0");
+  if (s->mean != 0 && s->type->mean == ForeignType::Mean::kNone) {
+    config.Fault("noise",
+                 fmt::format("mean {} on a {}; need 0, only IMU, GPS and LIDAR have a bias",
+                             s->mean, s->type->name));
+  }
+  if (s->std > 0 && !s->type->noise) {
+    config.Fault("noise", fmt::format("std {} on a {}; need none, its preset has its noise", s->std,
+                                      s->type->name));
+  }
+}
+
 ForeignSensor ReadForeignSensor(const ConfigMap& config) {
   ForeignSensor s;
   const std::string id = config.Text("id");
@@ -147,26 +189,13 @@ ForeignSensor ReadForeignSensor(const ConfigMap& config) {
   for (const Location& l : kLocations) {
     if (l.name == place) s.link = l.link;
   }
-  if (config.Has("noise")) {
-    const std::vector<double> noise = config.Numbers("noise", Any(""), 2, 2);
-    s.mean = noise[0];
-    s.std = noise[1];
-    if (s.std < 0) config.Fault("noise", "negative std; need [mean, std] with std at least 0");
-    if (s.mean != 0 && !s.type->has_mean) {
-      config.Fault("noise", fmt::format("mean {} on a {}; need 0, only IMU and GPS have a bias",
-                                        s.mean, s.type->name));
-    }
-    if (s.std > 0 && !s.type->noise) {
-      config.Fault("noise", fmt::format("std {} on a {}; need none, its preset has its noise",
-                                        s.std, s.type->name));
-    }
-  }
-  s.X_BS = MakePose(FromUnity(config.Vector3("offset", Any("m"), Vec3::Zero())),
-                    RotationFromUnityEuler(config.Vector3("rotation", Any("deg"), Vec3::Zero())));
+  if (config.Has("noise")) ReadNoise(config, &s);
+  s.X_BS = ReadUnityPose(config);
   return s;
 }
 
-std::string SensorItem(const ForeignSensor& s) {
+/// An item of a list of sensors, each line after `indent`.
+std::string SensorItem(const ForeignSensor& s, const std::string& indent) {
   const Vec3 p = s.X_BS.translation();
   const Vec3 rpy_deg = RpyFromRotation(s.X_BS.linear()) / kDeg;
   std::string text = fmt::format(
@@ -175,20 +204,27 @@ std::string SensorItem(const ForeignSensor& s) {
       s.name, s.type->head, s.link, p.x(), p.y(), p.z(), rpy_deg.x(), rpy_deg.y(), rpy_deg.z());
   if (s.type->rate_hz > 0) text += fmt::format("    rate_hz: {}\n", s.type->rate_hz);
   if (s.type->noise) text += s.type->noise(s.mean, s.std);
-  return text;
+  std::string indented;
+  for (const char c : text) {
+    if (indented.empty() || indented.back() == '\n') indented += indent;
+    indented += c;
+  }
+  return indented;
 }
 
 struct ForeignMachine {
   std::string id;
+  Pose X_WB = Pose::Identity();
   std::vector<ForeignSensor> sensors;
 };
 
-ForeignMachine ReadForeignMachine(const ConfigMap& config) {
+/// `name`: the key of a machine that stands in a mapping, else empty.
+ForeignMachine ReadForeignMachine(const std::string& name, const ConfigMap& config) {
   ForeignMachine machine;
-  machine.id = config.Text("id");
+  machine.id = name.empty() ? config.Text("id") : config.Text("id", name);
   config.Text("type", "");
-  config.Vector3("offset", Any("m"), Vec3::Zero());
-  config.Vector3("rotation", Any("deg"), Vec3::Zero());
+  config.Text("name", "");
+  machine.X_WB = ReadUnityPose(config);
   std::vector<std::string> names;
   for (const ConfigMap& item : config.List("sensors")) {
     const ForeignSensor sensor = ReadForeignSensor(item);
@@ -203,31 +239,110 @@ ForeignMachine ReadForeignMachine(const ConfigMap& config) {
   return machine;
 }
 
+constexpr std::string_view kMachineKeys[] = {"Excavator", "machines"};
+
+/// The machines of the first of the keys that is there: a list of them, or a mapping by their ids.
+std::vector<ForeignMachine> ReadForeignMachines(const ConfigMap& root) {
+  std::vector<ForeignMachine> machines;
+  const auto take = [&](const std::string& name, const ConfigMap& map) {
+    machines.push_back(ReadForeignMachine(name, map));
+    const std::string& id = machines.back().id;
+    const auto same = [&](const ForeignMachine& machine) { return machine.id == id; };
+    if (std::count_if(machines.begin(), machines.end(), same) > 1) {
+      map.Fault("id", fmt::format("a second machine '{}'; need another id", id));
+    }
+  };
+  for (const std::string_view key : kMachineKeys) {
+    if (!root.Has(key)) continue;
+    if (root.IsList(key)) {
+      for (const ConfigMap& item : root.List(key)) take("", item);
+    } else {
+      for (const auto& [name, map] : root.NamedMaps(key)) take(name, map);
+    }
+    if (machines.empty()) break;
+    return machines;
+  }
+  root.Fault("",
+             "no machine under 'Excavator'; need a list of {id, type, sensors}, or a mapping of "
+             "these by id");
+  return machines;
+}
+
+/// Effects of a machine's sensors in a scenario, which a rig cannot hold; empty without any.
+std::string EffectsOf(const ForeignMachine& machine) {
+  std::string text;
+  for (const ForeignSensor& s : machine.sensors) {
+    if (s.mean == 0 || s.type->mean != ForeignType::Mean::kRangeBias) continue;
+    text += fmt::format("{}{}: {{range_bias: {{range_m: {}}}}}", text.empty() ? "" : ", ", s.name,
+                        s.mean);
+  }
+  return text.empty() ? text : fmt::format("{}: {{{}}}", machine.id, text);
+}
+
+/// Where the machine starts in a scenario, and what of its pose that leaves to the ground.
+std::string StartOf(const ForeignMachine& machine) {
+  const Vec3 p_m = machine.X_WB.translation();
+  const Vec3 rpy_deg = RpyFromRotation(machine.X_WB.linear()) / kDeg;
+  std::string text = fmt::format("start: {{xy_m: [{:.12g}, {:.12g}], yaw_deg: {:.12g}}}",
+                                 p_m.x() + 0.0, p_m.y() + 0.0, rpy_deg.z() + 0.0);
+  if (p_m.z() != 0 || rpy_deg.head<2>().norm() > kLevel_deg) {
+    text +=
+        fmt::format("  # height {:.4g} m, roll {:.4g} and pitch {:.4g} deg are left to the ground",
+                    p_m.z(), rpy_deg.x() + 0.0, rpy_deg.y() + 0.0);
+  }
+  return text + "\n";
+}
+
+std::string RigOf(const ForeignMachine& machine, const std::string& file) {
+  std::string text = fmt::format("# Sensors of '{}', imported from {}.\n", machine.id, file);
+  if (!machine.X_WB.isApprox(Pose::Identity())) {
+    text += "# In a scenario the machine has " + StartOf(machine);
+  }
+  if (const std::string effects = EffectsOf(machine); !effects.empty()) {
+    text += fmt::format("# In a scenario it has effects: {{{}}}\n", effects);
+  }
+  text += "sensors:\n";
+  for (const ForeignSensor& sensor : machine.sensors) text += SensorItem(sensor, "");
+  return text;
+}
+
+/// The keys `machines` and `effects` of a scenario.
+std::string MachinesOf(const std::vector<ForeignMachine>& machines, const std::string& file) {
+  std::string text = fmt::format("# Machines of a scenario, imported from {}.\nmachines:\n", file);
+  std::string effects;
+  for (const ForeignMachine& machine : machines) {
+    text += fmt::format(
+        "  - name: {}\n    machine: tera:config/machines/tb235.yaml\n    operator: {{type: idle}}\n"
+        "    {}    rig:\n      sensors:{}\n",
+        machine.id, StartOf(machine), machine.sensors.empty() ? " []" : "");
+    for (const ForeignSensor& sensor : machine.sensors) text += SensorItem(sensor, "      ");
+    const std::string own = EffectsOf(machine);
+    if (!own.empty()) effects += "  " + own + "\n";
+  }
+  return effects.empty() ? text : text + "effects:\n" + effects;
+}
+
 }  // namespace
 
 std::string ImportRig(const std::filesystem::path& file, const std::string& machine) {
   const Config config = Config::FromFile(file);
-  std::vector<ForeignMachine> machines;
-  for (const ConfigMap& item : config.root().List("Excavator")) {
-    machines.push_back(ReadForeignMachine(item));
-  }
-  std::string ids;
-  for (const ForeignMachine& m : machines) ids += (ids.empty() ? "" : ", ") + m.id;
+  const ConfigMap root = config.root();
+  const std::vector<ForeignMachine> machines = ReadForeignMachines(root);
+  std::vector<std::string> ids;
+  for (const ForeignMachine& m : machines) ids.push_back(m.id);
   const auto chosen = std::find_if(machines.begin(), machines.end(), [&](const ForeignMachine& m) {
     return machine.empty() || m.id == machine;
   });
-  if (machines.empty()) {
-    config.root().Fault("", "no machine under 'Excavator'; need a list of {id, type, sensors}");
-  } else if (machine.empty() && machines.size() > 1) {
-    config.root().Fault("Excavator", fmt::format("several machines; choose one of {}", ids));
-  } else if (chosen == machines.end()) {
-    config.root().Fault("Excavator", fmt::format("no machine '{}'; need one of {}", machine, ids));
+  if (chosen == machines.end() && !machines.empty()) {
+    root.Fault("", fmt::format("no machine '{}'; need one of {}", machine, fmt::join(ids, ", ")));
+  }
+  const bool is_several = machine.empty() && machines.size() > 1;
+  for (const std::string& id : ids) {
+    if (is_several) RequirePlainName(root, "", id);
   }
   config.Finish();
-  std::string text = fmt::format("# Sensors of '{}', imported from {}.\nsensors:\n", chosen->id,
-                                 file.filename().string());
-  for (const ForeignSensor& sensor : chosen->sensors) text += SensorItem(sensor);
-  return text;
+  const std::string name = file.filename().string();
+  return is_several ? MachinesOf(machines, name) : RigOf(*chosen, name);
 }
 
 }  // namespace tera

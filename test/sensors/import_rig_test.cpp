@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -9,20 +10,29 @@
 #include <string>
 
 #include "core/error.h"
-#include "own_folder.h"
 #include "sensors/sensor.h"
 
 namespace tera {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-/// A file of the foreign form.
-std::filesystem::path ForeignFile(const std::string& text) {
-  const std::filesystem::path file = OwnFolder() / "excavator.yaml";
-  std::ofstream(file) << text;
-  return file;
-}
+/// A file of the foreign form in a directory of its own.
+class ForeignFile {
+ public:
+  explicit ForeignFile(const std::string& text) {
+    directory_ = std::filesystem::temp_directory_path() /
+                 ("tera_rig_" + std::to_string(HashText(text)) + "_" + std::to_string(getpid()));
+    std::filesystem::create_directories(directory_);
+    std::ofstream(path()) << text;
+  }
+  ~ForeignFile() { std::filesystem::remove_all(directory_); }
+  std::filesystem::path path() const { return directory_ / "excavator.yaml"; }
+
+ private:
+  std::filesystem::path directory_;
+};
 
 const char* const kExample = R"(
 Excavator:
@@ -44,8 +54,8 @@ Excavator:
 
 /// The imported rig, read back as a machine's sensors.
 std::vector<SensorDescription> Imported(const std::string& text, const std::string& machine = "") {
-  const std::filesystem::path file = ForeignFile(text);
-  const Config config = Config::FromText(ImportRig(file, machine), "imported.yaml");
+  const ForeignFile file(text);
+  const Config config = Config::FromText(ImportRig(file.path(), machine), "imported.yaml");
   std::vector<SensorDescription> sensors;
   for (const ConfigMap& item : config.root().List("sensors")) sensors.push_back(ReadSensor(item));
   config.Finish();
@@ -53,9 +63,9 @@ std::vector<SensorDescription> Imported(const std::string& text, const std::stri
 }
 
 std::string FaultOf(const std::string& text, const std::string& machine = "") {
-  const std::filesystem::path file = ForeignFile(text);
+  const ForeignFile file(text);
   try {
-    ImportRig(file, machine);
+    ImportRig(file.path(), machine);
   } catch (const InputError& e) {
     return e.what();
   }
@@ -153,8 +163,90 @@ TEST(ImportRig, OneOfSeveralMachinesIsChosenById) {
       "  - {id: left, sensors: [{id: a, type: IMU, location: ARM}]}\n"
       "  - {id: right, sensors: [{id: b, type: IMU, location: BOOM}]}\n";
   EXPECT_EQ(Imported(two, "right").at(0).name, "b");
-  EXPECT_THAT(FaultOf(two), HasSubstr("several machines; choose one of left, right"));
   EXPECT_THAT(FaultOf(two, "middle"), HasSubstr("no machine 'middle'; need one of left, right"));
+}
+
+/// Two machines as the original project writes them.
+const char* const kTwoMachines = R"(
+Excavator:
+  - id: excavator1
+    name: Excavator_with_sensors_1
+    type: excavator
+    offset:
+      x: 5
+      y: 1
+      z: 0.75
+    rotation: {x: 0, y: 90, z: 0}
+    sensors:
+      - id: Chasis_IMU
+        type: IMU
+        topic: /imu_chasis
+        location: CHASIS
+        noise:
+          mean: 0.1
+          std_dev: 0.01
+        offset: {x: 0.3436, y: 0.15, z: -0.2921}
+        rotation: {x: 0, y: -90, z: 90}
+      - {id: Chasis_LIDAR, type: LIDAR, topic: /lidar_chasis, location: CHASIS,
+         noise: {mean: 0.2, std_dev: 0.02}, offset: {x: 0, y: 0.745, z: -1.125}}
+  - id: excavator2
+    type: excavator
+    offset: {x: -2, y: 0, z: -5}
+    rotation: {x: 3, y: -30, z: 0}
+)";
+
+TEST(ImportRig, VectorsAndNoiseMayBeMappings) {
+  const std::vector<SensorDescription> sensors = Imported(kTwoMachines, "excavator1");
+  ASSERT_EQ(sensors.size(), 2u);
+  const Pose as_list = Imported(kExample).at(0).X_BS;
+  EXPECT_TRUE(sensors[0].X_BS.isApprox(as_list, 1e-12));
+  EXPECT_EQ(sensors[0].name, "imu_chasis");
+  EXPECT_DOUBLE_EQ(std::get<ImuModel>(sensors[0].model).accel_bias_mps2.y(), 0.1);
+  EXPECT_DOUBLE_EQ(std::get<LidarModel>(sensors[1].model).range_noise_m, 0.02);
+}
+
+TEST(ImportRig, SeveralMachinesBecomeThoseOfAScenario) {
+  const ForeignFile file(kTwoMachines);
+  const std::string text = ImportRig(file.path());
+  const Config config = Config::FromText(text, "imported.yaml");
+  const std::vector<ConfigMap> machines = config.root().List("machines");
+  ASSERT_EQ(machines.size(), 2u);
+  EXPECT_EQ(machines[0].Text("name"), "excavator1");
+  EXPECT_EQ(machines[0].Map("rig").List("sensors").size(), 2u);
+  // Unity's (right, up, forward) = (5, 1, 0.75) is 0.75 forward and 5 to the right; a turn of 90
+  // degrees about up is to the right.
+  EXPECT_EQ(machines[0].Map("start").Vector2("xy_m", Any("m")), Vec2(0.75, -5));
+  EXPECT_NEAR(machines[0].Map("start").Number("yaw_deg", Any("deg")), -90, 1e-9);
+  EXPECT_EQ(machines[1].Map("rig").List("sensors").size(), 0u);
+  EXPECT_EQ(machines[1].Map("start").Vector2("xy_m", Any("m")), Vec2(-5, 2));
+  EXPECT_NEAR(machines[1].Map("start").Number("yaw_deg", Any("deg")), 30, 1e-9);
+  // What the ground decides is told; the lidar's mean is an effect. A turn of 3 degrees about
+  // right, left-handed, brings the nose down.
+  EXPECT_THAT(text, HasSubstr("# height 1 m, roll 0 and pitch 0 deg are left to the ground"));
+  EXPECT_THAT(text, HasSubstr("# height 0 m, roll 0 and pitch 3 deg are left to the ground"));
+  EXPECT_THAT(text,
+              HasSubstr("effects:\n  excavator1: {lidar_chasis: {range_bias: {range_m: 0.2}}}"));
+}
+
+TEST(ImportRig, ARigTellsWhatOfItsMachineBelongsToTheScenario) {
+  const ForeignFile file(kTwoMachines);
+  EXPECT_THAT(
+      ImportRig(file.path(), "excavator1"),
+      AllOf(HasSubstr("# In a scenario the machine has start: {xy_m: [0.75, -5], yaw_deg: -90}"),
+            HasSubstr("# In a scenario it has effects: {excavator1: {lidar_chasis: ")));
+}
+
+TEST(ImportRig, MachinesMayBeAMappingByTheirIds) {
+  const std::string body = "{sensors: [{id: a, type: IMU, location: ARM}]}";
+  for (const char* key : {"Excavator", "machines"}) {
+    const std::string text = std::string(key) + ":\n  left: " + body + "\n  right: " + body + "\n";
+    EXPECT_EQ(Imported(text, "right").at(0).name, "a");
+    EXPECT_THAT(FaultOf(text, "middle"), HasSubstr("no machine 'middle'; need one of left, right"));
+  }
+  EXPECT_THAT(FaultOf("Excavator: [{id: a}, {id: a}]\n"), HasSubstr("a second machine 'a'"));
+  EXPECT_THAT(FaultOf("Excavator: [{id: a b}, {id: c}]\n"),
+              HasSubstr("'a b' cannot name a folder"));
+  EXPECT_THAT(FaultOf("Excavator: [{id: a, offset: {x: 1, w: 2}}]\n"), HasSubstr("unknown key"));
 }
 
 TEST(ImportRig, FaultsSayWhereAndWhatIsNeeded) {
@@ -166,8 +258,8 @@ TEST(ImportRig, FaultsSayWhereAndWhatIsNeeded) {
   EXPECT_THAT(FaultOf(with("id: 1, type: IMU, location: CABIN")), HasSubstr("need one of CHASSIS"));
   EXPECT_THAT(FaultOf(with("id: 1, type: IMU, location: ARM, noise: [0, -1]")),
               HasSubstr("negative std"));
-  EXPECT_THAT(FaultOf(with("id: 1, type: LIDAR, location: ARM, noise: [1, 0.1]")),
-              HasSubstr("only IMU and GPS have a bias"));
+  EXPECT_THAT(FaultOf(with("id: 1, type: RGB_CAMERA, location: ARM, noise: [1, 0.1]")),
+              HasSubstr("only IMU, GPS and LIDAR have a bias"));
   EXPECT_THAT(FaultOf(with("id: 1, type: IMU, location: ARM, ofset: [0, 0, 0]")),
               HasSubstr("unknown key (did you mean 'offset'?)"));
   EXPECT_THAT(FaultOf("Excavator: []\n"), HasSubstr("no machine under 'Excavator'"));
