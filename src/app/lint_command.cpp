@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -7,8 +10,10 @@
 #include "app/commands.h"
 #include "core/error.h"
 #include "dataset/files/checked_file.h"
+#include "dataset/format/recording.h"
 #include "dataset/lint/lint.h"
 #include "dataset/lint/report/lint_report.h"
+#include "sim/recorded_ground.h"
 
 namespace tera {
 namespace {
@@ -41,6 +46,19 @@ void WriteHashes(const LintArguments& arguments, bool found_errors) {
   fmt::print("{}: {} files\n", kFrameHashesName, WriteFrameHashes(arguments.dataset));
 }
 
+/// Reads the heights of a dataset's ground for the lint.
+LintOptions LintOptionsOf(const LintArguments& arguments) {
+  const ReadGround read = ReaderOfGround(Recording(arguments.dataset).info());
+  const auto lowest_m = [read](const std::filesystem::path& raster) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const float height_m : read(raster, "elevation").values) {
+      if (std::isfinite(height_m)) lowest = std::min<double>(lowest, height_m);
+    }
+    return lowest;
+  };
+  return {.every_frame = arguments.every_frame, .lowest_m = lowest_m};
+}
+
 void RunLint(const LintArguments& arguments) {
   if (arguments.rules) {
     fmt::print("{}", LintRulesTable());
@@ -49,7 +67,7 @@ void RunLint(const LintArguments& arguments) {
   if (arguments.dataset.empty()) {
     throw InputError("DATASET: is missing; name the folder of a dataset, or use --rules");
   }
-  const LintReport report = Lint(arguments.dataset, {.every_frame = arguments.every_frame});
+  const LintReport report = Lint(arguments.dataset, LintOptionsOf(arguments));
   fmt::print("{}", LintTable(report));
   WriteFiles(arguments, report);
   const bool found_errors = report.CountOf(Severity::kError) > 0;

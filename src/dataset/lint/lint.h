@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ namespace tera {
 struct LintOptions {
   /// Every how many frames of a camera or lidar one is opened; all of them have to be there.
   int every_frame = 1;
+  /// The lowest height of a raster of the ground, for whoever can read it; without it poses are
+  /// not held to the ground.
+  std::function<double(const std::filesystem::path& raster)> lowest_m = {};
 };
 
 /// Where a dataset is not as it must be.

@@ -90,6 +90,9 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
     {"poses.velocity", Severity::kWarning,
      "Velocities and rates of poses are the change of position and orientation.",
      "Check units and frames: v in W, w in B."},
+    {"poses.ground", Severity::kWarning,
+     "A machine neither falls freely nor is metres below all ground.",
+     "Give it tracks, wheels or hull_points; check heights and origin of the poses."},
 
     {"commands.range", Severity::kError, "Levers lie in -1 to +1.",
      "Scale them; percent are hundredths."},

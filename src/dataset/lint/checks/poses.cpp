@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
+#include <optional>
 
+#include "core/units.h"
 #include "dataset/lint/checks/change_vote.h"
 #include "dataset/lint/checks/sensor_poses.h"
 #include "dataset/lint/lint_job.h"
@@ -11,7 +14,16 @@ namespace {
 
 /// Contact moves a machine by steps that its velocity, a mean of the steps beside a row, does not
 /// tell; they stay far below these.
-constexpr double kPositionFloor_m = 0.03, kTurnFloor_rad = 0.02;
+constexpr double kPositionFloor_m = 0.03, kAngleFloor_rad = 0.02;
+
+/// A machine's root is on the ground, or not higher above it than a machine.
+constexpr double kBelowGround_m = 5;
+/// A fall from rest of three metres. Nothing that a machine does looks like it: between its ends
+/// the path bulges by 0.8 m from a straight line.
+constexpr TimeNs kFall_ns = 800'000'000;
+constexpr double kFallTolerance_m = 0.1;
+constexpr std::size_t kLeastRowsOfFall = 5;
+constexpr std::size_t kHeightColumn = 2;
 
 void CheckQuaternions(LintJob* job, const std::string& channel, const ScannedTable& table) {
   job->Applies("poses.quaternion");
@@ -50,7 +62,7 @@ void CheckVelocities(LintJob* job, const std::string& channel, const ScannedTabl
   if (table.columns.size() <= 7) return;
   const std::vector<PoseRow> poses = ReadPoses(*job, channel);
   if (poses.size() != table.rows.size()) return;  // poses.quaternion tells
-  ChangeVote moved(kPositionFloor_m), turned(kTurnFloor_rad);
+  ChangeVote moved(kPositionFloor_m), turned(kAngleFloor_rad);
   for (const RowWindow& window : WindowsOf(table.rows)) {
     job->Applies("poses.velocity");
     const Pose &begin = poses[window.first].pose.X_WB, &end = poses[window.second].pose.X_WB;
@@ -72,14 +84,68 @@ void CheckVelocities(LintJob* job, const std::string& channel, const ScannedTabl
   tell(turned, "quaternions", "rates", "rad");
 }
 
+/// The lowest of all that is recorded of the ground, or nothing.
+std::optional<double> LowestGround_m(const LintJob& job) {
+  const std::filesystem::path folder = job.Path("truth/terrain");
+  std::error_code none;
+  if (!job.options().lowest_m || !std::filesystem::is_directory(folder, none)) return std::nullopt;
+  std::optional<double> lowest_m;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("height_") || entry.path().extension() != ".tif") continue;
+    const double height_m = job.options().lowest_m(entry.path());
+    lowest_m = std::min(lowest_m.value_or(height_m), height_m);
+  }
+  return lowest_m;
+}
+
+/// Whether the rows from `first` on for kFall_ns are those of a free fall.
+bool IsFall(const std::vector<ScannedRow>& rows, std::size_t first) {
+  const TimeNs from_ns = rows[first].t_ns;
+  std::size_t last = first;
+  while (last < rows.size() && rows[last].t_ns < from_ns + kFall_ns) ++last;
+  if (last == rows.size() || last - first + 1 < kLeastRowsOfFall) return false;
+  const double length_s = ToSeconds(rows[last].t_ns - from_ns);
+  const double from_m = rows[first].values[kHeightColumn], to_m = rows[last].values[kHeightColumn];
+  for (std::size_t i = first; i <= last; ++i) {
+    const double t_s = ToSeconds(rows[i].t_ns - from_ns);
+    const double falling_m = std::lerp(from_m, to_m, t_s / length_s) +
+                             0.5 * kStandardGravity_mps2 * t_s * (length_s - t_s);
+    if (std::abs(rows[i].values[kHeightColumn] - falling_m) > kFallTolerance_m) return false;
+  }
+  return true;
+}
+
+void CheckGround(LintJob* job, const std::string& channel, const ScannedTable& table,
+                 const std::optional<double>& lowest_m) {
+  job->Applies("poses.ground");
+  const auto find = [&](const ScannedRow& row, const std::string& what) {
+    job->Find("poses.ground", channel, {job->RowsOf(channel), row.line, what});
+  };
+  for (const ScannedRow& row : table.rows) {
+    const double height_m = row.values[kHeightColumn];
+    if (!lowest_m || height_m > *lowest_m - kBelowGround_m) continue;
+    find(row,
+         fmt::format("at {:.2f} m, {:.1f} m below all ground", height_m, *lowest_m - height_m));
+  }
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    if (!IsFall(table.rows, i)) continue;
+    find(table.rows[i], fmt::format("falls freely for {} s from here on", ToSeconds(kFall_ns)));
+    return;
+  }
+}
+
 }  // namespace
 
 void CheckPoses(LintJob* job) {
+  std::optional<double> lowest_m;
+  job->Try("", [&] { lowest_m = LowestGround_m(*job); });
   for (const std::string& channel : job->recording().ChannelsOf(kPoseChannel)) {
     job->Try(channel, [&] {
       const ScannedTable table = ReadTable(*job, channel);
       CheckQuaternions(job, channel, table);
       CheckVelocities(job, channel, table);
+      CheckGround(job, channel, table, lowest_m);
     });
   }
 }

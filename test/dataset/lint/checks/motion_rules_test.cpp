@@ -1,4 +1,8 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "dataset/lint/healthy_recording.h"
 
@@ -42,6 +46,43 @@ TEST_F(MotionRules, VelocitiesInKilometresAnHour) {
 TEST_F(MotionRules, RatesOfPosesInDegrees) {
   Scale("truth/digger/pose.csv", kRates, 1 / kDeg);
   Only("poses.velocity", "truth/digger/pose.csv");
+}
+
+TEST_F(MotionRules, AMachineThatFallsFreely) {
+  // From 0.5 s on; velocities fall with it.
+  EditRows("truth/digger/pose.csv", [](int, std::vector<std::string>* fields) {
+    const double fallen_s = std::max(0.0, std::stod((*fields)[0]) / 1e9 - 0.5);
+    (*fields)[3] = fmt::format("{}", 0.3 - 0.5 * 9.81 * fallen_s * fallen_s);
+    (*fields)[10] = fmt::format("{}", -9.81 * fallen_s);
+  });
+  const LintFinding found = Only("poses.ground", "truth/digger/pose.csv");
+  EXPECT_THAT(found.places.at(0).message, HasSubstr("falls freely for 0.8 s from here on"));
+  // Rows are 0.02 s apart, the first on line 2.
+  EXPECT_NEAR(found.places.at(0).line, 2 + 25, 5);
+}
+
+TEST_F(MotionRules, AHopIsNoFall) {
+  // 0.6 s in the air: 1.77 m at a time.
+  EditRows("truth/digger/pose.csv", [](int, std::vector<std::string>* fields) {
+    const double t_s = std::fmod(std::stod((*fields)[0]) / 1e9, 0.6) - 0.3;
+    (*fields)[3] = fmt::format("{}", 0.3 + 0.5 * 9.81 * (0.09 - t_s * t_s));
+    (*fields)[10] = fmt::format("{}", -9.81 * t_s);
+  });
+  EXPECT_THAT(Found(), testing::Not(testing::Contains("poses.ground")));
+}
+
+TEST_F(MotionRules, AMachineMetresBelowAllGround) {
+  const auto found_above = [&](double lowest_m) {
+    std::set<std::string> ids;
+    const LintReport report = Linted({.lowest_m = [&](const fs::path& raster) {
+      EXPECT_EQ(raster.filename(), "height_start.tif");
+      return lowest_m;
+    }});
+    for (const LintFinding& finding : report.findings) ids.emplace(finding.rule->id);
+    return ids;
+  };
+  EXPECT_EQ(found_above(0.3 + 4.9), std::set<std::string>{});
+  EXPECT_EQ(found_above(0.3 + 5.1), std::set<std::string>{"poses.ground"});
 }
 
 TEST_F(MotionRules, LeversInPercent) {
