@@ -6,8 +6,8 @@
 
 #include "core/config/config.h"
 #include "core/error.h"
-#include "own_folder.h"
 #include "render/meshes/load_mesh.h"
+#include "render/meshes/png_bytes.h"
 #include "render/scene.h"
 
 namespace tera {
@@ -15,6 +15,14 @@ namespace {
 
 class MeshFile : public testing::Test {
  protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ =
+        std::filesystem::path(testing::TempDir()) / (std::string("tera_mesh_") + test->name());
+    std::filesystem::create_directories(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
   std::filesystem::path Write(const std::string& name, const std::string& bytes) const {
     std::ofstream(folder_ / name, std::ios::binary) << bytes;
     return folder_ / name;
@@ -28,7 +36,7 @@ class MeshFile : public testing::Test {
     return "no InputError";
   }
 
-  const std::filesystem::path folder_ = OwnFolder();
+  std::filesystem::path folder_;
 };
 
 std::filesystem::path Excavator() { return DataRoot() / "assets" / "tb235.glb"; }
@@ -71,6 +79,51 @@ TEST_F(MeshFile, ObjIsTakenAsItIs) {
   EXPECT_EQ(box.min(), Eigen::Vector3f(1, 2, 3));
   EXPECT_EQ(box.max(), Eigen::Vector3f(4, 7, 3));
   EXPECT_NEAR(std::abs(mesh.parts[0].normals[0].z()), 1.0f, 1e-6f);
+}
+
+/// A triangle of 100 cm with a texture, as robots' meshes are exported.
+constexpr const char* kTexturedDae = R"(<?xml version="1.0" encoding="utf-8"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+  <asset><unit name="centimeter" meter="0.01"/><up_axis>Z_UP</up_axis></asset>
+  <library_images><image id="pic" name="pic"><init_from>textures/paint%20one.png</init_from></image></library_images>
+  <library_effects><effect id="fx"><profile_COMMON>
+    <newparam sid="surf"><surface type="2D"><init_from>pic</init_from></surface></newparam>
+    <newparam sid="samp"><sampler2D><source>surf</source></sampler2D></newparam>
+    <technique sid="common"><lambert><diffuse><texture texture="samp" texcoord="UVMap"/></diffuse></lambert></technique>
+  </profile_COMMON></effect></library_effects>
+  <library_materials><material id="mat" name="mat"><instance_effect url="#fx"/></material></library_materials>
+  <library_geometries><geometry id="g" name="g"><mesh>
+    <source id="p"><float_array id="pa" count="9">0 0 0 100 0 0 0 100 0</float_array>
+      <technique_common><accessor source="#pa" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
+    <source id="t"><float_array id="ta" count="6">0 0 1 0 0 1</float_array>
+      <technique_common><accessor source="#ta" count="3" stride="2"><param name="S" type="float"/><param name="T" type="float"/></accessor></technique_common></source>
+    <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+    <triangles material="m" count="1"><input semantic="VERTEX" source="#v" offset="0"/><input semantic="TEXCOORD" source="#t" offset="1" set="0"/><p>0 0 1 1 2 2</p></triangles>
+  </mesh></geometry></library_geometries>
+  <library_visual_scenes><visual_scene id="s"><node id="n" name="n"><instance_geometry url="#g"><bind_material><technique_common>
+    <instance_material symbol="m" target="#mat"><bind_vertex_input semantic="UVMap" input_semantic="TEXCOORD" input_set="0"/></instance_material>
+  </technique_common></bind_material></instance_geometry></node></visual_scene></library_visual_scenes>
+  <scene><instance_visual_scene url="#s"/></scene>
+</COLLADA>)";
+
+TEST_F(MeshFile, TheTextureOfADaeFileIsDrawn) {
+  std::filesystem::create_directories(folder_ / "textures");
+  const testing_mesh::Rgb red = {255, 0, 0};
+  Write("textures/paint one.png", testing_mesh::PngBytes({{red}}));
+  const Mesh mesh = LoadMesh(Write("arm.dae", kTexturedDae), "");
+  ASSERT_EQ(mesh.parts.size(), 1u);
+  const MeshPart& part = mesh.parts[0];
+  EXPECT_TRUE(part.positions_m[1].isApprox(Eigen::Vector3f(1, 0, 0)));
+  ASSERT_NE(part.material.textures.base_colour, nullptr);
+  EXPECT_EQ(part.material.textures.base_colour->rgba.at(0), 255);
+  EXPECT_EQ(part.material.textures.base_colour->rgba.at(1), 0);
+  ASSERT_EQ(part.uvs.size(), 3u);
+  EXPECT_FLOAT_EQ(part.uvs[1].x(), 1);
+}
+
+TEST_F(MeshFile, APictureOfADaeFileThatIsNotThereIsNamed) {
+  EXPECT_THAT(Message(Write("arm.dae", kTexturedDae), ""),
+              testing::HasSubstr("needs the picture 'textures/paint one.png', which is missing"));
 }
 
 TEST_F(MeshFile, GltfIsTurnedToZUp) {
