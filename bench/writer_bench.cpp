@@ -40,9 +40,7 @@ double WriteRecording(const std::vector<CameraFrame>& frames, const std::filesys
   DatasetInfo info;
   info.scenario_name = "bench";
   DatasetWriter writer(folder, info, {.threads = threads});
-  const ChannelInfo camera{
-      "machine/camera", std::string(kCameraChannel), ChannelForm::kPictures, "type: camera\n", {}};
-  const ChannelId channel = writer.AddChannel(camera);
+  const ChannelId channel = writer.AddChannel(CameraChannel("machine/camera", "type: camera\n"));
   for (int k = 0; k < kFrames; ++k) {
     CameraFrame frame = frames[k % frames.size()];
     frame.t_ns = k;

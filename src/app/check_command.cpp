@@ -13,7 +13,7 @@
 #include "core/units.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/format/png.h"
-#include "physics/description/urdf_left_out.h"
+#include "sim/machine_doubts.h"
 #include "sim/run/episode_sheet.h"
 #include "sim/scene_assembly.h"
 
@@ -23,14 +23,19 @@ namespace {
 /// Tenths of a degree, without a zero's minus sign.
 double Tenths(double angle_deg) { return std::round(10 * angle_deg) / 10 + 0.0; }
 
+/// In whole kilogrammes where that says something.
+std::string ShownMass(double mass_kg) {
+  return mass_kg < 100 ? fmt::format("{:.3g}", mass_kg) : fmt::format("{:.0f}", mass_kg);
+}
+
 void PrintMachine(const ScenarioMachine& machine) {
   const MachineModel& model = machine.placement.model;
   const Vec3 p = machine.placement.X_WB.translation();
   fmt::print(
-      "\nmachine {} ({}): {} links, {} joints, {} levers, {:.0f} kg, at ({:.2f}, {:.2f}, {:.2f}) "
+      "\nmachine {} ({}): {} links, {} joints, {} levers, {} kg, at ({:.2f}, {:.2f}, {:.2f}) "
       "m\n",
       machine.placement.name, model.kind, model.links.size(), model.joints.size(),
-      model.levers.size(), model.TotalMass_kg(), p.x(), p.y(), p.z());
+      model.levers.size(), ShownMass(model.TotalMass_kg()), p.x(), p.y(), p.z());
   std::vector<std::string> levers;
   for (const Lever& lever : model.levers) levers.push_back(lever.name);
   if (!levers.empty()) fmt::print("  levers: {}\n", fmt::join(levers, ", "));
@@ -48,12 +53,22 @@ void PrintMachine(const ScenarioMachine& machine) {
   }
 }
 
-void PrintLeftOut(const std::vector<InputFile>& inputs) {
-  for (const InputFile& input : inputs) {
-    if (input.path.extension() != ".urdf") continue;
-    const std::string left_out = LeftOutOf(input.path);
-    if (left_out.empty()) continue;
-    fmt::print("{}: {} left out\n", input.path.filename().string(), left_out);
+/// Mass and size of the links beside each other, and what the reader of the machine remarked.
+void PrintLinks(const ScenarioMachine& machine, const SceneModel& scene) {
+  fmt::print("  {:<24} {:>10}  {}\n", "link", "mass kg", "size m");
+  for (const LinkSize& link : SizesOf(machine, scene)) {
+    const Vec3& size_m = link.size_m;
+    fmt::print("  {:<24} {:>10.4g}  {}\n", link.name, link.mass_kg,
+               size_m.isZero(0)
+                   ? "-"
+                   : fmt::format("{:.3g} x {:.3g} x {:.3g}", size_m.x(), size_m.y(), size_m.z()));
+  }
+  for (const std::string& remark : machine.placement.model.remarks) fmt::print("{}\n", remark);
+}
+
+void PrintDoubts(const ScenarioMachine& machine, const SceneModel& scene) {
+  for (const std::string& doubt : DoubtsOf(machine, scene)) {
+    fmt::print("warning: {}\n", doubt);
   }
 }
 
@@ -85,7 +100,7 @@ void WriteSheet(const ScenarioOptions& options, int count, const std::string& fi
 void RunCheck(const ScenarioOptions& options) {
   const LoadedScenario loaded = Load(options);
   const Scenario& scenario = loaded.scenario;
-  const SceneAssembly every_mesh_loads(scenario);
+  const SceneAssembly assembly(scenario);
   const TerrainSurface& ground = scenario.site->surface();
   fmt::print("{}: {} s at {} Hz, seed {}\n", scenario.name, scenario.duration_s,
              scenario.physics_rate_hz, scenario.seed);
@@ -93,12 +108,17 @@ void RunCheck(const ScenarioOptions& options) {
              (ground.nx - 1) * ground.cell_m, (ground.ny - 1) * ground.cell_m, ground.cell_m,
              scenario.origin.lat_deg, scenario.origin.lon_deg, scenario.origin.height_m,
              scenario.site->soils().size());
-  for (const ScenarioMachine& machine : scenario.machines) PrintMachine(machine);
+  for (const ScenarioMachine& machine : scenario.machines) {
+    PrintMachine(machine);
+    PrintLinks(machine, assembly.model());
+  }
   for (const ScenarioObstacle& obstacle : scenario.obstacles) {
     fmt::print("{} {} at ({:.2f}, {:.2f}) m{}\n", NameOf(obstacle.label), obstacle.name,
                obstacle.xy_W_m.x(), obstacle.xy_W_m.y(), obstacle.path.empty() ? "" : ", moving");
   }
-  PrintLeftOut(scenario.inputs);
+  for (const ScenarioMachine& machine : scenario.machines) {
+    PrintDoubts(machine, assembly.model());
+  }
   fmt::print("valid\n");
 }
 

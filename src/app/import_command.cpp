@@ -125,7 +125,7 @@ void AddImportCommand(CLI::App* app) {
       ->take_all();
   command->callback([arguments] {
     if (!arguments->suggested.empty()) {
-      fmt::print("{}", SuggestMapping(arguments->suggested, arguments->options.overrides));
+      fmt::print("{}", SuggestMapping(arguments->suggested));
       return;
     }
     if (arguments->mapping.empty()) {

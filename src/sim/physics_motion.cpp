@@ -1,11 +1,46 @@
 #include "sim/physics_motion.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "core/check.h"
+#include "core/error.h"
 #include "core/units.h"
 
 namespace tera {
+namespace {
+
+/// Nothing of a machine that bears on the ground, in whatever position, comes so deep: it sinks and
+/// leans by less than its own height.
+constexpr double kBelowGround_m = 3;
+
+/// The centre of mass that is highest.
+Vec3 HighestCentre_m(const MachineModel& model, const MachineState& machine) {
+  Vec3 highest_m = machine.links[0].X_WB * model.links[0].com_B_m;
+  for (std::size_t i = 1; i < model.links.size(); ++i) {
+    const Vec3 centre_m = machine.links[i].X_WB * model.links[i].com_B_m;
+    if (centre_m.z() > highest_m.z()) highest_m = centre_m;
+  }
+  return highest_m;
+}
+
+/// Throws InputError where a machine has fallen below all ground.
+void RequireAboveGround(const MachinePlacement& placement, const MachineState& machine,
+                        const TerrainSurface& ground, TimeNs t_ns) {
+  if (placement.model.fixed_base) return;
+  const Vec3 top_m = HighestCentre_m(placement.model, machine);
+  const double bottom_m = top_m.z() + kBelowGround_m;
+  if (bottom_m > ground.HeightAt(top_m.x(), top_m.y()) || bottom_m > ground.Lowest_m()) return;
+  throw InputError(fmt::format(
+      "machine {} has fallen below all ground at {:.2f} s, to ({:.1f}, {:.1f}, {:.1f}) m: {}",
+      placement.name, ToSeconds(t_ns), top_m.x(), top_m.y(), top_m.z(),
+      placement.model.BearsOnGround()
+          ? "its tracks, wheels and hull_points did not hold it; correct their places, or its mass"
+          : "it touches nothing; give it tracks, wheels or hull_points, or fixed_base: true"));
+}
+
+}  // namespace
 
 Operators OperatorsOf(const Scenario& scenario) {
   Operators operators;
@@ -45,6 +80,10 @@ void PhysicsMotion::Move(const Step& step, WorldState* world) {
   }
   physics_->Step(inputs, world->obstacles, step.dt_s);
   world->machines = physics_->machines();
+  for (std::size_t m = 0; m < inputs.size(); ++m) {
+    RequireAboveGround(scenario_.machines[m].placement, world->machines[m],
+                       world->ground().surface(), step.to_ns);
+  }
 }
 
 std::vector<double> PhysicsMotion::LeversOf(std::size_t machine, const WorldState& world) {

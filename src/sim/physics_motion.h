@@ -19,7 +19,8 @@ Operators OperatorsOf(const Scenario& scenario);
 /// Machines that obey operators and move by physics.
 ///
 /// Model   operators give levers from the machines and the ground at a step's start; while the
-///         machines settle all levers are neutral. Then PhysicsWorld.
+///         machines settle all levers are neutral. Then PhysicsWorld. A machine of which all is
+///         metres below all ground ends the run with InputError.
 class PhysicsMotion : public MotionSource {
  public:
   /// Keeps a reference to `scenario`.

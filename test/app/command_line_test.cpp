@@ -91,17 +91,6 @@ TEST(CommandLine, AMisspeltOptionOrCommandIsNamedWithWhatItResembles) {
               StartsWith("'generat': no such command (did you mean 'generate'?)\n"));
 }
 
-TEST(CommandLine, ProveIsAnotherProgramAndSaysSo) {
-  const ScratchDirectory scratch;
-  const Outcome outcome =
-      RunTera({"prove", "--out", "proof", "--cases", "3", "--seed", "1"}, {scratch.path()});
-  EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.err, ContainsRegex("^tera prove: [^\n]*tera-prove[^\n]*\n$"));
-  EXPECT_TRUE(Entries(scratch.path()).empty());
-  EXPECT_THAT(RunTera({"--help"}, {scratch.path()}).out, Not(HasSubstr("prove")));
-  EXPECT_THAT(RunTera({"completion", "bash"}, {scratch.path()}).out, Not(HasSubstr("prove")));
-}
-
 TEST(CommandLine, VersionStandsAloneOnTheFirstLineBeforeHowItWasBuilt) {
   const Outcome outcome = RunTera({"--version"}, {fs::temp_directory_path()});
   EXPECT_EQ(outcome.status, 0);
@@ -201,7 +190,7 @@ TEST(Check, FindsEveryShippedScenarioValid) {
     if (file.path().extension() != ".yaml") continue;  // levers that scenarios replay
     const Outcome outcome = RunTera({"check", file.path()}, {fs::temp_directory_path()});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, testing::EndsWith("valid\n"));
+    EXPECT_THAT(outcome.out, AllOf(testing::EndsWith("valid\n"), Not(HasSubstr("warning:"))));
   }
 }
 
@@ -283,18 +272,32 @@ TEST(ImportRig, TurnsThePapersFormIntoARigThatAScenarioTakes) {
                                  ContainsRegex("lidar +lidar +upper +-1.125 -?0.000 0.745 ")));
 }
 
-TEST(ImportRig, PrintsWhereNoFileIsGivenAndAsksWhichOfSeveralMachines) {
+TEST(ImportRig, PrintsWhereNoFileIsGivenAndKnowsItsMachines) {
   const ScratchDirectory scratch;
   WriteWholeFile(scratch.path() / "paper.yaml", kPaperRig);
   const Outcome helper =
       RunTera({"import-rig", "paper.yaml", "--machine", "helper"}, {scratch.path()});
   EXPECT_EQ(helper.status, 0) << helper.err;
   EXPECT_THAT(helper.out, AllOf(HasSubstr("name: gps"), Not(HasSubstr("imu_chassis"))));
-  const Outcome which = RunTera({"import-rig", "paper.yaml"}, {scratch.path()});
-  EXPECT_EQ(which.status, 2);
-  EXPECT_THAT(which.err,
-              AllOf(StartsWith("paper.yaml:2:"), HasSubstr("choose one of digger, helper")));
+  const Outcome other =
+      RunTera({"import-rig", "paper.yaml", "--machine", "digga"}, {scratch.path()});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_THAT(other.err, HasSubstr("no machine 'digga'; need one of digger, helper"));
   EXPECT_EQ(Entries(scratch.path()), std::set<std::string>{"paper.yaml"});
+}
+
+TEST(ImportRig, SeveralMachinesAreThoseOfAScenario) {
+  const ScratchDirectory scratch;
+  WriteWholeFile(scratch.path() / "paper.yaml", kPaperRig);
+  const Outcome imported = RunTera({"import-rig", "paper.yaml"}, {scratch.path()});
+  EXPECT_EQ(imported.status, 0) << imported.err;
+  const std::string scenario = SmallScenario();
+  WriteWholeFile(scratch.path() / "two.yaml",
+                 scenario.substr(0, scenario.find("machines:")) + imported.out);
+  const Outcome checked = RunTera({"check", "two.yaml"}, {scratch.path()});
+  EXPECT_EQ(checked.status, 0) << checked.err;
+  EXPECT_THAT(checked.out, AllOf(HasSubstr("machine digger (tb235)"),
+                                 HasSubstr("machine helper (tb235)"), HasSubstr("\n  gps ")));
 }
 
 }  // namespace

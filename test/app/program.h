@@ -28,14 +28,10 @@ struct Surroundings {
   std::map<std::string, std::string> environment = {};
 };
 
-extern const char* const kTera;
-
-/// A run of the program with its standard output and error in files: no terminal. `program` is
-/// another of this project's.
+/// A run of the program with its standard output and error in files: no terminal.
 class TeraProcess {
  public:
-  TeraProcess(const Arguments& arguments, const Surroundings& surroundings,
-              const std::string& program = kTera);
+  TeraProcess(const Arguments& arguments, const Surroundings& surroundings);
   TeraProcess(const TeraProcess&) = delete;
   TeraProcess& operator=(const TeraProcess&) = delete;
   /// Ends a run that nobody waited for.

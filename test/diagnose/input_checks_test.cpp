@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/units.h"
-#include "diagnose/statistics/series/simulated.h"
 
 namespace tera {
 namespace {

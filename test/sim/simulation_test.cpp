@@ -1,11 +1,13 @@
 #include "sim/simulation.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/config/config.h"
+#include "core/error.h"
 #include "core/units.h"
 
 namespace tera {
@@ -39,6 +41,38 @@ TEST(Simulation, ParkedMachineStaysWhereItStands) {
   const Pose end = simulation.state().machines[0].links[0].X_WB;
   EXPECT_LT((end.translation() - start.translation()).norm(), 0.01);
   EXPECT_LT(simulation.state().machines[0].links[0].v_WB_mps.norm(), 0.01);
+}
+
+TEST(Simulation, AMachineThatFallsBelowAllGroundEndsTheRun) {
+  // A site with a pit of 2 m: the lowest ground is its floor, wherever the machine is.
+  const Config config = Config::FromText(R"(
+name: test
+duration_s: 60
+settle_s: 0
+terrain: {size_m: [24, 16], cell_m: 0.1, soil: dirt, pits: [{xy_m: [6, 2], radius_m: 2, depth_m: 2}]}
+machines:
+  - name: m1
+    machine:
+      kind: block
+      links: {body: {mass_kg: 500, com_m: [0, 0, 0.4], inertia_kgm2: [100, 100, 100]}}
+    start: {xy_m: [-3, 1], yaw_deg: 40}
+    operator: {type: idle}
+)",
+                                         "s.yaml");
+  const Scenario scenario = ReadScenario(config.root());
+  config.Finish();
+  Simulation simulation(scenario);
+  std::string fault;
+  try {
+    StepUntil(&simulation, 3.0);
+  } catch (const InputError& error) {
+    fault = error.what();
+  }
+  // From 0.4 m to 3 m below the pit's floor: 5.4 m, which a fall takes sqrt(2 h / g) = 1.05 s for.
+  EXPECT_NEAR(ToSeconds(simulation.state().t_ns), std::sqrt(2 * 5.4 / 9.80665), 0.02);
+  EXPECT_THAT(fault, testing::HasSubstr("machine m1 has fallen below all ground at 1.0"));
+  EXPECT_THAT(fault,
+              testing::HasSubstr("it touches nothing; give it tracks, wheels or hull_points"));
 }
 
 TEST(Simulation, TimeIsTheStepCountOverTheRate) {

@@ -24,6 +24,8 @@ void AddScenarioOptions(CLI::App* command, ScenarioOptions* options) {
       ->add_option("--effects", options->effects,
                    "File with effects to lay over the scenario's; may be repeated")
       ->take_all();
+  command->add_flag("--without-meshes", options->without_meshes,
+                    "Leave out meshes that a URDF names and that are not there");
   command
       ->add_option("--episode", options->episode,
                    "Which draw of the scenario's randomise: is taken (0)")
@@ -42,6 +44,7 @@ void AddHostOptions(CLI::App* command, HostOptions* options) {
 LoadedScenario Load(const ScenarioOptions& options, const std::vector<std::string>& overrides) {
   std::vector<std::string> all = options.set;
   if (options.seed) all.push_back(fmt::format("seed={}", *options.seed));
+  if (options.without_meshes) all.push_back("without_meshes=true");
   all.insert(all.end(), overrides.begin(), overrides.end());
   return LoadScenario(options.scenario, all, options.effects, {}, options.episode);
 }

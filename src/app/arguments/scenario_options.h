@@ -16,6 +16,7 @@ struct ScenarioOptions {
   std::string scenario;
   std::optional<std::uint64_t> seed;
   std::vector<std::string> set, effects;
+  bool without_meshes = false;
   std::uint64_t episode = 0;  ///< of what `randomise:` draws
 };
 
@@ -27,7 +28,8 @@ struct HostOptions {
   EglOptions egl;
 };
 
-/// SCENARIO, --seed, --set, --effects, --episode. The options must outlive the parsing; so below.
+/// SCENARIO, --seed, --set, --effects, --without-meshes, --episode. The options must outlive the
+/// parsing; so below.
 void AddScenarioOptions(CLI::App* command, ScenarioOptions* options);
 
 /// --threads, --egl-device.

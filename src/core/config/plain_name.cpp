@@ -25,6 +25,16 @@ bool IsPlainNameWithPoints(std::string_view name) {
          std::all_of(name.begin(), name.end(), [](char c) { return IsPlain(c) || c == '.'; });
 }
 
+std::string MadePlain(std::string_view name) {
+  std::string plain;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool is_rest_of_sign = byte >= 0x80 && byte < 0xC0;  // in UTF-8
+    if (!is_rest_of_sign) plain += IsPlain(c) || (c == '.' && !plain.empty()) ? c : '_';
+  }
+  return plain;
+}
+
 bool RequirePlainName(const ConfigMap& config, std::string_view key, const std::string& name) {
   if (IsPlainName(name)) return true;
   if (name.empty() && !key.empty()) return false;  // Text has said so

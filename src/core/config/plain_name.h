@@ -15,6 +15,9 @@ bool IsPlainName(std::string_view name);
 /// A plain name that may have points inside, as names in a URDF do.
 bool IsPlainNameWithPoints(std::string_view name);
 
+/// The name with one '_' for each sign that a plain name with points cannot have.
+std::string MadePlain(std::string_view name);
+
 /// Well below what file systems take, with the endings that names get.
 inline constexpr std::size_t kLongestName = 100;
 

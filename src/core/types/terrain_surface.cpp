@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/check.h"
 
@@ -100,6 +101,14 @@ double TerrainSurface::HeightAt(double x_m, double y_m) const {
   const Square c = Locate(*this, x_m, y_m);
   const Plane plane = PlaneUnder(*this, c);
   return plane.height_m + plane.slope.x() * c.u + plane.slope.y() * c.v;
+}
+
+double TerrainSurface::Lowest_m() const {
+  double lowest_m = std::numeric_limits<double>::infinity();
+  for (int j = 0; j < ny; ++j) {
+    for (int i = 0; i < nx; ++i) lowest_m = std::min<double>(lowest_m, height_m(i, j));
+  }
+  return lowest_m;
 }
 
 Vec3 TerrainSurface::NormalAt(double x_m, double y_m) const {

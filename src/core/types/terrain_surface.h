@@ -81,6 +81,8 @@ class TerrainSurface : public TerrainGrid {
   float height_m(int i, int j) const;
   /// Height of the triangle mesh at (x, y) in W; the nearest border value outside the site.
   double HeightAt(double x_m, double y_m) const;
+  /// Height of the lowest vertex, at the cost of looking at them all.
+  double Lowest_m() const;
   /// Upward unit normal of the triangle under (x, y).
   Vec3 NormalAt(double x_m, double y_m) const;
 

@@ -43,6 +43,18 @@ std::optional<Measured<double>> PositionOf(const std::string& joint,
   return std::nullopt;
 }
 
+/// The position of a joint, or what that of the joint that it follows makes of it.
+std::optional<Measured<double>> PositionOf(const MachineModel& model, const Joint& joint,
+                                           const std::vector<NamedEncoders>& encoders) {
+  std::optional<Measured<double>> own = PositionOf(joint.name, encoders);
+  if (own || !joint.following) return own;
+  std::optional<Measured<double>> led =
+      PositionOf(model.joints[joint.following->leader].name, encoders);
+  if (!led) return led;
+  for (double& position : led->value) position = joint.following->At(position);
+  return led;
+}
+
 /// The joints between the base and a link.
 std::vector<std::size_t> WayTo(const MachineModel& model, int link) {
   std::vector<std::size_t> way;
@@ -60,8 +72,8 @@ std::optional<std::vector<std::optional<Measured<double>>>> JointsTo(
   std::vector<std::optional<Measured<double>>> joints(model.joints.size());
   for (const std::size_t j : WayTo(model, link)) {
     if (model.joints[j].type == JointType::kFixed) continue;
-    joints[j] = PositionOf(model.joints[j].name, encoders);
-    if (!joints[j] && HasLever(model, j)) return std::nullopt;
+    joints[j] = PositionOf(model, model.joints[j], encoders);
+    if (!joints[j] && HasLever(model, LeaderOf(model, static_cast<int>(j)))) return std::nullopt;
   }
   return joints;
 }

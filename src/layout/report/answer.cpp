@@ -9,7 +9,6 @@
 
 #include "layout/report/people_words.h"
 #include "layout/report/words.h"
-#include "layout/study/zone.h"
 
 namespace tera {
 namespace {
@@ -35,21 +34,20 @@ std::string MainCauses(const std::map<std::string, double>& causes) {
 
 std::vector<std::string> Answer(const LayoutReport& report) {
   std::vector<std::string> lines;
-  if (const Figure* seen = FindFigure(report, {Measure::kSeenBy1, kAroundZone})) {
+  if (const Figure* seen = FindFigure(report, "zone/around/seen_by_1")) {
     lines.push_back(fmt::format("Of the space around the machine it sees {}.",
                                 MeanAndWorstText(report, *seen)));
   }
-  const auto causes = report.blind_causes.find(kAroundZone);
-  const Figure* blind = FindFigure(report, {Measure::kBlindVolume, kAroundZone});
+  const auto causes = report.blind_causes.find("around");
+  const Figure* blind = FindFigure(report, "zone/around/blind_m3");
   if (blind && causes != report.blind_causes.end() && !causes->second.empty()) {
     lines.push_back(fmt::format("Of it no sensor sees {}, because of: {}.",
                                 MeanAndWorstText(report, *blind), MainCauses(causes->second)));
   }
   for (std::string& line : PeopleAnswer(report)) lines.push_back(std::move(line));
-  const std::string shovel = DiggingShovel(report);
-  if (const Figure* edge = FindFigure(report, {Measure::kEdgeSeen, shovel})) {
-    lines.push_back(fmt::format("Of the {}'s cutting edge it sees {}.", Spaced(shovel),
-                                MeanAndWorstText(report, *edge)));
+  if (const Figure* edge = FindFigure(report, "dig/bucket/edge_seen")) {
+    lines.push_back(
+        fmt::format("Of the bucket's cutting edge it sees {}.", MeanAndWorstText(report, *edge)));
   }
   return lines;
 }

@@ -10,6 +10,7 @@
 #include "core/config/config_faults.h"
 #include "core/config/spelling.h"
 #include "physics/description/fixed_links.h"
+#include "physics/description/following_joints.h"
 
 namespace tera {
 namespace {
@@ -173,6 +174,7 @@ bool OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineMo
       break;
     }
   }
+  TieFollowers(parts, model);
   for (const LinkPart* part : in_order) CheckMass(*part);
   GiveMasses(in_order, config, model);
   for (std::size_t i = 0; i < parts.links.size(); ++i) {

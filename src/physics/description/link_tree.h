@@ -28,12 +28,14 @@ struct JointPart {
   Joint joint;  ///< parent and child not yet set
   std::string parent, child;
   PartPlace place;
+  std::string leader = "";  ///< name of the joint that it follows, empty where it follows none
 };
 
 struct MachineParts {
   std::vector<LinkPart> links;
   std::vector<JointPart> joints;
-  std::vector<std::string> driven;  ///< joints that the description says are driven, in its order
+  std::vector<std::string> driven;   ///< joints that the description says are driven, in its order
+  std::vector<std::string> remarks;  ///< of the machine
   bool whole = true;  ///< the kinds of all joints are known; else what moves cannot be judged
 };
 
@@ -41,7 +43,7 @@ struct MachineParts {
 /// reports joints that name no link, links with two parents, loops, several roots. After such a
 /// fault the model holds what could be ordered, and false is returned. Masses of links fixed to one
 /// that has none become its own (fixed_links.h); bodies without mass or with an impossible inertia
-/// are faults.
+/// are faults. Joints that follow others are tied to them (following_joints.h).
 bool OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineModel* model);
 
 }  // namespace tera

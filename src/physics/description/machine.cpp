@@ -38,6 +38,19 @@ Pose JointMotion(const Joint& joint, double q) {
   return MakePose(Vec3::Zero(), Eigen::AngleAxisd(q, joint.axis_J).toRotationMatrix());
 }
 
+int LeaderOf(const MachineModel& model, int joint) {
+  const std::optional<Following>& following = model.joints[joint].following;
+  return following ? following->leader : joint;
+}
+
+void PlaceFollowers(const MachineModel& model, std::vector<double>* q_rad) {
+  for (std::size_t k = 0; k < model.joints.size(); ++k) {
+    if (const auto& following = model.joints[k].following) {
+      (*q_rad)[k] = following->At((*q_rad)[following->leader]);
+    }
+  }
+}
+
 std::vector<Pose> ForwardKinematics(const MachineModel& model, const Pose& X_WB,
                                     const std::vector<double>& q_rad) {
   TERA_CHECK(q_rad.size() == model.joints.size(), q_rad.size(), model.joints.size());

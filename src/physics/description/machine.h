@@ -60,6 +60,15 @@ struct Link {
 
 enum class JointType { kFixed, kRevolute, kContinuous, kPrismatic };
 
+/// A joint that another one of the machine moves, as a mechanism that is no body here ties them:
+/// q = ratio * q(leader) + offset, in radians, or metres of what slides.
+struct Following {
+  int leader = -1;  ///< index into joints; itself follows none
+  double ratio = 1, offset = 0;
+
+  double At(double leader_q) const { return ratio * leader_q + offset; }
+};
+
 /// Joint between two links. Angle q > 0 turns the child about `axis_J` by the right-hand rule.
 ///
 /// Frames  P parent link, J joint frame (X_PJ at q = 0 is where the child's frame stands), B child.
@@ -79,6 +88,11 @@ struct Joint {
   /// Oil that the joint's actuator takes for one radian (or metre) at mid-travel, of cylinders the
   /// mean of both directions; 0 where unknown.
   double displacement_m3prad = 0;
+  /// Then it has neither effort nor rate of its own; its limits are where its leader's take it.
+  std::optional<Following> following;
+  /// Running gear that turns it, a wheel's joint, by gear_ratio (1 or -1) of its own angle.
+  int gear = -1;
+  double gear_ratio = 1;
 };
 
 /// A hydraulic pump and what draws from it.
@@ -205,21 +219,39 @@ struct MachineModel {
   std::vector<WheelVisual> wheel_visuals;
   std::vector<NamedFrame> frames;
   double gauge_m = 0;  ///< distance between left and right gear centres, 0 without
+  /// What its reader left out or changed of what it read, a sentence each.
+  std::vector<std::string> remarks;
 
   int LinkIndex(std::string_view name) const;  ///< -1 if there is none
   int JointIndex(std::string_view name) const;
   int LeverIndex(std::string_view name) const;
   double TotalMass_kg() const;
+  /// Whether it has running gear or hull points; else it falls unless its base is fixed.
+  bool BearsOnGround() const {
+    return !ground_tools.gears.empty() || !ground_tools.hull_points.empty();
+  }
+};
+
+/// What becomes of meshes that a URDF names and that are not there.
+enum class AbsentMeshes {
+  kFault,
+  kLeftOut  ///< with a remark
 };
 
 /// Reads TERA's keys or, with `urdf: file.urdf`, a URDF and the keys that it lacks (levers, gear,
 /// shovels). Faults go to `config`; after one that leaves no tree the model is empty. Of meshes in
 /// `collision_meshes` boxes must then be made, by SetCollisionMeshes of
 /// sim/scenario/collision_meshes.h.
-MachineModel ReadMachine(const ConfigMap& config);
+MachineModel ReadMachine(const ConfigMap& config, AbsentMeshes absent = AbsentMeshes::kFault);
 
 /// Pose of a joint's child frame in the joint frame J at position `q` (radians or metres).
 Pose JointMotion(const Joint& joint, double q);
+
+/// The joint that `joint` follows, or itself.
+int LeaderOf(const MachineModel& model, int joint);
+
+/// Puts the joints that follow others where those take them.
+void PlaceFollowers(const MachineModel& model, std::vector<double>* q_rad);
 
 /// Poses of all links for joint angles `q_rad` (one for each joint, fixed ones included) with the
 /// root at X_WB.

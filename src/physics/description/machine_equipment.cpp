@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/config/plain_name.h"
@@ -107,14 +108,65 @@ void ReadTrack(const std::string& name, const ConfigMap& config, MachineModel* m
   }
 }
 
+/// Further from an axle along y, a joint does not turn a wheel that rolls along x.
+constexpr double kAxleTolerance = 0.02;
+
+/// Lets the joint of a single wheel turn with a gear, and puts its place into `shape`. Nothing but
+/// a fault where it cannot.
+void TakeWheelJoint(const ConfigMap& config, const std::string& name, int gear, int* link,
+                    WheelSetShape* shape, MachineModel* model) {
+  const int index = model->JointIndex(name);
+  std::vector<std::string> known;
+  for (const Joint& joint : model->joints) known.push_back(joint.name);
+  if (index < 0) {
+    config.Fault("joints", fmt::format("there is no joint '{}'{}", name, DidYouMean(name, known)));
+    return;
+  }
+  Joint& joint = model->joints[index];
+  const Vec3 axis_P = joint.X_PJ.linear() * joint.axis_J;
+  const auto refuse = [&](const std::string& finding) {
+    config.Fault("joints", fmt::format("joint '{}' {}", name, finding));
+  };
+  if (joint.type != JointType::kContinuous || joint.following) {
+    refuse("does not turn freely without end; need one of type continuous");
+  } else if (std::abs(axis_P.y()) < 1 - kAxleTolerance) {
+    refuse(
+        fmt::format("turns about ({:.3g}, {:.3g}, {:.3g}) of link '{}'; need an axle along its y",
+                    axis_P.x(), axis_P.y(), axis_P.z(), model->links[joint.parent].name));
+  } else if (joint.gear >= 0) {
+    refuse("is of another wheel set already");
+  } else if (*link >= 0 && joint.parent != *link) {
+    refuse(fmt::format("hangs on link '{}' and others of the set on '{}'; need a set for each",
+                       model->links[joint.parent].name, model->links[*link].name));
+  } else {
+    *link = joint.parent;
+    joint.gear = gear;
+    joint.gear_ratio = axis_P.y() > 0 ? 1 : -1;
+    joint.max_effort_nm = 0;
+    shape->axles_B_m.push_back(joint.X_PJ.translation());
+  }
+}
+
+/// Places of the wheels, by `link` and `axles_m` or by `joints`; returns the link.
+int ReadAxles(const ConfigMap& config, int gear, WheelSetShape* shape, MachineModel* model) {
+  if (!config.Has("joints")) {
+    for (const auto& row : config.NumberRows("axles_m", Any("m"), 3, 1)) {
+      shape->axles_B_m.emplace_back(row[0], row[1], row[2]);
+    }
+    return ReadLinkName(config, "link", *model);
+  }
+  int link = -1;
+  for (const std::string& name : config.Texts("joints")) {
+    TakeWheelJoint(config, name, gear, &link, shape, model);
+  }
+  return std::max(link, 0);
+}
+
 void ReadWheelSet(const std::string& name, const ConfigMap& config, MachineModel* model) {
   WheelSetShape shape{.radius_m = config.Number("radius_m", Positive("m")),
                       .width_m = config.Number("width_m", Positive("m"))};
-  for (const auto& row : config.NumberRows("axles_m", Any("m"), 3, 1)) {
-    shape.axles_B_m.emplace_back(row[0], row[1], row[2]);
-  }
   const int gear = static_cast<int>(model->ground_tools.gears.size());
-  const int link = ReadLinkName(config, "link", *model);
+  const int link = ReadAxles(config, gear, &shape, model);
   model->gear_drives.push_back(ReadDrive(config, shape.radius_m));
   model->ground_tools.gears.push_back({.name = name,
                                        .link = link,

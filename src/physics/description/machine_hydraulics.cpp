@@ -288,6 +288,13 @@ void ReadCylinder(const std::string& name, const ConfigMap& config,
   if (cylinder.count > 1) cylinder.spacing_m = config.Number("spacing_m", Positive("m"));
   if (config.Has("bore_m")) ReadPiston(config, hydraulics, &cylinder);
   if (!ReadRod(config, pin, faults_before, open_linkages, *model, &cylinder)) return;
+  if (const int leader = LeaderOf(*model, cylinder.joint);
+      cylinder.bore_m > 0 && leader != cylinder.joint) {
+    config.Fault("bore_m",
+                 fmt::format("joint '{}' follows '{}' and has no effort of its own; "
+                             "leave the bore out, and the cylinder is only shown",
+                             model->joints[cylinder.joint].name, model->joints[leader].name));
+  }
   const Pin on_link = OnJointLink(*model, cylinder.joint, pin);
   cylinder.barrel_link = on_link.link;
   cylinder.barrel_pin_m = on_link.p_m;

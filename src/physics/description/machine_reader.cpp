@@ -112,6 +112,14 @@ void ReadLevers(const ConfigMap& config, const std::vector<std::string>& otherwi
       config.Fault("levers", place + " is a joint and a track or wheel set; rename one");
     } else if (lever.joint >= 0 && model->joints[lever.joint].type == JointType::kFixed) {
       config.Fault("levers", place + " is a fixed joint, which cannot move");
+    } else if (lever.joint >= 0 && model->joints[lever.joint].following) {
+      const int leader = LeaderOf(*model, lever.joint);
+      config.Fault("levers", fmt::format("{} follows joint '{}'; name that one", place,
+                                         model->joints[leader].name));
+    } else if (lever.joint >= 0 && model->joints[lever.joint].gear >= 0) {
+      const int gear = model->joints[lever.joint].gear;
+      config.Fault("levers", fmt::format("{} turns with wheel set '{}'; name that one", place,
+                                         model->ground_tools.gears[gear].name));
     }
     model->levers.push_back(lever);
   }
@@ -199,12 +207,13 @@ MachineParts ReadParts(const ConfigMap& config) {
   return parts;
 }
 
-MachineModel ReadMachine(const ConfigMap& config) {
+MachineModel ReadMachine(const ConfigMap& config, AbsentMeshes absent) {
   MachineModel model;
   model.kind = config.Text("kind");
   model.fixed_base = config.Boolean("fixed_base", false);
   const std::optional<MachineParts> parts =
-      config.Has("urdf") ? ReadUrdfParts(config) : ReadParts(config);
+      config.Has("urdf") ? ReadUrdfParts(config, absent) : ReadParts(config);
+  if (parts) model.remarks = parts->remarks;
   if (!parts || !OrderIntoTree(*parts, config, &model) || !parts->whole) {
     // What stands on links and joints cannot be judged before they are mended.
     for (const char* key : {"tracks", "wheels", "gauge_m", "shovels", "hull_points", "frames",

@@ -16,7 +16,7 @@ MachineParts ReadParts(const ConfigMap& config);
 
 /// Links and joints of the URDF that `urdf:` names, with the optional TERA keys of `links:` (label)
 /// and `joints:` (rates, effort, start) laid over them; nothing after a fault of the file itself.
-std::optional<MachineParts> ReadUrdfParts(const ConfigMap& config);
+std::optional<MachineParts> ReadUrdfParts(const ConfigMap& config, AbsentMeshes absent);
 
 /// Keys of a joint that both forms share; what is absent stays as it is in `joint`.
 void ReadJointActuation(const ConfigMap& config, Joint* joint);

@@ -1,7 +1,6 @@
 #include "physics/description/urdf_lines.h"
 
 #include <fmt/format.h>
-#include <tinyxml2.h>
 
 #include <algorithm>
 #include <cctype>
@@ -29,20 +28,18 @@ std::string UrdfLines::PlaceOf(const std::string& kind, const std::string& name)
                      line == lines_.end() ? "" : fmt::format(":{}", line->second));
 }
 
-std::optional<UrdfLines> ReadUrdfLines(const ConfigMap& config, const std::filesystem::path& file,
-                                       const std::string& xml) {
-  const std::string shown = file.filename().string();
-  tinyxml2::XMLDocument document;
-  if (document.Parse(xml.c_str(), xml.size()) != tinyxml2::XML_SUCCESS) {
-    config.Fault("urdf",
-                 fmt::format("{}:{} is not valid XML ({}); correct it", shown,
-                             std::max(1, document.ErrorLineNum()), InWords(document.ErrorName())));
-    return std::nullopt;
-  }
-  UrdfLines lines(shown);
-  const tinyxml2::XMLElement* robot = document.FirstChildElement("robot");
-  for (const auto* e = robot ? robot->FirstChildElement() : nullptr; e;
-       e = e->NextSiblingElement()) {
+bool ParseXml(const ConfigMap& config, const std::filesystem::path& file, const std::string& xml,
+              tinyxml2::XMLDocument* document) {
+  if (document->Parse(xml.c_str(), xml.size()) == tinyxml2::XML_SUCCESS) return true;
+  config.Fault("urdf",
+               fmt::format("{}:{} is not valid XML ({}); correct it", file.filename().string(),
+                           std::max(1, document->ErrorLineNum()), InWords(document->ErrorName())));
+  return false;
+}
+
+UrdfLines LinesOf(const tinyxml2::XMLElement& robot, const std::filesystem::path& file) {
+  UrdfLines lines(file.filename().string());
+  for (const auto* e = robot.FirstChildElement(); e; e = e->NextSiblingElement()) {
     if (const char* name = e->Attribute("name")) lines.Add(e->Name(), name, e->GetLineNum());
   }
   return lines;

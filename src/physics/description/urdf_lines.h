@@ -1,8 +1,9 @@
 #pragma once
 
+#include <tinyxml2.h>
+
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 
 #include "core/config/config.h"
@@ -24,9 +25,12 @@ class UrdfLines {
   std::map<std::string, int> lines_;
 };
 
-/// The lines of links and joints in `xml`, the text of `file`; nothing, and a fault of `urdf`,
-/// where it is no XML.
-std::optional<UrdfLines> ReadUrdfLines(const ConfigMap& config, const std::filesystem::path& file,
-                                       const std::string& xml);
+/// Reads `xml`, the text of `file`, into `document`; false, and a fault of `urdf`, where it is no
+/// XML.
+bool ParseXml(const ConfigMap& config, const std::filesystem::path& file, const std::string& xml,
+              tinyxml2::XMLDocument* document);
+
+/// The lines of links and joints of a URDF `file`.
+UrdfLines LinesOf(const tinyxml2::XMLElement& robot, const std::filesystem::path& file);
 
 }  // namespace tera

@@ -7,24 +7,27 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 #include "core/config/config_beneath.h"
+#include "core/config/listed_folder.h"
 #include "core/config/plain_name.h"
 #include "core/error.h"
 #include "physics/description/machine_reading.h"
-#include "physics/description/urdf_left_out.h"
+#include "physics/description/urdf_form.h"
 #include "physics/description/urdf_lines.h"
 #include "physics/description/urdf_shapes.h"
 #include "physics/description/urdf_transmissions.h"
 
 /// URDF to links and joints.
 ///
-/// Model   inertials, revolute, continuous, prismatic and fixed joints with their limits, visuals
-///         and collisions (urdf_shapes.h), drives (urdf_transmissions.h).
+/// Model   inertials, revolute, continuous, prismatic and fixed joints with their limits, and which
+///         follow others (following_joints.h), visuals and collisions (urdf_shapes.h), drives
+///         (urdf_transmissions.h).
 ///         A joint's damping and friction are effects of the machine, viscous_friction and
 ///         coulomb_friction, below those that it is given.
-/// Omits   safety controllers, calibration, textures; joints that mimic others are faults.
+/// Omits   safety controllers, calibration, textures.
 
 namespace tera {
 namespace {
@@ -47,16 +50,39 @@ class ParserMessages : public console_bridge::OutputHandler {
   std::string text_;
 };
 
-/// Names stand in headers of CSV files.
-void RequireName(const std::string& name, const PartPlace& place) {
-  if (IsPlainNameWithPoints(name)) return;
-  place.Fault("name", fmt::format("need letters, digits, '_', '-' and points inside, at most {}",
-                                  kLongestName));
-}
+/// Names of links or of joints, which stand in headers of CSV files and in paths: those that cannot
+/// get signs that can.
+class PlainNames {
+ public:
+  PlainNames(std::string kind, std::vector<std::string>* changed)
+      : kind_(std::move(kind)), changed_(*changed) {}
 
-Link ToLink(const urdf::Link& in, const fs::path& file, const PartPlace& place) {
+  /// The name that the part has here; two that would have the same are a fault.
+  std::string Take(const std::string& name, const PartPlace& place) {
+    const std::string plain = MadePlain(name);
+    if (!IsPlainNameWithPoints(plain)) {
+      place.Fault("name",
+                  fmt::format("need letters, digits, '_', '-' and points inside, at most {}",
+                              kLongestName));
+    }
+    const auto [first, is_new] = taken_.emplace(plain, name);
+    if (!is_new) {
+      place.Fault("name", fmt::format("{} '{}' has the name '{}' as well, without signs that files "
+                                      "cannot have; rename one",
+                                      kind_, first->second, plain));
+    }
+    if (plain != name) changed_.push_back(fmt::format("'{}' is {}", name, plain));
+    return plain;
+  }
+
+ private:
+  std::string kind_;
+  std::vector<std::string>& changed_;
+  std::map<std::string, std::string> taken_;  ///< names as written by those that they have
+};
+
+Link ToLink(const urdf::Link& in, const PartPlace& place, UrdfMeshes* meshes) {
   Link link;
-  link.name = in.name;
   if (in.inertial) {
     const Pose X_BI = PoseOf(in.inertial->origin);
     const urdf::Inertial& i = *in.inertial;
@@ -66,14 +92,13 @@ Link ToLink(const urdf::Link& in, const fs::path& file, const PartPlace& place) 
     link.com_B_m = X_BI.translation();
     link.inertia_B_kgm2 = X_BI.linear() * inertia_I * X_BI.linear().transpose();
   }
-  AddUrdfShapes(in, file, place, &link);
+  AddUrdfShapes(in, place, meshes, &link);
   return link;
 }
 
 /// `known` turns false where the joint is of a kind that is not.
 Joint ToJoint(const urdf::Joint& in, const PartPlace& place, bool* known) {
   Joint joint;
-  joint.name = in.name;
   joint.X_PJ = PoseOf(in.parent_to_joint_origin_transform);
   switch (in.type) {
     case urdf::Joint::REVOLUTE:
@@ -99,7 +124,7 @@ Joint ToJoint(const urdf::Joint& in, const PartPlace& place, bool* known) {
     place.Fault("axis", "the axis has no direction; need a vector that is not zero");
     joint.axis_J = Vec3::UnitZ();
   }
-  if (in.mimic) place.Fault("mimic", "joints that follow others are not supported; remove it");
+  if (in.mimic) joint.following = {.ratio = in.mimic->multiplier, .offset = in.mimic->offset};
   if (in.limits) {
     joint.max_rate_positive_radps = joint.max_rate_negative_radps = in.limits->velocity;
     joint.max_effort_nm = in.limits->effort;
@@ -121,14 +146,15 @@ Joint ToJoint(const urdf::Joint& in, const PartPlace& place, bool* known) {
 
 /// Adds what `in` says of friction to `effects`, in their units: N m s/rad and N m, of a joint that
 /// slides N s/m and N.
-void AddFriction(const urdf::Joint& in, const PartPlace& place, std::vector<GivenNumber>* effects) {
+void AddFriction(const urdf::Joint& in, const std::string& joint, const PartPlace& place,
+                 std::vector<GivenNumber>* effects) {
   if (in.type == urdf::Joint::FIXED || !in.dynamics) return;
   const auto add = [&](std::string_view key, double value, const std::string& mechanism,
                        const std::string& parameter) {
     if (!std::isfinite(value) || value < 0) {
       place.Fault("dynamics", fmt::format("{} is {}; need 0 or more", key, value));
     } else if (value > 0) {
-      effects->push_back({{"effects", in.name, mechanism, parameter}, value});
+      effects->push_back({{"effects", joint, mechanism, parameter}, value});
     }
   };
   add("damping", in.dynamics->damping, "viscous_friction", "coefficient_nmsprad");
@@ -153,8 +179,13 @@ void LayOver(const ConfigMap& config, MachineParts* parts) {
                      [&name = name](const JointPart& p) { return p.joint.name == name; });
     if (part == parts->joints.end()) {
       map.Fault("", fmt::format("the URDF has no joint '{}'", name));
-    } else {
+    } else if (part->leader.empty()) {
       ReadJointActuation(map, &part->joint);
+    } else {
+      map.Fault("", fmt::format("joint '{}' follows '{}', whose rate, effort and start move both; "
+                                "say them of that one",
+                                name, part->leader));
+      for (const std::string& key : map.Keys()) map.Has(key);
     }
   }
 }
@@ -166,61 +197,95 @@ std::string WholeText(const fs::path& file) {
   return text.str();
 }
 
-}  // namespace
-
-std::string LeftOutOf(const fs::path& urdf) {
-  const ParserMessages messages;
-  const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(WholeText(urdf));
-  if (!model) return "";
+/// Textures, safety controllers and extensions, in words such as "1 texture, 2 <gazebo>".
+std::string LeftOutOf(const urdf::ModelInterface& model, const tinyxml2::XMLElement& robot) {
   int textures = 0, safe = 0;
-  for (const auto& [name, link] : model->links_) {
+  for (const auto& [name, link] : model.links_) {
     for (const auto& visual : link->visual_array) {
       textures += visual->material && !visual->material->texture_filename.empty();
     }
   }
-  for (const auto& [name, joint] : model->joints_) {
-    safe += joint->safety != nullptr;
-  }
+  for (const auto& [name, joint] : model.joints_) safe += joint->safety != nullptr;
   std::vector<std::string> parts;
   const auto add = [&](int count, const std::string& one, const std::string& several) {
     if (count > 0) parts.push_back(fmt::format("{} {}", count, count == 1 ? one : several));
   };
   add(textures, "texture", "textures");
   add(safe, "safety controller", "safety controllers");
+  for (const std::string& unread : UnreadElements(robot)) parts.push_back(unread);
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::optional<MachineParts> ReadUrdfParts(const ConfigMap& config) {
-  for (const char* key : {"links", "joints", "actuators"}) config.Has(key);
+/// Folders of `packages:`, by the names of the packages.
+std::map<std::string, fs::path> ReadPackages(const ConfigMap& config) {
+  std::map<std::string, fs::path> folders;
+  if (const auto packages = config.OptionalMap("packages")) {
+    for (const std::string& name : packages->Keys()) folders[name] = Folder(*packages, name);
+  }
+  return folders;
+}
+
+/// Links and joints of a URDF and what its reader says of them, before the machine's own keys.
+MachineParts PartsOf(const urdf::ModelInterface& model, const UrdfLines& lines,
+                     const ConfigMap& config, UrdfMeshes* meshes) {
+  const std::string file = meshes->urdf.filename().string();
+  MachineParts parts;
+  std::vector<std::string> renamed;
+  PlainNames links("link", &renamed), joints("joint", &renamed);
+  for (const auto& [name, in] : model.links_) {
+    const PartPlace place{config, lines.PlaceOf("link", name)};
+    Link link = ToLink(*in, place, meshes);
+    link.name = links.Take(name, place);
+    parts.links.push_back({std::move(link), place});
+  }
+  std::vector<GivenNumber> effects;
+  for (const auto& [name, in] : model.joints_) {
+    const PartPlace place{config, lines.PlaceOf("joint", name)};
+    Joint joint = ToJoint(*in, place, &parts.whole);
+    joint.name = joints.Take(name, place);
+    AddFriction(*in, joint.name, place, &effects);
+    const std::string leader = joint.following ? MadePlain(in->mimic->joint_name) : "";
+    parts.joints.push_back({std::move(joint), MadePlain(in->parent_link_name),
+                            MadePlain(in->child_link_name), place, leader});
+  }
+  if (!effects.empty()) LayBeneath(config, file, effects);
+  if (!renamed.empty()) {
+    parts.remarks.push_back(
+        fmt::format("{}: names get signs that files can have: {}", file, fmt::join(renamed, ", ")));
+  }
+  if (!meshes->left_out.empty()) {
+    parts.remarks.push_back(fmt::format("{}: meshes left out that are not there: {}", file,
+                                        fmt::join(meshes->left_out, ", ")));
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::optional<MachineParts> ReadUrdfParts(const ConfigMap& config, AbsentMeshes absent) {
+  for (const char* key : {"links", "joints", "actuators", "packages"}) config.Has(key);
   const fs::path file = config.File("urdf");
   if (file.empty()) return std::nullopt;
-  const std::string text = WholeText(file);
-  const std::optional<UrdfLines> lines = ReadUrdfLines(config, file, text);
-  if (!lines) return std::nullopt;
+  const std::string text = WholeText(file), shown = file.filename().string();
+  tinyxml2::XMLDocument document;
+  if (!ParseXml(config, file, text, &document) || !RequireUrdf(config, shown, document)) {
+    return std::nullopt;
+  }
+  const tinyxml2::XMLElement& robot = *document.RootElement();
   const ParserMessages messages;
   const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text);
   if (!model) {
     config.Fault("urdf",
                  fmt::format("'{}' is not a valid URDF: {}; correct it (check_urdf tells more)",
-                             file.filename().string(), messages.text()));
+                             shown, messages.text()));
     return std::nullopt;
   }
-  MachineParts parts;
-  for (const auto& [name, link] : model->links_) {
-    const PartPlace place{config, lines->PlaceOf("link", name)};
-    RequireName(name, place);
-    parts.links.push_back({ToLink(*link, file, place), place});
+  UrdfMeshes meshes{file, ReadPackages(config), absent};
+  MachineParts parts = PartsOf(*model, LinesOf(robot, file), config, &meshes);
+  if (const std::string left_out = LeftOutOf(*model, robot); !left_out.empty()) {
+    parts.remarks.push_back(fmt::format("{}: {} left out", shown, left_out));
   }
-  std::vector<GivenNumber> effects;
-  for (const auto& [name, joint] : model->joints_) {
-    const PartPlace place{config, lines->PlaceOf("joint", name)};
-    AddFriction(*joint, place, &effects);
-    RequireName(name, place);
-    parts.joints.push_back({ToJoint(*joint, place, &parts.whole), joint->parent_link_name,
-                            joint->child_link_name, place});
-  }
-  if (!effects.empty()) LayBeneath(config, file.filename().string(), effects);
-  ReadUrdfDrives(config, file, text, &parts);
+  ReadUrdfDrives(config, file, robot, &parts);
   LayOver(config, &parts);
   CheckDriven(parts);
   return parts;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 namespace tera {
@@ -11,35 +12,65 @@ namespace fs = std::filesystem;
 
 Vec3 VectorOf(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 
-/// Path of a mesh: relative to the URDF; `package://name/path` looks for `path` (with or without
-/// the package's name) in the folders above the URDF.
-std::optional<fs::path> FindMesh(const std::string& text, const fs::path& urdf) {
-  constexpr std::string_view kPackage = "package://", kFile = "file://";
-  const fs::path folder = urdf.parent_path();
+/// The package that `text` names and the path in it, or nothing.
+struct InPackage {
+  std::string package;
+  fs::path path;
+};
+
+std::optional<InPackage> PackageIn(const std::string& text) {
+  for (const std::string_view scheme : {"package://", "model://"}) {
+    if (!text.starts_with(scheme)) continue;
+    const fs::path whole = text.substr(scheme.size());
+    if (whole.empty()) return std::nullopt;
+    return InPackage{whole.begin()->string(), whole.lexically_relative(*whole.begin())};
+  }
+  return std::nullopt;
+}
+
+std::optional<fs::path> FindMesh(const std::string& text, const UrdfMeshes& meshes) {
+  constexpr std::string_view kFile = "file://";
+  const fs::path folder = meshes.urdf.parent_path();
   if (text.starts_with(kFile)) return fs::path(text.substr(kFile.size()));
-  if (!text.starts_with(kPackage)) return folder / text;
-  const fs::path with_package = text.substr(kPackage.size());
-  const fs::path inside = with_package.lexically_relative(*with_package.begin());
+  const std::optional<InPackage> in = PackageIn(text);
+  if (!in) return folder / text;
+  if (const auto package = meshes.packages.find(in->package); package != meshes.packages.end()) {
+    return package->second / in->path;
+  }
   for (fs::path up = fs::absolute(folder); up.has_relative_path(); up = up.parent_path()) {
-    for (const fs::path& tail : {with_package, inside}) {
+    for (const fs::path& tail : {in->package / in->path, in->path}) {
       if (fs::is_regular_file(up / tail)) return up / tail;
     }
   }
   return std::nullopt;
 }
 
-/// The file that `mesh` names, or nothing after a fault of `part`, "visual" or "collision".
-std::optional<fs::path> MeshFile(const urdf::Mesh& mesh, const fs::path& urdf,
-                                 const PartPlace& place, std::string_view part) {
-  const auto path = FindMesh(mesh.filename, urdf);
-  if (!path || !fs::is_regular_file(*path)) {
-    place.Fault(part, fmt::format("mesh '{}' does not exist; correct the path (relative to the "
-                                  "URDF, or package:// below a folder above it)",
-                                  mesh.filename));
-    return std::nullopt;
+std::string RemedyOf(const std::string& text) {
+  const std::optional<InPackage> in = PackageIn(text);
+  return (in ? fmt::format("say where its package is with `packages: {{{}: FOLDER}}` beside `urdf`",
+                           in->package)
+             : std::string("correct the path (relative to the URDF)")) +
+         ", or leave out what is missing with --without-meshes";
+}
+
+/// The file that `mesh` names. Nothing where it is left out, or after a fault of `part`, "visual"
+/// or "collision".
+std::optional<fs::path> MeshFile(const urdf::Mesh& mesh, const PartPlace& place,
+                                 std::string_view part, UrdfMeshes* meshes) {
+  const auto path = FindMesh(mesh.filename, *meshes);
+  std::error_code unreadable;
+  if (path && fs::is_regular_file(*path, unreadable)) {
+    place.config.AlsoReads(path->lexically_normal());
+    return path->lexically_normal();
   }
-  place.config.AlsoReads(path->lexically_normal());
-  return path->lexically_normal();
+  std::vector<std::string>& left_out = meshes->left_out;
+  if (meshes->absent == AbsentMeshes::kFault) {
+    place.Fault(
+        part, fmt::format("mesh '{}' does not exist; {}", mesh.filename, RemedyOf(mesh.filename)));
+  } else if (std::find(left_out.begin(), left_out.end(), mesh.filename) == left_out.end()) {
+    left_out.push_back(mesh.filename);
+  }
+  return std::nullopt;
 }
 
 /// A box, sphere or cylinder with a size, or nothing after a fault.
@@ -69,12 +100,12 @@ std::optional<Paint> PaintOf(const urdf::Visual& visual) {
   return PaintFromSrgb(rgb, c.a);
 }
 
-void AddVisual(const urdf::Visual& in, const fs::path& file, const PartPlace& place, Link* link) {
+void AddVisual(const urdf::Visual& in, const PartPlace& place, UrdfMeshes* meshes, Link* link) {
   Visual visual{.place = place.config.Place("urdf") + ": " + place.part,
                 .X_BG = PoseOf(in.origin),
                 .paint = PaintOf(in)};
   if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(in.geometry.get())) {
-    const auto path = MeshFile(*mesh, file, place, "visual");
+    const auto path = MeshFile(*mesh, place, "visual", meshes);
     if (!path) return;
     const Vec3 scale = VectorOf(mesh->scale), size = scale.cwiseAbs();
     if (size.x() != size.y() || size.x() != size.z() || !(size.x() > 0)) {
@@ -93,11 +124,11 @@ void AddVisual(const urdf::Visual& in, const fs::path& file, const PartPlace& pl
   link->visuals.push_back(std::move(visual));
 }
 
-void AddCollision(const urdf::Collision& in, const fs::path& file, const PartPlace& place,
+void AddCollision(const urdf::Collision& in, const PartPlace& place, UrdfMeshes* meshes,
                   Link* link) {
   const Pose X_BG = PoseOf(in.origin);
   if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(in.geometry.get())) {
-    const auto path = MeshFile(*mesh, file, place, "collision");
+    const auto path = MeshFile(*mesh, place, "collision", meshes);
     if (!path) return;
     link->collision_meshes.push_back({*path, place.part, X_BG, VectorOf(mesh->scale)});
   } else if (const auto solid = SolidOf(*in.geometry, place, "collision")) {
@@ -113,9 +144,9 @@ Pose PoseOf(const urdf::Pose& pose) {
                   Quat(q.w, q.x, q.y, q.z).normalized().toRotationMatrix());
 }
 
-void AddUrdfShapes(const urdf::Link& in, const fs::path& file, const PartPlace& place, Link* link) {
-  for (const auto& visual : in.visual_array) AddVisual(*visual, file, place, link);
-  for (const auto& collision : in.collision_array) AddCollision(*collision, file, place, link);
+void AddUrdfShapes(const urdf::Link& in, const PartPlace& place, UrdfMeshes* meshes, Link* link) {
+  for (const auto& visual : in.visual_array) AddVisual(*visual, place, meshes, link);
+  for (const auto& collision : in.collision_array) AddCollision(*collision, place, meshes, link);
 }
 
 }  // namespace tera

@@ -10,7 +10,7 @@
 #include <map>
 #include <optional>
 
-#include "core/check.h"
+#include "core/config/plain_name.h"
 #include "core/config/spelling.h"
 #include "core/units.h"
 
@@ -99,7 +99,7 @@ class DriveReader {
 
   /// The movable joint that `element` names, or nothing after a fault.
   JointPart* MovableJoint(const Element& element, const PartPlace& place) {
-    const std::string name = Attribute(element, "name");
+    const std::string name = MadePlain(Attribute(element, "name"));
     JointPart* part = FindJoint(name);
     if (!part) {
       std::vector<std::string> known;
@@ -113,9 +113,16 @@ class DriveReader {
     return part;
   }
 
-  void AddDriven(const std::string& joint) {
+  void AddDriven(const JointPart& part) {
+    const std::string& joint = part.joint.name;
     auto& driven = parts_.driven;
-    if (std::find(driven.begin(), driven.end(), joint) == driven.end()) driven.push_back(joint);
+    if (!part.leader.empty()) {
+      parts_.remarks.push_back(
+          fmt::format("joint '{}' follows '{}', and so has no lever, though "
+                      "{} drives it",
+                      joint, part.leader, file_));
+    } else if (std::find(driven.begin(), driven.end(), joint) == driven.end())
+      driven.push_back(joint);
   }
 
   void ReadTransmission(const Element& element) {
@@ -143,7 +150,7 @@ class DriveReader {
                                        first->second));
     }
     if (limits != actuators_.end()) NarrowByActuator(limits->second, reduction, &part->joint);
-    AddDriven(part->joint.name);
+    AddDriven(*part);
   }
 
   /// The ROS 1 form names it in `type`, the ROS 2 form in `plugin`; without either it is simple.
@@ -211,7 +218,7 @@ class DriveReader {
     const auto interfaces = Children(element, "command_interface");
     if (!part || interfaces.empty()) return;
     for (const Element* interface : interfaces) NarrowByInterface(*interface, place, &part->joint);
-    AddDriven(part->joint.name);
+    AddDriven(*part);
   }
 
   void NarrowByInterface(const Element& interface, const PartPlace& place, Joint* joint) {
@@ -281,11 +288,8 @@ class DriveReader {
 }  // namespace
 
 void ReadUrdfDrives(const ConfigMap& config, const std::filesystem::path& file,
-                    const std::string& xml, MachineParts* parts) {
-  tinyxml2::XMLDocument document;
-  TERA_CHECK(document.Parse(xml.c_str(), xml.size()) == tinyxml2::XML_SUCCESS, file.string());
-  DriveReader reader(config, file, parts);
-  if (const Element* robot = document.FirstChildElement("robot")) reader.Read(*robot);
+                    const Element& robot, MachineParts* parts) {
+  DriveReader(config, file, parts).Read(robot);
 }
 
 void CheckDriven(const MachineParts& parts) {

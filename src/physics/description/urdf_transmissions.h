@@ -1,7 +1,8 @@
 #pragma once
 
+#include <tinyxml2.h>
+
 #include <filesystem>
-#include <string>
 
 #include "core/config/config.h"
 #include "physics/description/link_tree.h"
@@ -18,11 +19,12 @@
 
 namespace tera {
 
-/// Reads `<transmission>` and `<ros2_control>` of the URDF `file` with the content `xml`, and the
-/// limits of actuators in `actuators:` of `config`. Sets rates, efforts and limits of the joints in
-/// `parts` and lists the driven ones in `parts->driven`. Faults go to `config`.
+/// Reads `<transmission>` and `<ros2_control>` of the URDF `file`, and the limits of actuators in
+/// `actuators:` of `config`. Sets rates, efforts and limits of the joints in `parts` and lists the
+/// driven ones in `parts->driven`; of a joint that follows another a remark says that it is none.
+/// Faults go to `config`.
 void ReadUrdfDrives(const ConfigMap& config, const std::filesystem::path& file,
-                    const std::string& xml, MachineParts* parts);
+                    const tinyxml2::XMLElement& robot, MachineParts* parts);
 
 /// Reports driven joints that cannot move for want of a rate or an effort.
 void CheckDriven(const MachineParts& parts);

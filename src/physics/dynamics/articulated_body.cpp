@@ -14,6 +14,7 @@
 #include "core/types/rigid_obstacle.h"
 #include "physics/dynamics/bullet_types.h"
 #include "physics/dynamics/climb_tag.h"
+#include "physics/dynamics/joint_tie.h"
 #include "physics/dynamics/link_motion.h"
 
 namespace tera {
@@ -78,12 +79,14 @@ struct ArticulatedBody::Bullet {
   std::vector<PrincipalAxes> axes;  // one for each link
   std::vector<LinkShape> shapes;
   std::vector<std::optional<JointDrive>> drives;  // one for each joint, none for fixed ones
+  std::vector<JointTie> ties;                     // of joints that follow others
   std::optional<BaseDrive> base_drive;
   std::vector<int> load_link;  // one for each shovel, -1 if it cannot carry
 
   ~Bullet() {
     if (!world) return;
     drives.clear();
+    ties.clear();
     base_drive.reset();
     for (const LinkShape& shape : shapes) world->removeCollisionObject(shape.collider.get());
     world->removeMultiBody(body.get());
@@ -166,6 +169,10 @@ void ArticulatedBody::Bullet::AddDrives(const MachineModel& model) {
     drives.emplace_back();
     if (joint.type == JointType::kFixed) continue;
     drives.back().emplace(body.get(), static_cast<int>(k), world);
+    if (joint.following) {
+      ties.emplace_back(body.get(), static_cast<int>(k), *joint.following, world);
+      continue;  // its leader has the stops
+    }
     if (joint.type == JointType::kContinuous) continue;
     drives.back()->SetStops(joint.lower_rad, joint.upper_rad);
   }

@@ -59,7 +59,8 @@ MachineDynamics::MachineDynamics(const MachinePlacement& placement, const WorldS
       hydraulics_(model_, placement.q_rad),
       actuation_(model_, {placement.name, start.seed, start.step}),
       inertial_(model_),
-      resting_nm_(GravityLoads_nm(model_, placement.X_WB, placement.q_rad)) {
+      resting_nm_(GravityLoads_nm(model_, placement.X_WB, placement.q_rad)),
+      start_rad_(placement.q_rad) {
   if (model_.ground == GroundModel::kTerramechanics) return;
   body_.AddBaseDrive(tracks_.contact_B_m());
   for (GearDrive& drive : model_.gear_drives) drive.max_torque_nm = kUnlimited_nm;
@@ -115,9 +116,15 @@ void MachineDynamics::MeasureLoads(const std::vector<double>& traction_n,
   }
 }
 
-void MachineDynamics::DriveJoints() {
+void MachineDynamics::DriveJoints(double dt_s, const MachineState& state) {
   joint_target_.resize(model_.joints.size());
   for (std::size_t j = 0; j < model_.joints.size(); ++j) {
+    const Joint& joint = model_.joints[j];
+    if (joint.gear >= 0) {
+      const double to_rad = start_rad_[j] + joint.gear_ratio * state.gear_angle_rad[joint.gear];
+      joint_target_[j] = {(to_rad - state.q_rad[j]) / dt_s, kUnlimited_nm, kUnlimited_nm};
+      continue;
+    }
     const EffortLimits& limits = hydraulics_.limits()[j];
     const AxisDrive& drive = actuation_.drives()[j];
     joint_target_[j] = {drive.rate_radps, limits.positive_nm, limits.negative_nm, drive.friction,
@@ -160,7 +167,7 @@ void MachineDynamics::Act(const MachineInput& input, double dt_s, MachineState* 
     const TrackDrive::Target target = tracks_.Follow(*state, input.soil);
     body_.DriveBase(target.twist, target.most);
   }
-  DriveJoints();
+  DriveJoints(dt_s, *state);
   body_.SetLoads(input.soil.shovel_load);
   body_.ApplyWrenches(input.soil.link_wrench, state->links);
   if (!input.soil.shovel_load.empty()) state->shovel_load = input.soil.shovel_load;

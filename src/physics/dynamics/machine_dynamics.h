@@ -20,7 +20,8 @@ MachineState InitialState(const MachinePlacement& placement);
 ///
 /// Model   levers -> Actuation -> rates and friction of joints and gears. Gears turn against the
 ///         soil's traction, I dw/dt = torque - traction * radius; with a driven base against the
-///         drive's force, as commanded whatever that is.
+///         drive's force, as commanded whatever that is. A wheel's joint turns with its gear,
+///         whatever that takes.
 /// Omits   the reaction of a gear's inertia on its link.
 class MachineDynamics {
  public:
@@ -44,7 +45,7 @@ class MachineDynamics {
   void Actuate(const std::vector<double>& traction_n, double dt_s, const MachineState& state);
   /// The loads of all axes: their efforts in the last step without what accelerated masses.
   void MeasureLoads(const std::vector<double>& traction_n, const MachineState& state);
-  void DriveJoints();
+  void DriveJoints(double dt_s, const MachineState& state);
   void TurnGears(const SoilReaction& soil, double dt_s, MachineState* state);
   /// What the ground does to the gears when the base is driven instead of sheared along.
   SoilReaction OnDrivenBase(const SoilReaction& soil, double dt_s, const MachineState& state) const;
@@ -62,6 +63,7 @@ class MachineDynamics {
   std::vector<double> axis_lever_;
   std::vector<AxisMotion> axis_motion_;
   std::vector<JointTarget> joint_target_;
+  std::vector<double> start_rad_;  ///< of each joint
 };
 
 }  // namespace tera

@@ -94,15 +94,20 @@ RecordedMotion::RecordedMotion(const MachinePlacement& placement, const std::str
   if (poses_.empty() && !model.fixed_base) {
     obstacle_ = fmt::format("the recording has no poses of {}", name);
   }
-  for (std::size_t j = 0; j < model.joints.size(); ++j) {
-    joints_.push_back(AxisNamed(model.joints[j].name, name, recording));
-    if (!joints_[j] && model.joints[j].type != JointType::kFixed && HasLever(model, j)) {
-      shows_whole_ = false;
-    }
+  for (const Joint& joint : model.joints) {
+    joints_.push_back(AxisNamed(joint.name, name, recording));
   }
+  for (std::size_t j = 0; j < joints_.size(); ++j) shows_whole_ = shows_whole_ && IsShown(j);
   for (const RunningGear& gear : model.ground_tools.gears) {
     gears_.push_back(AxisNamed(gear.name, name, recording));
   }
+}
+
+bool RecordedMotion::IsShown(std::size_t joint) const {
+  const MachineModel& model = placement_.model;
+  const int leader = LeaderOf(model, static_cast<int>(joint));
+  return joints_[joint] || joints_[leader] || model.joints[joint].type == JointType::kFixed ||
+         !HasLever(model, leader);
 }
 
 std::optional<TimeNs> RecordedMotion::first_ns() const {
@@ -131,9 +136,7 @@ bool RecordedMotion::Carries(int link) const {
   const auto& joints = placement_.model.joints;
   for (std::size_t j = joints.size(); j-- > 0;) {
     if (joints[j].child != link) continue;
-    if (!joints_[j] && joints[j].type != JointType::kFixed && HasLever(placement_.model, j)) {
-      return false;
-    }
+    if (!IsShown(j)) return false;
     link = joints[j].parent;
   }
   return true;
@@ -154,6 +157,10 @@ MachineState RecordedMotion::At(TimeNs t_ns) const {
     std::vector<double> q_rad = placement_.q_rad;
     for (std::size_t j = 0; j < q_rad.size(); ++j) {
       if (joints_[j]) q_rad[j] = joints_[j]->At(t);
+    }
+    for (std::size_t j = 0; j < q_rad.size(); ++j) {
+      const auto& following = placement_.model.joints[j].following;
+      if (following && !joints_[j]) q_rad[j] = following->At(q_rad[following->leader]);
     }
     return q_rad;
   };

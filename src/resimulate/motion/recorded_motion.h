@@ -45,6 +45,8 @@ class RecordedMotion {
     std::vector<double> position;
     double At(TimeNs t) const;
   };
+  /// Whether it is known how a joint moved, or that no lever moved it.
+  bool IsShown(std::size_t joint) const;
   static std::optional<Axis> AxisNamed(const std::string& axis, const std::string& machine,
                                        const Recording& recording);
 

@@ -68,6 +68,11 @@ std::optional<int> JointOfStart(const ConfigMap& start, const StartPlaces& place
     start.Fault(places.key, fmt::format("'{}' does not move; leave it out", name));
     return std::nullopt;
   }
+  if (const int leader = LeaderOf(model, joint); leader != joint) {
+    start.Fault(places.key, fmt::format("'{}' follows joint '{}'; say where that one is", name,
+                                        model.joints[leader].name));
+    return std::nullopt;
+  }
   if ((model.joints[joint].type == JointType::kPrismatic) != places.slide) {
     start.Fault(places.key, fmt::format("'{}' {}; need it under {}", name,
                                         places.slide ? "turns" : "slides", places.other_key));
@@ -108,6 +113,7 @@ void ReadStart(const ConfigMap& config, MachinePlacement* placement) {
     xy_m = start->Vector2("xy_m", Any("m"), Vec2::Zero());
     yaw_rad = start->Number("yaw_deg", Between(-360, 360, "deg"), 0) * kDeg;
     ReadStartPlaces(*start, placement->model, &placement->q_rad);
+    PlaceFollowers(placement->model, &placement->q_rad);
   }
   placement->X_WB = MakePose(Vec3(xy_m.x(), xy_m.y(), 0), RotationFromRpy(0, 0, yaw_rad));
 }

@@ -70,7 +70,14 @@ bool ReadSensors(const ConfigMap& config, const MachineModel& model,
 /// What a scenario says of all its machines by their names.
 struct OfAllMachines {
   std::optional<ConfigMap> effects, tolerances;
+  AbsentMeshes absent = AbsentMeshes::kFault;
 };
+
+/// `without_meshes`, which is written where it is given alone.
+AbsentMeshes ReadAbsentMeshes(const ConfigMap& config) {
+  const bool without = config.Has("without_meshes") && config.Boolean("without_meshes", false);
+  return without ? AbsentMeshes::kLeftOut : AbsentMeshes::kFault;
+}
 
 /// Lets what acts on the parts of a machine be where nothing is known of one of them.
 void LeaveTargetsUnread(const ConfigMap& description, const OfAllMachines& all,
@@ -95,7 +102,7 @@ ScenarioMachine ReadMachineEntry(const ConfigMap& config, const OfAllMachines& a
   RequirePlainName(config, "name", machine.placement.name);
   const std::size_t faults_before = FaultCount(config);
   const ConfigMap description = config.MapOrFile("machine");
-  machine.placement.model = ReadMachine(description);
+  machine.placement.model = ReadMachine(description, all.absent);
   SetCollisionMeshes(description, &machine.placement.model);
   const MachineModel& model = machine.placement.model;
   if (model.links.empty()) {
@@ -257,7 +264,8 @@ Scenario ReadScenario(const ConfigMap& config) {
     scenario.environment = ReadEnvironment(*environment, scenario.origin);
   }
   const Wear wear = ReadWear(config, {});
-  const OfAllMachines all{ReadScenarioEffects(config), ReadScenarioTolerances(config)};
+  const OfAllMachines all{ReadScenarioEffects(config), ReadScenarioTolerances(config),
+                          ReadAbsentMeshes(config)};
   for (const ConfigMap& machine : config.List("machines")) {
     scenario.machines.push_back(ReadMachineEntry(machine, all));
     scenario.machines.back().wear = ReadWear(machine, wear);

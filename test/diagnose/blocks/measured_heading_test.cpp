@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "diagnose/statistics/series/simulated.h"
-
 namespace tera {
 namespace {
 

@@ -4,7 +4,6 @@
 #include <fstream>
 
 #include "own_folder.h"
-#include "physics/description/urdf_left_out.h"
 #include "physics/machine_fixture.h"
 
 namespace tera {
@@ -91,11 +90,15 @@ TEST(Urdf, TeraKeysLieOverIt) {
 TEST(Urdf, WhatIsLeftOutIsCounted) {
   const std::string file = OwnFolder() / "left_out.urdf";
   const auto left_out = [&](const std::string& visual, const std::string& joint) {
-    std::ofstream(file) << R"(<robot name="r"><link name="b"/><link name="a">)" + visual +
-                               R"(</link><joint name="j" type="continuous"><parent link="a"/>
-                                  <child link="b"/><axis xyz="0 0 1"/>)" +
+    const std::string mass = R"(<inertial><mass value="3"/>
+      <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>)";
+    std::ofstream(file) << R"(<robot name="r"><link name="b">)" + mass +
+                               R"(</link><link name="a">)" + visual +
+                               R"(</link><joint name="j" type="continuous">
+                                  <parent link="a"/><child link="b"/><axis xyz="0 0 1"/>)" +
                                joint + "</joint></robot>";
-    return LeftOutOf(file);
+    const auto remarks = MachineFromText("kind: r\nfixed_base: true\nurdf: " + file + "\n").remarks;
+    return remarks.empty() ? "" : remarks.at(0);
   };
   const auto painted = [](const std::string& material) {
     return R"(<visual><geometry><box size="1 2 3"/></geometry><material name="m">)" + material +
@@ -103,10 +106,10 @@ TEST(Urdf, WhatIsLeftOutIsCounted) {
   };
   const std::string red = R"(<color rgba="1 0 0 1"/>)", bricks = R"(<texture filename="b.png"/>)";
   EXPECT_EQ(left_out(painted(red), ""), "");
-  EXPECT_EQ(left_out(painted(bricks), ""), "1 texture");
+  EXPECT_EQ(left_out(painted(bricks), ""), "left_out.urdf: 1 texture left out");
   EXPECT_EQ(left_out(painted(red), R"(<dynamics damping="0.1" friction="2"/>)"), "");
   EXPECT_EQ(left_out(painted(red), R"(<safety_controller k_velocity="10"/>)"),
-            "1 safety controller");
+            "left_out.urdf: 1 safety controller left out");
 }
 
 TEST(Urdf, FaultsNameTheUrdfAndItsPart) {
@@ -151,8 +154,133 @@ TEST(Urdf, FaultsNameTheUrdfAndItsPart) {
   EXPECT_THAT(rubbing(R"(<dynamics friction="-1" damping="1"/>)"),
               HasSubstr("dynamics: friction is -1; need 0 or more"));
   EXPECT_EQ(rubbing(R"(<dynamics friction="1" damping="1"/>)"), "");
-  EXPECT_THAT(faults_with(R"(<robot name="r"><link name="a,b"/></robot>)"),
-              HasSubstr("link 'a,b' of broken.urdf:1, name: need letters"));
+  EXPECT_THAT(
+      faults_with("<robot name=\"r\"><link name=\"" + std::string(101, 'a') + "\"/></robot>"),
+      HasSubstr("name: need letters"));
+}
+
+constexpr const char* kMass =
+    R"(<inertial><mass value="3"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>)";
+
+TEST(Urdf, NamesGetSignsThatFilesCanHaveAndAreTold) {
+  const std::string file = OwnFolder() / "names.urdf";
+  const auto machine = [&](const std::string& second) {
+    std::ofstream(file) << R"(<robot name="r"><link name="base/body">)" << kMass
+                        << R"(</link><link name=")" << second << "\">" << kMass
+                        << R"(</link><joint name="arm joint/1" type="revolute">
+      <parent link="base/body"/><child link=")"
+                        << second << R"("/><axis xyz="0 0 1"/>
+      <limit lower="0" upper="1" velocity="1" effort="1"/></joint><transmission name="t">
+      <joint name="arm joint/1"/><actuator name="m"/></transmission></robot>)";
+    return "kind: r\nfixed_base: true\nurdf: " + file + "\n";
+  };
+  const MachineModel model =
+      MachineFromText(machine("br\u00fcckenarm") + "links: {base_body: {label: boom}}\n");
+  EXPECT_EQ(model.links[0].name, "base_body");
+  EXPECT_EQ(model.links[1].name, "br_ckenarm");  // one sign for one, of however many bytes
+  EXPECT_EQ(model.levers.at(0).name, "arm_joint_1");
+  EXPECT_THAT(model.remarks, testing::ElementsAre(
+                                 "names.urdf: names get signs that files can have: 'base/body' is "
+                                 "base_body, 'br\u00fcckenarm' is br_ckenarm, 'arm joint/1' is "
+                                 "arm_joint_1"));
+  EXPECT_THAT(FaultsOf(machine("base_body")),
+              testing::HasSubstr("link 'base/body' has the name 'base_body' as well"));
+}
+
+TEST(Urdf, MeshesOfPackagesAreWhereTheMachineFileSays) {
+  const std::filesystem::path folder = OwnFolder();
+  std::filesystem::create_directories(folder / "elsewhere/meshes");
+  std::filesystem::create_directories(folder / "robot");
+  std::ofstream(folder / "elsewhere/meshes/arm.stl") << "solid\n";
+  std::ofstream(folder / "robot/r.urdf")
+      << R"(<robot name="r"><link name="a">)" << kMass
+      << R"(<visual><geometry><mesh filename="package://r_description/meshes/arm.stl"/></geometry>
+      </visual></link></robot>)";
+  const std::string machine =
+      "kind: r\nfixed_base: true\nurdf: " + (folder / "robot/r.urdf").string() + "\n";
+  EXPECT_THAT(
+      FaultsOf(machine),
+      testing::HasSubstr("mesh 'package://r_description/meshes/arm.stl' does not exist; say "
+                         "where its package is with `packages: {r_description: FOLDER}`"));
+  const std::string packages =
+      "packages: {r_description: " + (folder / "elsewhere").string() + "}\n";
+  const MachineModel model = MachineFromText(machine + packages);
+  EXPECT_EQ(model.links[0].visuals.at(0).mesh, folder / "elsewhere/meshes/arm.stl");
+  EXPECT_THAT(FaultsOf(machine + "packages: {r_description: " + (folder / "no").string() + "}\n"),
+              testing::HasSubstr("no' does not exist; correct the path"));
+}
+
+TEST(Urdf, MeshesThatAreNotThereMayBeLeftOut) {
+  const std::string file = OwnFolder() / "bare.urdf";
+  std::ofstream(file) << R"(<robot name="r"><link name="a">)" << kMass << R"(
+      <visual><geometry><box size="1 2 3"/></geometry></visual>
+      <visual><geometry><mesh filename="arm.dae"/></geometry></visual>
+      <collision><geometry><mesh filename="arm.dae"/></geometry></collision></link></robot>)";
+  const Config config =
+      Config::FromText("kind: r\nfixed_base: true\nurdf: " + file + "\n", "test.yaml");
+  const MachineModel model = ReadMachine(config.root(), AbsentMeshes::kLeftOut);
+  config.Finish();
+  EXPECT_EQ(model.links[0].visuals.size(), 1u);
+  EXPECT_TRUE(model.links[0].collision_meshes.empty());
+  EXPECT_THAT(model.remarks,
+              testing::ElementsAre("bare.urdf: meshes left out that are not there: arm.dae"));
+}
+
+/// A cart on wheels that are joints; the left one's axle points to the right.
+std::string Cart(const std::string& type = "continuous", const std::string& axis = "0 -1 0") {
+  const std::string file = OwnFolder() / "cart.urdf";
+  const auto wheel = [&](const std::string& name, const std::string& kind, const std::string& xyz,
+                         const std::string& about) {
+    return "<link name=\"" + name + "\">" + kMass + "</link><joint name=\"" + name +
+           "_turn\" type=\"" + kind + "\"><parent link=\"a\"/><child link=\"" + name +
+           "\"/><origin xyz=\"" + xyz + "\"/><axis xyz=\"" + about +
+           "\"/><limit lower=\"-1\" upper=\"1\" velocity=\"9\" effort=\"9\"/></joint>";
+  };
+  std::ofstream(file) << R"(<robot name="r"><link name="a">)" << kMass << "</link>"
+                      << wheel("front", "continuous", "0.7 0.5 0.3", "0 1 0")
+                      << wheel("rear", type, "-0.6 0.5 0.3", axis) << "</robot>";
+  return "kind: r\nfixed_base: true\nurdf: " + file + "\nwheels:\n  left:\n    joints: " +
+         "[front_turn, rear_turn]\n    radius_m: 0.3\n    width_m: 0.2\n    max_speed_mps: 1.5\n" +
+         "    max_torque_nm: 100\n    inertia_kgm2: 2\n";
+}
+
+TEST(Urdf, WheelsThatAreJointsRollWhereTheyAreAndTurnWithTheirSet) {
+  const MachineModel model = MachineFromText(Cart() + "levers: [left]\n");
+  ASSERT_EQ(model.ground_tools.gears.size(), 1u);
+  const RunningGear& gear = model.ground_tools.gears[0];
+  EXPECT_EQ(gear.link, 0);
+  // The lowest patches lie a radius below the axles.
+  double lowest_m = 1, front_m = 0, rear_m = 0;
+  for (const ContactPatch& patch : gear.patches) {
+    lowest_m = std::min(lowest_m, patch.p_B_m.z());
+    front_m = std::max(front_m, patch.p_B_m.x());
+    rear_m = std::min(rear_m, patch.p_B_m.x());
+    EXPECT_DOUBLE_EQ(patch.p_B_m.y(), 0.5);
+  }
+  EXPECT_NEAR(lowest_m, 0, 1e-9);
+  EXPECT_GT(front_m, 0.7);
+  EXPECT_LT(rear_m, -0.6);
+  MachineRun run(model, MakePose(Vec3(1, 2, 3), 0.1, -0.2, 0.7));
+  run.input.levers = {1};
+  run.StepFor(2.0);
+  const double turned_rad = run.state().gear_angle_rad[0];
+  EXPECT_GT(turned_rad, 2);
+  EXPECT_NEAR(run.state().q_rad[model.JointIndex("front_turn")], turned_rad, 1e-6);
+  EXPECT_NEAR(run.state().q_rad[model.JointIndex("rear_turn")], -turned_rad, 1e-6);
+}
+
+TEST(Urdf, AWheelSetTakesNoJointThatIsNoWheels) {
+  using testing::HasSubstr;
+  EXPECT_THAT(FaultsOf(Cart("revolute")), HasSubstr("joint 'rear_turn' does not turn freely"));
+  EXPECT_THAT(FaultsOf(Cart("continuous", "0 0 1")),
+              HasSubstr("joint 'rear_turn' turns about (0, 0, 1) of link 'a'; need an axle along"));
+  EXPECT_THAT(FaultsOf(Cart() + "levers: [rear_turn]\n"),
+              HasSubstr("'rear_turn' turns with wheel set 'left'; name that one"));
+  EXPECT_THAT(FaultsOf(Cart(), {"wheels.left.joints=[front_turn, rear]"}),
+              HasSubstr("there is no joint 'rear' (did you mean"));
+  EXPECT_THAT(FaultsOf(Cart(), {"wheels.left.axles_m=[[0, 0, 0]]"}), HasSubstr("unknown key"));
+  EXPECT_THAT(FaultsOf(Cart(), {"wheels.left.joints=[front_turn, front_turn]"}),
+              HasSubstr("is of another wheel set already"));
 }
 
 }  // namespace

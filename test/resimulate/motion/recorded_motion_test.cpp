@@ -60,6 +60,28 @@ TEST_F(RecordedMotionOfACart, AnEncodersLineIsFoundAgainWhereverItIsAskedFor) {
   EXPECT_NEAR(state.links[kRecordedMotionMast].w_WB_radps.z(), 0.3 + 30 * kDeg, 1e-4);
 }
 
+TEST_F(RecordedMotionOfACart, AJointThatFollowsAMeasuredOneIsWhereThatTakesIt) {
+  MachinePlacement placement = scenario_.machines[0].placement;
+  placement.model.links.push_back({.name = "flag"});
+  placement.model.joints.push_back({.name = "wave",
+                                    .type = JointType::kRevolute,
+                                    .parent = kRecordedMotionMast,
+                                    .child = 2,
+                                    .following = Following{0, -0.5, 0.1}});
+  placement.q_rad.push_back(0);
+  const auto line = [](double t_s) { return 0.4 + 0.3 * (t_s - 2); };
+  const RecordedCart cart = {.pose_t_ns = {FromSeconds(1), FromSeconds(3)},
+                             .turn_t_ns = EvenTimes(1, 3, 0.01),
+                             .X_WB = RecordedMotionStraight,
+                             .turn_rad = line};
+  const RecordedMotion motion(placement, cart.machine, WriteCart(scratch_.path() / "r", cart));
+  EXPECT_TRUE(motion.shows_whole());
+  EXPECT_TRUE(motion.Carries(2));
+  const MachineState state = motion.At(FromSeconds(2.2));
+  EXPECT_NEAR(state.q_rad[1], 0.1 - 0.5 * line(2.2), 1e-9);
+  EXPECT_NEAR(state.qd_radps[1], -0.5 * 0.3, 1e-9);
+}
+
 TEST_F(RecordedMotionOfACart, ErrorsThatAlternateFromSampleToSampleAreAFifthInTheirMean) {
   constexpr double kError_rad = 0.01;
   const auto noisy = [](double t_s) {

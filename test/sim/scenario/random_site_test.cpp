@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -10,7 +11,6 @@
 
 #include "core/error.h"
 #include "core/units.h"
-#include "own_folder.h"
 #include "sim/scenario/footprint.h"
 #include "sim/scenario/load_scenario.h"
 
@@ -40,6 +40,13 @@ const std::string kWhole = R"(
 
 class RandomSite : public ::testing::Test {
  protected:
+  void SetUp() override {
+    std::string name = (std::filesystem::temp_directory_path() / "tera_draw_XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
   LoadedScenario Load(const std::string& randomise, std::uint64_t episode,
                       const std::vector<std::string>& set = {}) const {
     std::ofstream(folder_ / "s.yaml") << R"(
@@ -58,7 +65,7 @@ randomise:)" << randomise;
     return LoadScenario(folder_ / "s.yaml", set, {}, {}, episode);
   }
 
-  const std::filesystem::path folder_ = OwnFolder();
+  std::filesystem::path folder_;
 };
 
 /// The rectangle that an obstacle takes up, by the boxes that machines collide with.

@@ -8,7 +8,6 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "own_folder.h"
-#include "physics/description/urdf_left_out.h"
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
 
@@ -61,7 +60,8 @@ TEST(UrdfMachine, HasTheLeversOfItsDrivesInTheirOrder) {
 }
 
 TEST(UrdfMachine, WhatIsNotReadIsCounted) {
-  EXPECT_EQ(LeftOutOf(kData / "backhoe_loader.urdf"), "1 texture, 1 safety controller");
+  EXPECT_THAT(ModelOf(Read()).remarks,
+              ElementsAre("backhoe_loader.urdf: 1 texture, 1 safety controller left out"));
 }
 
 Vec3 ShownSize_m(const SceneModel& scene, const std::string& name) {
@@ -269,10 +269,10 @@ TEST(UrdfMachine, AMeshOfSeveralScalesIsTold) {
   EXPECT_THAT(FaultsWith("0.0011 0.0011 0.0011", "0 0 0"), HasSubstr("is scaled by 0 0 0"));
 }
 
-TEST(UrdfMachine, AJointThatMimicsAnotherIsTold) {
+TEST(UrdfMachine, AJointThatMimicsNoneThatThereIsIsTold) {
   const std::string faults = FaultsWith(R"(<parent link="backhoe_boom"/>)",
-                                        R"(<mimic joint="boom"/><parent link="backhoe_boom"/>)");
-  EXPECT_THAT(faults, HasSubstr("mimic: joints that follow others are not supported; remove it"));
+                                        R"(<mimic joint="bom"/><parent link="backhoe_boom"/>)");
+  EXPECT_THAT(faults, HasSubstr("mimic: there is no joint 'bom' (did you mean 'boom'?)"));
   EXPECT_EQ(LinesIn(faults), 1) << faults;
 }
 

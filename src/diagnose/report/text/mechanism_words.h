@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string_view>
 
 namespace tera {
@@ -23,5 +24,8 @@ struct MechanismWords {
 
 /// The words for a mechanism on a target; nullptr where it has none.
 const MechanismWords* WordsOf(std::string_view id, std::string_view target = "");
+
+/// All words, each mechanism once.
+std::span<const MechanismWords> AllMechanismWords();
 
 }  // namespace tera

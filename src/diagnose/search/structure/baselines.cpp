@@ -13,6 +13,7 @@
 namespace tera {
 namespace {
 
+constexpr std::size_t kMostTerms = 4;  ///< as in SearchOptions::deepest
 /// Degrees of freedom at which Student's t is the normal distribution to six digits.
 constexpr double kNormalDof = 1e6;
 
@@ -152,7 +153,7 @@ class GreedySearch {
   Structure Run() const {
     Structure found;
     double criterion = CriterionOf(found);
-    while (found.size() < kMostStructureTerms) {
+    while (found.size() < kMostTerms) {
       const Likelihood likelihood(block_, WhiteNoiseOf(found), seen_);
       const StructureFitter fitter(block_, likelihood, {});
       const auto grown = InParallel<Structure>(

@@ -8,6 +8,12 @@
 
 namespace tera {
 
+struct RegimeCurveOptions {
+  std::size_t replicates = 300;
+  std::size_t block = 0;  ///< samples; 0: a sixtieth of the recording
+  double confidence = 0.9;
+};
+
 /// The dependence of a residual on a variable, E[residual | variable], with known columns held
 /// fixed.
 ///
@@ -15,8 +21,7 @@ namespace tera {
 ///         penalty by generalised cross-validation; centred so that its mean over the samples is 0.
 ///         Band: blocks of the scores drawn with replacement, the estimate moved by its
 ///         linearisation; `low` and `high` hold the whole curve over the occupied bins with the
-///         confidence of 90 %. Of a variable whose functions are multiplied, the curve is the
-///         factor.
+///         given confidence. Of a variable whose functions are multiplied, the curve is the factor.
 /// Omits   the bias of smoothing; the offset, which a coloured residual hardly determines.
 /// Source  Eilers and Marx 1996; Craven and Wahba 1979; Künsch 1989.
 struct RegimeCurve {
@@ -34,6 +39,6 @@ struct RegimeCurve {
 
 RegimeCurve FitRegimeCurve(const Series& residual, const NoiseModel& noise,
                            const Eigen::MatrixXd& known, const RegimeVariable& variable,
-                           const Stream& stream);
+                           const RegimeCurveOptions& options, const Stream& stream);
 
 }  // namespace tera

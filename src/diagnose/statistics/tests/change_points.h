@@ -7,7 +7,9 @@
 namespace tera {
 
 struct ChangePointOptions {
-  double alpha = 0.01;  ///< probability of any change, or any interval, where there is none
+  double cell_s = 0.2;       ///< length of the cells over which samples are averaged
+  double alpha = 0.01;       ///< probability of any change, or any interval, where there is none
+  std::size_t shortest = 2;  ///< cells in a segment
   /// Innovations may be somewhat correlated: scatter from cell to cell counts as noise.
   bool guarded = true;
 };

@@ -5,8 +5,6 @@
 
 #include <cmath>
 
-#include "diagnose/statistics/series/simulated.h"
-
 namespace tera {
 namespace {
 

@@ -8,7 +8,6 @@
 
 #include "diagnose/search/toy_block.h"
 #include "diagnose/statistics/series/noise_model.h"
-#include "diagnose/statistics/series/simulated.h"
 
 namespace tera {
 namespace {

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "diagnose/search/toy_block.h"
-#include "diagnose/statistics/series/simulated.h"
 
 namespace tera {
 namespace {

@@ -10,20 +10,15 @@ namespace tera {
 namespace {
 
 using testing::AllOf;
-using testing::ContainsRegex;
 using testing::HasSubstr;
-using testing::StartsWith;
-
-Outcome Run(const Arguments& arguments, const ScratchDirectory& scratch) {
-  return TeraProcess(arguments, {scratch.path()}, TERA_PROVE_PROGRAM).Wait();
-}
 
 /// A frozen seed at a reduced size: that cases are written, answered, sealed and marked. How good
 /// the answers are, docs/evidence/proof.md says of many more.
-TEST(TeraProve, ConcealsAsksAndMarksCasesOfAFrozenSeed) {
+TEST(ProveCommand, ConcealsAsksAndMarksCasesOfAFrozenSeed) {
   const ScratchDirectory scratch;
   const Outcome outcome =
-      Run({"--cases", "3", "--seed", "1", "--duration", "30", "--out", "proof"}, scratch);
+      RunTera({"prove", "--cases", "3", "--seed", "1", "--duration", "30", "--out", "proof"},
+              {scratch.path()});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("| false alarm where nothing is wrong | ≤ 2 % |"));
   std::ifstream file(scratch.path() / "proof" / "table.json");
@@ -42,10 +37,11 @@ TEST(TeraProve, ConcealsAsksAndMarksCasesOfAFrozenSeed) {
 
 /// Of a bucket with play that pulls harder than it pushes, play alone tells nothing and the pull is
 /// steady only beside it.
-TEST(TeraProve, NamesTwoOfWhichEachIsNeededOnlyBesideTheOther) {
+TEST(ProveCommand, NamesTwoOfWhichEachIsNeededOnlyBesideTheOther) {
   const ScratchDirectory scratch;
   const Outcome outcome =
-      Run({"--seed", "39", "--first", "83", "--cases", "1", "--out", "proof"}, scratch);
+      RunTera({"prove", "--seed", "39", "--first", "83", "--cases", "1", "--out", "proof"},
+              {scratch.path()});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("| bucket backlash; bucket asymmetric_gain | "
                                      "bucket asymmetric_gain by lever/bucket; "
@@ -53,42 +49,24 @@ TEST(TeraProve, NamesTwoOfWhichEachIsNeededOnlyBesideTheOther) {
 }
 
 /// A reader of the bus, of which the beat is seen a step late.
-TEST(TeraProve, NamesAReaderThatLooksOnceAPeriod) {
+TEST(ProveCommand, NamesAReaderThatLooksOnceAPeriod) {
   const ScratchDirectory scratch;
   const Outcome outcome =
-      Run({"--seed", "41", "--first", "33", "--cases", "1", "--out", "proof"}, scratch);
+      RunTera({"prove", "--seed", "41", "--first", "33", "--cases", "1", "--out", "proof"},
+              {scratch.path()});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("| bucket input_hold by lever_way/bucket |"));
 }
 
-TEST(TeraProve, RefusesAFolderThatIsThereAndRecordingsThatAreTooShort) {
+TEST(ProveCommand, RefusesAFolderThatIsThereAndRecordingsThatAreTooShort) {
   const ScratchDirectory scratch;
   std::filesystem::create_directory(scratch.path() / "proof");
-  const Outcome there = Run({"--out", "proof"}, scratch);
+  const Outcome there = RunTera({"prove", "--out", "proof"}, {scratch.path()});
   EXPECT_EQ(there.status, 2);
   EXPECT_THAT(there.err, AllOf(HasSubstr("proof"), HasSubstr("exists already")));
-  const Outcome brief = Run({"--out", "new", "--duration", "5"}, scratch);
+  const Outcome brief = RunTera({"prove", "--out", "new", "--duration", "5"}, {scratch.path()});
   EXPECT_EQ(brief.status, 2);
   EXPECT_THAT(brief.err, HasSubstr("--duration"));
-}
-
-TEST(TeraProve, SaysAnUnknownOptionAndWhichItResembles) {
-  const ScratchDirectory scratch;
-  const Outcome outcome = Run({"--out", "proof", "--case", "3"}, scratch);
-  EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.err,
-              StartsWith("--case: no such option of 'tera-prove' (did you mean '--cases'?)\n"));
-  EXPECT_TRUE(Entries(scratch.path()).empty());
-}
-
-TEST(TeraProve, PrintsItsVersionAndItsManualPage) {
-  const ScratchDirectory scratch;
-  EXPECT_THAT(Run({"--version"}, scratch).out,
-              ContainsRegex("^tera-prove [0-9]+\\.[0-9]+\\.[0-9]+\n$"));
-  const Outcome page = Run({"--manual"}, scratch);
-  EXPECT_EQ(page.status, 0) << page.err;
-  EXPECT_THAT(page.out, AllOf(StartsWith(".TH \"TERA\\-PROVE\" 1"), HasSubstr("\\-\\-maker"),
-                              HasSubstr("\\-\\-reserve")));
 }
 
 }  // namespace
