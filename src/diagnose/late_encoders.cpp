@@ -43,7 +43,7 @@ bool StampEncodersAnew(const DiagnosisInput& input, const SensorDiagnosis& estim
   };
   bool has_changed = false;
   for (const SensorFinding& found : estimate.findings) {
-    if (found.mechanism != "clock_offset" || !found.rivals.empty()) continue;
+    if (found.mechanism->id != "clock_offset" || !found.rivals.empty()) continue;
     std::vector<NamedEncoders> anew = measured->encoders;
     bool is_encoder = false;
     for (NamedEncoders& encoders : anew) {

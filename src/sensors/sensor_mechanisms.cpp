@@ -1,7 +1,9 @@
 #include "sensors/sensor_mechanisms.h"
 
+#include <algorithm>
 #include <vector>
 
+#include "core/check.h"
 #include "sensors/sensor_kinds.h"
 #include "sensors/slots/mechanism_rows.h"
 
@@ -54,6 +56,15 @@ std::vector<Mechanism> All() {
 std::span<const Mechanism> SensorMechanisms() {
   static const std::vector<Mechanism> mechanisms = All();
   return mechanisms;
+}
+
+const Mechanism& SensorMechanism(std::string_view id, EffectTarget target) {
+  const auto all = SensorMechanisms();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Mechanism& one) {
+    return one.id == id && one.ActsOn(target);
+  });
+  TERA_CHECK(found != all.end(), id, target.name);
+  return *found;
 }
 
 }  // namespace tera

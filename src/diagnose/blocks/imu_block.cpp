@@ -142,11 +142,7 @@ Effects WithPoseLatency(Effects effects, double late_s) {
     own->values.front() -= late_s;
     return effects;
   }
-  for (const Mechanism& mechanism : SensorMechanisms()) {
-    if (mechanism.id != "clock_offset" || !mechanism.ActsOn(EffectTarget::kImu)) continue;
-    effects.push_back({&mechanism, {-late_s}});
-    break;
-  }
+  effects.push_back({&SensorMechanism("clock_offset", EffectTarget::kImu), {-late_s}});
   return effects;
 }
 

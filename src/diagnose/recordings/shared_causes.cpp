@@ -19,7 +19,7 @@ using Candidates = std::vector<const Candidate*>;
 
 /// Whether two candidates, of two recordings perhaps, are one mechanism of one target.
 bool AreOne(const Candidate& a, const Candidate& b) {
-  return a.target == b.target && a.mechanism->id == b.mechanism->id;
+  return a.target == b.target && a.mechanism == b.mechanism;
 }
 
 bool Has(const Candidates& all, const Candidate& one) {
@@ -160,16 +160,13 @@ Kind WithoutIt(const Diagnosis& diagnosis, const SharedCause& cause,
     }
   }
   const SensorDiagnosis& sensors = diagnosis.sensors.estimate;
-  const std::string name = cause.target() + "/" + std::string(cause.mechanism().id);
-  const auto is_it = [&](const SensorFinding& one) {
-    return one.target + "/" + one.mechanism == name;
-  };
+  const TargetMechanism it{cause.target(), cause.candidate->mechanism};
+  const auto is_it = [&](const TargetMechanism& one) { return one == it; };
   if (std::any_of(sensors.untestable.begin(), sensors.untestable.end(), is_it)) {
     return Kind::kTooFaint;
   }
   const auto& estimated = sensors.estimated;
-  const bool is_estimated = std::find(estimated.begin(), estimated.end(), name) != estimated.end();
-  return is_estimated ? Kind::kAbsent : kind;
+  return std::any_of(estimated.begin(), estimated.end(), is_it) ? Kind::kAbsent : kind;
 }
 
 CauseInRecording InRecording(const Diagnosis& diagnosis, const Finding* finding,

@@ -24,24 +24,13 @@ constexpr double kLeastExcessOfCause = 1.0 / 3;
 constexpr double kLeastSignalToNoise = 1;
 constexpr std::string_view kClockMechanism = "clock_offset";
 
-/// The index of a parameter of a mechanism; none where it has no such number.
-std::optional<std::size_t> IndexOf(const Mechanism& mechanism, const std::string& name) {
-  for (std::size_t i = 0; i < mechanism.parameters.size(); ++i) {
-    if (mechanism.parameters[i].name == name) return i;
-  }
-  return std::nullopt;
-}
-
-/// The mechanism of that id that has such numbers: several kinds of sensors have a "bias".
-const Mechanism& MechanismOf(const std::string& id, const std::vector<FoundNumber>& numbers) {
-  for (const Mechanism& mechanism : SensorMechanisms()) {
-    const bool has_all = std::all_of(numbers.begin(), numbers.end(), [&](const FoundNumber& one) {
-      return IndexOf(mechanism, one.name).has_value();
-    });
-    if (mechanism.id == id && has_all) return mechanism;
-  }
-  TERA_CHECK(false, id);
-  return SensorMechanisms().front();
+/// The index of a parameter that the mechanism must have.
+std::size_t IndexOf(const Mechanism& mechanism, const std::string& name) {
+  const auto& all = mechanism.parameters;
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const EffectParameter& one) { return one.name == name; });
+  TERA_CHECK(found != all.end(), mechanism.id, name);
+  return static_cast<std::size_t>(found - all.begin());
 }
 
 /// By how much of its noise the findings lessen a channel's error.
@@ -78,9 +67,9 @@ class Teller {
 
   SensorFound Tell(const SensorFinding& found) {
     SensorFound told;
-    const Mechanism& mechanism = MechanismOf(found.mechanism, found.numbers);
+    const Mechanism& mechanism = *found.mechanism;
     Finding& finding = told.finding;
-    finding.term.candidate = &CandidateOf(mechanism, found.target);
+    finding.term.candidate = &CandidateOf(found);
     for (const EffectParameter& parameter : mechanism.parameters) {
       finding.term.values.push_back(parameter.otherwise.value_or(0));
       finding.parameters.push_back({std::string(parameter.name), std::string(parameter.unit),
@@ -88,7 +77,7 @@ class Teller {
     }
     auto& free = out_->candidates.back().free;
     for (const FoundNumber& number : found.numbers) {
-      const std::size_t i = *IndexOf(mechanism, number.name);
+      const std::size_t i = IndexOf(mechanism, number.name);
       finding.term.values[i] = finding.parameters[i].value =
           std::clamp(number.value, mechanism.parameters[i].lower, mechanism.parameters[i].upper);
       finding.parameters[i].sigma = number.sigma;
@@ -101,8 +90,8 @@ class Teller {
   }
 
  private:
-  Candidate& CandidateOf(const Mechanism& mechanism, const std::string& target) {
-    out_->candidates.push_back({&mechanism, target, {}, {}, {}});
+  Candidate& CandidateOf(const TargetMechanism& one) {
+    out_->candidates.push_back({one.mechanism, one.target, {}, {}, {}});
     return out_->candidates.back();
   }
 
@@ -112,10 +101,8 @@ class Teller {
     finding.evidence.share = 1;
     finding.is_confirmed = true;
     finding.evidence.rivals = {finding.term.candidate};
-    for (const std::string& rival : found.rivals) {
-      const auto slash = rival.rfind('/');
-      const Mechanism& mechanism = MechanismOf(rival.substr(slash + 1), {});
-      finding.evidence.rivals.push_back(&CandidateOf(mechanism, rival.substr(0, slash)));
+    for (const TargetMechanism& rival : found.rivals) {
+      finding.evidence.rivals.push_back(&CandidateOf(rival));
     }
     told->channel = machine_ + "/" + found.target;
     const ChannelError* channel = ChannelThatShows(out_->estimate, told->channel);
@@ -179,18 +166,14 @@ DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machin
 }
 
 void TellReversed(const std::vector<ReversedAxis>& reversed, DiagnosedSensors* sensors) {
-  const auto& all = SensorMechanisms();
-  const auto flip = std::find_if(all.begin(), all.end(), [](const Mechanism& mechanism) {
-    return mechanism.id == "axis_flip" && mechanism.parameters.empty();
-  });
-  TERA_CHECK(flip != all.end(), "encoders have no axis_flip");
+  const Mechanism& flip = SensorMechanism("axis_flip", EffectTarget::kEncoderAxis);
   for (const ReversedAxis& axis : reversed) {
     if (axis.is_documented) continue;
     SensorFound told;
     told.channel = axis.channel + "/" + axis.axis + "_radps";
     told.unit = "rad/s";
     Finding& finding = told.finding;
-    sensors->candidates.push_back({&*flip, axis.target, {}, {}, {}});
+    sensors->candidates.push_back({&flip, axis.target, {}, {}, {}});
     finding.term.candidate = &sensors->candidates.back();
     finding.evidence.p = finding.evidence.steady_p = finding.held_out.p = axis.p;
     finding.evidence.share = 1;
@@ -208,7 +191,7 @@ void TellOffset(const std::vector<OffsetReceiver>& offset, const std::string& ma
   Teller teller(machine, sensors);
   for (const OffsetReceiver& one : offset) {
     const FoundNumber rest = TakeRest(one, sensors);
-    SensorFinding found{.target = one.target, .mechanism = std::string(kClockMechanism)};
+    SensorFinding found{{one.target, &SensorMechanism(kClockMechanism, EffectTarget::kGnss)}};
     found.numbers = {{"offset_s", "s", one.shift_s + rest.value, rest.sigma, one.documented_s,
                       one.tolerance_s, true}};
     found.p = one.p;
@@ -234,10 +217,11 @@ bool IsExplained(const ChannelError& channel) {
 
 void RemoveEstimated(const DiagnosisInput& input, const SensorDiagnosis& estimate,
                      std::vector<ReplayBlock>* blocks) {
-  const auto has = [&](const std::string& target, std::string_view mechanism) {
-    const std::string name = target + "/" + std::string(mechanism);
-    return std::find(estimate.estimated.begin(), estimate.estimated.end(), name) !=
-           estimate.estimated.end();
+  const auto has = [&](const std::string& target, std::string_view id) {
+    return std::any_of(estimate.estimated.begin(), estimate.estimated.end(),
+                       [&](const TargetMechanism& one) {
+                         return one.target == target && one.mechanism->id == id;
+                       });
   };
   for (const SensorDescription& sensor : input.sensors) {
     if (!has(sensor.name, "imu_lever_arm")) continue;

@@ -18,8 +18,6 @@ constexpr int kRounds = 3;  ///< of linearising with what was named free
 /// Motions no further apart than splines reach beyond their segments meet in the middle.
 constexpr double kJoined_s = 0.5;
 
-std::string NameOf(const ParameterGroup& group) { return group.target + "/" + group.mechanism; }
-
 /// The numbers of `multipath` of the four that are linear.
 std::vector<FoundNumber> NumbersOfReflection(const std::vector<FoundNumber>& linear) {
   Eigen::Vector4d value, documented, sigma;
@@ -47,14 +45,14 @@ std::vector<FoundNumber> NumbersOfReflection(const std::vector<FoundNumber>& lin
 SensorFinding FindingOf(const ParameterTable& table, int g,
                         const std::vector<JudgedParameter>& judged) {
   const ParameterGroup& group = table.groups[static_cast<std::size_t>(g)];
-  SensorFinding finding{group.target, group.mechanism, {}, 0, 1, {}};
+  SensorFinding finding{group, {}, 0, 1, {}};
   for (std::size_t i = 0; i < judged.size(); ++i) {
     const SensorParameter& one = table.parameters[static_cast<std::size_t>(group.first) + i];
     finding.numbers.push_back({one.name, one.unit, judged[i].value / one.si_per_unit,
                                judged[i].sigma / one.si_per_unit, one.documented / one.si_per_unit,
                                one.tolerance / one.si_per_unit, judged[i].is_beyond});
   }
-  if (group.mechanism == kMultipath) finding.numbers = NumbersOfReflection(finding.numbers);
+  if (group.mechanism->id == kMultipath) finding.numbers = NumbersOfReflection(finding.numbers);
   return finding;
 }
 
@@ -160,7 +158,7 @@ SensorFinding FindingOf(const ParameterTable& table, const NamedGroup& one) {
   finding.gain = one.gain;
   finding.p = one.p;
   for (const int g : one.rivals) {
-    finding.rivals.push_back(NameOf(table.groups[static_cast<std::size_t>(g)]));
+    finding.rivals.push_back(table.groups[static_cast<std::size_t>(g)]);
   }
   return finding;
 }
@@ -169,7 +167,6 @@ void Report(const SensorProblem& problem, const GroupJudgement& judgement,
             const std::vector<ParameterQuadratic>& segments, SensorDiagnosis* diagnosis) {
   diagnosis->left_to_gain = judgement.left_to_gain;
   const ParameterTable& table = problem.table;
-  const auto name = [&](int g) { return NameOf(table.groups[static_cast<std::size_t>(g)]); };
   for (const NamedGroup& one : judgement.named) {
     diagnosis->findings.push_back(FindingOf(table, one));
     diagnosis->findings.back().signal_to_noise =
@@ -189,7 +186,9 @@ void Report(const SensorProblem& problem, const GroupJudgement& judgement,
   list(judgement.untestable, &diagnosis->untestable);
   for (const auto& groups : judgement.not_told_apart) {
     diagnosis->not_told_apart.emplace_back();
-    for (const int g : groups) diagnosis->not_told_apart.back().push_back(name(g));
+    for (const int g : groups) {
+      diagnosis->not_told_apart.back().push_back(table.groups[static_cast<std::size_t>(g)]);
+    }
   }
 }
 
@@ -226,9 +225,8 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
   if ((motion.imus.empty() && motion.receivers.empty()) || is_alone) return diagnosis;
   diagnosis.knows_base =
       motion.receivers.size() >= 2 || (!motion.receivers.empty() && !motion.imus.empty());
-  for (const ParameterGroup& group : problem.table.groups) {
-    diagnosis.estimated.push_back(NameOf(group));
-  }
+  const std::vector<ParameterGroup>& groups = problem.table.groups;
+  diagnosis.estimated.assign(groups.begin(), groups.end());
   diagnosis.candidates = static_cast<std::size_t>(
       std::count_if(problem.table.groups.begin(), problem.table.groups.end(),
                     [](const ParameterGroup& group) { return group.may_be_named; }));

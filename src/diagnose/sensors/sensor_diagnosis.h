@@ -25,13 +25,11 @@ struct FoundNumber {
 };
 
 /// One mechanism of one target with its numbers.
-struct SensorFinding {
-  std::string target, mechanism;
+struct SensorFinding : TargetMechanism {
   std::vector<FoundNumber> numbers;
   double gain = 0, p = 1;
-  /// "target/mechanism" of what is not told apart from it.
-  std::vector<std::string> rivals;
-  double signal_to_noise = 0;  ///< SignalToNoise; of what is named
+  std::vector<TargetMechanism> rivals;  ///< not told apart from it
+  double signal_to_noise = 0;           ///< SignalToNoise; of what is named
 };
 
 /// One measured number over the whole recording.
@@ -63,11 +61,11 @@ struct EstimatedMotion {
 struct SensorDiagnosis {
   std::vector<SensorFinding> findings;
   std::vector<SensorFinding> within_tolerance, untestable;
-  std::vector<SensorFinding> unproven;                   ///< GroupJudgement
-  std::vector<std::vector<std::string>> not_told_apart;  ///< "target/mechanism"
-  double left_to_gain = 0;                               ///< GroupJudgement
-  std::vector<std::string> estimated;  ///< "target/mechanism" of all that was free somewhere
-  std::size_t candidates = 0;          ///< mechanisms of targets that might have been named
+  std::vector<SensorFinding> unproven;  ///< GroupJudgement
+  std::vector<std::vector<TargetMechanism>> not_told_apart;
+  double left_to_gain = 0;                 ///< GroupJudgement
+  std::vector<TargetMechanism> estimated;  ///< all that was free somewhere
+  std::size_t candidates = 0;              ///< mechanisms of targets that might have been named
   std::vector<ChannelError> channels;
   std::vector<std::string> joints;
   std::vector<EstimatedMotion> motion;  ///< in the order of time

@@ -11,6 +11,7 @@
 #include "diagnose/sensors/reflection.h"
 #include "diagnose/tolerances/default_tolerances.h"
 #include "sensors/imu/imu_slots.h"
+#include "sensors/sensor_mechanisms.h"
 #include "sensors/slots/effect_numbers.h"
 
 namespace tera {
@@ -26,6 +27,8 @@ constexpr double kLeastShare = 0.01;  ///< of the default: what is stated as exa
 /// stands for what the models leave out.
 constexpr double kBiasWander = 0.25, kWander = 0.06;
 constexpr double kMostDelay_s = 3;
+/// Poses and the ground have numbers of mechanisms of these.
+constexpr EffectTarget kImu = EffectTarget::kImu, kGnss = EffectTarget::kGnss;
 constexpr const char* kDelay = "clock_offset";  ///< stands for latency and filter as well
 
 double UsualHalfWidth(const std::string& target, const std::string& mechanism,
@@ -38,20 +41,21 @@ double UsualHalfWidth(const std::string& target, const std::string& mechanism,
 /// Adds one group's numbers, with the tolerance that is stated of each.
 class GroupOf {
  public:
-  GroupOf(ParameterTable* table, const std::string& target, const std::string& mechanism)
+  GroupOf(ParameterTable* table, const std::string& target, EffectTarget kind,
+          std::string_view mechanism)
       : table_(table) {
     const int first = static_cast<int>(table->parameters.size());
-    table->groups.push_back({target, mechanism, first});
+    table->groups.push_back({{target, &SensorMechanism(mechanism, kind)}, first});
   }
   /// `documented_si` is in SI units, of which one of the unit has `si_per_unit`; a number is looked
   /// for within `range` to both sides of it, in its own unit.
   GroupOf& Number(const std::string& name, const std::string& unit, double si_per_unit,
                   double documented_si, double range, double wander_share) {
     const ParameterGroup& group = table_->groups.back();
-    const double usual = si_per_unit * UsualHalfWidth(group.target, group.mechanism, name);
+    const std::string id(group.mechanism->id);
+    const double usual = si_per_unit * UsualHalfWidth(group.target, id, name);
     const double tolerance =
-        std::max(si_per_unit * table_->HalfWidthOf(group.target, group.mechanism, name),
-                 kLeastShare * usual);
+        std::max(si_per_unit * table_->HalfWidthOf(group.target, id, name), kLeastShare * usual);
     table_->parameters.push_back({name, unit, si_per_unit, documented_si, tolerance,
                                   kFreeShare * usual, wander_share * tolerance,
                                   documented_si - si_per_unit * range,
@@ -67,16 +71,17 @@ class GroupOf {
 
 constexpr std::array<const char*, 3> kAxes = {"x", "y", "z"};
 
-int AddDelay(const std::string& target, const Effects& effects, ParameterTable* table) {
-  return GroupOf(table, target, kDelay)
+int AddDelay(const std::string& target, EffectTarget kind, const Effects& effects,
+             ParameterTable* table) {
+  return GroupOf(table, target, kind, kDelay)
       .Number("offset_s", "s", 1, DocumentedDelay_s(effects), kMostDelay_s, kWander)
       .first();
 }
 
-int AddShift(const std::string& target, const std::string& mechanism, const Effects& effects,
-             double range_m, ParameterTable* table) {
+int AddShift(const std::string& target, EffectTarget kind, const std::string& mechanism,
+             const Effects& effects, double range_m, ParameterTable* table) {
   const Vec3 documented_m = VectorOf(effects, mechanism, "x_m", "y_m", "z_m");
-  GroupOf group(table, target, mechanism);
+  GroupOf group(table, target, kind, mechanism);
   for (std::size_t i = 0; i < 3; ++i) {
     group.Number(std::string(kAxes[i]) + "_m", "m", 1, documented_m[static_cast<int>(i)], range_m,
                  kWander);
@@ -145,16 +150,16 @@ Eigen::VectorXd ParameterTable::Wander() const {
 std::vector<int> ParameterTable::Delays() const {
   std::vector<int> delays;
   for (const ParameterGroup& group : groups) {
-    if (group.mechanism == kDelay) delays.push_back(group.first);
+    if (group.mechanism->id == kDelay) delays.push_back(group.first);
   }
   return delays;
 }
 
 void ParameterTable::LimitTo(const CandidateLibrary& library) {
   for (ParameterGroup& group : groups) {
-    group.may_be_named = group.may_be_named && Admits(library, group.mechanism);
+    group.may_be_named = group.may_be_named && Admits(library, group.mechanism->id);
     for (const auto& [mechanism, ranges] : library.ranges) {
-      if (mechanism->id != group.mechanism) continue;
+      if (mechanism != group.mechanism) continue;
       for (const NumberRange& range : ranges) {
         for (int i = group.first; i < group.first + group.count; ++i) {
           SensorParameter& one = parameters[static_cast<std::size_t>(i)];
@@ -162,7 +167,7 @@ void ParameterTable::LimitTo(const CandidateLibrary& library) {
           one.lower = one.si_per_unit * range.lower;
           one.upper = one.si_per_unit * range.upper;
           // The linear numbers of a reflection have either sign, whatever its azimuth.
-          if (group.mechanism == kMultipath) one.lower = -one.upper;
+          if (group.mechanism->id == kMultipath) one.lower = -one.upper;
         }
       }
     }
@@ -173,7 +178,7 @@ void AddImuParameters(const SensorDescription& unit, ParameterTable* table, Unit
   const auto& model = std::get<ImuModel>(unit.model);
   const Effects& effects = unit.effects;
   channel->signs = AxisSigns(effects);
-  GroupOf bias(table, unit.name, "bias");
+  GroupOf bias(table, unit.name, kImu, "bias");
   channel->bias = bias.first();
   for (std::size_t i = 0; i < 3; ++i) {
     const std::string name = std::string("gyro_") + kAxes[i] + "_degps";
@@ -188,28 +193,28 @@ void AddImuParameters(const SensorDescription& unit, ParameterTable* table, Unit
                 model.accel_bias_mps2[static_cast<int>(i)] + NumberOf(effects, "bias", name, 0), 5,
                 kBiasWander);
   }
-  GroupOf scale(table, unit.name, "scale");
+  GroupOf scale(table, unit.name, kImu, "scale");
   channel->scale = scale.first();
   for (std::size_t i = 0; i < 6; ++i) {
     const std::string name = std::string(i < 3 ? "gyro_" : "accel_") + kAxes[i % 3] + "_factor";
     scale.Number(name, "1", 1, NumberOf(effects, "scale", name, 1), 0.4, kWander);
   }
   const Vec3 mount_deg = VectorOf(effects, "mount_rotation", "roll_deg", "pitch_deg", "yaw_deg");
-  GroupOf mount(table, unit.name, "mount_rotation");
+  GroupOf mount(table, unit.name, kImu, "mount_rotation");
   channel->mount = mount.first();
   for (int i = 0; i < 3; ++i) {
     const std::array<const char*, 3> names = {"roll_deg", "pitch_deg", "yaw_deg"};
     mount.Number(names[static_cast<std::size_t>(i)], "deg", kDeg, mount_deg[i] * kDeg, 57, kWander);
   }
-  channel->place = AddShift(unit.name, "imu_lever_arm", effects, 4, table);
-  channel->late = AddDelay(unit.name, effects, table);
+  channel->place = AddShift(unit.name, kImu, "imu_lever_arm", effects, 4, table);
+  channel->late = AddDelay(unit.name, kImu, effects, table);
 }
 
 void AddReceiverParameters(const SensorDescription& receiver, double segment_s,
                            ParameterTable* table, ReceiverChannel* channel) {
   const auto& model = std::get<GnssModel>(receiver.model);
   const Effects& effects = receiver.effects;
-  channel->place = AddShift(receiver.name, "gnss_lever_arm", effects, 10, table);
+  channel->place = AddShift(receiver.name, kGnss, "gnss_lever_arm", effects, 10, table);
   // Slow errors of a fix are another datum in each segment, which does not differ from the one
   // before by all that it errs: as independent ones they count for more, so that their mean errs by
   // as much as that of a first-order Gauss-Markov process.
@@ -220,7 +225,7 @@ void AddReceiverParameters(const SensorDescription& receiver, double segment_s,
   const double horizontal = std::max(slowness * model.correlated_horizontal_m / east_m, kWander);
   const double vertical = std::max(slowness * model.correlated_vertical_m / up_m, kWander);
   channel->datum =
-      GroupOf(table, receiver.name, "position_datum")
+      GroupOf(table, receiver.name, kGnss, "position_datum")
           .Number("east_m", "m", 1,
                   model.bias_enu_m.x() + NumberOf(effects, "position_datum", "east_m", 0), 1000,
                   horizontal)
@@ -228,11 +233,11 @@ void AddReceiverParameters(const SensorDescription& receiver, double segment_s,
                   model.bias_enu_m.y() + NumberOf(effects, "position_datum", "north_m", 0), 1000,
                   horizontal)
           .first();
-  GroupOf(table, receiver.name, "height_datum")
+  GroupOf(table, receiver.name, kGnss, "height_datum")
       .Number("offset_m", "m", 1,
               model.bias_enu_m.z() + NumberOf(effects, "height_datum", "offset_m", 0), 120,
               vertical);
-  channel->late = AddDelay(receiver.name, effects, table);
+  channel->late = AddDelay(receiver.name, kGnss, effects, table);
 }
 
 void AddReflectionParameters(const SensorDescription& receiver, ParameterTable* table,
@@ -243,7 +248,7 @@ void AddReflectionParameters(const SensorDescription& receiver, ParameterTable* 
       LinearReflection({NumberOf(effects, kMultipath, "horizontal_m", 0),
                         NumberOf(effects, kMultipath, "vertical_m", 0),
                         NumberOf(effects, kMultipath, "azimuth_deg", 0) * kDeg});
-  GroupOf group(table, receiver.name, std::string(kMultipath));
+  GroupOf group(table, receiver.name, kGnss, kMultipath);
   channel->reflection = group.first();
   for (int i = 0; i < 4; ++i) {
     group.Number(i < 2 ? "horizontal_m" : "vertical_m", "m", 1, documented[i], most_m, kWander);
@@ -251,7 +256,7 @@ void AddReflectionParameters(const SensorDescription& receiver, ParameterTable* 
 }
 
 int AddPairYaw(const SensorDescription& receiver, ParameterTable* table) {
-  return GroupOf(table, receiver.name, "antenna_yaw")
+  return GroupOf(table, receiver.name, kGnss, "antenna_yaw")
       .Number("yaw_deg", "deg", kDeg,
               NumberOf(receiver.effects, "antenna_yaw", "yaw_deg", 0) * kDeg, 137, kWander)
       .first();
@@ -263,12 +268,12 @@ void AddAxisParameters(const std::string& target, const Effects& effects, bool s
   const std::string zero = slides ? "travel_m" : "angle_deg";
   const double si_per_unit = slides ? 1 : kDeg;
   channel->bias =
-      GroupOf(table, target, "bias")
+      GroupOf(table, target, EffectTarget::kEncoderAxis, "bias")
           .Number(zero, slides ? "m" : "deg", si_per_unit,
                   NumberOf(effects, "bias", zero, 0) * si_per_unit, slides ? 1 : 57, kWander)
           .first();
   channel->scale =
-      GroupOf(table, target, "scale")
+      GroupOf(table, target, EffectTarget::kEncoderAxis, "scale")
           .Number("position_factor", "1", 1, NumberOf(effects, "scale", "position_factor", 1),
                   kWidestScale, kWander)
           .first();
@@ -278,26 +283,27 @@ void AddAxisParameters(const std::string& target, const Effects& effects, bool s
 }
 
 int AddEncoderDelay(const std::string& target, const Effects& effects, ParameterTable* table) {
-  return AddDelay(target, effects, table);
+  return AddDelay(target, EffectTarget::kEncoder, effects, table);
 }
 
 int AddGroundHeight(ParameterTable* table) {
-  const int place =
-      GroupOf(table, "ground", "height_datum").Number("offset_m", "m", 1, 0, 120, kWander).first();
+  const int place = GroupOf(table, "ground", kGnss, "height_datum")
+                        .Number("offset_m", "m", 1, 0, 120, kWander)
+                        .first();
   table->groups.back().may_be_named = false;
   return place;
 }
 
 void AddPoseParameters(bool were_measured, ParameterTable* table, MapChannel* channel) {
   const std::string target(kPoses);
-  channel->late = AddDelay(target, {}, table);
+  channel->late = AddDelay(target, kImu, {}, table);
   if (!were_measured) return;
-  channel->shift = GroupOf(table, target, "position_datum")
+  channel->shift = GroupOf(table, target, kGnss, "position_datum")
                        .Number("east_m", "m", 1, 0, 1000, kBiasWander)
                        .Number("north_m", "m", 1, 0, 1000, kBiasWander)
                        .first();
-  GroupOf(table, target, "height_datum").Number("offset_m", "m", 1, 0, 120, kBiasWander);
-  channel->turn = GroupOf(table, target, "mount_rotation")
+  GroupOf(table, target, kGnss, "height_datum").Number("offset_m", "m", 1, 0, 120, kBiasWander);
+  channel->turn = GroupOf(table, target, kImu, "mount_rotation")
                       .Number("roll_deg", "deg", kDeg, 0, 28, kBiasWander)
                       .Number("pitch_deg", "deg", kDeg, 0, 28, kBiasWander)
                       .Number("yaw_deg", "deg", kDeg, 0, 57, kBiasWander)

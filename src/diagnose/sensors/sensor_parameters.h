@@ -20,9 +20,18 @@ struct SensorParameter {
   double lower = 0, upper = 0;
 };
 
+/// A mechanism, one of the table of all, and what it acts on.
+struct TargetMechanism {
+  std::string target;
+  const Mechanism* mechanism = nullptr;
+
+  bool operator==(const TargetMechanism&) const = default;
+  /// "imu_boom/bias", for reports.
+  std::string Name() const { return target + "/" + std::string(mechanism->id); }
+};
+
 /// A mechanism of one target, with all its numbers: what is named, or not, as a whole.
-struct ParameterGroup {
-  std::string target, mechanism;
+struct ParameterGroup : TargetMechanism {
   int first = 0, count = 0;  ///< its parameters
   bool may_be_named = true;
 };

@@ -4,18 +4,25 @@
 #include <gtest/gtest.h>
 
 #include "diagnose/report/text/sensor_text.h"
+#include "sensors/sensor_mechanisms.h"
 
 namespace tera {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
 /// A unit turned by 2 deg, known to 0.1 deg, not told apart from an encoder's zero.
 SensorDiagnosis TurnedUnit() {
   SensorDiagnosis made;
-  SensorFinding turned{"imu_boom", "mount_rotation", {}, 120, 1e-6, {"encoders/boom/bias"}};
+  SensorFinding turned{{"imu_boom", &SensorMechanism("mount_rotation", EffectTarget::kImu)},
+                       {},
+                       120,
+                       1e-6,
+                       {{"encoders/boom", &SensorMechanism("bias", EffectTarget::kEncoderAxis)}}};
   turned.signal_to_noise = 5;
   turned.numbers = {{"roll_deg", "deg", 2, 0.1, 0, 0.46, true},
                     {"pitch_deg", "deg", 0.01, 0.1, 0, 0.46, false},
@@ -57,6 +64,17 @@ TEST(DiagnosedSensors, HaveTheNumbersOfTheMechanismAndTheChannelInWhichTheyShowM
   ASSERT_THAT(finding.evidence.rivals, SizeIs(2));
   EXPECT_EQ(finding.evidence.rivals[1]->target, "encoders/boom");
   EXPECT_EQ(finding.evidence.rivals[1]->mechanism->id, "bias");
+}
+
+// Inertial units have a bias too, which is no encoder's and has other numbers.
+TEST(DiagnosedSensors, RivalOfAnEncoderIsTheEncodersMechanismAndNotAUnitsOfTheSameName) {
+  const DiagnosedSensors told = DiagnosedOf(TurnedUnit(), "m");
+  const Candidate& rival = *told.findings[0].finding.evidence.rivals[1];
+  EXPECT_TRUE(rival.mechanism->ActsOn(EffectTarget::kEncoderAxis));
+  EXPECT_FALSE(rival.mechanism->ActsOn(EffectTarget::kImu));
+  EXPECT_THAT(rival.mechanism->parameters, Contains(Field(&EffectParameter::name, "angle_deg")));
+  const auto sentences = SensorSentences(told);
+  EXPECT_THAT(sentences[0], HasSubstr("bias of the encoders"));
 }
 
 TEST(DiagnosedSensors, UnitThatTheMotionFollowsIsShownByWhatBearsItsError) {

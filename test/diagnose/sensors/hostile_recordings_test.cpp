@@ -24,7 +24,7 @@ void ExpectNothingNamed(const DiagnosisInput& input, const Measurements& measure
   }
   std::vector<std::string> named;
   for (const SensorFinding& finding : told.findings) {
-    named.push_back(finding.target + "/" + finding.mechanism);
+    named.push_back(finding.Name());
   }
   EXPECT_THAT(named, IsEmpty());
   for (const ChannelError& channel : told.channels) {

@@ -27,7 +27,7 @@ constexpr double kTolerance = 0.5;
 ParameterTable Table(int groups) {
   ParameterTable table;
   for (int g = 0; g < groups; ++g) {
-    table.groups.push_back({"sensor" + std::to_string(g), "bias", 2 * g, 2});
+    table.groups.push_back({{"sensor" + std::to_string(g), nullptr}, 2 * g, 2});
     for (int k = 0; k < 2; ++k) {
       SensorParameter parameter;
       parameter.name = "number" + std::to_string(k);

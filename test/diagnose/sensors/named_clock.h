@@ -3,6 +3,7 @@
 #include <string>
 
 #include "diagnose/sensors/sensor_diagnosis.h"
+#include "sensors/sensor_mechanisms.h"
 
 namespace tera {
 
@@ -10,7 +11,7 @@ namespace tera {
 inline SensorDiagnosis NamedClock(const std::string& target, double offset_s) {
   SensorFinding found;
   found.target = target;
-  found.mechanism = "clock_offset";
+  found.mechanism = &SensorMechanism("clock_offset", EffectTarget::kEncoder);
   found.numbers = {{"offset_s", "s", offset_s, 0.01, 0, 0.04, true}};
   SensorDiagnosis estimate;
   estimate.findings = {found};

@@ -24,7 +24,7 @@ SensorDiagnosis Diagnosed(MadeRecording* made) {
 std::vector<std::string> NamesOf(const std::vector<SensorFinding>& findings) {
   std::vector<std::string> names;
   for (const SensorFinding& finding : findings) {
-    names.push_back(finding.target + "/" + finding.mechanism);
+    names.push_back(finding.Name());
   }
   return names;
 }
@@ -67,12 +67,11 @@ std::string Told(const SensorDiagnosis& diagnosis) {
   std::vector<SensorFinding> all = diagnosis.findings;
   all.insert(all.end(), diagnosis.within_tolerance.begin(), diagnosis.within_tolerance.end());
   for (const SensorFinding& finding : all) {
-    text += fmt::format("\n{}/{}, gain {:.1f}, p {:.2g}:", finding.target, finding.mechanism,
-                        finding.gain, finding.p);
+    text += fmt::format("\n{}, gain {:.1f}, p {:.2g}:", finding.Name(), finding.gain, finding.p);
     for (const FoundNumber& number : finding.numbers) {
       text += fmt::format(" {} {:.4g} +- {:.2g}", number.name, number.value, number.sigma);
     }
-    for (const std::string& rival : finding.rivals) text += ", or " + rival;
+    for (const TargetMechanism& rival : finding.rivals) text += ", or " + rival.Name();
   }
   return text;
 }
@@ -127,11 +126,7 @@ TEST(SensorDiagnosis, OfNothingWrongNamesNothing) {
 }
 
 Effect OfUnit(std::string_view id, std::vector<double> values) {
-  for (const Mechanism& mechanism : SensorMechanisms()) {
-    if (mechanism.id == id && mechanism.ActsOn(EffectTarget::kImu)) return {&mechanism, values};
-  }
-  ADD_FAILURE() << id;
-  return {};
+  return {&SensorMechanism(id, EffectTarget::kImu), std::move(values)};
 }
 
 // Everything is far beyond its tolerance and as the scenario says.

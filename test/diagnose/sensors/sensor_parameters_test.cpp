@@ -15,11 +15,7 @@ namespace {
 const UsualTolerances kSensorParametersTolerances;
 
 Effect Named(EffectTarget target, std::string_view id, std::vector<double> values) {
-  for (const Mechanism& mechanism : SensorMechanisms()) {
-    if (mechanism.id == id && mechanism.ActsOn(target)) return {&mechanism, std::move(values)};
-  }
-  ADD_FAILURE() << id;
-  return {};
+  return {&SensorMechanism(id, target), std::move(values)};
 }
 
 /// Tables of a unit, a receiver, two axes and poses with their channels.
@@ -56,7 +52,7 @@ TEST(SensorParameters, AreInGroupsThatFollowEachOtherWithoutAGap) {
   const All all;
   int next = 0;
   for (const ParameterGroup& group : all.table.groups) {
-    EXPECT_EQ(group.first, next) << group.target << " " << group.mechanism;
+    EXPECT_EQ(group.first, next) << group.Name();
     EXPECT_GT(group.count, 0);
     next += group.count;
   }
@@ -72,7 +68,7 @@ TEST(SensorParameters, TheScaleOfAnAxisIsNamedOnlyWhereItSwings) {
     AxisChannel channel;
     AddAxisParameters("encoders/bucket", {}, false, swing, &table, &channel);
     for (const ParameterGroup& group : table.groups) {
-      EXPECT_EQ(group.may_be_named, group.mechanism != "scale" || may_be_named) << swing;
+      EXPECT_EQ(group.may_be_named, group.mechanism->id != "scale" || may_be_named) << swing;
     }
   }
 }
@@ -81,18 +77,13 @@ TEST(SensorParameters, TheScaleOfAnAxisIsNamedOnlyWhereItSwings) {
 TEST(SensorParameters, AreNumbersOfMechanismsThatThereAre) {
   const All all;
   for (const ParameterGroup& group : all.table.groups) {
-    if (group.target == "poses") continue;
     for (int i = group.first; i < group.first + group.count; ++i) {
       const SensorParameter& one = all.At(i);
       bool is_there = false;
-      for (const Mechanism& mechanism : SensorMechanisms()) {
-        if (mechanism.id != group.mechanism) continue;
-        for (const EffectParameter& parameter : mechanism.parameters) {
-          is_there |= parameter.name == one.name && parameter.unit == one.unit;
-        }
+      for (const EffectParameter& parameter : group.mechanism->parameters) {
+        is_there |= parameter.name == one.name && parameter.unit == one.unit;
       }
-      EXPECT_TRUE(is_there) << group.target << "/" << group.mechanism << " " << one.name << " in "
-                            << one.unit;
+      EXPECT_TRUE(is_there) << group.Name() << " " << one.name << " in " << one.unit;
     }
   }
 }
@@ -152,7 +143,7 @@ TEST(SensorParameters, OfPosesOfASimulationSayNoMoreThanHowLateTheyAre) {
   MapChannel map;
   AddPoseParameters(false, &table, &map);
   ASSERT_EQ(table.groups.size(), 1u);
-  EXPECT_EQ(table.groups[0].mechanism, "clock_offset");
+  EXPECT_EQ(table.groups[0].mechanism->id, "clock_offset");
   EXPECT_EQ(map.late, 0);
   EXPECT_EQ(map.shift, kNoParameter);
   EXPECT_EQ(map.turn, kNoParameter);

@@ -206,8 +206,9 @@ Json Untestable(const Diagnosis& diagnosis) {
     }
   }
   for (const SensorFinding& one : diagnosis.sensors.estimate.untestable) {
-    list.push_back(
-        {{"mechanism", one.mechanism}, {"target", one.target}, {"smallest_detectable", nullptr}});
+    list.push_back({{"mechanism", std::string(one.mechanism->id)},
+                    {"target", one.target},
+                    {"smallest_detectable", nullptr}});
   }
   return list;
 }
@@ -215,7 +216,10 @@ Json Untestable(const Diagnosis& diagnosis) {
 /// Mechanisms of sensors whose effects cancel, so that none of them is named.
 Json NotToldApart(const Diagnosis& diagnosis) {
   Json list = Json::array();
-  for (const auto& names : diagnosis.sensors.estimate.not_told_apart) list.push_back(names);
+  for (const std::vector<TargetMechanism>& set : diagnosis.sensors.estimate.not_told_apart) {
+    list.push_back(Json::array());
+    for (const TargetMechanism& one : set) list.back().push_back(one.Name());
+  }
   return list;
 }
 

@@ -69,7 +69,9 @@ std::vector<std::string> OtherSensorSentences(const DiagnosedSensors& sensors) {
                           "the recording bear it out alike ({}), or something else explains it.",
                           what, p));
   }
-  for (const std::vector<std::string>& names : sensors.estimate.not_told_apart) {
+  for (const std::vector<TargetMechanism>& set : sensors.estimate.not_told_apart) {
+    std::vector<std::string> names;
+    for (const TargetMechanism& one : set) names.push_back(one.Name());
     sentences.push_back(fmt::format(
         "Not told apart, for their effects cancel: {}. None of them is named.", Listed(names)));
   }
