@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "core/error.h"
+#include "dataset/export/stamp_text.h"
 #include "dataset/import/import_csv.h"
 #include "dataset/import/suggest/suggest.h"
 #include "physics/actuation/joint_of_stroke.h"
@@ -64,6 +65,7 @@ void PrintNotes(const ImportedChannel& channel) {
         "jump?\n",
         channel.too_fast, kFastestJoint_radps, channel.fastest_radps, channel.fastest_joint);
   }
+  for (const std::string& remark : channel.remarks) fmt::print("  {}\n", remark);
 }
 
 /// How clocks differ, and what a mapping would say of it.
@@ -89,7 +91,11 @@ void PrintReport(const ImportReport& report) {
     PrintNotes(channel);
   }
   if (report.zero_ns != 0) {
-    fmt::print("times count from {:.9f} s of the files\n", ToSeconds(report.zero_ns));
+    fmt::print("times count from {} s of the files\n", SecondsText(report.zero_ns));
+  }
+  if (report.epoch) {
+    fmt::print("epoch: {} s since 1970, of {}\n", SecondsText(report.epoch->since_1970_ns),
+               TextOf(report.epoch->clock));
   }
   PrintClocks(report);
 }

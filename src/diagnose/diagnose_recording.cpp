@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "dataset/compare/time_alignment.h"
 #include "diagnose/blocks/candidate_list.h"
 #include "diagnose/perception/perception_run.h"
 #include "diagnose/report/files/baselines_json.h"
@@ -128,9 +129,23 @@ std::vector<std::vector<PerceptionDiagnosis>> DiagnoseSensors(const Scenario& sc
 
 }  // namespace
 
+void RequireOtherTime(const Recording& one, const Recording& other) {
+  const auto both = TimeInCommon(one, other);
+  if (!both) return;
+  throw InputError(
+      fmt::format("{}: is of the same time as {}, from {:.3f} s to {:.3f} s of that, by the epochs "
+                  "of both; need "
+                  "recordings of different drives, since each is judged by what it has not seen",
+                  other.directory().string(), one.directory().string(), ToSeconds(both->first_ns),
+                  ToSeconds(both->last_ns)));
+}
+
 std::vector<Diagnosis> DiagnoseRecording(const Scenario& scenario, const Recording& recording,
                                          const DiagnosisTask& task, const FollowProgress& progress,
                                          StageClock* clock) {
+  for (const std::filesystem::path& path : task.held_out) {
+    RequireOtherTime(recording, Recording(path));
+  }
   const DiagnosisOptions options = OptionsOf(task, scenario.seed);
   auto seen =
       clock->Time("lidars and cameras", [&] { return DiagnoseSensors(scenario, recording, task); });

@@ -21,6 +21,11 @@ struct DiagnosisTask {
   int threads = 1;
 };
 
+/// Throws InputError where two recordings are of the same time by their epochs, as of one drive
+/// that was recorded twice: one would be judged by what was fitted to it. Without epochs that is
+/// not known.
+void RequireOtherTime(const Recording& one, const Recording& other);
+
 /// Diagnoses why a recording differs from a scenario: one diagnosis for each machine of the
 /// scenario, of its joints, tracks and base, and of its sensors. `progress` follows the blocks,
 /// `clock` times the stages. Throws InputError where the recording cannot be compared.

@@ -28,7 +28,10 @@ std::vector<DiagnosedRecording> DiagnoseRecordings(
     const DiagnosisTask& task, const FollowProgress& progress, StageClock* clock) {
   RequireDifferent(recordings);
   std::vector<Recording> opened;
-  for (const std::filesystem::path& path : recordings) opened.emplace_back(path);
+  for (const std::filesystem::path& path : recordings) {
+    opened.emplace_back(path);
+    for (std::size_t r = 0; r + 1 < opened.size(); ++r) RequireOtherTime(opened[r], opened.back());
+  }
   std::vector<DiagnosedRecording> diagnosed;
   for (std::size_t r = 0; r < recordings.size(); ++r) {
     DiagnosisTask one = task;

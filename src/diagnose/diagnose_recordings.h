@@ -15,7 +15,7 @@ struct DiagnosedRecording {
 
 /// Diagnoses several recordings of a scenario's machines, one after the other, each by itself and
 /// with all others held out to judge what was found in it. Throws InputError where one cannot be
-/// read or is named twice, before any search.
+/// read, is named twice, or is of the same time as another by their epochs, before any search.
 std::vector<DiagnosedRecording> DiagnoseRecordings(
     const Scenario& scenario, const std::vector<std::filesystem::path>& recordings,
     const DiagnosisTask& task, const FollowProgress& progress, StageClock* clock);

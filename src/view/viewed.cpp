@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "dataset/compare/time_alignment.h"
 #include "dataset/format/recording.h"
 #include "view/viewed_index.h"
 
@@ -15,6 +16,16 @@ namespace {
 std::string NameOf(const std::filesystem::path& path) {
   const std::filesystem::path plain = path.lexically_normal();
   return plain.has_filename() ? plain.filename().string() : plain.parent_path().filename().string();
+}
+
+/// How the second dataset's times lie to the first's; as they are where there is one alone.
+TimeAlignment AlignmentOf(const std::vector<Viewed>& viewed) {
+  std::vector<std::filesystem::path> datasets;
+  for (const Viewed& one : viewed) {
+    if (one.kind == Viewed::Kind::kDataset) datasets.push_back(one.folder.root());
+  }
+  if (datasets.size() != kMostDatasets) return {};
+  return AlignTimes(Recording(datasets[0]), Recording(datasets[1]));
 }
 
 }  // namespace
@@ -57,9 +68,15 @@ void RequireFewDatasets(const std::vector<Viewed>& viewed) {
 std::string IndexJson(const std::vector<Viewed>& viewed, const std::string& excerpt) {
   nlohmann::ordered_json json = {{"format", 1}, {"viewed", nlohmann::ordered_json::array()}};
   if (!excerpt.empty()) json["excerpt"] = excerpt;
+  const TimeAlignment alignment = AlignmentOf(viewed);
+  if (!alignment.told.empty()) json["times"] = alignment.told;
+  std::size_t datasets = 0;
   for (const Viewed& one : viewed) {
     auto index = nlohmann::ordered_json::parse(one.index_json);
     index["name"] = one.name;
+    if (one.kind == Viewed::Kind::kDataset && datasets++ == 1) {
+      index["shift_ns"] = alignment.shift_ns;
+    }
     index["has_stage"] = static_cast<bool>(one.stage);
     json["viewed"].push_back(std::move(index));
   }

@@ -26,7 +26,8 @@ struct Viewed {
 /// read.
 Viewed OpenViewed(const std::filesystem::path& path);
 
-/// All of them for the page: {"format": 1, "viewed": [...]}, with the excerpt's words if it is one.
+/// All of them for the page: {"format": 1, "viewed": [...]}, with the excerpt's words if it is one;
+/// of two datasets with `shift_ns`, by which times of the second are later, and `times`, why so.
 std::string IndexJson(const std::vector<Viewed>& viewed, const std::string& excerpt = "");
 
 /// At most so many datasets stand side by side.

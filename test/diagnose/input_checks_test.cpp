@@ -1,10 +1,15 @@
 #include "diagnose/input_checks.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "core/error.h"
 #include "core/units.h"
+#include "dataset/format/writer.h"
+#include "diagnose/diagnose_recording.h"
+#include "own_folder.h"
 
 namespace tera {
 namespace {
@@ -30,6 +35,34 @@ TEST(InputChecks, ARateThatIsHalfAStrokeLateDoesNotGoAgainstItsLever) {
   EXPECT_NO_THROW(CheckUnitsOf({"real", "m"}, {ToAndFro(0)}));
   // Half a stroke late it goes the other way at once, and follows 0.83 s later.
   EXPECT_NO_THROW(CheckUnitsOf({"real", "m"}, {ToAndFro(0.83)}));
+}
+
+/// A recording of 10 s that begins so long after the others' first moment.
+Recording Begun(const std::string& name, double late_s, bool has_epoch = true) {
+  DatasetInfo info{.scenario_name = name, .simulated = false};
+  if (has_epoch) {
+    info.epoch =
+        RecordingEpoch{1'700'000'000 * kNsPerSecond + FromSeconds(late_s), ClockScale::kUtc};
+  }
+  DatasetWriter writer(OwnFolder() / name, info, {});
+  const ChannelId levers = writer.AddChannel(TableChannel("digger/commands.csv", {"boom"}));
+  for (int k = 0; k <= 10; ++k) {
+    writer.Write(levers, RowSample{k * kNsPerSecond, k * kNsPerSecond, {0.1}});
+  }
+  writer.Finish();
+  return Recording(OwnFolder() / name);
+}
+
+// The second begins 4 s after the first, so that they have 6 s in common; the third after its end.
+TEST(InputChecks, RecordingsOfOneDriveDoNotJudgeEachOther) {
+  const Recording first = Begun("first", 0), second = Begun("second", 4);
+  EXPECT_THAT([&] { RequireOtherTime(first, second); },
+              testing::ThrowsMessage<InputError>(
+                  testing::AllOf(testing::HasSubstr("is of the same time as"),
+                                 testing::HasSubstr("from 4.000 s to 10.000 s of that"),
+                                 testing::HasSubstr("need recordings of different drives"))));
+  EXPECT_NO_THROW(RequireOtherTime(first, Begun("third", 20)));
+  EXPECT_NO_THROW(RequireOtherTime(first, Begun("fourth", 0, false)));
 }
 
 }  // namespace

@@ -274,6 +274,12 @@ class WholeDatasets(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, "format is 7"):
                 tera.Dataset(folder)
 
+    def test_the_epoch_is_exact_and_a_simulation_has_none(self):
+        self.assertIsNone(tera.Dataset(RUN).epoch)
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "dataset.yaml").write_text('format: 1\nepoch: {since_1970_ns: "1700000003000000001", clock: gps}\n')
+            self.assertEqual(tera.Dataset(folder).epoch, (1_700_000_003_000_000_001, "gps"))
+
     def test_the_example_colours_what_the_camera_sees(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "cloud.ply"

@@ -47,6 +47,31 @@ TEST(Viewed, TellsOfADatasetWhatThePageNeeds) {
   EXPECT_EQ(index["channels"][2]["form"], "scans");
 }
 
+/// The small recording with an epoch of UTC, in seconds since 1970.
+Viewed WithEpoch(const std::string& name, const std::string& since_1970_ns) {
+  const std::filesystem::path folder = SmallRecording(name);
+  std::string text = ReadWholeFile(folder / "dataset.yaml");
+  text += "epoch: {since_1970_ns: \"" + since_1970_ns + "\", clock: utc}\n";
+  WriteWholeFile(folder / "dataset.yaml", text);
+  return OpenViewed(folder);
+}
+
+// Both begin with 2 s of the same yard, the second half a second later.
+TEST(Viewed, LaysTheTimesOfTwoDatasetsBesideEachOtherByTheirEpochs) {
+  const json index = json::parse(IndexJson(
+      {WithEpoch("first", "1700000000000000000"), WithEpoch("second", "1700000000500000001")}));
+  EXPECT_FALSE(index["viewed"][0].contains("shift_ns"));
+  EXPECT_EQ(index["viewed"][1]["shift_ns"], 500'000'001);
+  EXPECT_THAT(index["times"].get<std::string>(), HasSubstr("by the epochs of both, of UTC"));
+}
+
+TEST(Viewed, SaysThatTwoDatasetsCannotBeLaidBesideEachOtherByTime) {
+  const json index = json::parse(
+      IndexJson({WithEpoch("with", "1700000000000000000"), OpenViewed(SmallRecording("without"))}));
+  EXPECT_EQ(index["viewed"][1]["shift_ns"], 0);
+  EXPECT_THAT(index["times"].get<std::string>(), HasSubstr("without has none"));
+}
+
 TEST(Viewed, TellsOfADiagnosisWhatItFoundAndItsFiles) {
   const std::filesystem::path folder = OwnFolder() / "why";
   WriteFileAt(folder / "diagnosis.json", R"({"format": 2, "verdict": ["named"], "findings": []})");

@@ -52,7 +52,8 @@ function topBar(index, panels) {
   });
   const names = index.viewed.map((one, k) => h("span.name", { title: one.kind }, state.datasets.length > 1 && one.kind === "dataset" ? h("b", {}, `${state.datasets.find((d) => d.source === k).letter} `) : null,
     one.name, h("span.hint", {}, one.kind === "diagnosis" ? " diagnosis" : one.simulated ? " simulated" : " real")));
-  return h("header.top", {}, h("h1", {}, "TERA"), names, index.excerpt ? h("span.hint.excerpt", {}, index.excerpt) : null, h("span.space"), readout,
+  return h("header.top", {}, h("h1", {}, "TERA"), names, index.excerpt ? h("span.hint.excerpt", {}, index.excerpt) : null,
+    index.times ? h("span.hint.times", { title: index.times }, `times: ${index.times}`) : null, h("span.space"), readout,
     h("button", { title: "Dark or light (T)", "aria-label": "Dark or light", onclick: () => theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark") }, "◐"),
     h("button", { title: "Keys (?)", "aria-label": "Keys", onclick: () => panels.help.showModal() }, "?"));
 }
@@ -98,8 +99,9 @@ function splitter(root, name, axis, low, high) {
 async function findTimes() {
   let from = Infinity, to = -Infinity;
   for (const dataset of state.datasets) {
-    from = Math.min(from, 0);
-    to = Math.max(to, dataset.index.duration_s);
+    const shift_s = 1e-9 * (dataset.index.shift_ns ?? 0);
+    from = Math.min(from, shift_s);
+    to = Math.max(to, dataset.index.duration_s + shift_s);
   }
   for (const diagnosis of state.diagnoses) {
     for (const [a, b] of diagnosis.findings.flatMap((finding) => finding.intervals_s)) {
@@ -155,7 +157,7 @@ async function start() {
   const { index, pack } = await readIndex();
   const calls = new Calls();
   const list = index.viewed.map((one, k) => ({
-    base: new URL(`data/${k}/`, location.href).href, prefix: `${k}/`, classes: one.classes ?? [],
+    base: new URL(`data/${k}/`, location.href).href, prefix: `${k}/`, classes: one.classes ?? [], shift_ns: one.shift_ns ?? 0,
     sizes: Object.fromEntries([...(one.channels ?? []).map((c) => [c.file, c.bytes]), ...Object.entries(one.series ?? {})]),
   }));
   await calls.open({ list, pack });

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import yaml
@@ -14,6 +15,13 @@ from tera.data.pose import PoseTrack, inverse
 from tera.data.table import Table
 
 Channel = Table | Camera | Lidar | PoseTrack
+
+
+class Epoch(NamedTuple):
+    """When the times of a recording are 0."""
+
+    since_1970_ns: int
+    clock: str  #: `utc` (Unix time), `gps` (ahead of it by the leap seconds since 1980) or `unknown`
 
 #: Pose of the optical frame C in a camera's sensor frame S: z of C is x of S, x of C is -y of S.
 X_SC = np.array([[0.0, 0, 1, 0], [-1, 0, 0, 0], [0, -1, 0, 0], [0, 0, 0, 1]])
@@ -42,6 +50,12 @@ class Dataset:
         self.instances: dict[int, dict] = {i["id"]: i for i in self.info.get("instances", [])}
         self._channels: dict[str, Channel] = {}
         self._sensors: dict[str, dict] = {}
+
+    @property
+    def epoch(self) -> Epoch | None:
+        """When t_ns 0 was, exact to the nanosecond; None where dataset.yaml does not say."""
+        epoch = self.info.get("epoch")
+        return Epoch(int(epoch["since_1970_ns"]), epoch.get("clock", "unknown")) if epoch else None
 
     def __repr__(self) -> str:
         return f"Dataset({str(self.path)!r}): {len(self.types)} channels"

@@ -59,7 +59,10 @@ const JointTree* ExportJob::JointTreeOf(const std::string& machine) {
 }
 
 TimeNs ExportJob::Stamp(TimeNs t_ns, TimeNs without_date) const {
-  return t_ns + options.start_utc_ns.value_or(without_date);
+  const std::optional<RecordingEpoch>& epoch = recording.info().epoch;
+  const bool needs_date = without_date != 0;
+  const TimeNs own_ns = needs_date && epoch ? UtcOf(*epoch) : without_date;
+  return t_ns + options.start_utc_ns.value_or(own_ns);
 }
 
 void RequireAny(const std::vector<std::string>& paths, const ExportJob& job,

@@ -129,7 +129,8 @@ struct ExportOptions {
   bool resume = false;
   int threads = 2;  ///< that read, decode and encode frames; they change no byte
   /// UTC of the recording's time 0, in ns since 1970. Without it, times stay what they are, but in
-  /// formats that must have a date, where it is kDefaultStart_ns.
+  /// formats that must have a date, where it is the recording's epoch, and without one
+  /// kDefaultStart_ns.
   std::optional<TimeNs> start_utc_ns;
   BagStorage storage = BagStorage::kMcap;
   BagCompression compression = BagCompression::kZstd;  ///< of MCAP's chunks

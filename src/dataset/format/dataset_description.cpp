@@ -40,6 +40,7 @@ std::string DatasetYaml(const DatasetInfo& info, const std::vector<ChannelDescri
                  YamlQuoted(info.scenario_name), info.simulated, info.seed, info.duration_s);
   fmt::format_to(out, "origin: {{lat_deg: {}, lon_deg: {}, height_m: {}}}\n", info.origin_lat_deg,
                  info.origin_lon_deg, info.origin_height_m);
+  if (info.epoch) text += EpochYaml(*info.epoch);
   fmt::format_to(out, "channels:{}\n", channels.empty() ? " []" : "");
   for (const ChannelDescription& channel : channels) {
     fmt::format_to(out, "  - {{path: {}, type: {}}}\n", YamlQuoted(channel.path), channel.type);

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "dataset/format/epoch.h"
 
 namespace tera {
 
@@ -20,6 +23,7 @@ struct DatasetInfo {
   bool simulated = true;
   std::uint64_t seed = 0;
   double duration_s = 0;
+  std::optional<RecordingEpoch> epoch;  ///< none of a simulation
   double origin_lat_deg = 0, origin_lon_deg = 0, origin_height_m = 0;
   std::string resolved_scenario_yaml;  ///< goes to scenario.yaml
   struct Instance {

@@ -120,6 +120,7 @@ DatasetInfo ReadInfo(const ConfigMap& root) {
   info.seed = Seed(root);
   info.duration_s = root.Number("duration_s", AtLeast(0, "s"));
   ReadOrigin(root.Map("origin"), &info);
+  info.epoch = ReadEpoch(root);
   for (const ConfigMap& item : root.List("classes")) {
     const auto id = static_cast<std::size_t>(item.Integer("id", Between(0, 255, "")));
     const std::string name = item.Text("name");

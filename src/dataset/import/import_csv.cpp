@@ -31,6 +31,7 @@ Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options, Unpacked
   for (const char* shared : {"file", "time", "csv"})
     top.Has(shared);  // if each channel has its own
   mapping.starts_at_zero = top.Choice("zero", {"start", "as_written"}, "as_written") == "start";
+  mapping.epoch = ReadEpoch(top, /*may_count_from_1970=*/true);
   top.Has("machine_model");  // asked for by encoders that need it
   if (const auto origin = top.OptionalMap("origin")) {
     mapping.info.origin_lat_deg = origin->Number("lat_deg", Between(-90, 90, "deg"));
@@ -63,17 +64,33 @@ Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options, Unpacked
   return mapping;
 }
 
-/// The earliest time of all rows that come in, in the files' times; 0 where none does.
-TimeNs FirstOf(const Mapping& mapping, const ImportOptions& options) {
+/// The zero of the recording in the files' times.
+struct FoundZero {
+  TimeNs zero_ns = 0;
+  ClockScale clock = ClockScale::kUnknown;  ///< that all files have
+};
+
+/// The earliest time of all rows that come in; 0 where none does.
+FoundZero FirstOf(const Mapping& mapping, const ImportOptions& options) {
   // Whether a row comes in is known when its channel has been made of it.
   ImportRun run(options, nullptr, 0);
   for (const ImportJob& job : mapping.jobs) job(&run);
+  const ClockScale clock = run.Clock();
   std::optional<TimeNs> first_ns;
   for (const ImportedChannel& channel : run.TakeReport().channels) {
     if (channel.rows == 0) continue;
     first_ns = std::min(first_ns.value_or(channel.first_ns), channel.first_ns);
   }
-  return first_ns.value_or(0);
+  return {first_ns.value_or(0), clock};
+}
+
+/// When the recording's times are 0, as far as the mapping or the size of the files' times tells.
+std::optional<RecordingEpoch> EpochOf(const Mapping& mapping, const FoundZero& zero) {
+  if (mapping.epoch) {
+    return RecordingEpoch{mapping.epoch->since_1970_ns + zero.zero_ns, mapping.epoch->clock};
+  }
+  if (ToSeconds(zero.zero_ns) < kEpoch_s) return std::nullopt;
+  return RecordingEpoch{zero.zero_ns, zero.clock};
 }
 
 void RequireOwnZero(const std::filesystem::path& mapping, const ImportReport& report) {
@@ -119,12 +136,14 @@ ImportReport ImportCsv(const std::filesystem::path& mapping_file, const std::fil
   UnpackedFiles unpacked;
   Mapping mapping = ReadMapping(config.root(), options, &unpacked);
   config.Finish();
-  const TimeNs zero_ns = mapping.starts_at_zero ? FirstOf(mapping, options) : TimeNs{0};
+  const FoundZero zero = mapping.starts_at_zero ? FirstOf(mapping, options) : FoundZero{};
+  mapping.info.epoch = EpochOf(mapping, zero);
   const auto run_jobs = [&](DatasetWriter* writer) {
-    ImportRun run(options, writer, zero_ns);
+    ImportRun run(options, writer, zero.zero_ns);
     for (const ImportJob& job : mapping.jobs) job(&run);
     ImportReport report = run.TakeReport();
-    report.zero_ns = zero_ns;
+    report.zero_ns = zero.zero_ns;
+    report.epoch = mapping.info.epoch;
     RequireOwnZero(mapping_file, report);
     return report;
   };

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/config/config.h"
 #include "core/time.h"
+#include "dataset/format/epoch.h"
 #include "dataset/import/clocks/clock_difference.h"
 
 namespace tera {
@@ -46,11 +48,13 @@ struct ImportedChannel {
   std::int64_t too_fast = 0;  ///< rates of joints that no machine's joint has
   double fastest_radps = 0;   ///< of these
   std::string fastest_joint;
+  std::vector<std::string> remarks;  ///< on what else may be wrong, or was put right as asked for
 };
 
 struct ImportReport {
   std::vector<ImportedChannel> channels;
   TimeNs zero_ns = 0;                   ///< of the recording, in the files' times
+  std::optional<RecordingEpoch> epoch;           ///< of the recording
   std::vector<ClockDifference> clocks;  ///< told, and never put right
 };
 

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/types/mounting.h"
 #include "dataset/import/bag/standard_topics.h"
+#include "dataset/import/logs/foreign_log.h"
 
 namespace tera {
 namespace {
@@ -46,6 +47,12 @@ double TypicalRate_hz(const std::vector<MappedRow>& rows) {
   return 1.0 / ToSeconds(*middle);
 }
 
+/// Receivers' logs come as UTC. What wrote a bag or a table had some clock.
+ClockScale ClockOf(const RowSource& source) {
+  const bool is_utc = source.log_type == kPosType || source.log_type == kNmeaType;
+  return is_utc && source.time.column == kLogTimeColumn ? ClockScale::kUtc : ClockScale::kUnknown;
+}
+
 }  // namespace
 
 std::vector<MappedRow> ImportRun::Read(const std::string& path, const RowSource& source,
@@ -67,6 +74,7 @@ std::vector<MappedRow> ImportRun::Read(const std::string& path, const RowSource&
       }
     });
   }
+  clocks_.insert(ClockOf(source));
   channel.left_out = left_out.count;
   channel.first_fault = left_out.first;
   Describe(rows, &channel);
@@ -82,6 +90,10 @@ void ImportRun::AddMotion(const RowSource& source, std::vector<MotionSeries> ser
                       .clock = source.file.string() + "\n" + topic + "\n" + time,
                       .interval_s = ToSeconds(last()->interval_ns),
                       .series = std::move(series)});
+}
+
+ClockScale ImportRun::Clock() const {
+  return clocks_.size() == 1 ? *clocks_.begin() : ClockScale::kUnknown;
 }
 
 ImportReport ImportRun::TakeReport() {

@@ -36,6 +36,8 @@ class ImportRun {
   /// None where nothing is to be written.
   DatasetWriter* writer() const { return writer_; }
   const ImportOptions& options() const { return options_; }
+  /// What the clocks of all that was read count, where they are known to be one.
+  ClockScale Clock() const;
   /// With the clocks compared.
   ImportReport TakeReport();
 
@@ -45,6 +47,7 @@ class ImportRun {
   TimeNs zero_ns_;
   ImportReport report_;
   std::vector<ChannelMotion> motions_;
+  std::set<ClockScale> clocks_;
 };
 
 /// Writes one channel; made while the mapping is read, run when it is known to be sound.
@@ -56,6 +59,7 @@ struct Mapping {
   std::set<std::string> paths;  ///< of channels
   std::vector<ImportJob> jobs;
   bool starts_at_zero = false;  ///< times are counted from the first measurement
+  std::optional<RecordingEpoch> epoch;   ///< when the files' times are 0, where the mapping says so
   const ImportOptions& options;
   UnpackedFiles* unpacked;
 };

@@ -234,6 +234,20 @@ TEST_F(ExportTest, PosHasRtklibsColumnsAndQualities) {
   EXPECT_THAT(lines[5], StartsWith("2024/01/01 00:00:00.100 "));
 }
 
+// 1 700 000 003 s after 1970 are 2023-11-14 22:13:23 UTC; GPS time is 18 s ahead of it.
+TEST_F(ExportTest, FormatsWithDatesTakeThatOfTheEpoch) {
+  const std::string text = ReadWholeFile(recording() / "dataset.yaml");
+  const auto first_line = [&](const std::string& clock) {
+    WriteWholeFile(recording() / "dataset.yaml",
+                   text + "epoch: {since_1970_ns: \"1700000003000000000\", clock: " + clock + "}\n");
+    fs::remove_all(out());
+    To(ExportFormat::kPos);
+    return LinesOf("digger/gnss.pos")[4];
+  };
+  EXPECT_THAT(first_line("utc"), StartsWith("2023/11/14 22:13:23.000 "));
+  EXPECT_THAT(first_line("gps"), StartsWith("2023/11/14 22:13:05.000 "));
+}
+
 TEST_F(ExportTest, NmeaHasASentenceOfEachKindForEachFix) {
   To(ExportFormat::kNmea);
   std::map<std::string, int> sentences;

@@ -21,8 +21,8 @@ function keep(key, block) {
   if (kept.size > MOST_BLOCKS) kept.delete(kept.keys().next().value);
 }
 
-/** Rows that begin in bytes[begin, end): { t_ns, values: one array a column }. */
-export function parseRows(bytes, begin, end, columns) {
+/** Rows that begin in bytes[begin, end), their times later by `shift_ns`: { t_ns, values: one array a column }. */
+export function parseRows(bytes, begin, end, columns, shift_ns = 0) {
   let rows = 0;
   for (let i = begin; i < end; ++i) if (bytes[i] === NEWLINE) ++rows;
   ++rows;
@@ -35,7 +35,7 @@ export function parseRows(bytes, begin, end, columns) {
       if (c === COMMA || c === NEWLINE) {
         const to = i > from && bytes[i - 1] === RETURN ? i - 1 : i;
         const number = numberAt(bytes, from, to);
-        if (field === 0) t_ns[row] = number;
+        if (field === 0) t_ns[row] = number + shift_ns;
         else if (field <= columns) values[field - 1][row] = number;
         ++field;
         from = i + 1;
@@ -82,8 +82,10 @@ class Envelope {
 }
 
 export class Table {
-  constructor(files, path, bytes) {
+  /** Times are those of the file later by `shift_ns`. */
+  constructor(files, path, bytes, shift_ns) {
     this.files = files;
+    this.shift_ns = shift_ns;
     this.path = path;
     this.bytes = bytes;
     this.envelope = null;
@@ -100,7 +102,7 @@ export class Table {
     this.columns = names.slice(1);
     this.body = end + 1;
     this.blocks = Math.max(1, Math.ceil((this.bytes - this.body) / BLOCK_BYTES));
-    const first = parseRows(head, this.body, Math.min(head.length, this.body + 4096), this.columns.length);
+    const first = parseRows(head, this.body, Math.min(head.length, this.body + 4096), this.columns.length, this.shift_ns);
     this.is_empty = first.t_ns.length === 0 || !(first.t_ns[0] === first.t_ns[0]);
     if (this.is_empty) return this;
     this.first_ns = first.t_ns[0];
@@ -121,7 +123,7 @@ export class Table {
     const from = k === 0 ? begin : begin - 1;
     const bytes = await this.files.read(this.path, from, Math.min(this.bytes, end + LONGEST_LINE));
     const start = k === 0 ? 0 : bytes.indexOf(NEWLINE) + 1;
-    const block = parseRows(bytes, start === 0 && k > 0 ? bytes.length : start, end - from, this.columns.length);
+    const block = parseRows(bytes, start === 0 && k > 0 ? bytes.length : start, end - from, this.columns.length, this.shift_ns);
     if (block.t_ns.length) this.firsts_ns.set(k, block.t_ns[0]);
     keep(key, block);
     return block;

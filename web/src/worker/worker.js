@@ -15,8 +15,8 @@ const frame_lists = new Map();
 function tableOf(source, path) {
   const key = `${source}|${path}`;
   if (!tables.has(key)) {
-    const { files, sizes } = sources[source];
-    tables.set(key, new Table(files, path, sizes[path]).open());
+    const { files, sizes, shift_ns } = sources[source];
+    tables.set(key, new Table(files, path, sizes[path], shift_ns).open());
   }
   return tables.get(key);
 }
@@ -26,11 +26,11 @@ const NS = 1e9;
 const methods = {
   open({ list, pack }) {
     const bytes = pack && new Uint8Array(pack.bytes);
-    sources = list.map(({ base, sizes, classes, prefix }) => ({
+    sources = list.map(({ base, sizes, classes, prefix, shift_ns }) => ({
       files: pack ? new PackedFiles(Object.fromEntries(Object.entries(pack.places)
         .filter(([name]) => name.startsWith(prefix)).map(([name, place]) => [name.slice(prefix.length), place])), bytes, prefix)
         : new ServedFiles(base),
-      sizes, classes,
+      sizes, classes, shift_ns,
     }));
     return true;
   },
@@ -94,10 +94,11 @@ const methods = {
   async frames({ source, path }) {
     const key = `${source}|${path}`;
     if (!frame_lists.has(key)) {
-      const bytes = await sources[source].files.read(path).catch(() => new Uint8Array(0));  // no frames, then
+      const { files, shift_ns } = sources[source];
+      const bytes = await files.read(path).catch(() => new Uint8Array(0));  // no frames, then
       const text = new TextDecoder().decode(bytes);
       const lines = text.split("\n").slice(1).filter((line) => line !== "").map((line) => line.trim().split(","));
-      frame_lists.set(key, { t_s: Float64Array.from(lines, (l) => Number(l[0]) / NS), names: lines.map((l) => l[1]) });
+      frame_lists.set(key, { t_s: Float64Array.from(lines, (l) => (Number(l[0]) + shift_ns) / NS), names: lines.map((l) => l[1]) });
     }
     return frame_lists.get(key);
   },
