@@ -1,6 +1,7 @@
 #include "diagnose/measurements.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
@@ -107,6 +108,21 @@ void CheckMeasurements(const DiagnosisInput& input, const Recording& recording,
   }
 }
 
+/// "the recording has gnss (gnss), the scenario imu_boom": what does not match.
+std::string ChannelsText(const DiagnosisInput& input, const Recording& recording) {
+  std::vector<std::string> recorded, wanted;
+  const std::string prefix = input.machine + "/";
+  for (const ChannelDescription& channel : recording.channels()) {
+    if (!channel.path.starts_with(prefix)) continue;
+    recorded.push_back(fmt::format("{} ({})", channel.path.substr(prefix.size()), channel.type));
+  }
+  for (const SensorDescription& sensor : input.sensors) wanted.push_back(sensor.name);
+  const auto list = [](const std::vector<std::string>& names) {
+    return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
+  };
+  return fmt::format("the recording has {}, the scenario {}", list(recorded), list(wanted));
+}
+
 }  // namespace
 
 Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& recording,
@@ -133,11 +149,12 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
   }
   if (!any && !options.needs_any) return measured;
   if (!any) {
-    throw InputError(fmt::format(
-        "{}: {} of {}, and no inertial unit or receiver that the scenario has; need "
-        "something measured to compare",
-        recording.directory().string(),
-        all > 0 ? "no sample in the encoder channels" : "no encoder channel", input.machine));
+    throw InputError(
+        fmt::format("{}: {} of {}, and no inertial unit or receiver that the scenario has; need "
+                    "something measured to compare: {}",
+                    recording.directory().string(),
+                    all > 0 ? "no sample in the encoder channels" : "no encoder channel",
+                    input.machine, ChannelsText(input, recording)));
   }
   CheckMeasurements(input, recording, measured);
   measured.reversed = ReversedAxesOf(input, measured);

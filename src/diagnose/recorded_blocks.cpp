@@ -215,17 +215,32 @@ void AddGnss(const DiagnosisInput& input, const Measurements& measured, Made* ou
   }
 }
 
+/// "digger/encoders, gnss_left": what was recorded, by name.
+std::string RecordedText(const DiagnosisInput& input, const Measurements& measured) {
+  std::vector<std::string> found;
+  for (const NamedEncoders& named : measured.encoders) found.push_back(named.channel);
+  for (std::size_t s = 0; s < input.sensors.size(); ++s) {
+    const bool has_any = !measured.imus[s].empty() || !measured.gnss[s].empty();
+    if (has_any) found.push_back(input.sensors[s].name);
+  }
+  if (!input.commands.columns.empty()) found.emplace_back("levers");
+  if (!measured.efforts.columns.empty()) found.emplace_back("efforts");
+  if (!measured.poses.empty()) found.emplace_back("poses");
+  return found.empty() ? "nothing" : fmt::format("{}", fmt::join(found, ", "));
+}
+
 [[noreturn]] void ThrowNothingToCompare(const DiagnosisInput& input, const Measurements& measured,
                                         const std::vector<std::string>& obstacles) {
   if (!obstacles.empty()) {
     throw InputError(fmt::format("{}: {}", measured.recording, fmt::join(obstacles, "; ")));
   }
   throw InputError(fmt::format(
-      "{}: nothing of {} can be replayed: need levers and encoders of the same joints, efforts and "
+      "{}: nothing of {} can be replayed: found {}; need levers and encoders of the same joints, "
+      "efforts and "
       "encoders of the same joints, encoders of all tracks or wheels and poses, "
       "a receiver and poses, or an inertial unit and what tells how its link moved, over {} s at "
       "least",
-      measured.recording, input.machine, kShortestRecording_s));
+      measured.recording, input.machine, RecordedText(input, measured), kShortestRecording_s));
 }
 
 void CountTimeFrom(TimeNs start_ns, ReplayBlock* block) {

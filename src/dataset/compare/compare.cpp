@@ -7,9 +7,12 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <utility>
 
 #include "core/error.h"
 #include "core/units.h"
+#include "dataset/compare/receiver_tracks.h"
+#include "dataset/compare/time_alignment.h"
 #include "dataset/format/recording.h"
 #include "dataset/format/series_tables.h"
 #include "dataset/overview/gnuplot.h"
@@ -29,20 +32,23 @@ struct Signal {
 
 std::string PosePath(const std::string& machine) { return "truth/" + machine + "/pose.csv"; }
 
-Trajectory LoadTrajectory(const Recording& recording, const std::string& machine) {
+Trajectory LoadTrajectory(const RecordedMachine& machine) {
   Trajectory track;
-  for (const TruthPose& pose : recording.LoadPose(PosePath(machine)).poses) {
-    track.push_back({pose.t_ns, pose.X_WB});
+  if (!machine.recording->Has(PosePath(machine.name))) return track;
+  for (const TruthPose& pose : machine.recording->LoadPose(PosePath(machine.name)).poses) {
+    track.push_back({pose.t_ns + machine.shift_ns, pose.X_WB});
   }
   return track;
 }
 
-std::vector<Signal> SignalsOf(const Recording& recording, const std::string& path) {
+std::vector<Signal> SignalsOf(const Recording& recording, const std::string& path,
+                              TimeNs shift_ns) {
   const TableRecording table = recording.TypeOf(path) == kTableChannel ? recording.LoadTable(path)
                                                                        : recording.LoadRows(path);
   std::vector<Signal> signals;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     Signal signal{table.columns[c], table.t_ns, {}};
+    for (TimeNs& t_ns : signal.t_ns) t_ns += shift_ns;
     for (const std::vector<double>& row : table.rows) signal.value.push_back(row[c]);
     signals.push_back(std::move(signal));
   }
@@ -75,7 +81,8 @@ ChannelDifference Difference(const std::string& channel, const Signal& a, const 
 }
 
 /// Appends the differences of the series of numbers that both machines have.
-void CompareSeries(const Recording& a, const Recording& b, MachineComparison* machine) {
+void CompareSeries(const Recording& a, const Recording& b, TimeNs shift_ns,
+                   MachineComparison* machine) {
   const std::string prefix = machine->name_a + "/";
   std::vector<std::string> series = a.SeriesChannels();
   for (const std::string& table : SeriesTables(a)) series.push_back(table);
@@ -87,8 +94,8 @@ void CompareSeries(const Recording& a, const Recording& b, MachineComparison* ma
     // Of a sensor, whose name a stranger may have chosen, a dot is part of it.
     const bool is_table = a.TypeOf(folder) == kTableChannel;
     const std::string name = is_table ? fs::path(channel).replace_extension().string() : channel;
-    const auto signals_b = SignalsOf(b, other);
-    for (const Signal& signal : SignalsOf(a, folder)) {
+    const auto signals_b = SignalsOf(b, other, shift_ns);
+    for (const Signal& signal : SignalsOf(a, folder, 0)) {
       const auto match = std::find_if(signals_b.begin(), signals_b.end(),
                                       [&](const Signal& s) { return s.column == signal.column; });
       if (match == signals_b.end()) continue;
@@ -98,25 +105,73 @@ void CompareSeries(const Recording& a, const Recording& b, MachineComparison* ma
   }
 }
 
-MachineComparison CompareMachine(const Recording& a, const Recording& b, const std::string& name_a,
-                                 const std::string& name_b) {
-  MachineComparison machine;
-  machine.name_a = name_a;
-  machine.name_b = name_b;
-  if (a.Has(PosePath(name_a)) && b.Has(PosePath(name_b))) {
-    machine.a = LoadTrajectory(a, name_a);
-    machine.b = LoadTrajectory(b, name_b);
+TrackComparison CompareTracks(const std::string& of, TrackComparison::Rotation rotation,
+                              Trajectory a, Trajectory b, TimeNs max_gap_ns) {
+  TrackComparison track{of, rotation, std::move(a), std::move(b), {}, {}, {}};
+  TrajectoryErrorOptions options{.max_gap_ns = max_gap_ns};
+  track.unaligned = EvaluateTrajectory(track.a, track.b, options);
+  options.alignment = Alignment::kSe2;
+  track.aligned_se2 = EvaluateTrajectory(track.a, track.b, options);
+  options.alignment = Alignment::kSe3;
+  track.aligned_se3 = EvaluateTrajectory(track.a, track.b, options);
+  return track;
+}
+
+void CompareReceivers(const RecordedMachine& a, const RecordedMachine& b,
+                      MachineComparison* machine) {
+  ReceiverTracks found = TracksOfReceivers(a, b);
+  for (AntennaTracks& one : found.antennas) {
+    const bool has_heading = !one.heading.empty();
+    machine->tracks.push_back(CompareTracks(
+        has_heading ? one.antenna + ", heading from " + one.heading : one.antenna,
+        has_heading ? TrackComparison::Rotation::kHeading : TrackComparison::Rotation::kNone,
+        std::move(one.a), std::move(one.b), one.max_gap_ns));
   }
-  if (machine.HasTrajectories()) {
-    TrajectoryErrorOptions options;
-    machine.unaligned = EvaluateTrajectory(machine.a, machine.b, options);
-    options.alignment = Alignment::kSe2;
-    machine.aligned_se2 = EvaluateTrajectory(machine.a, machine.b, options);
-    options.alignment = Alignment::kSe3;
-    machine.aligned_se3 = EvaluateTrajectory(machine.a, machine.b, options);
+  machine->remarks = std::move(found.remarks);
+}
+
+MachineComparison CompareMachine(const RecordedMachine& a, const RecordedMachine& b) {
+  MachineComparison machine{.name_a = a.name, .name_b = b.name};
+  Trajectory poses_a = LoadTrajectory(a), poses_b = LoadTrajectory(b);
+  if (!poses_a.empty() && !poses_b.empty()) {
+    machine.tracks.push_back(CompareTracks("poses", TrackComparison::Rotation::kAll,
+                                           std::move(poses_a), std::move(poses_b), kNsPerSecond));
+  } else {
+    CompareReceivers(a, b, &machine);
   }
-  CompareSeries(a, b, &machine);
+  CompareSeries(*a.recording, *b.recording, b.shift_ns, &machine);
   return machine;
+}
+
+/// "imu (imu), gnss_left (gnss)"
+std::string ChannelsText(const Recording& recording, const std::string& machine) {
+  std::vector<std::string> names;
+  for (const ChannelDescription& channel : recording.channels()) {
+    const bool is_of_it =
+        channel.path.starts_with(machine + "/") || channel.path == PosePath(machine);
+    if (is_of_it) names.push_back(fmt::format("{} ({})", channel.path, channel.type));
+  }
+  return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+void RequireSomething(const Recording& a, const Recording& b, const Comparison& comparison) {
+  const auto has_something = [](const MachineComparison& machine) {
+    return !machine.tracks.empty() || !machine.channels.empty();
+  };
+  const auto& machines = comparison.machines;
+  if (std::any_of(machines.begin(), machines.end(), has_something)) return;
+  std::string found;
+  for (const MachineComparison& machine : machines) {
+    fmt::format_to(std::back_inserter(found), "{} has {}, and {} has {}; ", a.directory().string(),
+                   ChannelsText(a, machine.name_a), b.directory().string(),
+                   ChannelsText(b, machine.name_b));
+    for (const std::string& remark : machine.remarks) found += remark + "; ";
+  }
+  throw InputError(
+      fmt::format("nothing can be compared: {}need poses of both (truth/<machine>/pose.csv), a "
+                  "receiver of both "
+                  "with fixes, or a channel of one name and type with times in common",
+                  found));
 }
 
 std::vector<std::pair<std::string, std::string>> MatchMachines(const Recording& a,
@@ -139,33 +194,45 @@ std::vector<std::pair<std::string, std::string>> MatchMachines(const Recording& 
   return matches;
 }
 
-void AppendErrors(std::string* text, const char* title, const TrajectoryError& e) {
+void AppendErrors(std::string* text, const char* title, const TrajectoryError& e,
+                  bool tells_rotation) {
   const ErrorStatistics& t = e.ape_translation_m;
   const ErrorStatistics& r = e.ape_rotation_rad;
-  fmt::format_to(std::back_inserter(*text),
-                 "  {:<22}{:>9.3f}{:>9.3f}{:>9.3f}{:>9.3f}  {:>9.2f}{:>9.2f}{:>9.2f}\n", title,
-                 t.rmse, t.mean, t.median, t.max, r.rmse / kDeg, r.mean / kDeg, r.max / kDeg);
+  const auto out = std::back_inserter(*text);
+  fmt::format_to(out, "  {:<22}{:>9.3f}{:>9.3f}{:>9.3f}{:>9.3f}", title, t.rmse, t.mean, t.median,
+                 t.max);
+  if (tells_rotation) {
+    fmt::format_to(out, "  {:>9.2f}{:>9.2f}{:>9.2f}", r.rmse / kDeg, r.mean / kDeg, r.max / kDeg);
+  }
+  text->push_back('\n');
 }
 
-void AppendTrajectory(std::string* text, const MachineComparison& m) {
-  const TrajectoryError& e = m.unaligned;
+void AppendTrack(std::string* text, const TrackComparison& track) {
+  const TrajectoryError& e = track.unaligned;
+  const bool is_turned = track.rotation != TrackComparison::Rotation::kNone;
   const auto out = std::back_inserter(*text);
-  fmt::format_to(out, "  {:<22}{:>9}{:>9}{:>9}{:>9}  {:>9}{:>9}{:>9}\n", "", "rmse m", "mean m",
-                 "median m", "max m", "rmse deg", "mean deg", "max deg");
-  AppendErrors(text, "APE, not aligned", m.unaligned);
-  AppendErrors(text, "APE, SE(2) aligned", m.aligned_se2);
-  AppendErrors(text, "APE, SE(3) aligned", m.aligned_se3);
+  if (track.rotation != TrackComparison::Rotation::kAll) {
+    fmt::format_to(out, "  antenna {}\n", track.of);
+  }
+  fmt::format_to(out, "  {:<22}{:>9}{:>9}{:>9}{:>9}", "", "rmse m", "mean m", "median m", "max m");
+  if (is_turned) fmt::format_to(out, "  {:>9}{:>9}{:>9}", "rmse deg", "mean deg", "max deg");
+  text->push_back('\n');
+  AppendErrors(text, "APE, not aligned", track.unaligned, is_turned);
+  AppendErrors(text, "APE, SE(2) aligned", track.aligned_se2, is_turned);
+  // Aligned in space, a heading alone is no rotation.
+  AppendErrors(text, "APE, SE(3) aligned", track.aligned_se3,
+               track.rotation == TrackComparison::Rotation::kAll);
   TrajectoryError relative;
   relative.ape_translation_m = e.rpe_translation_m;
   relative.ape_rotation_rad = e.rpe_rotation_rad;
-  AppendErrors(text, "RPE over 1 s", relative);
+  AppendErrors(text, "RPE over 1 s", relative, is_turned);
   fmt::format_to(out,
                  "  {} common times; path length {:.2f} m and {:.2f} m; final drift {:.3f} m "
-                 "({:.1f} % of the path), {:.2f} deg\n",
+                 "({:.1f} % of the path){}\n",
                  e.ape.size(), e.path_length_a_m, e.path_length_b_m, e.final_drift_m,
                  e.path_length_a_m > 0 ? 100.0 * e.final_drift_m / e.path_length_a_m : 0.0,
-                 e.final_drift_rad / kDeg);
-  if (std::min(e.path_length_a_m, e.path_length_b_m) < kTellsHeading_m) {
+                 is_turned ? fmt::format(", {:.2f} deg", e.final_drift_rad / kDeg) : "");
+  if (is_turned && std::min(e.path_length_a_m, e.path_length_b_m) < kTellsHeading_m) {
     text->append("  a path of less than 1 m does not tell its heading: ignore aligned rotations\n");
   }
 }
@@ -190,6 +257,29 @@ Curve ErrorCurve(const std::string& title, const TrajectoryError& error,
   return curve;
 }
 
+/// The charts of one track: its path, and its errors over time.
+void AddCharts(const Comparison& comparison, const std::string& name, const TrackComparison& track,
+               std::vector<Chart>* charts) {
+  charts->push_back({name + ": from above, SE(2) aligned",
+                     "x in m",
+                     "y in m",
+                     true,
+                     {PathCurve(comparison.name_a, track.a, Pose::Identity()),
+                      PathCurve(comparison.name_b, track.b, track.aligned_se2.X_WV)}});
+  const auto errors = [&](double PoseErrorSample::*member, double unit, bool in_space) {
+    std::vector<Curve> curves = {ErrorCurve("not aligned", track.unaligned, member, unit),
+                                 ErrorCurve("SE(2)", track.aligned_se2, member, unit)};
+    if (in_space) curves.push_back(ErrorCurve("SE(3)", track.aligned_se3, member, unit));
+    return curves;
+  };
+  charts->push_back({"APE, translation", "time in s", "m", false,
+                     errors(&PoseErrorSample::translation_m, 1.0, true)});
+  if (track.rotation == TrackComparison::Rotation::kNone) return;
+  const bool is_all = track.rotation == TrackComparison::Rotation::kAll;
+  charts->push_back({is_all ? "APE, rotation" : "error of the heading", "time in s", "deg", false,
+                     errors(&PoseErrorSample::rotation_rad, kDeg, is_all)});
+}
+
 /// Folder and scenario: two runs of one scenario differ by the first.
 std::string NameOf(const Recording& recording) {
   return fmt::format("{} ({})", recording.directory().filename().string(),
@@ -200,12 +290,13 @@ std::string NameOf(const Recording& recording) {
 
 Comparison Compare(const std::filesystem::path& a, const std::filesystem::path& b) {
   const Recording recording_a(a), recording_b(b);
-  Comparison comparison;
-  comparison.name_a = NameOf(recording_a);
-  comparison.name_b = NameOf(recording_b);
+  const TimeAlignment times = AlignTimes(recording_a, recording_b);
+  Comparison comparison{NameOf(recording_a), NameOf(recording_b), times.told, {}};
   for (const auto& [name_a, name_b] : MatchMachines(recording_a, recording_b)) {
-    comparison.machines.push_back(CompareMachine(recording_a, recording_b, name_a, name_b));
+    comparison.machines.push_back(
+        CompareMachine({&recording_a, name_a, 0}, {&recording_b, name_b, times.shift_ns}));
   }
+  RequireSomething(recording_a, recording_b, comparison);
   return comparison;
 }
 
@@ -213,10 +304,12 @@ std::string ComparisonTable(const Comparison& comparison) {
   std::string text =
       fmt::format("reference: {}\ncompared:  {}\n", comparison.name_a, comparison.name_b);
   const auto out = std::back_inserter(text);
+  if (!comparison.times.empty()) fmt::format_to(out, "times:     {}\n", comparison.times);
   for (const MachineComparison& machine : comparison.machines) {
     fmt::format_to(out, "\n{}{}\n", machine.name_a,
                    machine.name_a == machine.name_b ? "" : " and " + machine.name_b);
-    if (machine.HasTrajectories()) AppendTrajectory(&text, machine);
+    for (const TrackComparison& track : machine.tracks) AppendTrack(&text, track);
+    for (const std::string& remark : machine.remarks) fmt::format_to(out, "  {}\n", remark);
     if (machine.channels.empty()) continue;
     fmt::format_to(out, "  {:<40}{:>12}{:>12}{:>9}\n", "channel, in its own unit", "rmse", "mean",
                    "samples");
@@ -232,30 +325,18 @@ void PlotComparison(const Comparison& comparison, const std::filesystem::path& p
   constexpr int kColumns = 3, kWidth_px = 1500, kRowHeight_px = 500;
   std::vector<Chart> charts;
   for (const MachineComparison& m : comparison.machines) {
-    if (!m.HasTrajectories()) continue;
-    charts.push_back({m.name_a + ": from above, SE(2) aligned",
-                      "x in m",
-                      "y in m",
-                      true,
-                      {PathCurve(comparison.name_a, m.a, Pose::Identity()),
-                       PathCurve(comparison.name_b, m.b, m.aligned_se2.X_WV)}});
-    const auto errors = [&](double PoseErrorSample::*member, double unit) {
-      return std::vector<Curve>{ErrorCurve("not aligned", m.unaligned, member, unit),
-                                ErrorCurve("SE(2)", m.aligned_se2, member, unit),
-                                ErrorCurve("SE(3)", m.aligned_se3, member, unit)};
-    };
-    charts.push_back({"APE, translation", "time in s", "m", false,
-                      errors(&PoseErrorSample::translation_m, 1.0)});
-    charts.push_back(
-        {"APE, rotation", "time in s", "deg", false, errors(&PoseErrorSample::rotation_rad, kDeg)});
+    for (const TrackComparison& track : m.tracks) {
+      const bool is_poses = track.rotation == TrackComparison::Rotation::kAll;
+      AddCharts(comparison, is_poses ? m.name_a : m.name_a + ", " + track.of, track, &charts);
+    }
   }
   if (charts.empty()) {
     throw InputError(
-        fmt::format("{}: the recordings have no poses of one machine in common, so "
-                    "there is nothing to plot",
+        fmt::format("{}: the recordings have no poses and no receivers of one machine in common, "
+                    "so there is nothing to plot",
                     png.string()));
   }
-  const int rows = static_cast<int>(charts.size()) / kColumns;
+  const int rows = (static_cast<int>(charts.size()) + kColumns - 1) / kColumns;
   DrawCharts(charts, kColumns, kWidth_px, rows * kRowHeight_px, png);
 }
 

@@ -18,30 +18,40 @@ struct ChannelDifference {
   double mean = 0;  ///< of b - a
 };
 
-/// The trajectories of one machine and its errors under each alignment.
-struct MachineComparison {
-  std::string name_a, name_b;
+/// The trajectories of a machine, or of an antenna on it, and the errors under each alignment.
+struct TrackComparison {
+  /// What the rotations of the trajectories tell.
+  enum class Rotation { kAll, kHeading, kNone };
+
+  std::string of;  ///< "poses", "gnss_left"
+  Rotation rotation = Rotation::kAll;
   Trajectory a, b;
   TrajectoryError unaligned, aligned_se2, aligned_se3;
-  std::vector<ChannelDifference> channels;
+};
 
-  /// False where a side has no poses, as a recording of a parked machine may; then only the
-  /// channels are compared.
-  bool HasTrajectories() const { return !a.empty() && !b.empty(); }
+/// What one machine has in both recordings.
+struct MachineComparison {
+  std::string name_a, name_b;
+  /// By poses; where a side has none, by the antennas that both have; else none, as of a machine
+  /// that is parked.
+  std::vector<TrackComparison> tracks;
+  std::vector<ChannelDifference> channels;
+  std::vector<std::string> remarks;  ///< on what could not be compared
 };
 
 /// Two recordings side by side: `a` is the reference, `b` is judged.
 struct Comparison {
   std::string name_a, name_b;
+  std::string times;  ///< by what times are compared (TimeAlignment::told)
   std::vector<MachineComparison> machines;
 };
 
 /// Compares two recordings, simulated or real. Machines are matched by name; where each side has
-/// just one, those two. Channels of sensors whose rows are numbers over time (not
+/// just one, those two. Where poses of a side are missing, the antennas of both are compared
+/// (TracksOfReceivers). Channels of sensors whose rows are numbers over time (not
 /// of receivers) are matched by folder name, their numbers by column name; samples of `b` are
-/// interpolated to the times of `a`. Times are compared as they stand: both recordings must count
-/// them from the same event (an imported one by its mapping's `time`).
-/// Throws InputError if either cannot be read or they share no machine.
+/// interpolated to the times of `a`. Times are compared by AlignTimes.
+/// Throws InputError if either cannot be read, or they share no machine or nothing of any machine.
 Comparison Compare(const std::filesystem::path& a, const std::filesystem::path& b);
 
 /// The comparison as text for a terminal.

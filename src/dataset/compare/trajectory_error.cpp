@@ -20,19 +20,6 @@ struct Pair {
   Pose a, b;
 };
 
-std::optional<Pose> PoseAt(const Trajectory& track, TimeNs t_ns, TimeNs max_gap_ns) {
-  const auto after = std::lower_bound(track.begin(), track.end(), t_ns,
-                                      [](const TimedPose& p, TimeNs t) { return p.t_ns < t; });
-  if (after == track.end()) return std::nullopt;
-  if (after->t_ns == t_ns) return after->X_WB;
-  if (after == track.begin()) return std::nullopt;
-  const auto before = after - 1;
-  const TimeNs gap_ns = after->t_ns - before->t_ns;
-  if (gap_ns > max_gap_ns) return std::nullopt;
-  const double s = static_cast<double>(t_ns - before->t_ns) / static_cast<double>(gap_ns);
-  return Interpolate(before->X_WB, after->X_WB, s);
-}
-
 std::vector<Pair> Associate(const Trajectory& a, const Trajectory& b, TimeNs max_gap_ns) {
   std::vector<Pair> pairs;
   for (const TimedPose& pose : a) {
@@ -157,6 +144,19 @@ double PathLength(const std::vector<Pair>& pairs, Pose Pair::*member) {
 }
 
 }  // namespace
+
+std::optional<Pose> PoseAt(const Trajectory& track, TimeNs t_ns, TimeNs max_gap_ns) {
+  const auto after = std::lower_bound(track.begin(), track.end(), t_ns,
+                                      [](const TimedPose& p, TimeNs t) { return p.t_ns < t; });
+  if (after == track.end()) return std::nullopt;
+  if (after->t_ns == t_ns) return after->X_WB;
+  if (after == track.begin()) return std::nullopt;
+  const auto before = after - 1;
+  const TimeNs gap_ns = after->t_ns - before->t_ns;
+  if (gap_ns > max_gap_ns) return std::nullopt;
+  const double s = static_cast<double>(t_ns - before->t_ns) / static_cast<double>(gap_ns);
+  return Interpolate(before->X_WB, after->X_WB, s);
+}
 
 TrajectoryError EvaluateTrajectory(const Trajectory& a, const Trajectory& b,
                                    const TrajectoryErrorOptions& options) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/motion.h"
@@ -21,6 +22,9 @@ enum class Alignment {
   kSe2,  ///< yaw about z and a horizontal shift
   kSe3,  ///< rotation and shift
 };
+
+/// The pose between two that lie no further apart than the gap; nothing outside of the track.
+std::optional<Pose> PoseAt(const Trajectory& track, TimeNs t_ns, TimeNs max_gap_ns);
 
 struct TrajectoryErrorOptions {
   Alignment alignment = Alignment::kNone;

@@ -72,9 +72,9 @@ TEST(Compare, FindsShiftsOffsetsAndAlternatingErrors) {
   const Comparison c = Compare(scratch.path() / "real", scratch.path() / "sim");
   ASSERT_EQ(c.machines.size(), 1u);  // one machine each: those two
   const MachineComparison& m = c.machines[0];
-  EXPECT_NEAR(m.unaligned.ape_translation_m.rmse, 0.5, 1e-9);
-  EXPECT_NEAR(m.aligned_se2.ape_translation_m.rmse, 0, 1e-9);
-  EXPECT_NEAR(m.aligned_se3.ape_translation_m.rmse, 0, 1e-9);
+  EXPECT_NEAR(m.tracks.at(0).unaligned.ape_translation_m.rmse, 0.5, 1e-9);
+  EXPECT_NEAR(m.tracks.at(0).aligned_se2.ape_translation_m.rmse, 0, 1e-9);
+  EXPECT_NEAR(m.tracks.at(0).aligned_se3.ape_translation_m.rmse, 0, 1e-9);
   EXPECT_NEAR(Find(m, "wz_radps").mean, 0.02, 1e-12);
   EXPECT_NEAR(Find(m, "wz_radps").rmse, 0.02, 1e-12);
   // 30 rows +0.5, 31 rows -0.5 against itself without: rmse 0.5, mean -0.5 / 61.
@@ -121,7 +121,7 @@ TEST(Compare, ComparesTheChannelsOfAMachineThatHasNoPoses) {
     writer.Finish();
   }
   const Comparison c = Compare(scratch.path() / "circle", scratch.path() / "parked");
-  EXPECT_FALSE(c.machines.at(0).HasTrajectories());
+  EXPECT_THAT(c.machines.at(0).tracks, testing::IsEmpty());
   EXPECT_NEAR(Find(c.machines[0], "wz_radps").mean, -1, 1e-12);
   EXPECT_THAT(ComparisonTable(c), testing::Not(HasSubstr("APE")));
 }

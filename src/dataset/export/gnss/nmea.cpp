@@ -1,4 +1,3 @@
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -12,53 +11,11 @@
 #include "dataset/export/gnss/nmea_sentences.h"
 #include "dataset/export/record_views.h"
 #include "dataset/files/checked_file.h"
+#include "dataset/format/antenna_pair.h"
 #include "dataset/format/recording.h"
-#include "dataset/format/sensor_sheet.h"
 
 namespace tera {
 namespace {
-
-/// The two receivers of a machine, whose antennas together tell where it points.
-///
-/// Frames  W east, north, up; P the link that carries both, x forward, y left, z up.
-/// Model   the horizontal direction of the measured baseline less that of the mounted one:
-///         heading = 90 deg - (yaw of p_W,21 - yaw of p_P,21), clockwise from north.
-/// Omits   roll and pitch of P, which turn the baseline's horizontal direction by a product of the
-///         baseline's slope and the tilt.
-class AntennaPair {
- public:
-  /// The pair among a machine's receivers: there are exactly two of them, mounted on one link at
-  /// known places that are not above one another. Else nothing.
-  static std::optional<AntennaPair> Of(const Recording& recording,
-                                       const std::vector<std::string>& receivers);
-
-  /// Heading of P from a fix of each, of the same time, the first receiver's first.
-  double Heading_rad(const GnssSample& first, const GnssSample& second) const;
-
- private:
-  explicit AntennaPair(double mounted_yaw_rad) : mounted_yaw_rad_(mounted_yaw_rad) {}
-  double mounted_yaw_rad_;
-};
-
-/// A shorter horizontal baseline tells no direction: receivers measure to some centimetres.
-constexpr double kShortestBaseline_m = 0.2;
-
-std::optional<AntennaPair> AntennaPair::Of(const Recording& recording,
-                                           const std::vector<std::string>& receivers) {
-  if (receivers.size() != 2) return std::nullopt;
-  const SensorSheet first = ReadSensorSheet(recording.directory() / receivers[0]);
-  const SensorSheet second = ReadSensorSheet(recording.directory() / receivers[1]);
-  if (!first.X_PS || !second.X_PS || first.parent_link != second.parent_link) return std::nullopt;
-  const Vec3 baseline_m = second.X_PS->translation() - first.X_PS->translation();
-  if (baseline_m.head<2>().norm() < kShortestBaseline_m) return std::nullopt;
-  return AntennaPair(std::atan2(baseline_m.y(), baseline_m.x()));
-}
-
-double AntennaPair::Heading_rad(const GnssSample& first, const GnssSample& second) const {
-  const Vec3 baseline_m = second.enu_m - first.enu_m;
-  const double measured_yaw_rad = std::atan2(baseline_m.y(), baseline_m.x());
-  return 90 * kDeg - (measured_yaw_rad - mounted_yaw_rad_);
-}
 
 /// A receiver's file, and where it has one the receiver that it makes a pair with.
 struct Receiver {
