@@ -11,6 +11,7 @@
 #include "core/types/sample_rows.h"
 #include "core/units.h"
 #include "dataset/format/channel.h"
+#include "dataset/import/angle_wrap.h"
 #include "dataset/import/bag/standard_topics.h"
 #include "dataset/import/import_run.h"
 
@@ -26,6 +27,8 @@ struct JointColumns {
   int angle = -1;
   int rate = -1;
   std::optional<CylinderStroke> cylinder = std::nullopt;  ///< whose stroke the angle's column is
+  bool is_rolled = false;  ///< the angle follows from a way over the ground
+  double wrap_rad = 0;     ///< at which the angle's column begins anew; 0: it goes on, or not known
 };
 
 /// Angles over time by the trapezoidal rule, 0 at the first row.
@@ -49,8 +52,27 @@ void DifferentiateAngle(std::size_t j, std::vector<EncoderSample>* samples) {
   }
 }
 
+std::vector<double> AnglesOf(std::size_t j, const std::vector<EncoderSample>& samples) {
+  std::vector<double> angles;
+  for (const EncoderSample& sample : samples) angles.push_back(sample.q_rad[j]);
+  return angles;
+}
+
+/// Lets a joint's angle go on where its column begins anew, which is told.
+void UnwrapAngle(const JointColumns& joint, std::size_t j, std::vector<EncoderSample>* samples,
+                 ImportedChannel* channel) {
+  std::vector<double> angles = AnglesOf(j, *samples);
+  const std::size_t changes = Unwrap(joint.wrap_rad, &angles);
+  for (std::size_t i = 0; i < angles.size(); ++i) (*samples)[i].q_rad[j] = angles[i];
+  channel->remarks.push_back(
+      fmt::format("{} goes on where its column begins anew after {:.6g} deg, "
+                  "{} times",
+                  joint.axis.name, joint.wrap_rad / kDeg, changes));
+}
+
 std::vector<EncoderSample> EncoderSamples(const std::vector<JointColumns>& joints,
-                                          const std::vector<MappedRow>& rows) {
+                                          const std::vector<MappedRow>& rows,
+                                          ImportedChannel* channel) {
   std::vector<EncoderSample> samples;
   for (const MappedRow& row : rows) {
     EncoderSample sample{row.t_ns, row.t_ns, {}, {}};
@@ -65,9 +87,37 @@ std::vector<EncoderSample> EncoderSamples(const std::vector<JointColumns>& joint
   }
   for (std::size_t j = 0; j < joints.size(); ++j) {
     if (joints[j].angle < 0) IntegrateRate(joints[j], j, rows, &samples);
+    if (joints[j].wrap_rad > 0 && joints[j].angle >= 0)
+      UnwrapAngle(joints[j], j, &samples, channel);
     if (joints[j].rate < 0) DifferentiateAngle(j, &samples);
   }
   return samples;
+}
+
+/// The rows at which a joint's angle jumps, as it does where its sensor begins anew: none where it
+/// was told that it does, or where the angle follows from something else.
+std::vector<std::size_t> JointJumps(const JointColumns& joint, std::size_t j,
+                                    const std::vector<EncoderSample>& samples) {
+  const bool has_angle = joint.angle >= 0 && !joint.cylinder && !joint.is_rolled;
+  if (joint.axis.linear || !has_angle || joint.wrap_rad > 0) return {};
+  return JumpsOf(AnglesOf(j, samples), 2 * kPi);
+}
+
+/// Tells of joints whose angles jump.
+void CountJumps(const std::vector<JointColumns>& joints, const std::vector<EncoderSample>& samples,
+                const RowSource& source, const std::vector<MappedRow>& rows,
+                ImportedChannel* channel) {
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const std::vector<std::size_t> jumps = JointJumps(joints[j], j, samples);
+    if (jumps.empty()) continue;
+    const std::size_t first = jumps.front();
+    channel->remarks.push_back(fmt::format(
+        "{} jumps of {} by more than half a turn, the first at {} from {:.4g} to {:.4g} deg: "
+        "{}give the joint wrap_deg: 360 if its sensor begins anew after a turn",
+        jumps.size(), joints[j].axis.name, PlaceOf(source, rows[first].line),
+        samples[first - 1].q_rad[j] / kDeg, samples[first].q_rad[j] / kDeg,
+        joints[j].rate < 0 ? "its rates there are wrong too; " : ""));
+  }
 }
 
 /// Counts strokes that the joint's travel does not give its cylinder.
@@ -92,9 +142,16 @@ void CountTooFast(const std::vector<JointColumns>& joints,
                   const std::vector<EncoderSample>& samples, ImportedChannel* channel) {
   for (std::size_t j = 0; j < joints.size(); ++j) {
     if (joints[j].axis.linear) continue;
-    for (const EncoderSample& sample : samples) {
-      const double rate_radps = std::abs(sample.qd_radps[j]);
+    const std::vector<std::size_t> jumps = JointJumps(joints[j], j, samples);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const double rate_radps = std::abs(samples[i].qd_radps[j]);
       if (rate_radps <= kFastestJoint_radps) continue;
+      // A difference over a jump, from the row before it or to the row behind it, is no rate.
+      const bool is_of_jump =
+          joints[j].rate < 0 && std::any_of(jumps.begin(), jumps.end(), [&](std::size_t jump) {
+            return i <= jump + 1 && jump <= i + 1;
+          });
+      if (is_of_jump) continue;
       ++channel->too_fast;
       if (rate_radps <= channel->fastest_radps) continue;
       channel->fastest_radps = rate_radps;
@@ -116,7 +173,7 @@ ColumnMapping ReadRolled(const ConfigMap& config) {
 bool ReadIndirect(const ConfigMap& config, const ConfigMap& top, const Mapping& mapping,
                   JointColumns* joint, std::vector<ColumnMapping>* columns) {
   if (!config.Has("rolled") && !config.Has("stroke")) return false;
-  for (const char* key : {"angle", "rate", "travel", "speed"}) {
+  for (const char* key : {"angle", "rate", "travel", "speed", "wrap_deg"}) {
     if (config.Has(key)) config.Fault(key, "given beside rolled or stroke, which it follows from");
   }
   if (config.Has("rolled") && config.Has("stroke")) {
@@ -125,6 +182,7 @@ bool ReadIndirect(const ConfigMap& config, const ConfigMap& top, const Mapping& 
   joint->axis.linear = false;
   joint->angle = static_cast<int>(columns->size());
   if (config.Has("rolled")) {
+    joint->is_rolled = true;
     columns->push_back(ReadRolled(config));
     return true;
   }
@@ -208,12 +266,24 @@ void DropMissing(const RowSource& source, const std::vector<MappedRow>& rows,
   }
 }
 
+/// After what an angle's column begins anew; 0 where the mapping does not say that it does.
+double ReadWrap(const ConfigMap& config, const JointColumns& joint) {
+  const auto wrap_deg = config.OptionalNumber("wrap_deg", Positive("deg"));
+  if (!wrap_deg) return 0;
+  if (joint.axis.linear || joint.angle < 0) {
+    config.Fault("wrap_deg", "is of a joint that has an angle; leave it out");
+  }
+  return *wrap_deg * kDeg;
+}
+
 JointColumns ReadJoint(const ConfigMap& config, const ConfigMap& top, const Mapping& mapping,
                        const RowSource& source, std::vector<ColumnMapping>* columns) {
   JointColumns joint{{config.Text("name"), config.Has("travel") || config.Has("speed")}};
   RequirePlainName(config, "name", joint.axis.name);
   if (IsStandard(source) && SaysNoColumn(config)) {
-    return StandardJoint({joint.axis.name, config.Boolean("prismatic", false)}, columns);
+    joint = StandardJoint({joint.axis.name, config.Boolean("prismatic", false)}, columns);
+    joint.wrap_rad = ReadWrap(config, joint);
+    return joint;
   }
   if (ReadIndirect(config, top, mapping, &joint, columns)) return joint;
   const bool linear = joint.axis.linear;
@@ -222,6 +292,7 @@ JointColumns ReadJoint(const ConfigMap& config, const ConfigMap& top, const Mapp
     columns->push_back(
         ReadColumnMapping(*position, linear ? Dimension::kLength : Dimension::kAngle));
   }
+  joint.wrap_rad = ReadWrap(config, joint);
   const std::string rate = linear ? "speed" : "rate";
   if (joint.angle >= 0 && !config.Has(rate)) return joint;
   joint.rate = static_cast<int>(columns->size());
@@ -258,7 +329,8 @@ ImportJob ReadEncoder(const ConfigMap& config, const ConfigMap& top, Mapping* ma
     CountStrokesBeyond(joints, rows, run->last());
     std::vector<JointColumns> found = joints;
     DropMissing(source, rows, &found);
-    const std::vector<EncoderSample> samples = EncoderSamples(found, rows);
+    const std::vector<EncoderSample> samples = EncoderSamples(found, rows, run->last());
+    CountJumps(found, samples, source, rows, run->last());
     CountTooFast(found, samples, run->last());
     run->AddMotion(source, MotionOf(axes, samples));
     DatasetWriter* writer = run->writer();

@@ -10,6 +10,7 @@
 #include "dataset/format/channel.h"
 #include "dataset/import/bag/standard_topics.h"
 #include "dataset/import/import_run.h"
+#include "dataset/import/inertial_conventions.h"
 #include "dataset/import/wgs84.h"
 
 // Inertial units, receivers, poses and tables of a mapping.
@@ -162,6 +163,10 @@ ImportJob ReadImu(const ConfigMap& config, const ConfigMap& top, Mapping* mappin
                        R_SF * Vec3(v[3], v[4], v[5])};
     };
     run->AddMotion(source, MotionOf(rows.size(), SampleOfRow<ImuSample>(sample)));
+    for (const InertialFinding& one :
+         JudgeInertial(rows.size(), sample, sensor.X_LS.linear().transpose() * Vec3::UnitZ())) {
+      run->last()->remarks.push_back(one.text);
+    }
     DatasetWriter* writer = run->writer();
     if (writer == nullptr) return;
     const ChannelId imu = writer->AddChannel(ImuChannel(folder, SensorText(sensor, source, rows)));

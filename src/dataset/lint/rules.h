@@ -42,6 +42,8 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
      "Ids of instances are unique and from 1, their classes stand in the list of classes, and a "
      "parent is another instance of the list.",
      "Correct the list of instances."},
+    {"dataset.epoch", Severity::kWarning, "The epoch is later than 1990, in nanoseconds.",
+     "Correct since_1970_ns: of a time in s or ms it has too few digits."},
     {"dataset.unchecked", Severity::kError, "Every check can read what it needs.",
      "Put the file right that the message names."},
 
@@ -85,6 +87,10 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
      "Each channel lies within the recording's duration and fills it.",
      "Correct duration_s, or the channel's time base."},
 
+    {"places.far", Severity::kWarning, "Poses and fixes lie within 100 km of the origin.",
+     "Give the import an origin near the machine, or poses a world that takes a map's coordinates "
+     "to it."},
+
     {"poses.quaternion", Severity::kError, "Quaternions of poses have norm 1 and w >= 0.",
      "Normalise them; check the order, w first."},
     {"poses.velocity", Severity::kWarning,
@@ -98,6 +104,9 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
      "Scale them; percent are hundredths."},
     {"encoders.rates", Severity::kWarning, "Rates of encoders are the change of their positions.",
      "Check units (rad, rad/s), signs and order of the columns."},
+    {"encoders.jump", Severity::kWarning,
+     "Angles of joints go on from row to row, without a jump by more than half a turn.",
+     "Import an angle that begins anew after a turn with wrap_deg: 360; leave wrong rows out."},
     {"encoders.radians", Severity::kWarning,
      "Angles and rates of joints are plausible as rad and rad/s.", "Convert degrees to radians."},
     {"encoders.truth", Severity::kWarning,
@@ -106,7 +115,13 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
 
     {"imu.gravity", Severity::kError,
      "An inertial unit's specific force has about the size of gravity.",
-     "Convert to m/s2; 1 g is 9.80665."},
+     "Convert to m/s2; 1 g is 9.80665. Where gravity was taken away, record it with it."},
+    {"imu.units", Severity::kWarning, "An inertial unit turns by its rates as gravity turns in it.",
+     "Give the import the unit of the rates: rad/s or deg/s."},
+    {"imu.down", Severity::kWarning,
+     "An inertial unit's specific force does not point down all the time, but where its mount says "
+     "that it hangs upside down.",
+     "Turn its axes at the import, rpy_deg: [180, 0, 0], or give it a mount that says so."},
     {"imu.rates", Severity::kWarning,
      "An inertial unit turns as its link does by the recorded poses.",
      "Check the unit (rad/s, not deg/s), the axes and X_parent_sensor."},

@@ -171,6 +171,7 @@ LidarScan ScanAt(TimeNs t_ns) {
 DatasetInfo HealthyInfo() {
   DatasetInfo info = SampleInfo();
   info.duration_s = kDuration_s;
+  info.epoch = RecordingEpoch{1'700'000'000 * kNsPerSecond, ClockScale::kUtc};
   info.resolved_scenario_yaml =
       "machines:\n  - name: digger\n    machine:\n      links: {boom: {}, chassis: {}}\n"
       "      joints: {boom: {parent: chassis, child: boom}}\n";

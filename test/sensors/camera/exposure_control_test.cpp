@@ -5,7 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include "core/config/config.h"
 #include "core/error.h"
 #include "core/units.h"
 #include "sensors/camera/image_sensor.h"

@@ -60,10 +60,24 @@ void CheckInstances(LintJob* job) {
   }
 }
 
+/// No recording of a machine is older, and times in ms or us that are taken as ns are.
+void CheckEpoch(LintJob* job) {
+  constexpr TimeNs kYear1990_ns = 631'152'000 * kNsPerSecond;
+  const std::optional<RecordingEpoch>& epoch = job->recording().info().epoch;
+  if (!epoch) return;
+  job->Applies("dataset.epoch");
+  if (epoch->since_1970_ns >= kYear1990_ns) return;
+  job->Find("dataset.epoch", "",
+            {kDescription, 0,
+             fmt::format("the epoch is {:.0f} s after the beginning of 1970",
+                         ToSeconds(epoch->since_1970_ns))});
+}
+
 }  // namespace
 
 void CheckDescription(LintJob* job) {
   CheckPaths(job);
+  CheckEpoch(job);
   CheckInstances(job);
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/units.h"
+#include "dataset/import/angle_wrap.h"
 #include "dataset/lint/checks/change_vote.h"
 #include "dataset/lint/lint_job.h"
 
@@ -59,6 +60,27 @@ void CheckRates(LintJob* job, const std::string& channel, const ScannedTable& ta
              vote.Summary(joint.column, table.columns[joint.rate], joint.linear ? "m" : "rad")});
 }
 
+/// The rows to which a joint's angle jumps.
+std::vector<std::size_t> JumpsOfJoint(const ScannedTable& table, const Joint& joint) {
+  if (joint.linear) return {};
+  std::vector<double> angles;
+  for (const ScannedRow& row : table.rows) angles.push_back(row.values[joint.position]);
+  return JumpsOf(angles, 2 * kPi);
+}
+
+void CheckJumps(LintJob* job, const std::string& channel, const ScannedTable& table,
+                const Joint& joint) {
+  if (joint.linear) return;
+  job->Applies("encoders.jump");
+  for (const std::size_t row : JumpsOfJoint(table, joint)) {
+    job->Find("encoders.jump", channel,
+              {job->RowsOf(channel), table.rows[row].line,
+               fmt::format("{} goes from {:.4g} to {:.4g} rad", joint.column,
+                           table.rows[row - 1].values[joint.position],
+                           table.rows[row].values[joint.position])});
+  }
+}
+
 void CheckRadians(LintJob* job, const std::string& channel, const ScannedTable& table,
                   const Joint& joint) {
   if (joint.linear || table.rows.empty()) return;
@@ -72,8 +94,15 @@ void CheckRadians(LintJob* job, const std::string& channel, const ScannedTable& 
   if (std::abs(first.values[joint.position]) > kMostFirstAngle_rad) {
     find(first, joint.position, "rad at the first row");
   }
-  for (const ScannedRow& row : table.rows) {
-    if (std::abs(row.values[joint.rate]) > kMostRate_radps) find(row, joint.rate, "rad/s");
+  // Differences over a jump are no rates: encoders.jump tells of it.
+  const std::vector<std::size_t> jumps = JumpsOfJoint(table, joint);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    const bool is_of_jump = std::any_of(jumps.begin(), jumps.end(), [&](std::size_t jump) {
+      return i <= jump + 1 && jump <= i + 1;
+    });
+    const ScannedRow& row = table.rows[i];
+    if (is_of_jump || std::abs(row.values[joint.rate]) <= kMostRate_radps) continue;
+    find(row, joint.rate, "rad/s");
   }
 }
 
@@ -117,6 +146,7 @@ void CheckEncoder(LintJob* job, const std::string& channel) {
   const ScannedTable truth = has_truth ? ReadTable(*job, joints) : ScannedTable();
   for (const Joint& joint : JointsOf(table)) {
     CheckRates(job, channel, table, joint);
+    CheckJumps(job, channel, table, joint);
     CheckRadians(job, channel, table, joint);
     if (has_truth) CheckByTruth(job, channel, table, joint, truth);
   }

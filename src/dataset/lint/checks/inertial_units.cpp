@@ -5,6 +5,7 @@
 
 #include "core/quantile.h"
 #include "core/units.h"
+#include "dataset/import/inertial_conventions.h"
 #include "dataset/lint/checks/change_vote.h"
 #include "dataset/lint/checks/sensor_poses.h"
 #include "dataset/lint/lint_job.h"
@@ -33,6 +34,35 @@ struct ImuRow {
 ImuRow ImuOf(const ScannedRow& row) {
   const std::vector<double>& v = row.values;
   return {Vec3(v[0], v[1], v[2]), Vec3(v[3], v[4], v[5])};
+}
+
+/// Judges a unit by itself; false where it has no gravity, of which it tells. Beside poses imu.up
+/// and imu.rates judge its axes and rates, and the axes of a simulation are those of its scenario.
+bool CheckConventions(LintJob* job, const std::string& channel, const ScannedTable& table,
+                      const std::optional<SensorPoses>& poses) {
+  if (table.rows.empty()) return true;
+  const std::optional<SensorSheet> sheet = job->SheetOf(channel);
+  Vec3 up_S = Vec3::UnitZ();
+  if (sheet && sheet->X_PS) up_S = sheet->X_PS->linear().transpose() * up_S;
+  const auto sample = [&](std::size_t row) {
+    const ImuRow imu = ImuOf(table.rows[row]);
+    return ImuSample{table.rows[row].t_ns, table.rows[row].t_ns, imu.w_S_radps, imu.f_S_mps2};
+  };
+  job->Applies("imu.units");
+  job->Applies("imu.down");
+  const bool judges_axes = !job->recording().info().simulated && (!poses || poses->of_root);
+  bool has_gravity = true;
+  for (const InertialFinding& one : JudgeInertial(table.rows.size(), sample, up_S)) {
+    const bool is_down = one.doubt == InertialDoubt::kZDown;
+    const bool is_gravity = one.doubt == InertialDoubt::kNoGravity;
+    if (is_down ? !judges_axes : poses.has_value() && !is_gravity) continue;
+    has_gravity = has_gravity && !is_gravity;
+    const RuleId rule = is_down      ? RuleId("imu.down")
+                        : is_gravity ? RuleId("imu.gravity")
+                                     : RuleId("imu.units");
+    job->Find(rule, channel, {job->RowsOf(channel), 0, one.text});
+  }
+  return has_gravity;
 }
 
 void CheckGravity(LintJob* job, const std::string& channel, const ScannedTable& table) {
@@ -147,8 +177,8 @@ void CheckInertialUnits(LintJob* job) {
   for (const std::string& channel : job->recording().ChannelsOf(kImuChannel)) {
     job->Try(channel, [&] {
       const ScannedTable table = ReadTable(*job, channel);
-      CheckGravity(job, channel, table);
       const std::optional<SensorPoses> sensor = FindSensorPoses(*job, channel);
+      if (CheckConventions(job, channel, table, sensor)) CheckGravity(job, channel, table);
       if (!sensor) return;
       CheckTurns(job, channel, table, *sensor);
       CheckUp(job, channel, table, *sensor);

@@ -143,6 +143,9 @@ void CheckPoses(LintJob* job) {
   for (const std::string& channel : job->recording().ChannelsOf(kPoseChannel)) {
     job->Try(channel, [&] {
       const ScannedTable table = ReadTable(*job, channel);
+      for (const ScannedRow& row : table.rows) {
+        CheckNear(job, channel, row.line, Vec3(row.values[0], row.values[1], row.values[2]));
+      }
       CheckQuaternions(job, channel, table);
       CheckVelocities(job, channel, table);
       CheckGround(job, channel, table, lowest_m);

@@ -92,6 +92,9 @@ void CheckReceivers(LintJob* job) {
     job->Try(channel, [&] {
       const ScannedTable table = ReadTable(*job, channel);
       CheckValues(job, channel, table);
+      for (const ScannedRow& row : table.rows) {
+        if (HasFix(row)) CheckNear(job, channel, row.line, EnuOf(row));
+      }
       CheckGeodesy(job, channel, table);
       CheckPlace(job, channel, table);
     });

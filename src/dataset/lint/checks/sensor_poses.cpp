@@ -62,6 +62,16 @@ std::vector<PoseRow> ReadPoses(const LintJob& job, const std::string& channel) {
   return poses;
 }
 
+void CheckNear(LintJob* job, const std::string& channel, int line, const Vec3& p_W_m) {
+  constexpr double kFarthest_m = 100e3;
+  job->Applies("places.far");
+  if (p_W_m.norm() <= kFarthest_m) return;
+  job->Find("places.far", channel,
+            {job->RowsOf(channel), line,
+             fmt::format("({:.0f}, {:.0f}, {:.0f}) m is {:.0f} km from the origin", p_W_m.x(),
+                         p_W_m.y(), p_W_m.z(), p_W_m.norm() / 1e3)});
+}
+
 std::optional<Pose> PoseAt(const std::vector<PoseRow>& poses, TimeNs t_ns) {
   const auto after =
       std::lower_bound(poses.begin(), poses.end(), t_ns,

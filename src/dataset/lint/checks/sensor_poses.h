@@ -21,6 +21,10 @@ std::vector<PoseRow> ReadPoses(const LintJob& job, const std::string& channel);
 /// missing.
 std::optional<Pose> PoseAt(const std::vector<PoseRow>& poses, TimeNs t_ns);
 
+/// Holds a place of a channel's row to places.far: no machine works 100 km from its origin, beyond
+/// which the plane of east and north is 780 m above the ground besides.
+void CheckNear(LintJob* job, const std::string& channel, int line, const Vec3& p_W_m);
+
 /// What is known of where a sensor was.
 struct SensorPoses {
   std::vector<PoseRow> poses;  ///< of the sensor; of its machine where `of_root`

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "core/error.h"
 #include "dataset/lint/healthy_recording.h"
 
 // dataset.* and files.*: each broken by itself.
@@ -34,6 +35,18 @@ TEST_F(FileRules, InstancesThatContradictEachOther) {
   const LintReport report = Linted();
   ASSERT_EQ(report.findings[0].rule->id, "dataset.instances");
   EXPECT_EQ(report.findings[0].count, 3);  // parent, class, id
+}
+
+TEST_F(FileRules, AnEpochInMilliseconds) {
+  Edit("dataset.yaml", "\"1700000000000000000\"", "\"1700000000000\"");
+  EXPECT_THAT(Only("dataset.epoch", "").places[0].message, testing::HasSubstr("1700 s after"));
+}
+
+TEST_F(FileRules, AnEpochThatIsNoNumberIsRefusedWithItsPlace) {
+  Edit("dataset.yaml", "\"1700000000000000000\"", "\"1.7e18\"");
+  EXPECT_THAT([&] { Linted(); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr(
+                  "since_1970_ns: '1.7e18' is no whole number of nanoseconds from 1970 to 2100")));
 }
 
 TEST_F(FileRules, AMissingChannel) {

@@ -22,6 +22,25 @@ class MotionRules : public LintTest {
   static void Turn(std::vector<std::string>* fields, std::size_t i, std::size_t j) {
     std::swap((*fields)[i], (*fields)[j]);
   }
+  /// Lets the boom turn on steadily by 2.5 rad/s and begin anew after a turn, as a slew does; one
+  /// row of 25 is kept where `slow`.
+  void LetTheBoomBeginAnew(bool slow) const {
+    EditRows("digger/joints/data.csv", [&](int line, std::vector<std::string>* fields) {
+      if (slow && line % 25 != 2) {
+        fields->clear();
+        return;
+      }
+      const double angle_rad = std::fmod(5 + 2.5 * 0.02 * (line - 2), 2 * kPi);
+      (*fields)[1] = std::to_string(angle_rad);
+    });
+  }
+  /// Leaves the unit without poses to be held to, as a real one is, in a real recording.
+  void LeaveTheUnitAlone(const std::string& mount) const {
+    fs::remove(run() / "truth/digger/pose.csv");
+    Edit("dataset.yaml", "  - {path: \"truth/digger/pose.csv\", type: pose}\n", "");
+    Edit("dataset.yaml", "simulated: true", "simulated: false");
+    Put("digger/imu/sensor.yaml", "type: imu\nrate_hz: 100\n" + mount);
+  }
 };
 
 TEST_F(MotionRules, AQuaternionThatIsNone) {
@@ -117,6 +136,25 @@ TEST_F(MotionRules, AnEncoderAllInDegrees) {
               HasSubstr("rad at the first row"));
 }
 
+// 2.5 rad/s for 2 s from 5 rad on pass 2 pi once, at 0.51 s: from row 25 to 26 after the header,
+// and at 2 Hz from the row of 0.5 s to that of 1 s.
+TEST_F(MotionRules, AnAngleThatBeginsAnewIsAJumpAtAnyRateAndNotDegrees) {
+  fs::remove(run() / "truth/digger/joints.csv");
+  Edit("dataset.yaml", "  - {path: \"truth/digger/joints.csv\", type: table}\n", "");
+  LetTheBoomBeginAnew(false);
+  // The rates are differences over two rows: at the jump (0.1 - 2 pi) / 0.04 s, beyond 100 rad/s.
+  EditRows("digger/joints/data.csv", [](int line, std::vector<std::string>* fields) {
+    (*fields)[3] = line == 27 || line == 28 ? "-154.6" : "2.5";
+  });
+  const LintFinding fast = Only("encoders.jump", "digger/joints");
+  EXPECT_EQ(fast.count, 1);
+  EXPECT_EQ(fast.places[0].line, 28);
+  EXPECT_THAT(fast.places[0].message, HasSubstr("boom_rad goes from 6.25 to 0.01681 rad"));
+  Put("digger/joints/sensor.yaml", "type: encoder\nrate_hz: 2\n");
+  LetTheBoomBeginAnew(true);
+  EXPECT_EQ(Only("encoders.jump", "digger/joints").places[0].line, 4);
+}
+
 TEST_F(MotionRules, AnEncoderWithAnotherZero) {
   EditRows("digger/joints/data.csv", [](int, std::vector<std::string>* fields) {
     (*fields)[1] = std::to_string(std::stod((*fields)[1]) + 0.3);
@@ -142,6 +180,56 @@ TEST_F(MotionRules, GyroscopeInDegreesOfAUnitWhoseMountIsNotKnown) {
   Scale("digger/imu/data.csv", kRates, 1 / kDeg);
   EXPECT_THAT(Only("imu.rates", "digger/imu").places[0].message,
               HasSubstr("57.3 times as far as its machine"));
+}
+
+// The healthy unit is pitched by 0.1 rad: its z is 9.76 m/s2, whose opposite is told.
+TEST_F(MotionRules, AUnitWhoseZPointsDown) {
+  LeaveTheUnitAlone("");
+  EXPECT_TRUE(Found().empty());
+  // Forward, right, down in place of forward, left, up: half a turn about x.
+  Scale("digger/imu/data.csv", {"wy_radps", "wz_radps", "ay_mps2", "az_mps2"}, -1);
+  EXPECT_THAT(
+      Only("imu.down", "digger/imu").places[0].message,
+      HasSubstr("at rest az is -9.76 m/s2, about -g: does its z point down? give it rpy_deg: "
+                "[180, 0, 0]"));
+}
+
+TEST_F(MotionRules, AUnitThatHangsUpsideDownByItsMountIsFine) {
+  LeaveTheUnitAlone(
+      "parent_link: chassis\nX_parent_sensor: {xyz_m: [0, 0, 1], quaternion_wxyz: [0, "
+      "1, 0, 0]}\n");
+  EXPECT_THAT(Only("imu.down", "digger/imu").places[0].message,
+              HasSubstr("deg from where down is by its mount"));
+  Scale("digger/imu/data.csv", {"wy_radps", "wz_radps", "ay_mps2", "az_mps2"}, -1);
+  EXPECT_TRUE(Found().empty());
+}
+
+TEST_F(MotionRules, AUnitWithoutGravity) {
+  LeaveTheUnitAlone("");
+  Scale("digger/imu/data.csv", kForces, 0.001);
+  EXPECT_THAT(Only("imu.gravity", "digger/imu").places[0].message,
+              HasSubstr("was gravity taken away from it?"));
+}
+
+TEST_F(MotionRules, RatesInDegreesOfAUnitWithoutPoses) {
+  LeaveTheUnitAlone("");
+  Scale("digger/imu/data.csv", kRates, 1 / kDeg);
+  EXPECT_THAT(Only("imu.units", "digger/imu").places[0].message, HasSubstr("unit: deg/s"));
+}
+
+TEST_F(MotionRules, APlaceOnAMapThatIsFarFromTheOrigin) {
+  EditRows("truth/digger/pose.csv", [](int, std::vector<std::string>* fields) {
+    (*fields)[1] = std::to_string(std::stod((*fields)[1]) + 600'000);
+  });
+  EXPECT_THAT(Found(), testing::Contains("places.far"));
+}
+
+TEST_F(MotionRules, AReceiverFarFromTheOrigin) {
+  Edit("dataset.yaml", "lat_deg: 46.78", "lat_deg: 45.78");  // 111 km
+  EditRows("digger/gnss/data.csv", [](int, std::vector<std::string>* fields) {
+    (*fields)[5] = std::to_string(std::stod((*fields)[5]) + 111'000);
+  });
+  EXPECT_THAT(Found(), testing::Contains("places.far"));
 }
 
 TEST_F(MotionRules, ForceInG) {

@@ -1,0 +1,157 @@
+#include "dataset/import/inertial_conventions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/quantile.h"
+#include "core/units.h"
+#include "dataset/import/import_options.h"
+
+namespace tera {
+namespace {
+
+constexpr double kMostGravityFree = 0.2;  ///< of gravity, in the median
+/// In g, and nine times in ten beyond half of it, an acceleration has gravity in it.
+constexpr double kAboutOne = 0.3, kHalfOfOne = 0.5, kTenth = 0.1;
+constexpr double kNearDown_rad = 25 * kDeg, kMostlyDown_rad = 60 * kDeg, kMostly = 0.9;
+constexpr TimeNs kPiece_ns = kNsPerSecond / 4;
+constexpr std::size_t kPiecesOfSpan = 8, kFewestSpans = 8;
+constexpr double kSeenTurn_rad = 5 * kDeg, kSureTurn_rad = 20 * kDeg;
+constexpr double kNearRatio = 3;  ///< a factor
+constexpr double kShareOfFast = 0.1;
+
+double AngleBetweenDirections(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+/// A quarter of a second: the mean specific force, and the turn by the rates across it.
+struct Piece {
+  TimeNs begin_ns = 0;
+  Vec3 f_mps2 = Vec3::Zero();
+  double across_rad = 0;
+};
+
+Piece PieceOf(const std::vector<ImuSample>& samples, std::size_t begin, std::size_t end) {
+  Piece piece{.begin_ns = samples[begin].t_ns};
+  for (std::size_t i = begin; i < end; ++i) piece.f_mps2 += samples[i].f_S_mps2;
+  piece.f_mps2 /= static_cast<double>(end - begin);
+  const Vec3 up = piece.f_mps2.normalized();
+  for (std::size_t i = begin; i + 1 < samples.size() && i < end; ++i) {
+    const double dt_s = ToSeconds(samples[i + 1].t_ns - samples[i].t_ns);
+    piece.across_rad += dt_s * samples[i].w_WS_S_radps.cross(up).norm();
+  }
+  return piece;
+}
+
+std::vector<Piece> PiecesOf(const std::vector<ImuSample>& samples) {
+  std::vector<Piece> pieces;
+  for (std::size_t begin = 0, i = 1; i <= samples.size(); ++i) {
+    if (i < samples.size() && samples[i].t_ns - samples[begin].t_ns < kPiece_ns) continue;
+    pieces.push_back(PieceOf(samples, begin, i));
+    begin = i;
+  }
+  return pieces;
+}
+
+/// The median of what the rates turn over what gravity does, in spans in which that turns by as
+/// much at least; 0 where there are too few.
+double TurnRatio(const std::vector<Piece>& pieces, double least_rad) {
+  std::vector<double> ratios;
+  for (std::size_t k = 0; k + kPiecesOfSpan < pieces.size(); ++k) {
+    const Piece &first = pieces[k], &last = pieces[k + kPiecesOfSpan];
+    constexpr TimeNs kLongest_ns = 2 * static_cast<TimeNs>(kPiecesOfSpan) * kPiece_ns;
+    if (last.begin_ns - first.begin_ns > kLongest_ns) continue;  // rows are missing
+    const double turn_rad = AngleBetweenDirections(first.f_mps2, last.f_mps2);
+    if (turn_rad < least_rad) continue;
+    double across_rad = 0;
+    for (std::size_t j = k; j < k + kPiecesOfSpan; ++j) across_rad += pieces[j].across_rad;
+    ratios.push_back(across_rad / turn_rad);
+  }
+  return ratios.size() < kFewestSpans ? 0 : Quantile(std::move(ratios), 0.5);
+}
+
+bool IsNearRatio(double ratio, double expected) {
+  return ratio > expected / kNearRatio && ratio < expected * kNearRatio;
+}
+
+void JudgeRates(const std::vector<ImuSample>& samples, std::vector<InertialFinding>* findings) {
+  constexpr double kDegreesOfRadian = 1 / kDeg;
+  const std::vector<Piece> pieces = PiecesOf(samples);
+  const double seen = TurnRatio(pieces, kSeenTurn_rad), sure = TurnRatio(pieces, kSureTurn_rad);
+  if (IsNearRatio(seen, kDegreesOfRadian)) {
+    findings->push_back(
+        {InertialDoubt::kRatesInDegrees,
+         fmt::format("the rates turn the unit {:.3g} times as far as gravity turns in it: are they "
+                     "in deg/s? give them unit: deg/s",
+                     seen)});
+  } else if (IsNearRatio(sure, 1 / kDegreesOfRadian)) {
+    findings->push_back(
+        {InertialDoubt::kRatesInRadians,
+         fmt::format("gravity turns in the unit {:.3g} times as far as the rates turn it: are they "
+                     "in rad/s? give them unit: rad/s",
+                     1 / sure)});
+  } else if (seen == 0) {
+    std::vector<double> sizes;
+    for (const ImuSample& one : samples) sizes.push_back(one.w_WS_S_radps.norm());
+    const double fast_radps = Quantile(std::move(sizes), 1 - kShareOfFast);
+    if (fast_radps <= kFastestJoint_radps) return;
+    findings->push_back(
+        {InertialDoubt::kRatesInDegrees,
+         fmt::format("a tenth of the rates is beyond {:.3g} rad/s, faster than any joint turns: "
+                     "are they in deg/s? give them unit: deg/s",
+                     fast_radps)});
+  }
+}
+
+void JudgeDown(const std::vector<ImuSample>& samples, const Vec3& up_S,
+               std::vector<InertialFinding>* findings) {
+  std::vector<double> from_down_rad, along_z_mps2;
+  for (const ImuSample& one : samples) {
+    from_down_rad.push_back(AngleBetweenDirections(one.f_S_mps2, -up_S));
+    along_z_mps2.push_back(one.f_S_mps2.z());
+  }
+  const double median_rad = Quantile(from_down_rad, 0.5);
+  if (median_rad > kNearDown_rad || Quantile(from_down_rad, kMostly) > kMostlyDown_rad) return;
+  const bool is_z = up_S.z() > std::cos(kNearDown_rad);
+  findings->push_back(
+      {InertialDoubt::kZDown,
+       is_z ? fmt::format("at rest az is {:.3g} m/s2, about -g: does its z point down? give it "
+                          "rpy_deg: [180, 0, 0], or a mount that says that it hangs upside down",
+                          Quantile(std::move(along_z_mps2), 0.5))
+            : fmt::format(
+                  "the specific force is {:.0f} deg from where down is by its mount: are axes and "
+                  "mount right?",
+                  median_rad / kDeg)});
+}
+
+}  // namespace
+
+std::vector<InertialFinding> JudgeInertial(std::size_t count,
+                                           const std::function<ImuSample(std::size_t row)>& sample,
+                                           const Vec3& up_S) {
+  if (count == 0) return {};
+  std::vector<ImuSample> samples;
+  std::vector<double> sizes_mps2;
+  for (std::size_t i = 0; i < count; ++i) {
+    samples.push_back(sample(i));
+    sizes_mps2.push_back(samples.back().f_S_mps2.norm());
+  }
+  const double size_mps2 = Quantile(sizes_mps2, 0.5);
+  const bool is_in_g =
+      std::abs(size_mps2 - 1) < kAboutOne && Quantile(std::move(sizes_mps2), kTenth) > kHalfOfOne;
+  if (size_mps2 < kMostGravityFree * kStandardGravity_mps2) {
+    if (is_in_g) return {};
+    return {{InertialDoubt::kNoGravity,
+             fmt::format("the acceleration is {:.2g} m/s2 in the median: was gravity taken away "
+                         "from it? need what the accelerometer measures, {:.2f} m/s2 at rest",
+                         size_mps2, kStandardGravity_mps2)}};
+  }
+  std::vector<InertialFinding> findings;
+  JudgeDown(samples, up_S, &findings);
+  JudgeRates(samples, &findings);
+  return findings;
+}
+
+}  // namespace tera

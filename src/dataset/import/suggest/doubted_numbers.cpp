@@ -1,0 +1,85 @@
+#include "dataset/import/suggest/doubted_numbers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "core/units.h"
+#include "dataset/import/angle_wrap.h"
+#include "dataset/import/inertial_conventions.h"
+
+namespace tera {
+namespace {
+
+/// After what an angle begins anew, in its own numbers; the smallest that fits.
+struct TurnOfUnit {
+  double turn = 0;
+  UnitGuess unit;
+};
+
+std::vector<TurnOfUnit> TurnsOfUnits(const UnitGuess& named) {
+  if (named.doubt.empty()) return {{named.unit == "rad" ? 2 * kPi : 360.0, named}};
+  std::vector<TurnOfUnit> turns = {{2 * kPi, {"rad", 1.0, ""}}, {360, {"deg", 1.0, ""}}};
+  const auto add = [&](double turn) {
+    turns.push_back({turn, {"deg", 360 / turn, fmt::format("it begins anew after {:g}", turn)}});
+  };
+  for (const double turn : {1.0, 400.0, 3600.0, 36000.0}) add(turn);
+  for (int bits = 8; bits <= 24; ++bits) add(1 << bits);
+  std::sort(turns.begin(), turns.end(),
+            [](const TurnOfUnit& a, const TurnOfUnit& b) { return a.turn < b.turn; });
+  return turns;
+}
+
+double RateFactor(const UnitGuess& unit) {
+  constexpr double kMinute_s = 60;
+  const double factor = unit.unit == "deg/s" ? kDeg
+                        : unit.unit == "rpm" ? 2 * kPi / kMinute_s
+                                             : 1.0;
+  return factor * unit.scale;
+}
+
+double ForceFactor(const UnitGuess& unit) {
+  return (unit.unit == "g" ? kStandardGravity_mps2 : 1.0) * unit.scale;
+}
+
+}  // namespace
+
+AngleGuess GuessAngle(const NumbersOfColumn& angle) {
+  const UnitGuess named = GuessAngleUnit({&angle});
+  for (const TurnOfUnit& one : TurnsOfUnits(named)) {
+    if (BeginsAnew(angle.values, one.turn)) return {one.unit, true};
+  }
+  return {named, false};
+}
+
+std::string InertialRemarks(const InertialColumns& columns, const std::string& indent) {
+  constexpr double kUsualStep_s = 0.01;
+  const std::size_t rows = columns.rates[0]->values.size();
+  const auto is_whole = [&](const NumbersOfColumn* column) {
+    return column->values.size() == rows;
+  };
+  const bool are_whole = std::all_of(columns.rates.begin(), columns.rates.end(), is_whole) &&
+                         std::all_of(columns.forces.begin(), columns.forces.end(), is_whole) &&
+                         (columns.time == nullptr || is_whole(columns.time));
+  if (!are_whole) return "";
+  const auto vector = [](const std::array<const NumbersOfColumn*, 3>& axes, std::size_t row) {
+    return Vec3(axes[0]->values[row], axes[1]->values[row], axes[2]->values[row]);
+  };
+  const double first = columns.time == nullptr || rows == 0 ? 0 : columns.time->values.front();
+  const auto sample = [&](std::size_t row) {
+    const double late_s = columns.time == nullptr
+                              ? kUsualStep_s * static_cast<double>(row)
+                              : (columns.time->values[row] - first) * SecondsOf(columns.time_unit);
+    return ImuSample{FromSeconds(late_s), FromSeconds(late_s),
+                     RateFactor(columns.rate_unit) * vector(columns.rates, row),
+                     ForceFactor(columns.force_unit) * vector(columns.forces, row)};
+  };
+  std::string remarks;
+  for (const InertialFinding& one : JudgeInertial(rows, sample)) {
+    remarks += indent + "# guessed: " + one.text + "\n";
+  }
+  return remarks;
+}
+
+}  // namespace tera

@@ -1,0 +1,95 @@
+#include "dataset/import/suggest/doubted_numbers.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/units.h"
+
+namespace tera {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A column of a sensor that turns on by a twentieth of a turn a row, from `lowest` on.
+NumbersOfColumn Slew(const std::string& name, double turn, double lowest = 0) {
+  NumbersOfColumn column{.name = name};
+  for (int k = 0; k < 60; ++k) {
+    column.values.push_back(lowest + turn * std::fmod(0.83 + 0.05 * k, 1));
+  }
+  return column;
+}
+
+void ExpectTurn(const NumbersOfColumn& column, const std::string& unit, double scale) {
+  const AngleGuess guess = GuessAngle(column);
+  EXPECT_TRUE(guess.begins_anew) << column.name;
+  EXPECT_EQ(guess.unit.unit, unit) << column.name;
+  EXPECT_NEAR(guess.unit.scale, scale, 1e-12) << column.name;
+}
+
+TEST(DoubtedNumbers, AnAngleThatBeginsAnewTellsItsUnitByItsTurn) {
+  ExpectTurn(Slew("slew", 360), "deg", 1);
+  ExpectTurn(Slew("slew", 360, -180), "deg", 1);
+  ExpectTurn(Slew("slew_deg", 360), "deg", 1);
+  ExpectTurn(Slew("slew", 2 * kPi, -kPi), "rad", 1);
+  ExpectTurn(Slew("slew_rad", 2 * kPi), "rad", 1);
+  ExpectTurn(Slew("slew", 400), "deg", 0.9);
+  ExpectTurn(Slew("slew", 1), "deg", 360);
+  ExpectTurn(Slew("slew", 4096), "deg", 360.0 / 4096);
+  ExpectTurn(Slew("slew", 36000), "deg", 0.01);
+  EXPECT_EQ(GuessAngle(Slew("slew", 4096)).unit.doubt, "it begins anew after 4096");
+}
+
+TEST(DoubtedNumbers, AnAngleThatGoesOnKeepsItsGuess) {
+  NumbersOfColumn boom{.name = "boom"};
+  for (int k = 0; k < 60; ++k) boom.values.push_back(30 + 20 * std::sin(0.1 * k));
+  const AngleGuess guess = GuessAngle(boom);
+  EXPECT_FALSE(guess.begins_anew);
+  EXPECT_EQ(guess.unit.unit, GuessAngleUnit({&boom}).unit);
+}
+
+/// Rows of a unit that lies still and level but for `az`, and turns about z.
+struct Still {
+  NumbersOfColumn time{.name = "t_ms"}, zero{.name = "zero"}, wz{.name = "wz"}, az{.name = "az"};
+
+  explicit Still(double az_value, double wz_value = 0.1) {
+    for (int k = 0; k < 100; ++k) {
+      time.values.push_back(1e12 + 20 * k);
+      zero.values.push_back(0);
+      wz.values.push_back(wz_value);
+      az.values.push_back(az_value);
+    }
+  }
+  std::string Remarks(const std::string& rate_unit = "rad/s",
+                      const std::string& force_unit = "m/s2") const {
+    return InertialRemarks({.time = &time,
+                            .time_unit = {"ms", 1.0, ""},
+                            .rates = {&zero, &zero, &wz},
+                            .forces = {&zero, &zero, &az},
+                            .rate_unit = {rate_unit, 1.0, ""},
+                            .force_unit = {force_unit, 1.0, ""}},
+                           "    ");
+  }
+};
+
+TEST(DoubtedNumbers, AnInertialUnitIsJudgedInTheUnitsThatAreGuessed) {
+  EXPECT_THAT(Still(9.8).Remarks(), IsEmpty());
+  EXPECT_THAT(Still(1).Remarks("rad/s", "g"), IsEmpty());
+  EXPECT_THAT(Still(-1).Remarks("rad/s", "g"),
+              HasSubstr("    # guessed: at rest az is -9.81 m/s2, about -g: does its z point down? "
+                        "give it rpy_deg: [180, 0, 0]"));
+  EXPECT_THAT(Still(9.8, 40).Remarks(), HasSubstr("are they in deg/s?"));
+  EXPECT_THAT(Still(9.8, 40).Remarks("deg/s"), IsEmpty());
+  EXPECT_THAT(Still(0.02).Remarks(), HasSubstr("was gravity taken away"));
+}
+
+TEST(DoubtedNumbers, NothingIsSaidOfColumnsThatLackNumbers) {
+  Still still(-9.8);
+  still.az.values.pop_back();
+  EXPECT_THAT(still.Remarks(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace tera
