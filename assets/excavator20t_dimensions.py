@@ -22,16 +22,13 @@ TAIL_RADIUS = 2.75
 
 BUCKET_PROFILE = ((1.45, 0.0), (1.37, 0.19), (1.16, 0.42), (0.87, 0.58), (0.55, 0.61), (0.29, 0.51),
                   (0.17, 0.30), (0.17, -0.05))
-BUCKET_WIDTH, BUCKET_TEETH, TOOTH_LENGTH = 1.045, 5, 0.24
+BUCKET_WIDTH, BUCKET_TEETH = 1.045, 5
 
 # The bucket's four-bar in x-z: rocker's pin on the arm, lengths of rocker and coupler, coupler's
 # pin on the bucket.
 ROCKER_PIN = (2.50, 0.02)
 ROCKER_LENGTH, COUPLER_LENGTH = 0.66, 0.62
 COUPLER_PIN = (-0.06, 0.455)
-
-# The boom's two cylinders stand to both sides of it, this far apart.
-BOOM_CYLINDER_SPACING = 0.80
 
 # Pins of the cylinders in x-z: (barrel pin, joint in the barrel's link, rod pin in the turning
 # link, range of the turning link's angle in the barrel's link). The bucket's rod ends where rocker

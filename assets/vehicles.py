@@ -11,7 +11,6 @@ import paint
 from solids import (Body, bar, both_sides, box, cylinder, extrude, lathe, loft, moved, pin,
                     round_corners, rounded_rectangle, slab, smooth_path, tube, turned)
 
-TRUCK_HALF_LENGTH, TRUCK_HALF_WIDTH = 3.75, 1.25
 TYRE_RADIUS = 0.50
 AXLES = (2.35, -1.35, -2.65)
 CAB_REAR, CAB_WIDTH = 1.78, 2.36

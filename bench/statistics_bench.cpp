@@ -6,9 +6,9 @@
 
 #include "diagnose/statistics/regime/curve_shape.h"
 #include "diagnose/statistics/regime/partialling.h"
+#include "diagnose/statistics/series/simulated.h"
 #include "diagnose/statistics/series/whitening.h"
 #include "diagnose/statistics/tests/change_points.h"
-#include "diagnose/statistics/tests/cross_correlation.h"
 
 // One channel of a recording of ten minutes at 100 Hz against twenty variables.
 
@@ -61,18 +61,6 @@ void TimeOfMismatch(benchmark::State& state) {
 }
 BENCHMARK(TimeOfMismatch)->Unit(benchmark::kMillisecond);
 
-void CrossCorrelationWithAll(benchmark::State& state) {
-  const NoiseModel noise = FitNoise(TheChannel().residual);
-  const Series innovations = Whiten(noise, TheChannel().residual).scaled;
-  for (auto _ : state) {
-    for (const RegimeVariable& variable : TheChannel().variables) {
-      benchmark::DoNotOptimize(
-          TestCrossCorrelation(innovations, variable.series, {}, Stream(1, "shifts")));
-    }
-  }
-}
-BENCHMARK(CrossCorrelationWithAll)->Unit(benchmark::kMillisecond);
-
 void RegimeOfMismatch(benchmark::State& state) {
   const Channel& channel = TheChannel();
   const NoiseModel noise = FitNoise(channel.residual);
@@ -91,7 +79,7 @@ void Curve(benchmark::State& state) {
   const NoiseModel noise = FitNoise(channel.residual);
   for (auto _ : state) {
     benchmark::DoNotOptimize(ClassifyCurve(FitRegimeCurve(
-        channel.residual, noise, Eigen::MatrixXd(), channel.variables[3], {}, Stream(1, "band"))));
+        channel.residual, noise, Eigen::MatrixXd(), channel.variables[3], Stream(1, "band"))));
   }
 }
 BENCHMARK(Curve)->Unit(benchmark::kMillisecond);

@@ -40,7 +40,9 @@ double WriteRecording(const std::vector<CameraFrame>& frames, const std::filesys
   DatasetInfo info;
   info.scenario_name = "bench";
   DatasetWriter writer(folder, info, {.threads = threads});
-  const ChannelId channel = writer.AddChannel(CameraChannel("machine/camera", "type: camera\n"));
+  const ChannelInfo camera{
+      "machine/camera", std::string(kCameraChannel), ChannelForm::kPictures, "type: camera\n", {}};
+  const ChannelId channel = writer.AddChannel(camera);
   for (int k = 0; k < kFrames; ++k) {
     CameraFrame frame = frames[k % frames.size()];
     frame.t_ns = k;

@@ -1,5 +1,6 @@
-# `cpack` in a build folder makes Debian packages: tera-sim, the program with its data, manual pages and completions, and
-# tera-sim-dev, the libraries with their headers. Which libraries they need is found by dpkg-shlibdeps.
+# `cpack` in a build folder makes Debian packages: tera-sim, the program with its data, manual pages and completions;
+# tera-sim-dev, the libraries with their headers; and tera-prove, where its libraries are there. Which libraries they need is
+# found by dpkg-shlibdeps.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME tera-sim)
 set(CPACK_PACKAGE_CONTACT "TERA maintainers <maintainers@localhost.invalid>")
@@ -28,19 +29,27 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 file(STRINGS scripts/packages.txt libraries REGEX "^libraries: ")
 string(REGEX REPLACE "^libraries: " "" libraries "${libraries}")
 string(REPLACE " " ";" libraries "${libraries}")
-list(REMOVE_ITEM libraries libboost-math-dev libceres-dev libcli11-dev libcpp-httplib-dev libmujoco-dev libpagmo-dev libsundials-dev)
+list(REMOVE_ITEM libraries libboost-math-dev libceres-dev libcli11-dev libcpp-httplib-dev libpagmo-dev)
 list(JOIN libraries ", " libraries)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "tera-sim (= ${PROJECT_VERSION}), ${libraries}")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
   "Static libraries of TERA with their headers, and a package file for CMake's
 find_package(tera).")
 
-set(TERA_DOC_DIR ${CMAKE_INSTALL_DATADIR}/doc)
-foreach(package tera-sim tera-sim-dev)
-  set(component program)
-  if(package MATCHES "-dev$")
-    set(component development)
-  endif()
-  install(FILES cmake/copyright DESTINATION ${TERA_DOC_DIR}/${package} COMPONENT ${component})
+if(TARGET tera-prove)
+  list(APPEND CPACK_COMPONENTS_ALL prove)
+endif()
+set(CPACK_DEBIAN_PROVE_PACKAGE_NAME tera-prove)
+set(CPACK_DEBIAN_PROVE_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROVE_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROVE_PACKAGE_DEPENDS "tera-sim (= ${PROJECT_VERSION})")
+set(CPACK_COMPONENT_PROVE_DESCRIPTION
+  "Conceals effects in recordings of two simulators that share nothing with TERA,
+has its diagnosis answer, and marks the answers.")
+
+foreach(component ${CPACK_COMPONENTS_ALL})
+  string(TOUPPER ${component} COMPONENT)
+  install(FILES cmake/copyright COMPONENT ${component}
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${COMPONENT}_PACKAGE_NAME})
 endforeach()
 include(CPack)

@@ -6,7 +6,7 @@ cd "$(dirname "$0")/.."
 
 packages() { sed -n "s/^\($1\): //p" scripts/packages.txt; }
 # shellcheck disable=SC2046
-scripts/install_packages.sh $(packages build) $(packages libraries) $(packages run) $(packages test)
+scripts/install_packages.sh $(packages build) $(packages libraries) $(packages prove) $(packages run) $(packages test)
 
 cmake --preset release -DTERA_BUILD_TESTS=OFF -DTERA_BUILD_BENCH=ON >/dev/null
 cmake --build --preset release --target tera_bench

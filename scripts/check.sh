@@ -30,7 +30,7 @@ format() {
 }
 
 tidy() {
-  install build libraries serve run test ros2 survey tidy
+  install build libraries serve run test ros2 survey prove tidy
   cmake --preset tidy >/dev/null
   # What is generated has to be there before it is included.
   cmake --build --preset tidy --parallel "$jobs" --target tera_messages tera_ros2_types_generate tera_commit
@@ -43,7 +43,7 @@ tidy() {
 }
 
 asan() {
-  install build libraries serve run test ros2 survey test-ros2
+  install build libraries serve run test ros2 survey prove test-ros2
   cmake --preset asan >/dev/null
   cmake --build --preset asan --parallel "$jobs" --target unit_tests
   # Debian's libfastrtps, which the tests of ROS 2 talk to, deletes readers of its own by the size of their base.
@@ -57,7 +57,7 @@ asan() {
 # for it, hands them from thread to thread unseen.
 threaded='core_test dataset_test ray_scene_test sensors_test generate_test sim_test search_test'
 tsan() {
-  install build libraries serve run test ros2 survey test-ros2
+  install build libraries serve run test ros2 survey prove test-ros2
   cmake --preset tsan >/dev/null
   # shellcheck disable=SC2086
   cmake --build --preset tsan --parallel "$jobs" --target $threaded

@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 packages() { sed -n "s/^\($1\): //p" scripts/packages.txt; }
 # shellcheck disable=SC2046
 scripts/install_packages.sh $(packages build) $(packages libraries) $(packages serve) $(packages run) $(packages test) \
-  $(packages ros2) $(packages survey) $(packages test-ros2) $(packages coverage)
+  $(packages ros2) $(packages survey) $(packages prove) $(packages test-ros2) $(packages coverage)
 
 [ $# -gt 0 ] || set -- -L 'unit|program|gl'
 cmake --preset coverage >/dev/null

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Installs what is needed, builds the program and its libraries, and makes Debian packages of them in build/package:
-# tera-sim, the program with its data, and tera-sim-dev, the libraries. `apt install ./build/package/tera-sim_*.deb` installs the first.
+# tera-sim, the program with its data, tera-sim-dev, the libraries, and tera-prove. `apt install ./build/package/tera-sim_*.deb` installs the first.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 packages() { sed -n "s/^\($1\): //p" scripts/packages.txt; }
 # shellcheck disable=SC2046
 scripts/install_packages.sh $(packages build) $(packages libraries) $(packages serve) $(packages run) $(packages ros2) \
-  $(packages survey) $(packages package)
+  $(packages survey) $(packages prove) $(packages package)
 
 cmake --preset package >/dev/null
 cmake --build --preset package

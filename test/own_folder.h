@@ -1,14 +1,18 @@
 #pragma once
 
+#include <gtest/gtest.h>
 #include <stdlib.h>
 
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <string>
 
 namespace tera {
 
-/// A folder of this process alone, since tests run side by side; removed when the process ends.
+/// A folder of this test alone, in this process alone, since tests run side by side and one after
+/// the other; of all that is asked for outside of tests there is one. They go when the process
+/// ends.
 inline const std::filesystem::path& OwnFolder() {
   struct Folder {
     std::filesystem::path path;
@@ -17,13 +21,15 @@ inline const std::filesystem::path& OwnFolder() {
       if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
       path = name;
     }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
     ~Folder() {
       std::error_code ignored;
       std::filesystem::remove_all(path, ignored);
     }
   };
-  static const Folder folder;
-  return folder.path;
+  static std::map<const testing::TestInfo*, Folder> folders;
+  return folders[testing::UnitTest::GetInstance()->current_test_info()].path;
 }
 
 }  // namespace tera

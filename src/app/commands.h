@@ -19,7 +19,6 @@ void AddOverviewCommand(CLI::App* app);
 void AddRealismCommand(CLI::App* app);
 void AddLayoutCommand(CLI::App* app);
 void AddLintCommand(CLI::App* app);
-void AddProveCommand(CLI::App* app);
 void AddRegisterCommand(CLI::App* app);
 void AddReplayCommand(CLI::App* app);
 void AddResenseCommand(CLI::App* app);

@@ -131,7 +131,7 @@ void AddImportCommand(CLI::App* app) {
       ->take_all();
   command->callback([arguments] {
     if (!arguments->suggested.empty()) {
-      fmt::print("{}", SuggestMapping(arguments->suggested));
+      fmt::print("{}", SuggestMapping(arguments->suggested, arguments->options.overrides));
       return;
     }
     if (arguments->mapping.empty()) {

@@ -28,9 +28,6 @@ void AddDiagnoseCommand(CLI::App* app) {
   AddLeftOut("diagnose", "Find why a recording differs from its simulation", app);
 }
 void AddLayoutCommand(CLI::App* app) { AddLeftOut("layout", "Where should the sensors go?", app); }
-void AddProveCommand(CLI::App* app) {
-  AddLeftOut("prove", "Hide effects in recordings and score the diagnosis of them", app);
-}
 void AddRegisterCommand(CLI::App* app) { AddLeftOut("register", "Align two clouds", app); }
 void AddResenseCommand(CLI::App* app) {
   AddLeftOut("resense", "Measure a recorded scene with another rig", app);

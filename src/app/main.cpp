@@ -1,22 +1,25 @@
-#include <fmt/format.h>
-
-#include <exception>
-#include <filesystem>
-#include <string>
-
 #include "app/about/about_program.h"
-#include "app/arguments/misspelt.h"
 #include "app/commands.h"
+#include "app/run_program.h"
 #include "core/error.h"
 
 namespace {
 
-constexpr int kSuccess = 0;
-constexpr int kBug = 1;
-constexpr int kBadInput = 2;
+/// A program of its own, for its plants are simulators that nobody needs who does not mark TERA.
+void AddProveCommand(CLI::App* app) {
+  CLI::App* command = app->add_subcommand("prove", "Is the program tera-prove");
+  command->group("")->allow_extras();  // neither in the help nor among the manual pages
+  command->callback([] {
+    throw tera::InputError(
+        "tera prove: is a program of its own; run tera-prove with the same options, of the package "
+        "tera-prove or of the build's target of that name");
+  });
+}
 
-int Run(int argc, char** argv) {
-  CLI::App app{"TERA, a sensor-centric perception simulator for autonomous excavators"};
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"TERA, a sensor-centric perception simulator for autonomous excavators", "tera"};
   app.require_subcommand(1);
   app.set_version_flag("--version", tera::AboutProgram(),
                        "Print the version, and what this program was built from and how");
@@ -32,7 +35,7 @@ int Run(int argc, char** argv) {
   tera::AddLintCommand(&app);
   tera::AddOverviewCommand(&app);
   tera::AddRealismCommand(&app);
-  tera::AddProveCommand(&app);
+  AddProveCommand(&app);
   tera::AddRegisterCommand(&app);
   tera::AddReplayCommand(&app);
   tera::AddResenseCommand(&app);
@@ -42,35 +45,5 @@ int Run(int argc, char** argv) {
   tera::AddManualCommand(&app);
   tera::AddSiteCommand(&app);
   tera::AddViewCommand(&app);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::RuntimeError& e) {
-    return e.get_exit_code();  // of a command whose answer is no
-  } catch (const CLI::ParseError& e) {
-    const std::string unknown = tera::UnknownArgument(app);
-    if (e.get_exit_code() == kSuccess || unknown.empty()) {
-      return app.exit(e) == 0 ? kSuccess : kBadInput;
-    }
-    fmt::print(stderr, "{}\nRun with --help for more information.\n", unknown);
-    return kBadInput;
-  }
-  return kSuccess;
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  try {
-    return Run(argc, argv);
-  } catch (const tera::InputError& e) {
-    fmt::print(stderr, "{}\n", e.what());
-    return kBadInput;
-  } catch (const std::filesystem::filesystem_error& e) {
-    const std::string path = e.path1().string();
-    fmt::print(stderr, "{}: {}; check the disk and the path\n", path, e.code().message());
-    return kBadInput;
-  } catch (const std::exception& e) {
-    fmt::print(stderr, "tera: internal error, please report it: {}\n", e.what());
-    return kBug;
-  }
+  return tera::RunProgram(&app, argc, argv);
 }

@@ -49,8 +49,13 @@ void Print(const SurveySite& site) {
       terrain.grid.nx, terrain.grid.ny, terrain.grid.cell_m, share(HeightSource::kMeasured),
       share(HeightSource::kFilled), share(HeightSource::kUnderThing),
       share(HeightSource::kBeyondSurvey));
+  for (const std::string& warning : site.warnings) fmt::print("warning: {}\n", warning);
   fmt::print("map: {}\n", site.has_map ? site.map.name
-                                       : "none; the survey's own frame, about the site's origin");
+                          : site.middle_m.isZero()
+                              ? "none; the survey's own frame, about the site's origin"
+                              : fmt::format("none; x {:.3f}, y {:.3f} m of the survey lie at the "
+                                            "site's origin",
+                                            site.middle_m.x(), site.middle_m.y()));
   if (!site.map.vertical.empty()) {
     fmt::print(
         "warning: heights are above '{}', and a scenario takes them as above the WGS 84 "
@@ -74,9 +79,12 @@ void RunSite(SiteArguments arguments) {
     request.origin = {arguments.origin[0], arguments.origin[1], arguments.origin[2]};
   }
   const SurveySite site = MakeSurveySite(arguments.survey, request);
-  if (site.has_map && !arguments.origin.empty()) {
-    throw InputError(
-        fmt::format("--origin: the survey is in '{}' and needs none; leave it out", site.map.name));
+  const char* needless = !arguments.origin.empty() ? "--origin"
+                         : request.about_middle    ? "--local"
+                                                   : nullptr;
+  if (site.has_map && needless) {
+    throw InputError(fmt::format("{}: the survey is in '{}' and needs none; leave it out", needless,
+                                 site.map.name));
   }
   WholeFolder folder(arguments.out);
   WriteSite(site, ScenarioName(arguments.survey), arguments.survey.filename().string(),
@@ -102,10 +110,12 @@ void AddSiteCommand(CLI::App* app) {
       ->check(NumberBetween(kFinest_m, kCoarsest_m, "metres"));
   command->add_option("--map", arguments->request.map,
                       "Reference system of the coordinates where the file names none: EPSG:n");
+  command->add_flag("--local", arguments->request.about_middle,
+                    "Take coordinates without a reference system about their own middle");
   command
       ->add_option("--origin", arguments->origin,
                    "Latitude, longitude (deg) and height (m) of (0, 0, 0) of a survey without a "
-                   "reference system")
+                   "reference system, with --local of its middle at height 0")
       ->expected(3);
   command
       ->add_option("--largest-thing", arguments->request.largest_thing_m,

@@ -78,7 +78,6 @@ class PoseTrack {
   void DropBefore(TimeNs t_ns);
   Pose At(TimeNs t_ns) const;
   bool empty() const { return samples_.empty(); }
-  TimeNs front_ns() const { return samples_.front().t_ns; }
 
  private:
   struct Sample {

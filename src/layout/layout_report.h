@@ -31,7 +31,10 @@ struct LayoutReport {
   std::vector<std::string> warnings;
 };
 
-/// The figure of this name, or null.
-const Figure* FindFigure(const LayoutReport& report, const std::string& name);
+/// Name of the shovel that digs: the first that carries soil, else the first; empty of none.
+std::string DiggingShovel(const LayoutReport& report);
+
+/// This figure, or null.
+const Figure* FindFigure(const LayoutReport& report, const FigureId& id);
 
 }  // namespace tera

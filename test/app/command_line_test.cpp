@@ -91,6 +91,17 @@ TEST(CommandLine, AMisspeltOptionOrCommandIsNamedWithWhatItResembles) {
               StartsWith("'generat': no such command (did you mean 'generate'?)\n"));
 }
 
+TEST(CommandLine, ProveIsAnotherProgramAndSaysSo) {
+  const ScratchDirectory scratch;
+  const Outcome outcome =
+      RunTera({"prove", "--out", "proof", "--cases", "3", "--seed", "1"}, {scratch.path()});
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err, ContainsRegex("^tera prove: [^\n]*tera-prove[^\n]*\n$"));
+  EXPECT_TRUE(Entries(scratch.path()).empty());
+  EXPECT_THAT(RunTera({"--help"}, {scratch.path()}).out, Not(HasSubstr("prove")));
+  EXPECT_THAT(RunTera({"completion", "bash"}, {scratch.path()}).out, Not(HasSubstr("prove")));
+}
+
 TEST(CommandLine, VersionStandsAloneOnTheFirstLineBeforeHowItWasBuilt) {
   const Outcome outcome = RunTera({"--version"}, {fs::temp_directory_path()});
   EXPECT_EQ(outcome.status, 0);

@@ -46,6 +46,11 @@ if(NOT EXISTS ${SCRATCH}/elsewhere/run/rover1/camera/rgb/0.png)
   message(FATAL_ERROR "the installed program drew no picture")
 endif()
 
+if(EXISTS ${BUILD}/tera-prove)
+  run(${moved}/bin/tera-prove --version)
+  need("tera-prove ")
+endif()
+
 # What is said of the program by itself came along.
 foreach(file share/man/man1/tera.1.gz share/man/man1/tera-layout-evaluate.1.gz share/bash-completion/completions/tera
     share/zsh/vendor-completions/_tera share/fish/vendor_completions.d/tera.fish share/doc/tera-sim/copyright)

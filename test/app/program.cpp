@@ -15,6 +15,7 @@
 namespace tera {
 namespace fs = std::filesystem;
 
+const char* const kTera = TERA_PROGRAM;
 const char* const kCamera =
     "{name: camera, preset: tera:config/sensors/rgb_640.yaml, link: chassis, xyz_m: [0.8, 0, 1], "
     "width_px: 96, height_px: 72, rate_hz: 10}";
@@ -27,14 +28,15 @@ namespace {
 constexpr int kCannotStart = 126;
 
 /// In the child: becomes the program, or ends with kCannotStart.
-[[noreturn]] void Become(const Arguments& arguments, const Surroundings& surroundings) {
+[[noreturn]] void Become(const std::string& program, const Arguments& arguments,
+                         const Surroundings& surroundings) {
   for (const auto& [name, value] : surroundings.environment) {
     setenv(name.c_str(), value.c_str(), 1);
   }
-  std::vector<char*> argv = {const_cast<char*>(TERA_PROGRAM)};
+  std::vector<char*> argv = {const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
-  if (chdir(surroundings.directory.c_str()) == 0) execv(TERA_PROGRAM, argv.data());
+  if (chdir(surroundings.directory.c_str()) == 0) execv(program.c_str(), argv.data());
   _exit(kCannotStart);
 }
 
@@ -61,14 +63,15 @@ void ExpectSoundDataset(const Arguments& arguments, const fs::path& directory) {
 
 }  // namespace
 
-TeraProcess::TeraProcess(const Arguments& arguments, const Surroundings& surroundings) {
+TeraProcess::TeraProcess(const Arguments& arguments, const Surroundings& surroundings,
+                         const std::string& program) {
   const std::string out = output_.path() / "out", err = output_.path() / "err";
   pid_ = fork();
   if (pid_ == 0) {
     dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
     dup2(open(out.c_str(), O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
     dup2(open(err.c_str(), O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
-    Become(arguments, surroundings);
+    Become(program, arguments, surroundings);
   }
   EXPECT_GT(pid_, 0) << "fork failed";
 }
@@ -107,7 +110,7 @@ Outcome RunTeraOnTerminal(const Arguments& arguments, const fs::path& directory,
   size.ws_col = static_cast<unsigned short>(columns);
   int terminal = -1;
   const pid_t pid = forkpty(&terminal, nullptr, nullptr, &size);
-  if (pid == 0) Become(arguments, {directory});
+  if (pid == 0) Become(kTera, arguments, {directory});
   EXPECT_GT(pid, 0) << "forkpty failed";
   std::string text;
   char block[4096];

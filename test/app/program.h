@@ -28,10 +28,14 @@ struct Surroundings {
   std::map<std::string, std::string> environment = {};
 };
 
-/// A run of the program with its standard output and error in files: no terminal.
+extern const char* const kTera;
+
+/// A run of the program with its standard output and error in files: no terminal. `program` is
+/// another of this project's.
 class TeraProcess {
  public:
-  TeraProcess(const Arguments& arguments, const Surroundings& surroundings);
+  TeraProcess(const Arguments& arguments, const Surroundings& surroundings,
+              const std::string& program = kTera);
   TeraProcess(const TeraProcess&) = delete;
   TeraProcess& operator=(const TeraProcess&) = delete;
   /// Ends a run that nobody waited for.

@@ -176,6 +176,79 @@ TEST(SurveyInput, ThatCannotBeUsedLeavesNothingBehind) {
   ExpectRefused(scratch, {"site", "gone.las", "--out", "site"}, HasSubstr("gone.las"));
 }
 
+/// A yard of 12 x 9 m that rises by a fifth to the east, with a point in each 0.1 m.
+std::vector<Vec3> SmallYard(const Vec3& low_m) {
+  std::mt19937_64 random(17);
+  std::uniform_real_distribution<double> part(0, 1);
+  std::vector<Vec3> p_m;
+  for (int k = 0; k < 10'800; ++k) {
+    const Vec2 at_m(0.1 * (k % 120 + part(random)), 0.1 * (k / 120 + part(random)));
+    p_m.push_back(low_m + Vec3(at_m.x(), at_m.y(), 0.2 * at_m.x()));
+  }
+  return p_m;
+}
+
+TEST(SurveyWithoutAMap, FarFromItsOriginIsAskedFor) {
+  const ScratchDirectory scratch;
+  for (const Vec3& low_m : {kMap_m, Vec3(2'600'000, 1'200'000, 550), Vec3(10'000, 50'000, 100)}) {
+    WriteBytes(scratch.path() / "yard.ply", PlyOf(SmallYard(low_m)));
+    ExpectRefused(scratch, {"site", "yard.ply", "--out", "site"},
+                  AllOf(StartsWith("yard.ply: names no map"), HasSubstr("km from the origin"),
+                        HasSubstr("--map EPSG:n"), HasSubstr("--local")));
+  }
+  std::vector<Vec3> mm = SmallYard(Vec3::Zero());
+  for (Vec3& p : mm) p *= 1000;
+  WriteBytes(scratch.path() / "mm.ply", PlyOf(mm));
+  ExpectRefused(scratch, {"site", "mm.ply", "--out", "site"}, HasSubstr("these are millimetres"));
+}
+
+// The middle is 6 m to the east and 1.2 m above the corner.
+TEST(SurveyWithoutAMap, LiesOnItsMapOrAboutItsMiddleWithItsOwnHeights) {
+  const ScratchDirectory scratch;
+  WriteBytes(scratch.path() / "yard.ply", PlyOf(SmallYard(kMap_m)));
+  const Outcome on_map =
+      RunTera({"site", "yard.ply", "--out", "map", "--map", "EPSG:32632"}, {scratch.path()});
+  EXPECT_EQ(on_map.status, 0) << on_map.err;
+  const json place = JsonOf(scratch.path() / "map/site.json")["origin"];
+  // Easting 600 006, northing 5 250 004.5 of zone 32 by GeographicLib's GeoConvert -g.
+  EXPECT_NEAR(place["lat_deg"].get<double>(), 47.39584, 1e-5);
+  EXPECT_NEAR(place["lon_deg"].get<double>(), 10.32525, 1e-5);
+  EXPECT_NEAR(place["height_m"].get<double>(), 421.2, 0.05);
+
+  const Outcome local =
+      RunTera({"site", "yard.ply", "--out", "local", "--local"}, {scratch.path()});
+  EXPECT_EQ(local.status, 0) << local.err;
+  EXPECT_THAT(local.out, HasSubstr("map: none; x 600006."));
+  const json own = JsonOf(scratch.path() / "local/site.json");
+  EXPECT_NEAR(own["origin"]["height_m"].get<double>(), 421.2, 0.05);
+  EXPECT_NEAR(own["origin"]["lat_deg"].get<double>(), 47.3763, 1e-5);
+  EXPECT_NEAR(own["middle_m"][0].get<double>(), 600'006, 0.1);
+  EXPECT_NEAR(own["middle_m"][1].get<double>(), 5'250'004.5, 0.1);
+
+  const Outcome placed =
+      RunTera({"site", "yard.ply", "--out", "placed", "--local", "--origin", "52", "13", "-400"},
+              {scratch.path()});
+  EXPECT_EQ(placed.status, 0) << placed.err;
+  const json there = JsonOf(scratch.path() / "placed/site.json")["origin"];
+  EXPECT_NEAR(there["lat_deg"].get<double>(), 52, 1e-5);
+  EXPECT_NEAR(there["height_m"].get<double>(), 21.2, 0.05);
+}
+
+TEST(SurveyInput, OfTooFewDigitsIsRefusedAndTakenForCellsAsCoarse) {
+  const ScratchDirectory scratch;
+  std::vector<Vec3> single = SmallYard(kMap_m);
+  for (Vec3& p : single) p = p.cast<float>().cast<double>();
+  WriteBytes(scratch.path() / "single.ply", PlyOf(single));
+  const auto finding = HasSubstr("single.ply: y has steps of 0.5 m: its coordinates are too large");
+  ExpectRefused(scratch, {"site", "single.ply", "--out", "site", "--map", "EPSG:32632"}, finding);
+  ExpectRefused(scratch, {"register", "single.ply", "single.ply", "--json", "pose.json"}, finding);
+  const Outcome coarse =
+      RunTera({"site", "single.ply", "--out", "coarse", "--map", "EPSG:32632", "--cell", "0.5"},
+              {scratch.path()});
+  EXPECT_EQ(coarse.status, 0) << coarse.err;
+  EXPECT_THAT(coarse.out, HasSubstr("warning: single.ply: y has steps of 0.5 m"));
+}
+
 TEST(SurveyInput, ThatDoesNotFitASiteIsRefusedWithWhatToDo) {
   const ScratchDirectory scratch;
   std::vector<Vec3> wide_m, coarse_m;
@@ -203,6 +276,7 @@ TEST(SurveyInput, ThatDoesNotFitASiteIsRefusedWithWhatToDo) {
   refuse({"degrees.las"}, HasSubstr("reproject it"));
   refuse({"map.las", "--map", "EPSG:25832"}, HasSubstr("leave out --map"));
   refuse({"coarse.ply", "--map", "EPSG:nought"}, HasSubstr("--map: reference system"));
+  refuse({"map.las", "--local"}, HasSubstr("--local: the survey is in"));
   refuse({"map.las", "--origin", "47", "8", "400"}, HasSubstr("--origin: the survey is in"));
   fs::create_directories(scratch.path() / "site" / "old");
   refuse({"coarse.ply"}, HasSubstr("site: is not an empty directory"));

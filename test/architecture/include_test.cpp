@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -77,7 +78,6 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"boost/math/", "layout"},
     {"boost/math/", "sim"},
     {"ceres/", "diagnose"},
-    {"unsupported/Eigen/", "diagnose"},
     {"openssl/", "dataset"},
     {"libdeflate.h", "dataset"},
     {"lz4frame.h", "dataset"},
@@ -101,6 +101,86 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"tera/v1/", "serve"},
     {"dds/", "ros2"},
 };
+
+/// What docs/architecture.md calls a library, by the beginning of its headers.
+const std::map<std::string, std::string> kNameOfLibrary = {
+    {"BulletCollision/", "Bullet"},
+    {"BulletDynamics/", "Bullet"},
+    {"CLI/", "CLI11"},
+    {"GeographicLib/", "GeographicLib"},
+    {"LinearMath/", "Bullet"},
+    {"Random123/", "Random123"},
+    {"assimp/", "assimp"},
+    {"boost/math/", "Boost.Math"},
+    {"bzlib.h", "libbz2"},
+    {"ceres/", "Ceres"},
+    {"console_bridge/", "urdfdom"},
+    {"cvode/", "SUNDIALS"},
+    {"dds/", "Cyclone DDS"},
+    {"embree3/", "Embree"},
+    {"epoxy/", "EGL/OpenGL"},
+    {"gdal_priv.h", "GDAL"},
+    {"google/protobuf/", "protobuf"},
+    {"grpcpp/", "gRPC"},
+    {"httplib.h", "cpp-httplib"},
+    {"immintrin.h", "immintrin.h"},
+    {"libdeflate.h", "libdeflate"},
+    {"liblzf/", "liblzf"},
+    {"libnova/", "libnova"},
+    {"lz4frame.h", "liblz4"},
+    {"mujoco/", "MuJoCo"},
+    {"nlohmann/", "nlohmann/json"},
+    {"nvector/", "SUNDIALS"},
+    {"ogr_spatialref.h", "GDAL"},
+    {"opencv2/", "OpenCV"},
+    {"openssl/", "OpenSSL"},
+    {"pagmo/", "pagmo"},
+    {"pcl/", "PCL"},
+    {"sqlite3.h", "SQLite"},
+    {"sunlinsol/", "SUNDIALS"},
+    {"sunmatrix/", "SUNDIALS"},
+    {"tera/v1/", "protobuf"},
+    {"tiny_gltf.h", "tinygltf"},
+    {"tinyxml2.h", "TinyXML-2"},
+    {"topic_types.h", "Cyclone DDS"},
+    {"urdf_model/", "urdfdom"},
+    {"urdf_parser/", "urdfdom"},
+    {"yaml-cpp/", "yaml-cpp"},
+    {"zlib.h", "zlib"},
+    {"zstd.h", "libzstd"},
+};
+
+using LibrariesOfFolders = std::map<std::string, std::set<std::string>>;
+
+/// The libraries that folders include, by their names.
+LibrariesOfFolders LibrariesOf(const std::vector<Include>& includes) {
+  LibrariesOfFolders libraries;
+  for (const Include& include : includes) {
+    for (const auto& [beginning, name] : kNameOfLibrary) {
+      if (include.header.starts_with(beginning)) libraries[include.folder].insert(name);
+    }
+  }
+  return libraries;
+}
+
+/// The last column of the page's table of folders, without what stands in brackets.
+LibrariesOfFolders LibrariesOfThePage() {
+  LibrariesOfFolders libraries;
+  const std::regex row_form(R"(^\| (?:src/)?(\w+) \|.*\| ([^|]*)\|$)"), name_form("[^,;]*[^,; ]");
+  const std::regex brackets(R"( \([^)]*\))");
+  std::ifstream page("docs/architecture.md");
+  std::smatch row;
+  for (std::string line; std::getline(page, line);) {
+    if (!std::regex_search(line, row, row_form) || !kMaySee.contains(row[1])) continue;
+    const std::string names = std::regex_replace(row[2].str(), brackets, "");
+    for (std::sregex_iterator name(names.begin(), names.end(), name_form), end; name != end;
+         ++name) {
+      const std::string text = name->str();
+      libraries[row[1]].insert(text.substr(text.find_first_not_of(' ')));
+    }
+  }
+  return libraries;
+}
 
 bool MayInclude(const std::string& folder, const std::string& library) {
   const auto [first, last] = kFolderOfLibrary.equal_range(library);
@@ -245,6 +325,20 @@ TEST(Includes, KeepEachLibraryInItsFolder) {
     }
   }
   EXPECT_EQ(LibrariesOutOfTheirFolder(IncludesOf("core/csv.cpp", "boost/any.hpp")).size(), 1u);
+}
+
+TEST(Includes, AreOfTheLibrariesThatThePageOfTheArchitectureNames) {
+  const LibrariesOfFolders named = LibrariesOfThePage(), included = LibrariesOf(AllIncludes());
+  for (const auto& [folder, _] : kMaySee) {
+    const auto of = [&](const LibrariesOfFolders& all) {
+      return all.contains(folder) ? all.at(folder) : std::set<std::string>();
+    };
+    EXPECT_EQ(of(named), of(included)) << folder;
+  }
+  for (const auto& [library, folder] : kFolderOfLibrary) {
+    ASSERT_TRUE(kNameOfLibrary.contains(library)) << library;
+    EXPECT_TRUE(included.at(folder).contains(kNameOfLibrary.at(library))) << folder << library;
+  }
 }
 
 TEST(Includes, KeepThirdPartyLibrariesOutOfPublicHeaders) {

@@ -9,6 +9,7 @@
 #include "core/units.h"
 #include "dataset/format/writer.h"
 #include "diagnose/diagnose_recording.h"
+#include "diagnose/statistics/series/simulated.h"
 #include "own_folder.h"
 
 namespace tera {

@@ -149,7 +149,7 @@ TEST_F(Ranking, OfElevationMapsIsThatOfMapsMadeFromDatasets) {
     MoveViewers(machine, &layouts_[l]);
     const Pose X_HS = X_WH.inverse() * layouts_[l].viewers[0].X_WS;
     const double real = GapsOf(ScansOf(layouts_[l].name), X_HS, study_.elevation);
-    const double predicted = MeanOf(*FindFigure(reports_[l], "elevation/gaps"));
+    const double predicted = MeanOf(*FindFigure(reports_[l], {Measure::kElevationGaps}));
     RecordProperty(layouts_[l].name, fmt::format("{:.3f} predicted, {:.3f} real", predicted, real));
     if (layouts_[l].name == "rows") {
       // Rows 2 deg apart lie more than a cell of 0.2 m apart on the ground: at a depression of 35

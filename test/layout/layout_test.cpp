@@ -114,7 +114,7 @@ TEST_F(SceneLayouts, ALidarOfOneBeamIsSaidToSeeNothing) {
   LayoutStudy study = LoadStudy({});
   study.points = 100;
   const auto report = Evaluate(TheCycle(), study, {layout}, {.threads = 1}).front();
-  EXPECT_EQ(MeanOf(*FindFigure(report, "zone/around/seen_by_1")), 0);
+  EXPECT_EQ(MeanOf(*FindFigure(report, {Measure::kSeenBy1, "around"})), 0);
   EXPECT_THAT(report.warnings,
               testing::Contains(AllOf(HasSubstr("scanner"), HasSubstr("one elevation"))));
   EXPECT_TRUE(FlatWarnings(LoadLayout(path() / "front.yaml", TheCycle(), 0)).empty());
@@ -187,18 +187,19 @@ TEST_F(SceneLayouts, AreComparedAtTheSameMomentsWithFiguresOfTheSameNames) {
   std::set<std::string> names;
   for (std::size_t f = 0; f < reports[0].figures.size(); ++f) {
     const Figure &a = reports[0].figures[f], &b = reports[1].figures[f];
-    EXPECT_TRUE(names.insert(a.name).second) << a.name << " twice";
-    EXPECT_EQ(a.name, b.name);
-    EXPECT_EQ(a.at.size(), 3u) << a.name;
-    EXPECT_TRUE(a.error.empty() || a.error.size() == 3u) << a.name;
-    EXPECT_EQ(a.at, again[0].figures[f].at) << a.name << " depends on threads";
+    EXPECT_TRUE(names.insert(NameOf(a.id)).second) << NameOf(a.id) << " twice";
+    EXPECT_EQ(a.id, b.id);
+    EXPECT_EQ(a.at.size(), 3u) << NameOf(a.id);
+    EXPECT_TRUE(a.error.empty() || a.error.size() == 3u) << NameOf(a.id);
+    EXPECT_EQ(a.at, again[0].figures[f].at) << NameOf(a.id) << " depends on threads";
     for (std::size_t m = 0; m < 3; ++m) {
-      EXPECT_TRUE(std::isfinite(a.at[m])) << a.name;
-      EXPECT_TRUE(a.error.empty() || std::isfinite(a.error[m])) << a.name;
+      EXPECT_TRUE(std::isfinite(a.at[m])) << NameOf(a.id);
+      EXPECT_TRUE(a.error.empty() || std::isfinite(a.error[m])) << NameOf(a.id);
       // A sensor more takes nothing away, but cells of an elevation map that it measures worse than
       // others do are measured at all.
-      if (a.name == "elevation/sigma_m") continue;
-      EXPECT_TRUE(a.more_is_better ? b.at[m] >= a.at[m] : b.at[m] <= a.at[m]) << a.name;
+      if (a.id.measure == Measure::kElevationSigma) continue;
+      EXPECT_TRUE(IsMoreBetter(a.id.measure) ? b.at[m] >= a.at[m] : b.at[m] <= a.at[m])
+          << NameOf(a.id);
     }
   }
   for (const auto& [zone, causes] : reports[0].blind_causes) {
@@ -216,9 +217,9 @@ TEST_F(SceneLayouts, WhatTheMachineHidesFromAnEyeIsTheSameForAll) {
   Layout layout = LoadLayout(path() / "front.yaml", cycle, 0);
   const auto reports = Evaluate(cycle, study, {layout, layout}, {.threads = 1});
   for (const LayoutReport& report : reports) {
-    EXPECT_EQ(FindFigure(report, "eye/circle/masked_share")->at.size(), 3u);
-    EXPECT_EQ(FindFigure(report, "eye/circle/masked_share")->at,
-              FindFigure(reports[0], "eye/circle/masked_share")->at);
+    EXPECT_EQ(FindFigure(report, {Measure::kMaskedShare, "circle"})->at.size(), 3u);
+    EXPECT_EQ(FindFigure(report, {Measure::kMaskedShare, "circle"})->at,
+              FindFigure(reports[0], {Measure::kMaskedShare, "circle"})->at);
     EXPECT_THAT(report.warnings, testing::Contains(HasSubstr("eye: on the circle")));
   }
   study.eye->link = "roof";

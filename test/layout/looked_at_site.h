@@ -155,10 +155,10 @@ inline Layout LayoutOf(std::vector<Viewer> viewers) {
 /// The figure of this name at the only moment.
 inline const Figure& FigureOf(const std::vector<Figure>& figures, const std::string& name) {
   for (const Figure& figure : figures) {
-    if (figure.name == name) return figure;
+    if (NameOf(figure.id) == name) return figure;
   }
   ADD_FAILURE() << "no figure " << name;
-  static const Figure none{.name = "none", .unit = "", .at = {0}, .error = {0}};
+  static const Figure none{.id = {}, .at = {0}, .error = {0}};
   return none;
 }
 

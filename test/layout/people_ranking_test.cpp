@@ -135,7 +135,7 @@ class PeopleRanking : public testing::Test {
       outcome.layout = layouts_[l].name;
       for (const int least : {study_.person.cluster_points, kMany}) of_[least].push_back(outcome);
       of_[study_.person.cluster_points][l].figure =
-          MeanOf(*FindFigure(reports[l], "person/standing/probability_within_12m"));
+          MeanOf(*FindFigure(reports[l], {Measure::kProbability, "standing"}));
       Try(l);
     }
   }

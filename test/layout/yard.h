@@ -125,7 +125,7 @@ inline Layout LayoutOf(std::vector<Viewer> viewers) {
 
 inline const Figure& FigureOf(const std::vector<Figure>& figures, const std::string& name) {
   for (const Figure& figure : figures) {
-    if (figure.name == name) return figure;
+    if (NameOf(figure.id) == name) return figure;
   }
   throw std::runtime_error("no figure " + name);
 }

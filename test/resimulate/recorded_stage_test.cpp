@@ -27,22 +27,25 @@ class RecordedWork : public ::testing::Test {
     const std::string rig = kTrueEncoders;
     scenario_ = new Scenario(WorkScenario(
         {"duration_s=8", "machines[0].rig=" + rig, "machines[1].rig=" + rig, "settle_s=1.5"}));
-    Generate(*scenario_, "", {.out = OwnFolder() / "work"});
+    folder_ = OwnFolder() / "work";
+    Generate(*scenario_, "", {.out = folder_});
   }
   static void TearDownTestSuite() { delete scenario_; }
 
-  RecordedWork() : recording_(OwnFolder() / "work") {
+  RecordedWork() : recording_(folder_) {
     for (const ScenarioMachine& machine : scenario_->machines) {
       motions_.emplace_back(machine.placement, machine.placement.name, recording_);
     }
   }
 
   static const Scenario* scenario_;
+  static std::filesystem::path folder_;
   Recording recording_;
   std::vector<RecordedMotion> motions_;
 };
 
 const Scenario* RecordedWork::scenario_ = nullptr;
+std::filesystem::path RecordedWork::folder_;
 
 /// Soil that was moved from one ground to another: the mean of what rose and what fell.
 double Moved_m3(const std::vector<float>& from_m, const std::vector<float>& to_m, double cell_m) {

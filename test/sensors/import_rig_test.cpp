@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -10,6 +9,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "own_folder.h"
 #include "sensors/sensor.h"
 
 namespace tera {
@@ -18,21 +18,12 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-/// A file of the foreign form in a directory of its own.
-class ForeignFile {
- public:
-  explicit ForeignFile(const std::string& text) {
-    directory_ = std::filesystem::temp_directory_path() /
-                 ("tera_rig_" + std::to_string(HashText(text)) + "_" + std::to_string(getpid()));
-    std::filesystem::create_directories(directory_);
-    std::ofstream(path()) << text;
-  }
-  ~ForeignFile() { std::filesystem::remove_all(directory_); }
-  std::filesystem::path path() const { return directory_ / "excavator.yaml"; }
-
- private:
-  std::filesystem::path directory_;
-};
+/// A file of the foreign form.
+std::filesystem::path ForeignFile(const std::string& text) {
+  const std::filesystem::path file = OwnFolder() / "excavator.yaml";
+  std::ofstream(file) << text;
+  return file;
+}
 
 const char* const kExample = R"(
 Excavator:
@@ -54,8 +45,8 @@ Excavator:
 
 /// The imported rig, read back as a machine's sensors.
 std::vector<SensorDescription> Imported(const std::string& text, const std::string& machine = "") {
-  const ForeignFile file(text);
-  const Config config = Config::FromText(ImportRig(file.path(), machine), "imported.yaml");
+  const std::filesystem::path file = ForeignFile(text);
+  const Config config = Config::FromText(ImportRig(file, machine), "imported.yaml");
   std::vector<SensorDescription> sensors;
   for (const ConfigMap& item : config.root().List("sensors")) sensors.push_back(ReadSensor(item));
   config.Finish();
@@ -63,9 +54,9 @@ std::vector<SensorDescription> Imported(const std::string& text, const std::stri
 }
 
 std::string FaultOf(const std::string& text, const std::string& machine = "") {
-  const ForeignFile file(text);
+  const std::filesystem::path file = ForeignFile(text);
   try {
-    ImportRig(file.path(), machine);
+    ImportRig(file, machine);
   } catch (const InputError& e) {
     return e.what();
   }

@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "own_folder.h"
 #include "render/gl/rasterizer_stage.h"
 #include "render/meshes/png_bytes.h"
 #include "sim/scenario/scenario_text.h"
@@ -16,9 +16,7 @@ namespace tera {
 namespace {
 
 TEST(SiteMeshPicture, GroundAndWallShowTheirTexturesColours) {
-  std::string name = (std::filesystem::temp_directory_path() / "tera_sitepic_XXXXXX").string();
-  ASSERT_NE(mkdtemp(name.data()), nullptr);
-  const std::filesystem::path folder = name;
+  const std::filesystem::path& folder = OwnFolder();
   // Level ground, red to the west and green to the east; a wall that is blue.
   const auto write = [&](const char* file, const std::string& text) {
     std::ofstream(folder / file, std::ios::binary) << text;
@@ -67,7 +65,6 @@ TEST(SiteMeshPicture, GroundAndWallShowTheirTexturesColours) {
   EXPECT_EQ(strongest_at(Vec3(-3, 3, 0), SemanticClass::kTerrain), 0);
   EXPECT_EQ(strongest_at(Vec3(3, 3, 0), SemanticClass::kTerrain), 1);
   EXPECT_EQ(strongest_at(Vec3(1, 6, 1.5), SemanticClass::kBarrier), 2);
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

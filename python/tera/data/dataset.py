@@ -154,7 +154,6 @@ class Synchronised:
     def __init__(self, dataset: Dataset, reference: str, others: tuple[str, ...]):
         self._reference = dataset[reference]
         self._channels = {path: dataset[path] for path in (reference, *others)}
-        self._first = reference
         self.t_ns = self._common(self._reference.t_ns)
 
     def _common(self, stamps_ns: np.ndarray) -> np.ndarray:

@@ -41,13 +41,15 @@ std::string UnknownOption(const CLI::App& command, const std::string& word) {
 }  // namespace
 
 std::string UnknownArgument(const CLI::App& app) {
+  const bool has_commands = !app.get_subcommands([](const CLI::App*) { return true; }).empty();
   const std::vector<CLI::App*> given = app.get_subcommands();
-  if (given.empty()) {
+  if (has_commands && given.empty()) {
     const std::vector<std::string> unknown = app.remaining();
     return unknown.empty() || unknown[0].starts_with("-") ? "" : UnknownCommand(app, unknown[0]);
   }
-  for (const std::string& unknown : given[0]->remaining()) {
-    if (unknown.size() > 1 && unknown.starts_with("-")) return UnknownOption(*given[0], unknown);
+  const CLI::App& command = has_commands ? *given[0] : app;
+  for (const std::string& unknown : command.remaining()) {
+    if (unknown.size() > 1 && unknown.starts_with("-")) return UnknownOption(command, unknown);
   }
   return "";
 }

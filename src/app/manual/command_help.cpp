@@ -47,7 +47,8 @@ CommandHelp HelpBelow(const CLI::App& app, std::vector<std::string> path) {
   help.path = std::move(path);
   help.description = app.get_description();
   for (const CLI::Option* option : app.get_options()) help.options.push_back(HelpOf(*option));
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+  const auto is_shown = [](const CLI::App* command) { return !command->get_group().empty(); };
+  for (const CLI::App* command : app.get_subcommands(is_shown)) {
     std::vector<std::string> below = help.path;
     below.push_back(command->get_name());
     help.commands.push_back(HelpBelow(*command, std::move(below)));
@@ -63,7 +64,7 @@ std::string CommandHelp::Joined(const std::string& separator) const {
   return joined;
 }
 
-CommandHelp HelpOf(const CLI::App& app) { return HelpBelow(app, {"tera"}); }
+CommandHelp HelpOf(const CLI::App& app) { return HelpBelow(app, {app.get_name()}); }
 
 std::vector<const CommandHelp*> AllOf(const CommandHelp& command) {
   std::vector<const CommandHelp*> all = {&command};

@@ -35,7 +35,7 @@ struct CommandHelp {
   std::string Joined(const std::string& separator) const;
 };
 
-/// What `app` and all below it take.
+/// What `app`, which has a name, and all below it take; commands that its help hides are left out.
 CommandHelp HelpOf(const CLI::App& app);
 
 /// `command` and all below it, each before those below it.

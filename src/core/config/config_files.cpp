@@ -130,37 +130,66 @@ void ConfigMap::ApplyPreset(std::string_view key) const {
 
 namespace {
 
-/// The file that `key` names, or the one named `list` in the folder that it names.
-fs::path FileAt(internal::ConfigNode& node, std::string_view key, const std::string& list) {
-  const auto found = Find(node, key);
-  if (!found) {
-    AddMissing(node, key, "a file's path");
-    return {};
+/// The file that `found` names, or the one named `list` in the folder that it names, and its name
+/// in the resolved document.
+std::optional<InputFile> FileAt(internal::ConfigNode& node, std::string_view key,
+                                const Found& found, const std::string& list) {
+  if (!found.node.IsScalar()) {
+    AddFault(node, key, found, fault::Mistyped(Shown(found.node), "a file's path"));
+    return std::nullopt;
   }
-  if (!found->node.IsScalar()) {
-    AddFault(node, key, *found, fault::Mistyped(Shown(found->node), "a file's path"));
-    return {};
-  }
-  fs::path named = internal::Resolve(found->node.Scalar(), found->layer->directory);
+  fs::path named = internal::Resolve(found.node.Scalar(), found.layer->directory);
   if (!list.empty() && internal::IsFile(named / list)) named /= list;
   const std::string name = PortableName(named);
   const fs::path path = node.document->PlaceOf(name, named).lexically_normal();
   if (!internal::IsFile(path)) {
-    AddFault(node, key, *found,
-             fault::NoSuchFile(found->node.Scalar(), internal::BaseOf(*found->layer)));
-    return {};
+    AddFault(node, key, found,
+             fault::NoSuchFile(found.node.Scalar(), internal::BaseOf(*found.layer)));
+    return std::nullopt;
   }
-  Record(node, key, name);
   node.document->inputs.emplace(name, path);
-  return path;
+  return InputFile{name, path};
+}
+
+std::optional<Found> FoundFile(internal::ConfigNode& node, std::string_view key) {
+  const auto found = Find(node, key);
+  if (!found) AddMissing(node, key, "a file's path");
+  return found;
 }
 
 }  // namespace
 
-fs::path ConfigMap::File(std::string_view key) const { return FileAt(*node_, key, ""); }
+fs::path ConfigMap::File(std::string_view key) const {
+  const auto found = FoundFile(*node_, key);
+  const auto file = found ? FileAt(*node_, key, *found, "") : std::nullopt;
+  if (!file) return {};
+  Record(*node_, key, file->name);
+  return file->path;
+}
 
-fs::path FileOrList(const ConfigMap& config, std::string_view key, const std::string& list) {
-  return FileAt(internal::ConfigDocument::NodeOf(config), key, list);
+std::vector<fs::path> FilesOrList(const ConfigMap& config, std::string_view key,
+                                  const std::string& list) {
+  internal::ConfigNode& node = internal::ConfigDocument::NodeOf(config);
+  const auto found = FoundFile(node, key);
+  if (!found) return {};
+  if (!found->node.IsSequence()) {
+    const auto file = FileAt(node, key, *found, list);
+    if (!file) return {};
+    Record(node, key, file->name);
+    return {file->path};
+  }
+  std::vector<fs::path> paths;
+  YAML::Node names(YAML::NodeType::Sequence);
+  for (std::size_t k = 0; k < found->node.size(); ++k) {
+    const auto file =
+        FileAt(node, fmt::format("{}[{}]", key, k), {found->node[k], found->layer}, "");
+    if (!file) return {};
+    paths.push_back(file->path);
+    names.push_back(file->name);
+  }
+  if (paths.empty()) AddFault(node, key, *found, "an empty list found, need files' paths");
+  node.resolved[std::string(key)] = names;
+  return paths;
 }
 
 fs::path Folder(const ConfigMap& config, std::string_view key) {

@@ -1,6 +1,7 @@
 #include "core/types/image_flow.h"
 
 #include <cmath>
+#include <optional>
 
 namespace tera {
 namespace {
@@ -35,18 +36,6 @@ std::array<std::uint16_t, 3> PixelOfShift(const Vec3& d_C_m) {
     pixel[k] = *value;
   }
   return pixel;
-}
-
-std::optional<Vec3> ShiftAt(const Image<std::uint16_t>& scene_flow, int x_px, int y_px) {
-  Vec3 d_C_m;
-  bool known = false;
-  for (int k = 0; k < 3; ++k) {
-    const std::uint16_t value = scene_flow.at(x_px, y_px, k);
-    known = known || value != 0;
-    d_C_m[k] = (value - kMiddle) / kPerMetre;
-  }
-  if (!known) return std::nullopt;
-  return d_C_m;
 }
 
 }  // namespace tera

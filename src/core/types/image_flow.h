@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 
 #include "core/motion.h"
 #include "core/types/measurement.h"
@@ -37,6 +36,5 @@ PixelFlow FlowAt(const Image<std::uint16_t>& flow, int x_px, int y_px);
 /// Model   v = round(1000 d_m + 32768) for x, y and z: whole millimetres up to 32.7 m; 0 0 0 where
 ///         nothing is known.
 std::array<std::uint16_t, 3> PixelOfShift(const Vec3& d_C_m);
-std::optional<Vec3> ShiftAt(const Image<std::uint16_t>& scene_flow, int x_px, int y_px);
 
 }  // namespace tera

@@ -18,14 +18,6 @@ ChannelInfo EncoderChannel(const std::string& folder, const std::string& sensor_
           EncoderColumns(axes)};
 }
 
-ChannelInfo CameraChannel(const std::string& folder, const std::string& sensor_yaml) {
-  return {folder, std::string(kCameraChannel), ChannelForm::kPictures, sensor_yaml, {}};
-}
-
-ChannelInfo LidarChannel(const std::string& folder, const std::string& sensor_yaml) {
-  return {folder, std::string(kLidarChannel), ChannelForm::kScans, sensor_yaml, {}};
-}
-
 ChannelInfo TableChannel(const std::string& file, const std::vector<std::string>& columns) {
   return {file, std::string(kTableChannel), ChannelForm::kRows, std::nullopt, columns};
 }

@@ -33,8 +33,6 @@ ChannelInfo ImuChannel(const std::string& folder, const std::string& sensor_yaml
 ChannelInfo GnssChannel(const std::string& folder, const std::string& sensor_yaml);
 ChannelInfo EncoderChannel(const std::string& folder, const std::string& sensor_yaml,
                            const std::vector<EncoderAxis>& axes);
-ChannelInfo CameraChannel(const std::string& folder, const std::string& sensor_yaml);
-ChannelInfo LidarChannel(const std::string& folder, const std::string& sensor_yaml);
 
 /// Any table with a leading t_ns: commands.csv, truth/<machine>/joints.csv.
 ChannelInfo TableChannel(const std::string& file, const std::vector<std::string>& columns);

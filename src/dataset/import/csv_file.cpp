@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 
 #include "core/config/spelling.h"
 #include "core/error.h"
 #include "dataset/files/checked_file.h"
+#include "dataset/import/foreign_file.h"
 
 namespace tera {
 namespace {
@@ -21,57 +21,6 @@ std::vector<std::string_view> Split(std::string_view line) {
     if (comma == std::string_view::npos) return fields;
     line.remove_prefix(comma + 1);
   }
-}
-
-constexpr std::string_view kBlanks = " \t", kByteOrderMark = "\xef\xbb\xbf";
-
-std::string_view Trimmed(std::string_view text, std::string_view blanks) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-/// Without blanks around it, and without quotes.
-std::string_view BareField(std::string_view field) {
-  field = Trimmed(field, kBlanks);
-  if (field.size() >= 2 && field.front() == '"' && field.back() == '"') {
-    field = field.substr(1, field.size() - 2);
-  }
-  return field;
-}
-
-/// A foreign line's fields; separators within quotes are none. Blanks separate in any number.
-std::vector<std::string_view> SplitForeign(std::string_view line, char separator) {
-  const bool by_blanks = separator == ' ';
-  if (by_blanks) line = Trimmed(line, kBlanks);
-  std::vector<std::string_view> fields;
-  std::size_t begin = 0;
-  bool quoted = false;
-  for (std::size_t k = 0; k <= line.size(); ++k) {
-    if (k < line.size() && line[k] == '"') quoted = !quoted;
-    const bool ends =
-        k == line.size() || (!quoted && (line[k] == separator || (by_blanks && line[k] == '\t')));
-    if (!ends) continue;
-    if (!by_blanks || k > begin) fields.push_back(BareField(line.substr(begin, k - begin)));
-    begin = k + 1;
-  }
-  return fields;
-}
-
-char SeparatorOf(std::string_view line) {
-  for (const char separator : {'\t', ';', ','}) {
-    if (line.find(separator) != std::string_view::npos) return separator;
-  }
-  return ' ';
-}
-
-/// The next line of `rest`, without its end.
-std::string_view TakeLine(std::string_view* rest) {
-  const std::size_t end = rest->find('\n');
-  std::string_view line = rest->substr(0, end);
-  rest->remove_prefix(end == std::string_view::npos ? rest->size() : end + 1);
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
 }
 
 template <typename T>
@@ -90,15 +39,15 @@ CsvFile::CsvFile(const std::filesystem::path& path, LastLine last_line)
   std::string_view rest = *text_;
   for (int line = 1; !rest.empty(); ++line) {
     const std::size_t end = rest.find('\n');
-    if (end == std::string_view::npos && last_line == LastLine::kIsLeftOutIfCut) break;
-    std::string_view row = rest.substr(0, end);
-    if (end == std::string_view::npos && last_line == LastLine::kMustEnd) {
+    if (end == std::string_view::npos) {
+      if (last_line == LastLine::kIsLeftOutIfCut) break;
       throw InputError(
           fmt::format("{}:{}: the last line is cut off; need whole lines, copy or "
                       "record the file again",
                       path_.string(), line));
     }
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    std::string_view row = rest.substr(0, end);
+    rest.remove_prefix(end + 1);
     if (row.ends_with('\r')) row.remove_suffix(1);
     const std::vector<std::string_view> fields = Split(row);
     if (line == 1) {
@@ -111,7 +60,7 @@ CsvFile::CsvFile(const std::filesystem::path& path, LastLine last_line)
     }
     AddRow(fields, line);
   }
-  NameColumns(columns_, 1);
+  RequireUniqueColumns();
 }
 
 void CsvFile::AddRow(const std::vector<std::string_view>& fields, int line) {
@@ -133,77 +82,115 @@ void CsvFile::AddRow(const std::vector<std::string_view>& fields, int line) {
   line_of_row_.push_back(line);
 }
 
-void CsvFile::NameColumns(std::vector<std::string> names, int line) {
-  columns_ = names;
+void CsvFile::RequireUniqueColumns() const {
+  std::vector<std::string> names = columns_;
   std::sort(names.begin(), names.end());
   if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end()) {
     throw InputError(
-        fmt::format("{}:{}: column '{}' is there twice; rename one", path_.string(), line, *twice));
+        fmt::format("{}:1: column '{}' is there twice; rename one", path_.string(), *twice));
+  }
+}
+
+void CsvFile::NameColumns(const std::vector<std::string_view>& names) {
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    std::string name = names[c].empty() ? std::to_string(c + 1) : std::string(names[c]);
+    // Of a name on two lines the second is mostly the unit; a quote within quotes is written twice.
+    std::replace(name.begin(), name.end(), '\n', ' ');
+    for (std::size_t at = 0; (at = name.find("\"\"", at)) != std::string::npos; ++at) {
+      name.erase(at, 1);
+    }
+    if (std::count(names.begin(), names.end(), names[c]) > 1 && !names[c].empty()) {
+      const auto end = names.begin() + static_cast<std::ptrdiff_t>(c) + 1;
+      name += fmt::format("#{}", std::count(names.begin(), end, names[c]));
+    }
+    columns_.push_back(std::move(name));
   }
 }
 
 CsvFile::CsvFile(const std::filesystem::path& path, const CsvForm& form, LeftOutRows* left_out)
-    : path_(path), text_(std::make_unique<const std::string>(ReadWholeFile(path))) {
-  std::string_view rest = *text_;
-  if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
-  char separator = form.separator;
-  std::size_t ordinal = 0;
-  for (int number = 1; !rest.empty(); ++number) {
-    const bool is_last = rest.find('\n') == std::string_view::npos;
-    std::string_view line = TakeLine(&rest);
-    if (number <= form.skipped_lines) continue;
-    const std::string_view bare = Trimmed(line, kBlanks);
-    if (bare.empty()) continue;
-    const bool is_header = columns_.empty() && form.has_header;
-    if (bare.front() == '#') {
-      if (!is_header) continue;
-      line = bare.substr(1);
-    }
-    if (separator == 0) separator = SeparatorOf(line);
-    const std::vector<std::string_view> fields = SplitForeign(line, separator);
-    if (is_header) {
-      NameColumns({fields.begin(), fields.end()}, number);
-      continue;
-    }
-    if (columns_.empty()) {
-      for (std::size_t k = 1; k <= fields.size(); ++k) columns_.push_back(std::to_string(k));
-    }
-    ++ordinal;
-    if (fields.size() == columns_.size()) {
-      ordinals_.push_back(ordinal - 1);
-      AddRow(fields, number);
-      continue;
-    }
-    const std::string fault =
-        fmt::format("{}:{}: found {} fields, need {} as in the {}{}", path_.string(), number,
-                    fields.size(), columns_.size(), form.has_header ? "header" : "first row",
-                    is_last ? "; this last line seems to be cut off" : "");
-    if (left_out == nullptr) {
-      throw InputError(fault + "; mend it, or leave such rows out by --skip-bad-rows");
-    }
-    left_out->Add(fault);
-  }
+    : path_(path), numbers_(form.numbers) {
+  RefuseForeignFile(path, "a table in text, a bag or another log that is known");
+  text_ = std::make_unique<const std::string>(DecodedTable(ReadWholeFile(path)));
+  ReadRows(*text_, form, left_out);
   if (columns_.empty()) {
     throw InputError(fmt::format("{}:1: holds no line of {}", path_.string(),
                                  form.has_header ? "column names" : "numbers"));
   }
 }
 
-bool CsvFile::IsPresent(std::size_t row, std::size_t column) const {
-  const std::string_view field = Field(row, column);
-  for (const std::string_view none : {"", "nan", "NaN", "NAN", "-nan", "null", "NULL", "N/A"}) {
-    if (field == none) return false;
+void CsvFile::ReadRows(std::string_view rest, const CsvForm& form, LeftOutRows* left_out) {
+  header_line_ = 0;
+  int number = 1;
+  for (; number <= form.skipped_lines && !rest.empty(); ++number) {
+    rest.remove_prefix(std::min(rest.find('\n'), rest.size() - 1) + 1);
   }
-  return true;
+  char separator = form.separator;
+  int unit_lines = form.has_header ? form.unit_lines : 0;
+  for (int lines = 1; !rest.empty(); number += lines) {
+    const bool is_last = rest.find('\n') == std::string_view::npos;
+    std::string_view line = TakeRecord(&rest, &lines);
+    const std::string_view bare = TrimmedText(line);
+    if (bare.empty()) continue;
+    const bool is_header = columns_.empty() && form.has_header;
+    if (IsRemark(bare)) {
+      if (!is_header) continue;
+      line = bare.substr(1);
+    } else if (!is_header && unit_lines > 0) {
+      --unit_lines;
+      continue;
+    }
+    if (separator == 0) separator = SeparatorOfLine(line);
+    std::vector<std::string_view> fields = FieldsOfRecord(line, separator);
+    if (is_header) {
+      while (fields.size() > 1 && fields.back().empty()) fields.pop_back();
+      NameColumns(fields);
+      header_line_ = number;
+      continue;
+    }
+    if (columns_.empty()) {
+      for (std::size_t k = 1; k <= fields.size(); ++k) columns_.push_back(std::to_string(k));
+    }
+    const std::size_t ordinal = ordinal_count_++;
+    DropEmptyEnd(&fields);
+    if (fields.size() == columns_.size()) {
+      ordinals_.push_back(ordinal);
+      AddRow(fields, number);
+      continue;
+    }
+    const std::string fault = WrongFieldCount(fields.size(), number, is_last);
+    if (left_out == nullptr) {
+      throw InputError(fault + "; mend it, or leave such rows out by --skip-bad-rows");
+    }
+    left_out->Add(fault);
+  }
+}
+
+void CsvFile::DropEmptyEnd(std::vector<std::string_view>* fields) const {
+  while (fields->size() > columns_.size() && fields->back().empty()) fields->pop_back();
+}
+
+std::string CsvFile::WrongFieldCount(std::size_t found, int line, bool is_last) const {
+  std::string fault = fmt::format(
+      "{}:{}: found {} fields, need {} as in the {}", path_.string(), line, found, columns_.size(),
+      header_line_ > 0 ? fmt::format("header in line {}", header_line_) : "first row");
+  if (header_line_ > 0 && found == 2 * columns_.size() && columns_.size() > 1) {
+    fault += "; are commas decimal signs and separators at once? then write it with semicolons";
+  }
+  return fault + (is_last ? "; this last line seems to be cut off" : "");
 }
 
 std::size_t CsvFile::Column(const std::string& name) const {
   const auto found = std::find(columns_.begin(), columns_.end(), name);
-  if (found == columns_.end()) {
-    throw InputError(fmt::format("{}:1: column '{}' is missing{}", path_.string(), name,
-                                 DidYouMean(name, columns_)));
+  if (found != columns_.end()) return static_cast<std::size_t>(found - columns_.begin());
+  if (const auto first = std::find(columns_.begin(), columns_.end(), name + "#1");
+      first != columns_.end()) {
+    throw InputError(
+        fmt::format("{0}:{1}: column '{2}' is there more than once; name one of them: "
+                    "'{2}#1' is field {3}, '{2}#2' the next of that name",
+                    path_.string(), std::max(header_line_, 1), name, first - columns_.begin() + 1));
   }
-  return static_cast<std::size_t>(found - columns_.begin());
+  throw InputError(fmt::format("{}:{}: column '{}' is missing{}", path_.string(),
+                               std::max(header_line_, 1), name, DidYouMean(name, columns_)));
 }
 
 void CsvFile::Fail(std::size_t row, std::size_t column, const std::string& finding) const {
@@ -211,20 +198,13 @@ void CsvFile::Fail(std::size_t row, std::size_t column, const std::string& findi
                                line_of_row_[row], columns_[column], Field(row, column), finding));
 }
 
-std::optional<double> CsvFile::NumberIfAny(std::size_t row, std::size_t column) const {
-  double value = 0;
-  std::string_view field = Field(row, column);
-  if (field.starts_with('+')) field.remove_prefix(1);
-  if (!Parse(field, &value) || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
 std::optional<TimeNs> CsvFile::WholeNanoseconds(std::size_t row, std::size_t column,
                                                 TimeNs unit_ns) const {
-  std::string_view field = Field(row, column);
+  std::string room;
+  std::string_view field = PlainNumberText(Field(row, column), numbers_, &room);
   constexpr TimeNs kFarthest_ns = 9'000'000'000 * kNsPerSecond;
   const bool is_negative = field.starts_with('-');
-  if (is_negative || field.starts_with('+')) field.remove_prefix(1);
+  if (is_negative) field.remove_prefix(1);
   if (field.empty() || field == ".") return std::nullopt;
   TimeNs sum_ns = 0, digit_ns = unit_ns;
   bool after_point = false;
@@ -248,10 +228,16 @@ std::optional<TimeNs> CsvFile::WholeNanoseconds(std::size_t row, std::size_t col
 double CsvFile::Number(std::size_t row, std::size_t column) const {
   const std::optional<double> value = NumberIfAny(row, column);
   if (value) return *value;
-  const bool has_comma = Field(row, column).find(',') != std::string_view::npos;
-  Fail(row, column,
-       has_comma ? "need a finite number, with a decimal point in place of the comma"
-                 : "need a finite number");
+  const std::string_view field = Field(row, column);
+  if (field.find(',') != std::string_view::npos && numbers_.decimal == '.') {
+    Fail(row, column,
+         "need a finite number; where commas are decimal signs say csv: {decimal: \",\"}, where "
+         "they stand between thousands csv: {thousands: \",\"}");
+  }
+  if (row == 0 && header_line_ > 0) {
+    Fail(row, column, "need a finite number; where this line holds units say csv: {unit_lines: 1}");
+  }
+  Fail(row, column, "need a finite number");
 }
 
 TimeNs CsvFile::Time(std::size_t row) const {

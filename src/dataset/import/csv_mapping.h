@@ -8,78 +8,50 @@
 #include "core/config/config.h"
 #include "core/time.h"
 #include "dataset/import/bag/topic_table.h"
+#include "dataset/import/column_mapping.h"
 #include "dataset/import/csv_file.h"
+#include "dataset/import/row_time.h"
 
-/// How columns of a foreign CSV file or fields of a bag's messages become numbers in SI units and
-/// rows become times.
+/// Which rows of which file make a channel, and their values.
 
 namespace tera {
 
-/// Physical dimension that a value must have; kAny for tables, whose columns may be anything.
-enum class Dimension {
-  kAny,
-  kTime,
-  kLength,
-  kAngle,
-  kSpeed,
-  kRate,
-  kAcceleration,
-  kVariance,
-  kForce,
-  kTorque,
-  kPressure,
-  kNone
-};
-
-/// value = field * factor + offset, or a constant.
-struct ColumnMapping {
-  std::string column;  ///< empty: the constant `offset`
-  double factor = 1.0, offset = 0.0;
-  Range allowed;         ///< of the value
-  TimeNs factor_ns = 0;  ///< of a time in whole nanoseconds, microseconds, ...: one of its unit
-  /// A field without a number is taken as it is, as NaN: the channel knows what to make of it.
-  bool may_lack = false;
-};
-
-/// Reads `{column:, unit:, scale:, offset:}` or `{constant:}`. The offset is in SI units. An
-/// unknown unit, or one of another dimension, is a fault; so is, when rows are read, a value that
-/// is not `allowed`.
-ColumnMapping ReadColumnMapping(const ConfigMap& config, Dimension dimension,
-                                const Range& allowed = {});
-
 /// A row counts when this holds.
 struct RowRule {
-  enum class Test { kAbove, kBelow, kEquals, kChanges, kPresent };
+  enum class Test { kAbove, kBelow, kEquals, kChanges, kPresent, kNumber };
   std::string column;
   Test test = Test::kAbove;
-  double value = 0;  ///< as in the file, before any unit
+  double value = 0;      ///< as in the file, before any unit
+  std::string text;      ///< of kEquals, as it is written
+  bool is_text = false;  ///< and is no number
 };
 
 /// Which rows of which file, and when they were.
 struct RowSource {
-  std::filesystem::path file;
+  std::filesystem::path file;                ///< the first where there are several
+  std::vector<std::filesystem::path> files;  ///< of tables in text, joined in this order
   CsvForm form;
   std::optional<BagTopic> topic;      ///< of the bag that the file is
   UnpackedFiles* unpacked = nullptr;  ///< of the import, for bags
   std::string log_type;               ///< of a log of known form (foreign_log.h), else empty
   std::string log_topic;              ///< of a ULog
-  ColumnMapping time;                 ///< gives seconds
-  /// Where rows have no time: from each to the next, left out ones too; `time` is the first one's.
-  std::optional<double> interval_s;
+  RowTime time;
   std::vector<RowRule> rules;
 };
 
 /// Reads `file:`, `topic:`, `csv:`, `time:` and `valid_if:` of a channel; `file`, `csv` and `time`
-/// default to those of the mapping's top level. A time is a column or `{interval:, unit:,
-/// offset:}`; of a topic it defaults to its header's stamp, or to when its messages were recorded,
-/// of a log of known form to its own column `time`.
+/// default to those of the mapping's top level. Of a topic the time defaults to its header's stamp,
+/// or to when its messages were recorded, of a log of known form to its own column `time`.
 /// Looks the topic up in its bag.
 RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top, UnpackedFiles* unpacked);
+
+/// How the keys of `csv:` say that a table is written.
+CsvForm ReadCsvForm(const ConfigMap& config);
 
 /// One valid row: its time and the values of the columns asked for.
 struct MappedRow {
   TimeNs t_ns = 0;
-  int line = 0;  ///< in its file; of a topic, the message's number
+  RowPlace line;
   std::vector<double> values;
 };
 
@@ -93,6 +65,6 @@ std::vector<MappedRow> ReadRows(const RowSource& source, const std::vector<Colum
 std::string TypeOf(const RowSource& source);
 
 /// "log.csv:12", "log.mcap: /imu message 12".
-std::string PlaceOf(const RowSource& source, int line);
+std::string PlaceOf(const RowSource& source, const RowPlace& line);
 
 }  // namespace tera

@@ -164,8 +164,7 @@ void CountTooFast(const std::vector<JointColumns>& joints,
 ColumnMapping ReadRolled(const ConfigMap& config) {
   ColumnMapping rolled = ReadColumnMapping(config.Map("rolled"), Dimension::kLength);
   const double radius_m = config.Number("radius_m", Positive("m"));
-  rolled.factor /= radius_m;
-  rolled.offset /= radius_m;
+  rolled.MultiplyBy(1 / radius_m);
   return rolled;
 }
 

@@ -85,7 +85,8 @@ std::vector<MappedRow> ImportRun::Read(const std::string& path, const RowSource&
 void ImportRun::AddMotion(const RowSource& source, std::vector<MotionSeries> series) {
   if (series.empty()) return;
   const std::string topic = source.topic ? source.topic->name : "";  // a ULog has one clock
-  const std::string time = source.interval_s ? "by interval" : source.time.column;
+  const std::vector<std::string> columns = source.time.Columns();
+  const std::string time = columns.empty() ? "by interval" : columns.front();
   motions_.push_back({.path = last()->path,
                       .clock = source.file.string() + "\n" + topic + "\n" + time,
                       .interval_s = ToSeconds(last()->interval_ns),

@@ -110,8 +110,8 @@ Pose PoseOf(const MappedRow& row, const RowSource& source) {
   const Quat q(v[3], v[4], v[5], v[6]);
   if (q.norm() < kMinQuaternionNorm || q.norm() > kMaxQuaternionNorm) {
     throw InputError(
-        fmt::format("{}:{}: the quaternion has norm {}, need 1; leave such rows out by valid_if",
-                    source.file.string(), row.line, q.norm()));
+        fmt::format("{}: the quaternion has norm {}, need 1; leave such rows out by valid_if",
+                    PlaceOf(source, row.line), q.norm()));
   }
   return MakePose(Vec3(v[0], v[1], v[2]), q.normalized().toRotationMatrix());
 }

@@ -22,7 +22,7 @@ constexpr double kLargestYaw_deg = 135;       ///< of a pair: half a turn is an 
 constexpr double kPlacement_m = 0.01;    ///< standard deviation of an antenna's place on its link
 constexpr double kLeastOffset_m = 1e-3;  ///< standard deviation of a channel's offset, at least
 /// A machine that moves and turns slower is at rest.
-constexpr double kLeastSpeed_mps = 0.05, kLeastTurning_radps = 0.02;
+constexpr double kLeastSpeed_mps = 0.05, kLeastBoomTurning_radps = 0.02;
 constexpr TimeNs kHalfSpan_ns = 250'000'000;  ///< over which velocities are means
 /// Delays that the flexible regressor can follow: short ones, and those between GPS time and UTC.
 constexpr std::array<double, 8> kLate_s = {-18, -8, -3, -1, 1, 3, 8, 18};
@@ -348,7 +348,7 @@ std::optional<ReplayBlock> MakeGnssBlock(const std::vector<SensorDescription>& r
     if (r > 0) continue;
     block.commands = {CommandOf(course.forward_mps, kLeastSpeed_mps, grid.period_s()),
                       CommandOf(course.left_mps, kLeastSpeed_mps, grid.period_s()),
-                      CommandOf(course.turning_radps, kLeastTurning_radps, grid.period_s())};
+                      CommandOf(course.turning_radps, kLeastBoomTurning_radps, grid.period_s())};
   }
   block.candidates = CandidatesOf(receivers, held->log);
   block.replay =

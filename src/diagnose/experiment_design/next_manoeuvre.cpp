@@ -19,6 +19,8 @@
 namespace tera {
 namespace {
 
+constexpr double kAxis_s = 34;          ///< of levers for one joint or gear
+constexpr std::size_t kMostAxes = 3;    ///< that one run is for
 constexpr double kMargin = 0.05;        ///< of the range, kept free on either side
 constexpr double kLeastTravel_s = 0.8;  ///< of an axis at full rate, though the recording had less
 constexpr double kFromStop_rad = 0.05;  ///< of a joint's own limits
@@ -201,7 +203,7 @@ std::vector<Excitation> Designer::Chosen(const AmbiguousAxis& axis) const {
   const auto information =
       InformationOf(*run, axis.diagnosed.diagnosis->noise.front(), pairs, samples);
   std::vector<Excitation> chosen;
-  for (const std::size_t p : ChooseExcitations(information, weight, length_s, options_.axis_s)) {
+  for (const std::size_t p : ChooseExcitations(information, weight, length_s, kAxis_s)) {
     chosen.push_back(excitations[p]);
   }
   return chosen;
@@ -331,7 +333,7 @@ std::optional<NextManoeuvre> Designer::Design() {
   std::size_t driven = 0;
   std::vector<std::string> parts;
   for (const AmbiguousAxis& axis : open_) {
-    if (driven == options_.most_axes) {
+    if (driven == kMostAxes) {
       out.deferred.push_back(axis.range.name);
       continue;
     }

@@ -33,11 +33,9 @@ struct NextManoeuvre {
 };
 
 struct NextManoeuvreOptions {
-  double axis_s = 34;         ///< of levers for one joint or gear
-  std::size_t most_axes = 3;  ///< that one run is for
-  double rest_s = 4;          ///< of all levers at the end, which shows slow noise
-  double step_s = 0.01;       ///< of the replay
-  double alpha = 0.01;        ///< as in SearchOptions, all tests together
+  double rest_s = 4;     ///< of all levers at the end, which shows slow noise
+  double step_s = 0.01;  ///< of the replay
+  double alpha = 0.01;   ///< as in SearchOptions, all tests together
   std::size_t total_candidates = 0;
 };
 

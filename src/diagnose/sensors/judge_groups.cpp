@@ -7,6 +7,7 @@
 
 #include "diagnose/motion/bounded_quadratic.h"
 #include "diagnose/search/fit/steady_gain.h"
+#include "diagnose/statistics/series/robust.h"
 
 namespace tera {
 namespace {
@@ -15,6 +16,7 @@ constexpr double kRangeEnd = 0.99;   ///< share of a range beyond which a value 
 constexpr double kRivalShare = 0.5;  ///< of a gain, without which a group is no rival
 /// Of the posterior density, in logarithms: twenty times as likely.
 constexpr double kRivalOdds = 3;
+constexpr int kMostTried = 8;        ///< groups that are judged on held-out segments at each step
 constexpr double kCancels = 0.98;    ///< correlation of two numbers whose effects cancel
 constexpr double kWithinSigmas = 3;  ///< from the documented value, to be listed
 constexpr std::size_t kFewestJudgedSegments = 3;
@@ -158,7 +160,7 @@ std::vector<JudgedParameter> Judge::Posterior(const Set& free, int g) const {
     JudgedParameter parameter{best[first + i],
                               std::sqrt(std::max(columns(first + i, i), scatter[i]))};
     const double off = std::abs(parameter.value - one.documented);
-    parameter.is_beyond = off - options_.confidence_z * parameter.sigma > one.tolerance;
+    parameter.is_beyond = off - kOneSided95 * parameter.sigma > one.tolerance;
     judged.push_back(parameter);
   }
   return judged;
@@ -204,7 +206,7 @@ bool Judge::Grow(Set* set) const {
   const auto before = CrossFits(*set);
   std::optional<int> best;
   double best_posterior = 0;
-  for (const int g : MostPromising(*set, candidates, options_.most_tried)) {
+  for (const int g : MostPromising(*set, candidates, kMostTried)) {
     const auto gains = Gains(before, CrossFits(With(*set, g)));
     const NamedGroup tried{g, Posterior(With(*set, g), g), Total(gains), SteadyEffectP(gains), {}};
     const double posterior = LogPosterior(With(*set, g));
@@ -245,7 +247,7 @@ std::vector<int> Judge::RivalsOf(const Set& set, int g) const {
     if (group(h).may_be_named && !Has(set, h)) candidates.push_back(h);
   }
   std::vector<int> rivals;
-  for (const int h : MostPromising(others, candidates, options_.most_tried)) {
+  for (const int h : MostPromising(others, candidates, kMostTried)) {
     const auto rival = CrossFits(With(others, h));
     if (Total(Gains(base, rival)) < kRivalShare * gain) continue;
     const bool is_likely = LogPosterior(With(others, h)) > posterior - kRivalOdds;

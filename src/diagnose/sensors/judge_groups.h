@@ -10,8 +10,6 @@ namespace tera {
 struct JudgeOptions {
   double alpha = 0.01;  ///< for all groups together, and of each rival that is rejected
   int most_named = 4;
-  double confidence_z = 1.645;  ///< of 95 % on one side
-  int most_tried = 8;           ///< groups that are judged on held-out segments at each step
 };
 
 /// A number with what the data say of it where its group is free.

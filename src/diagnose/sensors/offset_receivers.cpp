@@ -7,6 +7,7 @@
 #include "diagnose/sensors/antenna_path.h"
 #include "diagnose/sensors/sensor_parameters.h"
 #include "diagnose/sensors/usable_fix.h"
+#include "diagnose/statistics/series/robust.h"
 #include "sensors/slots/effect_numbers.h"
 
 namespace tera {
@@ -14,7 +15,6 @@ namespace {
 
 constexpr double kEstimated_s = 0.5;  ///< up to which the estimate finds delays by itself
 constexpr double kAlpha = 0.01;       ///< for all receivers together
-constexpr double kOneSided95 = 1.645;
 /// What fixes move by over what gear and joints say: tracks slip, and a wheel's radius is worn.
 constexpr double kLeastLagShare = 0.5, kMostLagShare = 1.5;
 constexpr const char* kClock = "clock_offset";

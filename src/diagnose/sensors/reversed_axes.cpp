@@ -12,7 +12,7 @@ namespace tera {
 namespace {
 
 constexpr double kOver_s = 0.2;  ///< differences of positions
-constexpr double kFurthest_s = 0.5, kLag_s = 0.05;
+constexpr double kFurthest_s = 0.5, kReversedLag_s = 0.05;
 constexpr double kLeastCorrelation = 0.7;
 constexpr std::size_t kFewestRates = 50;
 
@@ -109,13 +109,13 @@ struct Likeness {
 Likeness MostAlike(const TimeSeries& rates, const TimeSeries& other) {
   Likeness most;
   if (other.empty()) return most;
-  const int lags = static_cast<int>(std::lround(kFurthest_s / kLag_s));
+  const int lags = static_cast<int>(std::lround(kFurthest_s / kReversedLag_s));
   double late_s = 0;
   for (int lag = -lags; lag <= lags; ++lag) {
-    const double here = CorrelationAt(rates, other, lag * kLag_s);
+    const double here = CorrelationAt(rates, other, lag * kReversedLag_s);
     if (std::abs(here) <= std::abs(most.correlation)) continue;
     most.correlation = here;
-    late_s = lag * kLag_s;
+    late_s = lag * kReversedLag_s;
   }
   std::vector<double> beside;
   for (const double t_s : rates.t_s) beside.push_back(other.At(t_s - late_s));

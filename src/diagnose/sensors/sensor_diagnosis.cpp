@@ -205,19 +205,12 @@ Pose EstimatedMotion::BaseAt(TimeNs t_ns) const {
   return MakePose(at.head<3>(), at[kRoll], at[kRoll + 1], at[kYaw]);
 }
 
-double EstimatedMotion::JointAt(TimeNs t_ns, std::size_t joint) const {
-  const SplineWeights weights = spline.At(ToSeconds(t_ns - spline_start_ns));
-  return weights.by_derivative.row(0).head(4).dot(
-      coefficients.col(kBaseNumbers + static_cast<Eigen::Index>(joint)).segment(weights.first, 4));
-}
-
 SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements& measured,
                                 const SensorDiagnosisOptions& options, StageClock* clock) {
   SensorProblem problem = clock->Time(
       "sensors: problem", [&] { return MakeSensorProblem(input, measured, options.place); });
   if (options.library) problem.table.LimitTo(*options.library);
   SensorDiagnosis diagnosis;
-  diagnosis.joints = problem.motion.joints;
   diagnosis.not_compared = problem.not_compared;
   const MotionProblem& motion = problem.motion;
   const std::size_t places = motion.receivers.size() + motion.poses.size();

@@ -52,8 +52,6 @@ struct EstimatedMotion {
   Pose BaseAt(TimeNs t_ns) const;
   /// Place, roll, pitch and yaw of the base.
   Eigen::Matrix<double, kBaseNumbers, 1> BaseNumbersAt(TimeNs t_ns) const;
-  /// The position of one of SensorDiagnosis::joints.
-  double JointAt(TimeNs t_ns, std::size_t joint) const;
 };
 
 /// What the sensors of a machine, compared with each other and with the motion that they all imply,
@@ -67,7 +65,6 @@ struct SensorDiagnosis {
   std::vector<TargetMechanism> estimated;  ///< all that was free somewhere
   std::size_t candidates = 0;              ///< mechanisms of targets that might have been named
   std::vector<ChannelError> channels;
-  std::vector<std::string> joints;
   std::vector<EstimatedMotion> motion;  ///< in the order of time
   /// Whether receivers and inertial units tell the base's place and heading.
   bool knows_base = false;

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <utility>
 
+#include "diagnose/statistics/series/robust.h"
 #include "diagnose/tolerances/default_tolerances.h"
 
 namespace tera {
 namespace {
 
 /// Standard deviations that leave 5 % of a normal distribution on one side.
-constexpr double kOneSided95 = 1.645;
 
 /// What is as expected of a candidate's number; none where nothing is stated.
 std::optional<Expected> ExpectedOf(const Tolerances& stated, const Candidate& candidate,

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <string_view>
 
 #include "core/check.h"
 #include "core/error.h"
@@ -21,9 +20,9 @@ constexpr std::uint64_t kSeed = 1;
 
 /// Means of resampled series, sorted.
 std::vector<double> BlockBootstrap(const std::vector<double>& series, std::size_t block,
-                                   const std::string& name) {
+                                   const FigureId& figure) {
   const std::size_t n = series.size(), starts = n - block + 1;
-  const Stream stream(kSeed, "layout/compare/" + name);
+  const Stream stream(kSeed, "layout/compare/" + NameOf(figure));
   std::vector<double> means;
   std::uint64_t draw = 0;
   for (int r = 0; r < kResamples; ++r) {
@@ -50,14 +49,10 @@ double WidthFactor(double blocks) {
 }
 
 Difference DifferenceOf(const Figure& first, const Figure& other, std::size_t block) {
-  Difference d{.figure = first.name,
-               .unit = first.unit,
-               .of_first = MeanOf(first),
-               .of_other = MeanOf(other),
-               .more_is_better = first.more_is_better};
+  Difference d{.figure = first.id, .of_first = MeanOf(first), .of_other = MeanOf(other)};
   std::vector<double> series;
   for (std::size_t m = 0; m < first.at.size(); ++m) series.push_back(other.at[m] - first.at[m]);
-  const std::vector<double> means = BlockBootstrap(series, block, first.name);
+  const std::vector<double> means = BlockBootstrap(series, block, first.id);
   const double mean = d.of_other - d.of_first;
   const auto tail = static_cast<std::size_t>(kTail * kResamples);
   const double wider = WidthFactor(static_cast<double>(series.size()) / static_cast<double>(block));
@@ -76,12 +71,11 @@ Difference DifferenceOf(const Figure& first, const Figure& other, std::size_t bl
 
 /// Doubts the figures of a zone that say the same where one of them is undecided.
 void DoubtByEachOther(std::vector<Difference>* differences) {
-  constexpr std::string_view kSeen = "/seen_by_1", kBlind = "/blind_m3";
   for (Difference& seen : *differences) {
-    if (!seen.figure.ends_with(kSeen)) continue;
-    const std::string zone = seen.figure.substr(0, seen.figure.size() - kSeen.size());
+    if (seen.figure.measure != Measure::kSeenBy1) continue;
+    const FigureId same{Measure::kBlindVolume, seen.figure.of};
     for (Difference& blind : *differences) {
-      if (blind.figure != zone + std::string(kBlind) || blind.verdict() == seen.verdict()) continue;
+      if (blind.figure != same || blind.verdict() == seen.verdict()) continue;
       seen.is_doubted = blind.is_doubted = true;
     }
   }
@@ -91,7 +85,7 @@ void DoubtByEachOther(std::vector<Difference>* differences) {
 
 Difference::Verdict Difference::verdict() const {
   if (is_doubted || (low <= 0 && high >= 0)) return Verdict::kUndecided;
-  return (low > 0) == more_is_better ? Verdict::kBetter : Verdict::kWorse;
+  return (low > 0) == IsMoreBetter(figure.measure) ? Verdict::kBetter : Verdict::kWorse;
 }
 
 std::vector<Difference> Compare(const LayoutReport& first, const LayoutReport& other,
@@ -117,7 +111,7 @@ std::vector<Difference> Compare(const LayoutReport& first, const LayoutReport& o
                               std::max<std::size_t>(1, n / 2));
   std::vector<Difference> differences;
   for (const Figure& figure : first.figures) {
-    const Figure* same = FindFigure(other, figure.name);
+    const Figure* same = FindFigure(other, figure.id);
     if (same) differences.push_back(DifferenceOf(figure, *same, block));
   }
   DoubtByEachOther(&differences);

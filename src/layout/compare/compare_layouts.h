@@ -9,10 +9,9 @@ namespace tera {
 
 /// A difference of two layouts in one figure.
 struct Difference {
-  std::string figure, unit;
+  FigureId figure;
   double of_first = 0, of_other = 0;  ///< means over the cycle
   double low = 0, high = 0;           ///< 95 % interval of the other's mean less the first's
-  bool more_is_better = true;
   /// Another figure says the same in another unit, and cannot show a difference: neither does this.
   bool is_doubted = false;
 

@@ -12,6 +12,7 @@
 #include "layout/report/people_words.h"
 #include "layout/report/polar_drawing.h"
 #include "layout/report/words.h"
+#include "layout/study/zone.h"
 
 namespace tera {
 namespace {
@@ -20,13 +21,22 @@ constexpr std::array<const char*, 5> kColours = {"a", "b", "c", "d", "e"};
 constexpr char kUndecided[] = "no difference that this cycle can show";
 
 /// What a reader asks first.
-constexpr std::array<const char*, 7> kMain = {"zone/around/seen_by_1",
-                                              "zone/around/seen_by_2",
-                                              "person/standing/detected_within_12m",
-                                              "person/crouching/detected_within_12m",
-                                              "dig/bucket/edge_seen",
-                                              "dig/bucket/load_seen",
-                                              "elevation/gaps"};
+struct MainFigure {
+  Measure measure;
+  const char *of, *words;  ///< of nothing: of the shovel that digs, or of what there is one of
+};
+constexpr std::array<MainFigure, 7> kMain = {
+    {{Measure::kSeenBy1, kAroundZone, "space seen"},
+     {Measure::kSeenBy2, kAroundZone, "seen by two"},
+     {Measure::kDetectedShare, "standing", "standing person"},
+     {Measure::kDetectedShare, "crouching", "crouching person"},
+     {Measure::kEdgeSeen, nullptr, "cutting edge"},
+     {Measure::kLoadSeen, nullptr, "load"},
+     {Measure::kElevationGaps, "", "map without gaps"}}};
+
+FigureId IdOf(const MainFigure& main, const LayoutReport& report) {
+  return {main.measure, main.of ? main.of : DiggingShovel(report)};
+}
 
 /// A text as one cell, in quotes where it must be; those within are doubled.
 std::string CsvCell(const std::string& text) {
@@ -38,21 +48,18 @@ std::string CsvCell(const std::string& text) {
 
 std::string Colour(std::size_t layout) { return kColours[layout % kColours.size()]; }
 
-Figure AsFigure(const Difference& d) { return {d.figure, d.unit, d.more_is_better, {}, {}}; }
-
 /// A difference without its sign, and the bounds of its interval: shares in percentage points.
 std::string SizeText(const Difference& d) {
   const double mean = std::abs(d.of_other - d.of_first);
   const double low = std::min(std::abs(d.low), std::abs(d.high));
   const double high = std::max(std::abs(d.low), std::abs(d.high));
-  if (d.unit.empty()) {
+  if (UnitOf(d.figure.measure).empty()) {
     constexpr double kPoints = 100;
     return fmt::format("{:.1f} percentage points ({:.1f} to {:.1f})", kPoints * mean, kPoints * low,
                        kPoints * high);
   }
-  const Figure figure = AsFigure(d);
-  return fmt::format("{} ({} to {})", ValueText(figure, mean), ValueText(figure, low),
-                     ValueText(figure, high));
+  return fmt::format("{} ({} to {})", ValueText(d.figure, mean), ValueText(d.figure, low),
+                     ValueText(d.figure, high));
 }
 
 std::string VerdictText(const Difference& d) {
@@ -63,49 +70,85 @@ std::string VerdictText(const Difference& d) {
 /// How good a layout is in a main figure, 0 to 1.
 double Goodness(const Figure& figure) {
   const double mean = std::clamp(MeanOf(figure), 0.0, 1.0);
-  return figure.more_is_better ? mean : 1 - mean;
+  return IsMoreBetter(figure.id.measure) ? mean : 1 - mean;
 }
 
-std::string Radar(const std::vector<LayoutReport>& reports) {
-  constexpr double kMiddle_x = 320, kMiddle_y = 210, kRadius = 150;
-  const auto place = [&](std::size_t axis, double share) {
-    const double angle_rad = 2 * kPi * static_cast<double>(axis) / kMain.size();
-    return Vec2(kMiddle_x + kRadius * share * std::sin(angle_rad),
-                kMiddle_y - kRadius * share * std::cos(angle_rad));
-  };
-  std::string svg =
-      "<svg style=\"max-width:44rem\" viewBox=\"0 0 640 420\" role=\"img\" "
-      "aria-label=\"main figures of all layouts\">";
+constexpr double kRadarMiddle_x = 320, kRadarMiddle_y = 210, kRadar = 150;
+
+Vec2 OnRadar(std::size_t axis, double share) {
+  const double angle_rad = 2 * kPi * static_cast<double>(axis) / kMain.size();
+  return {kRadarMiddle_x + kRadar * share * std::sin(angle_rad),
+          kRadarMiddle_y - kRadar * share * std::cos(angle_rad)};
+}
+
+std::string RadarAxes() {
+  std::string svg;
   for (const double ring : {0.25, 0.5, 0.75, 1.0}) {
-    svg += fmt::format("<circle class=\"grid\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>", kMiddle_x,
-                       kMiddle_y, kRadius * ring);
+    svg += fmt::format("<circle class=\"grid\" cx=\"{}\" cy=\"{}\" r=\"{}\"/>", kRadarMiddle_x,
+                       kRadarMiddle_y, kRadar * ring);
   }
-  constexpr std::array<const char*, kMain.size()> kShort = {
-      "space seen",   "seen by two", "standing person", "crouching person",
-      "cutting edge", "load",        "map without gaps"};
   for (std::size_t axis = 0; axis < kMain.size(); ++axis) {
-    const Vec2 end = place(axis, 1.0), text = place(axis, 1.12);
-    const char* anchor = std::abs(text.x() - kMiddle_x) < 30 ? "middle"
-                         : text.x() > kMiddle_x              ? "start"
-                                                             : "end";
+    const Vec2 end = OnRadar(axis, 1.0), text = OnRadar(axis, 1.12);
+    const char* anchor = std::abs(text.x() - kRadarMiddle_x) < 30 ? "middle"
+                         : text.x() > kRadarMiddle_x              ? "start"
+                                                                  : "end";
     svg += fmt::format(
         "<path class=\"grid\" d=\"M{} {}L{:.1f} {:.1f}\"/><text text-anchor=\"{}\" "
         "x=\"{:.1f}\" y=\"{:.1f}\">{}</text>",
-        kMiddle_x, kMiddle_y, end.x(), end.y(), anchor, text.x(), text.y() + 4, kShort[axis]);
+        kRadarMiddle_x, kRadarMiddle_y, end.x(), end.y(), anchor, text.x(), text.y() + 4,
+        kMain[axis].words);
   }
-  for (std::size_t l = 0; l < reports.size(); ++l) {
-    std::string points;
-    for (std::size_t axis = 0; axis < kMain.size(); ++axis) {
-      const Figure* figure = FindFigure(reports[l], kMain[axis]);
-      const Vec2 p = place(axis, figure ? Goodness(*figure) : 0.0);
-      points += fmt::format("{:.1f},{:.1f} ", p.x(), p.y());
+  return svg;
+}
+
+/// A layout's main figures around the middle. Where one is absent there is a gap.
+std::string RadarOutline(const LayoutReport& report, const std::string& colour) {
+  std::array<const Figure*, kMain.size()> figures{};
+  for (std::size_t axis = 0; axis < kMain.size(); ++axis) {
+    figures[axis] = FindFigure(report, IdOf(kMain[axis], report));
+  }
+  const std::string middle = fmt::format("M{} {}", kRadarMiddle_x, kRadarMiddle_y);
+  std::string area, outline;
+  for (std::size_t axis = 0; axis < kMain.size(); ++axis) {
+    if (!figures[axis]) continue;
+    const std::size_t before = (axis + kMain.size() - 1) % kMain.size();
+    const std::size_t next = (axis + 1) % kMain.size();
+    const Vec2 from = OnRadar(axis, Goodness(*figures[axis]));
+    const std::string here = fmt::format("{:.1f} {:.1f}", from.x(), from.y());
+    if (!figures[before] || !figures[next]) outline += middle + "L" + here;
+    if (!figures[next]) continue;
+    const Vec2 to = OnRadar(next, Goodness(*figures[next]));
+    const std::string there = fmt::format("{:.1f} {:.1f}", to.x(), to.y());
+    outline += "M" + here + "L" + there;
+    area += middle + "L" + here + "L" + there + "Z";
+  }
+  return fmt::format("<path class=\"area {0}\" d=\"{1}\"/><path class=\"outline {0}\" d=\"{2}\"/>",
+                     colour, area, outline);
+}
+
+/// Which of the main figures layouts do not have.
+std::string AbsentText(const std::vector<LayoutReport>& reports) {
+  std::string html;
+  for (const LayoutReport& report : reports) {
+    std::vector<const char*> absent;
+    for (const MainFigure& main : kMain) {
+      if (!FindFigure(report, IdOf(main, report))) absent.push_back(main.words);
     }
-    svg += fmt::format(
-        "<polygon class=\"area {0}\" points=\"{1}\"/>"
-        "<polygon class=\"outline {0}\" points=\"{1}\"/>",
-        Colour(l), points);
+    if (absent.empty()) continue;
+    html +=
+        fmt::format("<p class=\"soft\">{} has no figure of: {}. The chart has a gap there.</p>\n",
+                    Escape(report.name), fmt::join(absent, ", "));
   }
-  return svg + "</svg>\n";
+  return html;
+}
+
+std::string Radar(const std::vector<LayoutReport>& reports) {
+  std::string svg =
+      "<svg style=\"max-width:44rem\" viewBox=\"0 0 640 420\" role=\"img\" "
+      "aria-label=\"main figures of all layouts\">" +
+      RadarAxes();
+  for (std::size_t l = 0; l < reports.size(); ++l) svg += RadarOutline(reports[l], Colour(l));
+  return svg + "</svg>\n" + AbsentText(reports);
 }
 
 std::string Key(const std::vector<LayoutReport>& reports) {
@@ -138,12 +181,11 @@ std::string Maps(const std::vector<LayoutReport>& reports) {
   const LayoutReport& first = reports.front();
   const std::vector<double> none;
   for (const PolarMap& map : first.maps) {
-    const bool is_about_machine = map.name.starts_with("seen/") || map.name.starts_with("pixels/");
-    const std::vector<double>& outline = is_about_machine ? first.outline_m : none;
+    const std::vector<double>& outline = IsAboutMachine(map) ? first.outline_m : none;
     html += fmt::format("<h3>{}</h3>\n<div class=\"figures\">\n", Escape(map.title));
     for (const LayoutReport& report : reports) {
       for (const PolarMap& of : report.maps) {
-        if (of.name != map.name || of.value.size() != map.value.size()) continue;
+        if (of.id != map.id || of.value.size() != map.value.size()) continue;
         html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", MapSvg(of, outline),
                             Escape(report.name));
         if (&report == &first) continue;
@@ -168,7 +210,7 @@ std::string Curves(const std::vector<LayoutReport>& reports) {
     std::vector<std::string> colours;
     for (std::size_t l = 0; l < reports.size(); ++l) {
       for (const PolarCurve& of : reports[l].curves) {
-        if (of.name != curve.name) continue;
+        if (of.id != curve.id) continue;
         curves.push_back(of);
         colours.push_back(Colour(l));
       }
@@ -204,7 +246,7 @@ std::string BalanceText(std::vector<Difference> differences) {
   for (const Difference& d : differences) {
     better += d.verdict() == Difference::Verdict::kBetter;
     undecided += d.verdict() == Difference::Verdict::kUndecided;
-    if (d.verdict() == Difference::Verdict::kWorse) worse.push_back(Describe(AsFigure(d)));
+    if (d.verdict() == Difference::Verdict::kWorse) worse.push_back(Describe(d.figure));
   }
   std::string text = fmt::format(
       "better in {} of {} figures, worse in {}, {} without a difference that this cycle can show",
@@ -222,7 +264,6 @@ std::string Table(const LayoutReport& first, const LayoutReport& other) {
       "<th class=\"r\">{1}</th><th class=\"r\">{0}</th><th>{0} is</th></tr>\n",
       Escape(other.name), Escape(first.name));
   for (const Difference& d : Compare(first, other)) {
-    const Figure figure = AsFigure(d);
     const bool better = d.verdict() == Difference::Verdict::kBetter;
     const bool worse = d.verdict() == Difference::Verdict::kWorse;
     html += fmt::format(
@@ -231,8 +272,8 @@ std::string Table(const LayoutReport& first, const LayoutReport& other) {
         better  ? "better"
         : worse ? "worse"
                 : "same",
-        Escape(Describe(figure)), Escape(ValueText(figure, d.of_first)),
-        Escape(ValueText(figure, d.of_other)), Escape(VerdictText(d)));
+        Escape(Describe(d.figure)), Escape(ValueText(d.figure, d.of_first)),
+        Escape(ValueText(d.figure, d.of_other)), Escape(VerdictText(d)));
   }
   return html + "</table></div>\n";
 }
@@ -248,12 +289,13 @@ std::vector<std::string> ComparisonWords(const std::vector<LayoutReport>& report
     words.push_back(fmt::format("{} takes {}; {} takes {}.", reports[l].name,
                                 ExpenseText(reports[l].expense), reports.front().name,
                                 ExpenseText(reports.front().expense)));
-    for (const char* name : kMain) {
+    for (const MainFigure& main : kMain) {
+      const FigureId id = IdOf(main, reports.front());
       const auto found = std::find_if(differences.begin(), differences.end(),
-                                      [&](const Difference& d) { return d.figure == name; });
+                                      [&](const Difference& d) { return d.figure == id; });
       if (found == differences.end()) continue;
       words.push_back(
-          fmt::format("{}, {}: {}.", pair, Describe(AsFigure(*found)), VerdictText(*found)));
+          fmt::format("{}, {}: {}.", pair, Describe(found->figure), VerdictText(*found)));
     }
   }
   return words;
@@ -265,8 +307,9 @@ std::string ComparisonCsv(const std::vector<LayoutReport>& reports) {
     for (const Difference& d : Compare(reports.front(), reports[l])) {
       constexpr std::array<const char*, 3> kVerdicts = {"better", "worse", "undecided"};
       csv += fmt::format("{},{},{},{},{:.9g},{:.9g},{:.9g},{:.9g},{}\n", CsvCell(reports[l].name),
-                         CsvCell(reports.front().name), d.figure, d.unit, d.of_other, d.of_first,
-                         d.low, d.high, kVerdicts[static_cast<std::size_t>(d.verdict())]);
+                         CsvCell(reports.front().name), NameOf(d.figure), UnitOf(d.figure.measure),
+                         d.of_other, d.of_first, d.low, d.high,
+                         kVerdicts[static_cast<std::size_t>(d.verdict())]);
     }
   }
   return csv;

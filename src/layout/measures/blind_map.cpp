@@ -37,12 +37,8 @@ std::vector<double> BlindMap::SeenShare() const {
 }
 
 std::vector<Figure> BlindMap::Figures() const {
-  const auto figure = [&](int rings, const std::vector<double>& blind_m2) {
-    Figure f{fmt::format("map/{} m/blind_m2_to_{:.0f}m", height_m_, rings * PolarGrid::kRing_m),
-             "m^2",
-             false,
-             blind_m2,
-             {}};
+  const auto figure = [&](Measure measure, const std::vector<double>& blind_m2) {
+    Figure f{{measure, fmt::format("{}", height_m_)}, blind_m2, {}};
     // As if the blind area were round. Its border crosses as many cells as it is rings long, in
     // each of which it lies anywhere across the ring; they err independently.
     for (const double area_m2 : blind_m2) {
@@ -52,7 +48,8 @@ std::vector<Figure> BlindMap::Figures() const {
     }
     return f;
   };
-  return {figure(PolarGrid::kNearRings, near_blind_m2_), figure(PolarGrid::kRings, far_blind_m2_)};
+  return {figure(Measure::kBlindAreaNear, near_blind_m2_),
+          figure(Measure::kBlindAreaFar, far_blind_m2_)};
 }
 
 }  // namespace tera

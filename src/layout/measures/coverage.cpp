@@ -97,14 +97,16 @@ bool ZoneCoverage::HadPlaces() const {
 
 std::vector<Figure> ZoneCoverage::Figures() const {
   std::vector<Figure> figures;
+  constexpr std::array<Measure, kMost> kSeenBy = {Measure::kSeenBy1, Measure::kSeenBy2,
+                                                  Measure::kSeenBy3};
   for (int n = 0; n < kMost; ++n) {
-    Figure figure{fmt::format("zone/{}/seen_by_{}", zone_.name, n + 1), "", true, share_[n], {}};
+    Figure figure{{kSeenBy[n], zone_.name}, share_[n], {}};
     for (std::size_t m = 0; m < in_air_.size(); ++m) {
       figure.error.push_back(ShareError(share_[n][m], in_air_[m]));
     }
     figures.push_back(std::move(figure));
   }
-  Figure blind{fmt::format("zone/{}/blind_m3", zone_.name), "m^3", false, blind_m3_, {}};
+  Figure blind{{Measure::kBlindVolume, zone_.name}, blind_m3_, {}};
   for (std::size_t m = 0; m < in_air_.size(); ++m) {
     const double in_air = static_cast<double>(in_air_[m]);
     const double air_m3 = Volume_m3(zone_) * in_air / static_cast<double>(places_Z_m_.size());

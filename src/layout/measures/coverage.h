@@ -33,7 +33,7 @@ class ZoneCoverage {
 
   /// Whether any place lay in the air at any moment.
   bool HadPlaces() const;
-  /// "zone/NAME/seen_by_1" to 3, and "zone/NAME/blind_m3".
+  /// Measures of the zone.
   std::vector<Figure> Figures() const;
   /// What keeps places from being seen: shares of the blind places of all moments, by the name of
   /// what blocks, or "out of view" or "too far or too sparse"; together 1.

@@ -70,17 +70,16 @@ void DetectionProbability::Add(const std::vector<PersonPlace>& places,
 }
 
 std::vector<Figure> DetectionProbability::Figures() const {
-  const std::string name = fmt::format("person/{}/probability_within_12m", posture_);
-  std::vector<Figure> figures = {{name, "", true, all_.mean, all_.error}};
+  std::vector<Figure> figures = {{{Measure::kProbability, posture_}, all_.mean, all_.error}};
   for (std::size_t q = 0; q < kQuarters.size(); ++q) {
-    figures.push_back({fmt::format("{}_{}", name, kQuarters[q].name), "", true, quarters_[q].mean,
-                       quarters_[q].error});
+    figures.push_back(
+        {{Measure::kProbabilityOfQuarter, posture_, q}, quarters_[q].mean, quarters_[q].error});
   }
   return figures;
 }
 
 std::vector<PolarMap> DetectionProbability::Maps() const {
-  PolarMap mean{.name = fmt::format("person/{}/probability", posture_),
+  PolarMap mean{.id = {Measure::kProbabilityMap, posture_},
                 .title = fmt::format("Probability that lidars detect a {} person, mean over the "
                                      "cycle; rings are metres from the machine's outline",
                                      posture_),
@@ -89,7 +88,7 @@ std::vector<PolarMap> DetectionProbability::Maps() const {
                 .ring_m = kStep_m};
   mean.value.assign(sum_.size(), -1);
   PolarMap worst = mean;
-  worst.name += "_worst";
+  worst.id.measure = Measure::kWorstProbabilityMap;
   worst.title = fmt::format("The same of a {} person at the worst moment of each place", posture_);
   for (std::size_t i = 0; i < sum_.size(); ++i) {
     if (moments_[i] == 0) continue;

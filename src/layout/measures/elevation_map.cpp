@@ -72,11 +72,11 @@ void ElevationMap::Count(const std::vector<Cell>& cells) {
 }
 
 std::vector<Figure> ElevationMap::Figures() const {
-  Figure gaps{"elevation/gaps", "", false, gaps_, {}};
+  Figure gaps{{Measure::kElevationGaps}, gaps_, {}};
   for (std::size_t m = 0; m < gaps_.size(); ++m) {
     gaps.error.push_back(ShareError(gaps_[m], cells_[m]));
   }
-  Figure sigma{"elevation/sigma_m", "m", false, sigma_m_, std::vector<double>(sigma_m_.size(), 0)};
+  Figure sigma{{Measure::kElevationSigma}, sigma_m_, std::vector<double>(sigma_m_.size(), 0)};
   return {gaps, sigma};
 }
 

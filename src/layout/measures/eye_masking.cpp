@@ -240,18 +240,19 @@ void EyeMasking::Add(const Pose& X_WH, const Pose& X_WB, std::size_t machine,
 
 std::vector<Figure> EyeMasking::Figures() const {
   std::vector<Figure> figures;
-  const auto tell = [&](const std::string& name, const Record& record) {
+  const auto tell = [&](const char* name, const Record& record) {
     const std::vector<double> widest_m = WidestWidths_m(record.maskings);
-    figures.push_back({name + "/widest_masking_m", "m", false, widest_m,
+    figures.push_back({{Measure::kWidestMasking, name},
+                       widest_m,
                        std::vector<double>(widest_m.size(), WidthError_m())});
-    figures.push_back({name + "/masked_share", "", false, record.masked_share, record.share_error});
+    figures.push_back({{Measure::kMaskedShare, name}, record.masked_share, record.share_error});
     if (!eye_.most_masking_m) return;
-    Figure exceeds{name + "/exceeds_limit", "", false};
+    Figure exceeds{{Measure::kExceedsLimit, name}};
     for (const double width_m : widest_m) exceeds.at.push_back(width_m > *eye_.most_masking_m);
     figures.push_back(std::move(exceeds));
   };
-  tell("eye/circle", circle_);
-  tell("eye/rectangle", rectangle_);
+  tell("circle", circle_);
+  tell("rectangle", rectangle_);
   return figures;
 }
 

@@ -21,9 +21,10 @@ double MeanOf(const Figure& figure) { return Mean(figure.at); }
 double WorstOf(const Figure& figure) { return figure.at[WorstMomentOf(figure)]; }
 
 std::size_t WorstMomentOf(const Figure& figure) {
-  TERA_CHECK(!figure.at.empty(), figure.name);
-  const auto worst = figure.more_is_better ? std::min_element(figure.at.begin(), figure.at.end())
-                                           : std::max_element(figure.at.begin(), figure.at.end());
+  TERA_CHECK(!figure.at.empty(), NameOf(figure.id));
+  const auto worst = IsMoreBetter(figure.id.measure)
+                         ? std::min_element(figure.at.begin(), figure.at.end())
+                         : std::max_element(figure.at.begin(), figure.at.end());
   return static_cast<std::size_t>(worst - figure.at.begin());
 }
 

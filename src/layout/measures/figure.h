@@ -1,16 +1,15 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
+
+#include "layout/measures/figure_id.h"
 
 namespace tera {
 
 /// A number that says how well a layout does something, at every moment of a cycle.
 struct Figure {
-  std::string name;  ///< "zone/behind/seen", unique in a layout
-  std::string unit;  ///< "" for shares
-  bool more_is_better = true;
+  FigureId id;                  ///< unique in a layout
   std::vector<double> at = {};  ///< of each moment
   /// Of each, 1 sigma by the places that were tried; empty where none is known.
   std::vector<double> error = {};

@@ -14,8 +14,11 @@ namespace {
 
 constexpr double kSmall = 1e-4;       ///< step of derivatives, in rad, m and their rates
 constexpr double kLeastSigma = 1e-6;  ///< of sensors without noise, in their SI units
-constexpr double kOtherRate = 0.2;    ///< of joints whose greatest rate nobody says, rad/s or m/s
-constexpr double kKnown = 0.9;        ///< of its prior, from which on a number counts as observed
+
+/// In SI units.
+double UnitSize(const FigureId& id) { return id.measure == Measure::kAngleSigma ? kDeg : 1; }
+constexpr double kOtherRate = 0.2;  ///< of joints whose greatest rate nobody says, rad/s or m/s
+constexpr double kKnown = 0.9;      ///< of its prior, from which on a number counts as observed
 
 /// Samples that fall due after `from_ns` and not after `to_ns`, of a sensor that has always run.
 double Due(const SampleClock& clock, TimeNs from_ns, TimeNs to_ns) {
@@ -53,10 +56,11 @@ JointInformation::JointInformation(const MachineModel& model, int upper,
   for (const int j : moving_) {
     const Joint& joint = model.joints[j];
     const bool slides = joint.type == JointType::kPrismatic;
-    asked_.push_back({joint.name, slides ? "m" : "deg", EvenSigma(TravelOf(joint))});
+    asked_.push_back({{slides ? Measure::kLengthSigma : Measure::kAngleSigma, joint.name},
+                      EvenSigma(TravelOf(joint))});
   }
   for (const char* heading : {"heading", "heading_of_pair"}) {
-    asked_.push_back({heading, "deg", EvenSigma(2 * kPi)});
+    asked_.push_back({{Measure::kAngleSigma, heading}, EvenSigma(2 * kPi)});
   }
 }
 
@@ -327,10 +331,8 @@ void JointInformation::Keep() {
 std::vector<Figure> JointInformation::Figures() const {
   std::vector<Figure> figures;
   for (const Asked& asked : asked_) {
-    const double unit = asked.unit == "deg" ? kDeg : 1;
-    Figure figure{
-        fmt::format("state/{}/sigma_{}", asked.what, asked.unit), asked.unit, false, {}, {}};
-    for (const double sigma : asked.sigma) figure.at.push_back(sigma / unit);
+    Figure figure{asked.id};
+    for (const double sigma : asked.sigma) figure.at.push_back(sigma / UnitSize(asked.id));
     figure.error.assign(figure.at.size(), 0);  // no places are tried
     figures.push_back(std::move(figure));
   }
@@ -342,8 +344,8 @@ std::vector<std::string> JointInformation::Warnings() const {
   for (const Asked& asked : asked_) {
     const auto unobserved = [&](double sigma) { return sigma > kKnown * asked.prior; };
     if (!std::all_of(asked.sigma.begin(), asked.sigma.end(), unobserved)) continue;
-    const double unit = asked.unit == "deg" ? kDeg : 1;
-    unknown.push_back(fmt::format("{} ({:.3g} {})", asked.what, asked.prior / unit, asked.unit));
+    unknown.push_back(fmt::format("{} ({:.3g} {})", asked.id.of, asked.prior / UnitSize(asked.id),
+                                  UnitOf(asked.id.measure)));
   }
   if (unknown.empty()) return {};
   return {

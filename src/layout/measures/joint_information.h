@@ -83,7 +83,7 @@ class JointInformation {
   };
   /// A number that is asked for, with its deviation at first and at each moment.
   struct Asked {
-    std::string what, unit;
+    FigureId id;
     double prior = 0;
     std::vector<double> sigma = {};
   };

@@ -56,7 +56,7 @@ std::vector<std::uint16_t> SoilInstances(const MachinePlacement& placement,
 }
 
 PolarMap SeenMap(const BlindMap& map) {
-  return {.name = fmt::format("seen/{} m", map.height_m()),
+  return {.id = {Measure::kSeenMap, fmt::format("{}", map.height_m())},
           .title = fmt::format("Share of the cycle in which a place {} m above the ground is seen",
                                map.height_m()),
           .sectors = PolarGrid::kSectors,
@@ -85,18 +85,18 @@ std::string HiddenWarning(const std::string& viewer, const ZoneCoverage::FieldOf
       kPercent * most->second / (field.seen + field.hidden));
 }
 
-/// Whether any of the wanted beginnings leads to figures that begin so, or is led to by them.
-bool IsWanted(const std::vector<std::string>& wanted, const std::string& beginning) {
-  return wanted.empty() || std::any_of(wanted.begin(), wanted.end(), [&](const std::string& one) {
-           return one.starts_with(beginning) || beginning.starts_with(one);
-         });
+/// Whether any figure of the subject is wanted, of that one where it is named.
+bool IsWanted(const WantedFigures& wanted, Subject subject, const std::string& of = "") {
+  return !wanted || std::any_of(wanted->begin(), wanted->end(), [&](const FigureId& id) {
+    return SubjectOf(id.measure) == subject && (of.empty() || id.of == of);
+  });
 }
 
 }  // namespace
 
 LayoutMeasures::LayoutMeasures(const LayoutStudy& study, const Scenario& scenario,
                                const SceneAssembly& assembly, const Layout& layout,
-                               const std::vector<std::string>& wanted)
+                               const WantedFigures& wanted)
     : study_(study),
       scenario_(scenario),
       assembly_(assembly),
@@ -107,9 +107,9 @@ LayoutMeasures::LayoutMeasures(const LayoutStudy& study, const Scenario& scenari
   AddZonesAndMaps(wanted);
   AddPeople(wanted);
   AddShovels(wanted);
-  if (IsWanted(wanted, "elevation/")) elevation_.emplace(study.elevation);
-  if (IsWanted(wanted, "sky/")) sky_.emplace(model(), studied_.machine, layout.sensors);
-  if (IsWanted(wanted, "information/smig")) {
+  if (IsWanted(wanted, Subject::kElevation)) elevation_.emplace(study.elevation);
+  if (IsWanted(wanted, Subject::kAntenna)) sky_.emplace(model(), studied_.machine, layout.sensors);
+  if (IsWanted(wanted, Subject::kOccupancy)) {
     occupancy_.emplace(study.radius_m, study.height_m, study.information.voxel_m);
   }
 }
@@ -118,36 +118,37 @@ const MachineModel& LayoutMeasures::model() const {
   return scenario_.machines[studied_.machine].placement.model;
 }
 
-void LayoutMeasures::AddZonesAndMaps(const std::vector<std::string>& wanted) {
+void LayoutMeasures::AddZonesAndMaps(const WantedFigures& wanted) {
   const auto add_zone = [&](const Zone& zone) {
-    if (!IsWanted(wanted, "zone/" + zone.name + "/")) return;
+    if (!IsWanted(wanted, Subject::kZone, zone.name)) return;
     zones_.emplace_back(zone, study_.points, study_.seed);
   };
   add_zone(AroundMachine(study_, model()));
   for (const Zone& zone : study_.zones) add_zone(zone);
   for (const double height_m : study_.map_heights_m) {
-    if (IsWanted(wanted, fmt::format("map/{} m/", height_m))) maps_.emplace_back(height_m);
+    if (IsWanted(wanted, Subject::kHeight, fmt::format("{}", height_m)))
+      maps_.emplace_back(height_m);
   }
-  if (IsWanted(wanted, "pixels/")) pixels_.emplace();
+  if (IsWanted(wanted, Subject::kPurpose)) pixels_.emplace();
 }
 
-void LayoutMeasures::AddPeople(const std::vector<std::string>& wanted) {
+void LayoutMeasures::AddPeople(const WantedFigures& wanted) {
   const double reflectance = study_.seen.reflectance;
   for (const Posture& posture : study_.person.postures) {
-    if (!IsWanted(wanted, "person/" + posture.name + "/")) continue;
+    if (!IsWanted(wanted, Subject::kPosture, posture.name)) continue;
     people_.emplace_back(posture, study_.person, reflectance);
   }
-  if (IsWanted(wanted, "information/perception_entropy")) {
+  if (IsWanted(wanted, Subject::kEntropy)) {
     entropy_.emplace(study_.person, study_.information, reflectance);
   }
 }
 
-void LayoutMeasures::AddShovels(const std::vector<std::string>& wanted) {
+void LayoutMeasures::AddShovels(const WantedFigures& wanted) {
   const std::vector<Shovel>& shovels = model().ground_tools.shovels;
   const std::vector<std::uint16_t> soil =
       SoilInstances(scenario_.machines[studied_.machine].placement, assembly_.model());
   for (std::size_t s = 0; s < shovels.size(); ++s) {
-    if (IsWanted(wanted, "dig/" + shovels[s].name + "/"))
+    if (IsWanted(wanted, Subject::kShovel, shovels[s].name))
       shovels_.emplace_back(shovels[s], soil[s]);
   }
 }

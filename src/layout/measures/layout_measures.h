@@ -22,9 +22,6 @@
 
 namespace tera {
 
-/// Name of the zone around the machine, which every study has.
-inline constexpr char kAroundZone[] = "around";
-
 /// A moment of a cycle, as it is looked at.
 struct LookedAt {
   const Instant& now;
@@ -42,13 +39,15 @@ struct Places {
   std::vector<Occupant> occupants;
 };
 
+/// Those that are asked for; nothing: all.
+using WantedFigures = std::optional<std::vector<FigureId>>;
+
 /// All that a study asks of what one layout sees, moment by moment.
 class LayoutMeasures {
  public:
-  /// `wanted` says which figures are wanted, by the beginning of their names ("zone/behind");
-  /// empty: all. Keeps references to all but `layout` and `wanted`.
+  /// Keeps references to all but `layout` and `wanted`.
   LayoutMeasures(const LayoutStudy& study, const Scenario& scenario, const SceneAssembly& assembly,
-                 const Layout& layout, const std::vector<std::string>& wanted = {});
+                 const Layout& layout, const WantedFigures& wanted = std::nullopt);
 
   Places PlacesOf(const LookedAt& moment) const;
   /// Adds what `layout` sees now, whose viewers stand where they are.
@@ -67,9 +66,9 @@ class LayoutMeasures {
 
  private:
   const MachineModel& model() const;
-  void AddZonesAndMaps(const std::vector<std::string>& wanted);
-  void AddPeople(const std::vector<std::string>& wanted);
-  void AddShovels(const std::vector<std::string>& wanted);
+  void AddZonesAndMaps(const WantedFigures& wanted);
+  void AddPeople(const WantedFigures& wanted);
+  void AddShovels(const WantedFigures& wanted);
 
   const LayoutStudy& study_;
   const Scenario& scenario_;

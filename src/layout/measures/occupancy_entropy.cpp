@@ -107,7 +107,7 @@ std::vector<double> OccupancyEntropy::Prior() const {
 
 std::vector<Figure> OccupancyEntropy::Figures() const {
   const std::vector<double> prior = Prior();
-  Figure through{"information/smig", "nat"}, in_sight{"information/smig_occluded", "nat"};
+  Figure through{{Measure::kInformation}}, in_sight{{Measure::kInformationInSight}};
   for (const Covered& covered : covered_) {
     double through_nat = 0, in_sight_nat = 0;
     for (std::size_t v = 0; v < prior.size(); ++v) {

@@ -45,8 +45,6 @@ class OccupancyEntropy {
   void Add(const Pose& X_WH, const std::vector<Occupant>& occupants, const Layout& layout,
            double reflectance, const Sighting& sighting);
 
-  /// Middles of the voxels, in H.
-  const std::vector<Vec3>& Voxels_m() const { return voxels_H_m_; }
   /// p_v of each voxel.
   std::vector<double> Prior() const;
   /// "information/smig" and "information/smig_occluded", in nats.
@@ -60,7 +58,7 @@ class OccupancyEntropy {
   void Count(const std::vector<Occupant>& occupants, const std::vector<Vec3>& voxels_W_m);
 
   double voxel_m_;
-  std::vector<Vec3> voxels_H_m_;
+  std::vector<Vec3> voxels_H_m_;  ///< their middles
   std::vector<int> occupied_;     ///< moments, of each voxel
   std::vector<Covered> covered_;  ///< of each moment
 };

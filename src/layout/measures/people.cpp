@@ -120,25 +120,20 @@ void PersonRange::AddReach(const std::vector<PersonPlace>& places,
 }
 
 std::vector<Figure> PersonRange::Figures() const {
-  const std::string name = "person/" + posture_.name;
   std::vector<Figure> figures;
   for (std::size_t q = 0; q < kQuarters.size(); ++q) {
-    const auto figure = [&](const char* what, bool more_is_better, double Reach::*number) {
-      Figure f{fmt::format("{}/detected_{}_m_{}", name, what, kQuarters[q].name),
-               "m",
-               more_is_better,
-               {},
-               {}};
+    const auto figure = [&](Measure measure, double Reach::*number) {
+      Figure f{{measure, posture_.name, q}, {}, {}};
       for (const Reach& reach : quarters_[q]) f.at.push_back(reach.*number);
       // Each end is somewhere between two tried distances.
       f.error.assign(f.at.size(), EvenSigma(kRangeStep_m));
       figures.push_back(std::move(f));
     };
-    figure("from", false, &Reach::from_m);
-    figure("to", true, &Reach::to_m);
-    figure("over", true, &Reach::over_m);
+    figure(Measure::kDetectedFrom, &Reach::from_m);
+    figure(Measure::kDetectedTo, &Reach::to_m);
+    figure(Measure::kDetectedOver, &Reach::over_m);
   }
-  Figure share{name + "/detected_within_12m", "", true, within_12m_, {}};
+  Figure share{{Measure::kDetectedShare, posture_.name}, within_12m_, {}};
   for (std::size_t m = 0; m < within_12m_.size(); ++m) {
     share.error.push_back(ShareError(within_12m_[m], tried_[m]));
   }
@@ -148,7 +143,7 @@ std::vector<Figure> PersonRange::Figures() const {
 }
 
 PolarCurve PersonRange::Curve() const {
-  PolarCurve curve{.name = "person/" + posture_.name,
+  PolarCurve curve{.id = {Measure::kPersonCurve, posture_.name},
                    .title = fmt::format("Where a {} person is detected, in m from the machine's "
                                         "outline",
                                         posture_.name),
@@ -172,7 +167,7 @@ PolarCurve PersonRange::Curve() const {
 
 PolarMap PersonRange::DetectedMap() const {
   PolarMap map{
-      .name = "detected/" + posture_.name,
+      .id = {Measure::kDetectedMap, posture_.name},
       .title = fmt::format("Share of the cycle in which a {} person is detected; rings are "
                            "metres from the machine's outline",
                            posture_.name),

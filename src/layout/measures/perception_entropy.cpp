@@ -10,7 +10,7 @@ namespace tera {
 namespace {
 
 constexpr double kLeastPrecision = 0.001, kMostPrecision = 0.999;
-constexpr double kFirst_m = 1, kStep_m = 2;  ///< of the distances that are tried
+constexpr double kFirst_m = 1, kEntropyStep_m = 2;  ///< of the distances that are tried
 
 }  // namespace
 
@@ -40,7 +40,8 @@ void PerceptionEntropy::Add(const Pose& X_WH, const std::vector<double>& hull_m,
                             const Layout& layout, const Sighting& sighting,
                             const TerrainSurface& ground) {
   std::vector<double> distances_m;
-  for (double d_m = kFirst_m; d_m <= person_.farthest_m; d_m += kStep_m) distances_m.push_back(d_m);
+  for (double d_m = kFirst_m; d_m <= person_.farthest_m; d_m += kEntropyStep_m)
+    distances_m.push_back(d_m);
   std::vector<Pose> X_WP;
   for (const PersonPlace& place : PlacesAroundHull(X_WH, hull_m, distances_m, sighting, ground)) {
     X_WP.push_back(place.X_WP);
@@ -67,7 +68,7 @@ void PerceptionEntropy::Add(const Pose& X_WH, const std::vector<double>& hull_m,
 }
 
 std::vector<Figure> PerceptionEntropy::Figures() const {
-  return {{"information/perception_entropy", "nat", false, mean_nat_, error_nat_}};
+  return {{{Measure::kPerceptionEntropy}, mean_nat_, error_nat_}};
 }
 
 }  // namespace tera

@@ -79,18 +79,18 @@ void PixelDensity::Add(const PolarPlaces& places, const Layout& layout, const Si
 std::vector<Figure> PixelDensity::Figures() const {
   std::vector<Figure> figures;
   for (std::size_t purpose = 0; purpose < kPurposeCount; ++purpose) {
-    const std::string name = fmt::format("pixels/{}", kPurposes[purpose].name);
-    Figure share{name + "/share_to_12m", "", true, share_[purpose]};
+    const std::string name = kPurposes[purpose].name;
+    Figure share{{Measure::kPixelShare, name}, share_[purpose]};
     for (std::size_t m = 0; m < near_places_.size(); ++m) {
       share.error.push_back(ShareError(share.at[m], near_places_[m]));
     }
     figures.push_back(std::move(share));
-    for (const Quarter& quarter : kQuarters) {
-      Figure figure{fmt::format("{}/mean_to_m_{}", name, quarter.name), "m", true};
+    for (std::size_t q = 0; q < kQuarters.size(); ++q) {
+      Figure figure{{Measure::kPixelReach, name, q}};
       for (std::size_t m = 0; m < share_[purpose].size(); ++m) {
         double sum_m = 0, directions = 0;
         for (int sector = 0; sector < PolarGrid::kSectors; ++sector) {
-          if (!quarter.Holds(PolarGrid::Azimuth_rad(sector))) continue;
+          if (!kQuarters[q].Holds(PolarGrid::Azimuth_rad(sector))) continue;
           sum_m += farthest_m_[purpose][sector][m];
           directions += 1;
         }
@@ -109,7 +109,7 @@ std::vector<PolarCurve> PixelDensity::Curves() const {
   for (std::size_t purpose = 0; purpose < kPurposeCount; ++purpose) {
     const auto& [name, px_per_m] = kPurposes[purpose];
     PolarCurve curve{
-        .name = fmt::format("pixels/{}", name),
+        .id = {Measure::kPixelCurve, name},
         .title =
             fmt::format("Farthest place at which cameras {} a person, nearer or not, in m: {} px/m",
                         name, px_per_m),
@@ -128,7 +128,7 @@ std::vector<PolarCurve> PixelDensity::Curves() const {
 
 PolarMap PixelDensity::Map() const {
   PolarMap map{
-      .name = fmt::format("pixels/{} m", kHeight_m),
+      .id = {Measure::kPixelMap, fmt::format("{}", kHeight_m)},
       .title = fmt::format("Pixels per metre on a person, {} m above the ground", kHeight_m),
       .sectors = PolarGrid::kSectors,
       .rings = PolarGrid::kRings,

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "layout/measures/figure_id.h"
+
 namespace tera {
 
 /// A number for each cell of a polar grid around a point, to be drawn.
@@ -10,7 +12,7 @@ namespace tera {
 /// Frames  azimuth 0 is ahead, counterclockwise from above; cell (sector, ring) is at
 ///         sector * rings + ring.
 struct PolarMap {
-  std::string name;   ///< "seen/0.9 m"
+  FigureId id;
   std::string title;  ///< for people
   int sectors = 0, rings = 0;
   double ring_m = 1;  ///< width of a ring, in `ring_unit`
@@ -22,11 +24,17 @@ struct PolarMap {
   std::vector<double> ticks = {};
 };
 
+/// Whether a map's middle is the machine's, so that its outline may be drawn on it.
+inline bool IsAboutMachine(const PolarMap& map) {
+  return map.id.measure == Measure::kSeenMap || map.id.measure == Measure::kPixelMap;
+}
+
 /// A distance for each direction around a point, to be drawn.
 ///
 /// Frames  as PolarMap.
 struct PolarCurve {
-  std::string name, title;
+  FigureId id;
+  std::string title;                ///< for people
   double most = 1;                  ///< of the axis
   std::vector<double> mean, worst;  ///< over a cycle, of each direction
   /// Where what holds at the worst moment begins, of each direction; empty: at the point.

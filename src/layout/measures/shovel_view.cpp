@@ -57,13 +57,13 @@ void ShovelView::Add(const MachineState& machine, const Layout& layout, double r
 }
 
 std::vector<Figure> ShovelView::Figures() const {
-  const auto figure = [&](const char* what, const std::vector<double>& at, std::size_t places) {
-    Figure f{"dig/" + name_ + "/" + what, "", true, at, {}};
+  const auto figure = [&](Measure measure, const std::vector<double>& at, std::size_t places) {
+    Figure f{{measure, name_}, at, {}};
     for (const double share : at) f.error.push_back(ShareError(share, places));
     return f;
   };
-  std::vector<Figure> figures = {figure("edge_seen", edge_seen_, edge_B_m_.size())};
-  if (carries_) figures.push_back(figure("load_seen", load_seen_, mouth_B_m_.size()));
+  std::vector<Figure> figures = {figure(Measure::kEdgeSeen, edge_seen_, edge_B_m_.size())};
+  if (carries_) figures.push_back(figure(Measure::kLoadSeen, load_seen_, mouth_B_m_.size()));
   return figures;
 }
 

@@ -85,14 +85,14 @@ std::vector<Figure> SkyView::Figures() const {
   for (const Direction& direction : sky_) shares.push_back(direction.share);
   const double like = LikeCount(shares);
   std::vector<Figure> figures;
-  const auto append = [&](const std::string& name, const std::vector<double>& share) {
-    Figure figure{name, "", false, share, {}};
+  const auto append = [&](FigureId id, const std::vector<double>& share) {
+    Figure figure{std::move(id), share, {}};
     for (const double s : share) figure.error.push_back(ShareError(s, like));
     figures.push_back(std::move(figure));
   };
   for (const Antenna& antenna : antennas_) {
-    append(fmt::format("sky/{}/hidden", antenna.name), antenna.by_machine);
-    append(fmt::format("sky/{}/hidden_by_site", antenna.name), antenna.by_site);
+    append({Measure::kSkyHidden, antenna.name}, antenna.by_machine);
+    append({Measure::kSkyHiddenBySite, antenna.name}, antenna.by_site);
   }
   return figures;
 }
@@ -100,7 +100,7 @@ std::vector<Figure> SkyView::Figures() const {
 std::vector<PolarMap> SkyView::Maps() const {
   std::vector<PolarMap> maps;
   for (const Antenna& antenna : antennas_) {
-    PolarMap map{.name = fmt::format("sky/{}/hidden", antenna.name),
+    PolarMap map{.id = {Measure::kSkyHidden, antenna.name},
                  .title = fmt::format("Share of the cycle in which the machine hides the sky from "
                                       "{}; rings of {} degrees from the zenith",
                                       antenna.name, SkyGrid::kRing_deg),

@@ -87,7 +87,9 @@ Appraisal::Appraisal(const LayoutSearch& search, const LayoutStudy& study, const
   if (!search.keep.empty()) {
     kept_ = cycle.WithRig(studied_.machine, search.keep).machines[studied_.machine].sensors;
   }
-  for (const Objective& objective : search.objectives) wanted_.push_back(objective.figure);
+  for (const Objective& objective : search.objectives) {
+    if (const auto id = FigureIdOf(objective.figure)) wanted_.push_back(*id);
+  }
   RequirePlaces();
   RequireWithinLimits();
   RequireReachable();
@@ -143,20 +145,17 @@ void Appraisal::RequirePlaces() const {
 void Appraisal::RequireFigures() {
   const LayoutMeasures measures(study_, scenario_, assembly_, Laid(BoundsOf(search_).high));
   std::vector<std::string> names(kTaken.begin(), kTaken.end());
-  std::set<std::string> to_be_large;
-  for (const Figure& figure : measures.Figures()) {
-    names.push_back(figure.name);
-    if (figure.more_is_better) to_be_large.insert(figure.name);
-  }
+  for (const Figure& figure : measures.Figures()) names.push_back(NameOf(figure.id));
   for (const Objective& objective : search_.objectives) {
-    signs_.push_back(to_be_large.contains(objective.figure) ? -1 : 1);
+    const std::optional<FigureId> id = FigureIdOf(objective.figure);
+    signs_.push_back(id && IsMoreBetter(id->measure) ? -1 : 1);
     if (std::find(names.begin(), names.end(), objective.figure) != names.end()) continue;
     std::string found = fmt::format("there is no figure '{}'{}", objective.figure,
                                     DidYouMean(objective.figure, names));
-    if (objective.figure.starts_with("eye/")) {
+    if (id && SubjectOf(id->measure) == Subject::kEye) {
       found = fmt::format("'{}' is what the machine hides from an eye, which no layout changes",
                           objective.figure);
-    } else if (objective.figure.starts_with("state/")) {
+    } else if (id && SubjectOf(id->measure) == Subject::kState) {
       found = fmt::format(
           "'{}' is what inertial units, encoders and antennas tell, which no search places",
           objective.figure);
@@ -284,10 +283,11 @@ Appraised Appraisal::Of(Layout layout) const {
       appraised.objectives.push_back(*taken);
       continue;
     }
-    const auto figure = std::find_if(figures.begin(), figures.end(),
-                                     [&](const Figure& f) { return f.name == objective.figure; });
+    const FigureId id = *FigureIdOf(objective.figure);
+    const auto figure =
+        std::find_if(figures.begin(), figures.end(), [&](const Figure& f) { return f.id == id; });
     const double value = objective.at_worst ? WorstOf(*figure) : MeanOf(*figure);
-    appraised.objectives.push_back(figure->more_is_better ? -value : value);
+    appraised.objectives.push_back(IsMoreBetter(id.measure) ? -value : value);
   }
   return appraised;
 }

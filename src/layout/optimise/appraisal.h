@@ -72,7 +72,7 @@ class Appraisal {
   StudiedMachine studied_;
   SceneAssembly assembly_;
   std::vector<SensorDescription> kept_;
-  std::vector<std::string> wanted_;
+  std::vector<FigureId> wanted_;
   std::vector<double> signs_;
   std::vector<Moment> moments_;
 };

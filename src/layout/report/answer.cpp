@@ -9,6 +9,7 @@
 
 #include "layout/report/people_words.h"
 #include "layout/report/words.h"
+#include "layout/study/zone.h"
 
 namespace tera {
 namespace {
@@ -34,20 +35,21 @@ std::string MainCauses(const std::map<std::string, double>& causes) {
 
 std::vector<std::string> Answer(const LayoutReport& report) {
   std::vector<std::string> lines;
-  if (const Figure* seen = FindFigure(report, "zone/around/seen_by_1")) {
+  if (const Figure* seen = FindFigure(report, {Measure::kSeenBy1, kAroundZone})) {
     lines.push_back(fmt::format("Of the space around the machine it sees {}.",
                                 MeanAndWorstText(report, *seen)));
   }
-  const auto causes = report.blind_causes.find("around");
-  const Figure* blind = FindFigure(report, "zone/around/blind_m3");
+  const auto causes = report.blind_causes.find(kAroundZone);
+  const Figure* blind = FindFigure(report, {Measure::kBlindVolume, kAroundZone});
   if (blind && causes != report.blind_causes.end() && !causes->second.empty()) {
     lines.push_back(fmt::format("Of it no sensor sees {}, because of: {}.",
                                 MeanAndWorstText(report, *blind), MainCauses(causes->second)));
   }
   for (std::string& line : PeopleAnswer(report)) lines.push_back(std::move(line));
-  if (const Figure* edge = FindFigure(report, "dig/bucket/edge_seen")) {
-    lines.push_back(
-        fmt::format("Of the bucket's cutting edge it sees {}.", MeanAndWorstText(report, *edge)));
+  const std::string shovel = DiggingShovel(report);
+  if (const Figure* edge = FindFigure(report, {Measure::kEdgeSeen, shovel})) {
+    lines.push_back(fmt::format("Of the {}'s cutting edge it sees {}.", Spaced(shovel),
+                                MeanAndWorstText(report, *edge)));
   }
   return lines;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 #include <utility>
 
 #include "layout/report/words.h"
@@ -13,10 +12,9 @@ namespace tera {
 namespace {
 
 std::string PostureLine(const LayoutReport& report, const std::string& posture) {
-  constexpr std::array<std::pair<const char*, const char*>, 4> kSides = {{{"behind", "behind"},
-                                                                          {"left", "to the left"},
-                                                                          {"right", "to the right"},
-                                                                          {"ahead", "ahead"}}};
+  // By their numbers in kQuarters, from where people are hardest to see.
+  constexpr std::array<std::pair<std::size_t, const char*>, 4> kSides = {
+      {{2, "behind"}, {1, "to the left"}, {3, "to the right"}, {0, "ahead"}}};
   std::vector<std::string> always, never;
   for (const auto& [quarter, side] : kSides) {
     const std::optional<AlwaysDetected> at = AlwaysDetectedIn(report, posture, quarter);
@@ -43,7 +41,7 @@ std::string HardestPosture(const LayoutReport& report) {
   std::string name;
   const std::vector<std::string> postures = PosturesOf(report);
   for (const std::string& posture : postures) {
-    const Figure* share = FindFigure(report, "person/" + posture + "/detected_within_12m");
+    const Figure* share = FindFigure(report, {Measure::kDetectedShare, posture});
     if (hardest && WorstOf(*share) >= WorstOf(*hardest)) continue;
     hardest = share;
     name = posture;
@@ -58,22 +56,17 @@ std::string HardestPosture(const LayoutReport& report) {
 
 std::vector<std::string> PosturesOf(const LayoutReport& report) {
   std::vector<std::string> postures;
-  constexpr std::string_view kBegin = "person/", kEnd = "/detected_within_12m";
   for (const Figure& figure : report.figures) {
-    const std::string& name = figure.name;
-    if (!name.starts_with(kBegin) || !name.ends_with(kEnd)) continue;
-    postures.push_back(name.substr(kBegin.size(), name.size() - kBegin.size() - kEnd.size()));
+    if (figure.id.measure == Measure::kDetectedShare) postures.push_back(figure.id.of);
   }
   return postures;
 }
 
 std::optional<AlwaysDetected> AlwaysDetectedIn(const LayoutReport& report,
-                                               const std::string& posture,
-                                               const std::string& quarter) {
-  const auto find = [&](const char* what) {
-    return FindFigure(report, fmt::format("person/{}/detected_{}_m_{}", posture, what, quarter));
-  };
-  const Figure *from = find("from"), *to = find("to"), *over = find("over");
+                                               const std::string& posture, std::size_t quarter) {
+  const Figure* from = FindFigure(report, {Measure::kDetectedFrom, posture, quarter});
+  const Figure* to = FindFigure(report, {Measure::kDetectedTo, posture, quarter});
+  const Figure* over = FindFigure(report, {Measure::kDetectedOver, posture, quarter});
   if (!from || !to || !over) return std::nullopt;
   AlwaysDetected always{.from_m = WorstOf(*from), .to_m = WorstOf(*to)};
   constexpr double kStep_m = 1;  // between the distances that are tried
@@ -104,7 +97,7 @@ std::vector<std::string> PeopleAnswer(const LayoutReport& report) {
     lines.push_back(PostureLine(report, posture));
   }
   std::erase(lines, "");
-  if (const Figure* p = FindFigure(report, "person/standing/probability_within_12m")) {
+  if (const Figure* p = FindFigure(report, {Measure::kProbability, "standing"})) {
     lines.push_back(fmt::format(
         "By the points of lidars a standing person up to 12 m from the machine is detected with a "
         "probability, over the places, of {}.",

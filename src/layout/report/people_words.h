@@ -23,8 +23,7 @@ struct AlwaysDetected {
 };
 /// Nothing where the report has no such figures.
 std::optional<AlwaysDetected> AlwaysDetectedIn(const LayoutReport& report,
-                                               const std::string& posture,
-                                               const std::string& quarter);
+                                               const std::string& posture, std::size_t quarter);
 /// "from 7 to 16 m", "at 7 m", "at no distance".
 std::string RangeText(const AlwaysDetected& always);
 /// What quarters are, and from where distances are measured.

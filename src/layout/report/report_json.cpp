@@ -16,9 +16,9 @@ constexpr int kFormat = 2;  ///< 1 counted people and elevations otherwise
 constexpr int kIndent = 1;
 
 json FigureJson(const Figure& f) {
-  return {{"name", f.name},
-          {"unit", f.unit},
-          {"more_is_better", f.more_is_better},
+  return {{"name", NameOf(f.id)},
+          {"unit", UnitOf(f.id.measure)},
+          {"more_is_better", IsMoreBetter(f.id.measure)},
           {"mean", MeanOf(f)},
           {"worst", WorstOf(f)},
           {"sampling_error", ErrorOf(f)},
@@ -26,36 +26,49 @@ json FigureJson(const Figure& f) {
           {"sampling_error_at", f.error}};
 }
 
+FigureId ReadId(const json& from) {
+  const std::string name = from.at("name");
+  if (const auto id = FigureIdOf(name)) return *id;
+  throw InputError(fmt::format("'{}' is no figure, map or curve that is known", name));
+}
+
 Figure ReadFigure(const json& from) {
-  return {from.at("name"), from.at("unit"), from.at("more_is_better"), from.at("at"),
-          from.at("sampling_error_at")};
+  const FigureId id = ReadId(from);
+  if (from.at("unit") != UnitOf(id.measure) ||
+      from.at("more_is_better") != IsMoreBetter(id.measure)) {
+    throw InputError(
+        fmt::format("figure '{}' has another unit or is to be large where it is to be "
+                    "small",
+                    NameOf(id)));
+  }
+  return {id, from.at("at"), from.at("sampling_error_at")};
 }
 
 json MapJson(const PolarMap& m) {
-  return {{"name", m.name},   {"title", m.title},   {"sectors", m.sectors},
-          {"rings", m.rings}, {"ring_m", m.ring_m}, {"ring_unit", m.ring_unit},
-          {"low", m.low},     {"high", m.high},     {"value", m.value},
+  return {{"name", NameOf(m.id)}, {"title", m.title},   {"sectors", m.sectors},
+          {"rings", m.rings},     {"ring_m", m.ring_m}, {"ring_unit", m.ring_unit},
+          {"low", m.low},         {"high", m.high},     {"value", m.value},
           {"ticks", m.ticks}};
 }
 
 PolarMap ReadMap(const json& from) {
-  PolarMap map{from.at("name"),   from.at("title"),     from.at("sectors"), from.at("rings"),
+  PolarMap map{ReadId(from),      from.at("title"),     from.at("sectors"), from.at("rings"),
                from.at("ring_m"), from.at("ring_unit"), from.at("low"),     from.at("high"),
                from.at("value"),  from.at("ticks")};
   if (map.sectors <= 0 || map.rings <= 0 ||
       map.value.size() != static_cast<std::size_t>(map.sectors) * map.rings) {
-    throw InputError(fmt::format("map '{}' has not one value for each cell", map.name));
+    throw InputError(fmt::format("map '{}' has not one value for each cell", NameOf(map.id)));
   }
   return map;
 }
 
 json CurveJson(const PolarCurve& c) {
-  return {{"name", c.name}, {"title", c.title}, {"most", c.most},
-          {"mean", c.mean}, {"worst", c.worst}, {"worst_from", c.worst_from}};
+  return {{"name", NameOf(c.id)}, {"title", c.title}, {"most", c.most},
+          {"mean", c.mean},       {"worst", c.worst}, {"worst_from", c.worst_from}};
 }
 
 PolarCurve ReadCurve(const json& from) {
-  return {from.at("name"), from.at("title"), from.at("most"),
+  return {ReadId(from),    from.at("title"), from.at("most"),
           from.at("mean"), from.at("worst"), from.at("worst_from")};
 }
 
@@ -86,7 +99,8 @@ LayoutReport FromJson(const json& from) {
         (figure.error.empty() || figure.error.size() == report.t_s.size())) {
       continue;
     }
-    throw InputError(fmt::format("figure '{}' has not one value for each moment", figure.name));
+    throw InputError(
+        fmt::format("figure '{}' has not one value for each moment", NameOf(figure.id)));
   }
   return report;
 }

@@ -5,80 +5,68 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 #include <utility>
+
+#include "core/check.h"
+#include "layout/measures/quarter.h"
+#include "layout/study/zone.h"
 
 namespace tera {
 namespace {
 
 constexpr double kPercentOfOne = 100;
 
-/// The parts of a name between slashes.
-std::vector<std::string> Parts(const std::string& name) {
-  std::vector<std::string> parts = {""};
-  for (const char c : name) {
-    if (c == '/') {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
+/// What figures say, in the order of Measure: {0} is what they are of, {1} the quarter.
+constexpr std::array<const char*, 28> kWords = {
+    "{0} seen by 1 or more sensors",
+    "{0} seen by 2 or more sensors",
+    "{0} seen by 3 or more sensors",
+    "{0}: volume that no sensor sees",
+    "area {0} m above the ground that no sensor sees, out to 12 m",
+    "area {0} m above the ground that no sensor sees, out to 24 m",
+    "a {0} person is detected in every direction of the quarter {1}: nearest distance from the "
+    "machine's outline",
+    "a {0} person is detected in every direction of the quarter {1}: farthest distance from the "
+    "machine's outline",
+    "a {0} person is detected in every direction of the quarter {1}: metres of distance in all",
+    "a {0} person is detected: share of the places up to 12 m from the machine",
+    "probability that lidars detect a {0} person: mean over the places up to 12 m",
+    "probability that lidars detect a {0} person: mean over the places up to 12 m, {1}",
+    "{0}: share of its cutting edge that is seen",
+    "{0}: share of its mouth that is seen",
+    "elevation map ahead: share of cells without a point",
+    "elevation map ahead: error of a cell's height",
+    "cameras that {0} a person (IEC 62676-4): share of the area out to 12 m",
+    "cameras that {0} a person (IEC 62676-4): farthest place from the upper structure, mean over "
+    "the directions of the quarter {1}",
+    "share of the sky that the machine hides from {0}",
+    "share of the sky that the site hides from {0}",
+    "information gain S-MIG, whatever is in the way",
+    "information gain S-MIG of what is in sight",
+    "perception entropy of a person in the first posture",
+    "from the eye: widest masking on the {0}",
+    "from the eye: share of the {0} that is masked",
+    "from the eye: the limit is exceeded on the {0}",
+    "how well the {0} is known, 1 sigma, by {2}",
+    "how well the {0} is known, 1 sigma, by {2}"};
+
+/// A figure's subject, for people.
+std::string SubjectText(const FigureId& id) {
+  switch (SubjectOf(id.measure)) {
+    case Subject::kZone:
+      return id.of == kAroundZone ? "space around the machine" : "zone '" + Spaced(id.of) + "'";
+    case Subject::kEye:
+      return id.of == "circle" ? "test circle" : "rectangular boundary";
+    case Subject::kAntenna:
+      return id.of;
+    default:
+      return Spaced(id.of);
   }
-  return parts;
 }
 
-std::string ZoneText(const std::string& zone) {
-  return zone == "around" ? "space around the machine" : "zone '" + Spaced(zone) + "'";
-}
-
-std::string DescribeZone(const std::vector<std::string>& parts) {
-  const std::string& what = parts[2];
-  if (what == "blind_m3") return ZoneText(parts[1]) + ": volume that no sensor sees";
-  const char least = what.back();
-  return fmt::format("{} seen by {} or more sensors", ZoneText(parts[1]), least);
-}
-
-std::string DescribePerson(const std::vector<std::string>& parts) {
-  const std::string person = "a " + Spaced(parts[1]) + " person ";
-  if (parts[2] == "detected_within_12m") {
-    return person + "is detected: share of the places up to 12 m from the machine";
-  }
-  const std::string where = parts[2].substr(parts[2].rfind('_') + 1);
-  if (parts[2].starts_with("probability_within_12m")) {
-    return fmt::format("probability that lidars detect {}: mean over the places up to 12 m{}",
-                       person.substr(0, person.size() - 1), where == "12m" ? "" : ", " + where);
-  }
-  const std::string quarter = " in every direction of the quarter " + where;
-  if (parts[2].starts_with("detected_from")) {
-    return person + "is detected" + quarter + ": nearest distance from the machine's outline";
-  }
-  if (parts[2].starts_with("detected_over")) {
-    return person + "is detected" + quarter + ": metres of distance in all";
-  }
-  return person + "is detected" + quarter + ": farthest distance from the machine's outline";
-}
-
-std::string DescribePixels(const std::vector<std::string>& parts) {
-  const std::string purpose = fmt::format("cameras that {} a person (IEC 62676-4): ", parts[1]);
-  if (parts[2] == "share_to_12m") return purpose + "share of the area out to 12 m";
-  return purpose +
-         "farthest place from the upper structure, mean over the directions of the "
-         "quarter " +
-         parts[2].substr(parts[2].rfind('_') + 1);
-}
-
-std::string DescribeEye(const std::vector<std::string>& parts) {
-  const std::string line = parts[1] == "circle" ? "test circle" : "rectangular boundary";
-  if (parts[2] == "masked_share") return "from the eye: share of the " + line + " that is masked";
-  if (parts[2] == "exceeds_limit") return "from the eye: the limit is exceeded on the " + line;
-  return "from the eye: widest masking on the " + line;
-}
-
-std::string DescribeInformation(const std::string& what) {
-  if (what == "smig") return "information gain S-MIG, whatever is in the way";
-  if (what == "smig_occluded") return "information gain S-MIG of what is in sight";
-  return "perception entropy of a person in the first posture";
-}
-
-std::string UnitText(std::string unit) {
+std::string UnitText(std::string_view of) {
+  std::string unit(of);
   for (const auto& [from, to] : {std::pair{"^2", "²"}, std::pair{"^3", "³"}}) {
     if (const auto at = unit.find(from); at != unit.npos) unit.replace(at, 2, to);
   }
@@ -87,48 +75,27 @@ std::string UnitText(std::string unit) {
 
 }  // namespace
 
-std::string Describe(const Figure& figure) {
-  const std::vector<std::string> parts = Parts(figure.name);
-  if (parts.size() == 3 && parts[0] == "zone") return DescribeZone(parts);
-  if (parts.size() == 3 && parts[0] == "person") return DescribePerson(parts);
-  if (parts.size() == 3 && parts[0] == "map") {
-    const std::string to = parts[2].substr(parts[2].rfind('_') + 1);
-    return fmt::format("area {} above the ground that no sensor sees, out to {} m", parts[1],
-                       to.substr(0, to.size() - 1));
-  }
-  if (parts.size() == 3 && parts[0] == "dig") {
-    return parts[2] == "edge_seen" ? Spaced(parts[1]) + ": share of its cutting edge that is seen"
-                                   : Spaced(parts[1]) + ": share of its mouth that is seen";
-  }
-  if (parts.size() == 3 && parts[0] == "pixels") return DescribePixels(parts);
-  if (parts.size() == 3 && parts[0] == "eye") return DescribeEye(parts);
-  if (parts.size() == 2 && parts[0] == "information") return DescribeInformation(parts[1]);
-  if (parts.size() == 3 && parts[0] == "sky") {
-    return fmt::format("share of the sky that {} hides from {}",
-                       parts[2] == "hidden" ? "the machine" : "the site", parts[1]);
-  }
-  if (parts.size() == 3 && parts[0] == "state") {
-    return fmt::format("how well the {} is known, 1 sigma, by {}", Spaced(parts[1]),
-                       parts[1] == "heading_of_pair" ? "one sample of two antennas"
-                                                     : "units, encoders and antennas");
-  }
-  if (figure.name == "elevation/gaps") return "elevation map ahead: share of cells without a point";
-  if (figure.name == "elevation/sigma_m") return "elevation map ahead: error of a cell's height";
-  return Spaced(figure.name);
+std::string Describe(const FigureId& id) {
+  const std::size_t measure = static_cast<std::size_t>(id.measure);
+  TERA_CHECK(measure < kWords.size(), measure);
+  return fmt::format(
+      fmt::runtime(kWords[measure]), SubjectText(id), id.quarter ? kQuarters[*id.quarter].name : "",
+      id.of == "heading_of_pair" ? "one sample of two antennas" : "units, encoders and antennas");
 }
 
-std::string ValueText(const Figure& figure, double value) {
-  if (figure.unit.empty()) return fmt::format("{:.1f} %", kPercentOfOne * value);
+std::string ValueText(const FigureId& id, double value) {
+  const std::string_view unit = UnitOf(id.measure);
+  if (unit.empty()) return fmt::format("{:.1f} %", kPercentOfOne * value);
   constexpr double kSmall = 0.1;  // below, digits that count and not decimals
   const double size = std::abs(value);
   const std::string number = size < kSmall ? fmt::format("{:.2g}", value + 0.0)
                                            : fmt::format("{:.{}f}", value, size < 10 ? 2 : 1);
-  return number + " " + UnitText(figure.unit);
+  return number + " " + UnitText(unit);
 }
 
 std::string MeanAndWorstText(const LayoutReport& report, const Figure& figure) {
   return fmt::format("{} on average and {} at the worst moment, at {:.4g} s",
-                     ValueText(figure, MeanOf(figure)), ValueText(figure, WorstOf(figure)),
+                     ValueText(figure.id, MeanOf(figure)), ValueText(figure.id, WorstOf(figure)),
                      report.t_s[WorstMomentOf(figure)]);
 }
 

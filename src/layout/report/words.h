@@ -7,9 +7,9 @@
 namespace tera {
 
 /// What a figure says, for people: "space around the machine seen by 1 sensor or more".
-std::string Describe(const Figure& figure);
-/// A value of it with its unit: "71 %", "4.2 m^3".
-std::string ValueText(const Figure& figure, double value);
+std::string Describe(const FigureId& id);
+/// A value of it with its unit: "71 %", "4.2 m³".
+std::string ValueText(const FigureId& id, double value);
 
 /// A figure's mean, its worst moment and when that is: "50.0 % on average and 25.0 % at the worst
 /// moment, at 3.2 s".

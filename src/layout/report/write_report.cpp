@@ -6,6 +6,7 @@
 
 #include "dataset/files/checked_file.h"
 #include "dataset/format/png.h"
+#include "layout/measures/quarter.h"
 #include "layout/report/answer.h"
 #include "layout/report/page.h"
 #include "layout/report/people_words.h"
@@ -19,20 +20,26 @@ namespace {
 
 constexpr int kMap_px = 480;
 constexpr double kPercentShare = 100;
+using Measures = std::vector<Measure>;
+const Measures kProbabilities = {Measure::kProbabilityMap, Measure::kWorstProbabilityMap};
+
+bool IsAnyOf(const FigureId& id, const Measures& measures) {
+  return std::find(measures.begin(), measures.end(), id.measure) != measures.end();
+}
 constexpr double kLeastShown = 0.005;  ///< of shares on the page; the tables have all
 
 std::string FiguresCsv(const LayoutReport& report) {
   std::string csv = "figure,unit,more_is_better,mean,worst,sampling_error\n";
   for (const Figure& f : report.figures) {
-    csv += fmt::format("{},{},{},{:.9g},{:.9g},{:.9g}\n", f.name, f.unit, int{f.more_is_better},
-                       MeanOf(f), WorstOf(f), ErrorOf(f));
+    csv += fmt::format("{},{},{},{:.9g},{:.9g},{:.9g}\n", NameOf(f.id), UnitOf(f.id.measure),
+                       int{IsMoreBetter(f.id.measure)}, MeanOf(f), WorstOf(f), ErrorOf(f));
   }
   return csv;
 }
 
 std::string MomentsCsv(const LayoutReport& report) {
   std::string csv = "t_s";
-  for (const Figure& f : report.figures) csv += "," + f.name;
+  for (const Figure& f : report.figures) csv += "," + NameOf(f.id);
   csv += "\n";
   for (std::size_t m = 0; m < report.t_s.size(); ++m) {
     csv += fmt::format("{:.9g}", report.t_s[m]);
@@ -58,13 +65,13 @@ std::string PeopleCsv(const LayoutReport& report) {
   constexpr double kTurn_deg = 360;
   std::string csv = "map,azimuth_deg,distance_m,probability\n";
   for (const PolarMap& map : report.maps) {
-    if (!map.name.starts_with("person/")) continue;
+    if (!IsAnyOf(map.id, kProbabilities)) continue;
     for (int sector = 0; sector < map.sectors; ++sector) {
       for (int ring = 0; ring < map.rings; ++ring) {
         const double value = map.value[static_cast<std::size_t>(sector * map.rings + ring)];
         if (value < 0) continue;
-        csv += fmt::format("{},{:.9g},{:.9g},{:.9g}\n", map.name, sector * kTurn_deg / map.sectors,
-                           (ring + 1) * map.ring_m, value);
+        csv += fmt::format("{},{:.9g},{:.9g},{:.9g}\n", NameOf(map.id),
+                           sector * kTurn_deg / map.sectors, (ring + 1) * map.ring_m, value);
       }
     }
   }
@@ -84,28 +91,25 @@ std::string ColoursText(const PolarMap& map) {
   return fmt::format("from red to blue: {:.4g}{}", fmt::join(TicksOf(map), ", "), dark);
 }
 
-/// Maps whose names begin so, under a heading.
-std::string MapFigures(const LayoutReport& report, const std::string& beginning,
+/// Maps of these measures, under a heading.
+std::string MapFigures(const LayoutReport& report, const Measures& measures,
                        const std::string& heading) {
-  // Maps of people and of the sky have another middle.
-  const bool is_about_machine = beginning == "seen/" || beginning == "pixels/";
   const std::vector<double> none;
   std::string figures;
   for (const PolarMap& map : report.maps) {
-    if (!map.name.starts_with(beginning)) continue;
+    if (!IsAnyOf(map.id, measures)) continue;
     figures += fmt::format("<figure>{}<figcaption>{}, {}</figcaption></figure>\n",
-                           MapSvg(map, is_about_machine ? report.outline_m : none),
+                           MapSvg(map, IsAboutMachine(map) ? report.outline_m : none),
                            Escape(map.title), ColoursText(map));
   }
   if (figures.empty()) return "";
   return heading + "<div class=\"figures\">\n" + figures + "</div>\n";
 }
 
-/// Curves whose names begin so.
-std::string CurveFigures(const LayoutReport& report, const std::string& beginning) {
+std::string CurveFigures(const LayoutReport& report, Measure measure) {
   std::string figures;
   for (const PolarCurve& curve : report.curves) {
-    if (!curve.name.starts_with(beginning)) continue;
+    if (curve.id.measure != measure) continue;
     figures += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n",
                            CurvesSvg(curve.title, curve.most, {curve}, {"a"}), Escape(curve.title));
   }
@@ -120,16 +124,15 @@ std::string CurveFigures(const LayoutReport& report, const std::string& beginnin
 std::string PeopleTable(const LayoutReport& report) {
   std::string rows;
   for (const std::string& posture : PosturesOf(report)) {
-    for (const char* quarter : {"ahead", "left", "behind", "right"}) {
-      const auto always = AlwaysDetectedIn(report, posture, quarter);
+    for (std::size_t q = 0; q < kQuarters.size(); ++q) {
+      const auto always = AlwaysDetectedIn(report, posture, q);
       if (!always) continue;
-      const Figure& over =
-          *FindFigure(report, fmt::format("person/{}/detected_over_m_{}", posture, quarter));
+      const Figure& over = *FindFigure(report, {Measure::kDetectedOver, posture, q});
       rows += fmt::format(
           "<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"r\">{}</td><td "
           "class=\"r\">{}</td></tr>\n",
-          Escape(posture), quarter, RangeText(*always), Escape(ValueText(over, MeanOf(over))),
-          Escape(ValueText(over, WorstOf(over))));
+          Escape(posture), kQuarters[q].name, RangeText(*always),
+          Escape(ValueText(over.id, MeanOf(over))), Escape(ValueText(over.id, WorstOf(over))));
     }
   }
   if (rows.empty()) return "";
@@ -140,8 +143,8 @@ std::string PeopleTable(const LayoutReport& report) {
 }
 
 std::string PeopleSection(const LayoutReport& report) {
-  const std::string shown =
-      PeopleTable(report) + MapFigures(report, "detected/", "") + CurveFigures(report, "person/");
+  const std::string shown = PeopleTable(report) + MapFigures(report, {Measure::kDetectedMap}, "") +
+                            CurveFigures(report, Measure::kPersonCurve);
   if (shown.empty()) return "";
   return "<h2>From where to where a person is detected</h2>\n<p class=\"soft\">" + QuartersText() +
          "</p>\n" + shown;
@@ -160,8 +163,9 @@ std::string FigureTable(const LayoutReport& report) {
     html += fmt::format(
         "<tr><td>{}</td><td class=\"r\">{}</td><td class=\"r\">{}</td>"
         "<td class=\"r\">{}</td></tr>\n",
-        Escape(Describe(f)), Escape(ValueText(f, MeanOf(f))), Escape(ValueText(f, WorstOf(f))),
-        f.error.empty() ? "-" : Escape(ValueText(f, ErrorOf(f))));
+        Escape(Describe(f.id)), Escape(ValueText(f.id, MeanOf(f))),
+        Escape(ValueText(f.id, WorstOf(f))),
+        f.error.empty() ? "-" : Escape(ValueText(f.id, ErrorOf(f))));
   }
   return html + "</table></div>\n";
 }
@@ -205,15 +209,16 @@ std::string ReportPage(const LayoutReport& report) {
       Escape(report.cycle),
       report.t_s.size() == 1 ? "1 moment" : fmt::format("{} moments", report.t_s.size()),
       report.t_s.front(), report.t_s.back(), ExpenseText(report.expense));
-  html += MapFigures(report, "seen/", "<h2>What is seen around the machine</h2>\n" + MapLegend());
+  html += MapFigures(report, {Measure::kSeenMap},
+                     "<h2>What is seen around the machine</h2>\n" + MapLegend());
   html += PeopleSection(report);
-  html += MapFigures(report, "person/",
+  html += MapFigures(report, kProbabilities,
                      "<h2>With what probability lidars detect a person</h2>\n<p class=\"soft\">By "
                      "the fewest points that a detector of clusters takes for somebody; clutter "
                      "and false alarms are not in it.</p>\n");
-  html += MapFigures(report, "pixels/", "<h2>How finely cameras show a person</h2>\n");
-  html += CurveFigures(report, "pixels/");
-  html += MapFigures(report, "sky/", "<h2>What antennas see of the sky</h2>\n");
+  html += MapFigures(report, {Measure::kPixelMap}, "<h2>How finely cameras show a person</h2>\n");
+  html += CurveFigures(report, Measure::kPixelCurve);
+  html += MapFigures(report, {Measure::kSkyHidden}, "<h2>What antennas see of the sky</h2>\n");
   html += ShareTable("Why places are not seen", "Zone", "Cause", report.blind_causes);
   html += ShareTable("What two sensors see together", "Zone", "Sensors", report.overlaps);
   return html + FigureTable(report) + PageEnd();
@@ -227,7 +232,7 @@ void WriteReport(const LayoutReport& report, const fs::path& folder) {
   WriteWholeFile(folder / "blind.csv", BlindCsv(report));
   WriteWholeFile(folder / "people.csv", PeopleCsv(report));
   for (const PolarMap& map : report.maps) {
-    WriteWholeFile(folder / "maps" / (FileName(map.name) + ".png"),
+    WriteWholeFile(folder / "maps" / (FileName(NameOf(map.id)) + ".png"),
                    EncodeRgbPng(DrawMapWithWords(map, kMap_px)));
   }
   WriteWholeFile(folder / "report.html", ReportPage(report));

@@ -10,6 +10,9 @@
 
 namespace tera {
 
+/// Name of the zone around the machine, which every study has.
+inline constexpr char kAroundZone[] = "around";
+
 /// A box about the origin of its zone's pose.
 struct ZoneBox {
   Vec3 size_m = Vec3::Ones();

@@ -15,8 +15,6 @@ class Rain {
   explicit Rain(double rate_mmph);
 
   double rate_mmph() const { return rate_mmph_; }
-  /// L.
-  double slope_1pm() const { return slope_1pm_; }
   /// Drops larger than that, for each m^3.
   double CountAbove_1pm3(double diameter_m) const;
   /// pi N0 / L^3.
@@ -28,7 +26,7 @@ class Rain {
   static double FallSpeed_mps(double diameter_m);
 
  private:
-  double rate_mmph_, slope_1pm_;
+  double rate_mmph_, slope_1pm_;  ///< R, L
 };
 
 }  // namespace tera

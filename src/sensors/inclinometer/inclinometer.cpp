@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "core/check.h"
 #include "core/units.h"
 #include "sensors/slots/static_errors.h"
 
@@ -12,11 +11,6 @@ std::vector<std::string> InclinometerColumns() { return {"tilt_rad", "tilt_radps
 
 RowSample RowOf(const InclinometerSample& sample) {
   return {sample.t_ns, sample.t_available_ns, {sample.tilt_rad, sample.tilt_radps}};
-}
-
-InclinometerSample InclinometerSampleOf(const RowSample& row) {
-  TERA_CHECK(row.values.size() == 2, row.values.size());
-  return {row.t_ns, row.t_available_ns, row.values[0], row.values[1]};
 }
 
 void Serialize(ModelArchive* archive, InclinometerModel* m) {

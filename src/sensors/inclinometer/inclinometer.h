@@ -23,7 +23,6 @@ struct InclinometerSample {
 /// Its row: tilt_rad, tilt_radps.
 std::vector<std::string> InclinometerColumns();
 RowSample RowOf(const InclinometerSample& sample);
-InclinometerSample InclinometerSampleOf(const RowSample& row);
 
 /// What an inclinometer does to the truth.
 struct InclinometerModel {

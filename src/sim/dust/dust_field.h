@@ -63,7 +63,6 @@ class DustField {
   const DustGrid& grid() const { return grid_; }
   /// Mass of one size in each cell.
   const std::vector<double>& cells_kg(int size) const { return cells_kg_[size]; }
-  bool IsClean() const { return reach_.is_empty(); }
 
   struct Budget {
     DustMass emitted_kg{}, airborne_kg{}, settled_kg{}, left_kg{};

@@ -60,7 +60,6 @@ class TerrainPacker {
   void Take(Block* block);
 
  private:
-  void AddGrains(const std::vector<TerrainSurface::Grain>& grains);
   std::string& Of(TerrainStream stream) { return streams_[static_cast<std::size_t>(stream)]; }
 
   std::array<std::string, static_cast<std::size_t>(TerrainStream::kCount)> streams_;

@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
 
 #include "core/error.h"
 #include "core/units.h"
@@ -13,6 +17,119 @@ namespace tera {
 namespace {
 
 constexpr double kMostPixels = 2.5e7;  ///< of a file that is read: 600 MB while it is
+constexpr double kNoHeight = std::numeric_limits<double>::quiet_NaN();
+
+/// A band's numbers as GDAL converts them to `type`, T's, rows from the south.
+template <typename T>
+std::vector<T> ReadStored(const std::filesystem::path& file, GDALRasterBand* band,
+                          GDALDataType type) {
+  const int nx = band->GetXSize(), ny = band->GetYSize();
+  std::vector<T> pixels(static_cast<std::size_t>(nx) * ny);
+  // The file's first row is the northernmost: the lines are laid down backwards.
+  T* last_row = pixels.data() + static_cast<std::size_t>(ny - 1) * nx;
+  const GSpacing line = -static_cast<GSpacing>(nx) * static_cast<GSpacing>(sizeof(T));
+  if (band->RasterIO(GF_Read, 0, 0, nx, ny, last_row, nx, ny, type, 0, line) != CE_None) {
+    Refuse(file, fmt::format("its pixels cannot be read ({}); the file may be truncated",
+                             CPLGetLastErrorMsg()));
+  }
+  return pixels;
+}
+
+/// Metres in the unit of a raster's heights.
+double HeightUnit_m(const std::filesystem::path& file, GDALRasterBand* band,
+                    const OGRSpatialReference* system) {
+  constexpr double kFoot_m = 0.3048, kSurveyFoot_m = 1200.0 / 3937;
+  static const std::map<std::string, double> known_m = {{"m", 1},
+                                                        {"metre", 1},
+                                                        {"meter", 1},
+                                                        {"metres", 1},
+                                                        {"meters", 1},
+                                                        {"dm", 0.1},
+                                                        {"cm", 0.01},
+                                                        {"mm", 0.001},
+                                                        {"ft", kFoot_m},
+                                                        {"foot", kFoot_m},
+                                                        {"feet", kFoot_m},
+                                                        {"us survey foot", kSurveyFoot_m},
+                                                        {"us-ft", kSurveyFoot_m},
+                                                        {"ftus", kSurveyFoot_m},
+                                                        {"foot_us", kSurveyFoot_m}};
+  std::string unit = band->GetUnitType();
+  if (!unit.empty()) {
+    std::transform(unit.begin(), unit.end(), unit.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const auto found = known_m.find(unit);
+    if (found != known_m.end()) return found->second;
+    Refuse(file, fmt::format("its heights are in '{}', need metres or feet; name their unit with "
+                             "gdal_edit.py -units, or convert them with gdal_calc.py",
+                             band->GetUnitType()));
+  }
+  if (system && system->GetAttrNode("VERT_CS")) return system->GetTargetLinearUnits("VERT_CS");
+  if (system && system->IsProjected() && system->GetLinearUnits() != 1.0) {
+    Refuse(file, fmt::format("its map has a unit of {:.4f} m, and the unit of its heights is not "
+                             "named; name it with gdal_edit.py -units m, ft or us-ft",
+                             system->GetLinearUnits()));
+  }
+  return 1;
+}
+
+/// Refuses pixels of one number that is far from all others: no height, which no tag says.
+///
+/// Model   the number lies farther from the others than they from each other, and so much below or
+///         above them that no wall or tower is as high.
+void RequireMarkedGaps(const std::filesystem::path& file, const std::vector<double>& height_m,
+                       const std::function<double(double)>& stored) {
+  constexpr double kDeepestWall_m = 50, kTallestTower_m = 1000;
+  double least_m = std::numeric_limits<double>::max(), most_m = -least_m;
+  for (const double z_m : height_m) {  // comparisons with NaN are false
+    if (z_m < least_m) least_m = z_m;
+    if (z_m > most_m) most_m = z_m;
+  }
+  // A gap between heights that is wider than both sides of it contains the middle.
+  const double middle_m = 0.5 * least_m + 0.5 * most_m;
+  double below_m = least_m, above_m = most_m;
+  std::int64_t low = 0, high = 0;
+  for (const double z_m : height_m) {
+    if (z_m <= middle_m) below_m = std::max(below_m, z_m), ++low;
+    if (z_m > middle_m) above_m = std::min(above_m, z_m), ++high;
+  }
+  if (high == 0) return;
+  const double gap_m = above_m - below_m;
+  const bool is_pit = below_m == least_m && gap_m > std::max(kDeepestWall_m, most_m - above_m);
+  const bool is_peak = above_m == most_m && gap_m > std::max(kTallestTower_m, below_m - least_m);
+  if (!is_pit && !is_peak) return;
+  const bool tell_pit = is_pit && (!is_peak || low <= high);
+  Refuse(file,
+         fmt::format("{} of {} pixels have a height of {:g} m, {:g} m {} all others: no "
+                     "height, without the tag that says so? tag it: gdal_translate -a_nodata "
+                     "{} IN OUT",
+                     tell_pit ? low : high, height_m.size(), tell_pit ? below_m : above_m, gap_m,
+                     tell_pit ? "below" : "above", stored(tell_pit ? below_m : above_m)));
+}
+
+/// Refuses heights beyond the earth's land, and steps that no ground has.
+void RequireHeightsOfTheEarth(const std::filesystem::path& file,
+                              const std::vector<double>& height_m, int nx) {
+  constexpr double kHighest_m = 20'000, kSteepest_m = 1000;
+  for (std::size_t k = 0; k < height_m.size(); ++k) {
+    if (std::abs(height_m[k]) > kHighest_m) {
+      Refuse(file, fmt::format("a height of {:g} m found, and no ground is higher or lower than {} "
+                               "m; name their unit with gdal_edit.py -units, or their scale with "
+                               "-scale",
+                               height_m[k], kHighest_m));
+    }
+    const auto width = static_cast<std::size_t>(nx);
+    for (const std::size_t before : {k % width > 0 ? k - 1 : k, k >= width ? k - width : k}) {
+      const double step_m = std::abs(height_m[k] - height_m[before]);
+      if (step_m <= kSteepest_m || std::isnan(step_m)) continue;
+      Refuse(file,
+             fmt::format("two pixels beside each other have heights of {:g} and {:g} m: heights "
+                         "mixed with no-data values? mark these before you resample: "
+                         "gdal_translate -a_nodata",
+                         height_m[before], height_m[k]));
+    }
+  }
+}
 
 }  // namespace
 
@@ -76,24 +193,30 @@ RasterFrame ReadFrame(const std::filesystem::path& file, GDALDataset* raster) {
   return frame;
 }
 
-template <typename T>
-std::vector<T> ReadBand(const std::filesystem::path& file, GDALDataset* raster, GDALDataType type) {
-  const int nx = raster->GetRasterXSize(), ny = raster->GetRasterYSize();
-  std::vector<T> pixels(static_cast<std::size_t>(nx) * ny);
-  // The file's first row is the northernmost: the lines are laid down backwards.
-  T* last_row = pixels.data() + static_cast<std::size_t>(ny - 1) * nx;
-  const GSpacing line = -static_cast<GSpacing>(nx) * static_cast<GSpacing>(sizeof(T));
-  if (raster->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, nx, ny, last_row, nx, ny, type, 0, line) !=
-      CE_None) {
-    Refuse(file, fmt::format("its pixels cannot be read ({}); the file may be truncated",
-                             CPLGetLastErrorMsg()));
-  }
-  return pixels;
+std::vector<double> ReadBand(const std::filesystem::path& file, GDALDataset* raster) {
+  GDALRasterBand* band = raster->GetRasterBand(1);
+  std::vector<double> values = ReadStored<double>(file, band, GDT_Float64);
+  const BandScaling scaling(band);
+  for (double& value : values) value = scaling.Value(value);
+  return values;
 }
 
-template std::vector<double> ReadBand(const std::filesystem::path&, GDALDataset*, GDALDataType);
-template std::vector<std::uint8_t> ReadBand(const std::filesystem::path&, GDALDataset*,
-                                            GDALDataType);
+std::vector<double> ReadHeights(const std::filesystem::path& file, GDALDataset* raster) {
+  GDALRasterBand* band = raster->GetRasterBand(1);
+  const double unit_m = HeightUnit_m(file, band, raster->GetSpatialRef());
+  std::vector<double> height_m = ReadBand(file, raster);
+  for (double& z_m : height_m) z_m = std::isfinite(z_m) ? unit_m * z_m : kNoHeight;
+  if ((band->GetMaskFlags() & GMF_ALL_VALID) == 0) {
+    const auto valid = ReadStored<std::uint8_t>(file, band->GetMaskBand(), GDT_Byte);
+    for (std::size_t k = 0; k < valid.size(); ++k) {
+      if (valid[k] == 0) height_m[k] = kNoHeight;
+    }
+  }
+  const auto stored = [&](double z_m) { return BandScaling(band).Stored(z_m / unit_m); };
+  RequireMarkedGaps(file, height_m, stored);
+  RequireHeightsOfTheEarth(file, height_m, band->GetXSize());
+  return height_m;
+}
 
 OGRSpatialReference SitePlane(const SiteOrigin& origin) {
   OGRSpatialReference plane;

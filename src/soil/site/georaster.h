@@ -55,9 +55,25 @@ std::vector<std::filesystem::path> FilesOf(GDALDataset* raster);
 /// and one of more pixels than fit into memory with all that is made of them.
 RasterFrame ReadFrame(const std::filesystem::path& file, GDALDataset* raster);
 
-/// A file's only band, rows from the south. GDAL converts the pixels to `type`, T's.
-template <typename T>
-std::vector<T> ReadBand(const std::filesystem::path& file, GDALDataset* raster, GDALDataType type);
+/// What a band's stored numbers mean: its scale times them, plus its offset.
+struct BandScaling {
+  explicit BandScaling(GDALRasterBand* band) : scale(band->GetScale()), offset(band->GetOffset()) {}
+  double Value(double stored) const { return scale * stored + offset; }
+  double Stored(double value) const { return (value - offset) / scale; }
+
+  double scale, offset;
+};
+
+/// Values of a file's only band, scaled, rows from the south.
+std::vector<double> ReadBand(const std::filesystem::path& file, GDALDataset* raster);
+
+/// Heights of a file's only band in metres, rows from the south; NaN where a pixel has none.
+///
+/// Model   the unit is the band's, else that of the vertical reference system, else the metre. A
+///         pixel has no height where the file's no-data value or mask says so.
+/// Throws InputError for a unit that is not known, for a map in feet whose heights have no unit,
+/// and for pixels so far from all others that they must stand for no height without being marked.
+std::vector<double> ReadHeights(const std::filesystem::path& file, GDALDataset* raster);
 
 /// Transverse Mercator about `origin`, whose axes are east and north there.
 OGRSpatialReference SitePlane(const SiteOrigin& origin);

@@ -22,25 +22,28 @@ double Bilinear(const std::vector<double>& values, int nx, int ny, double gx, do
   return (1 - v) * ((1 - u) * row[0] + u * row[1]) + v * ((1 - u) * row[nx] + u * row[nx + 1]);
 }
 
-std::vector<double> ReadHeights(const std::filesystem::path& file, GDALDataset* raster) {
-  GDALRasterBand* band = raster->GetRasterBand(1);
-  const std::string unit = band->GetUnitType();
-  if (!unit.empty() && unit != "m" && unit != "metre" && unit != "meter") {
-    Refuse(file, fmt::format("its heights are in '{}', need metres; convert them with gdal_calc.py",
-                             unit));
-  }
-  std::vector<double> height_m = ReadBand<double>(file, raster, GDT_Float64);
-  int has_gap_value = 0;
-  const double gap_value = band->GetNoDataValue(&has_gap_value);
-  const auto gaps = std::count_if(height_m.begin(), height_m.end(), [&](double z) {
-    return !std::isfinite(z) || (has_gap_value && z == gap_value);
-  });
+/// Heights of a raster without gaps.
+std::vector<double> ReadAllHeights(const std::filesystem::path& file, GDALDataset* raster) {
+  std::vector<double> height_m = ReadHeights(file, raster);
+  const auto gaps =
+      std::count_if(height_m.begin(), height_m.end(), [](double z_m) { return std::isnan(z_m); });
   if (gaps > 0) {
     Refuse(file, fmt::format("{} of {} pixels have no height; fill the gaps, e.g. with "
                              "gdal_fillnodata.py",
                              gaps, height_m.size()));
   }
   return height_m;
+}
+
+/// A class that a file's number stands for.
+std::uint8_t ClassOf(const std::filesystem::path& file, double value) {
+  constexpr double kMost = 255;
+  if (value < 0 || value > kMost || value != std::floor(value)) {
+    Refuse(file, fmt::format("a class of {:g} found by its scale and offset, need whole numbers "
+                             "from 0 to {}; take them off with gdal_translate -unscale -ot Byte",
+                             value, kMost));
+  }
+  return static_cast<std::uint8_t>(value);
 }
 
 /// Calls visit(x_m, y_m, pixel) for each place of a grid in the site's plane, row by row, with the
@@ -92,7 +95,7 @@ ElevationGrid ReadElevation(const std::filesystem::path& file) {
   const QuietGdal quiet;
   const RasterFile raster = OpenRaster(file, "elevation raster, heights in metres");
   const RasterFrame frame = ReadFrame(file, raster.get());
-  const std::vector<double> pixel_m = ReadHeights(file, raster.get());
+  const std::vector<double> pixel_m = ReadAllHeights(file, raster.get());
   const auto height_at = [&](const Vec2& pixel) {
     return Bilinear(pixel_m, frame.nx, frame.ny, pixel.x(), pixel.y());
   };
@@ -127,7 +130,7 @@ SoilClassGrid ReadSoilClasses(const std::filesystem::path& file,
                              "gdal_translate -ot Byte",
                              GDALGetDataTypeName(band->GetRasterDataType())));
   }
-  const std::vector<std::uint8_t> pixels = ReadBand<std::uint8_t>(file, raster.get(), GDT_Byte);
+  const std::vector<double> pixels = ReadBand(file, raster.get());
 
   SoilClassGrid grid;
   grid.files = FilesOf(raster.get());
@@ -135,7 +138,7 @@ SoilClassGrid ReadSoilClasses(const std::filesystem::path& file,
   int has_gap_value = 0;
   const double gap_value = band->GetNoDataValue(&has_gap_value);
   if (has_gap_value && gap_value >= 0 && gap_value <= 255) {
-    grid.gap_value = static_cast<std::uint8_t>(gap_value);
+    grid.gap_value = ClassOf(file, BandScaling(band).Value(gap_value));
   }
   const OGRSpatialReference plane = SitePlane(grid.origin);
   grid.cell_m = PixelSize_m(file, frame, plane);
@@ -145,8 +148,8 @@ SoilClassGrid ReadSoilClasses(const std::filesystem::path& file,
       [&](double, double, const Vec2& pixel) {
         const auto i = std::clamp(std::lround(pixel.x()), 0L, frame.nx - 1L);
         const auto j = std::clamp(std::lround(pixel.y()), 0L, frame.ny - 1L);
-        grid.value.push_back(
-            pixels[static_cast<std::size_t>(j) * frame.nx + static_cast<std::size_t>(i)]);
+        grid.value.push_back(ClassOf(
+            file, pixels[static_cast<std::size_t>(j) * frame.nx + static_cast<std::size_t>(i)]));
       });
   return grid;
 }

@@ -35,9 +35,9 @@ struct ElevationGrid {
   double HeightAt(double x_m, double y_m) const;
 };
 
-/// Reads a one-band elevation GeoTIFF in a projected or geographic reference system. Throws
-/// InputError if it is unreadable, has no projection, is rotated, has gaps, is not in metres, or
-/// has more than 2.5e7 pixels.
+/// Reads a one-band elevation GeoTIFF in a projected or geographic reference system, its scale,
+/// offset and unit applied (ReadHeights, georaster.h). Throws InputError if it is unreadable, has
+/// no projection, is rotated, has gaps, marked or not, or more than 2.5e7 pixels.
 ElevationGrid ReadElevation(const std::filesystem::path& file);
 
 /// Classes of soil on a site, row-major with x fastest and y northwards.
@@ -56,8 +56,8 @@ struct SoilClassGrid {
 };
 
 /// Reads a one-band GeoTIFF of bytes. `about` is the site's origin where something else says it,
-/// else it is the file's middle. Throws InputError as ReadElevation does, and for pixels of another
-/// type.
+/// else it is the file's middle. Throws InputError as ReadElevation does, for pixels of another
+/// type, and for a scale and offset that make other than whole numbers of 0 to 255 of them.
 SoilClassGrid ReadSoilClasses(const std::filesystem::path& file,
                               const std::optional<SiteOrigin>& about);
 

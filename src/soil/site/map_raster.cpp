@@ -97,6 +97,8 @@ SiteMap ReadSiteMap(const std::filesystem::path& file, const SiteOrigin& origin,
     Refuse(file, fmt::format("its pixels cannot be read ({}); the file may be truncated",
                              CPLGetLastErrorMsg()));
   }
+  const BandScaling scaling(band);
+  for (float& value : map.values) value = static_cast<float>(scaling.Value(value));
   return map;
 }
 

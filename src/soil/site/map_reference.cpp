@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "core/error.h"
 #include "soil/site/georaster.h"
 
@@ -61,8 +63,38 @@ std::optional<MapReference> ReadMapReference(const std::string& place,
                     "with gdalwarp or pdal",
                     place, map.name, system.GetLinearUnits()));
   }
+  std::array<double, 4> area_deg{};
+  if (system.GetAreaOfUse(&area_deg[0], &area_deg[1], &area_deg[2], &area_deg[3], nullptr)) {
+    map.area_deg = area_deg;
+  }
   map.wkt = WktOf(system);
   return map;
+}
+
+void RequireOnMap(const std::string& place, const MapReference& map, const Vec2& at_m) {
+  constexpr double kMargin_deg = 6;  // a zone's plane goes on a little beyond it
+  if (!map.area_deg) return;
+  const auto [west, south, east, north] = *map.area_deg;
+  if (west > east) return;  // over the line of dates
+  const QuietGdal quiet;
+  double lon_deg = at_m.x(), lat_deg = at_m.y();
+  OGRSpatialReference geographic;
+  geographic.SetWellKnownGeogCS("WGS84");
+  geographic.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  const OGRSpatialReference plane = Parse(map.name, map.wkt);
+  const std::unique_ptr<OGRCoordinateTransformation> conversion(
+      OGRCreateCoordinateTransformation(&plane, &geographic));
+  const bool is_converted = conversion && conversion->Transform(1, &lon_deg, &lat_deg);
+  if (is_converted && lon_deg > west - kMargin_deg && lon_deg < east + kMargin_deg &&
+      lat_deg > south - kMargin_deg && lat_deg < north + kMargin_deg) {
+    return;
+  }
+  throw InputError(fmt::format(
+      "{}: x {:.0f} m, y {:.0f} m lie {} in '{}', which is for {:.0f} to {:.0f} deg N, {:.0f} to "
+      "{:.0f} deg E; need the map of these coordinates, in metres, x east and y north",
+      place, at_m.x(), at_m.y(),
+      is_converted ? fmt::format("at {:.2f} deg N, {:.2f} deg E", lat_deg, lon_deg) : "nowhere",
+      map.name, south, north, west, east));
 }
 
 MapReference LocalMapReference(const SiteOrigin& origin) {

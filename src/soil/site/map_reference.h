@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,8 @@ struct MapReference {
   std::string wkt;       ///< of the plane alone
   std::string name;      ///< for people: "WGS 84 / UTM zone 32N"
   std::string vertical;  ///< what heights are counted from, where that was named
+  /// Where the plane is meant for, in degrees, where that is known: west, south, east, north.
+  std::optional<std::array<double, 4>> area_deg = {};
 };
 
 /// The plane of a definition: "EPSG:n" or OGC WKT. Nothing for a local one, which is tied to no
@@ -25,6 +28,10 @@ std::optional<MapReference> ReadMapReference(const std::string& place,
 /// The transverse Mercator plane about `origin`, east and north from there, as the ground's rasters
 /// have it (ground_raster.h).
 MapReference LocalMapReference(const SiteOrigin& origin);
+
+/// Throws InputError for a place of the map far from where its plane is meant for. `place` is who
+/// has it, for messages.
+void RequireOnMap(const std::string& place, const MapReference& map, const Vec2& at_m);
 
 /// Where places of a map lie in W of a site with that origin: east and north, in metres (the plane
 /// of ElevationGrid, geotiff.h). Throws InputError where they cannot be converted.

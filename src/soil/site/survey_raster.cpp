@@ -12,13 +12,6 @@
 namespace tera {
 namespace {
 
-void RequireMetres(const std::filesystem::path& file, GDALRasterBand* band) {
-  const std::string unit = band->GetUnitType();
-  if (unit.empty() || unit == "m" || unit == "metre" || unit == "meter") return;
-  Refuse(file,
-         fmt::format("its heights are in '{}', need metres; convert them with gdal_calc.py", unit));
-}
-
 template <typename T>
 void Write(const std::filesystem::path& file, const SquareRaster<T>& raster,
            const MapReference& map) {
@@ -40,20 +33,21 @@ SurveyRaster ReadSurveyRaster(const std::filesystem::path& file) {
   const QuietGdal quiet;
   const RasterFile raster = OpenRaster(file, "elevation raster, heights in metres");
   const RasterFrame frame = ReadFrame(file, raster.get());
-  GDALRasterBand* band = raster->GetRasterBand(1);
-  RequireMetres(file, band);
-  const std::vector<double> height_m = ReadBand<double>(file, raster.get(), GDT_Float64);
-  int has_gap_value = 0;
-  const double gap_value = band->GetNoDataValue(&has_gap_value);
+  const std::vector<double> height_m = ReadHeights(file, raster.get());
   SurveyRaster survey;
-  const auto map = ReadMapReference(file.string(), WktOf(frame.projection));
+  OGRSpatialReference plane = frame.projection;
+  const char* vertical = plane.GetAttrValue("VERT_CS");
+  const std::string counted_from = vertical ? vertical : "";
+  plane.StripVertical();  // whose unit is applied already
+  const auto map = ReadMapReference(file.string(), WktOf(plane));
   if (!map) Refuse(file, "its reference system is a local one; give it one with gdal_edit -a_srs");
   survey.map = *map;
+  survey.map.vertical = counted_from;
   survey.pixel_m = Vec2(frame.affine[1], -frame.affine[5]);
   for (int j = 0; j < frame.ny; ++j) {
     for (int i = 0; i < frame.nx; ++i) {
       const double z_m = height_m[static_cast<std::size_t>(j) * frame.nx + i];
-      if (!std::isfinite(z_m) || (has_gap_value && z_m == gap_value)) {
+      if (std::isnan(z_m)) {
         ++survey.gaps;
         continue;
       }

@@ -18,8 +18,9 @@ struct SurveyRaster {
   std::int64_t gaps = 0;  ///< pixels without a height
 };
 
-/// Reads a one-band elevation GeoTIFF whose pixels may have gaps. Throws InputError if it is
-/// unreadable, has no projection, is rotated, is not in metres, or has more than 2.5e7 pixels.
+/// Reads a one-band elevation GeoTIFF whose pixels may have gaps, marked as such, its scale, offset
+/// and unit applied (ReadHeights, georaster.h). Throws InputError if it is unreadable, has no
+/// projection, is rotated, its map is not in metres, or it has more than 2.5e7 pixels.
 SurveyRaster ReadSurveyRaster(const std::filesystem::path& file);
 
 /// Squares of a map's plane, to be written.

@@ -24,11 +24,6 @@ double BekkerPressure_pa(const SoilType& soil, double width_m, double z_m) {
   return Modulus_npm_n2(soil, width_m) * std::pow(z_m, soil.sinkage_exponent);
 }
 
-double BekkerSinkage_m(const SoilType& soil, double width_m, double pressure_pa) {
-  if (pressure_pa <= 0) return 0;
-  return std::pow(pressure_pa / Modulus_npm_n2(soil, width_m), 1 / soil.sinkage_exponent);
-}
-
 double BekkerWork_jpm2(const SoilType& soil, double width_m, double z_m) {
   if (z_m <= 0) return 0;
   const double n = soil.sinkage_exponent;
@@ -43,14 +38,6 @@ double ShearMobilisation(const SoilType& soil, double j_m) {
   return -std::expm1(-j_m / soil.shear_modulus_m);
 }
 
-double TrackThrust_n(const SoilType& soil, double width_m, double length_m, double load_n,
-                     double slip) {
-  const double strength_n =
-      width_m * length_m * soil.shear_cohesion_pa + load_n * std::tan(soil.shear_friction_rad);
-  const double ratio = slip * length_m / soil.shear_modulus_m;
-  return strength_n * (1 + std::expm1(-ratio) / ratio);
-}
-
 double PlateWidth_m(const ContactPatch& patch) {
   return std::min(patch.width_m, kLongestPatch * patch.length_m);
 }
@@ -58,10 +45,6 @@ double PlateWidth_m(const ContactPatch& patch) {
 double PressureShare(const ContactPatch& patch, double along_m) {
   if (patch.wheel_pitch_m <= 0) return 1;
   return 1 + std::cos(2 * kPi * (patch.past_wheel_m + along_m) / patch.wheel_pitch_m);
-}
-
-double CompactionResistance_n(const SoilType& soil, double width_m, double z_m) {
-  return width_m * BekkerWork_jpm2(soil, width_m, z_m);
 }
 
 double BulldozingResistance_n(const SoilType& soil, double width_m, double z_m) {

@@ -13,9 +13,6 @@ namespace tera {
 /// Bekker: pressure under a plate of smaller side `width_m` at sinkage `z_m`.
 double BekkerPressure_pa(const SoilType& soil, double width_m, double z_m);
 
-/// Inverse of BekkerPressure_pa.
-double BekkerSinkage_m(const SoilType& soil, double width_m, double pressure_pa);
-
 /// Work per unit area of pressing a plate from the surface to sinkage `z_m`.
 double BekkerWork_jpm2(const SoilType& soil, double width_m, double z_m);
 
@@ -25,20 +22,12 @@ double Rebound_papm(const SoilType& soil, double width_m);
 /// Janosi–Hanamoto: share of the shear strength that is mobilised after shearing by `j_m`.
 double ShearMobilisation(const SoilType& soil, double j_m);
 
-/// Thrust of a track of contact area `width_m` x `length_m` under `load_n`, evenly spread, at slip
-/// `slip` in (0, 1], whose shear displacement grows linearly from its front.
-double TrackThrust_n(const SoilType& soil, double width_m, double length_m, double load_n,
-                     double slip);
-
 /// Width of a patch that the pressure-sinkage relation sees.
 double PlateWidth_m(const ContactPatch& patch);
 
 /// Pressure at `along_m` (along travel) from a patch's middle over the mean pressure: Wills'
 /// multi-peak sine 1 + cos(2 pi x / pitch), x the distance from a road wheel. Its mean is 1.
 double PressureShare(const ContactPatch& patch, double along_m);
-
-/// Resistance of the rut that a track of width `width_m` presses to sinkage `z_m`.
-double CompactionResistance_n(const SoilType& soil, double width_m, double z_m);
 
 /// Resistance of the soil that running gear of width `width_m`, sunk to `z_m`, pushes before it and
 /// aside: b (0.67 c z K_pc + rho g z^2 K_pg / 2), with K_pc = (N_c - tan phi') cos^2 phi', K_pg =

@@ -9,6 +9,7 @@
 #include "dataset/import/cloud/read_point_cloud.h"
 #include "dataset/import/foreign_file.h"
 #include "soil/site/survey_raster.h"
+#include "survey/points/coarse_steps.h"
 
 namespace tera {
 namespace {
@@ -35,29 +36,67 @@ bool IsRaster(const std::filesystem::path& file) {
 
 Survey ReadRaster(const std::filesystem::path& file) {
   SurveyRaster raster = ReadSurveyRaster(file);
-  return {std::move(raster.p_m), raster.map, raster.gaps, raster.pixel_m};
+  return {std::move(raster.p_m), raster.map, raster.gaps, raster.pixel_m, {}};
 }
 
-Survey ReadCloud(const std::filesystem::path& file) {
+/// A place of the survey, for what holds for all of it.
+Vec2 SomePlace(const std::vector<Vec3>& p_m) { return p_m[p_m.size() / 2].head<2>(); }
+
+/// The reference system that the file names. One that cannot be read, or that is for another place,
+/// counts for nothing where something else says where the survey lies.
+std::optional<MapReference> OwnMap(const std::filesystem::path& file, const PointCloud& cloud,
+                                   const SurveyReading& how, std::vector<std::string>* warnings) {
+  if (cloud.map.empty()) return std::nullopt;
+  try {
+    std::optional<MapReference> map = ReadMapReference(file.string(), cloud.map);
+    if (map) RequireOnMap(file.string(), *map, SomePlace(cloud.p_m));
+    return map;
+  } catch (const InputError& fault) {
+    if (how.map.empty() && !how.is_local) {
+      throw InputError(
+          fmt::format("{} (tera site takes --map or --local in its place)", fault.what()));
+    }
+    warnings->push_back(fmt::format("{}; {} counts", fault.what(),
+                                    how.is_local ? std::string("--local") : how.map));
+    return std::nullopt;
+  }
+}
+
+void RequireFineSteps(const std::filesystem::path& file, const PointCloud& cloud,
+                      const SurveyReading& how, std::vector<std::string>* warnings) {
+  const auto found = FindCoarseSteps(cloud);
+  if (!found) return;
+  const std::string finding = fmt::format("{}: {} has steps of {:g} m: {}", file.string(),
+                                          found->axis, found->step_m, found->cause);
+  if (found->step_m > how.coarsest_step_m) {
+    throw InputError(fmt::format("{} (for a site, --cell of {:g} or more takes them as they are)",
+                                 finding, found->step_m));
+  }
+  warnings->push_back(finding);
+}
+
+Survey ReadCloud(const std::filesystem::path& file, const SurveyReading& how) {
   PointCloud cloud = ReadPointCloud(file);
   Survey survey;
+  RequireFineSteps(file, cloud, how, &survey.warnings);
+  survey.map = OwnMap(file, cloud, how, &survey.warnings);
   survey.p_m = std::move(cloud.p_m);
   survey.left_out = cloud.without_place + cloud.marked;
-  if (!cloud.map.empty()) survey.map = ReadMapReference(file.string(), cloud.map);
   return survey;
 }
 
 }  // namespace
 
-Survey ReadSurvey(const std::filesystem::path& file, const std::string& map) {
-  Survey survey = IsRaster(file) ? ReadRaster(file) : ReadCloud(file);
-  if (map.empty()) return survey;
+Survey ReadSurvey(const std::filesystem::path& file, const SurveyReading& how) {
+  Survey survey = IsRaster(file) ? ReadRaster(file) : ReadCloud(file, how);
+  if (how.map.empty()) return survey;
   if (survey.map) {
     throw InputError(
         fmt::format("{}: is in '{}' already; leave out --map", file.string(), survey.map->name));
   }
-  survey.map = ReadMapReference("--map", map);
+  survey.map = ReadMapReference("--map", how.map);
   if (!survey.map) throw InputError("--map: is a local system; need one of the earth, EPSG:n");
+  RequireOnMap("--map", *survey.map, SomePlace(survey.p_m));
   return survey;
 }
 

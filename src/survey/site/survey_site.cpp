@@ -28,7 +28,8 @@ Vec3 BaseOf(const Survey& survey) {
   return base_m;
 }
 
-void RequireSite(const std::filesystem::path& file, const std::vector<Vec3>& p_m) {
+/// Refuses a survey that is too large or too small for a site. Returns the middle of its x and y.
+Vec2 RequireSite(const std::filesystem::path& file, const std::vector<Vec3>& p_m) {
   Vec3 low_m = p_m.front(), high_m = low_m;
   for (const Vec3& p : p_m) {
     low_m = low_m.cwiseMin(p);
@@ -38,7 +39,8 @@ void RequireSite(const std::filesystem::path& file, const std::vector<Vec3>& p_m
   if (std::max(size_m.x(), size_m.y()) > kLargestSite_m) {
     throw InputError(
         fmt::format("{}: {:.0f} x {:.0f} m found, a site has at most {} m to a side; "
-                    "cut it out, e.g. with pdal or gdalwarp -te",
+                    "cut it out, e.g. with pdal or gdalwarp -te, or bring it to metres where "
+                    "these are millimetres",
                     file.string(), size_m.x(), size_m.y(), kLargestSite_m));
   }
   constexpr double kSmallestSite_m = 1;
@@ -48,6 +50,16 @@ void RequireSite(const std::filesystem::path& file, const std::vector<Vec3>& p_m
                     "need x and y in metres, z up",
                     file.string(), size_m.x(), size_m.y(), kSmallestSite_m));
   }
+  return 0.5 * (low_m + high_m).head<2>();
+}
+
+/// Refuses a survey without a map that does not lie about its origin.
+void RequireAboutOrigin(const std::filesystem::path& file, const Vec2& middle_m) {
+  if (middle_m.norm() <= kLargestSite_m) return;
+  throw InputError(fmt::format(
+      "{}: names no map, and its middle x {:.0f}, y {:.0f} m lies {:.1f} km from the origin: "
+      "coordinates of a map? name it, --map EPSG:n, or take them about their own middle, --local",
+      file.string(), middle_m.x(), middle_m.y(), middle_m.norm() / 1000));
 }
 
 std::vector<Vec3> WithoutOutliers(const std::vector<Vec3>& p_m, const OutlierRule& rule) {
@@ -74,8 +86,13 @@ void Move(const Vec3& by_m, SurveySite* site) {
 }  // namespace
 
 SurveySite MakeSurveySite(const std::filesystem::path& file, const SiteRequest& request) {
-  Survey survey = ReadSurvey(file, request.map);
+  SurveyReading how;
+  how.map = request.map;
+  how.is_local = request.about_middle;
+  how.coarsest_step_m = std::max(how.coarsest_step_m, request.cell_m.value_or(0));
+  Survey survey = ReadSurvey(file, how);
   SurveySite site;
+  site.warnings = survey.warnings;
   site.has_map = survey.map.has_value();
   site.map = survey.map ? *survey.map : LocalMapReference(request.origin);
   site.points = static_cast<std::int64_t>(survey.p_m.size());
@@ -85,7 +102,9 @@ SurveySite MakeSurveySite(const std::filesystem::path& file, const SiteRequest& 
 
   const std::vector<Vec3> p_m = WithoutOutliers(survey.p_m, OutlierRule());
   site.outliers = site.points - static_cast<std::int64_t>(p_m.size());
-  RequireSite(file, p_m);
+  const Vec2 middle_m = base_m.head<2>() + RequireSite(file, p_m);
+  if (!site.has_map && request.about_middle) site.middle_m = middle_m;
+  if (!site.has_map && !request.about_middle) RequireAboutOrigin(file, middle_m);
   const auto wanted_m = request.cell_m   ? request.cell_m
                         : survey.pixel_m ? std::optional(survey.pixel_m->maxCoeff())
                                          : std::nullopt;
@@ -107,7 +126,10 @@ SurveySite MakeSurveySite(const std::filesystem::path& file, const SiteRequest& 
   site.things =
       FindThings(p_m, above_m, site.terrain,
                  {.gap_m = std::max(request.gap_m, 3 * cell_m), .voxel_m = std::min(cell_m, 0.1)});
-  Move(base_m + (site.has_map ? Vec3::Zero() : Vec3(0, 0, request.origin.height_m)), &site);
+  Vec3 from_origin_m = base_m;
+  from_origin_m.head<2>() -= site.middle_m;
+  if (!site.has_map) from_origin_m.z() += request.origin.height_m;
+  Move(from_origin_m, &site);
   return site;
 }
 

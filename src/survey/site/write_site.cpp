@@ -133,6 +133,7 @@ std::string ReportText(const SurveySite& site, const std::string& source,
   nlohmann::ordered_json report;
   report["survey"] = source;
   report["map"] = site.has_map ? site.map.name : "";
+  if (!site.middle_m.isZero()) report["middle_m"] = {site.middle_m.x(), site.middle_m.y()};
   report["heights_above"] = site.map.vertical;
   report["origin"] = {
       {"lat_deg", origin.lat_deg}, {"lon_deg", origin.lon_deg}, {"height_m", origin.height_m}};

@@ -18,8 +18,6 @@ import numpy as np
 
 from recorded import OPTICAL, Recorded, rotation
 
-GRAVITY_mps2 = 9.80665
-
 
 def need(condition, *told):
     if not condition:

@@ -31,12 +31,13 @@ class SampleProgram {
         ->required()
         ->transform(OneOf<Soil>({{"clay", Soil::kClay}, {"sand", Soil::kSand}}));
     plan->add_subcommand("rest", "Plan a rest");
+    plan->add_subcommand("give-up", "Not in the help")->group("");
   }
   const CLI::App& app() const { return app_; }
 
  private:
   enum class Soil { kClay, kSand };
-  CLI::App app_{"Works on the ground"};
+  CLI::App app_{"Works on the ground", "tera"};
   std::filesystem::path place_;
   Soil soil_ = Soil::kClay, planned_ = Soil::kClay;
   int times_ = 1;

@@ -32,6 +32,14 @@ class ScratchDirectory {
   std::filesystem::path path_;
 };
 
+inline ChannelInfo CameraChannel(const std::string& folder, const std::string& sensor_yaml) {
+  return {folder, std::string(kCameraChannel), ChannelForm::kPictures, sensor_yaml, {}};
+}
+
+inline ChannelInfo LidarChannel(const std::string& folder, const std::string& sensor_yaml) {
+  return {folder, std::string(kLidarChannel), ChannelForm::kScans, sensor_yaml, {}};
+}
+
 inline DatasetInfo SampleInfo() {
   DatasetInfo info;
   info.scenario_name = "two \"words\"";

@@ -306,5 +306,265 @@ TEST_F(ForeignCsv, AGyroOfOneAxisIsAChannelOfItsOwn) {
       ThrowsMessage<InputError>(HasSubstr("unknown key")));
 }
 
+// --- How tables are written.
+
+TEST_F(ForeignCsv, DecimalCommasAreReadWhereTheMappingSaysSo) {
+  Log("t;x;y\n0,0;1,5;-2\n1,0;3;4e-3\n");
+  EXPECT_THAT([&] { Import(kSeconds + Table("x", "y")); },
+              ThrowsMessage<InputError>(HasSubstr(
+                  "log.txt:2: column 't': found '0,0', need a finite number; where commas are "
+                  "decimal signs say csv: {decimal: \",\"}")));
+  Import("csv: {decimal: \",\"}\n" + std::string(kSeconds) + Table("x", "y"));
+  EXPECT_EQ(Rows(), kTwoRows);
+}
+
+TEST_F(ForeignCsv, SignsBetweenThousandsAreReadWhereTheMappingSaysSo) {
+  Log("t;x;y\n0;1.234,5;-2\n1;1.234.567;0,004\n");
+  Import("csv: {decimal: \",\", thousands: \".\"}\n" + std::string(kSeconds) + Table("x", "y"));
+  EXPECT_EQ(Rows(), (std::vector<std::vector<double>>{{1234.5, -2}, {1234567, 4e-3}}));
+  Log("t;x;y\n0;1.23,5;-2\n");  // no group of three digits
+  EXPECT_THAT(
+      [&] {
+        Import("csv: {decimal: \",\", thousands: \".\"}\n" + std::string(kSeconds) +
+               Table("x", "y"));
+      },
+      ThrowsMessage<InputError>(HasSubstr("found '1.23,5'")));
+  EXPECT_THAT(
+      [&] { Import("csv: {thousands: \".\"}\n" + std::string(kSeconds) + Table("x", "y")); },
+      ThrowsMessage<InputError>(HasSubstr("csv.thousands: '.' is the decimal sign")));
+}
+
+TEST_F(ForeignCsv, LinesOfUnitsAreNoRows) {
+  Log("t,x,y\ns,m,m\n\n0,1.5,-2\n1,3,4e-3\n");
+  EXPECT_THAT([&] { Import(kSeconds + Table("x", "y")); },
+              ThrowsMessage<InputError>(
+                  HasSubstr("log.txt:2: column 't': found 's', need a finite number; where this "
+                            "line holds units say csv: {unit_lines: 1}")));
+  Import("csv: {unit_lines: 1}\n" + std::string(kSeconds) + Table("x", "y"));
+  EXPECT_EQ(Rows(), kTwoRows);
+}
+
+std::string Utf16(const std::string& text, bool big_endian, bool has_mark) {
+  std::string bytes = has_mark ? big_endian ? "\xfe\xff" : "\xff\xfe" : "";
+  for (const char c : text) {
+    bytes += big_endian ? std::string{'\0', c} : std::string{c, '\0'};
+  }
+  return bytes;
+}
+
+TEST_F(ForeignCsv, Utf16AndLatin1BecomeUtf8) {
+  for (const bool big_endian : {false, true}) {
+    for (const bool has_mark : {false, true}) {
+      Log(Utf16("t,x,y\r\n0,1.5,-2\r\n1,3,4e-3\r\n", big_endian, has_mark));
+      Import(kSeconds + Table("x", "y"));
+      EXPECT_EQ(Rows(), kTwoRows) << big_endian << has_mark;
+    }
+  }
+  Log("t,x [\xb0],y\n0,1.5,-2\n1,3,4e-3\n");
+  Import(kSeconds + Table("'x [°]'", "y"));
+  EXPECT_EQ(Rows(), kTwoRows);
+}
+
+TEST_F(ForeignCsv, SeparatorsAtTheEndOfRowsAreNoColumns) {
+  for (const std::string log :
+       {"t,x,y,\n0,1.5,-2,\n1,3,4e-3,\n", "t,x,y\n0,1.5,-2,\n1,3,4e-3,\n",
+        "t,x,y,,\n0,1.5,-2,,\n1,3,4e-3\n", "t\tx\ty\t\n0\t1.5\t-2\t\n1\t3\t4e-3\t\n"}) {
+    Log(log);
+    Import(kSeconds + Table("x", "y"));
+    EXPECT_EQ(Rows(), kTwoRows) << log;
+  }
+}
+
+TEST_F(ForeignCsv, ColumnsOfOneNameAreChosenByTheirNumber) {
+  Log("t,x,x\n0,1.5,-2\n1,3,4e-3\n");
+  EXPECT_THAT([&] { Import(kSeconds + Table("x", "x#2")); },
+              ThrowsMessage<InputError>(HasSubstr(
+                  "log.txt:1: column 'x' is there more than once; name one of them: 'x#1' is "
+                  "field 2, 'x#2' the next of that name")));
+  Import(kSeconds + Table("'x#1'", "'x#2'"));
+  EXPECT_EQ(Rows(), kTwoRows);
+}
+
+TEST_F(ForeignCsv, ANameInQuotesMayGoOverLines) {
+  Log("t,\"x\n[m]\",\"a \"\"y\"\"\"\n0,1.5,-2\n1,\"3\",4e-3\n2,x,1\n");
+  EXPECT_THAT([&] { Import(kSeconds + Table("'x [m]'", "'a \"y\"'")); },
+              ThrowsMessage<InputError>(HasSubstr("log.txt:5: column 'x [m]': found 'x'")));
+  Import(kSeconds + Table("'x [m]'", "'a \"y\"'"), {.skips_bad_rows = true});
+  EXPECT_EQ(Rows(), kTwoRows);
+}
+
+TEST_F(ForeignCsv, AnInchSignOpensNoField) {
+  Log("t,bore 3\",y\n0,1.5,-2\n1,3,4e-3\n");
+  Import(kSeconds + Table("'bore 3\"'", "y"));
+  EXPECT_EQ(Rows(), kTwoRows);
+}
+
+TEST_F(ForeignCsv, WordsForNoNumberAreNoRows) {
+  for (const std::string word : {"NaN", "-nan(ind)", "NULL", "#N/A", "n/a", "1.#QNAN", "--", ""}) {
+    Log("t,x,y\n0,1.5,-2\n0.5," + word + ",1\n1,3,4e-3\n");
+    Import(std::string(kSeconds) +
+           "tables: [{name: levels, valid_if: [{column: x, present: true}], columns: {a: {column: "
+           "x, unit: '1'}, b: {column: y, unit: '1'}}}]\n");
+    EXPECT_EQ(Rows(), kTwoRows) << word;
+  }
+}
+
+TEST_F(ForeignCsv, AFileThatIsNoTableIsToldWithTheWayToOne) {
+  Log("(1436509052.249713) vcan0 044#2A366C2BBA\n");
+  EXPECT_THAT([&] { Import(kSeconds + Table("x", "y")); },
+              ThrowsMessage<InputError>(
+                  AllOf(HasSubstr("log.txt: is a log of a CAN bus by candump"), HasSubstr("DBC"))));
+  EXPECT_FALSE(fs::exists(Out()));
+}
+
+// --- Times.
+
+std::vector<TimeNs> TimesOf(const fs::path& out) {
+  return Recording(out).LoadTable("digger/levels.csv").t_ns;
+}
+const std::vector<TimeNs> kTwentyMs = {0, 20'000'000};
+
+TEST_F(ForeignCsv, DatesAreTimes) {
+  Log("t,x,y\n2024-05-01T12:34:59.990Z,1,1\n2024-05-01T12:35:00.010Z,2,2\n");
+  const ImportReport report = Import("zero: start\ntime: {date: t}\n" + Table("x", "y"));
+  EXPECT_EQ(TimesOf(Out()), kTwentyMs);
+  EXPECT_EQ(report.zero_ns, 1'714'566'899'990'000'000);
+  EXPECT_THAT([&] { Import(kSeconds + Table("x", "y")); },
+              ThrowsMessage<InputError>(HasSubstr("say time: {date: NAME}")));
+}
+
+TEST_F(ForeignCsv, DatesHaveTheZoneAndTheOrderThatTheMappingSays) {
+  Log("t,x,y\n05/01/2024 14:34:59.990,1,1\n05/01/2024 14:35:00.010,2,2\n");
+  const std::string table = Table("x", "y");
+  const ImportReport report =
+      Import("zero: start\ntime: {date: t, order: mdy, zone: \"+02:00\"}\n" + table);
+  EXPECT_EQ(TimesOf(Out()), kTwentyMs);
+  EXPECT_EQ(report.zero_ns, 1'714'566'899'990'000'000);
+  EXPECT_THAT([&] { Import("time: {date: t}\n" + table); },
+              ThrowsMessage<InputError>(
+                  AllOf(HasSubstr("log.txt:2: column 't': found '05/01/2024 14:34:59.990'"),
+                        HasSubstr("order: dmy or mdy"))));
+  EXPECT_THAT([&] { Import("time: {date: t, zone: CEST}\n" + table); },
+              ThrowsMessage<InputError>(HasSubstr("time.zone: 'CEST' is no zone")));
+}
+
+TEST_F(ForeignCsv, DateAndClockMayStandInTwoColumns) {
+  Log("day,t,x,y\n31.12.2023,23:59:59.990,1,1\n01.01.2024,00:00:00.010,2,2\n");
+  Import("zero: start\ntime: {date: day, clock: t}\n" + Table("x", "y"));
+  EXPECT_EQ(TimesOf(Out()), kTwentyMs);
+  EXPECT_THAT([&] { Import("time: {date: day}\n" + Table("x", "y")); },
+              ThrowsMessage<InputError>(HasSubstr("which has no time of day")));
+}
+
+TEST_F(ForeignCsv, ClocksGoOnOverMidnight) {
+  Log("t,x,y\n23:59:59.990,1,1\n00:00:00.010,2,2\n");
+  Import("zero: start\ntime: {clock: t}\n" + Table("x", "y"));
+  EXPECT_EQ(TimesOf(Out()), kTwentyMs);
+}
+
+TEST_F(ForeignCsv, WeeksOfGpsBecomeUtc) {
+  // 2024-05-01 is a Wednesday of week 2312; GPS time is 18 s ahead of UTC.
+  Log("w,t,x,y\n2312,304517.990,1,1\n2312,304518.010,2,2\n");
+  const ImportReport report =
+      Import("zero: start\ntime: {week: w, column: t, unit: s}\n" + Table("x", "y"));
+  EXPECT_EQ(TimesOf(Out()), kTwentyMs);
+  EXPECT_EQ(report.zero_ns, 1'714'566'899'990'000'000);
+  Log("w,t,x,y\n264,304517.990,1,1\n");
+  EXPECT_THAT([&] { Import("time: {week: w, column: t, unit: s}\n" + Table("x", "y")); },
+              ThrowsMessage<InputError>(HasSubstr("need a week since 1980-01-06, 1024 to 8192")));
+}
+
+TEST_F(ForeignCsv, SerialDaysOfSpreadsheetsAndMinutesAreExact) {
+  // Day 45413 of a spreadsheet is 2024-05-01; a quarter of a day is 6 h.
+  Log("t,x,y\n45413.25,1,1\n45413.2500002315,2,2\n");
+  const ImportReport report =
+      Import("zero: start\ntime: {column: t, unit: day, offset: -2209161600}\n" + Table("x", "y"));
+  EXPECT_EQ(report.zero_ns, 1'714'543'200 * kNsPerSecond);
+  EXPECT_NEAR(ToSeconds(TimesOf(Out()).at(1)), 0.02, 1e-5);
+  Log("t,x,y\n0.5,1,1\n1.25,2,2\n");
+  Import("time: {column: t, unit: min}\n" + Table("x", "y"));
+  EXPECT_EQ(TimesOf(Out()), (std::vector<TimeNs>{30 * kNsPerSecond, 75 * kNsPerSecond}));
+}
+
+TEST_F(ForeignCsv, SecondsAndNanosecondsOfTwoColumnsAreOneTime) {
+  Log("sec,nanosec,x,y\n1700000000,990000001,1,1\n1700000001,10000001,2,2\n");
+  const ImportReport report =
+      Import("zero: start\ntime: {sum: [{column: sec, unit: s}, {column: nanosec, unit: ns}]}\n" +
+             Table("x", "y"));
+  EXPECT_EQ(TimesOf(Out()), kTwentyMs);
+  EXPECT_EQ(report.zero_ns, 1'700'000'000'990'000'001);
+}
+
+TEST_F(ForeignCsv, ATimeThatIsToBeFilledInIsAFaultAtItsLine) {
+  Log("t,x,y\n0,1.5,-2\n");
+  EXPECT_THAT([&] { Import("time: unknown\n" + Table("x", "y")); },
+              ThrowsMessage<InputError>(
+                  AllOf(HasSubstr("mapping.yaml:4:7: time: 'unknown' says nothing of the time"),
+                        HasSubstr("{column: NAME, unit: s}"))));
+  EXPECT_THAT([&] { Import("time: {column: t, unit: unknown}\n" + Table("x", "y")); },
+              ThrowsMessage<InputError>(HasSubstr("time.unit: 'unknown' does not fit here")));
+}
+
+// --- Mappings.
+
+TEST_F(ForeignCsv, ALeverOfTwoDirectionsIsTheirDifference) {
+  Log("t,up,down\n0,25,0\n1,0,100\n");
+  Import(std::string(kSeconds) +
+         "tables: [{name: commands, columns: {boom: {sum: [{column: up, unit: \"%\"}, {column: "
+         "down, unit: \"%\", scale: -1}]}}}]\n");
+  EXPECT_EQ(Rows("commands"), (std::vector<std::vector<double>>{{0.25}, {-1}}));
+  EXPECT_THAT(
+      [&] { Import(std::string(kSeconds) + "tables: [{name: c, columns: {b: {sum: []}}}]\n"); },
+      ThrowsMessage<InputError>(HasSubstr("columns.b.sum: need at least one column")));
+}
+
+TEST_F(ForeignCsv, RowsAreChosenByAText) {
+  Log("t,signal,value\n0,boom,20\n0.5,arm,-60\n1,boom,21\n1.5,bucket 2,4\n");
+  const auto table = [](const std::string& signal) {
+    return "tables: [{name: levels, valid_if: [{column: signal, equals: " + signal +
+           "}], columns: {a: {column: value, unit: '1'}}}]\n";
+  };
+  Import(kSeconds + table("boom"));
+  EXPECT_EQ(Rows(), (std::vector<std::vector<double>>{{20}, {21}}));
+  Import(kSeconds + table("bucket 2"));
+  EXPECT_EQ(Rows(), (std::vector<std::vector<double>>{{4}}));
+}
+
+class ForeignCsvFiles : public ForeignCsv {
+ protected:
+  ForeignCsvFiles() {
+    WriteWholeFile(scratch_.path() / "a.csv", "t,x,y\n0,1.5,-2\n");
+    WriteWholeFile(scratch_.path() / "b.csv", "t,x,y\n1,3,4e-3\n");
+  }
+  ImportReport ImportBoth(const std::string& keys = kSeconds, ImportOptions options = {}) {
+    WriteWholeFile(
+        scratch_.path() / "mapping.yaml",
+        "name: logged\nmachine: digger\nfile: [a.csv, b.csv]\n" + keys + Table("x", "y"));
+    fs::remove_all(Out());
+    return ImportCsv(scratch_.path() / "mapping.yaml", Out(), options);
+  }
+};
+
+TEST_F(ForeignCsvFiles, AreJoinedInTheirOrder) {
+  ImportBoth();
+  EXPECT_EQ(Rows(), kTwoRows);
+  ImportBoth("time: {interval: 20, unit: ms}\n");
+  EXPECT_EQ(TimesOf(Out()), kTwentyMs);
+  EXPECT_THAT(ReadWholeFile(Out() / "dataset.yaml"), AllOf(HasSubstr("a.csv"), HasSubstr("b.csv")));
+}
+
+TEST_F(ForeignCsvFiles, MustHaveTheSameColumnsAndTimesThatGoOn) {
+  WriteWholeFile(scratch_.path() / "b.csv", "t,y,x\n1,3,4e-3\n");
+  EXPECT_THAT([&] { ImportBoth(); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("b.csv: has column 'y' where"),
+                                              HasSubstr("a.csv has column 'x'"))));
+  WriteWholeFile(scratch_.path() / "b.csv", "t,x,y\n\n0,3,4e-3\n");
+  EXPECT_THAT([&] { ImportBoth(); },
+              ThrowsMessage<InputError>(HasSubstr("b.csv:3: column 't': found '0', need a later")));
+  WriteWholeFile(scratch_.path() / "b.csv", "t,x,y\n1,oh,4e-3\n");
+  EXPECT_THAT([&] { ImportBoth(); },
+              ThrowsMessage<InputError>(HasSubstr("b.csv:2: column 'x': found 'oh'")));
+}
+
 }  // namespace
 }  // namespace tera

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "diagnose/statistics/series/simulated.h"
+
 namespace tera {
 namespace {
 

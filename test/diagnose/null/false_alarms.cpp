@@ -6,11 +6,30 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
 #include "diagnose/null/null_recording.h"
-#include "diagnose/statistics/tests/proportion.h"
+
+namespace {
+
+struct Interval {
+  double low = 0, high = 0;
+};
+
+/// Wilson's 95 % interval of a proportion.
+/// Source  Wilson 1927, "Probable inference, the law of succession, and statistical inference".
+Interval WilsonInterval(std::size_t successes, std::size_t trials) {
+  constexpr double kZ = 1.959964;
+  const auto n = static_cast<double>(trials);
+  const double share = static_cast<double>(successes) / n;
+  const double centre = share + kZ * kZ / (2 * n);
+  const double half = kZ * std::sqrt(share * (1 - share) / n + kZ * kZ / (4 * n * n));
+  return {(centre - half) / (1 + kZ * kZ / n), (centre + half) / (1 + kZ * kZ / n)};
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   const auto number = [&](int k, double otherwise) {
@@ -35,7 +54,7 @@ int main(int argc, char** argv) {
     }
     std::fflush(stdout);
   }
-  const tera::Interval share = tera::WilsonInterval(alarms, recordings);
+  const Interval share = WilsonInterval(alarms, recordings);
   fmt::print(
       "{} recordings of {} s, {} of {} blocks judged\nfalse alarms: {} = {:.1f} % (95 %: {:.1f} to "
       "{:.1f} %); chosen and not confirmed in {}\n",

@@ -12,6 +12,7 @@
 #include "diagnose/blocks/axis_block.h"
 #include "diagnose/diagnose_blocks.h"
 #include "diagnose/statistics/series/noise_model.h"
+#include "diagnose/statistics/series/simulated.h"
 #include "physics/actuation/actuation.h"
 #include "physics/dynamics/gravity_load.h"
 #include "physics/dynamics/joint_inertia.h"

@@ -8,6 +8,7 @@
 #include "diagnose/diagnosis.h"
 #include "diagnose/perception/registration/sensor_candidates.h"
 #include "diagnose/perception/scene/scene_mechanisms.h"
+#include "diagnose/statistics/series/simulated.h"
 #include "physics/actuation/actuation_mechanisms.h"
 #include "physics/traction/ground_mechanisms.h"
 

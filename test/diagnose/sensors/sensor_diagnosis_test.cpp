@@ -189,7 +189,6 @@ TEST(SensorDiagnosis, KnowsByLeversThatABaseWithoutSensorsStands) {
 TEST(SensorDiagnosis, FindsTheMotionThatWas) {
   MadeRecording made({.seed = 31});
   const SensorDiagnosis told = Diagnosed(&made);
-  ASSERT_THAT(told.joints, ElementsAre("swing", "boom"));
   int looked_at = 0;
   for (const EstimatedMotion& motion : told.motion) {
     EXPECT_GE(motion.start_ns, 0) << "all was observed from then on";
@@ -199,8 +198,6 @@ TEST(SensorDiagnosis, FindsTheMotionThatWas) {
       // Within the tolerance of places, 0.04 m, and of clocks, 0.04 s at 1.5 m/s.
       EXPECT_LT((found.translation() - X_WB.translation()).norm(), 0.1) << t_ns;
       EXPECT_LT(Eigen::AngleAxisd(found.linear().transpose() * X_WB.linear()).angle(), 0.06);
-      const std::vector<double> q = made.Joints(ToSeconds(t_ns));
-      for (std::size_t j = 0; j < 2; ++j) EXPECT_NEAR(motion.JointAt(t_ns, j), q[j], 0.02) << j;
       ++looked_at;
     }
   }

@@ -19,7 +19,12 @@ using Verdict = Difference::Verdict;
 
 constexpr double kPeriod_s = 0.2;
 
-/// A report of figures "f0", "f1", ... over moments every 0.2 s.
+/// A figure in metres.
+FigureId IdOf(std::size_t f, bool more_is_better = true) {
+  return {more_is_better ? Measure::kDetectedTo : Measure::kDetectedFrom, fmt::format("f{}", f), 0};
+}
+
+/// A report of such figures over moments every 0.2 s.
 LayoutReport ReportOf(const std::string& name, const std::vector<std::vector<double>>& figures,
                       double error = 0, bool more_is_better = true) {
   LayoutReport report;
@@ -29,7 +34,7 @@ LayoutReport ReportOf(const std::string& name, const std::vector<std::vector<dou
     report.t_s.push_back(kPeriod_s * static_cast<double>(m));
   }
   for (std::size_t f = 0; f < figures.size(); ++f) {
-    Figure figure{fmt::format("f{}", f), "m", more_is_better, figures[f]};
+    Figure figure{IdOf(f, more_is_better), figures[f]};
     if (error > 0) figure.error.assign(figures[f].size(), error);
     report.figures.push_back(figure);
   }
@@ -85,8 +90,7 @@ TEST(LayoutComparison, ADifferenceBeyondAllErrorsIsDecided) {
   // Errors are of the places that were tried, the same at all moments: they do not average out, so
   // that the difference has one of 0.01 sqrt(2).
   const Difference d = Compare(ReportOf("a", {first}, 0.01), ReportOf("b", {other}, 0.01)).front();
-  EXPECT_EQ(d.figure, "f0");
-  EXPECT_EQ(d.unit, "m");
+  EXPECT_EQ(d.figure, IdOf(0));
   EXPECT_NEAR(d.of_other - d.of_first, 0.1, 1e-12);
   EXPECT_EQ(d.verdict(), Verdict::kBetter);
   EXPECT_NEAR(d.low, 0.1 - 1.96 * 0.01 * std::sqrt(2), 1e-4);
@@ -185,10 +189,9 @@ TEST(LayoutComparison, WhatIsSeenOfAZoneIsDecidedOnlyWhereWhatIsNotIsTooAndBack)
   const auto report = [&](const std::string& name, const std::vector<double>& seen,
                           const std::vector<double>& blind_m3, double error) {
     LayoutReport r = ReportOf(name, {seen, blind_m3});
-    r.figures[0].name = "zone/dig/seen_by_1";
+    r.figures[0].id = {Measure::kSeenBy1, "dig"};
     r.figures[0].error.assign(seen.size(), error);
-    r.figures[1].name = "zone/dig/blind_m3";
-    r.figures[1].more_is_better = false;
+    r.figures[1].id = {Measure::kBlindVolume, "dig"};
     return r;
   };
   const auto verdicts = [&](double error) {
@@ -240,11 +243,11 @@ TEST(LayoutComparison, BlocksLongerThanTheCycleAreNoFault) {
 TEST(LayoutComparison, FiguresThatOneHasNotAreLeftOut) {
   const LayoutReport a = ReportOf("a", {Zeros(4), Zeros(4), Zeros(4)});
   LayoutReport b = ReportOf("b", {Zeros(4), Zeros(4)});
-  b.figures[1].name = "another";
+  b.figures[1].id = IdOf(7);
   std::swap(b.figures[0], b.figures[1]);
   const std::vector<Difference> differences = Compare(a, b);
   ASSERT_EQ(differences.size(), 1u);
-  EXPECT_EQ(differences[0].figure, "f0");
+  EXPECT_EQ(differences[0].figure, IdOf(0));
 }
 
 TEST(LayoutComparison, OtherCyclesOrMomentsAreRefused) {

@@ -60,9 +60,7 @@ TEST(PageOfAComparison, WhatLooksLikeMarkupIsText) {
   LayoutReport first = SampleReport(kMarkup), other = Better(kMarkup);
   for (LayoutReport* report : {&first, &other}) {
     report->maps[0].title = report->curves[0].title = kMarkup;
-    report->figures.push_back(
-        {std::string("zone/") + kMarkup + "/seen_by_2", "", true, {0, 0, 0, 0}, {}});
-    report->figures.push_back({kMarkup, kMarkup, true, {0, 0, 0, 0}, {}});
+    report->figures.push_back({{Measure::kSeenBy2, kMarkup}, {0, 0, 0, 0}, {}});
   }
   const std::string html = ComparisonPage({first, other});
   ExpectWellFormed(html);
@@ -77,7 +75,7 @@ TEST(PageOfAComparison, DifferencesOfMapsAreOfTheirOwnScale) {
   for (const auto& [report, value] :
        {std::pair(&first, 125.0), std::pair(&worse, 5.0), std::pair(&better, 245.0)}) {
     report->maps = {SampleMap(value)};
-    report->maps[0].name = "pixels/1.5 m";
+    report->maps[0].id = {Measure::kPixelMap, "1.5"};
     report->maps[0].high = 250;
   }
   const auto difference_of = [&](const LayoutReport& other) {
@@ -110,12 +108,53 @@ TEST(PageOfAComparison, SaysInWordsWhichSeesMore) {
   EXPECT_LT(html.find("25.0 percentage points"), html.find("<svg"));
 }
 
+/// The outline that the chart draws of the first layout.
+std::string OutlineIn(const std::string& html) {
+  const std::string begin = "<path class=\"outline a\" d=\"";
+  const std::size_t at = html.find(begin) + begin.size();
+  return html.substr(at, html.find('"', at) - at);
+}
+
+// The chart's axes are seven; its middle is at 320, 210, its outermost ring is 150 around.
+TEST(PageOfAComparison, AFigureThatIsAbsentIsAGapInTheChartAndIsTold) {
+  LayoutReport whole = SampleReport();
+  whole.figures.push_back({{Measure::kSeenBy2, "around"}, {1, 1, 1, 1}, {}});
+  whole.figures.push_back({{Measure::kDetectedShare, "crouching"}, {1, 1, 1, 1}, {}});
+  whole.figures.push_back({{Measure::kLoadSeen, "bucket"}, {0, 0, 0, 0}, {}});
+  whole.figures.push_back({{Measure::kElevationGaps}, {0, 0, 0, 0}, {}});
+  const std::string all = ComparisonPage({whole, whole});
+  EXPECT_THAT(all, Not(HasSubstr("has no figure of")));
+  EXPECT_THAT(OutlineIn(all), Not(HasSubstr("M320 210")));
+  EXPECT_THAT(OutlineIn(all), StartsWith("M320.0 135.0L"));  // half of the space, straight up
+  EXPECT_THAT(OutlineIn(all), HasSubstr("L320.0 210.0"));    // no load is seen: the worst value
+
+  LayoutReport without = whole;
+  std::erase_if(without.figures,
+                [](const Figure& f) { return f.id.measure == Measure::kLoadSeen; });
+  const std::string html = ComparisonPage({without, without});
+  EXPECT_THAT(html, HasSubstr("front has no figure of: load. The chart has a gap there."));
+  EXPECT_THAT(OutlineIn(html), Not(HasSubstr("L320.0 210.0")));
+  EXPECT_THAT(OutlineIn(html), HasSubstr("M320 210L"));  // the two sides of the gap
+  ExpectWellFormed(html);
+}
+
+// A dozer has a blade and no bucket.
+TEST(PageOfAComparison, TheShovelThatDigsIsWhicheverTheMachineHas) {
+  LayoutReport first = SampleReport(), other = Better();
+  for (LayoutReport* report : {&first, &other}) report->figures.back().id.of = "blade";
+  other.figures.back().at.assign(4, 1);
+  EXPECT_THAT(ComparisonWords({first, other}),
+              Contains(StartsWith("rear against front, blade: share of its cutting edge")));
+  EXPECT_THAT(ComparisonPage({first, other}), HasSubstr("front has no figure of: seen by two, "
+                                                        "crouching person, load, map"));
+}
+
 TEST(PageOfAComparison, SaysLossesAsWellAsGainsAndWhatBothTake) {
   LayoutReport other = Better();
   other.figures.back().at.assign(4, 0);  // of the bucket's edge
-  other.figures.push_back({"zone/truck/seen_by_1", "", true, {0, 0, 0, 0}, {}});
+  other.figures.push_back({{Measure::kSeenBy1, "truck"}, {0, 0, 0, 0}, {}});
   LayoutReport first = SampleReport();
-  first.figures.push_back({"zone/truck/seen_by_1", "", true, {1, 1, 1, 1}, {}});
+  first.figures.push_back({{Measure::kSeenBy1, "truck"}, {1, 1, 1, 1}, {}});
   other.expense = {0, 20, 5, 4, 0, 4};
   const std::vector<std::string> words = ComparisonWords({first, other});
   EXPECT_THAT(words, Contains(AllOf(StartsWith("rear against front: better in 2 of 8 figures"),

@@ -18,9 +18,9 @@ BlindMap Mapped(const LookedAtSite& site, const Layout& layout, double height_m 
 
 double Blind_m2(const BlindMap& map, const std::string& to) {
   for (const Figure& figure : map.Figures()) {
-    if (!figure.name.ends_with("blind_m2_to_" + to)) continue;
-    EXPECT_FALSE(figure.more_is_better);
-    EXPECT_EQ(figure.unit, "m^2");
+    if (!NameOf(figure.id).ends_with("blind_m2_to_" + to)) continue;
+    EXPECT_FALSE(IsMoreBetter(figure.id.measure));
+    EXPECT_EQ(UnitOf(figure.id.measure), "m^2");
     return figure.at.at(0);
   }
   ADD_FAILURE() << "no figure to " << to;
@@ -172,7 +172,7 @@ TEST(BlindMap, FiguresErrorHoldsWhatTheGridMisses) {
     // The sector to 12 m, less the triangle before the wall.
     const double shadow_m2 = half_deg * kDeg * 144 - 4.3 * half_m;
     for (const Figure& figure : map.Figures()) {
-      if (!figure.name.ends_with("12m")) continue;
+      if (!NameOf(figure.id).ends_with("12m")) continue;
       EXPECT_NEAR(figure.at[0], shadow_m2, 3 * figure.error[0]) << half_deg;
       EXPECT_LT(figure.error[0], 0.2 * shadow_m2);
     }

@@ -224,8 +224,8 @@ TEST(ZoneCoverage, AZoneWithoutAirHasFiguresThatAreNumbers) {
   const auto coverage =
       Covered(site, Box({4, -1, -3}, {8, 1, -2}), LayoutOf({ViewerAt("eye", {0, 0, 2})}), 500);
   for (const Figure& figure : coverage.Figures()) {
-    EXPECT_TRUE(std::isfinite(figure.at.at(0))) << figure.name;
-    EXPECT_TRUE(std::isfinite(figure.error.at(0))) << figure.name;
+    EXPECT_TRUE(std::isfinite(figure.at.at(0))) << NameOf(figure.id);
+    EXPECT_TRUE(std::isfinite(figure.error.at(0))) << NameOf(figure.id);
   }
   EXPECT_EQ(At(coverage, "blind_m3"), 0);
 }
@@ -244,11 +244,11 @@ TEST(ZoneCoverage, EveryMomentHasItsFigure) {
   EXPECT_EQ(figure.at[0], 1);
   EXPECT_NEAR(figure.at[1], 0.5, 0.02);
   EXPECT_EQ(figure.at[2], 1);
-  EXPECT_TRUE(figure.more_is_better);
+  EXPECT_TRUE(IsMoreBetter(figure.id.measure));
   EXPECT_NEAR(MeanOf(figure), (2 + figure.at[1]) / 3, 1e-12);
   EXPECT_EQ(WorstOf(figure), figure.at[1]);
   const Figure blind = FigureOf(coverage.Figures(), "zone/box/blind_m3");
-  EXPECT_FALSE(blind.more_is_better);
+  EXPECT_FALSE(IsMoreBetter(blind.id.measure));
   EXPECT_EQ(WorstOf(blind), blind.at[1]);
 }
 

@@ -55,7 +55,7 @@ TEST(DetectionProbability, IsTheMeanOverPlacesOfEachQuarterAndOfAll) {
   EXPECT_EQ(Of(figures, "_left").at.at(0), 0);
   EXPECT_EQ(Of(figures, "_behind").at.at(0), 0);
   EXPECT_EQ(Of(figures, "_right").at.at(0), 0);
-  for (const Figure& figure : figures) EXPECT_TRUE(figure.more_is_better);
+  for (const Figure& figure : figures) EXPECT_TRUE(IsMoreBetter(figure.id.measure));
 }
 
 TEST(DetectionProbability, OfAPlaceHasItsMeanAndItsWorstMoment) {
@@ -64,8 +64,8 @@ TEST(DetectionProbability, OfAPlaceHasItsMeanAndItsWorstMoment) {
   probability.Add({At(3, 13)}, {std::log(4.0)});
   const std::vector<PolarMap> maps = probability.Maps();
   ASSERT_EQ(maps.size(), 2u);
-  EXPECT_EQ(maps[0].name, "person/standing/probability");
-  EXPECT_EQ(maps[1].name, "person/standing/probability_worst");
+  EXPECT_EQ(NameOf(maps[0].id), "person/standing/probability");
+  EXPECT_EQ(NameOf(maps[1].id), "person/standing/probability_worst");
   for (const PolarMap& map : maps) {
     EXPECT_EQ(map.sectors, kSectors);
     EXPECT_EQ(map.rings, 14);
@@ -97,7 +97,7 @@ double Ahead(const Yard& yard, const std::vector<Viewer>& viewers, double farthe
             yard.sighting(), yard.ground());
   const std::vector<PolarMap> maps = range.Maps();
   const PolarMap& map = *std::find_if(maps.begin(), maps.end(), [](const PolarMap& one) {
-    return one.name == "person/standing/probability";
+    return one.id == FigureId{Measure::kProbabilityMap, "standing"};
   });
   return map.value.at(static_cast<std::size_t>(map.rings - 1));
 }

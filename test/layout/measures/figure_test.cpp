@@ -8,16 +8,40 @@
 namespace tera {
 namespace {
 
+TEST(FigureId, IsReadFromTheNameThatFilesHave) {
+  for (const FigureId& id : std::vector<FigureId>{{Measure::kSeenBy3, "around"},
+                                                  {Measure::kBlindAreaNear, "0.9"},
+                                                  {Measure::kDetectedOver, "standing", 3},
+                                                  {Measure::kProbability, "lying"},
+                                                  {Measure::kProbabilityOfQuarter, "lying", 0},
+                                                  {Measure::kProbabilityMap, "lying"},
+                                                  {Measure::kPersonCurve, "lying"},
+                                                  {Measure::kElevationGaps},
+                                                  {Measure::kPixelMap, "1.5"},
+                                                  {Measure::kPixelCurve, "detect"},
+                                                  {Measure::kSkyHiddenBySite, "roof"},
+                                                  {Measure::kLengthSigma, "slide"}}) {
+    EXPECT_EQ(FigureIdOf(NameOf(id)), id) << NameOf(id);
+  }
+  EXPECT_EQ(NameOf({Measure::kDetectedFrom, "standing", 2}),
+            "person/standing/detected_from_m_behind");
+  EXPECT_EQ(NameOf({Measure::kSeenMap, "0.9"}), "seen/0.9 m");
+  for (const char* none : {"", "zone", "zone//seen_by_1", "zone/a/seen_by_4", "elevation/gap"}) {
+    EXPECT_FALSE(FigureIdOf(none)) << none;
+  }
+}
+
 TEST(Figure, TheWorstIsTheLeastOrTheMost) {
-  Figure figure{.name = "a", .unit = "", .at = {0.5, 0.2, 0.8}, .error = {0.1, 0.2, 0.3}};
+  Figure figure{.id = {Measure::kSeenBy1, "a"}, .at = {0.5, 0.2, 0.8}, .error = {0.1, 0.2, 0.3}};
   EXPECT_EQ(WorstOf(figure), 0.2);
-  figure.more_is_better = false;
+  figure.id.measure = Measure::kBlindVolume;
   EXPECT_EQ(WorstOf(figure), 0.8);
   EXPECT_NEAR(MeanOf(figure), 0.5, 1e-12);
 }
 
 TEST(Figure, ErrorsOfTheSamePlacesDoNotAverageOut) {
-  const Figure figure{.name = "a", .unit = "", .at = {1, 1, 1, 1}, .error = {0.1, 0.1, 0.1, 0.1}};
+  const Figure figure{
+      .id = {Measure::kSeenBy1, "a"}, .at = {1, 1, 1, 1}, .error = {0.1, 0.1, 0.1, 0.1}};
   EXPECT_NEAR(ErrorOf(figure), 0.1, 1e-12);
 }
 

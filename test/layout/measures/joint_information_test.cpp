@@ -111,7 +111,7 @@ Deviations Predicted(const Arm& arm, const std::vector<SensorDescription>& rig, 
     const std::vector<Figure> figures = information.Figures();
     moments += static_cast<int>(figures[0].at.size());
     for (const Figure& figure : figures) {
-      for (const double sigma : figure.at) squares[figure.name] += sigma * sigma;
+      for (const double sigma : figure.at) squares[NameOf(figure.id)] += sigma * sigma;
     }
   }
   for (auto& [name, sum] : squares) sum = std::sqrt(sum / moments);
@@ -188,7 +188,7 @@ Deviations AtRest(const Arm& arm, const std::vector<SensorDescription>& rig,
   information.Add(0, StateOf(arm, {c, none, none}));
   information.Keep();
   Deviations at_rest;
-  for (const Figure& figure : information.Figures()) at_rest[figure.name] = figure.at.at(0);
+  for (const Figure& figure : information.Figures()) at_rest[NameOf(figure.id)] = figure.at.at(0);
   if (warnings) *warnings = information.Warnings();
   return at_rest;
 }
@@ -240,8 +240,8 @@ TEST(JointInformation, AJointThatSlidesIsKnownInMetres) {
     information.Add(0, StateOf(arm, {arm.Start(), none, none}));
     information.Keep();
     const Figure slide = information.Figures().at(2);
-    EXPECT_EQ(slide.name, "state/arm/sigma_m");
-    EXPECT_EQ(slide.unit, "m");
+    EXPECT_EQ(NameOf(slide.id), "state/arm/sigma_m");
+    EXPECT_EQ(UnitOf(slide.id.measure), "m");
     if (measured) {
       // One sample is off by 2 mm and 3 / sqrt(12) mm; the last of them counts in full.
       EXPECT_LT(slide.at[0], std::hypot(0.002, 0.003 / std::sqrt(12.0)));

@@ -15,7 +15,7 @@ TEST(LayoutMeasures, TheVolumeAroundTheMachineStandsOnTheGround) {
   X_WB = MakePose(Vec3(0, 0, 0.7)) * X_WB * MakePose(Vec3::Zero(), 0.1, -0.2, 0);
   const LayoutStudy study = LoadStudy({});
   const LayoutMeasures measures(study, site.scenario(), site.assembly(), LayoutOf({}),
-                                {"zone/around"});
+                                {{{Measure::kSeenBy1, "around"}}});
   const auto zones_W_m = measures.PlacesOf({now, site.sighting(), site.ground()}).zones_W_m;
   ASSERT_EQ(zones_W_m.size(), 1u);
   double lowest_m = 9, highest_m = 0;
@@ -33,7 +33,8 @@ TEST(LayoutMeasures, PixelsCountOutsideTheOutlineOfTheMachineAsMapsDo) {
   // middles of three cells ahead lie over it.
   const LookedAtSite site({.parts = {{"undercarriage", {-1, -0.5, 0.1}, {3.2, 0.5, 0.8}}}});
   const LayoutStudy study = LoadStudy({});
-  const LayoutMeasures measures(study, site.scenario(), site.assembly(), LayoutOf({}), {"pixels/"});
+  const LayoutMeasures measures(study, site.scenario(), site.assembly(), LayoutOf({}),
+                                {{{Measure::kPixelShare, "detect"}}});
   const PolarPlaces pixels = measures.PlacesOf({site.now(), site.sighting(), site.ground()}).pixels;
   for (int ring = 0; ring < PolarGrid::kRings; ++ring) {
     EXPECT_EQ(pixels.count[PolarGrid::Index(0, ring)], ring > 2) << ring;

@@ -250,8 +250,8 @@ TEST(PersonRange, WithoutAViewerSheIsDetectedNowhere) {
   for (const auto& reach : range.OfDirections()) EXPECT_EQ(reach.at(0).to_m, 0);
   for (const Figure& figure : range.Figures()) {
     // A metre beyond the farthest that is tried.
-    const bool is_nearest = figure.name.find("detected_from_m") != figure.name.npos;
-    EXPECT_EQ(figure.at.at(0), is_nearest ? 25 : 0) << figure.name;
+    const bool is_nearest = figure.id.measure == Measure::kDetectedFrom;
+    EXPECT_EQ(figure.at.at(0), is_nearest ? 25 : 0) << NameOf(figure.id);
   }
 }
 
@@ -274,7 +274,7 @@ TEST(PersonRange, FromWhereOnSheIsDetectedIsToldToo) {
   EXPECT_EQ(curve.worst_from.at(3), 6);
   EXPECT_EQ(curve.worst.at(3), 24);
   const PolarMap map = range.Maps().at(0);
-  EXPECT_EQ(map.name, "detected/standing");
+  EXPECT_EQ(NameOf(map.id), "detected/standing");
   EXPECT_EQ(map.value.at(4), 0);  // ahead, 5 m
   EXPECT_EQ(map.value.at(5), 1);
 }

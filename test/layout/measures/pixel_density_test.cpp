@@ -60,7 +60,7 @@ TEST(PixelDensity, IsDrawnByDirection) {
   const Yard yard(PixelDensityNothing());
   const auto to_the_left = [](const Vec3& d_S) { return d_S.y() > 0.1; };
   const PolarCurve recognise = DensityOf(yard, Camera(yard, to_the_left)).Curves().at(2);
-  EXPECT_EQ(recognise.name, "pixels/recognise");
+  EXPECT_EQ(NameOf(recognise.id), "pixels/recognise");
   ASSERT_EQ(recognise.worst.size(), 72u);
   EXPECT_EQ(recognise.worst[18], 7.5);
   EXPECT_EQ(recognise.mean[18], 7.5);

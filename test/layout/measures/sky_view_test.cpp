@@ -77,7 +77,7 @@ SkyView Seen(WallOf whose, double distance_m, double height_m, double mask_deg) 
 
 double ShareOf(const SkyView& view, const std::string& name) {
   for (const Figure& figure : view.Figures()) {
-    if (figure.name == name) return figure.at.at(0);
+    if (NameOf(figure.id) == name) return figure.at.at(0);
   }
   ADD_FAILURE() << "no figure " << name;
   return -1;
@@ -130,7 +130,7 @@ TEST(SkyView, TheMapIsTurnedToTheHeadingOfTheAntennasLink) {
   const std::vector<PolarMap> maps =
       Seen(WallOf::kMachine, 2.5, kAntennaHeight_m + 2.5, SkyView::kMask_deg).Maps();
   ASSERT_EQ(maps.size(), 1u);
-  EXPECT_EQ(maps[0].name, "sky/roof/hidden");
+  EXPECT_EQ(NameOf(maps[0].id), "sky/roof/hidden");
   const auto at = [&](int azimuth_deg, int ring) {
     return maps[0].value[SkyGrid::Index(azimuth_deg / 5, ring)];
   };

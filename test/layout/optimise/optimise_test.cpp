@@ -163,7 +163,8 @@ TEST_F(Optimising, EachOfTheFrontIsARigThatDoesWhatItsRowSays) {
   for (const Row& row : rows) {
     // Nothing moves, so that other moments than those of the search say the same.
     const LayoutReport report = Evaluated(site_.path() / "out" / row.rig);
-    EXPECT_NEAR(row.values[0], WorstOf(*FindFigure(report, "zone/behind_wall/blind_m3")), 1e-7)
+    EXPECT_NEAR(row.values[0], WorstOf(*FindFigure(report, {Measure::kBlindVolume, "behind_wall"})),
+                1e-7)
         << row.rig;
     EXPECT_EQ(row.values[1], report.expense.cost) << row.rig;
   }
@@ -266,7 +267,8 @@ TEST_F(Optimising, AFigureThatIsBelowZeroIsWrittenSo) {
   WriteWholeFile(search, text);
   Run(search, "out");
   for (const Row& row : RowsOf(site_.path() / "out/front.csv")) {
-    const double value = MeanOf(*FindFigure(Evaluated(site_.path() / "out" / row.rig), figure));
+    const LayoutReport report = Evaluated(site_.path() / "out" / row.rig);
+    const double value = MeanOf(*FindFigure(report, {Measure::kPerceptionEntropy}));
     ASSERT_LT(value, 0);
     EXPECT_NEAR(row.values[0], value, 1e-6 * std::abs(value)) << row.rig;
   }

@@ -33,16 +33,14 @@ void ExpectSame(const LayoutReport& a, const LayoutReport& b) {
   ASSERT_EQ(a.figures.size(), b.figures.size());
   for (std::size_t i = 0; i < a.figures.size(); ++i) {
     const Figure &f = a.figures[i], &g = b.figures[i];
-    EXPECT_EQ(f.name, g.name);
-    EXPECT_EQ(f.unit, g.unit);
-    EXPECT_EQ(f.more_is_better, g.more_is_better);
+    EXPECT_EQ(f.id, g.id);
     EXPECT_EQ(f.at, g.at);
     EXPECT_EQ(f.error, g.error);
   }
   ASSERT_EQ(a.maps.size(), b.maps.size());
   for (std::size_t i = 0; i < a.maps.size(); ++i) {
     const PolarMap &m = a.maps[i], &n = b.maps[i];
-    EXPECT_EQ(m.name, n.name);
+    EXPECT_EQ(m.id, n.id);
     EXPECT_EQ(m.title, n.title);
     EXPECT_EQ(m.sectors, n.sectors);
     EXPECT_EQ(m.rings, n.rings);
@@ -55,7 +53,7 @@ void ExpectSame(const LayoutReport& a, const LayoutReport& b) {
   }
   ASSERT_EQ(a.curves.size(), b.curves.size());
   for (std::size_t i = 0; i < a.curves.size(); ++i) {
-    EXPECT_EQ(a.curves[i].name, b.curves[i].name);
+    EXPECT_EQ(a.curves[i].id, b.curves[i].id);
     EXPECT_EQ(a.curves[i].title, b.curves[i].title);
     EXPECT_EQ(a.curves[i].most, b.curves[i].most);
     EXPECT_EQ(a.curves[i].mean, b.curves[i].mean);
@@ -111,9 +109,10 @@ TEST_F(ReportFile, ListsMayBeEmptyAndTextsAnything) {
   report.cycle = "größer €";
   report.t_s = {0.5};
   ExpectSame(Read(ReportJson(report)), report);
-  report.figures = {{"a", "", false, {2}, {}}};
-  report.maps = {PolarMap{.name = "m", .title = "", .sectors = 1, .rings = 1, .value = {-1}}};
-  report.curves = {PolarCurve{}};
+  report.figures = {{{Measure::kSkyHidden, "a"}, {2}, {}}};
+  report.maps = {PolarMap{
+      .id = {Measure::kSeenMap, "0"}, .title = "", .sectors = 1, .rings = 1, .value = {-1}}};
+  report.curves = {PolarCurve{.id = {Measure::kPixelCurve, "x"}}};
   report.warnings = {""};
   report.blind_causes = {{"", {}}};
   ExpectSame(Read(ReportJson(report)), report);
@@ -159,6 +158,7 @@ TEST_F(ReportFile, ValuesOfAnotherTypeAreRefused) {
   ExpectRefused("\"cost\": 4500.0", "\"cost\": null");
   ExpectRefused("\"more_is_better\": true", "\"more_is_better\": \"yes\"");
   ExpectRefused("\"unit\": \"\"", "\"unit\": []");
+  ExpectRefused("zone/around/seen_by_1", "zone/around/seen_by_none");
   ExpectRefused("\"sectors\": 72", "\"sectors\": \"72\"");
   ExpectRefused("\"most\": 24.0", "\"most\": {}");
   ExpectRefused("\"out of view\": 0.25", "\"out of view\": \"0.25\"");

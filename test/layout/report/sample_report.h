@@ -13,7 +13,7 @@
 namespace tera {
 
 inline PolarMap SampleMap(double value = 0.25) {
-  PolarMap map{.name = "seen/0.9 m",
+  PolarMap map{.id = {Measure::kSeenMap, "0.9"},
                .title = "seen 0.9 m above the ground",
                .sectors = 72,
                .rings = 24,
@@ -21,6 +21,9 @@ inline PolarMap SampleMap(double value = 0.25) {
   map.value.assign(72 * 24, value);
   return map;
 }
+
+/// Numbers in kQuarters.
+inline constexpr std::size_t kLeft = 1, kBehind = 2;
 
 inline LayoutReport SampleReport(const std::string& name = "front") {
   LayoutReport report;
@@ -32,16 +35,20 @@ inline LayoutReport SampleReport(const std::string& name = "front") {
   report.expense = {4500, 8.5, 33.25, 3, 2, 1};
   report.t_s = {0, 0.2, 0.4, 0.6};
   report.figures = {
-      {"zone/around/seen_by_1", "", true, {0.5, 0.75, 0.25, 0.5}, {0.01, 0.02, 0.03, 0.02}},
-      {"zone/around/blind_m3", "m^3", false, {30, 15, 45, 30}, {1, 2, 3, 2}},
-      {"person/standing/detected_from_m_behind", "m", false, {1, 2, 2, 3}, {}},
-      {"person/standing/detected_to_m_behind", "m", true, {4, 4, 5, 7}, {}},
-      {"person/standing/detected_over_m_behind", "m", true, {4, 3, 4, 5}, {}},
-      {"person/standing/detected_within_12m", "", true, {0.25, 0.5, 0.25, 0.5}, {}},
-      {"dig/bucket/edge_seen", "", true, {0, 1, 0.125, 0.375}, {}}};
+      {{Measure::kSeenBy1, "around"}, {0.5, 0.75, 0.25, 0.5}, {0.01, 0.02, 0.03, 0.02}},
+      {{Measure::kBlindVolume, "around"}, {30, 15, 45, 30}, {1, 2, 3, 2}},
+      {{Measure::kDetectedFrom, "standing", kBehind}, {1, 2, 2, 3}, {}},
+      {{Measure::kDetectedTo, "standing", kBehind}, {4, 4, 5, 7}, {}},
+      {{Measure::kDetectedOver, "standing", kBehind}, {4, 3, 4, 5}, {}},
+      {{Measure::kDetectedShare, "standing"}, {0.25, 0.5, 0.25, 0.5}, {}},
+      {{Measure::kEdgeSeen, "bucket"}, {0, 1, 0.125, 0.375}, {}}};
   report.maps = {SampleMap()};
-  report.curves = {
-      {"person/standing", "a standing person", 24, {1, 2, 3}, {0.5, 1, 2}, {0, 0.5, 1}}};
+  report.curves = {{{Measure::kPersonCurve, "standing"},
+                    "a standing person",
+                    24,
+                    {1, 2, 3},
+                    {0.5, 1, 2},
+                    {0, 0.5, 1}}};
   report.blind_causes = {{"around", {{"arm", 0.75}, {"out of view", 0.25}}}, {"behind", {}}};
   report.overlaps = {{"around", {{"lidar + camera", 0.125}}}};
   report.warnings = {"lidar is mounted inside of boom, 0.1 m deep"};

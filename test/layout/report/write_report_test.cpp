@@ -92,7 +92,7 @@ TEST_F(WrittenReport, CausesOfEachZoneHaveTheirShares) {
 
 TEST_F(WrittenReport, ProbabilitiesOfPeopleStandPlaceByPlace) {
   LayoutReport report = SampleReport();
-  report.maps.push_back({.name = "person/standing/probability",
+  report.maps.push_back({.id = {Measure::kProbabilityMap, "standing"},
                          .title = "of a standing person",
                          .sectors = 4,
                          .rings = 2,
@@ -115,10 +115,8 @@ TEST_F(WrittenReport, ProbabilitiesOfPeopleStandPlaceByPlace) {
 
 TEST_F(WrittenReport, APageSaysWithWhatProbabilityAPersonIsDetected) {
   LayoutReport report = SampleReport();
-  report.figures.push_back(
-      {"person/standing/probability_within_12m", "", true, {0.75, 0.25, 0.75, 0.75}, {}});
-  report.figures.push_back(
-      {"person/standing/probability_within_12m_left", "", true, {0, 0, 0, 0}, {}});
+  report.figures.push_back({{Measure::kProbability, "standing"}, {0.75, 0.25, 0.75, 0.75}, {}});
+  report.figures.push_back({{Measure::kProbabilityOfQuarter, "standing", kLeft}, {0, 0, 0, 0}, {}});
   const std::string html = ReportPage(report);
   EXPECT_THAT(html, HasSubstr("probability, over the places, of 62.5 % on average"));
   EXPECT_THAT(html, HasSubstr("25.0 % at the worst moment, at 0.2 s"));
@@ -164,18 +162,17 @@ TEST_F(WrittenReport, AMeanHasItsWorstMomentAndWhenThatIs) {
 
 TEST_F(WrittenReport, OfSeveralPosturesTheHardestIsNamedFirstAndAllAreTold) {
   LayoutReport report = SampleReport();
-  const auto add = [&](const std::string& name, bool more, std::vector<double> at) {
-    report.figures.push_back({"person/lying/" + name, "m", more, std::move(at), {}});
+  const auto add = [&](Measure measure, std::size_t quarter, std::vector<double> at) {
+    report.figures.push_back({{measure, "lying", quarter}, std::move(at), {}});
   };
   // Nothing at the first moment behind; from 1 m on with a gap at the last moment on the left.
-  add("detected_from_m_left", false, {1, 1, 1, 1});
-  add("detected_to_m_left", true, {5, 5, 6, 6});
-  add("detected_over_m_left", true, {5, 5, 6, 4});
-  add("detected_from_m_behind", false, {25, 1, 1, 1});
-  add("detected_to_m_behind", true, {0, 5, 5, 5});
-  add("detected_over_m_behind", true, {0, 5, 5, 5});
-  report.figures.push_back(
-      {"person/lying/detected_within_12m", "", true, {0.5, 0.5, 0.125, 0.5}, {}});
+  add(Measure::kDetectedFrom, kLeft, {1, 1, 1, 1});
+  add(Measure::kDetectedTo, kLeft, {5, 5, 6, 6});
+  add(Measure::kDetectedOver, kLeft, {5, 5, 6, 4});
+  add(Measure::kDetectedFrom, kBehind, {25, 1, 1, 1});
+  add(Measure::kDetectedTo, kBehind, {0, 5, 5, 5});
+  add(Measure::kDetectedOver, kBehind, {0, 5, 5, 5});
+  report.figures.push_back({{Measure::kDetectedShare, "lying"}, {0.5, 0.5, 0.125, 0.5}, {}});
   const std::vector<std::string> lines = Answer(report);
   EXPECT_THAT(lines, testing::Contains(
                          "Hardest to detect is a lying person: of the places up to 12 m from "
@@ -209,12 +206,12 @@ TEST_F(WrittenReport, WhatLooksLikeMarkupIsText) {
   report.maps[0].title = report.curves[0].title = kMarkup;
   report.blind_causes[kMarkup][kMarkup] = report.blind_causes["around"][kMarkup] = 0.5;
   report.overlaps[kMarkup][kMarkup] = 0.5;
-  for (const std::string& name :
-       {std::string("zone/") + kMarkup + "/seen_by_2",
-        std::string("person/") + kMarkup + "/detected_to_m_left",
-        std::string("dig/") + kMarkup + "/load_seen", std::string("sky/") + kMarkup + "/hidden",
-        std::string("state/") + kMarkup + "/sigma_deg", std::string(kMarkup)}) {
-    report.figures.push_back({name, "m", true, {0, 0, 0, 0}, {}});
+  for (const FigureId& id : std::vector<FigureId>{{Measure::kSeenBy2, kMarkup},
+                                                  {Measure::kDetectedTo, kMarkup, kLeft},
+                                                  {Measure::kLoadSeen, kMarkup},
+                                                  {Measure::kSkyHidden, kMarkup},
+                                                  {Measure::kAngleSigma, kMarkup}}) {
+    report.figures.push_back({id, {0, 0, 0, 0}, {}});
   }
   const std::string html = ReportPage(report);
   ExpectWellFormed(html);
@@ -276,7 +273,7 @@ TEST_F(WrittenReport, AMapAsAFileHasItsTitleAboveAndItsColoursBelow) {
 TEST_F(WrittenReport, OfAMapWithTicksWhatIsNothingIsNotWhatIsPoor) {
   LayoutReport report = SampleReport();
   PolarMap pixels = SampleMap(0);
-  pixels.name = "pixels/1.5 m";
+  pixels.id = {Measure::kPixelMap, "1.5"};
   pixels.high = 250;
   pixels.ticks = {0, 25, 62.5, 125, 250};
   const Image<std::uint8_t> none = DrawMap(pixels, 100);
@@ -296,7 +293,7 @@ TEST_F(WrittenReport, MapsAboutTheMachineHaveItsOutline) {
   EXPECT_THAT(ReportPage(report), Not(HasSubstr("class=\"machine\"")));
   report.outline_m.assign(72, 3);
   EXPECT_THAT(ReportPage(report), HasSubstr("class=\"machine\""));
-  report.maps[0].name = "detected/standing";  // measured from the outline
+  report.maps[0].id = {Measure::kDetectedMap, "standing"};  // measured from the outline
   EXPECT_THAT(ReportPage(report), Not(HasSubstr("class=\"machine\"")));
 }
 

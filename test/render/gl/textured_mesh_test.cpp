@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "own_folder.h"
 #include "render/gl/rasterizer_stage.h"
 #include "render/meshes/png_bytes.h"
 #include "render/meshes/textured_gltf.h"
@@ -21,14 +22,6 @@ const std::string kClamped = R"({"wrapS":33071,"wrapT":33071})";
 /// camera.
 class TexturedMesh : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(::testing::TempDir()) /
-              (std::string("tera_textured_") + test->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   void WritePicture(int k, const std::vector<std::vector<Rgb>>& rows) const {
     std::ofstream(folder_ / ("p" + std::to_string(k) + ".png"), std::ios::binary) << PngBytes(rows);
   }
@@ -72,7 +65,7 @@ class TexturedMesh : public ::testing::Test {
     return sum;
   }
 
-  std::filesystem::path folder_;
+  const std::filesystem::path folder_ = OwnFolder();
 };
 
 const std::string kBaseColour =

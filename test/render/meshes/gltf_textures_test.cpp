@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "core/error.h"
+#include "own_folder.h"
 #include "render/meshes/load_mesh.h"
 #include "render/meshes/png_bytes.h"
 #include "render/meshes/textured_gltf.h"
@@ -24,13 +25,6 @@ const std::string kPicture = R"({"uri":"paint.png"})";
 
 class GltfTextures : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(::testing::TempDir()) /
-              (std::string("tera_textures_") + test->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   void WritePicture(const std::string& bytes) const {
     std::ofstream(folder_ / "paint.png", std::ios::binary) << bytes;
   }
@@ -43,7 +37,7 @@ class GltfTextures : public ::testing::Test {
     return "no InputError";
   }
 
-  std::filesystem::path folder_;
+  const std::filesystem::path folder_ = OwnFolder();
 };
 
 TEST_F(GltfTextures, APictureBesideTheFileIsReadRowByRowFromTheTop) {

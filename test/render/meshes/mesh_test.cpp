@@ -6,6 +6,7 @@
 
 #include "core/config/config.h"
 #include "core/error.h"
+#include "own_folder.h"
 #include "render/meshes/load_mesh.h"
 #include "render/meshes/png_bytes.h"
 #include "render/scene.h"
@@ -15,14 +16,6 @@ namespace {
 
 class MeshFile : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ =
-        std::filesystem::path(testing::TempDir()) / (std::string("tera_mesh_") + test->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::filesystem::path Write(const std::string& name, const std::string& bytes) const {
     std::ofstream(folder_ / name, std::ios::binary) << bytes;
     return folder_ / name;
@@ -36,7 +29,7 @@ class MeshFile : public testing::Test {
     return "no InputError";
   }
 
-  std::filesystem::path folder_;
+  const std::filesystem::path folder_ = OwnFolder();
 };
 
 std::filesystem::path Excavator() { return DataRoot() / "assets" / "tb235.glb"; }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <opencv2/calib3d.hpp>
+#include <optional>
 
 #include "core/types/image_flow.h"
 #include "core/units.h"
@@ -60,6 +61,13 @@ class FlowBeforeAWall : public ::testing::Test {
   Vec3 square_W_m_;
   Pose X_WS_;
 };
+
+/// What a pixel of scene flow says: whole millimetres from the middle of its range; 0 0 0: nothing.
+std::optional<Vec3> ShiftAt(const Image<std::uint16_t>& scene_flow, int x_px, int y_px) {
+  const auto value = [&](int c) { return scene_flow.at(x_px, y_px, c); };
+  if (value(0) == 0 && value(1) == 0 && value(2) == 0) return std::nullopt;
+  return Vec3(value(0) - 32768, value(1) - 32768, value(2) - 32768) / 1000;
+}
 
 const LabelSet kFlows =
     Labels({kFlowToPreviousChannel, kFlowToThisChannel, kSceneFlowToPreviousChannel});

@@ -39,7 +39,7 @@ std::vector<InclinometerSample> Samples(const std::string& keys,
   sensor.effects = effects;
   std::vector<InclinometerSample> samples;
   for (const RowSample& row : RowsOf(sensor, motion, duration_s)) {
-    samples.push_back(InclinometerSampleOf(row));
+    samples.push_back({row.t_ns, row.t_available_ns, row.values.at(0), row.values.at(1)});
   }
   return samples;
 }

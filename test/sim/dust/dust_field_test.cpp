@@ -121,7 +121,6 @@ TEST(DustField, TheWindOfTheSurfaceLayerIsThatAtTenMetres) {
 TEST(DustField, DustOutsideTheCellsHasLeft) {
   DustField field(Box(10, 10, 10, 0.5), Uniform(10, Vec2(1, 0), 0.1));
   field.Emit(Vec3(50, 50, 1), 0.5, {1e-3, 0, 0});
-  EXPECT_TRUE(field.IsClean());
   EXPECT_DOUBLE_EQ(field.budget().left_kg[0], 1e-3);
 }
 

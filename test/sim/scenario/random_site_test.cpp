@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -11,6 +10,7 @@
 
 #include "core/error.h"
 #include "core/units.h"
+#include "own_folder.h"
 #include "sim/scenario/footprint.h"
 #include "sim/scenario/load_scenario.h"
 
@@ -40,13 +40,6 @@ const std::string kWhole = R"(
 
 class RandomSite : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "tera_draw_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   LoadedScenario Load(const std::string& randomise, std::uint64_t episode,
                       const std::vector<std::string>& set = {}) const {
     std::ofstream(folder_ / "s.yaml") << R"(
@@ -65,7 +58,7 @@ randomise:)" << randomise;
     return LoadScenario(folder_ / "s.yaml", set, {}, {}, episode);
   }
 
-  std::filesystem::path folder_;
+  const std::filesystem::path folder_ = OwnFolder();
 };
 
 /// The rectangle that an obstacle takes up, by the boxes that machines collide with.

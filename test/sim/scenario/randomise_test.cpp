@@ -9,6 +9,7 @@
 #include <fstream>
 #include <map>
 
+#include "own_folder.h"
 #include "sim/scenario/load_scenario.h"
 #include "sim/scenario/scenario_text.h"
 
@@ -158,11 +159,6 @@ TEST(Randomise, OfAnEpisodeIsTheSameWhateverStandsBeside) {
 
 class RandomisedFile : public ::testing::Test {
  protected:
-  RandomisedFile()
-      : file_(std::filesystem::temp_directory_path() /
-              fmt::format("tera_randomise_{}.yaml", static_cast<const void*>(this))) {}
-  ~RandomisedFile() override { std::filesystem::remove(file_); }
-
   LoadedScenario Load(const std::string& randomise, std::uint64_t episode,
                       const std::vector<std::string>& overrides = {}) {
     Write(kSite + std::string(kExcavator) + "\nrandomise:\n" + randomise);
@@ -178,7 +174,7 @@ class RandomisedFile : public ::testing::Test {
     return "nothing";
   }
 
-  std::filesystem::path file_;
+  const std::filesystem::path file_ = OwnFolder() / "randomise.yaml";
 };
 
 constexpr const char* kSun = "  - {key: environment.turbidity, uniform: [2, 8]}\n";

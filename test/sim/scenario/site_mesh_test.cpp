@@ -2,13 +2,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <span>
 
 #include "core/units.h"
+#include "own_folder.h"
 #include "render/rays/ray_scene.h"
 #include "sim/scenario/scenario_text.h"
 #include "sim/scene_assembly.h"
@@ -49,13 +49,7 @@ f 8 12 11 7
 
 class SiteMeshFile : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "tera_site_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    Write("site.obj", kSiteObj);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void SetUp() override { Write("site.obj", kSiteObj); }
 
   void Write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
@@ -74,7 +68,7 @@ class SiteMeshFile : public ::testing::Test {
     return scenario;
   }
 
-  std::filesystem::path folder_;
+  const std::filesystem::path folder_ = OwnFolder();
 };
 
 const std::string kGroundAndWall =

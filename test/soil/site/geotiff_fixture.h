@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/motion.h"
+#include "own_folder.h"
 
 /// Rasters as GDAL alone reads and writes them.
 
@@ -19,17 +20,9 @@ namespace tera::testing_soil {
 /// A folder of its own for each test that writes.
 class FolderTest : public ::testing::Test {
  protected:
-  FolderTest()
-      : folder_(std::filesystem::temp_directory_path() /
-                (std::string("tera_") +
-                 ::testing::UnitTest::GetInstance()->current_test_info()->test_suite_name() + "_" +
-                 ::testing::UnitTest::GetInstance()->current_test_info()->name())) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~FolderTest() override { std::filesystem::remove_all(folder_); }
   std::string File(const std::string& name) const { return (folder_ / name).string(); }
 
-  std::filesystem::path folder_;
+  const std::filesystem::path folder_ = OwnFolder();
 };
 
 /// A raster read back, rows from the north as in the file.
@@ -94,6 +87,16 @@ inline void WriteUtmRaster(const std::string& file, const std::vector<std::vecto
                                                   GDT_Float64, 0, 0),
               CE_None);
   }
+}
+
+/// Changes what a file says of its band.
+template <typename Edit>
+void EditBand(const std::string& file, Edit edit) {
+  GDALAllRegister();
+  std::unique_ptr<GDALDataset, ReadRaster::Close> dataset(
+      static_cast<GDALDataset*>(GDALOpen(file.c_str(), GA_Update)));
+  ASSERT_TRUE(dataset) << file;
+  edit(dataset->GetRasterBand(1));
 }
 
 }  // namespace tera::testing_soil

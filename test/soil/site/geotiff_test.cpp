@@ -1,5 +1,6 @@
 #include "soil/site/geotiff.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -93,6 +94,124 @@ TEST_F(GeotiffTest, GapsAreAFault) {
   WriteUtmProjection(File("gaps.prj"), 33);
   EXPECT_THAT(FaultsOf("geotiff: " + File("gaps.asc") + "\n"),
               HasSubstr("1 of 6 pixels have no height"));
+}
+
+/// Eight by eight pixels of a metre that rise by 10 units a pixel to the east, from `first`.
+std::vector<std::vector<double>> Rising(double first) {
+  std::vector<std::vector<double>> rows(8);
+  for (auto& row : rows) {
+    for (int i = 0; i < 8; ++i) row.push_back(first + 10.0 * i);
+  }
+  return rows;
+}
+
+// 0.1 times 4000 to 4070 plus 20: 420 to 427 m, a slope of one; the plane's unit of length is the
+// metre but for UTM's scale, 0.9996.
+TEST_F(GeotiffTest, ScaleAndOffsetOfTheBandAreApplied) {
+  WriteUtmRaster(File("dm.tif"), Rising(4000), 1, {500000, 5200000}, GDT_Int16);
+  EditBand(File("dm.tif"), [](GDALRasterBand* band) {
+    band->SetScale(0.1);
+    band->SetOffset(20);
+  });
+  const Site site = SiteOf("cell_m: 0.5\ngeotiff: " + File("dm.tif") + "\n");
+  EXPECT_NEAR(site.georeference()->height_m, 423.5, 1e-3);
+  EXPECT_NEAR(site.surface().HeightAt(3, 1) - site.surface().HeightAt(-3, 1), 6, 0.01);
+}
+
+TEST_F(GeotiffTest, HeightsInFeetBecomeMetres) {
+  for (const auto& [unit, metres] : {std::pair("ft", 0.3048), {"US survey foot", 1200.0 / 3937}}) {
+    WriteUtmRaster(File("feet.tif"), Rising(1000), 1, {500000, 5200000}, GDT_Float32);
+    EditBand(File("feet.tif"), [&](GDALRasterBand* band) { band->SetUnitType(unit); });
+    const Site site = SiteOf("cell_m: 0.5\ngeotiff: " + File("feet.tif") + "\n");
+    EXPECT_NEAR(site.georeference()->height_m, 1035 * metres, 1e-4) << unit;
+  }
+  EditBand(File("feet.tif"), [](GDALRasterBand* band) { band->SetUnitType("fathom"); });
+  EXPECT_THAT(FaultsOf("geotiff: " + File("feet.tif") + "\n"),
+              AllOf(HasSubstr("heights are in 'fathom'"), HasSubstr("gdal_edit.py -units")));
+}
+
+TEST_F(GeotiffTest, AMapInFeetMustNameTheUnitOfItsHeights) {
+  WriteUtmRaster(File("ny.tif"), Rising(100), 1, {980000, 200000}, GDT_Float32);
+  {
+    std::unique_ptr<GDALDataset, ReadRaster::Close> dataset(
+        static_cast<GDALDataset*>(GDALOpen(File("ny.tif").c_str(), GA_Update)));
+    OGRSpatialReference new_york;
+    ASSERT_EQ(new_york.importFromEPSG(2263), OGRERR_NONE);
+    dataset->SetSpatialRef(&new_york);
+  }
+  EXPECT_THAT(FaultsOf("geotiff: " + File("ny.tif") + "\n"),
+              AllOf(HasSubstr("the unit of its heights is not named"), HasSubstr("us-ft")));
+  EditBand(File("ny.tif"), [](GDALRasterBand* band) { band->SetUnitType("us-ft"); });
+  const Site site = SiteOf("cell_m: 0.1\ngeotiff: " + File("ny.tif") + "\n");
+  EXPECT_NEAR(site.georeference()->height_m, 135 * 1200.0 / 3937, 1e-4);
+}
+
+TEST_F(GeotiffTest, NoDataThatIsNotMarkedIsNoPit) {
+  const auto fault = [&](double first, double pixel, GDALDataType type) {
+    auto rows = Rising(first);
+    rows[2][5] = rows[2][6] = rows[3][5] = pixel;
+    WriteUtmRaster(File("gap.tif"), rows, 1, {500000, 5200000}, type);
+    return FaultsOf("geotiff: " + File("gap.tif") + "\n");
+  };
+  for (const double pixel : {-9999.0, -32768.0, 32767.0, 0.0}) {
+    EXPECT_THAT(fault(420, pixel, GDT_Int16),
+                AllOf(HasSubstr("3 of 64 pixels have a height of"),
+                      HasSubstr(fmt::format("gdal_translate -a_nodata {} IN OUT", pixel))));
+  }
+  for (const double pixel : {-3.4028234663852886e38, 1e30, -99999.0}) {
+    EXPECT_THAT(fault(420, pixel, GDT_Float32), HasSubstr("3 of 64 pixels have a height of"));
+  }
+  // A wall of 40 m with nothing between is a quarry's, and a tower of 300 m stands in some cities.
+  EXPECT_EQ(fault(420, 380, GDT_Float32), "");
+  EXPECT_EQ(fault(420, 800, GDT_Float32), "");
+}
+
+TEST_F(GeotiffTest, MostPixelsMayBeNoDataThatIsNotMarked) {
+  auto rows = Rising(420);
+  for (auto& row : rows) std::fill(row.begin(), row.begin() + 6, -9999);
+  WriteUtmRaster(File("strip.tif"), rows, 1, {500000, 5200000}, GDT_Float32);
+  EXPECT_THAT(FaultsOf("geotiff: " + File("strip.tif") + "\n"),
+              HasSubstr("48 of 64 pixels have a height of -9999 m"));
+}
+
+TEST_F(GeotiffTest, TheRemedyNamesTheNumberThatTheFileHolds) {
+  auto rows = Rising(4000);
+  rows[1][1] = -9999;
+  WriteUtmRaster(File("dm.tif"), rows, 1, {500000, 5200000}, GDT_Int16);
+  EditBand(File("dm.tif"), [](GDALRasterBand* band) { band->SetScale(0.5); });
+  EXPECT_THAT(FaultsOf("geotiff: " + File("dm.tif") + "\n"),
+              AllOf(HasSubstr("height of -4999.5 m"), HasSubstr("-a_nodata -9999 IN OUT")));
+}
+
+// Bilinear warping mixes them with the heights beside.
+TEST_F(GeotiffTest, NoDataMixedWithHeightsIsAFault) {
+  auto rows = Rising(420);
+  rows[3] = {420, -2100, -4700, -9999, -7500, -4700, -2100, 490};
+  WriteUtmRaster(File("mixed.tif"), rows, 1, {500000, 5200000}, GDT_Float32);
+  EXPECT_THAT(FaultsOf("geotiff: " + File("mixed.tif") + "\n"),
+              HasSubstr("two pixels beside each other have heights of"));
+}
+
+TEST_F(GeotiffTest, HeightsInMillimetresAreAFault) {
+  WriteUtmRaster(File("mm.tif"), Rising(420'000), 1, {500000, 5200000}, GDT_Float32);
+  EXPECT_THAT(FaultsOf("geotiff: " + File("mm.tif") + "\n"),
+              AllOf(HasSubstr("a height of 420000 m found"), HasSubstr("-scale")));
+  EditBand(File("mm.tif"), [](GDALRasterBand* band) { band->SetUnitType("mm"); });
+  EXPECT_EQ(FaultsOf("geotiff: " + File("mm.tif") + "\n"), "");
+}
+
+TEST_F(GeotiffTest, PixelsThatAMaskLeavesOutHaveNoHeight) {
+  WriteUtmRaster(File("masked.tif"), Rising(420), 1, {500000, 5200000}, GDT_Float32);
+  EditBand(File("masked.tif"), [](GDALRasterBand* band) {
+    ASSERT_EQ(band->CreateMaskBand(GMF_PER_DATASET), CE_None);
+    std::vector<std::uint8_t> valid(64, 255);
+    valid[9] = valid[10] = 0;
+    ASSERT_EQ(
+        band->GetMaskBand()->RasterIO(GF_Write, 0, 0, 8, 8, valid.data(), 8, 8, GDT_Byte, 0, 0),
+        CE_None);
+  });
+  EXPECT_THAT(FaultsOf("geotiff: " + File("masked.tif") + "\n"),
+              HasSubstr("2 of 64 pixels have no height"));
 }
 
 TEST_F(GeotiffTest, FolderThatIsNotThereIsAnErrorAndSpoilsNoLaterFile) {

@@ -55,6 +55,17 @@ TEST_F(MapRasterTest, OfTooManyPixelsSquaresHoldTheMean) {
   EXPECT_NEAR(map.values[5], mean_m, 1e-4);
 }
 
+TEST_F(MapRasterTest, ScaleAndOffsetOfTheBandAreApplied) {
+  const Columns ground = Slope();
+  WriteGroundRaster(File("height.tif"), ground, GroundRaster::kHeight, kQuebec, 1);
+  testing_soil::EditBand(File("height.tif"), [](GDALRasterBand* band) {
+    band->SetScale(2);
+    band->SetOffset(-kQuebec.height_m);
+  });
+  const SiteMap map = ReadSiteHeights(File("height.tif"), kQuebec, 200);
+  EXPECT_NEAR(map.values[0], 2 * ground.TopAt(0, 0), 1e-4);
+}
+
 TEST_F(MapRasterTest, AnotherProjectionOrNoRasterIsRefused) {
   WriteGroundRaster(File("height.tif"), Slope(), GroundRaster::kHeight, kMapRasterQuebec, 1);
   SiteOrigin other = kMapRasterQuebec;

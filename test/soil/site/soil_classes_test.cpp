@@ -62,6 +62,19 @@ TEST_F(SoilClassesTest, LieWhereTheHeightsLie) {
   EXPECT_EQ(SoilAt(plan, 2.05, 0, 0), "dirt");
 }
 
+TEST_F(SoilClassesTest, AreScaledAsTheirBandSays) {
+  WriteUtmRaster(File("soil.tif"), std::vector(8, std::vector<double>(12, 20)), 0.5);
+  EditBand(File("soil.tif"), [](GDALRasterBand* band) {
+    band->SetScale(0.1);
+    band->SetOffset(1);
+  });
+  EXPECT_EQ(SoilAt(Plan(ClassesYaml(File("soil.tif"), "{value: 3, soil: gravel}")), 0, 0, 0),
+            "gravel");
+  EditBand(File("soil.tif"), [](GDALRasterBand* band) { band->SetScale(0.13); });
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), "{value: 3, soil: gravel}")),
+              AllOf(HasSubstr("a class of 3.6 found"), HasSubstr("gdal_translate -unscale")));
+}
+
 TEST_F(SoilClassesTest, OnlyTilesWithABorderAreSeenVertexByVertex) {
   std::vector<std::vector<double>> rows(20, std::vector<double>(40, 1));
   for (auto& row : rows) std::fill(row.begin() + 13, row.end(), 2);  // the border: x = -7 m

@@ -12,6 +12,7 @@
 #include "core/error.h"
 #include "own_folder.h"
 #include "soil/site/geotiff.h"
+#include "soil/site/geotiff_fixture.h"
 
 // Elevations of surveys, with gaps, in maps that geodesy knows.
 
@@ -54,6 +55,20 @@ TEST(MapReference, WhatIsNoPlaneInMetresIsRefused) {
                                 "UNIT[\"metre\",1],AXIS[\"East\",EAST]]"));
 }
 
+TEST(MapReference, APlaceFarFromWhereTheMapIsForIsRefused) {
+  const auto map = ReadMapReference("here", "EPSG:32632");
+  RequireOnMap("a.las", *map, Vec2(600'000, 5'250'000));
+  RequireOnMap("a.las", *map, Vec2(90'000, 5'250'000));  // a little into the zone beside
+  const auto fault = [&](const Vec2& at_m) {
+    return FaultOf([&] { RequireOnMap("a.las", *map, at_m); });
+  };
+  EXPECT_THAT(fault(Vec2(2'600'000, 1'200'000)),  // Bern in LV95
+              testing::AllOf(HasSubstr("a.las: x 2600000 m, y 1200000 m lie"),
+                             HasSubstr("0 to 84 deg N, 6 to 12 deg E")));
+  EXPECT_THAT(fault(Vec2(5'250'000, 600'000)), HasSubstr("x east and y north"));
+  EXPECT_THAT(fault(Vec2(6e8, 5.25e9)), HasSubstr("in metres"));  // millimetres
+}
+
 TEST(MapReference, PlacesOfAMapLieInWWhereGeodesySays) {
   // Quebec, 2.3 deg of longitude off the zone's meridian: north is turned by 1.7 deg.
   const SiteOrigin origin{46.78, -71.27, 90};
@@ -91,6 +106,30 @@ TEST(SurveyRaster, PixelsComeBackAsPointsAndGapsAreCounted) {
   EXPECT_EQ(read.p_m[10], Vec3(691'001.75, 5'335'001.25, 502.75));
   EXPECT_EQ(read.map.name, map->name);
   EXPECT_EQ(read.pixel_m, Vec2(0.5, 0.5));
+}
+
+TEST(SurveyRaster, FeetOfAVerticalSystemBecomeMetres) {
+  const auto file = OwnFolder() / "navd.tif";
+  testing_soil::WriteUtmRaster(file, {{100, 200}, {300, 400}}, 1, {500000, 4'500'000}, GDT_Float32);
+  {
+    std::unique_ptr<GDALDataset, testing_soil::ReadRaster::Close> dataset(
+        static_cast<GDALDataset*>(GDALOpen(file.c_str(), GA_Update)));
+    OGRSpatialReference utm_and_feet;  // NAVD88 height (ftUS)
+    ASSERT_EQ(utm_and_feet.SetFromUserInput("EPSG:26918+6360"), OGRERR_NONE);
+    dataset->SetSpatialRef(&utm_and_feet);
+  }
+  const SurveyRaster read = ReadSurveyRaster(file);
+  EXPECT_NEAR(read.p_m[0].z(), 300 * 1200.0 / 3937, 1e-6);
+  EXPECT_THAT(read.map.vertical, HasSubstr("NAVD88"));
+}
+
+TEST(SurveyRaster, GapsThatAreNotMarkedAreRefused) {
+  const auto map = ReadMapReference("here", "EPSG:32632");
+  const auto file = OwnFolder() / "pit.tif";
+  WriteHeights(file, {Vec2(691'000, 5'335'000), 0.5, 3, 2},
+               {420.0F, -9999.0F, 421.0F, 420.0F, 420.5F, 421.0F}, *map);
+  EXPECT_THAT(FaultOf([&] { ReadSurveyRaster(file); }),
+              HasSubstr("1 of 6 pixels have a height of -9999 m"));
 }
 
 TEST(SurveyRaster, OfGapsAloneIsRefused) {

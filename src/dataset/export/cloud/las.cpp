@@ -9,8 +9,10 @@
 
 #include "core/error.h"
 #include "core/types/labels.h"
+#include "core/units.h"
 #include "dataset/export/bag/little_endian.h"
 #include "dataset/format/dataset_description.h"
+#include "dataset/import/wgs84.h"
 
 namespace tera {
 namespace {
@@ -55,19 +57,42 @@ std::int32_t Units(double coordinate_m) {
   return static_cast<std::int32_t>(units);
 }
 
-std::string LocalWkt(const DatasetInfo& info) {
+/// A recording that does not know its place says 0 in all.
+bool IsOnTheEarth(const DatasetInfo& info) {
+  return info.origin_lat_deg != 0 || info.origin_lon_deg != 0 || info.origin_height_m != 0;
+}
+
+GeodeticPlace OriginOf(const DatasetInfo& info) {
+  return {info.origin_lat_deg * kDeg, info.origin_lon_deg * kDeg, info.origin_height_m};
+}
+
+std::string WktOf(const DatasetInfo& info) {
+  if (!IsOnTheEarth(info)) {
+    return "LOCAL_CS[\"East, north, up\",LOCAL_DATUM[\"Site\",0],UNIT[\"metre\",1],"
+           "AXIS[\"East\",EAST],AXIS[\"North\",NORTH],AXIS[\"Up\",UP]]";
+  }
   return fmt::format(
-      "LOCAL_CS[\"East, north, up about {} deg N, {} deg E, {} m\",LOCAL_DATUM[\"Site\",0],"
-      "UNIT[\"metre\",1],AXIS[\"East\",EAST],AXIS[\"North\",NORTH],AXIS[\"Up\",UP]]",
-      info.origin_lat_deg, info.origin_lon_deg, info.origin_height_m);
+      "PROJCS[\"Site plane\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,"
+      "298.257223563,AUTHORITY[\"EPSG\",\"7030\"]],AUTHORITY[\"EPSG\",\"6326\"]],"
+      "PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433],AUTHORITY[\"EPSG\",\"4326\"]],"
+      "PROJECTION[\"Transverse_Mercator\"],PARAMETER[\"latitude_of_origin\",{}],"
+      "PARAMETER[\"central_meridian\",{}],PARAMETER[\"scale_factor\",1],"
+      "PARAMETER[\"false_easting\",0],PARAMETER[\"false_northing\",0],UNIT[\"metre\",1],"
+      "AXIS[\"Easting\",EAST],AXIS[\"Northing\",NORTH]]",
+      info.origin_lat_deg, info.origin_lon_deg);
 }
 
 }  // namespace
 
+Vec3 LasPlace(const Vec3& p_W_m, const DatasetInfo& info) {
+  if (!IsOnTheEarth(info)) return p_W_m;
+  return {p_W_m.x(), p_W_m.y(), GeodeticFromEnu(p_W_m, OriginOf(info)).height_m};
+}
+
 void AppendLasPoint(const MapPoint& point, std::string* bytes) {
   constexpr std::uint8_t kFirstOfOneReturn = 1 | 1 << 4;
   constexpr double kMostIntensity = 65535;
-  for (const double coordinate_m : point.p_W_m) {
+  for (const double coordinate_m : point.p_m) {
     AppendNumber(static_cast<std::uint32_t>(Units(coordinate_m)), bytes);
   }
   const double intensity = std::clamp(static_cast<double>(point.intensity), 0.0, 1.0);
@@ -83,7 +108,7 @@ void AppendLasPoint(const MapPoint& point, std::string* bytes) {
 
 std::string LasHeader(const MapExtent& extent, const DatasetInfo& info) {
   constexpr std::uint16_t kWktFlag = 1 << 4;
-  const std::string wkt = LocalWkt(info) + '\0';
+  const std::string wkt = WktOf(info) + '\0';
   const auto before_points =
       static_cast<std::uint32_t>(kHeaderBytes + kVlrHeaderBytes + wkt.size());
   std::string bytes = "LASF";
@@ -105,8 +130,8 @@ std::string LasHeader(const MapExtent& extent, const DatasetInfo& info) {
   for (int axis = 0; axis < 3; ++axis) AppendDouble(kUnit_m, &bytes);
   for (int axis = 0; axis < 3; ++axis) AppendDouble(0, &bytes);  // offset
   for (int axis = 0; axis < 3; ++axis) {
-    AppendDouble(extent.most_W_m[axis], &bytes);
-    AppendDouble(extent.least_W_m[axis], &bytes);
+    AppendDouble(extent.most_m[axis], &bytes);
+    AppendDouble(extent.least_m[axis], &bytes);
   }
   bytes.append(8 + 8 + 4, '\0');  // waveforms, extended records
   AppendNumber(extent.points, &bytes);
@@ -116,7 +141,7 @@ std::string LasHeader(const MapExtent& extent, const DatasetInfo& info) {
   AppendPadded("LASF_Projection", 16, &bytes);
   AppendNumber(std::uint16_t{2112}, &bytes);  // OGC coordinate system WKT
   AppendNumber(static_cast<std::uint16_t>(wkt.size()), &bytes);
-  AppendPadded("W of the recording", 32, &bytes);
+  AppendPadded("Plane of the recording's site", 32, &bytes);
   return bytes + wkt;
 }
 

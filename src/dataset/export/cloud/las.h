@@ -10,14 +10,20 @@ namespace tera {
 
 /// Points as LAS 1.4, point data record format 6.
 ///
-/// Model   coordinates in tenths of millimetres of W. Classes: terrain 2 (ground), vegetation 5
+/// Frames  the transverse Mercator plane about the recording's origin, of scale 1, as the rasters
+///         of its ground (soil/site/ground_raster.h): x and y those of W, z above the WGS 84
+///         ellipsoid. Where the origin is not known, W.
+/// Model   coordinates in tenths of millimetres. Classes: terrain 2 (ground), vegetation 5
 ///         (high vegetation), structure 6 (building), all others 64 + SemanticClass, of those that
 ///         the standard leaves to users, which end with label 191: beyond it 1 (unclassified).
 ///         Intensity over 65535. GPS time: seconds of the recording. Point source: lidar + 1. User
-///         data: the low 8 bits of the instance.
-/// Omits   rings; a coordinate reference system of the earth: W is a local one, named in a record
-///         of OGC WKT.
-/// Source  ASPRS, "LAS specification 1.4 - R15", 2019.
+///         data: the low 8 bits of the instance. The plane is named in a record of OGC WKT.
+/// Omits   rings.
+/// Source  ASPRS, "LAS specification 1.4 - R15", 2019; OGC 01-009, "Coordinate Transformation
+///         Services", 2001 (WKT).
+
+/// Where a point of W lies in the file.
+Vec3 LasPlace(const Vec3& p_W_m, const DatasetInfo& info);
 
 /// Throws InputError for a point more than 200 km from the origin.
 void AppendLasPoint(const MapPoint& point, std::string* bytes);

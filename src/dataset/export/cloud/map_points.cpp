@@ -17,7 +17,7 @@ struct MapPart {
 };
 
 MapPart PartOf(const ExportJob& job, const std::string& lidar, const PoseTrack& track,
-               const Record& record, AppendMapPoint append) {
+               const Record& record, const PlaceOnMap& place, AppendMapPoint append) {
   MapPart part;
   const LidarScan scan = job.recording.LoadScan(lidar, record.t_ns);
   Pose X_WS = Pose::Identity();
@@ -26,9 +26,9 @@ MapPart PartOf(const ExportJob& job, const std::string& lidar, const PoseTrack& 
     const TimeNs t_ns = scan.t_ns + point.time_offset_ns;
     if (posed_ns != t_ns) X_WS = track.At(t_ns);
     posed_ns = t_ns;
-    const Vec3 p_W_m = X_WS * Vec3(point.x_m, point.y_m, point.z_m);
-    part.extent.Include({1, p_W_m, p_W_m});
-    append({p_W_m, point.intensity, job.Stamp(t_ns), static_cast<std::uint16_t>(record.channel),
+    const Vec3 p_m = place(X_WS * Vec3(point.x_m, point.y_m, point.z_m));
+    part.extent.Include({1, p_m, p_m});
+    append({p_m, point.intensity, job.Stamp(t_ns), static_cast<std::uint16_t>(record.channel),
             point.ring, point.instance, point.label},
            &part.bytes);
   }
@@ -39,12 +39,13 @@ MapPart PartOf(const ExportJob& job, const std::string& lidar, const PoseTrack& 
 
 void MapExtent::Include(const MapExtent& part) {
   if (part.points == 0) return;
-  least_W_m = points == 0 ? part.least_W_m : least_W_m.cwiseMin(part.least_W_m);
-  most_W_m = points == 0 ? part.most_W_m : most_W_m.cwiseMax(part.most_W_m);
+  least_m = points == 0 ? part.least_m : least_m.cwiseMin(part.least_m);
+  most_m = points == 0 ? part.most_m : most_m.cwiseMax(part.most_m);
   points += part.points;
 }
 
-MapExtent WriteMapPoints(ExportJob* job, AppendMapPoint append, CountedFile* file) {
+MapExtent WriteMapPoints(ExportJob* job, const PlaceOnMap& place, AppendMapPoint append,
+                         CountedFile* file) {
   const std::vector<std::string> lidars = job->recording.SensorsOf(ChannelForm::kScans);
   RequireAny(lidars, *job, "lidar");
   std::vector<PoseTrack> tracks;
@@ -57,7 +58,7 @@ MapExtent WriteMapPoints(ExportJob* job, AppendMapPoint append, CountedFile* fil
   RecordStream stream(job->recording, lidars);
   for (Record record; job->Next(&stream, &record);) {
     parts.Give([&, record] {
-      return PartOf(*job, lidars[record.channel], tracks[record.channel], record, append);
+      return PartOf(*job, lidars[record.channel], tracks[record.channel], record, place, append);
     });
   }
   parts.Finish();

@@ -21,7 +21,7 @@ void AppendFloat(double value, std::string* bytes) {
 
 /// x y z intensity (float), time in s (double), instance, ring and sensor (16 bits), label (8).
 void AppendPoint(const MapPoint& point, std::string* bytes) {
-  for (const double coordinate : point.p_W_m) AppendFloat(coordinate, bytes);
+  for (const double coordinate : point.p_m) AppendFloat(coordinate, bytes);
   AppendFloat(point.intensity, bytes);
   AppendNumber(std::bit_cast<std::uint64_t>(ToSeconds(point.t_ns)), bytes);
   AppendNumber(point.instance, bytes);
@@ -30,6 +30,8 @@ void AppendPoint(const MapPoint& point, std::string* bytes) {
   AppendNumber(point.label, bytes);
 }
 
+Vec3 InW(const Vec3& p_W_m) { return p_W_m; }
+
 }  // namespace
 
 /// map.pcd: PCD 0.7, binary.
@@ -37,7 +39,7 @@ void AppendPoint(const MapPoint& point, std::string* bytes) {
 /// Source  Point Cloud Library, "The PCD (Point Cloud Data) file format".
 void ExportPcd(ExportJob* job) {
   CountedFile file(job->folder / "map.pcd");
-  const std::uint64_t points = WriteMapPoints(job, AppendPoint, &file).points;
+  const std::uint64_t points = WriteMapPoints(job, InW, AppendPoint, &file).points;
   file.Commit(
       fmt::format("# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n"
                   "FIELDS x y z intensity time instance ring sensor label\n"
@@ -52,7 +54,7 @@ void ExportPcd(ExportJob* job) {
 /// Source  Turk, "The PLY polygon file format", 1994.
 void ExportPly(ExportJob* job) {
   CountedFile file(job->folder / "map.ply");
-  const std::uint64_t points = WriteMapPoints(job, AppendPoint, &file).points;
+  const std::uint64_t points = WriteMapPoints(job, InW, AppendPoint, &file).points;
   file.Commit(fmt::format(
       "ply\nformat binary_little_endian 1.0\ncomment W: local east-north-up, metres\n"
       "element vertex {}\nproperty float x\nproperty float y\nproperty float z\n"
@@ -64,8 +66,9 @@ void ExportPly(ExportJob* job) {
 /// map.las: LAS 1.4 (las.h).
 void ExportLas(ExportJob* job) {
   CountedFile file(job->folder / "map.las");
-  const MapExtent extent = WriteMapPoints(job, AppendLasPoint, &file);
-  file.Commit(LasHeader(extent, job->recording.info()));
+  const DatasetInfo& info = job->recording.info();
+  const auto place = [&](const Vec3& p_W_m) { return LasPlace(p_W_m, info); };
+  file.Commit(LasHeader(WriteMapPoints(job, place, AppendLasPoint, &file), info));
 }
 
 }  // namespace tera

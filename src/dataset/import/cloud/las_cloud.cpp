@@ -104,7 +104,8 @@ class LasReader {
                     bytes_.size()));
   }
 
-  /// "EPSG:n" of a directory of GeoTIFF keys that names a projected or a geographic system.
+  /// "EPSG:n" of a directory of GeoTIFF keys that names a projected or a geographic system; words
+  /// for a projected one without a code.
   std::string GeoKeys(std::string_view body) const {
     constexpr std::uint16_t kProjected = 3072, kGeographic = 2048, kVerticalUnits = 4099;
     constexpr std::uint16_t kMetre = 9001, kUserDefined = 32767;
@@ -114,6 +115,9 @@ class LasReader {
       const auto key = NumberAt<std::uint16_t>(body.data() + at);
       const auto place = NumberAt<std::uint16_t>(body.data() + at + 2);
       const auto value = NumberAt<std::uint16_t>(body.data() + at + 6);
+      if (key == kProjected && value == kUserDefined) {
+        return "one of GeoTIFF keys without a code";
+      }
       if (place != 0 || value == kUserDefined) continue;
       if (key == kVerticalUnits && value != kMetre) {
         Refuse(
@@ -146,6 +150,7 @@ class LasReader {
                          count, first + count * record, bytes_.size()));
     }
     const Vec3 scale = VectorAt(kScaleAt), offset = VectorAt(kOffsetAt);
+    cloud->step_m = scale.cwiseAbs();
     for (std::uint64_t k = 0; k < count; ++k) {
       const char* point = bytes_.data() + first + k * record;
       if (IsMarked(format, point)) {

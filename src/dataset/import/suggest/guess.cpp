@@ -21,22 +21,11 @@ double Median(std::vector<double> values) {
   return *middle;
 }
 
-double MedianSize(const NumbersOfColumn& column) {
-  std::vector<double> sizes;
-  for (const double value : column.values) sizes.push_back(std::abs(value));
-  return Median(std::move(sizes));
-}
-
 double LargestOf(const std::vector<const NumbersOfColumn*>& columns) {
   double largest = 0;
   for (const NumbersOfColumn* column : columns) largest = std::max(largest, column->LargestSize());
   return largest;
 }
-
-struct Ending {
-  std::string_view text;
-  const char* unit;
-};
 
 std::string Lower(std::string_view text) {
   std::string lower(text);
@@ -44,53 +33,25 @@ std::string Lower(std::string_view text) {
   return lower;
 }
 
-/// The unit that a name ends in, "gx_dps", "lat [deg]"; none where it says nothing.
-template <std::size_t n>
-const char* UnitOfName(const std::string& name, const std::array<Ending, n>& endings) {
-  std::string lower = Lower(name);
-  while (!lower.empty() && (lower.back() == ']' || lower.back() == ')')) lower.pop_back();
-  for (const Ending& ending : endings) {
-    if (!lower.ends_with(ending.text) || lower.size() == ending.text.size()) continue;
-    if (std::isalnum(static_cast<unsigned char>(lower[lower.size() - ending.text.size() - 1])) ==
-        0) {
-      return ending.unit;
-    }
+/// Texts that may be a name's unit: what stands in brackets, else what follows each part.
+std::vector<std::string_view> UnitTextsOf(std::string_view name) {
+  const std::size_t open = name.find_first_of("[("), close = name.find_last_of("])");
+  if (open != std::string_view::npos && close != std::string_view::npos && close > open) {
+    return {name.substr(open + 1, close - open - 1)};
   }
-  return nullptr;
+  std::vector<std::string_view> texts;
+  for (std::size_t k = 1; k < name.size(); ++k) {
+    const auto is = [&](std::size_t at, int (*test)(int)) {
+      return test(static_cast<unsigned char>(name[at])) != 0;
+    };
+    const bool begins =
+        !is(k - 1, std::isalnum) || (is(k - 1, std::islower) && is(k, std::isupper));
+    if (begins) texts.push_back(name.substr(k));
+  }
+  return texts;
 }
 
-constexpr std::array<Ending, 9> kTimeEndings = {{{"ns", "ns"},
-                                                 {"nsec", "ns"},
-                                                 {"us", "us"},
-                                                 {"usec", "us"},
-                                                 {"ms", "ms"},
-                                                 {"msec", "ms"},
-                                                 {"s", "s"},
-                                                 {"sec", "s"},
-                                                 {"seconds", "s"}}};
-constexpr std::array<Ending, 8> kRateEndings = {{{"dps", "deg/s"},
-                                                 {"deg/s", "deg/s"},
-                                                 {"degps", "deg/s"},
-                                                 {"deg_s", "deg/s"},
-                                                 {"rad/s", "rad/s"},
-                                                 {"radps", "rad/s"},
-                                                 {"rad_s", "rad/s"},
-                                                 {"rpm", "rpm"}}};
-constexpr std::array<Ending, 5> kAccelerationEndings = {
-    {{"g", "g"}, {"m/s2", "m/s2"}, {"m/s^2", "m/s2"}, {"mps2", "m/s2"}, {"m_s2", "m/s2"}}};
-constexpr std::array<Ending, 3> kAngleEndings = {
-    {{"deg", "deg"}, {"degrees", "deg"}, {"rad", "rad"}}};
-
-/// The unit of an epoch's times by their size; none of others.
-const char* EpochUnit(double size) {
-  const double ms = 1e3, us = 1e6, ns = 1e9, latest_s = 1e10;
-  if (size < kLeastEpoch_s) return nullptr;
-  if (size < latest_s) return "s";
-  if (size > kLeastEpoch_s * ms && size < latest_s * ms) return "ms";
-  if (size > kLeastEpoch_s * us && size < latest_s * us) return "us";
-  if (size > kLeastEpoch_s * ns && size < latest_s * ns) return "ns";
-  return nullptr;
-}
+UnitGuess GuessOf(const WrittenUnit& written) { return {written.unit->name, written.scale, ""}; }
 
 }  // namespace
 
@@ -106,33 +67,43 @@ double NumbersOfColumn::MedianStep() const {
   return Median(std::move(steps));
 }
 
-UnitGuess GuessTimeUnit(const NumbersOfColumn& time) {
-  if (const char* unit = EpochUnit(MedianSize(time))) return {unit, 1.0, ""};
-  if (const char* unit = UnitOfName(time.name, kTimeEndings)) return {unit, 1.0, ""};
-  const double step = time.MedianStep();
-  const double slowest = 2.0, thousand = 1e3;
-  const char* unit = step < slowest                         ? "s"
-                     : step < slowest * thousand            ? "ms"
-                     : step < slowest * thousand * thousand ? "us"
-                                                            : "ns";
-  return {unit, 1.0, fmt::format("the median step is {:.4g}", step)};
+double NumbersOfColumn::Least() const {
+  return values.empty() ? 0 : *std::min_element(values.begin(), values.end());
 }
 
-double SecondsOf(const UnitGuess& unit) {
-  return unit.unit == "ns" ? 1e-9 : unit.unit == "us" ? 1e-6 : unit.unit == "ms" ? 1e-3 : 1.0;
+std::optional<UnitGuess> ToldUnit(const NumbersOfColumn& column, Dimension dimension) {
+  if (const auto unit = UnitOfText(column.unit, dimension)) return GuessOf(*unit);
+  for (const std::string_view text : UnitTextsOf(column.name)) {
+    if (const auto unit = UnitOfText(text, dimension)) return GuessOf(*unit);
+  }
+  return std::nullopt;
+}
+
+UnitGuess GuessAnyUnit(const NumbersOfColumn& column) {
+  if (const auto unit = UnitOfText(column.unit, Dimension::kAny)) return GuessOf(*unit);
+  const bool has_brackets = column.name.find_first_of("[(") != std::string::npos;
+  for (const std::string_view text : UnitTextsOf(column.name)) {
+    const auto unit = UnitOfText(text, Dimension::kAny);
+    if (!unit) continue;
+    // Without brackets "p_min" is a minimum, "valve_in" an inlet, and a last letter part of a name.
+    const bool is_plain = text.size() >= 2 && text != "in" && text != "mg" &&
+                          unit->unit->dimension != Dimension::kTime;
+    if (has_brackets || is_plain) return GuessOf(*unit);
+  }
+  const std::string size = fmt::format("up to {:.4g}", column.LargestSize());
+  if (!column.unit.empty()) return {"1", 1.0, fmt::format("in {}, {}", column.unit, size)};
+  return {"1", 1.0, "unit unknown, " + size};
 }
 
 UnitGuess GuessRateUnit(const std::vector<const NumbersOfColumn*>& rates) {
-  if (const char* unit = UnitOfName(rates.front()->name, kRateEndings)) return {unit, 1.0, ""};
+  if (const auto unit = ToldUnit(*rates.front(), Dimension::kRate)) return *unit;
   const double largest = LargestOf(rates);
   const bool is_deg = largest > kFastestJoint_radps;
   return {is_deg ? "deg/s" : "rad/s", 1.0, fmt::format("the largest is {:.4g}", largest)};
 }
 
 UnitGuess GuessAccelerationUnit(const std::vector<const NumbersOfColumn*>& axes) {
-  if (const char* unit = UnitOfName(axes.front()->name, kAccelerationEndings)) {
-    return {unit, 1.0, ""};
-  }
+  if (const auto unit = ToldUnit(*axes.front(), Dimension::kAcceleration)) return *unit;
   double squares = 0;
   for (const NumbersOfColumn* axis : axes) squares += std::pow(Median(axis->values), 2);
   const double length = std::sqrt(squares), least = 0.7, most = 1.3;
@@ -147,7 +118,7 @@ UnitGuess GuessAccelerationUnit(const std::vector<const NumbersOfColumn*>& axes)
 }
 
 UnitGuess GuessAngleUnit(const std::vector<const NumbersOfColumn*>& angles) {
-  if (const char* unit = UnitOfName(angles.front()->name, kAngleEndings)) return {unit, 1.0, ""};
+  if (const auto unit = ToldUnit(*angles.front(), Dimension::kAngle)) return *unit;
   const double largest = LargestOf(angles);
   // A joint of a slewing machine may turn on, but not by this much.
   if (largest > 8 * kPi) return {"deg", 1.0, ""};
@@ -165,6 +136,86 @@ std::string YamlWord(std::string_view text) {
   const bool is_word = std::find(kWords.begin(), kWords.end(), Lower(text)) != kWords.end();
   return is_plain && !is_word && Lower(text) != "off" ? std::string(text)
                                                       : YamlQuoted(std::string(text));
+}
+
+std::vector<std::string> WordsOfName(std::string_view name) {
+  std::vector<std::string> words;
+  bool goes_on = false;
+  const std::string_view bare = name.substr(0, name.find_first_of("[("));
+  for (std::size_t k = 0; k < bare.size(); ++k) {
+    const auto c = static_cast<unsigned char>(bare[k]);
+    // Letters beyond ASCII are bytes with the highest bit.
+    const bool is_letter = std::isalpha(c) != 0 || c >= 0x80;
+    const bool is_hump = is_letter && k > 0 && std::isupper(c) != 0 &&
+                         std::islower(static_cast<unsigned char>(bare[k - 1])) != 0;
+    if (is_letter && (!goes_on || is_hump)) words.emplace_back();
+    if (is_letter) words.back() += static_cast<char>(std::tolower(c));
+    goes_on = is_letter;
+  }
+  return words;
+}
+
+std::string StemOfName(std::string_view name) {
+  std::string stem;
+  for (const char c : name.substr(0, name.find_first_of("[("))) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (std::isalnum(byte) != 0 || byte >= 0x80) stem += static_cast<char>(std::tolower(byte));
+  }
+  for (const std::string_view unit : {"degps", "radps", "mps2", "dps", "deg", "rad", "rpm"}) {
+    if (stem.ends_with(unit) && stem.size() > unit.size()) {
+      stem.resize(stem.size() - unit.size());
+      break;
+    }
+  }
+  return stem;
+}
+
+std::string JointOfWord(std::string_view word) {
+  struct Meaning {
+    std::string_view word;
+    const char* joint;
+  };
+  for (const Meaning& meaning : {Meaning{"swing", "swing"},
+                                 {"slew", "slew"},
+                                 {"boom", "boom"},
+                                 {"arm", "arm"},
+                                 {"stick", "stick"},
+                                 {"dipper", "dipper"},
+                                 {"bucket", "bucket"},
+                                 {"ausleger", "boom"},
+                                 {"stiel", "arm"},
+                                 {"löffel", "bucket"},
+                                 {"loeffel", "bucket"},
+                                 {"drehwerk", "slew"},
+                                 {"schwenkwerk", "slew"},
+                                 {"oberwagen", "slew"},
+                                 {"flèche", "boom"},
+                                 {"fleche", "boom"},
+                                 {"balancier", "arm"},
+                                 {"godet", "bucket"},
+                                 {"tourelle", "slew"}}) {
+    if (word == meaning.word) return meaning.joint;
+  }
+  return "";
+}
+
+std::string JointOfAngle(const NumbersOfColumn& column) {
+  constexpr std::array<std::string_view, 10> kOfAngles = {
+      "angle", "pos", "position", "joint", "winkel", "encoder", "deg", "rad", "degrees", "grad"};
+  std::vector<std::string> words = WordsOfName(column.name);
+  std::erase_if(words, [&](const std::string& word) {
+    return std::find(kOfAngles.begin(), kOfAngles.end(), word) != kOfAngles.end();
+  });
+  // "boomangle" is one word.
+  std::string word = words.size() == 1 ? words.front() : "";
+  for (const std::string_view ending : {"angle", "position", "pos"}) {
+    if (word.ends_with(ending)) word.resize(word.size() - ending.size());
+  }
+  // Another unit makes it a stroke, a pressure or a voltage.
+  const bool is_unit_of_angle = ToldUnit(column, Dimension::kAngle).has_value();
+  const bool has_other_unit = !column.unit.empty() && column.unit != "-" && column.unit != "1";
+  const bool is_other = !is_unit_of_angle && (has_other_unit || GuessAnyUnit(column).unit != "1");
+  return is_other ? "" : JointOfWord(word);
 }
 
 std::string PlainNameOf(std::string_view text) {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "dataset/import/column_mapping.h"
 
 namespace tera {
 
@@ -10,8 +13,12 @@ namespace tera {
 struct NumbersOfColumn {
   std::string name;
   std::vector<double> values;  ///< where there is a number
-  bool increases = false;      ///< from each to the next
+  std::string unit;            ///< as the table writes it beside the name; empty: it does not
+  std::size_t missing = 0;     ///< fields that hold nothing
+  std::size_t words = 0;       ///< fields that hold something else than a number
+  std::size_t gaps = 0;        ///< a digest of which rows have no number; 0: all have one
   double LargestSize() const;
+  double Least() const;
   double MedianStep() const;
 };
 
@@ -22,8 +29,11 @@ struct UnitGuess {
   std::string doubt;  ///< empty: sure
 };
 
-/// By magnitude where times are of an epoch, else by the name's ending, else by the step.
-UnitGuess GuessTimeUnit(const NumbersOfColumn& time);
+/// The unit of a column that may be of any dimension, by its line of units, the brackets or the
+/// ending of its name; '1' where none tells, with what is known of it as the doubt.
+UnitGuess GuessAnyUnit(const NumbersOfColumn& column);
+/// The unit that a column's line of units or its name tells; none where neither does.
+std::optional<UnitGuess> ToldUnit(const NumbersOfColumn& column, Dimension dimension);
 /// rad/s or deg/s: by the names' ending, else no machine turns at 20 rad/s.
 UnitGuess GuessRateUnit(const std::vector<const NumbersOfColumn*>& rates);
 /// m/s2 or g: by the length of the median vector, which is gravity of a machine.
@@ -31,9 +41,8 @@ UnitGuess GuessAccelerationUnit(const std::vector<const NumbersOfColumn*>& axes)
 /// rad or deg of an angle or a geodetic coordinate.
 UnitGuess GuessAngleUnit(const std::vector<const NumbersOfColumn*>& angles);
 
-/// Epochs: times in s beyond count from 1970.
+/// Times in s beyond count from an epoch.
 inline constexpr double kLeastEpoch_s = 1e8;
-double SecondsOf(const UnitGuess& unit);
 
 /// "{column: gx, unit: deg/s}"
 std::string ColumnYaml(std::string_view column, const UnitGuess& unit);
@@ -41,6 +50,15 @@ std::string ColumnYaml(std::string_view column, const UnitGuess& unit);
 std::string DoubtRemark(const UnitGuess& unit);
 /// Words as YAML takes them, in quotes where they need them.
 std::string YamlWord(std::string_view text);
+/// Words of a name in lower case, parted at what is no letter and where capitals begin: {"boom",
+/// "speed", "cmd"} of "boomSpeed_cmd2". What stands in brackets is left out.
+std::vector<std::string> WordsOfName(std::string_view name);
+/// A name without case, unit and what is neither letter nor digit: "gyrox" of "Gyro X [deg/s]".
+std::string StemOfName(std::string_view name);
+/// The joint of a machine that a word means in English, German or French; empty: none.
+std::string JointOfWord(std::string_view word);
+/// The joint whose angle a column is by its name and its unit; empty: of none.
+std::string JointOfAngle(const NumbersOfColumn& column);
 /// A name for a channel or a column: letters, digits and '_'.
 std::string PlainNameOf(std::string_view text);
 

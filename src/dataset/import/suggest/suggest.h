@@ -2,18 +2,22 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace tera {
 
 /// A first mapping (YAML) of a log, for `tera import`: a bag by its topics' types, logs of known
 /// form and folders of data by theirs, a text table by its columns' names and numbers. What is a
 /// guess stands with a remark "guessed:" that says why; what is not known is left out as a remark.
-/// Throws InputError where the log cannot be read.
-std::string SuggestMapping(const std::filesystem::path& log);
+/// `overrides` are key.path=value texts as of --set, which say how a text table is written
+/// (`csv.skip_lines=3`); others are a fault. Throws InputError where the log cannot be read.
+std::string SuggestMapping(const std::filesystem::path& log,
+                           const std::vector<std::string>& overrides = {});
 
 // Of each kind of log.
 std::string SuggestForBag(const std::filesystem::path& log);
-std::string SuggestForTable(const std::filesystem::path& log);
+std::string SuggestForTable(const std::filesystem::path& log,
+                            const std::vector<std::string>& overrides);
 /// Of PX4, by its topics.
 std::string SuggestForUlog(const std::filesystem::path& log);
 /// Of a type of foreign_log.h.

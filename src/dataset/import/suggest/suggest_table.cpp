@@ -1,120 +1,93 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
+#include <cctype>
+#include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "core/error.h"
+#include "dataset/files/checked_file.h"
 #include "dataset/import/bag/bag_source.h"
-#include "dataset/import/csv_file.h"
+#include "dataset/import/csv_mapping.h"
+#include "dataset/import/foreign_file.h"
 #include "dataset/import/logs/foreign_log.h"
+#include "dataset/import/suggest/command_guess.h"
 #include "dataset/import/suggest/guess.h"
+#include "dataset/import/suggest/long_table.h"
 #include "dataset/import/suggest/suggest.h"
+#include "dataset/import/suggest/table_layout.h"
+#include "dataset/import/suggest/time_guess.h"
 
 // Guesses about a text table.
 
 namespace tera {
 namespace {
 
-/// A name without case, unit and what is neither letter nor digit: "Gyro X [deg/s]" is "gyrox".
-std::string Stem(std::string_view name) {
-  std::string stem;
-  for (const char c : name.substr(0, name.find_first_of("[("))) {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
-      stem += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-  }
-  for (const std::string_view unit : {"degps", "radps", "mps2", "dps", "deg", "rad", "rpm"}) {
-    if (stem.ends_with(unit) && stem.size() > unit.size()) {
-      stem.resize(stem.size() - unit.size());
-      break;
-    }
-  }
-  return stem;
-}
+using ColumnList = std::vector<const NumbersOfColumn*>;
 
 class TableGuess {
  public:
-  explicit TableGuess(const std::filesystem::path& log) : log_(log) {
-    CsvForm form;
-    LeftOutRows left_out;
-    const CsvFile as_rows(log, {.has_header = false}, &left_out);
-    has_header_ = !IsAllNumbers(as_rows);
-    form.has_header = has_header_;
-    const CsvFile csv(log, form, &left_out);
-    for (std::size_t c = 0; c < csv.columns().size(); ++c) columns_.push_back(NumbersOf(csv, c));
-    if (std::all_of(columns_.begin(), columns_.end(),
-                    [](const NumbersOfColumn& column) { return column.values.empty(); })) {
-      throw InputError(fmt::format(
-          "{}: has no column of numbers; need a table, a bag or another log that is known "
-          "(docs/reference/dataset.md, importing)",
-          log.string()));
+  TableGuess(const std::filesystem::path& log, const TableLayout& layout)
+      : log_(log), layout_(layout), csv_(log, layout.form, &left_out_) {
+    std::vector<std::size_t> rows(csv_.row_count());
+    std::iota(rows.begin(), rows.end(), std::size_t{0});
+    columns_ = NumbersOf(csv_, layout, rows);
+    if (layout.form.has_header) long_ = FindLongForm(csv_, columns_);
+    if (long_) {
+      const std::vector<std::size_t> first = RowsOfSignal(csv_, *long_, long_->signals.front());
+      time_ = GuessTime(csv_, first, NumbersOf(csv_, layout, first), /*has_header=*/true);
+    } else {
+      time_ = GuessTime(csv_, rows, columns_, layout.form.has_header);
     }
+    taken_.insert(time_.columns.begin(), time_.columns.end());
   }
 
   std::string Yaml() {
     // One after the other: what one takes is none of those behind it.
-    std::string yaml = Top();
-    yaml += Imu();
-    yaml += Gnss();
-    yaml += Pose();
-    yaml += Encoders();
-    const std::string levers = Levers();
-    const std::string tables = levers + Others();
-    if (!tables.empty()) yaml += "tables:\n" + tables;
-    return yaml;
+    std::string channels;
+    if (long_) {
+      channels = SignalsYaml(csv_, layout_, *long_);
+    } else {
+      channels += Imu();
+      channels += Gnss();
+      channels += Pose();
+      channels += Encoders();
+      std::string tables = Commands();
+      tables += Others();
+      if (!tables.empty()) channels += "tables:\n" + tables;
+    }
+    if (channels.empty()) {
+      throw InputError(
+          fmt::format("{}: has no column of numbers beside its time; need one", log_.string()));
+    }
+    return Top() + channels + Remarks();
   }
 
  private:
-  static bool IsAllNumbers(const CsvFile& csv) {
-    if (csv.row_count() == 0) return false;
-    for (std::size_t c = 0; c < csv.columns().size(); ++c) {
-      if (csv.IsPresent(0, c) && !NumberAt(csv, 0, c)) return false;
-    }
-    return true;
-  }
-  static std::optional<double> NumberAt(const CsvFile& csv, std::size_t row, std::size_t column) {
-    std::string_view field = csv.Field(row, column);
-    if (field.starts_with('+')) field.remove_prefix(1);
-    double value = 0;
-    const auto [stop, status] = std::from_chars(field.data(), field.data() + field.size(), value);
-    const bool is_number =
-        status == std::errc() && stop == field.data() + field.size() && std::isfinite(value);
-    return is_number ? std::optional(value) : std::nullopt;
-  }
-  static NumbersOfColumn NumbersOf(const CsvFile& csv, std::size_t column) {
-    NumbersOfColumn numbers{.name = csv.columns()[column]};
-    numbers.increases = csv.row_count() > 1;
-    for (std::size_t row = 0; row < csv.row_count(); ++row) {
-      const auto value = NumberAt(csv, row, column);
-      const bool goes_on = value && (numbers.values.empty() || *value > numbers.values.back());
-      numbers.increases = numbers.increases && goes_on;
-      if (value) numbers.values.push_back(*value);
-    }
-    return numbers;
-  }
-
   /// The column of one of these stems that is not taken yet.
   const NumbersOfColumn* Find(const std::vector<std::string>& stems) const {
     for (const std::string& stem : stems) {
       for (const NumbersOfColumn& column : columns_) {
-        if (has_header_ && Stem(column.name) == stem && !column.values.empty() &&
-            !taken_.contains(column.name)) {
+        if (layout_.form.has_header && StemOfName(column.name) == stem && IsLeft(column)) {
           return &column;
         }
       }
     }
     return nullptr;
   }
+  bool IsLeft(const NumbersOfColumn& column) const {
+    return !column.values.empty() && !taken_.contains(column.name);
+  }
   /// Columns "stem + ending" for all of the endings, of the first stem that has them all.
-  std::vector<const NumbersOfColumn*> FindAll(const std::vector<std::string>& stems,
-                                              const std::vector<std::string>& endings) const {
+  ColumnList FindAll(const std::vector<std::string>& stems,
+                     const std::vector<std::string>& endings) const {
     for (const std::string& stem : stems) {
-      std::vector<const NumbersOfColumn*> found;
+      ColumnList found;
       for (const std::string& ending : endings) {
         if (const auto* column = Find({stem + ending})) found.push_back(column);
       }
@@ -122,11 +95,14 @@ class TableGuess {
     }
     return {};
   }
-  void Take(const std::vector<const NumbersOfColumn*>& columns) {
-    for (const NumbersOfColumn* column : columns) taken_.insert(column->name);
+  void Take(const ColumnList& columns) {
+    for (const NumbersOfColumn* column : columns) {
+      taken_.insert(column->name);
+      if (column->words > 0) with_words_.push_back(column);
+    }
   }
-  static std::string Columns(const std::vector<const NumbersOfColumn*>& columns,
-                             const std::vector<std::string>& keys, const UnitGuess& unit) {
+  static std::string Columns(const ColumnList& columns, const std::vector<std::string>& keys,
+                             const UnitGuess& unit) {
     std::string yaml;
     for (std::size_t k = 0; k < keys.size(); ++k) {
       yaml += fmt::format("      {}: {}{}\n", keys[k], ColumnYaml(columns[k]->name, unit),
@@ -134,70 +110,85 @@ class TableGuess {
     }
     return yaml;
   }
-
-  const NumbersOfColumn* TimeColumn() const {
-    if (const auto* named = Find({"tns", "tus", "tms", "ts", "t", "time", "times", "timems",
-                                  "timens", "timestamp", "stamp", "secs", "sec", "ms"})) {
-      if (named->increases) return named;
+  /// The channel's `valid_if`, where a row may repeat its time or lack one of the columns.
+  std::string Rules(const ColumnList& columns, std::string_view indent = "    ") const {
+    std::vector<std::string> rules;
+    if (!time_.rule.empty()) rules.push_back(time_.rule);
+    std::set<std::size_t> gaps;
+    for (const NumbersOfColumn* column : columns) {
+      if (column->gaps == 0 || !gaps.insert(column->gaps).second) continue;
+      rules.push_back(fmt::format("{{column: {}, {}: true}}", YamlWord(column->name),
+                                  column->words > 0 ? "number" : "present"));
     }
-    for (const NumbersOfColumn& column : columns_) {
-      if (column.increases) return &column;
+    if (rules.empty()) return "";
+    return fmt::format("{}valid_if: [{}]\n", indent, fmt::join(rules, ", "));
+  }
+  /// Columns that have their numbers in the same rows, group by group.
+  static std::vector<ColumnList> ByGaps(const ColumnList& columns) {
+    std::vector<ColumnList> groups;
+    for (const NumbersOfColumn* column : columns) {
+      const auto group = std::find_if(groups.begin(), groups.end(), [&](const ColumnList& list) {
+        return list.front()->gaps == column->gaps;
+      });
+      if (group == groups.end()) {
+        groups.push_back({column});
+      } else {
+        group->push_back(column);
+      }
     }
-    return nullptr;
+    return groups;
+  }
+  /// "others", then "others_2".
+  static std::string NumberedName(const std::string& name, std::size_t number) {
+    return number == 0 ? name : fmt::format("{}_{}", name, number + 1);
   }
 
-  std::string Top() {
+  std::string Top() const {
     std::string yaml = fmt::format(
         "# A first mapping by 'tera import --suggest': look at what is marked as guessed.\n"
         "name: {}\nmachine: machine   # guessed: name the machine's folder\nfile: {}\n",
         PlainNameOf(log_.stem().string()), YamlWord(log_.string()));
-    if (!has_header_) yaml += "csv: {header: false}   # guessed: its first line has numbers only\n";
-    const NumbersOfColumn* time = TimeColumn();
-    if (time == nullptr) {
-      return yaml + "time: {interval: 10, unit: ms}   # guessed: no column always increases\n";
-    }
-    const UnitGuess unit = GuessTimeUnit(*time);
-    yaml += fmt::format("time: {}{}\n", ColumnYaml(time->name, unit), DoubtRemark(unit));
-    if (!time->values.empty() && time->values.front() * SecondsOf(unit) > kLeastEpoch_s) {
-      yaml += "zero: start\n";
-    }
-    Take({time});
-    return yaml;
+    return yaml + layout_.yaml + time_.yaml + origin_;
   }
 
   std::string Imu() {
     const std::vector<std::string> axes = {"x", "y", "z"};
-    const auto rates = FindAll({"g", "gyro", "gyr", "w", "omega", "imugyro", "angularvelocity",
-                                "imuangularvelocity", "angvel", "rate"},
-                               axes);
-    const auto forces = FindAll({"a", "acc", "accel", "imuacc", "acceleration", "imuacceleration",
-                                 "linearacceleration", "imulinearacceleration"},
-                                axes);
+    const auto rates =
+        FindAll({"g", "gyro", "gyr", "gyroscope", "w", "omega", "imugyro", "imugyr", "imuw",
+                 "angularvelocity", "imuangularvelocity", "angvel", "rate", "wrss"},
+                axes);
+    const auto forces =
+        FindAll({"a", "acc", "accel", "accelerometer", "imuacc", "imuaccel", "imua", "acceleration",
+                 "imuacceleration", "linearacceleration", "imulinearacceleration", "arss"},
+                axes);
     if (rates.empty() || forces.empty()) return "";
-    Take(rates);
-    Take(forces);
-    return "imus:\n  - name: imu\n    columns:\n" +
+    ColumnList all = rates;
+    all.insert(all.end(), forces.begin(), forces.end());
+    Take(all);
+    return "imus:\n  - name: imu\n" + Rules(all) + "    columns:\n" +
            Columns(rates, {"wx", "wy", "wz"}, GuessRateUnit(rates)) +
            Columns(forces, {"ax", "ay", "az"}, GuessAccelerationUnit(forces));
   }
 
   std::string Gnss() {
-    const auto* lat = Find({"lat", "latitude", "gpslat", "gnsslat"});
-    const auto* lon = Find({"lon", "lng", "long", "longitude", "gpslon", "gnsslon"});
+    const auto* lat = Find({"lat", "latitude", "gpslat", "gnsslat", "gpslatitude"});
+    const auto* lon =
+        Find({"lon", "lng", "long", "longitude", "gpslon", "gnsslon", "gpslongitude"});
     const auto* alt = Find({"alt", "altitude", "height", "h", "ellipsoidalheight", "gpsalt"});
     if (lat == nullptr || lon == nullptr || alt == nullptr) return "";
     const auto* fix = Find({"fix", "quality", "fixtype", "q", "gpsfix"});
-    Take({lat, lon, alt});
+    ColumnList all = {lat, lon, alt};
+    if (fix != nullptr) all.push_back(fix);
+    Take(all);
     const UnitGuess angle = GuessAngleUnit({lat, lon}), metres{"m", 1.0, ""};
     const double to_deg = angle.unit == "rad" ? 57.29577951308232 : 1.0;
-    std::string yaml = fmt::format(
+    origin_ = fmt::format(
         "origin: {{lat_deg: {:.7f}, lon_deg: {:.7f}, height_m: {:.3f}}}   # guessed: the first "
-        "row\n"
-        "gnss:\n  - name: gnss\n    columns:\n",
+        "row\n",
         lat->values.front() * to_deg, lon->values.front() * to_deg, alt->values.front());
-    yaml += Columns({lat, lon}, {"lat", "lon"}, angle) + Columns({alt}, {"alt"}, metres);
+    std::string yaml = "gnss:\n  - name: gnss\n" + Rules(all) + "    columns:\n" +
+                       Columns({lat, lon}, {"lat", "lon"}, angle) + Columns({alt}, {"alt"}, metres);
     if (fix != nullptr) {
-      Take({fix});
       yaml += "      fix: " + ColumnYaml(fix->name, {"1"}) + "   # guessed: a quality as of GGA\n";
     } else {
       yaml += "      fix: {constant: 1}   # guessed: no column of it\n";
@@ -209,83 +200,165 @@ class TableGuess {
   }
 
   std::string Pose() {
-    const auto place = FindAll({"", "pos", "position", "p", "icppos"}, {"x", "y", "z"});
-    const auto turn = FindAll({"q", "quat", "orientation", "rot", "icpquat"}, {"w", "x", "y", "z"});
+    const auto place =
+        FindAll({"", "pos", "position", "p", "icppos", "prsr", "prs"}, {"x", "y", "z"});
+    const auto turn =
+        FindAll({"q", "quat", "orientation", "rot", "icpquat", "qrs"}, {"w", "x", "y", "z"});
     if (place.empty() || turn.empty()) return "";
-    Take(place);
-    Take(turn);
-    return "pose:\n  columns:\n" + Columns(place, {"x", "y", "z"}, {"m"}) +
+    ColumnList all = place;
+    all.insert(all.end(), turn.begin(), turn.end());
+    Take(all);
+    return "pose:\n" + Rules(all, "  ") + "  columns:\n" + Columns(place, {"x", "y", "z"}, {"m"}) +
            Columns(turn, {"qw", "qx", "qy", "qz"}, {"1"});
   }
 
   std::string Encoders() {
-    std::string joints;
-    for (const std::string joint : {"swing", "slew", "boom", "arm", "stick", "bucket"}) {
-      const auto* angle = Find({joint, joint + "angle", joint + "pos", joint + "position"});
-      if (angle == nullptr) continue;
-      Take({angle});
-      const UnitGuess unit = GuessAngleUnit({angle});
-      joints += fmt::format("      - {{name: {}, angle: {}}}{}\n", joint,
+    std::map<const NumbersOfColumn*, std::string> joint_of;
+    ColumnList angles;
+    std::set<std::string> joints;
+    for (const NumbersOfColumn& column : columns_) {
+      const std::string joint =
+          layout_.form.has_header && IsLeft(column) ? JointOfAngle(column) : std::string();
+      if (joint.empty() || !joints.insert(joint).second) continue;
+      joint_of[&column] = joint;
+      angles.push_back(&column);
+    }
+    if (angles.empty()) return "";
+    Take(angles);
+    std::string yaml = "encoders:\n";
+    const std::vector<ColumnList> groups = ByGaps(angles);
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      yaml +=
+          fmt::format("  - name: {}\n{}    joints:\n", NumberedName("joints", g), Rules(groups[g]));
+      for (const NumbersOfColumn* angle : groups[g]) {
+        const UnitGuess unit = GuessAngleUnit({angle});
+        yaml += fmt::format("      - {{name: {}, angle: {}}}{}\n", joint_of[angle],
                             ColumnYaml(angle->name, unit), DoubtRemark(unit));
+      }
     }
-    return joints.empty() ? "" : "encoders:\n  - name: joints\n    joints:\n" + joints;
+    return yaml;
   }
 
-  /// Columns whose names say that they are levers become the table that operators replay.
-  std::string Levers() {
-    std::vector<std::pair<std::string, const NumbersOfColumn*>> levers;
-    double largest = 0;
-    for (const std::string lever : {"left_track", "right_track", "slew", "swing", "boom", "arm",
-                                    "stick", "bucket", "blade"}) {
-      const std::string stem = Stem(lever);
-      const auto* column =
-          Find({"lever" + stem, stem + "lever", "cmd" + stem, stem + "cmd", "command" + stem,
-                stem + "command", "joystick" + stem, stem + "joystick"});
-      if (column == nullptr) continue;
-      Take({column});
-      largest = std::max(largest, column->LargestSize());
-      levers.emplace_back(lever, column);
+  /// A table of commands; those of one name keep that of their column.
+  std::string CommandTable(const std::string& name, std::vector<CommandLine> lines) {
+    if (lines.empty()) return "";
+    ColumnList all;
+    std::set<std::string> names;
+    std::string columns;
+    for (CommandLine& line : lines) {
+      all.insert(all.end(), line.columns.begin(), line.columns.end());
+      if (!names.insert(line.name).second) line.name = PlainNameOf(line.columns.front()->name);
+      columns += fmt::format("      {}: {}{}\n", line.name, line.yaml,
+                             line.remark.empty() ? "" : "   # guessed: " + line.remark);
     }
-    constexpr double kMostOfFull = 1.5;  // beyond it, -1 to 1 is not what was logged
-    const std::string unit = largest > kMostOfFull ? "%" : "1";
+    Take(all);
+    return "  - name: " + name + "\n" + Rules(all) + "    columns:\n" + columns;
+  }
+
+  ColumnList Left() const {
+    ColumnList left;
+    for (const NumbersOfColumn& column : columns_) {
+      if (IsLeft(column)) left.push_back(&column);
+    }
+    return left;
+  }
+
+  std::string Commands() {
+    if (!layout_.form.has_header) return "";
+    const std::string levers = CommandTable("commands", GuessLevers(Left()));
+    return levers + CommandTable("setpoints", GuessSetpoints(Left()));
+  }
+
+  /// What is left becomes tables, in units that are told or unknown.
+  std::string Others() {
     std::string yaml;
-    for (const auto& [lever, column] : levers) {
-      yaml += fmt::format("      {}: {}   # guessed: up to {:.4g}\n", lever,
-                          ColumnYaml(column->name, {unit}), column->LargestSize());
+    std::set<std::string> names;
+    const std::vector<ColumnList> groups = ByGaps(Left());
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      yaml += fmt::format("  - name: {}\n{}    columns:\n", NumberedName("others", g),
+                          Rules(groups[g]));
+      for (const NumbersOfColumn* column : groups[g]) {
+        std::string name = PlainNameOf(column->name);
+        if (std::isdigit(static_cast<unsigned char>(name.front())) != 0) name = "column_" + name;
+        if (!names.insert(name).second || name == "t_ns") name += fmt::format("_{}", names.size());
+        const UnitGuess unit = GuessAnyUnit(*column);
+        yaml += fmt::format("      {}: {}{}\n", name, ColumnYaml(column->name, unit),
+                            DoubtRemark(unit));
+      }
     }
-    return yaml.empty() ? "" : "  - name: commands\n    columns:\n" + yaml;
+    Take(Left());
+    return yaml;
   }
 
-  /// What is left becomes a table, in units that nobody knows.
-  std::string Others() const {
+  std::string Remarks() const {
     std::string yaml;
     for (const NumbersOfColumn& column : columns_) {
-      if (taken_.contains(column.name)) continue;
-      if (column.values.empty()) {
-        yaml += "# no numbers: " + PlainNameOf(column.name) + "\n";
-        continue;
-      }
-      const std::string name = (has_header_ ? "" : "column_") + PlainNameOf(column.name);
-      yaml += fmt::format("      {}: {}   # guessed: unit unknown, up to {:.4g}\n", name,
-                          ColumnYaml(column.name, {"1"}), column.LargestSize());
+      if (!column.values.empty() || taken_.contains(column.name)) continue;
+      if (long_ && column.words > 0) continue;
+      yaml += "# no numbers: " + PlainNameOf(column.name) + "\n";
     }
-    return yaml.empty() ? "" : "  - name: others\n    columns:\n" + yaml;
+    for (const NumbersOfColumn* column : with_words_) {
+      yaml += fmt::format("# '{}' has words for numbers in {} rows, which valid_if leaves out\n",
+                          column->name, column->words);
+    }
+    if (left_out_.count > 0) {
+      yaml += fmt::format(
+          "# {} rows cannot be read, the first: {}; --skip-bad-rows leaves them "
+          "out\n",
+          left_out_.count, left_out_.first);
+    }
+    return yaml;
   }
 
   std::filesystem::path log_;
-  bool has_header_ = true;
+  TableLayout layout_;
+  LeftOutRows left_out_;
+  CsvFile csv_;
   std::vector<NumbersOfColumn> columns_;
+  std::optional<LongForm> long_;
+  TimeGuess time_;
+  std::string origin_;
   std::set<std::string> taken_;
+  ColumnList with_words_;
 };
+
+GivenForm FormOf(const std::vector<std::string>& overrides) {
+  const Config config = Config::FromText("csv: {}\n", "--suggest", overrides);
+  const ConfigMap csv = config.root().Map("csv");
+  GivenForm given{ReadCsvForm(csv), {}};
+  for (const std::string& key : csv.Keys()) given.keys.insert(key);
+  config.Finish();
+  return given;
+}
 
 }  // namespace
 
-std::string SuggestForTable(const std::filesystem::path& log) { return TableGuess(log).Yaml(); }
+std::string SuggestForTable(const std::filesystem::path& log,
+                            const std::vector<std::string>& overrides) {
+  RefuseForeignFile(log, "a table in text, a bag or another log that is known");
+  const auto layout = FindTableLayout(DecodedTable(ReadWholeFile(log)), FormOf(overrides));
+  if (!layout) {
+    throw InputError(fmt::format(
+        "{}: has no column of numbers; need a table, a bag or another log that is known "
+        "(docs/reference/dataset.md, importing)",
+        log.string()));
+  }
+  return TableGuess(log, *layout).Yaml();
+}
 
-std::string SuggestMapping(const std::filesystem::path& log) {
+std::string SuggestMapping(const std::filesystem::path& log,
+                           const std::vector<std::string>& overrides) {
+  const bool is_table =
+      !LooksLikeBag(log) && !std::filesystem::is_directory(log) && TypeOfLog(log).empty();
+  if (is_table) return SuggestForTable(log, overrides);
+  if (!overrides.empty()) {
+    throw InputError(fmt::format(
+        "--set {}: beside --suggest it says how a table in text is written (csv.skip_lines=3), and "
+        "{} is none; leave it out",
+        overrides.front(), log.string()));
+  }
   if (LooksLikeBag(log)) return SuggestForBag(log);
-  if (std::filesystem::is_directory(log)) return SuggestForFolder(log);
-  return TypeOfLog(log).empty() ? SuggestForTable(log) : SuggestForLog(log);
+  return std::filesystem::is_directory(log) ? SuggestForFolder(log) : SuggestForLog(log);
 }
 
 }  // namespace tera

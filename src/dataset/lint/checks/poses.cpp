@@ -14,7 +14,7 @@ namespace {
 
 /// Contact moves a machine by steps that its velocity, a mean of the steps beside a row, does not
 /// tell; they stay far below these.
-constexpr double kPositionFloor_m = 0.03, kAngleFloor_rad = 0.02;
+constexpr double kPositionFloor_m = 0.03, kTurnFloor_rad = 0.02;
 
 /// A machine's root is on the ground, or not higher above it than a machine.
 constexpr double kBelowGround_m = 5;
@@ -62,7 +62,7 @@ void CheckVelocities(LintJob* job, const std::string& channel, const ScannedTabl
   if (table.columns.size() <= 7) return;
   const std::vector<PoseRow> poses = ReadPoses(*job, channel);
   if (poses.size() != table.rows.size()) return;  // poses.quaternion tells
-  ChangeVote moved(kPositionFloor_m), turned(kAngleFloor_rad);
+  ChangeVote moved(kPositionFloor_m), turned(kTurnFloor_rad);
   for (const RowWindow& window : WindowsOf(table.rows)) {
     job->Applies("poses.velocity");
     const Pose &begin = poses[window.first].pose.X_WB, &end = poses[window.second].pose.X_WB;

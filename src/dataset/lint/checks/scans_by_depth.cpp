@@ -20,14 +20,14 @@ namespace {
 
 /// Points are compared that were measured this long before or after the picture, which is a
 /// revolution of the usual 10 Hz: poses are those of each point's own time, and where the mounts
-/// alone are known, a link that turns at 1 rad/s moves points by no more than kToleranceShare.
+/// alone are known, a link that turns at 1 rad/s moves points by no more than kDepthToleranceShare.
 constexpr TimeNs kSameTime_ns = 50'000'000;
 /// So many pictures of a pair of sensors, spread over the recording: a wrong mount or unit shows in
 /// each of them.
 constexpr std::size_t kMostDepthPictures = 20;
 /// Noise of stereo cameras and of lidars, and edges; parallax and the time between them put some
 /// points off by more, most of them not.
-constexpr double kTolerance_m = 0.15, kToleranceShare = 0.05, kLeastAgreeing = 0.5;
+constexpr double kTolerance_m = 0.15, kDepthToleranceShare = 0.05, kLeastAgreeingPoints = 0.5;
 constexpr int kFewestPoints = 50;
 
 /// A camera beside a lidar.
@@ -77,7 +77,7 @@ void Compare(const Pair& pair, const Image<std::uint16_t>& picture, TimeNs pictu
     if (mm == 0) continue;
     const double expected_m = pair.folder.name == "depth" ? p_C_m.z() : p_C_m.norm();
     ++agreement->compared;
-    if (std::abs(1e-3 * mm - expected_m) <= kTolerance_m + kToleranceShare * expected_m) {
+    if (std::abs(1e-3 * mm - expected_m) <= kTolerance_m + kDepthToleranceShare * expected_m) {
       ++agreement->agreeing;
     }
   }
@@ -128,7 +128,7 @@ void ComparePair(LintJob* job, const Pair& pair) {
   }
   if (agreement.compared < kFewestPoints) return;
   job->Applies("scans.depth");
-  if (agreement.agreeing >= kLeastAgreeing * agreement.compared) return;
+  if (agreement.agreeing >= kLeastAgreeingPoints * agreement.compared) return;
   job->Find("scans.depth", pair.lidar,
             {fmt::format("{}/{}", pair.camera, pair.folder.name), 0,
              fmt::format("{} of {} points in {} pictures lie where the picture has them",

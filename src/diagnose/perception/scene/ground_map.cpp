@@ -16,7 +16,7 @@ namespace {
 constexpr double kLeastSigma_m = 0.01;       ///< of a cell's height, however many scans see it
 constexpr double kLeastDifference_m = 0.05;  ///< of a cell that belongs to a region
 constexpr double kFalseShare = 0.01;         ///< of the cells that differ, by chance
-constexpr double kConfirmedP = 0.01;         ///< over all regions
+constexpr double kConfirmedRegionP = 0.01;   ///< over all regions
 constexpr double kLeastAgain = 0.5;  ///< of a region's height, on FINAL and while it differs
 constexpr std::size_t kFewestBlocksOfCell = 3, kFewestPoints = 6;  ///< of which a cell is judged
 constexpr std::size_t kFewestCells = 4;                            ///< of a region
@@ -308,7 +308,8 @@ GroundMap CompareGround(const RangeSource& source, const ScanSplit& split,
     found[r].upright = IsObject(found[r]);
     Confirm(held_out, split, map, index, &found[r]);
     AddIntervals(source, split, BlocksOf(all, split, map, index), &found[r]);
-    const bool holds = found[r].p_confirmed <= kConfirmedP / static_cast<double>(found.size());
+    const bool holds =
+        found[r].p_confirmed <= kConfirmedRegionP / static_cast<double>(found.size());
     if (holds) kept_as[r] = static_cast<int>(map.regions.size());
     (holds ? map.regions : map.unconfirmed).push_back(found[r]);
   }

@@ -178,6 +178,4 @@ const MechanismWords* WordsOf(std::string_view id, std::string_view target) {
   return of_target != nullptr ? of_target : Find(id);
 }
 
-std::span<const MechanismWords> AllMechanismWords() { return kWords; }
-
 }  // namespace tera

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string_view>
 
 namespace tera {
@@ -24,8 +23,5 @@ struct MechanismWords {
 
 /// The words for a mechanism on a target; nullptr where it has none.
 const MechanismWords* WordsOf(std::string_view id, std::string_view target = "");
-
-/// All words, each mechanism once.
-std::span<const MechanismWords> AllMechanismWords();
 
 }  // namespace tera

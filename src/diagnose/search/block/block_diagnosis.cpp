@@ -132,8 +132,7 @@ Finding BlockDiagnoser::Describe(const SearchResult& search, std::size_t term) c
                             noise, context_.stream, context_.options.threads);
   finding.held_out = Compare(without, found, channel);
   const auto gains = GainsOf(context_.likelihood, without.misfit, found.misfit, context_.final);
-  const bool bets =
-      IsNearer(finding.held_out) && finding.evidence.share >= context_.options.least_share_of_bet;
+  const bool bets = IsNearer(finding.held_out) && finding.evidence.share >= kLeastTermShareOfBet;
   finding.held_out.p = bets ? GainP(gains) : SteadyGainP(gains);
   const bool may_stand =
       IsNearer(finding.held_out) ||
@@ -378,7 +377,7 @@ BlockDiagnosis BlockDiagnoser::Explain(SearchResult search) const {
 }  // namespace
 
 std::vector<Manoeuvre> ManoeuvresOf(const ReplayBlock& block, const Stream& stream) {
-  return SplitByManoeuvre(block.commands, {}, stream);
+  return SplitByManoeuvre(block.commands, stream);
 }
 
 BlockDiagnosis DiagnoseBlock(const ReplayBlock& block, const SearchOptions& options,

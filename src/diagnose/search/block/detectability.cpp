@@ -56,7 +56,7 @@ Detectability DetectabilityOf(const EvaluationContext& context, const Candidate&
     for (Series& residual : none.residual) {
       std::fill(residual.value.begin(), residual.value.end(), 0.0);
     }
-    if (EffectOf(context.block, difference, none) < context.options.least_effect) continue;
+    if (EffectOf(context.block, difference, none) < kLeastTermEffect) continue;
     if (!WouldBeSeen(context, difference)) continue;
     out.smallest =
         start.empty() ? 1 : start[candidate.free.empty() ? 0 : candidate.free.front().index];

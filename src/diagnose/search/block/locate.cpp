@@ -196,7 +196,7 @@ Location Locate(const Channel& channel, std::size_t index, const Series& residua
     const RegimeAxis axis(variable);
     Regime regime{variable.name, axis.has_times(), p, share, {}, {}};
     regime.curve =
-        FitRegimeCurve(residual, against.noise, KnownBefore(known, axis), variable, {}, stream);
+        FitRegimeCurve(residual, against.noise, KnownBefore(known, axis), variable, stream);
     regime.shape = ClassifyCurve(regime.curve);
     location.regimes.push_back(std::move(regime));
     known = WithColumns(known, KnownColumns(axis));

@@ -79,7 +79,7 @@ std::optional<double> FollowedP(const EvaluationContext& context, const Misfit& 
                                 const Misfit& beyond,
                                 const std::function<const Misfit&()>& cross_fitted,
                                 const ResidualVerdict& verdict) {
-  if (EffectOf(context.block, beyond, misfit) < context.options.least_effect) return std::nullopt;
+  if (EffectOf(context.block, beyond, misfit) < kLeastTermEffect) return std::nullopt;
   const auto p_over = [&](const Misfit& less, const std::vector<Segment>& pieces) {
     return SteadyGainP(GainsOf(context.likelihood, misfit, less, pieces, verdict.channel));
   };

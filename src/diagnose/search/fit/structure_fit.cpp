@@ -342,10 +342,6 @@ FittedStructure StructureFitter::FitFrom(const Structure& terms, Effort effort) 
   return AsGiven(Refine(terms, likelihood_, effort));
 }
 
-FittedStructure StructureFitter::Fit(const Structure& terms) const {
-  return Determine(FitValues(terms));
-}
-
 FittedStructure StructureFitter::Determine(FittedStructure fitted) const {
   AddInformation(&fitted);
   while (HoldUndetermined(fitted.information, &fitted.terms)) {

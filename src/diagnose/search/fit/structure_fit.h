@@ -50,11 +50,6 @@ class StructureFitter {
   StructureFitter(const ReplayBlock& block, const Likelihood& likelihood,
                   std::vector<Segment> manoeuvres, int threads = 1);
 
-  /// The fit of a structure. Numbers that the measurements do not determine (a direction of the
-  /// information that is not known to within the parameters' ranges) are held at their defaults.
-  FittedStructure Fit(const Structure& terms) const;
-  /// Does the rest of Fit for a structure whose values are fitted already.
-  FittedStructure Determine(FittedStructure fitted) const;
   /// The fitted values alone, without information, scores and held numbers.
   FittedStructure FitValues(const Structure& terms, Effort effort = Effort::kFull) const;
   /// FitValues without the smooth likelihood: for structures whose other terms are fitted
@@ -62,6 +57,10 @@ class StructureFitter {
   FittedStructure FitNear(const Structure& terms, Effort effort = Effort::kFull) const;
   /// FitValues from the given values alone.
   FittedStructure FitFrom(const Structure& terms, Effort effort = Effort::kFull) const;
+  /// Adds information and scores to fitted values. Numbers that the measurements do not determine
+  /// (a direction of the information that is not known to within the parameters' ranges) are held
+  /// at their defaults, and the others fitted anew.
+  FittedStructure Determine(FittedStructure fitted) const;
   /// The structure with the values given, evaluated without a fit.
   FittedStructure AsGiven(Structure terms) const;
 

@@ -13,7 +13,6 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kMostTerms = 4;  ///< as in SearchOptions::deepest
 /// Degrees of freedom at which Student's t is the normal distribution to six digits.
 constexpr double kNormalDof = 1e6;
 
@@ -153,7 +152,7 @@ class GreedySearch {
   Structure Run() const {
     Structure found;
     double criterion = CriterionOf(found);
-    while (found.size() < kMostTerms) {
+    while (found.size() < kMostStructureTerms) {
       const Likelihood likelihood(block_, WhiteNoiseOf(found), seen_);
       const StructureFitter fitter(block_, likelihood, {});
       const auto grown = InParallel<Structure>(

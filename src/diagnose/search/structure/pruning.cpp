@@ -55,7 +55,7 @@ TermEvidence Pruning::EvidenceOf(const Scored& with, const Scored& without,
   const double tests = std::pow(candidates, with.terms.size() - without.terms.size());
   const auto gains = GainsOnSeen(crossed_without, crossed_with);
   evidence.p = evidence.steady_p = std::min(1.0, tests * SteadyGainP(gains));
-  if (evidence.share >= options_.least_share_of_bet) {
+  if (evidence.share >= kLeastTermShareOfBet) {
     evidence.p = std::min(1.0, tests * GainP(gains));
   }
   evidence.share_of_rest = gained / std::max({FlexibleGain(before), gained, 1e-9});
@@ -65,9 +65,8 @@ TermEvidence Pruning::EvidenceOf(const Scored& with, const Scored& without,
 
 bool Pruning::IsNeeded(const TermEvidence& evidence) const {
   return evidence.joint_p.value_or(evidence.p) <= options_.alpha &&
-         evidence.share >= options_.least_share &&
-         evidence.share_of_rest >= options_.least_share_of_rest &&
-         evidence.effect >= options_.least_effect;
+         evidence.share >= kLeastTermShare && evidence.share_of_rest >= kLeastTermShareOfRest &&
+         evidence.effect >= kLeastTermEffect;
 }
 
 /// The p-value of the two terms together that `rest` lacks, by their steady gain.

@@ -14,18 +14,21 @@ namespace tera {
 /// kRivalP and by at least kRivalGain of log-likelihood, below which there is nothing to choose by.
 inline constexpr double kRivalP = 0.05, kRivalGain = 3;
 
+inline constexpr std::size_t kMostStructureTerms = 4;  ///< in a structure
+/// TermEvidence::share that a term must have.
+inline constexpr double kLeastTermShare = 0.02;
+/// TermEvidence::share that a term must have whose gain is clear by a bet and not steady.
+inline constexpr double kLeastTermShareOfBet = 0.1;
+/// TermEvidence::share_of_rest that a term must have.
+inline constexpr double kLeastTermShareOfRest = 0.1;
+/// TermEvidence::effect that a term must have.
+inline constexpr double kLeastTermEffect = 0.02;
+
 struct SearchOptions {
-  std::size_t screened = 8;  ///< candidates that pairs are made of
-  std::size_t deepest = 4;   ///< terms in a structure, at most
-  double alpha = 0.01;       ///< probability of any term where nothing acts, all tests together
+  double alpha = 0.01;  ///< probability of any term where nothing acts, all tests together
   /// Candidates that the whole diagnosis tests, and channels whose residuals it judges: what
   /// p-values are corrected for. 0: those of the block alone.
   std::size_t total_candidates = 0, total_channels = 0;
-  double least_share = 0.02;  ///< TermEvidence::share that a term must have
-  /// TermEvidence::share that a term must have whose gain is clear by a bet and not steady.
-  double least_share_of_bet = 0.1;
-  double least_share_of_rest = 0.1;  ///< TermEvidence::share_of_rest that a term must have
-  double least_effect = 0.02;        ///< TermEvidence::effect that a term must have
   int threads = 2;
 };
 

@@ -15,6 +15,7 @@ namespace {
 
 /// Gain in log-likelihood from which on a single candidate may mean something.
 constexpr double kScreenedGain = 6;
+constexpr std::size_t kMostScreened = 8;  ///< candidates that pairs and swaps are made of
 constexpr std::size_t kFullyFittedPairs = 8;
 constexpr std::size_t kFullyFittedSteps = 4;  ///< swaps and additions that are fitted in full
 constexpr std::size_t kFullyFittedRivals = 5;
@@ -123,7 +124,7 @@ void Search::Screen() {
     const double gain = singles_[order[rank]].log_likelihood - nothing_.log_likelihood;
     const bool stands_for_slot = !slots.contains(slot) && gain > kScreenedGain;
     slots.insert(slot);
-    if (rank < options_.screened || stands_for_slot) screened_.push_back(order[rank]);
+    if (rank < kMostScreened || stands_for_slot) screened_.push_back(order[rank]);
   }
 }
 
@@ -183,12 +184,12 @@ Scored Search::ExtendEarlier() {
 /// Whether a change is so large that Prune would keep it.
 bool Search::ChangesEnough(const Structure& with, const Structure& without) const {
   const Misfit misfit = fitter_.AsGiven(with).misfit;
-  return EffectOf(block_, misfit, fitter_.AsGiven(without).misfit) >= options_.least_effect;
+  return EffectOf(block_, misfit, fitter_.AsGiven(without).misfit) >= kLeastTermEffect;
 }
 
 /// Adds one term at a time as long as the criterion rises.
 Scored Search::Grow(Scored best) {
-  while (!best.terms.empty() && best.terms.size() < options_.deepest) {
+  while (!best.terms.empty() && best.terms.size() < kMostStructureTerms) {
     std::vector<Structure> larger;
     for (const Scored& single : singles_) {
       const Term& term = single.terms.front();
@@ -260,7 +261,7 @@ FittedStructure Search::Simplest(FittedStructure fitted) const {
       simpler[t].values[free.index] = *usual;
       simpler[t].held.push_back(free.index);
       FittedStructure refitted = on_seen_.Determine(on_seen_.FitFrom(simpler));
-      if (EffectOf(block_, refitted.misfit, fitted.misfit) >= options_.least_effect) continue;
+      if (EffectOf(block_, refitted.misfit, fitted.misfit) >= kLeastTermEffect) continue;
       fitted = std::move(refitted);
     }
   }

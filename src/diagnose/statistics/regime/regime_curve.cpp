@@ -12,6 +12,9 @@ namespace {
 
 constexpr Eigen::Index kSplines = 20;
 constexpr int kNewtonSteps = 6;  ///< of Huber's regression
+constexpr std::size_t kReplicatesOfBand = 300;
+constexpr std::size_t kBlocksOfBand = 60;  ///< in a recording
+constexpr double kConfidenceOfBand = 0.9;
 
 Series Less(const Series& residual, const RegimeAxis& axis, const Eigen::VectorXd& curve) {
   Series out = residual;
@@ -114,7 +117,7 @@ void SetBand(const Eigen::MatrixXd& moved, double confidence, RegimeCurve* curve
 
 RegimeCurve FitRegimeCurve(const Series& residual, const NoiseModel& noise,
                            const Eigen::MatrixXd& known, const RegimeVariable& variable,
-                           const RegimeCurveOptions& options, const Stream& stream) {
+                           const Stream& stream) {
   const RegimeAxis axis(variable);
   TERA_CHECK(axis.samples() == residual.size(), axis.samples(), residual.size());
   RegimeDesign design(residual, noise, known, 1e9);
@@ -152,20 +155,19 @@ RegimeCurve FitRegimeCurve(const Series& residual, const NoiseModel& noise,
   out.information = m * m / v * remaining;
   out.pull = out.information * uncentred + m / v * SumByBin(axis, design.score());
 
-  const std::size_t length =
-      options.block > 0 ? options.block : std::max<std::size_t>(residual.size() / 60, 1);
+  const std::size_t length = std::max<std::size_t>(residual.size() / kBlocksOfBand, 1);
   const std::vector<Segment> blocks = CutIntoBlocks(residual.size(), length);
   const Eigen::MatrixXd scores = BlockScores(design, axis, smoother.splines, blocks);
   const Eigen::MatrixXd lift = centring * smoother.splines * smoother.Solver(m).solve(scores);
-  Eigen::MatrixXd moved(lift.rows(), static_cast<Eigen::Index>(options.replicates));
-  for (std::size_t r = 0; r < options.replicates; ++r) {
+  Eigen::MatrixXd moved(lift.rows(), static_cast<Eigen::Index>(kReplicatesOfBand));
+  for (std::size_t r = 0; r < kReplicatesOfBand; ++r) {
     const std::vector<int> drawn = DrawBlocks(blocks.size(), r, stream);
     Eigen::VectorXd times(static_cast<Eigen::Index>(blocks.size()));
     for (std::size_t k = 0; k < drawn.size(); ++k)
       times[static_cast<Eigen::Index>(k)] = drawn[k] - 1;
     moved.col(static_cast<Eigen::Index>(r)) = lift * times;
   }
-  SetBand(moved, options.confidence, &out);
+  SetBand(moved, kConfidenceOfBand, &out);
   return out;
 }
 

@@ -8,12 +8,6 @@
 
 namespace tera {
 
-struct RegimeCurveOptions {
-  std::size_t replicates = 300;
-  std::size_t block = 0;  ///< samples; 0: a sixtieth of the recording
-  double confidence = 0.9;
-};
-
 /// The dependence of a residual on a variable, E[residual | variable], with known columns held
 /// fixed.
 ///
@@ -21,7 +15,8 @@ struct RegimeCurveOptions {
 ///         penalty by generalised cross-validation; centred so that its mean over the samples is 0.
 ///         Band: blocks of the scores drawn with replacement, the estimate moved by its
 ///         linearisation; `low` and `high` hold the whole curve over the occupied bins with the
-///         given confidence. Of a variable whose functions are multiplied, the curve is the factor.
+///         confidence of 90 %. Of a variable whose functions are multiplied, the curve is the
+///         factor.
 /// Omits   the bias of smoothing; the offset, which a coloured residual hardly determines.
 /// Source  Eilers and Marx 1996; Craven and Wahba 1979; Künsch 1989.
 struct RegimeCurve {
@@ -39,6 +34,6 @@ struct RegimeCurve {
 
 RegimeCurve FitRegimeCurve(const Series& residual, const NoiseModel& noise,
                            const Eigen::MatrixXd& known, const RegimeVariable& variable,
-                           const RegimeCurveOptions& options, const Stream& stream);
+                           const Stream& stream);
 
 }  // namespace tera

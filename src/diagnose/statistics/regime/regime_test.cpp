@@ -54,14 +54,14 @@ JudgedDirections JudgedDirectionsOf(const Eigen::MatrixXd& information) {
   return out;
 }
 
+/// Sums of a score by the bins of a variable that is turned against it by `offset` samples.
 Eigen::VectorXd ShiftedSumByBin(const RegimeAxis& axis, const Eigen::VectorXd& score,
-                                const CircularShifts& shifts, std::size_t k) {
+                                std::size_t offset) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(axis.bins());
-  shifts.ForEachPiece(k, [&](std::size_t to, std::size_t from, std::size_t length) {
-    const std::uint8_t* bin = axis.bin().data() + from;
-    const double* value = score.data() + to;
-    for (std::size_t i = 0; i < length; ++i) sum[bin[i]] += value[i];
-  });
+  const std::uint8_t* bin = axis.bin().data();
+  const std::size_t seam = axis.samples() - offset;  // the sample that comes to the beginning
+  for (std::size_t i = 0; i < seam; ++i) sum[bin[i]] += score.data()[offset + i];
+  for (std::size_t i = seam; i < axis.samples(); ++i) sum[bin[i]] += score.data()[i - seam];
   return sum;
 }
 
@@ -117,11 +117,12 @@ RegimeTestResult TestRegime(const RegimeDesign& design, const RegimeProbe& probe
   out.whole_criterion = out.criterion;
 
   const std::size_t least = std::max(axis.correlation_length(), 2 * design.filter().taps().size());
-  const CircularShifts shifts(axis.samples(), least, options.shifts, options.block, stream);
+  const std::vector<std::size_t> offsets =
+      CircularShifts(axis.samples(), least, options.shifts, stream);
   const Eigen::VectorXd score = axis.times().cwiseProduct(design.score());
-  std::vector<double> shifted(shifts.count());
-  for (std::size_t k = 0; k < shifts.count(); ++k) {
-    const Eigen::VectorXd sum = ShiftedSumByBin(axis, score, shifts, k);
+  std::vector<double> shifted(offsets.size());
+  for (std::size_t k = 0; k < offsets.size(); ++k) {
+    const Eigen::VectorXd sum = ShiftedSumByBin(axis, score, offsets[k]);
     shifted[k] = energy(unit * judged.project * (directions.transpose() * sum));
   }
   out.comparison = CompareWithShifts(energy(observed), std::move(shifted));

@@ -12,8 +12,7 @@ namespace tera {
 
 struct RegimeTestOptions {
   std::size_t shifts = 200;
-  std::size_t block = 0;  ///< samples; shifts within blocks of this length, 0 for one block
-  double repeats = 1;     ///< correlation length of the residual beyond the noise model, in samples
+  double repeats = 1;  ///< correlation length of the residual beyond the noise model, in samples
 };
 
 /// A variable, prepared to be tested repeatedly under one noise model.
@@ -41,7 +40,7 @@ class RegimeProbe {
 
 struct RegimeTestResult {
   std::string name;
-  ShiftComparison comparison;  ///< statistic: weighted score, of mean 5 for an unrelated variable
+  ShiftComparison comparison;  ///< of the weighted score
   /// Share of the whitened residual's energy that the variable explains beyond chance.
   double share = 0;
   /// The share with at least log(rows) off for each direction (Schwarz 1978).

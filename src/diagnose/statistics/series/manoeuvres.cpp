@@ -16,6 +16,12 @@ namespace {
 
 using Commands = std::vector<std::vector<double>>;
 
+constexpr double kRestLevel = 0.02;  ///< |command| up to this is rest
+constexpr double kShortest_s = 0.5;  ///< shorter runs are joined to the one before
+constexpr double kLongest_s = 3;     ///< longer runs are cut into equal pieces
+constexpr double kTail_s = 1;        ///< of the rest after a manoeuvre, which belongs to it
+constexpr std::size_t kFewest = 10;  ///< with fewer manoeuvres the recording is cut into blocks
+constexpr double kBlock_s = 5;       ///< of these
 constexpr std::array<double, 3> kShareOfPart = {0.4, 0.3, 0.3};  ///< TRAIN, SELECT, FINAL
 
 /// The commands that are given, and those of them that are negative.
@@ -24,10 +30,10 @@ struct Activity {
   bool operator==(const Activity&) const = default;
 };
 
-Activity ActivityAt(const Commands& commands, std::size_t k, double rest_level) {
+Activity ActivityAt(const Commands& commands, std::size_t k) {
   Activity activity;
   for (std::size_t c = 0; c < commands.size(); ++c) {
-    if (std::abs(commands[c][k]) <= rest_level) continue;
+    if (std::abs(commands[c][k]) <= kRestLevel) continue;
     activity.axes |= std::uint64_t{1} << c;
     if (commands[c][k] < 0) activity.backward |= std::uint64_t{1} << c;
   }
@@ -35,14 +41,13 @@ Activity ActivityAt(const Commands& commands, std::size_t k, double rest_level) 
 }
 
 /// Runs of one activity; runs that are too short belong to the one before.
-std::vector<Manoeuvre> RunsOfActivity(const Commands& commands, double rest_level,
-                                      std::size_t shortest) {
+std::vector<Manoeuvre> RunsOfActivity(const Commands& commands, std::size_t shortest) {
   std::vector<Manoeuvre> runs;
   const std::size_t size = commands.front().size();
   for (std::size_t begin = 0; begin < size;) {
-    const Activity activity = ActivityAt(commands, begin, rest_level);
+    const Activity activity = ActivityAt(commands, begin);
     std::size_t end = begin + 1;
-    while (end < size && ActivityAt(commands, end, rest_level) == activity) ++end;
+    while (end < size && ActivityAt(commands, end) == activity) ++end;
     const bool joins =
         !runs.empty() &&
         (end - begin < shortest || Activity{runs.back().axes, runs.back().backward} == activity);
@@ -85,12 +90,12 @@ std::vector<Manoeuvre> CutLongOnes(const std::vector<Manoeuvre>& runs, std::size
   return out;
 }
 
-std::vector<Manoeuvre> Blocks(const Commands& commands, double rest_level, std::size_t length) {
+std::vector<Manoeuvre> Blocks(const Commands& commands, std::size_t length) {
   std::vector<Manoeuvre> out;
   for (const Segment& block : CutIntoBlocks(commands.front().size(), length)) {
     Manoeuvre manoeuvre{block};
     for (std::size_t k = block.begin; k < block.end; ++k) {
-      const Activity activity = ActivityAt(commands, k, rest_level);
+      const Activity activity = ActivityAt(commands, k);
       manoeuvre.axes |= activity.axes;
       manoeuvre.backward |= activity.backward;
     }
@@ -165,8 +170,7 @@ void ShareOut(std::vector<Manoeuvre>* manoeuvres, const Stream& stream) {
 
 }  // namespace
 
-std::vector<Manoeuvre> SplitByManoeuvre(const std::vector<Series>& commands,
-                                        const ManoeuvreOptions& options, const Stream& stream) {
+std::vector<Manoeuvre> SplitByManoeuvre(const std::vector<Series>& commands, const Stream& stream) {
   TERA_CHECK(!commands.empty() && commands.size() <= 64, commands.size());
   Commands bridged;
   for (const Series& command : commands) {
@@ -178,12 +182,11 @@ std::vector<Manoeuvre> SplitByManoeuvre(const std::vector<Series>& commands,
     return std::max<std::size_t>(
         static_cast<std::size_t>(std::lround(duration_s / commands.front().period_s)), 1);
   };
-  std::vector<Manoeuvre> out = CutLongOnes(
-      WithTails(RunsOfActivity(bridged, options.rest_level, samples(options.shortest_s)),
-                samples(options.tail_s)),
-      samples(options.longest_s));
-  if (out.size() < options.fewest) {
-    out = Blocks(bridged, options.rest_level, samples(options.block_s));
+  std::vector<Manoeuvre> out =
+      CutLongOnes(WithTails(RunsOfActivity(bridged, samples(kShortest_s)), samples(kTail_s)),
+                  samples(kLongest_s));
+  if (out.size() < kFewest) {
+    out = Blocks(bridged, samples(kBlock_s));
   }
   SetAmplitudes(bridged, &out);
   ShareOut(&out, stream);

@@ -19,21 +19,14 @@ struct Manoeuvre {
   Part part = Part::kTrain;
 };
 
-struct ManoeuvreOptions {
-  double rest_level = 0.02;  ///< |command| up to this is rest
-  double shortest_s = 0.5;   ///< shorter runs are joined to the one before
-  double longest_s = 3;      ///< longer runs are cut into equal pieces
-  double tail_s = 1;         ///< of the rest after a manoeuvre, which belongs to it
-  double block_s = 5;        ///< length of blocks, where there are too few manoeuvres
-  std::size_t fewest = 10;   ///< with fewer manoeuvres the recording is cut into blocks
-};
-
 /// Cuts a recording by its commands into manoeuvres and assigns them to parts: TRAIN 40, SELECT 30
 /// and FINAL 30 %.
 ///
-/// Model   a manoeuvre is a run over which the same set of commands exceeds rest_level, each in one
-///         direction, with `tail_s` of the rest after it; what remains of the rest is a piece of
-///         its own. With fewer than `fewest` such pieces: blocks of equal length. Pieces with the
+/// Model   a manoeuvre is a run over which the same set of commands exceeds 2 % of full, each in
+/// one
+///         direction, with 1 s of the rest after it; what remains of the rest is a piece of its
+///         own. Runs of less than 0.5 s are joined to the one before, those of more than 3 s are
+///         cut into equal pieces. With fewer than 10 such pieces: blocks of 5 s. Pieces with the
 ///         same axes and directions and the same half of amplitudes make a stratum; within each, in
 ///         random order, a piece goes to the part that lacks most of its share of the stratum;
 ///         where several lack as much, of all moving pieces, or of all rest. Shares are of number.
@@ -41,8 +34,7 @@ struct ManoeuvreOptions {
 ///
 /// Commands of equal length, at most 64, gaps bridged; at least one. The pieces cover every sample,
 /// in order.
-std::vector<Manoeuvre> SplitByManoeuvre(const std::vector<Series>& commands,
-                                        const ManoeuvreOptions& options, const Stream& stream);
+std::vector<Manoeuvre> SplitByManoeuvre(const std::vector<Series>& commands, const Stream& stream);
 
 /// 1 for the samples that belong to `part`.
 Mask MaskOf(const std::vector<Manoeuvre>& manoeuvres, Part part, std::size_t size);

@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 #include "core/check.h"
 #include "core/units.h"
@@ -141,13 +140,6 @@ std::size_t UsableOrder(const Mask& valid, std::size_t wanted) {
   return wanted;
 }
 
-/// A draw from Student's t by a generalisation of Box–Muller.
-/// Source  Bailey 1994, "Polar generation of random variates with the t-distribution".
-double StudentDraw(const Stream& stream, std::size_t index, double dof) {
-  const double u = stream.Uniform(index, 0), v = stream.Uniform(index, 1);
-  return std::sqrt(dof * (std::pow(u, -2 / dof) - 1)) * std::cos(2 * kPi * v);
-}
-
 }  // namespace
 
 double VarianceOf(const NoiseModel& noise) {
@@ -225,28 +217,6 @@ NoiseModel FitNoise(const Series& series, const NoiseFitOptions& options) {
   }
   noise.ar = PredictorsOf(noise.ar).ar.back();
   return noise;
-}
-
-double SpectralDensity(const NoiseModel& noise, double period_s, double frequency_hz) {
-  std::complex<double> gain = 1;
-  for (std::size_t i = 0; i < noise.order(); ++i) {
-    gain -=
-        std::polar(noise.ar[i], -2 * kPi * frequency_hz * period_s * static_cast<double>(i + 1));
-  }
-  return 2 * noise.scale * noise.scale * period_s / std::norm(gain);
-}
-
-std::vector<double> SimulateNoise(const NoiseModel& noise, std::size_t count,
-                                  const Stream& stream) {
-  const std::size_t start = noise.ar.empty() ? 0 : 1000 + 20 * noise.order();
-  std::vector<double> x(start + count, 0.0);
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    x[k] = noise.scale * StudentDraw(stream, k, noise.dof);
-    for (std::size_t i = 0; i < std::min(noise.order(), k); ++i) x[k] += noise.ar[i] * x[k - 1 - i];
-  }
-  x.erase(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(start));
-  for (double& value : x) value += noise.mean;
-  return x;
 }
 
 }  // namespace tera

@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/random.h"
 #include "diagnose/statistics/series/series.h"
 
 namespace tera {
@@ -52,17 +51,10 @@ struct ShorterPredictors {
 };
 ShorterPredictors PredictorsOf(const std::vector<double>& ar);
 
-/// One-sided power spectral density (unit^2 / Hz) of a Gaussian process with the innovations' scale
-/// as its standard deviation, at `frequency_hz`.
-double SpectralDensity(const NoiseModel& noise, double period_s, double frequency_hz);
-
 /// Variance of a sample of the process, by its impulse response. `dof` must exceed 2.
 double VarianceOf(const NoiseModel& noise);
 /// Long-run variance: that of the mean of many samples, times their number. `dof` must exceed 2.
 double LongRunVarianceOf(const NoiseModel& noise);
-
-/// `count` samples of the process, drawn from `stream` after its start has decayed.
-std::vector<double> SimulateNoise(const NoiseModel& noise, std::size_t count, const Stream& stream);
 
 /// Log-density of the standard Student-t distribution.
 double StudentLogDensity(double x, double dof);

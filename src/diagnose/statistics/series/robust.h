@@ -8,6 +8,9 @@
 
 namespace tera {
 
+/// A normal variable lies below so many standard deviations with 95 %.
+inline constexpr double kOneSided95 = 1.645;
+
 /// The largest magnitude of the values; 0 where there are none.
 double LargestMagnitude(std::span<const double> values);
 

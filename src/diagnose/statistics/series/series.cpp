@@ -7,17 +7,6 @@
 
 namespace tera {
 
-Series MakeSeries(double period_s, std::vector<double> value) {
-  TERA_CHECK(period_s > 0, period_s);
-  Series series{period_s, std::move(value), {}};
-  series.valid.resize(series.size());
-  for (std::size_t k = 0; k < series.size(); ++k) {
-    series.valid[k] = std::isfinite(series.value[k]);
-    if (!series.valid[k]) series.value[k] = 0;
-  }
-  return series;
-}
-
 std::vector<Segment> SegmentsOf(const Mask& valid, std::size_t shortest) {
   std::vector<Segment> segments;
   for (std::size_t k = 0; k < valid.size();) {
@@ -103,12 +92,6 @@ std::vector<double> BridgedValues(const Series& series) {
       out[k] = std::lerp(out[left], out[right], part);
     }
   }
-  return out;
-}
-
-Series Clipped(const Series& series, double limit) {
-  Series out = series;
-  for (double& value : out.value) value = std::clamp(value, -limit, limit);
   return out;
 }
 

@@ -20,9 +20,6 @@ struct Series {
   std::size_t size() const { return value.size(); }
 };
 
-/// A series of values, in which those that are not finite are gaps.
-Series MakeSeries(double period_s, std::vector<double> value);
-
 /// Samples [begin, end).
 struct Segment {
   std::size_t begin = 0, end = 0;
@@ -55,9 +52,5 @@ double MeanSquare(const Series& series, const Segment& samples);
 /// Values with gaps interpolated linearly and the ends held, for an input whose gaps are short. All
 /// 0 where there is no valid sample.
 std::vector<double> BridgedValues(const Series& series);
-
-/// The series with values clipped to +-limit: an independent series stays independent, and its
-/// fourth moment becomes finite.
-Series Clipped(const Series& series, double limit);
 
 }  // namespace tera

@@ -1,10 +1,8 @@
 #include "diagnose/statistics/tests/block_bootstrap.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/check.h"
-#include "diagnose/statistics/series/robust.h"
 
 namespace tera {
 
@@ -24,24 +22,6 @@ std::vector<int> DrawBlocks(std::size_t blocks, std::size_t replicate, const Str
     ++drawn[std::min(static_cast<std::size_t>(u * static_cast<double>(blocks)), blocks - 1)];
   }
   return drawn;
-}
-
-Interval BootstrapRatio(const std::vector<double>& numerator,
-                        const std::vector<double>& denominator, double confidence,
-                        std::size_t replicates, const Stream& stream) {
-  TERA_CHECK(numerator.size() == denominator.size() && !numerator.empty(), numerator.size());
-  std::vector<double> ratio;
-  for (std::size_t r = 0; r < replicates; ++r) {
-    const std::vector<int> drawn = DrawBlocks(numerator.size(), r, stream);
-    double top = 0, bottom = 0;
-    for (std::size_t b = 0; b < drawn.size(); ++b) {
-      top += drawn[b] * numerator[b];
-      bottom += drawn[b] * denominator[b];
-    }
-    if (bottom != 0) ratio.push_back(top / bottom);
-  }
-  TERA_CHECK(!ratio.empty());
-  return {Quantile(ratio, (1 - confidence) / 2), Quantile(ratio, (1 + confidence) / 2)};
 }
 
 }  // namespace tera

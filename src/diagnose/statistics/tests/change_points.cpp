@@ -9,6 +9,9 @@
 namespace tera {
 namespace {
 
+constexpr double kCell_s = 0.2;             ///< over which samples are averaged
+constexpr std::size_t kShortest_cells = 2;  ///< of a segment
+
 /// Sums of both scores in one cell, in units of their standard deviation a sample.
 struct Cell {
   double count = 0, location = 0, scale = 0;
@@ -101,10 +104,10 @@ std::vector<std::size_t> BestSegmentation(const Costs& costs, std::size_t count,
 
 ChangePoints FindChangePoints(const Series& innovations, double dof,
                               const ChangePointOptions& options) {
-  TERA_CHECK(dof > 0 && options.shortest >= 1, dof, options.shortest);
+  TERA_CHECK(dof > 0, dof);
   ChangePoints out;
   const auto length = std::max<std::size_t>(
-      static_cast<std::size_t>(std::lround(options.cell_s / innovations.period_s)), 1);
+      static_cast<std::size_t>(std::lround(kCell_s / innovations.period_s)), 1);
   std::vector<Cell> cells = GatherCells(innovations, dof, length);
   if (cells.empty()) return out;
   const double of_location = options.guarded ? Inflation(cells, &Cell::location) : 1;
@@ -116,7 +119,7 @@ ChangePoints FindChangePoints(const Series& innovations, double dof,
   const Costs costs(cells);
   const double penalty = 2 * std::log(static_cast<double>(cells.size()) / options.alpha);
   std::size_t begin = 0;
-  for (const std::size_t end : BestSegmentation(costs, cells.size(), penalty, options.shortest)) {
+  for (const std::size_t end : BestSegmentation(costs, cells.size(), penalty, kShortest_cells)) {
     const Cell sum = costs.Sum(begin, end);
     LevelSegment segment;
     segment.samples = {begin * length, std::min(end * length, innovations.size())};

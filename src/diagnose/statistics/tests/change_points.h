@@ -7,9 +7,7 @@
 namespace tera {
 
 struct ChangePointOptions {
-  double cell_s = 0.2;       ///< length of the cells over which samples are averaged
-  double alpha = 0.01;       ///< probability of any change, or any interval, where there is none
-  std::size_t shortest = 2;  ///< cells in a segment
+  double alpha = 0.01;  ///< probability of any change, or any interval, where there is none
   /// Innovations may be somewhat correlated: scatter from cell to cell counts as noise.
   bool guarded = true;
 };

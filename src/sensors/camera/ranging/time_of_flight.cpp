@@ -44,8 +44,6 @@ void Serialize(ModelArchive* archive, TimeOfFlightModel* m) {
   archive->Visit("least_signal", &m->least_signal, AtLeast(0, "1"));
 }
 
-double AmbiguityRange_m(double frequency_hz) { return kLight_mps / (2 * frequency_hz); }
-
 Phasor DirectLight(const LitPatch& patch, double frequency_hz) {
   const double r_m = patch.p_C_m.norm();
   return patch.reflectance * CosineTo(patch, -patch.p_C_m) / (r_m * r_m) *

@@ -25,10 +25,6 @@ struct TimeOfFlightModel {
 
 void Serialize(ModelArchive* archive, TimeOfFlightModel* model);
 
-/// Distance along which light of a frequency goes once before its phase repeats, there and back:
-/// c / (2 frequency).
-double AmbiguityRange_m(double frequency_hz);
-
 /// A surface that the camera lights and sees, in C.
 struct LitPatch {
   Vec3 p_C_m = Vec3::Zero();  ///< zero: none

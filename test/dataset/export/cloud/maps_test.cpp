@@ -120,6 +120,7 @@ TEST_F(MapsTest, ALasSaysWhereItsPointsAreAndHowMany) {
   EXPECT_EQ(At<std::uint16_t>(las, 105), 30);
   ASSERT_EQ(las.size(), points + 2 * 30);
   EXPECT_EQ(At<double>(las, 131), 1e-4);
+  EXPECT_EQ(At<std::uint16_t>(las, 6), 16);    // reference system by WKT
   EXPECT_DOUBLE_EQ(At<double>(las, 179), 10);  // most x, least x, most y, least y
   EXPECT_DOUBLE_EQ(At<double>(las, 187), 5);
   EXPECT_DOUBLE_EQ(At<double>(las, 195), 5);
@@ -127,12 +128,53 @@ TEST_F(MapsTest, ALasSaysWhereItsPointsAreAndHowMany) {
   EXPECT_EQ(At<std::uint64_t>(las, 247), 2u);
   EXPECT_EQ(At<std::int32_t>(las, points), 100'000);
   EXPECT_EQ(At<std::int32_t>(las, points + 4), 50'000);
-  EXPECT_EQ(At<std::int32_t>(las, points + 8), 10'000);
+  EXPECT_EQ(At<std::int32_t>(las, points + 8), 915'000);  // 1 m above the origin's 90.5 m
   EXPECT_EQ(At<std::uint16_t>(las, points + 12), 32768);
   EXPECT_EQ(las[points + 14], 0x11);  // the first of one return
   EXPECT_EQ(las[points + 16], 2);     // ground
   EXPECT_EQ(At<std::uint16_t>(las, points + 20), 1);
   EXPECT_EQ(At<double>(las, points + 30 + 22), 1.0);
+}
+
+/// The text of the record that names the reference system, by the tables of LAS 1.4 R15.
+std::string WktRecord(const std::string& las) {
+  const auto header = At<std::uint16_t>(las, 94);
+  EXPECT_EQ(At<std::uint32_t>(las, 100), 1u);
+  EXPECT_EQ(las.substr(header + 2, 15), "LASF_Projection");
+  EXPECT_EQ(At<std::uint16_t>(las, header + 18), 2112);
+  const std::string wkt = las.substr(header + 54, At<std::uint16_t>(las, header + 20));
+  EXPECT_EQ(At<std::uint32_t>(las, 96), header + 54 + wkt.size());
+  EXPECT_EQ(wkt.find('\0'), wkt.size() - 1);
+  return wkt.substr(0, wkt.size() - 1);
+}
+
+TEST_F(MapsTest, ALasNamesThePlaneOfItsSiteOnTheEarth) {
+  const std::string wkt = WktRecord(Written(ExportFormat::kLas, "map.las"));
+  EXPECT_THAT(wkt, testing::StartsWith("PROJCS[\"Site plane\",GEOGCS[\"WGS 84\""));
+  for (const char* part :
+       {"PROJECTION[\"Transverse_Mercator\"]", "PARAMETER[\"latitude_of_origin\",46.78]",
+        "PARAMETER[\"central_meridian\",-71.27]", "PARAMETER[\"scale_factor\",1]",
+        "PARAMETER[\"false_easting\",0]", "UNIT[\"metre\",1]"}) {
+    EXPECT_THAT(wkt, HasSubstr(part));
+  }
+}
+
+TEST_F(MapsTest, ALasOfARecordingWithoutAPlaceOnTheEarthIsLocal) {
+  std::string yaml = ReadWholeFile(recording() / "dataset.yaml");
+  const std::string origin = "origin: {lat_deg: 46.78, lon_deg: -71.27, height_m: 90.5}";
+  yaml.replace(yaml.find(origin), origin.size(), "origin: {lat_deg: 0, lon_deg: 0, height_m: 0}");
+  WriteWholeFile(recording() / "dataset.yaml", yaml);
+  const std::string las = Written(ExportFormat::kLas, "map.las");
+  EXPECT_THAT(WktRecord(las), testing::StartsWith("LOCAL_CS["));
+  EXPECT_EQ(At<std::int32_t>(las, At<std::uint32_t>(las, 96) + 8), 10'000);
+}
+
+// The tangent plane at a place leaves the ellipsoid by d^2 / 2R: 7.83 m at 10 km to the east,
+// where R is 6 389 km at 46.78 deg N.
+TEST(LasPlace, HeightsAreAboveTheEllipsoid) {
+  const Vec3 place_m = LasPlace(Vec3(10'000, 0, 3), SampleInfo());
+  EXPECT_NEAR(place_m.z(), 90.5 + 3 + 1e8 / (2 * 6'389'000.0), 0.01);
+  EXPECT_EQ(place_m.head<2>(), Vec2(10'000, 0));
 }
 
 // Classes 64 to 255 are the users' own, 0 to 63 the standard's.

@@ -152,6 +152,7 @@ TEST(PointCloudFile, LasPlacesAreOffsetPlusScaleTimesNumber) {
   EXPECT_NEAR((cloud.p_m[0] - Vec3(500123.45, 5199999.0, 402.5)).norm(), 0, 1e-8);
   EXPECT_NEAR((cloud.p_m[1] - Vec3(500000, 5200000, 399.999)).norm(), 0, 1e-8);
   EXPECT_EQ(cloud.map, "");
+  EXPECT_EQ(cloud.step_m, Vec3(0.01, 0.01, 0.001));
 }
 
 TEST(PointCloudFile, LasNoiseAndWithheldPointsAreLeftOut) {
@@ -198,6 +199,9 @@ TEST(PointCloudFile, LasNamesItsReferenceSystemByKeysOrByText) {
   las.records += Record(2112, std::string("LOCAL_CS[\"here\"]") + '\0');
   las.record_count = 2;
   EXPECT_EQ(ReadPointCloud(Write("w.las", Bytes(las))).map, "LOCAL_CS[\"here\"]");
+  las.records = Keys({1, 1, 0, 2, 2048, 0, 1, 4326, 3072, 0, 1, 32767});
+  las.record_count = 1;
+  EXPECT_EQ(ReadPointCloud(Write("u.las", Bytes(las))).map, "one of GeoTIFF keys without a code");
   las.records = Keys({1, 1, 0, 1, 4099, 0, 1, 9003});
   las.record_count = 1;
   EXPECT_THAT(FaultOf("feet.las", Bytes(las)), HasSubstr("heights are in EPSG unit 9003"));

@@ -79,9 +79,9 @@ TEST_F(Suggest, LeversByTheirNamesAreCommandsInPerCentWhereTheyAreBeyondFull) {
   EXPECT_THAT(
       OfTable("t_s,lever_boom,arm_cmd,lever_left_track,fuel\n0,0,-80,0,7\n1,60,10,0,7\n"),
       HasSubstr("tables:\n  - name: commands\n    columns:\n"
-                "      left_track: {column: lever_left_track, unit: '%'}   # guessed: up to 0\n"
                 "      boom: {column: lever_boom, unit: '%'}   # guessed: up to 60\n"
                 "      arm: {column: arm_cmd, unit: '%'}   # guessed: up to 80\n"
+                "      left_track: {column: lever_left_track, unit: '%'}   # guessed: up to 0\n"
                 "  - name: others\n"));
   EXPECT_THAT(OfTable("t_s,boom_lever\n0,0.5\n1,-1\n"),
               HasSubstr("boom: {column: boom_lever, unit: '1'}   # guessed: up to 1\n"));
@@ -101,16 +101,16 @@ TEST_F(Suggest, EpochsAreToldByTheirSize) {
 }
 
 TEST_F(Suggest, PlacesAreInDegreesOrRadians) {
-  EXPECT_THAT(OfTable("t,lat,lon,alt\n0,46.78,-71.27,90\n1,46.78,-71.27,90\n"),
+  EXPECT_THAT(OfTable("t_s,lat,lon,alt\n0,46.78,-71.27,90\n1,46.78,-71.27,90\n"),
               AllOf(HasSubstr("lat: {column: lat, unit: deg}"),
                     HasSubstr("origin: {lat_deg: 46.7800000, lon_deg: -71.2700000")));
-  EXPECT_THAT(OfTable("t,lat,lon,alt\n0,0.816,-1.244,90\n1,0.816,-1.244,90\n"),
+  EXPECT_THAT(OfTable("t_s,lat,lon,alt\n0,0.816,-1.244,90\n1,0.816,-1.244,90\n"),
               AllOf(HasSubstr("lat: {column: lat, unit: rad}   # guessed"),
                     HasSubstr("origin: {lat_deg: 46.75")));
 }
 
 TEST_F(Suggest, ATableWithoutAHeaderHasItsColumnsByNumber) {
-  EXPECT_THAT(OfTable("0;1.5;7\n10;2.5;8\n20;0.5;9\n"),
+  EXPECT_THAT(OfTable("1700000000000;1.5;7\n1700000000010;2.5;8\n1700000000020;0.5;9\n"),
               AllOf(HasSubstr("csv: {header: false}"), HasSubstr("column: \"1\", unit: ms}"),
                     HasSubstr("column_2: {column: \"2\", unit: '1'}")));
 }

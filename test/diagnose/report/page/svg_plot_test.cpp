@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "diagnose/statistics/series/simulated.h"
+
 namespace tera {
 namespace {
 

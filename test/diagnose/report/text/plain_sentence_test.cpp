@@ -256,9 +256,10 @@ TEST(PlainSentence, EveryPlaceOfEverySentenceIsFilled) {
 }
 
 TEST(PlainSentence, LabelsAreAFewWords) {
-  for (const MechanismWords& words : AllMechanismWords()) {
-    EXPECT_LE(std::count(words.label.begin(), words.label.end(), ' '), 3) << words.label;
-    EXPECT_LE(words.label.size(), 24u) << words.label;
+  for (const Mechanism* mechanism : AllMechanisms()) {
+    const std::string_view label = WordsOf(mechanism->id)->label;
+    EXPECT_LE(std::count(label.begin(), label.end(), ' '), 3) << label;
+    EXPECT_LE(label.size(), 24u) << label;
   }
 }
 

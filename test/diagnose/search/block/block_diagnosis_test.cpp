@@ -7,6 +7,7 @@
 
 #include "diagnose/search/fit/flexible_regressor.h"
 #include "diagnose/search/toy_block.h"
+#include "diagnose/statistics/series/simulated.h"
 #include "diagnose/tolerances/within_tolerance.h"
 
 namespace tera {

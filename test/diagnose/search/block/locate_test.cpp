@@ -8,6 +8,7 @@
 
 #include "diagnose/search/toy_block.h"
 #include "diagnose/statistics/series/noise_model.h"
+#include "diagnose/statistics/series/simulated.h"
 
 namespace tera {
 namespace {

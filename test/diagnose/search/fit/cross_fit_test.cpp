@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "diagnose/search/toy_block.h"
+#include "diagnose/statistics/series/simulated.h"
 
 namespace tera {
 namespace {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnose/search/toy_block.h"
+#include "diagnose/statistics/series/simulated.h"
 
 namespace tera {
 namespace {

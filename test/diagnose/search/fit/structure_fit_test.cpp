@@ -38,6 +38,9 @@ struct Fixture {
           terms.empty() ? lever : Response(terms[0].values[0], terms[0].values[1])};
     });
   }
+  FittedStructure Fit(const Structure& terms) const {
+    return fitter.Determine(fitter.FitValues(terms));
+  }
   std::vector<double> Response(double size, double place) const {
     std::vector<double> y;
     for (const double u : lever) y.push_back(u + size * (u - place) * (u - place));
@@ -53,7 +56,7 @@ struct Fixture {
 
 TEST(StructureFit, ANumberThatTheMeasurementsSayNothingOfStandsAtItsDefault) {
   const Fixture toy(0.4);
-  const FittedStructure fitted = toy.fitter.Fit({{&toy.candidate, {0.1, 0, 40}}});
+  const FittedStructure fitted = toy.Fit({{&toy.candidate, {0.1, 0, 40}}});
   EXPECT_NEAR(fitted.terms[0].values[0], 0.4, 0.03);
   EXPECT_NEAR(fitted.terms[0].values[1], 0.1, 0.03);
   EXPECT_EQ(fitted.terms[0].values[2], 5);
@@ -64,14 +67,14 @@ TEST(StructureFit, ANumberThatTheMeasurementsSayNothingOfStandsAtItsDefault) {
 TEST(StructureFit, OrWhereTheModelHasIt) {
   Fixture toy(0.4);
   toy.candidate.present = {0.2, 0, 33};
-  const FittedStructure fitted = toy.fitter.Fit({{&toy.candidate, {0.1, 0, 40}}});
+  const FittedStructure fitted = toy.Fit({{&toy.candidate, {0.1, 0, 40}}});
   EXPECT_EQ(fitted.terms[0].values[2], 33);
 }
 
 TEST(StructureFit, NumbersThatAreDeterminedAreFree) {
   Fixture toy(0.4);
   toy.candidate.free.pop_back();
-  const FittedStructure fitted = toy.fitter.Fit({{&toy.candidate, {0.1, 0, 40}}});
+  const FittedStructure fitted = toy.Fit({{&toy.candidate, {0.1, 0, 40}}});
   EXPECT_THAT(fitted.terms[0].held, IsEmpty());
   EXPECT_EQ(fitted.information.rows(), 2);
 }
@@ -84,10 +87,10 @@ TEST(StructureFit, ANumberThatActsInStairsIsFreeIfItIsSaidToHaveKinks) {
     const double stair = 0.04 * std::round(terms[0].values[1] / 0.04);
     return std::vector<std::vector<double>>{toy.Response(terms[0].values[0], stair)};
   });
-  const FittedStructure stuck = toy.fitter.Fit({{&toy.candidate, {0.1, 0, 40}}});
+  const FittedStructure stuck = toy.Fit({{&toy.candidate, {0.1, 0, 40}}});
   EXPECT_THAT(stuck.terms[0].held, ElementsAre(1));
   toy.candidate.free[1].kink = 0.06;
-  const FittedStructure free = toy.fitter.Fit({{&toy.candidate, {0.1, 0, 40}}});
+  const FittedStructure free = toy.Fit({{&toy.candidate, {0.1, 0, 40}}});
   EXPECT_THAT(free.terms[0].held, IsEmpty());
   EXPECT_NEAR(free.terms[0].values[1], 0.1, 0.04);
 }

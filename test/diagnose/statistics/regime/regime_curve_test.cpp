@@ -26,7 +26,7 @@ Series Residual(const Law& law, const Series& variable, std::uint64_t seed) {
 
 RegimeCurve Fit(const Law& law, const Series& variable, std::uint64_t seed, bool angle = false) {
   return FitRegimeCurve(Residual(law, variable, seed), StubbornNoise(), Eigen::MatrixXd(),
-                        {"x", variable, angle}, {}, Stream(seed, "band"));
+                        {"x", variable, angle}, Stream(seed, "band"));
 }
 
 CurveShape Shape(const Law& law, std::uint64_t seed = 21) {

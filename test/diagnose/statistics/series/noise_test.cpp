@@ -7,7 +7,6 @@
 #include "diagnose/statistics/series/robust.h"
 #include "diagnose/statistics/series/simulated.h"
 #include "diagnose/statistics/series/whitening.h"
-#include "diagnose/statistics/tests/ljung_box.h"
 
 namespace tera {
 namespace {
@@ -36,30 +35,6 @@ TEST(Robust, ScaleOfANormalSampleIsItsStandardDeviationDespiteOutliers) {
   // Standard error of the median absolute deviation: 1.17 sigma / sqrt(n); 1 % of outliers move it
   // by 1.2 %.
   EXPECT_NEAR(RobustScale(x), 2, 0.025 + 5 * 1.17 * 2 / 100);
-}
-
-TEST(Noise, SpectrumIntegratesToTheVarianceOfAnAr2Process) {
-  const double period_s = 0.02, nyquist_hz = 25;
-  double integral = 0;
-  const int steps = 20000;
-  for (int k = 0; k < steps; ++k) {
-    const double frequency_hz = (k + 0.5) * nyquist_hz / steps;
-    integral += SpectralDensity(kResonant, period_s, frequency_hz) * nyquist_hz / steps;
-  }
-  // Box and Jenkins, equation 3.2.28, for phi = (1.6, -0.9).
-  const double expected = 0.09 * 1.9 / (0.1 * (1.9 * 1.9 - 1.6 * 1.6));
-  EXPECT_NEAR(integral, expected, 1e-6 * expected);
-}
-
-TEST(Noise, SpectrumPeaksWhereTheAr2ProcessResonates) {
-  // cos(2 pi f) = phi1 (phi2 - 1) / (4 phi2), Box and Jenkins, section 3.2.4.
-  const double expected_hz = std::acos(1.6 * -1.9 / (4 * -0.9)) / (2 * kPi) / 0.02;
-  double peak_hz = 0, peak = 0;
-  for (double f = 0; f < 25; f += 0.001) {
-    const double density = SpectralDensity(kResonant, 0.02, f);
-    if (density > peak) std::tie(peak, peak_hz) = std::pair(density, f);
-  }
-  EXPECT_NEAR(peak_hz, expected_hz, 0.002);
 }
 
 TEST(Noise, FitFindsOrderCoefficientsScaleAndTailsDespiteDropouts) {
@@ -156,13 +131,6 @@ TEST(Whitening, TransposedFilterIsTheAdjoint) {
     if (!filter.rows()[static_cast<std::size_t>(k)]) e[k] = 0;
   }
   EXPECT_NEAR(filter.Apply(x).dot(e), x.dot(filter.Transposed(e)), 1e-10);
-}
-
-TEST(Noise, SameStreamGivesTheSameBytes) {
-  EXPECT_EQ(SimulateNoise(kResonant, 100, Stream(4, "a")),
-            SimulateNoise(kResonant, 100, Stream(4, "a")));
-  EXPECT_NE(SimulateNoise(kResonant, 100, Stream(4, "a")),
-            SimulateNoise(kResonant, 100, Stream(4, "b")));
 }
 
 }  // namespace

@@ -10,15 +10,20 @@ namespace tera {
 namespace {
 
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
+using testing::StartsWith;
+
+Outcome Run(const Arguments& arguments, const ScratchDirectory& scratch) {
+  return TeraProcess(arguments, {scratch.path()}, TERA_PROVE_PROGRAM).Wait();
+}
 
 /// A frozen seed at a reduced size: that cases are written, answered, sealed and marked. How good
 /// the answers are, docs/evidence/proof.md says of many more.
-TEST(ProveCommand, ConcealsAsksAndMarksCasesOfAFrozenSeed) {
+TEST(TeraProve, ConcealsAsksAndMarksCasesOfAFrozenSeed) {
   const ScratchDirectory scratch;
   const Outcome outcome =
-      RunTera({"prove", "--cases", "3", "--seed", "1", "--duration", "30", "--out", "proof"},
-              {scratch.path()});
+      Run({"--cases", "3", "--seed", "1", "--duration", "30", "--out", "proof"}, scratch);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("| false alarm where nothing is wrong | ≤ 2 % |"));
   std::ifstream file(scratch.path() / "proof" / "table.json");
@@ -37,11 +42,10 @@ TEST(ProveCommand, ConcealsAsksAndMarksCasesOfAFrozenSeed) {
 
 /// Of a bucket with play that pulls harder than it pushes, play alone tells nothing and the pull is
 /// steady only beside it.
-TEST(ProveCommand, NamesTwoOfWhichEachIsNeededOnlyBesideTheOther) {
+TEST(TeraProve, NamesTwoOfWhichEachIsNeededOnlyBesideTheOther) {
   const ScratchDirectory scratch;
   const Outcome outcome =
-      RunTera({"prove", "--seed", "39", "--first", "83", "--cases", "1", "--out", "proof"},
-              {scratch.path()});
+      Run({"--seed", "39", "--first", "83", "--cases", "1", "--out", "proof"}, scratch);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("| bucket backlash; bucket asymmetric_gain | "
                                      "bucket asymmetric_gain by lever/bucket; "
@@ -49,24 +53,42 @@ TEST(ProveCommand, NamesTwoOfWhichEachIsNeededOnlyBesideTheOther) {
 }
 
 /// A reader of the bus, of which the beat is seen a step late.
-TEST(ProveCommand, NamesAReaderThatLooksOnceAPeriod) {
+TEST(TeraProve, NamesAReaderThatLooksOnceAPeriod) {
   const ScratchDirectory scratch;
   const Outcome outcome =
-      RunTera({"prove", "--seed", "41", "--first", "33", "--cases", "1", "--out", "proof"},
-              {scratch.path()});
+      Run({"--seed", "41", "--first", "33", "--cases", "1", "--out", "proof"}, scratch);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("| bucket input_hold by lever_way/bucket |"));
 }
 
-TEST(ProveCommand, RefusesAFolderThatIsThereAndRecordingsThatAreTooShort) {
+TEST(TeraProve, RefusesAFolderThatIsThereAndRecordingsThatAreTooShort) {
   const ScratchDirectory scratch;
   std::filesystem::create_directory(scratch.path() / "proof");
-  const Outcome there = RunTera({"prove", "--out", "proof"}, {scratch.path()});
+  const Outcome there = Run({"--out", "proof"}, scratch);
   EXPECT_EQ(there.status, 2);
   EXPECT_THAT(there.err, AllOf(HasSubstr("proof"), HasSubstr("exists already")));
-  const Outcome brief = RunTera({"prove", "--out", "new", "--duration", "5"}, {scratch.path()});
+  const Outcome brief = Run({"--out", "new", "--duration", "5"}, scratch);
   EXPECT_EQ(brief.status, 2);
   EXPECT_THAT(brief.err, HasSubstr("--duration"));
+}
+
+TEST(TeraProve, SaysAnUnknownOptionAndWhichItResembles) {
+  const ScratchDirectory scratch;
+  const Outcome outcome = Run({"--out", "proof", "--case", "3"}, scratch);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.err,
+              StartsWith("--case: no such option of 'tera-prove' (did you mean '--cases'?)\n"));
+  EXPECT_TRUE(Entries(scratch.path()).empty());
+}
+
+TEST(TeraProve, PrintsItsVersionAndItsManualPage) {
+  const ScratchDirectory scratch;
+  EXPECT_THAT(Run({"--version"}, scratch).out,
+              ContainsRegex("^tera-prove [0-9]+\\.[0-9]+\\.[0-9]+\n$"));
+  const Outcome page = Run({"--manual"}, scratch);
+  EXPECT_EQ(page.status, 0) << page.err;
+  EXPECT_THAT(page.out, AllOf(StartsWith(".TH \"TERA\\-PROVE\" 1"), HasSubstr("\\-\\-maker"),
+                              HasSubstr("\\-\\-reserve")));
 }
 
 }  // namespace

@@ -7,14 +7,19 @@
 #include <string>
 #include <vector>
 
-#include "app/commands.h"
+#include "app/about/version.h"
 #include "app/diagnosed_report.h"
+#include "app/manual/manual_pages.h"
+#include "app/run_program.h"
 #include "blind/cases/recording_files.h"
 #include "blind/marking/table.h"
 #include "blind/prove.h"
 #include "core/config/portable_name.h"
 #include "dataset/files/checked_file.h"
 #include "diagnose/report/files/write_report.h"
+
+// The program `tera-prove`: recordings of other simulators, and marks for what the diagnosis says
+// of them.
 
 namespace tera {
 namespace {
@@ -63,31 +68,42 @@ void RunProve(ProveArguments* arguments) {
   fmt::print("\n{}", blind::MethodsMarkdown(blind::MethodsOf(marks)));
 }
 
-}  // namespace
-
-void AddProveCommand(CLI::App* app) {
-  auto arguments = std::make_shared<ProveArguments>();
-  CLI::App* command = app->add_subcommand(
-      "prove", "Conceal effects in recordings of another simulator and score what diagnose says");
-  command->add_option("--cases", arguments->prove.cases, "How many")->check(CLI::Range(1, 100000));
-  command->add_option("--first", arguments->prove.first, "Number of the first of them")
+void AddOptions(CLI::App* app, ProveArguments* arguments) {
+  blind::ProveOptions& prove = arguments->prove;
+  app->add_option("--cases", prove.cases, "How many")->check(CLI::Range(1, 100000));
+  app->add_option("--first", prove.first, "Number of the first of them")
       ->check(CLI::Range(1, 100000));
-  command->add_option("--seed", arguments->prove.seed, "Of what is concealed");
-  command->add_option("--out", arguments->prove.out, "Folder to write, which must not exist")
-      ->required();
+  app->add_option("--seed", prove.seed, "Of what is concealed");
+  app->add_option("--out", prove.out, "Folder to write, which must not exist")->required();
   const std::map<std::string, blind::MakerKind> makers = {{"own", blind::MakerKind::kOwn},
                                                           {"mujoco", blind::MakerKind::kMujoco}};
-  command
-      ->add_option("--maker", arguments->prove.maker,
-                   "own: joints or tracks alone; mujoco: a whole machine with all its sensors")
+  app->add_option("--maker", prove.maker,
+                  "own: joints or tracks alone; mujoco: a whole machine with all its sensors")
       ->transform(CLI::CheckedTransformer(makers, CLI::ignore_case));
-  command->add_flag("--reserve", arguments->prove.reserve,
-                    "Of mujoco: forms, manoeuvres and a machine that no other run uses");
-  command->add_option("--duration", arguments->prove.duration_s, "Seconds of each recording")
+  app->add_flag("--reserve", prove.reserve,
+                "Of mujoco: forms, manoeuvres and a machine that no other run uses");
+  app->add_option("--duration", prove.duration_s, "Seconds of each recording")
       ->check(CLI::Range(26.0, 3600.0));
-  command->add_option("--threads", arguments->threads, "Fits at a time")
-      ->check(CLI::PositiveNumber);
-  command->callback([arguments] { RunProve(arguments.get()); });
+  app->add_option("--threads", arguments->threads, "Fits at a time")->check(CLI::PositiveNumber);
 }
 
+}  // namespace
 }  // namespace tera
+
+int main(int argc, char** argv) {
+  const std::string name = "tera-prove";
+  CLI::App app{"Conceal effects in recordings of other simulators and score what diagnose says",
+               name};
+  tera::ProveArguments arguments;
+  tera::AddOptions(&app, &arguments);
+  app.set_version_flag("--version", name + " " + tera::kVersion, "Print the version");
+  app.add_flag_callback(
+      "--manual",
+      [&] {
+        fmt::print("{}", tera::ManualPages(tera::HelpOf(app), tera::kVersion).at(name + ".1"));
+        throw CLI::Success();
+      },
+      "Print the manual page");
+  app.callback([&] { tera::RunProve(&arguments); });
+  return tera::RunProgram(&app, argc, argv);
+}

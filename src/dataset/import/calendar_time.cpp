@@ -1,0 +1,200 @@
+#include "dataset/import/calendar_time.h"
+
+#include <array>
+#include <cctype>
+#include <utility>
+
+#include "dataset/import/logs/log_time.h"
+
+namespace tera {
+namespace {
+
+constexpr TimeNs kMinute_ns = 60 * kNsPerSecond, kHour_ns = 60 * kMinute_ns;
+
+/// A text of which one part after the other is taken.
+class TextCursor {
+ public:
+  explicit TextCursor(std::string_view text) : rest_(text) {}
+
+  bool at_end() const { return rest_.empty(); }
+  char next() const { return rest_.empty() ? '\0' : rest_.front(); }
+  std::size_t DigitCount() const {
+    std::size_t count = 0;
+    while (count < rest_.size() && IsDigit(rest_[count])) ++count;
+    return count;
+  }
+  bool TakeOneOf(std::string_view characters) {
+    if (rest_.empty() || characters.find(rest_.front()) == std::string_view::npos) return false;
+    rest_.remove_prefix(1);
+    return true;
+  }
+  /// A word in any case.
+  bool TakeWord(std::string_view lower) {
+    if (rest_.size() < lower.size()) return false;
+    for (std::size_t k = 0; k < lower.size(); ++k) {
+      if (std::tolower(static_cast<unsigned char>(rest_[k])) != lower[k]) return false;
+    }
+    rest_.remove_prefix(lower.size());
+    return true;
+  }
+  /// The number that the next digits make, of which there must be `least` to `most`.
+  std::optional<int> TakeNumber(std::size_t least, std::size_t most) {
+    const std::size_t count = DigitCount();
+    if (count < least || count > most) return std::nullopt;
+    return TakeDigits(count);
+  }
+  /// The next `count` digits, which must be there.
+  std::optional<int> TakeDigits(std::size_t count) {
+    if (DigitCount() < count) return std::nullopt;
+    int value = 0;
+    for (std::size_t k = 0; k < count; ++k) value = 10 * value + (rest_[k] - '0');
+    rest_.remove_prefix(count);
+    return value;
+  }
+  /// All digits that follow, as the fraction of a second.
+  TimeNs TakeFraction_ns() {
+    TimeNs fraction_ns = 0, digit_ns = kNsPerSecond;
+    for (std::size_t count = DigitCount(); count > 0; --count) {
+      digit_ns /= 10;  // what is finer than a nanosecond is cut off
+      fraction_ns += (rest_.front() - '0') * digit_ns;
+      rest_.remove_prefix(1);
+    }
+    return fraction_ns;
+  }
+  void SkipBlanks() {
+    while (TakeOneOf(" ")) {
+    }
+  }
+
+ private:
+  static bool IsDigit(char c) { return c >= '0' && c <= '9'; }
+  std::string_view rest_;
+};
+
+std::optional<int> TakeMonthName(TextCursor* text) {
+  constexpr std::array<std::string_view, 12> kMonths = {"jan", "feb", "mar", "apr", "may", "jun",
+                                                        "jul", "aug", "sep", "oct", "nov", "dec"};
+  for (std::size_t m = 0; m < kMonths.size(); ++m) {
+    if (text->TakeWord(kMonths[m])) return static_cast<int>(m) + 1;
+  }
+  return std::nullopt;
+}
+
+struct TakenDate {
+  TimeNs day_ns = 0;
+  bool is_compact = false;   ///< 20261128
+  bool needs_order = false;  ///< the year is last, and day or month may be first
+};
+
+std::optional<TakenDate> TakeYearFirst(TextCursor* text) {
+  const bool is_compact = text->DigitCount() == 8;
+  const auto year = text->TakeDigits(4);
+  const char separator = text->next();
+  if (!is_compact && !text->TakeOneOf("-/._")) return std::nullopt;
+  const auto month = is_compact ? text->TakeDigits(2) : text->TakeNumber(1, 2);
+  if (!is_compact && !text->TakeOneOf(std::string_view(&separator, 1))) return std::nullopt;
+  const auto day = is_compact ? text->TakeDigits(2) : text->TakeNumber(1, 2);
+  if (!year || !month || !day) return std::nullopt;
+  const auto day_ns = DayOf(*year, *month, *day);
+  return day_ns ? std::optional(TakenDate{*day_ns, is_compact, false}) : std::nullopt;
+}
+
+std::optional<TakenDate> TakeYearLast(TextCursor* text, std::optional<DateOrder> order) {
+  const auto first = text->TakeNumber(1, 2);
+  const char separator = text->next();
+  if (!first || !text->TakeOneOf("-/. ")) return std::nullopt;
+  const auto named = TakeMonthName(text);
+  const auto second = named ? named : text->TakeNumber(1, 2);
+  if (!second || !text->TakeOneOf(std::string_view(&separator, 1))) return std::nullopt;
+  const bool has_century = text->DigitCount() == 4;
+  const bool day_is_first = named || separator == '.' || order == DateOrder::kDayFirst;
+  auto year = text->TakeNumber(2, 4);
+  if (!year || (!has_century && !named && separator != '.' && !order)) return std::nullopt;
+  if (!has_century) *year += 2000;
+  const bool is_told = day_is_first || order == DateOrder::kMonthFirst;
+  const bool swapped = order == DateOrder::kMonthFirst && !named;
+  const auto day_ns = DayOf(*year, swapped ? *first : *second, swapped ? *second : *first);
+  if (!is_told) return TakenDate{0, false, true};
+  return day_ns ? std::optional(TakenDate{*day_ns, false, false}) : std::nullopt;
+}
+
+std::optional<TakenDate> TakeDate(TextCursor* text, std::optional<DateOrder> order) {
+  if (text->DigitCount() != 4 && text->DigitCount() != 8) return TakeYearLast(text, order);
+  return TakeYearFirst(text);
+}
+
+/// Hours, minutes and seconds, the latter with a fraction or not there.
+std::optional<TimeNs> TakeClock(TextCursor* text, bool is_compact) {
+  const auto hour = is_compact ? text->TakeDigits(2) : text->TakeNumber(1, 2);
+  const bool has_minutes = is_compact || text->TakeOneOf(":");
+  const auto minute = has_minutes ? text->TakeDigits(2) : std::nullopt;
+  if (!hour || !minute || *hour > 24 || *minute > 59) return std::nullopt;
+  TimeNs second_ns = 0;
+  if (is_compact ? text->DigitCount() >= 2 : text->TakeOneOf(":")) {
+    const auto second = text->TakeDigits(2);
+    if (!second || *second > 60) return std::nullopt;
+    second_ns = *second * kNsPerSecond;
+    if (text->TakeOneOf(".,:")) second_ns += text->TakeFraction_ns();
+  }
+  TimeNs hours = *hour;
+  text->SkipBlanks();
+  const bool is_am = text->TakeWord("am"), is_pm = !is_am && text->TakeWord("pm");
+  constexpr TimeNs kNoon = 12;
+  if (is_am || is_pm) {
+    if (hours < 1 || hours > kNoon) return std::nullopt;
+    hours = hours % kNoon + (is_pm ? kNoon : 0);
+  }
+  return hours * kHour_ns + *minute * kMinute_ns + second_ns;
+}
+
+struct TakenZone {
+  bool is_there = false;
+  TimeNs ahead_ns = 0;
+};
+
+/// Whether local time is ahead of UTC, and by how much. Nothing for what is no zone.
+std::optional<TakenZone> TakeZone(TextCursor* text) {
+  text->SkipBlanks();
+  if (text->at_end()) return TakenZone{};
+  const bool named = text->TakeWord("utc") || text->TakeWord("gmt") || text->TakeWord("z");
+  if (named && text->at_end()) return TakenZone{true, 0};
+  const bool is_behind = text->next() == '-';
+  if (!text->TakeOneOf("+-")) return std::nullopt;
+  const auto hours = text->DigitCount() == 1 ? text->TakeDigits(1) : text->TakeDigits(2);
+  text->TakeOneOf(":");
+  const auto minutes = text->at_end() ? std::optional(0) : text->TakeDigits(2);
+  if (!hours || !minutes || !text->at_end()) return std::nullopt;
+  const TimeNs ahead_ns = *hours * kHour_ns + *minutes * kMinute_ns;
+  return TakenZone{true, is_behind ? -ahead_ns : ahead_ns};
+}
+
+}  // namespace
+
+std::optional<CalendarTime> CalendarTimeOf(std::string_view text, std::optional<DateOrder> order) {
+  TextCursor cursor(text);
+  const auto date = TakeDate(&cursor, order);
+  if (!date || date->needs_order) return std::nullopt;
+  if (cursor.at_end()) return CalendarTime{date->day_ns, false, false};
+  if (!cursor.TakeOneOf("Tt _")) return std::nullopt;
+  cursor.SkipBlanks();
+  const auto clock_ns = TakeClock(&cursor, date->is_compact && cursor.DigitCount() >= 4);
+  const auto zone = clock_ns ? TakeZone(&cursor) : std::nullopt;
+  if (!zone) return std::nullopt;
+  return CalendarTime{date->day_ns + *clock_ns - zone->ahead_ns, zone->is_there, true};
+}
+
+std::optional<CalendarTime> ClockTimeOf(std::string_view text) {
+  TextCursor cursor(text);
+  const auto clock_ns = TakeClock(&cursor, false);
+  const auto zone = clock_ns ? TakeZone(&cursor) : std::nullopt;
+  if (!zone) return std::nullopt;
+  return CalendarTime{*clock_ns - zone->ahead_ns, zone->is_there, true};
+}
+
+bool NeedsDateOrder(std::string_view text) {
+  TextCursor cursor(text);
+  const auto date = TakeDate(&cursor, std::nullopt);
+  return date && date->needs_order;
+}
+
+}  // namespace tera

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/config/config.h"
+#include "core/time.h"
+#include "dataset/import/calendar_time.h"
+#include "dataset/import/column_mapping.h"
+#include "dataset/import/row_table.h"
+
+namespace tera {
+
+/// When the rows of a table were, as `time:` of a mapping says.
+struct RowTime {
+  enum class Form {
+    kNumber,    ///< `number` gives seconds, or is a column of stamps
+    kInterval,  ///< the first row was at `number`, a constant; each is `interval_s` after the last
+    kDate,      ///< dates in `date`, with the time of day in `clock` where that is not empty
+    kClock,     ///< times of day in `clock`; one that goes back by half a day is of the next day
+    kGpsWeek,   ///< `number` gives seconds of the week of GPS time in `week`
+  };
+  Form form = Form::kNumber;
+  ColumnMapping number;
+  double interval_s = 0;
+  std::string date, clock, week;
+  std::optional<DateOrder> order;
+  TimeNs ahead_ns = 0;   ///< of UTC, of texts without a zone
+  TimeNs offset_ns = 0;  ///< of all forms but numbers, which have their own
+
+  /// All columns that it is made of.
+  std::vector<std::string> Columns() const;
+};
+
+/// Reads `{column:, unit:, scale:, offset:}`, `{sum:}`, `{interval:, unit:, offset:}`, `{date:,
+/// clock:, order:, zone:, offset:}` or `{week:, column:, unit:, offset:}`. A column of stamps, as
+/// bags and logs of known form have them (`has_stamps`), needs no unit.
+RowTime ReadRowTime(const ConfigMap& time, bool has_stamps);
+
+/// Whether the key `time` of a mapping says nothing yet, as a suggestion leaves it that does not
+/// know it. That is a fault there.
+bool IsTimeToFillIn(const ConfigMap& holder);
+
+/// Times of the rows of one table.
+class RowTimes {
+ public:
+  /// Throws InputError where a column is missing.
+  RowTimes(const RowTable& table, const RowTime& time);
+
+  /// Exactly where the table has stamps, texts of the calendar or numbers of digits alone; of other
+  /// numbers as far as doubles hold them. Throws InputError where the row has no time.
+  TimeNs At(std::size_t row) const;
+  /// The column to name where a time does not fit.
+  std::size_t place() const { return places_.empty() ? 0 : places_.front(); }
+
+ private:
+  TimeNs OfNumber(std::size_t row) const;
+  TimeNs OfDate(std::size_t row) const;
+  TimeNs OfGpsWeek(std::size_t row) const;
+  TimeNs ClockAt(std::size_t row, std::size_t place) const;
+  /// A text of the calendar where a number is asked for is told from other faults.
+  void RefuseTextOfCalendar(std::size_t row, std::size_t place) const;
+  std::string_view TextAt(std::size_t row, std::size_t place, const char* need) const;
+  void CountDays();
+
+  const RowTable& table_;
+  const RowTime& time_;
+  MappedColumn number_;
+  std::vector<std::size_t> places_;  ///< of the columns of `time_`
+  std::vector<std::uint16_t> days_;  ///< of kClock, since that of the first row
+};
+
+}  // namespace tera

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dataset/import/csv_file.h"
+#include "dataset/import/suggest/guess.h"
+
+namespace tera {
+
+/// How a table is written as far as its keys `csv:` say so.
+struct GivenForm {
+  CsvForm form;
+  std::set<std::string> keys;  ///< which of them are there
+};
+
+/// How a foreign table is written.
+struct TableLayout {
+  CsvForm form;
+  /// What stands behind the names in the line of units, column by column; empty: there is none.
+  std::vector<std::string> units;
+  std::string yaml;  ///< "csv: {...}\n" with what CsvFile does not find by itself, or nothing
+};
+
+/// Finds the largest block of rows of one form among the first lines, and the names before it.
+/// What is `given` is not looked for. Nothing where there is no such block.
+std::optional<TableLayout> FindTableLayout(std::string_view text, const GivenForm& given);
+
+/// Numbers of all columns in these rows.
+std::vector<NumbersOfColumn> NumbersOf(const CsvFile& csv, const TableLayout& layout,
+                                       const std::vector<std::size_t>& rows);
+
+}  // namespace tera
