@@ -11,7 +11,7 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr const char* kScenario = R"(name: t
+constexpr const char* kMachineScenario = R"(name: t
 duration_s: 0.2
 settle_s: 1.5
 terrain: {size_m: [10, 10], cell_m: 0.2, soil: asphalt}
@@ -47,7 +47,7 @@ const std::string kPlain = Robot("500", R"(<box size="1 1 0.5"/>)");
 class MachineFiles : public testing::Test {
  protected:
   void Write(const std::string& robot, const std::string& keys = "") {
-    WriteWholeFile(scratch.path() / "s.yaml", kScenario);
+    WriteWholeFile(scratch.path() / "s.yaml", kMachineScenario);
     WriteWholeFile(scratch.path() / "m.yaml", "kind: m\nurdf: m.urdf\n" + keys);
     WriteWholeFile(scratch.path() / "m.urdf", robot);
   }

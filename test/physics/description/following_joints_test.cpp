@@ -48,7 +48,7 @@ std::string Machine(const std::string& urdf) {
   return "kind: bars\nfixed_base: true\nurdf: " + file + "\n";
 }
 
-const Joint& JointOf(const MachineModel& model, const std::string& name) {
+const Joint& FollowingJoint(const MachineModel& model, const std::string& name) {
   return model.joints.at(model.JointIndex(name));
 }
 
@@ -56,7 +56,7 @@ TEST(FollowingJoints, AMimicJointStandsWhereItsLeaderTakesIt) {
   const MachineModel model =
       MachineFromText(Machine(TwoBars(R"(<mimic joint="lift" multiplier="-0.5" offset="0.2"/>)")) +
                       "joints: {lift: {initial_deg: 20}}\nlevers: [lift]\n");
-  const Joint& tilt = JointOf(model, "tilt");
+  const Joint& tilt = FollowingJoint(model, "tilt");
   ASSERT_TRUE(tilt.following.has_value());
   EXPECT_EQ(tilt.following->leader, model.JointIndex("lift"));
   // -0.5 * 20 deg + 0.2 rad, and as far as -0.5 * 1.2 + 0.2 to -0.5 * -1 + 0.2.
@@ -74,7 +74,7 @@ TEST(FollowingJoints, OneThatFollowsAFollowerFollowsTheFirst) {
               Bar("tip", 1) + Hinge("curl", "tail", "tip",
                                     R"(lower="-9" upper="9" velocity="9" effort="1")",
                                     R"(<mimic joint="tilt" multiplier="0.5" offset="-0.3"/>)"))));
-  const Joint& curl = JointOf(model, "curl");
+  const Joint& curl = FollowingJoint(model, "curl");
   EXPECT_EQ(curl.following->leader, model.JointIndex("lift"));
   EXPECT_NEAR(curl.following->ratio, 1, 1e-12);
   EXPECT_NEAR(curl.following->offset, 0.5 * 0.1 - 0.3, 1e-12);
@@ -84,9 +84,9 @@ TEST(FollowingJoints, TheLeaderKeepsItsFollowerWithinItsLimits) {
   const MachineModel model =
       MachineFromText(Machine(TwoBars(R"(<mimic joint="lift" multiplier="2"/>)",
                                       R"(lower="-0.6" upper="1" velocity="0.6" effort="1")")));
-  EXPECT_NEAR(JointOf(model, "lift").lower_rad, -0.3, 1e-12);
-  EXPECT_NEAR(JointOf(model, "lift").upper_rad, 0.5, 1e-12);
-  EXPECT_NEAR(JointOf(model, "lift").max_rate_positive_radps, 0.3, 1e-12);
+  EXPECT_NEAR(FollowingJoint(model, "lift").lower_rad, -0.3, 1e-12);
+  EXPECT_NEAR(FollowingJoint(model, "lift").upper_rad, 0.5, 1e-12);
+  EXPECT_NEAR(FollowingJoint(model, "lift").max_rate_positive_radps, 0.3, 1e-12);
   EXPECT_THAT(model.remarks,
               ElementsAre("joint 'lift' moves from -17.19 to 28.65 deg, which keeps 'tilt', that "
                           "follows it, within its limits"));
