@@ -30,8 +30,9 @@ def objects_of(build: Path) -> dict:
         folder = source.relative_to(build if source.is_relative_to(build) else ROOT).parts[0]
         if folder not in ("src", "blind") or source.suffix not in (".cpp", ".cxx"):
             continue
-        merged = re.findall(r'#include "([^"]+\.cpp)"', source.read_text(encoding="utf-8")) if source.suffix == ".cxx" else []
-        objects[build / entry["output"]] = [Path(one) for one in merged] or [source]
+        united = [Path(one) for one in re.findall(r'#include "([^"]+\.cpp)"', source.read_text(encoding="utf-8"))]
+        if source.suffix == ".cpp" or united:  # else of generated sources, or headers that are precompiled
+            objects[build / re.search(r" -o (\S+) ", entry["command"])[1]] = united or [source]
     return objects
 
 
@@ -41,8 +42,10 @@ def words_of(source: Path) -> Counter:
 
 
 def last_word(name: str) -> str:
-    """Of tera::Soil::Act(int) const: Act."""
-    return re.search(r"([\w~]+)(?:\[abi:\w+\])?\(", name.replace("(anonymous namespace)::", "") + "(")[1]
+    """Of tera::Soil::Act(int) const: Act. Of operators and destructors, which are called without a word, nothing."""
+    head = name.replace("(anonymous namespace)::", "").split("(")[0]
+    found = re.search(r"(\w+)(?:\[abi:\w+\])?$", head)
+    return found[1] if found and "~" not in head and "operator" not in head else ""
 
 
 def uncalled(objects: dict) -> list:
@@ -56,11 +59,13 @@ def uncalled(objects: dict) -> list:
     for sources, names in defined:
         silent = set(names.values()) - {names[symbol] for symbol in names if symbol in asked}  # a constructor has several symbols
         words = {source: words_of(source) for source in sources} if silent else {}
+        headers = sum((words_of(source.with_suffix(".h")) for source in words if source.with_suffix(".h").exists()), Counter())
         definitions = Counter(last_word(name) for name in set(names.values()))
         for name in silent:
-            places = [source for source in sources if words[source][last_word(name)]]
-            if sum(words[source][last_word(name)] for source in places) <= definitions[last_word(name)]:
-                faults.append((os.path.relpath(places[0], ROOT), name))
+            word = last_word(name)
+            places = [source for source in sources if words[source][word]]
+            if word and max(sum(words[source][word] for source in places), headers[word]) <= definitions[word]:
+                faults.append((os.path.relpath((places or sources)[0], ROOT), name))
     return sorted(faults)
 
 

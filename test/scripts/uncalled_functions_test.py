@@ -39,6 +39,7 @@ class UncalledFunctionsTest(unittest.TestCase):
 
     def test_the_last_word_of_a_name_is_that_of_the_function(self):
         self.assertEqual(last_word("tera::Soil::Act(std::vector<tera::Tool, std::allocator<tera::Tool> > const&) const"), "Act")
+        self.assertEqual(last_word("tera::operator<<(std::ostream&, tera::Time)"), "")
         self.assertEqual(last_word("tera::Drive(std::function<void (int)> const&)"), "Drive")
 
 
