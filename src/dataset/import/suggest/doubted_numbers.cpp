@@ -22,7 +22,7 @@ std::vector<TurnOfUnit> TurnsOfUnits(const UnitGuess& named) {
   if (named.doubt.empty()) return {{named.unit == "rad" ? 2 * kPi : 360.0, named}};
   std::vector<TurnOfUnit> turns = {{2 * kPi, {"rad", 1.0, ""}}, {360, {"deg", 1.0, ""}}};
   const auto add = [&](double turn) {
-    turns.push_back({turn, {"deg", 360 / turn, fmt::format("it begins anew after {:g}", turn)}});
+    turns.push_back({turn, {"deg", 360 / turn, fmt::format("one turn is {:g}", turn)}});
   };
   for (const double turn : {1.0, 400.0, 3600.0, 36000.0}) add(turn);
   for (int bits = 8; bits <= 24; ++bits) add(1 << bits);
@@ -53,31 +53,46 @@ AngleGuess GuessAngle(const NumbersOfColumn& angle) {
   return {named, false};
 }
 
-std::string InertialRemarks(const InertialColumns& columns, const std::string& indent) {
+std::string JointYaml(const std::string& joint, const NumbersOfColumn& angle) {
+  const AngleGuess guess = GuessAngle(angle);
+  const std::string column = ColumnYaml(angle.name, guess.unit);
+  if (!guess.begins_anew) {
+    return fmt::format("      - {{name: {}, angle: {}}}{}\n", joint, column,
+                       DoubtRemark(guess.unit));
+  }
+  return fmt::format(
+      "      - {{name: {}, angle: {}, wrap_deg: 360}}   # guessed: it begins anew after a turn{}\n",
+      joint, column, guess.unit.doubt.empty() ? "" : "; " + guess.unit.doubt);
+}
+
+std::string InertialRemarks(const NumbersOfColumn* time,
+                            const std::vector<const NumbersOfColumn*>& rates,
+                            const std::vector<const NumbersOfColumn*>& forces) {
   constexpr double kUsualStep_s = 0.01;
-  const std::size_t rows = columns.rates[0]->values.size();
+  const std::size_t rows = rates[0]->values.size();
   const auto is_whole = [&](const NumbersOfColumn* column) {
     return column->values.size() == rows;
   };
-  const bool are_whole = std::all_of(columns.rates.begin(), columns.rates.end(), is_whole) &&
-                         std::all_of(columns.forces.begin(), columns.forces.end(), is_whole) &&
-                         (columns.time == nullptr || is_whole(columns.time));
-  if (!are_whole) return "";
-  const auto vector = [](const std::array<const NumbersOfColumn*, 3>& axes, std::size_t row) {
+  const bool are_whole = std::all_of(rates.begin(), rates.end(), is_whole) &&
+                         std::all_of(forces.begin(), forces.end(), is_whole) &&
+                         (time == nullptr || is_whole(time));
+  if (!are_whole || rows == 0) return "";
+  const double rate_factor = RateFactor(GuessRateUnit(rates));
+  const double force_factor = ForceFactor(GuessAccelerationUnit(forces));
+  const double step_s = time == nullptr ? kUsualStep_s : SecondsOf(GuessTimeUnit(*time));
+  const auto vector = [](const std::vector<const NumbersOfColumn*>& axes, std::size_t row) {
     return Vec3(axes[0]->values[row], axes[1]->values[row], axes[2]->values[row]);
   };
-  const double first = columns.time == nullptr || rows == 0 ? 0 : columns.time->values.front();
   const auto sample = [&](std::size_t row) {
-    const double late_s = columns.time == nullptr
-                              ? kUsualStep_s * static_cast<double>(row)
-                              : (columns.time->values[row] - first) * SecondsOf(columns.time_unit);
-    return ImuSample{FromSeconds(late_s), FromSeconds(late_s),
-                     RateFactor(columns.rate_unit) * vector(columns.rates, row),
-                     ForceFactor(columns.force_unit) * vector(columns.forces, row)};
+    const double steps =
+        time == nullptr ? static_cast<double>(row) : time->values[row] - time->values.front();
+    const TimeNs t_ns = FromSeconds(steps * step_s);
+    return ImuSample{t_ns, t_ns, rate_factor * vector(rates, row),
+                     force_factor * vector(forces, row)};
   };
   std::string remarks;
   for (const InertialFinding& one : JudgeInertial(rows, sample)) {
-    remarks += indent + "# guessed: " + one.text + "\n";
+    remarks += "    # guessed: " + one.text + "\n";
   }
   return remarks;
 }

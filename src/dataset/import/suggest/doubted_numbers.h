@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <string>
+#include <vector>
 
 #include "dataset/import/suggest/guess.h"
 
@@ -20,16 +20,14 @@ struct AngleGuess {
 /// turn, counts of 8 to 24 bits.
 AngleGuess GuessAngle(const NumbersOfColumn& angle);
 
-/// An inertial unit's columns. All have a number in every row, or nothing is said of them.
-struct InertialColumns {
-  const NumbersOfColumn* time = nullptr;  ///< null: rows of 10 ms
-  UnitGuess time_unit;
-  std::array<const NumbersOfColumn*, 3> rates, forces;
-  UnitGuess rate_unit, force_unit;
-};
+/// A joint of a mapping's encoders with its angle, a line with its remark.
+std::string JointYaml(const std::string& joint, const NumbersOfColumn& angle);
 
-/// Remarks on what is doubtful of a unit whose columns are imported in these units, a line each
-/// that begins with `indent` and "# guessed:".
-std::string InertialRemarks(const InertialColumns& columns, const std::string& indent);
+/// Remarks on what is doubtful of an inertial unit whose three rates and three accelerations are
+/// imported in the units that are guessed of them: lines that begin with four blanks and "#
+/// guessed:". Of rows of 10 ms where there is no time. Nothing where a column lacks a number.
+std::string InertialRemarks(const NumbersOfColumn* time,
+                            const std::vector<const NumbersOfColumn*>& rates,
+                            const std::vector<const NumbersOfColumn*>& forces);
 
 }  // namespace tera

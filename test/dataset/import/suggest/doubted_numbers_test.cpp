@@ -39,7 +39,7 @@ TEST(DoubtedNumbers, AnAngleThatBeginsAnewTellsItsUnitByItsTurn) {
   ExpectTurn(Slew("slew", 1), "deg", 360);
   ExpectTurn(Slew("slew", 4096), "deg", 360.0 / 4096);
   ExpectTurn(Slew("slew", 36000), "deg", 0.01);
-  EXPECT_EQ(GuessAngle(Slew("slew", 4096)).unit.doubt, "it begins anew after 4096");
+  EXPECT_EQ(GuessAngle(Slew("slew", 4096)).unit.doubt, "one turn is 4096");
 }
 
 TEST(DoubtedNumbers, AnAngleThatGoesOnKeepsItsGuess) {
@@ -50,11 +50,23 @@ TEST(DoubtedNumbers, AnAngleThatGoesOnKeepsItsGuess) {
   EXPECT_EQ(guess.unit.unit, GuessAngleUnit({&boom}).unit);
 }
 
+TEST(DoubtedNumbers, AJointThatBeginsAnewIsMappedSoWithARemark) {
+  EXPECT_EQ(
+      JointYaml("slew", Slew("slew_deg", 360)),
+      "      - {name: slew, angle: {column: slew_deg, unit: deg}, wrap_deg: 360}   # guessed: "
+      "it begins anew after a turn\n");
+  EXPECT_THAT(
+      JointYaml("slew", Slew("slew", 400)),
+      HasSubstr("unit: deg, scale: 0.9}, wrap_deg: 360}   # guessed: it begins anew after a "
+                "turn; one turn is 400"));
+}
+
 /// Rows of a unit that lies still and level but for `az`, and turns about z.
 struct Still {
-  NumbersOfColumn time{.name = "t_ms"}, zero{.name = "zero"}, wz{.name = "wz"}, az{.name = "az"};
+  NumbersOfColumn time{.name = "t_ms"}, zero{.name = "zero"}, wz, az;
 
-  explicit Still(double az_value, double wz_value = 0.1) {
+  Still(double az_value, double wz_value = 0.1, const std::string& rate = "wz_radps")
+      : wz{.name = rate}, az{.name = "az"} {
     for (int k = 0; k < 100; ++k) {
       time.values.push_back(1e12 + 20 * k);
       zero.values.push_back(0);
@@ -62,26 +74,20 @@ struct Still {
       az.values.push_back(az_value);
     }
   }
-  std::string Remarks(const std::string& rate_unit = "rad/s",
-                      const std::string& force_unit = "m/s2") const {
-    return InertialRemarks({.time = &time,
-                            .time_unit = {"ms", 1.0, ""},
-                            .rates = {&zero, &zero, &wz},
-                            .forces = {&zero, &zero, &az},
-                            .rate_unit = {rate_unit, 1.0, ""},
-                            .force_unit = {force_unit, 1.0, ""}},
-                           "    ");
+  /// The axis that moves first: its name tells the unit.
+  std::string Remarks() const {
+    return InertialRemarks(&time, {&wz, &zero, &zero}, {&zero, &zero, &az});
   }
 };
 
 TEST(DoubtedNumbers, AnInertialUnitIsJudgedInTheUnitsThatAreGuessed) {
   EXPECT_THAT(Still(9.8).Remarks(), IsEmpty());
-  EXPECT_THAT(Still(1).Remarks("rad/s", "g"), IsEmpty());
-  EXPECT_THAT(Still(-1).Remarks("rad/s", "g"),
+  EXPECT_THAT(Still(1).Remarks(), IsEmpty());
+  EXPECT_THAT(Still(-1).Remarks(),
               HasSubstr("    # guessed: at rest az is -9.81 m/s2, about -g: does its z point down? "
                         "give it rpy_deg: [180, 0, 0]"));
   EXPECT_THAT(Still(9.8, 40).Remarks(), HasSubstr("are they in deg/s?"));
-  EXPECT_THAT(Still(9.8, 40).Remarks("deg/s"), IsEmpty());
+  EXPECT_THAT(Still(9.8, 40, "wz_dps").Remarks(), IsEmpty());
   EXPECT_THAT(Still(0.02).Remarks(), HasSubstr("was gravity taken away"));
 }
 
