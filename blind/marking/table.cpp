@@ -51,7 +51,7 @@ Row ValueOf(const std::string& measure, const std::string& target, std::vector<d
   return row;
 }
 
-nlohmann::ordered_json Json(const std::optional<double>& value) {
+nlohmann::ordered_json JsonOf(const std::optional<double>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }
 
@@ -267,13 +267,13 @@ std::string TableJson(const std::vector<Row>& rows, const std::vector<Mark>& mar
                                   {"confident_wrong", mark.confident_wrong},
                                   {"overlap", mark.overlap}};
     if (HasStrength(mark.kind)) one["strength"] = NameOf(mark.strength);
-    one["share_of_oracle"] = Json(mark.share_of_oracle);
+    one["share_of_oracle"] = JsonOf(mark.share_of_oracle);
     one["methods"] = nlohmann::ordered_json::array();
     for (const MethodMark& m : mark.methods) {
       one["methods"].push_back({{"method", m.method},
                                 {"found", m.found},
                                 {"right_first", m.right_first},
-                                {"share_of_oracle", Json(m.share)}});
+                                {"share_of_oracle", JsonOf(m.share)}});
     }
     one["parameters"] = nlohmann::ordered_json::array();
     for (const ParameterMark& p : mark.parameters) {

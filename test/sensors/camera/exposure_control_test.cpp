@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/config/config.h"
 #include "core/error.h"
 #include "core/units.h"
 #include "sensors/camera/image_sensor.h"
