@@ -65,29 +65,27 @@ std::string JointYaml(const std::string& joint, const NumbersOfColumn& angle) {
       joint, column, guess.unit.doubt.empty() ? "" : "; " + guess.unit.doubt);
 }
 
-std::string InertialRemarks(const NumbersOfColumn* time,
+std::string InertialRemarks(const std::vector<TimeNs>& t_ns,
                             const std::vector<const NumbersOfColumn*>& rates,
                             const std::vector<const NumbersOfColumn*>& forces) {
-  constexpr double kUsualStep_s = 0.01;
   const std::size_t rows = rates[0]->values.size();
   const auto is_whole = [&](const NumbersOfColumn* column) {
     return column->values.size() == rows;
   };
-  const bool are_whole = std::all_of(rates.begin(), rates.end(), is_whole) &&
-                         std::all_of(forces.begin(), forces.end(), is_whole) &&
-                         (time == nullptr || is_whole(time));
-  if (!are_whole || rows == 0) return "";
-  const double rate_factor = RateFactor(GuessRateUnit(rates));
+  if (rows == 0 || !std::all_of(rates.begin(), rates.end(), is_whole) ||
+      !std::all_of(forces.begin(), forces.end(), is_whole)) {
+    return "";
+  }
+  // Without times, what rates turn a unit by is not known.
+  const bool knows_times = t_ns.size() == rows;
+  const double rate_factor = knows_times ? RateFactor(GuessRateUnit(rates)) : 0;
   const double force_factor = ForceFactor(GuessAccelerationUnit(forces));
-  const double step_s = time == nullptr ? kUsualStep_s : SecondsOf(GuessTimeUnit(*time));
   const auto vector = [](const std::vector<const NumbersOfColumn*>& axes, std::size_t row) {
     return Vec3(axes[0]->values[row], axes[1]->values[row], axes[2]->values[row]);
   };
   const auto sample = [&](std::size_t row) {
-    const double steps =
-        time == nullptr ? static_cast<double>(row) : time->values[row] - time->values.front();
-    const TimeNs t_ns = FromSeconds(steps * step_s);
-    return ImuSample{t_ns, t_ns, rate_factor * vector(rates, row),
+    const TimeNs at_ns = knows_times ? t_ns[row] : static_cast<TimeNs>(row);
+    return ImuSample{at_ns, at_ns, rate_factor * vector(rates, row),
                      force_factor * vector(forces, row)};
   };
   std::string remarks;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/time.h"
 #include "dataset/import/suggest/guess.h"
 
 /// What the numbers of encoders and inertial units show beside their unit.
@@ -25,8 +26,9 @@ std::string JointYaml(const std::string& joint, const NumbersOfColumn& angle);
 
 /// Remarks on what is doubtful of an inertial unit whose three rates and three accelerations are
 /// imported in the units that are guessed of them: lines that begin with four blanks and "#
-/// guessed:". Of rows of 10 ms where there is no time. Nothing where a column lacks a number.
-std::string InertialRemarks(const NumbersOfColumn* time,
+/// guessed:". Of rates nothing where there is no time; nothing at all where a column lacks a
+/// number.
+std::string InertialRemarks(const std::vector<TimeNs>& t_ns,
                             const std::vector<const NumbersOfColumn*>& rates,
                             const std::vector<const NumbersOfColumn*>& forces);
 

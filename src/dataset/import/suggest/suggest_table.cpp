@@ -17,6 +17,7 @@
 #include "dataset/import/foreign_file.h"
 #include "dataset/import/logs/foreign_log.h"
 #include "dataset/import/suggest/command_guess.h"
+#include "dataset/import/suggest/doubted_numbers.h"
 #include "dataset/import/suggest/guess.h"
 #include "dataset/import/suggest/long_table.h"
 #include "dataset/import/suggest/suggest.h"
@@ -165,7 +166,8 @@ class TableGuess {
     ColumnList all = rates;
     all.insert(all.end(), forces.begin(), forces.end());
     Take(all);
-    return "imus:\n  - name: imu\n" + Rules(all) + "    columns:\n" +
+    return "imus:\n  - name: imu\n" + Rules(all) +
+           InertialRemarks(TimesOf(csv_, time_), rates, forces) + "    columns:\n" +
            Columns(rates, {"wx", "wy", "wz"}, GuessRateUnit(rates)) +
            Columns(forces, {"ax", "ay", "az"}, GuessAccelerationUnit(forces));
   }
@@ -231,9 +233,7 @@ class TableGuess {
       yaml +=
           fmt::format("  - name: {}\n{}    joints:\n", NumberedName("joints", g), Rules(groups[g]));
       for (const NumbersOfColumn* angle : groups[g]) {
-        const UnitGuess unit = GuessAngleUnit({angle});
-        yaml += fmt::format("      - {{name: {}, angle: {}}}{}\n", joint_of[angle],
-                            ColumnYaml(angle->name, unit), DoubtRemark(unit));
+        yaml += JointYaml(joint_of[angle], *angle);
       }
     }
     return yaml;

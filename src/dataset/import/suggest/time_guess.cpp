@@ -413,4 +413,17 @@ TimeGuess GuessTime(const CsvFile& csv, const std::vector<std::size_t>& rows,
   return guess;
 }
 
+std::vector<TimeNs> TimesOf(const CsvFile& csv, const TimeGuess& guess) {
+  std::vector<TimeNs> all;
+  try {
+    const Config config = Config::FromText(guess.yaml, "suggested");
+    const RowTime time = ReadRowTime(config.root().Map("time"), /*has_stamps=*/false);
+    const RowTimes times(csv, time);
+    for (std::size_t row = 0; row < csv.row_count(); ++row) all.push_back(times.At(row));
+  } catch (const InputError&) {
+    return {};
+  }
+  return all;
+}
+
 }  // namespace tera

@@ -63,12 +63,13 @@ TEST(DoubtedNumbers, AJointThatBeginsAnewIsMappedSoWithARemark) {
 
 /// Rows of a unit that lies still and level but for `az`, and turns about z.
 struct Still {
-  NumbersOfColumn time{.name = "t_ms"}, zero{.name = "zero"}, wz, az;
+  std::vector<TimeNs> t_ns;
+  NumbersOfColumn zero{.name = "zero"}, wz, az;
 
   Still(double az_value, double wz_value = 0.1, const std::string& rate = "wz_radps")
       : wz{.name = rate}, az{.name = "az"} {
     for (int k = 0; k < 100; ++k) {
-      time.values.push_back(1e12 + 20 * k);
+      t_ns.push_back(1'700'000'000 * kNsPerSecond + 20'000'000 * k);
       zero.values.push_back(0);
       wz.values.push_back(wz_value);
       az.values.push_back(az_value);
@@ -76,7 +77,7 @@ struct Still {
   }
   /// The axis that moves first: its name tells the unit.
   std::string Remarks() const {
-    return InertialRemarks(&time, {&wz, &zero, &zero}, {&zero, &zero, &az});
+    return InertialRemarks(t_ns, {&wz, &zero, &zero}, {&zero, &zero, &az});
   }
 };
 
