@@ -8,10 +8,10 @@
 #include "core/types/sample_rows.h"
 #include "core/units.h"
 #include "dataset/format/channel.h"
+#include "dataset/format/site_frame.h"
 #include "dataset/import/bag/standard_topics.h"
 #include "dataset/import/import_run.h"
 #include "dataset/import/inertial_conventions.h"
-#include "dataset/import/wgs84.h"
 
 // Inertial units, receivers, poses and tables of a mapping.
 
@@ -84,7 +84,7 @@ void RequireNumbers(const MappedRow& row, const RowSource& source, const FixRead
 }
 
 GnssSample GnssOf(const MappedRow& row, const RowSource& source, const FixReading& reading,
-                  const GeodeticPlace& origin) {
+                  const SiteFrame& site) {
   const std::vector<double>& v = row.values;
   const double quality = reading.by_status ? QualityOfStatus(v) : v[kFix];
   const auto fix = FixOfQuality(quality);
@@ -100,7 +100,7 @@ GnssSample GnssOf(const MappedRow& row, const RowSource& source, const FixReadin
   s.lat_deg = v[kLat] / kDeg;
   s.lon_deg = v[kLon] / kDeg;
   s.alt_m = v[kAlt];
-  s.enu_m = EnuFromGeodetic({v[kLat], v[kLon], v[kAlt]}, origin);
+  s.enu_m = site.ToEnu({s.lat_deg, s.lon_deg, s.alt_m});
   s.variance_enu_m2 = Vec3(v[kVarE], v[kVarN], v[kVarU]);
   return s;
 }
@@ -191,14 +191,13 @@ ImportJob ReadGnss(const ConfigMap& config, const ConfigMap& top, Mapping* mappi
       is_standard && !fix,
       is_standard && !(keys.Given("var_e") && keys.Given("var_n") && keys.Given("var_u"))};
   if (reading.needs_covariance) columns.push_back({kCovarianceTypePath});
-  const GeodeticPlace origin{mapping->info.origin_lat_deg * kDeg,
-                             mapping->info.origin_lon_deg * kDeg, mapping->info.origin_height_m};
+  const SiteFrame site(mapping->info.origin_lat_deg, mapping->info.origin_lon_deg,
+                       mapping->info.origin_height_m);
   return [=](ImportRun* run) {
-    const std::vector<MappedRow> rows =
-        run->Read(folder, source, columns,
-                  [&](const MappedRow& row) { GnssOf(row, source, reading, origin); });
+    const std::vector<MappedRow> rows = run->Read(
+        folder, source, columns, [&](const MappedRow& row) { GnssOf(row, source, reading, site); });
     std::vector<GnssSample> samples;
-    for (const MappedRow& row : rows) samples.push_back(GnssOf(row, source, reading, origin));
+    for (const MappedRow& row : rows) samples.push_back(GnssOf(row, source, reading, site));
     run->AddMotion(source, MotionOf(samples));
     DatasetWriter* writer = run->writer();
     if (writer == nullptr) return;

@@ -9,7 +9,6 @@
 #include "core/error.h"
 #include "dataset/format/recording.h"
 #include "dataset/format/sample_recording.h"
-#include "dataset/import/wgs84.h"
 
 namespace tera {
 namespace {
@@ -309,14 +308,6 @@ TEST_F(ImportTest, SaysOfASensorWhatMappingAndDataKnow) {
   EXPECT_TRUE(imu_rows[0].w_WS_S_radps.isApprox(Vec3(0, kPi / 2, 0), kTight));
   EXPECT_EQ(ReadWholeFile(scratch_.path() / "out/digger/gnss/sensor.yaml"),
             "type: gnss\nname: gnss\nrate_hz: 10\nimported_from: \"log.csv\"\n");
-}
-
-TEST(EnuFromGeodetic, OfThePoleSeenFromTheEquatorIsThePolarRadius) {
-  // From (0, 0) east is y, north is z, up is x of the Earth-centred frame; polar radius b.
-  const Vec3 enu = EnuFromGeodetic({kPi / 2, 0.3, 0}, {0, 0, 0});
-  EXPECT_NEAR(enu.x(), 0, 1e-6);
-  EXPECT_NEAR(enu.y(), 6356752.314245, 1e-5);
-  EXPECT_NEAR(enu.z(), -6378137.0, 1e-6);
 }
 
 TEST_F(ImportTest, ReadsEachChannelFromItsOwnFileAndTime) {

@@ -9,10 +9,9 @@
 
 #include "core/error.h"
 #include "core/types/labels.h"
-#include "core/units.h"
 #include "dataset/export/bag/little_endian.h"
 #include "dataset/format/dataset_description.h"
-#include "dataset/import/wgs84.h"
+#include "dataset/format/site_frame.h"
 
 namespace tera {
 namespace {
@@ -62,8 +61,8 @@ bool IsOnTheEarth(const DatasetInfo& info) {
   return info.origin_lat_deg != 0 || info.origin_lon_deg != 0 || info.origin_height_m != 0;
 }
 
-GeodeticPlace OriginOf(const DatasetInfo& info) {
-  return {info.origin_lat_deg * kDeg, info.origin_lon_deg * kDeg, info.origin_height_m};
+SiteFrame SiteOf(const DatasetInfo& info) {
+  return SiteFrame(info.origin_lat_deg, info.origin_lon_deg, info.origin_height_m);
 }
 
 std::string WktOf(const DatasetInfo& info) {
@@ -86,7 +85,7 @@ std::string WktOf(const DatasetInfo& info) {
 
 Vec3 LasPlace(const Vec3& p_W_m, const DatasetInfo& info) {
   if (!IsOnTheEarth(info)) return p_W_m;
-  return {p_W_m.x(), p_W_m.y(), GeodeticFromEnu(p_W_m, OriginOf(info)).height_m};
+  return {p_W_m.x(), p_W_m.y(), SiteOf(info).ToGeodetic(p_W_m).height_m};
 }
 
 void AppendLasPoint(const MapPoint& point, std::string* bytes) {

@@ -5,12 +5,11 @@
 
 #include "core/error.h"
 #include "core/motion.h"
-#include "core/units.h"
 #include "dataset/files/checked_file.h"
+#include "dataset/format/site_frame.h"
 #include "dataset/import/logs/foreign_log.h"
 #include "dataset/import/logs/log_time.h"
 #include "dataset/import/logs/number_table.h"
-#include "dataset/import/wgs84.h"
 
 namespace tera {
 namespace {
@@ -47,8 +46,8 @@ std::vector<double> NumbersOf(const std::filesystem::path& file) {
 }
 
 /// Where a frame was and how it was turned, from the first one's place.
-std::vector<NumberTable::Cell> PoseOf(const std::vector<double>& v, const GeodeticPlace& origin) {
-  const Vec3 p_m = EnuFromGeodetic({v[kLat] * kDeg, v[kLon] * kDeg, v[kAlt]}, origin);
+std::vector<NumberTable::Cell> PoseOf(const std::vector<double>& v, const SiteFrame& site) {
+  const Vec3 p_m = site.ToEnu({v[kLat], v[kLon], v[kAlt]});
   const Quat q(RotationFromRpy(v[kRoll], v[kPitch], v[kYaw]));
   return {{"x", p_m.x()}, {"y", p_m.y()}, {"z", p_m.z()}, {"qw", q.w()},
           {"qx", q.x()},  {"qy", q.y()},  {"qz", q.z()}};
@@ -61,7 +60,7 @@ std::unique_ptr<const RowTable> ReadKittiLog(const std::filesystem::path& timest
   std::vector<std::string> columns(kOxtsFields.begin(), kOxtsFields.end());
   columns.insert(columns.end(), {"x", "y", "z", "qw", "qx", "qy", "qz"});
   auto table = std::make_unique<NumberTable>(timestamps, columns);
-  std::optional<GeodeticPlace> origin;
+  std::optional<SiteFrame> site;
   LogLines lines(timestamps);
   for (std::string line; lines.Next(&line);) {
     if (line.empty()) continue;
@@ -82,8 +81,8 @@ std::unique_ptr<const RowTable> ReadKittiLog(const std::filesystem::path& timest
                   left_out);
       continue;
     }
-    if (!origin) origin = GeodeticPlace{values[kLat] * kDeg, values[kLon] * kDeg, values[kAlt]};
-    std::vector<NumberTable::Cell> cells = PoseOf(values, *origin);
+    if (!site) site.emplace(values[kLat], values[kLon], values[kAlt]);
+    std::vector<NumberTable::Cell> cells = PoseOf(values, *site);
     for (std::size_t k = 0; k < values.size(); ++k) cells.push_back({kOxtsFields[k], values[k]});
     table->AddRow(lines.number(), *t_ns, cells);
   }
