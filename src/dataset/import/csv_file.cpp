@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 #include "core/config/spelling.h"
 #include "core/error.h"
+#include "core/parse_number.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/import/foreign_file.h"
 
@@ -21,12 +21,6 @@ std::vector<std::string_view> Split(std::string_view line) {
     if (comma == std::string_view::npos) return fields;
     line.remove_prefix(comma + 1);
   }
-}
-
-template <typename T>
-bool Parse(std::string_view text, T* value) {
-  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), *value);
-  return status == std::errc() && stop == text.data() + text.size();
 }
 
 }  // namespace
@@ -241,15 +235,13 @@ double CsvFile::Number(std::size_t row, std::size_t column) const {
 }
 
 TimeNs CsvFile::Time(std::size_t row) const {
-  TimeNs t_ns = 0;
-  if (!Parse(Field(row, 0), &t_ns)) Fail(row, 0, "need a whole number of nanoseconds");
-  if (row > 0) {
-    TimeNs before_ns = 0;
-    Parse(Field(row - 1, 0), &before_ns);
-    if (t_ns <= before_ns)
-      Fail(row, 0, fmt::format("need a later time than that of the row before, {}", before_ns));
+  const auto t_ns = ParseNumber<TimeNs>(Field(row, 0));
+  if (!t_ns) Fail(row, 0, "need a whole number of nanoseconds");
+  const auto before_ns = row > 0 ? ParseNumber<TimeNs>(Field(row - 1, 0)) : std::nullopt;
+  if (before_ns && *t_ns <= *before_ns) {
+    Fail(row, 0, fmt::format("need a later time than that of the row before, {}", *before_ns));
   }
-  return t_ns;
+  return *t_ns;
 }
 
 }  // namespace tera

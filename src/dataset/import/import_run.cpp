@@ -7,6 +7,7 @@
 
 #include "core/config/plain_name.h"
 #include "core/error.h"
+#include "core/quantile.h"
 #include "core/types/mounting.h"
 #include "dataset/import/bag/standard_topics.h"
 #include "dataset/import/logs/foreign_log.h"
@@ -25,12 +26,10 @@ void Describe(const std::vector<MappedRow>& rows, ImportedChannel* channel) {
   }
   if (intervals_ns.empty()) return;
   channel->longest_gap_ns = *std::max_element(intervals_ns.begin(), intervals_ns.end());
-  const auto middle = intervals_ns.begin() + static_cast<std::ptrdiff_t>(intervals_ns.size() / 2);
-  std::nth_element(intervals_ns.begin(), middle, intervals_ns.end());
-  channel->interval_ns = *middle;
+  channel->interval_ns = Median(intervals_ns);
   std::int64_t early_or_late = 0;
   for (const TimeNs interval_ns : intervals_ns) {
-    if (2 * std::abs(interval_ns - *middle) > *middle) ++early_or_late;
+    if (2 * std::abs(interval_ns - channel->interval_ns) > channel->interval_ns) ++early_or_late;
   }
   channel->irregular = early_or_late;
 }
@@ -42,9 +41,7 @@ double TypicalRate_hz(const std::vector<MappedRow>& rows) {
     intervals_ns.push_back(rows[i].t_ns - rows[i - 1].t_ns);
   }
   if (intervals_ns.empty()) return 0;
-  const auto middle = intervals_ns.begin() + static_cast<std::ptrdiff_t>(intervals_ns.size() / 2);
-  std::nth_element(intervals_ns.begin(), middle, intervals_ns.end());
-  return 1.0 / ToSeconds(*middle);
+  return 1.0 / ToSeconds(Median(std::move(intervals_ns)));
 }
 
 /// Receivers' logs come as UTC. What wrote a bag or a table had some clock.

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
+
+#include "core/parse_number.h"
 
 namespace tera {
 namespace {
@@ -222,11 +223,8 @@ std::string_view PlainNumberText(std::string_view field, const NumberForm& form,
 std::optional<double> NumberOfField(std::string_view field, const NumberForm& form) {
   std::string room;
   field = PlainNumberText(field, form, &room);
-  double value = 0;
-  const auto [stop, status] = std::from_chars(field.data(), field.data() + field.size(), value);
-  const bool is_number =
-      status == std::errc() && stop == field.data() + field.size() && std::isfinite(value);
-  return is_number ? std::optional(value) : std::nullopt;
+  const auto value = ParseNumber<double>(field);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 bool SaysNothing(std::string_view field) {

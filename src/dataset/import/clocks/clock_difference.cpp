@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/quantile.h"
 #include "dataset/import/clocks/lag_search.h"
 
 namespace tera {
@@ -65,9 +66,7 @@ std::vector<Stretch> WithoutOutliers(const std::vector<Stretch>& stretches, cons
   };
   std::vector<double> all;
   for (const Stretch& s : stretches) all.push_back(off_s(s));
-  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-  std::nth_element(all.begin(), middle, all.end());
-  const double most_s = std::max(kLeast_s, kSigmas * kSigmaOfMedian * *middle);
+  const double most_s = std::max(kLeast_s, kSigmas * kSigmaOfMedian * Median(std::move(all)));
   std::vector<Stretch> kept;
   std::copy_if(stretches.begin(), stretches.end(), std::back_inserter(kept),
                [&](const Stretch& s) { return off_s(s) <= most_s; });

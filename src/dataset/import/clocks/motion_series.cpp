@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/motion.h"
+#include "core/quantile.h"
 
 namespace tera {
 namespace {
@@ -90,9 +91,7 @@ MotionGrid::MotionGrid(std::size_t count, const std::function<TimeNs(std::size_t
   if (count < kFewestRows) return;
   std::vector<TimeNs> intervals_ns;
   for (std::size_t i = 1; i < count; ++i) intervals_ns.push_back(time(i) - time(i - 1));
-  const auto middle = intervals_ns.begin() + static_cast<std::ptrdiff_t>(intervals_ns.size() / 2);
-  std::nth_element(intervals_ns.begin(), middle, intervals_ns.end());
-  interval_ns_ = *middle;
+  interval_ns_ = Median(std::move(intervals_ns));
   first_ns_ = time(0);
   const TimeNs span_ns = time(count - 1) - first_ns_;
   step_ns_ = std::max({interval_ns_, kLeastStep_ns, span_ns / static_cast<TimeNs>(kMostCells) + 1});

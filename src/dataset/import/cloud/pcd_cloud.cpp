@@ -1,11 +1,11 @@
 #include <liblzf/lzf.h>
 
 #include <array>
-#include <charconv>
 #include <map>
 #include <sstream>
 #include <vector>
 
+#include "core/parse_number.h"
 #include "dataset/import/cloud/cloud_bytes.h"
 
 // PCD files of any fields.
@@ -65,12 +65,11 @@ class PcdHeaderReader {
   [[noreturn]] void Refuse(const std::string& finding) const { RefuseCloud(file_, finding); }
 
   std::uint64_t Whole(const std::string& key, const std::string& word) const {
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size()) {
+    const auto value = ParseNumber<std::uint64_t>(word);
+    if (!value) {
       Refuse(fmt::format("found '{}' after {} in its header, need a whole number", word, key));
     }
-    return value;
+    return *value;
   }
 
   void ReadFields(const Entries& entries, Header* header) const {

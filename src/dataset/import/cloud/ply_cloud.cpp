@@ -1,9 +1,9 @@
 #include <array>
-#include <charconv>
 #include <optional>
 #include <sstream>
 #include <vector>
 
+#include "core/parse_number.h"
 #include "dataset/import/cloud/cloud_bytes.h"
 
 // PLY files, of which the vertices are read.
@@ -121,13 +121,12 @@ class PlyHeaderReader {
   }
 
   std::uint64_t Whole(const std::string& word) const {
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size()) {
+    const auto value = ParseNumber<std::uint64_t>(word);
+    if (!value) {
       Refuse(fmt::format("found '{}' as the number of its vertices", word));
     }
-    RequirePointCount(file_, value);
-    return value;
+    RequirePointCount(file_, *value);
+    return *value;
   }
 
   void TakeProperty(const std::string& type, const std::string& name) {

@@ -1,20 +1,18 @@
 #include "dataset/import/logs/log_time.h"
 
-#include <charconv>
 #include <chrono>
+
+#include "core/parse_number.h"
 
 namespace tera {
 namespace {
 
 /// Digits alone, `count` of them.
 std::optional<int> Digits(std::string_view text) {
-  int value = 0;
   for (const char c : text) {
     if (c < '0' || c > '9') return std::nullopt;
   }
-  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (status != std::errc() || stop != text.data() + text.size()) return std::nullopt;
-  return value;
+  return ParseNumber<int>(text);
 }
 
 }  // namespace

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "core/check.h"
 #include "core/config/spelling.h"
 #include "core/error.h"
+#include "core/parse_number.h"
 #include "dataset/files/checked_file.h"
 
 namespace tera {
@@ -96,11 +96,8 @@ void LogLines::Fault(const std::string& finding, LeftOutRows* left_out) const {
 
 std::optional<double> WholeNumber(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0;
-  const auto [stop, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_number =
-      status == std::errc() && stop == text.data() + text.size() && std::isfinite(value);
-  return is_number ? std::optional(value) : std::nullopt;
+  const auto value = ParseNumber<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::vector<std::string_view> FieldsOf(std::string_view line, char separator) {

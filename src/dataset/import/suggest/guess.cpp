@@ -7,19 +7,13 @@
 #include <cctype>
 #include <cmath>
 
+#include "core/quantile.h"
 #include "core/units.h"
 #include "dataset/format/dataset_description.h"
 #include "dataset/import/import_options.h"
 
 namespace tera {
 namespace {
-
-double Median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double LargestOf(const std::vector<const NumbersOfColumn*>& columns) {
   double largest = 0;
@@ -64,7 +58,7 @@ double NumbersOfColumn::LargestSize() const {
 double NumbersOfColumn::MedianStep() const {
   std::vector<double> steps;
   for (std::size_t k = 1; k < values.size(); ++k) steps.push_back(values[k] - values[k - 1]);
-  return Median(std::move(steps));
+  return steps.empty() ? 0 : Median(std::move(steps));
 }
 
 double NumbersOfColumn::Least() const {
@@ -105,7 +99,8 @@ UnitGuess GuessRateUnit(const std::vector<const NumbersOfColumn*>& rates) {
 UnitGuess GuessAccelerationUnit(const std::vector<const NumbersOfColumn*>& axes) {
   if (const auto unit = ToldUnit(*axes.front(), Dimension::kAcceleration)) return *unit;
   double squares = 0;
-  for (const NumbersOfColumn* axis : axes) squares += std::pow(Median(axis->values), 2);
+  for (const NumbersOfColumn* axis : axes)
+    squares += axis->values.empty() ? 0 : std::pow(Median(axis->values), 2);
   const double length = std::sqrt(squares), least = 0.7, most = 1.3;
   const auto is_about = [&](double gravity) {
     return length > least * gravity && length < most * gravity;
