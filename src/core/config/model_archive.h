@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/config/config_map.h"
+#include "core/config/config.h"
 #include "core/motion.h"
 
 namespace tera {

@@ -8,6 +8,7 @@
 #include "dataset/files/checked_file.h"
 #include "dataset/format/sample_recording.h"
 #include "dataset/import/bag_bytes.h"
+#include "dataset/ros/serializer.h"
 
 namespace tera {
 namespace {
