@@ -137,7 +137,7 @@ std::string AbsentText(const std::vector<LayoutReport>& reports) {
     if (absent.empty()) continue;
     html +=
         fmt::format("<p class=\"soft\">{} has no figure of: {}. The chart has a gap there.</p>\n",
-                    Escape(report.name), fmt::join(absent, ", "));
+                    Escaped(report.name), fmt::join(absent, ", "));
   }
   return html;
 }
@@ -154,7 +154,7 @@ std::string Radar(const std::vector<LayoutReport>& reports) {
 std::string Key(const std::vector<LayoutReport>& reports) {
   std::string html = "<p>";
   for (std::size_t l = 0; l < reports.size(); ++l) {
-    html += fmt::format("<span class=\"key {}\"></span>{}", Colour(l), Escape(reports[l].name));
+    html += fmt::format("<span class=\"key {}\"></span>{}", Colour(l), Escaped(reports[l].name));
   }
   return html + "</p>\n";
 }
@@ -182,16 +182,16 @@ std::string Maps(const std::vector<LayoutReport>& reports) {
   const std::vector<double> none;
   for (const PolarMap& map : first.maps) {
     const std::vector<double>& outline = IsAboutMachine(map) ? first.outline_m : none;
-    html += fmt::format("<h3>{}</h3>\n<div class=\"figures\">\n", Escape(map.title));
+    html += fmt::format("<h3>{}</h3>\n<div class=\"figures\">\n", Escaped(map.title));
     for (const LayoutReport& report : reports) {
       for (const PolarMap& of : report.maps) {
         if (of.id != map.id || of.value.size() != map.value.size()) continue;
         html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", MapSvg(of, outline),
-                            Escape(report.name));
+                            Escaped(report.name));
         if (&report == &first) continue;
         html += fmt::format("<figure>{}<figcaption>{} against {}</figcaption></figure>\n",
-                            MapSvg(DifferenceOf(map, of), outline), Escape(report.name),
-                            Escape(first.name));
+                            MapSvg(DifferenceOf(map, of), outline), Escaped(report.name),
+                            Escaped(first.name));
       }
     }
     html += "</div>\n";
@@ -216,7 +216,7 @@ std::string Curves(const std::vector<LayoutReport>& reports) {
       }
     }
     html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n",
-                        CurvesSvg(curve.title, curve.most, curves, colours), Escape(curve.title));
+                        CurvesSvg(curve.title, curve.most, curves, colours), Escaped(curve.title));
   }
   return html + "</div>\n";
 }
@@ -225,7 +225,7 @@ std::string Curves(const std::vector<LayoutReport>& reports) {
 std::string Expenses(const std::vector<LayoutReport>& reports) {
   std::string html = "<ul>";
   for (const LayoutReport& report : reports) {
-    html += fmt::format("<li>{}: {}.</li>", Escape(report.name), ExpenseText(report.expense));
+    html += fmt::format("<li>{}: {}.</li>", Escaped(report.name), ExpenseText(report.expense));
   }
   return html + "</ul>\n";
 }
@@ -262,7 +262,7 @@ std::string Table(const LayoutReport& first, const LayoutReport& other) {
   std::string html = fmt::format(
       "<h2>{0} against {1}</h2>\n<div class=\"wide\"><table><tr><th>Figure</th>"
       "<th class=\"r\">{1}</th><th class=\"r\">{0}</th><th>{0} is</th></tr>\n",
-      Escape(other.name), Escape(first.name));
+      Escaped(other.name), Escaped(first.name));
   for (const Difference& d : Compare(first, other)) {
     const bool better = d.verdict() == Difference::Verdict::kBetter;
     const bool worse = d.verdict() == Difference::Verdict::kWorse;
@@ -272,8 +272,8 @@ std::string Table(const LayoutReport& first, const LayoutReport& other) {
         better  ? "better"
         : worse ? "worse"
                 : "same",
-        Escape(Describe(d.figure)), Escape(ValueText(d.figure, d.of_first)),
-        Escape(ValueText(d.figure, d.of_other)), Escape(VerdictText(d)));
+        Escaped(Describe(d.figure)), Escaped(ValueText(d.figure, d.of_first)),
+        Escaped(ValueText(d.figure, d.of_other)), Escaped(VerdictText(d)));
   }
   return html + "</table></div>\n";
 }
@@ -318,7 +318,7 @@ std::string ComparisonCsv(const std::vector<LayoutReport>& reports) {
 std::string ComparisonPage(const std::vector<LayoutReport>& reports) {
   std::string html = PageBegin("Sensor layouts compared") + "<h1>Which layout sees more?</h1>\n";
   for (const std::string& line : ComparisonWords(reports)) {
-    html += fmt::format("<p>{}</p>\n", Escape(line));
+    html += fmt::format("<p>{}</p>\n", Escaped(line));
   }
   html +=
       "<p class=\"soft\">Intervals are of 95 %, by a block bootstrap over the moments of the "

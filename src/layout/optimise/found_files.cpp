@@ -118,8 +118,8 @@ std::string Scatter(const LayoutSearch& search, const OptimiseResult& result) {
       "<text x=\"60\" y=\"330\">{:.4g}</text><text x=\"560\" y=\"330\">{:.4g}</text>"
       "<text x=\"2\" y=\"300\">{:.4g}</text><text x=\"2\" y=\"44\">{:.4g}</text>"
       "<text x=\"230\" y=\"345\">{}</text><text x=\"60\" y=\"16\">{}</text></svg>\n",
-      low.x(), high.x(), low.y(), high.y(), Escape(search.objectives[0].figure),
-      Escape(search.objectives[1].figure));
+      low.x(), high.x(), low.y(), high.y(), Escaped(search.objectives[0].figure),
+      Escaped(search.objectives[1].figure));
   return svg;
 }
 
@@ -134,11 +134,11 @@ std::string SearchPage(const LayoutSearch& search, const OptimiseResult& result)
       "moments, places and errors.</p>\n",
       LayoutCount(result.front.size()), search.moments);
   for (const std::string& warning : result.warnings) {
-    html += fmt::format("<p class=\"warning\">{}</p>\n", Escape(warning));
+    html += fmt::format("<p class=\"warning\">{}</p>\n", Escaped(warning));
   }
   html += Scatter(search, result) + "<div class=\"wide\"><table><tr><th>Rig</th>";
   for (const Objective& objective : search.objectives) {
-    html += fmt::format("<th class=\"r\">{}{}</th>", Escape(objective.figure),
+    html += fmt::format("<th class=\"r\">{}{}</th>", Escaped(objective.figure),
                         objective.at_worst ? ", worst moment" : ", mean");
   }
   html += "<th>Sensors</th></tr>\n";
@@ -151,7 +151,7 @@ std::string SearchPage(const LayoutSearch& search, const OptimiseResult& result)
     for (const SensorDescription& sensor : SensorsOf(search, found.genes)) {
       names.push_back(fmt::format("{} on {}", sensor.name, sensor.link));
     }
-    html += fmt::format("<td>{}</td></tr>\n", Escape(fmt::format("{}", fmt::join(names, ", "))));
+    html += fmt::format("<td>{}</td></tr>\n", Escaped(fmt::format("{}", fmt::join(names, ", "))));
   };
   for (std::size_t i = 0; i < result.front.size(); ++i) {
     row("front/" + NameOf(i) + ".yaml", result.front[i]);

@@ -52,7 +52,7 @@ std::string PageBegin(const std::string& title) {
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
       "<title>{}</title>\n<style>{}</style></head>\n<body><main>\n",
-      Escape(title), kStyle);
+      Escaped(title), kStyle);
 }
 
 std::string PageEnd() { return "</main></body></html>\n"; }

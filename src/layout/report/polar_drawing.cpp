@@ -85,7 +85,7 @@ std::string Frame(double most, const std::string& unit) {
 
 std::string Opening(const std::string& title) {
   return fmt::format("<svg viewBox=\"0 0 {0} {0}\" role=\"img\" aria-label=\"{1}\">", 2 * kMiddle,
-                     Escape(title));
+                     Escaped(title));
 }
 
 /// Cells of equal colour beside each other along a ring are one path.

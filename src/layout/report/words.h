@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/html.h"
 #include "layout/layout_report.h"
 
 namespace tera {
@@ -19,8 +20,5 @@ std::string Spaced(std::string text);
 
 /// What a rig takes, as far as it says so: "cost 4500 (2 of 3 sensors priced), ...".
 std::string ExpenseText(const Expense& expense);
-
-/// Characters that HTML reserves as entities.
-std::string Escape(const std::string& text);
 
 }  // namespace tera

@@ -100,7 +100,7 @@ std::string MapFigures(const LayoutReport& report, const Measures& measures,
     if (!IsAnyOf(map.id, measures)) continue;
     figures += fmt::format("<figure>{}<figcaption>{}, {}</figcaption></figure>\n",
                            MapSvg(map, IsAboutMachine(map) ? report.outline_m : none),
-                           Escape(map.title), ColoursText(map));
+                           Escaped(map.title), ColoursText(map));
   }
   if (figures.empty()) return "";
   return heading + "<div class=\"figures\">\n" + figures + "</div>\n";
@@ -110,8 +110,9 @@ std::string CurveFigures(const LayoutReport& report, Measure measure) {
   std::string figures;
   for (const PolarCurve& curve : report.curves) {
     if (curve.id.measure != measure) continue;
-    figures += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n",
-                           CurvesSvg(curve.title, curve.most, {curve}, {"a"}), Escape(curve.title));
+    figures +=
+        fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n",
+                    CurvesSvg(curve.title, curve.most, {curve}, {"a"}), Escaped(curve.title));
   }
   if (figures.empty()) return "";
   return "<p class=\"soft\">Line: the farthest, mean over the cycle; filled: at the worst moment "
@@ -131,8 +132,8 @@ std::string PeopleTable(const LayoutReport& report) {
       rows += fmt::format(
           "<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"r\">{}</td><td "
           "class=\"r\">{}</td></tr>\n",
-          Escape(posture), kQuarters[q].name, RangeText(*always),
-          Escape(ValueText(over.id, MeanOf(over))), Escape(ValueText(over.id, WorstOf(over))));
+          Escaped(posture), kQuarters[q].name, RangeText(*always),
+          Escaped(ValueText(over.id, MeanOf(over))), Escaped(ValueText(over.id, WorstOf(over))));
     }
   }
   if (rows.empty()) return "";
@@ -163,9 +164,9 @@ std::string FigureTable(const LayoutReport& report) {
     html += fmt::format(
         "<tr><td>{}</td><td class=\"r\">{}</td><td class=\"r\">{}</td>"
         "<td class=\"r\">{}</td></tr>\n",
-        Escape(Describe(f.id)), Escape(ValueText(f.id, MeanOf(f))),
-        Escape(ValueText(f.id, WorstOf(f))),
-        f.error.empty() ? "-" : Escape(ValueText(f.id, ErrorOf(f))));
+        Escaped(Describe(f.id)), Escaped(ValueText(f.id, MeanOf(f))),
+        Escaped(ValueText(f.id, WorstOf(f))),
+        f.error.empty() ? "-" : Escaped(ValueText(f.id, ErrorOf(f))));
   }
   return html + "</table></div>\n";
 }
@@ -181,7 +182,7 @@ std::string ShareTable(const std::string& heading, const char* first, const char
     for (const auto& [share, name] : sorted) {
       if (share < kLeastShown) continue;
       rows += fmt::format("<tr><td>{}</td><td>{}</td><td class=\"r\">{:.1f} %</td></tr>\n",
-                          Escape(zone), Escape(name), kPercentShare * share);
+                          Escaped(zone), Escaped(name), kPercentShare * share);
     }
   }
   if (rows.empty()) return "";
@@ -195,18 +196,18 @@ std::string ShareTable(const std::string& heading, const char* first, const char
 
 std::string ReportPage(const LayoutReport& report) {
   std::string html = PageBegin("Sensor layout " + report.name);
-  html += fmt::format("<h1>What does the layout “{}” see?</h1>\n", Escape(report.name));
+  html += fmt::format("<h1>What does the layout “{}” see?</h1>\n", Escaped(report.name));
   for (const std::string& line : Answer(report)) {
-    html += fmt::format("<p class=\"answer\">{}</p>\n", Escape(line));
+    html += fmt::format("<p class=\"answer\">{}</p>\n", Escaped(line));
   }
   for (const std::string& warning : report.warnings) {
-    html += fmt::format("<p class=\"warning\">{}</p>\n", Escape(warning));
+    html += fmt::format("<p class=\"warning\">{}</p>\n", Escaped(warning));
   }
   html += fmt::format(
       "<p class=\"soft\">Rig {}; sensors that see: {}. Over {}: {} from {:.1f} to {:.1f} s. It "
       "takes {}.</p>\n",
-      Escape(report.file), Escape(fmt::format("{}", fmt::join(report.viewers, ", "))),
-      Escape(report.cycle),
+      Escaped(report.file), Escaped(fmt::format("{}", fmt::join(report.viewers, ", "))),
+      Escaped(report.cycle),
       report.t_s.size() == 1 ? "1 moment" : fmt::format("{} moments", report.t_s.size()),
       report.t_s.front(), report.t_s.back(), ExpenseText(report.expense));
   html += MapFigures(report, {Measure::kSeenMap},
