@@ -146,8 +146,9 @@ void AddCheckCommand(CLI::App* app) {
       ForEpisodes(arguments->scenario, arguments->sample, [](const Scenario&) {});
     } else {
       if (arguments->sample == 0 || arguments->sample > kMostTiles) {
-        throw InputError(fmt::format("--sheet: {} episodes to draw; need --sample 1 to {}",
-                                     arguments->sample, kMostTiles));
+        throw InputError("--sheet", {FaultKind::kOutOfRange,
+                                     fmt::format("{} episodes to draw; need --sample 1 to {}",
+                                                 arguments->sample, kMostTiles)});
       }
       WriteSheet(arguments->scenario, arguments->sample, arguments->sheet);
     }

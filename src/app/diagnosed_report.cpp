@@ -22,9 +22,8 @@ void RequireOthers(const DiagnoseArguments& arguments) {
     for (const std::filesystem::path& searched : arguments.recordings) {
       std::error_code none;
       if (!std::filesystem::equivalent(further, searched, none)) continue;
-      throw InputError(fmt::format(
-          "--held-out {}: is the recording that is searched; need one that nothing is fitted to",
-          further.string()));
+      throw InputError("--held-out " + further.string(),
+                       "is the recording that is searched; need one that nothing is fitted to");
     }
   }
 }

@@ -26,7 +26,8 @@ CylinderStroke StrokeOf(const ConfigMap& machine, const ConfigMap& joint) {
         [model, &cylinder](double stroke_m) { return JointOfStroke(*model, cylinder, stroke_m); },
         strokes.least_m, strokes.most_m};
   }
-  joint.Fault("stroke", "no cylinder of the machine model moves a joint '" + name + "'");
+  joint.Fault("stroke", {FaultKind::kNoSuchName,
+                         "no cylinder of the machine model moves a joint '" + name + "'"});
   return {};
 }
 
@@ -135,11 +136,14 @@ void AddImportCommand(CLI::App* app) {
       return;
     }
     if (arguments->mapping.empty()) {
-      throw InputError(
-          "MAPPING: is missing; name the mapping's file, or ask for one by --suggest LOG");
+      throw InputError("MAPPING",
+                       {FaultKind::kMissing,
+                        "is missing; name the mapping's file, or ask for one by --suggest LOG"});
     }
     if (arguments->out.empty() && !arguments->options.checks_only) {
-      throw InputError("--out: is missing; name the recording's new directory, or ask for --check");
+      throw InputError("--out",
+                       {FaultKind::kMissing,
+                        "is missing; name the recording's new directory, or ask for --check"});
     }
     arguments->options.cylinder_stroke = StrokeOf;
     PrintReport(ImportCsv(arguments->mapping, arguments->out, arguments->options));

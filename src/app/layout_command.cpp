@@ -50,9 +50,12 @@ std::vector<Layout> LoadLayouts(const EvaluateArguments& arguments, const Cycle&
   for (const fs::path& rig : arguments.rigs) {
     layouts.push_back(LoadLayout(rig, cycle, machine));
     if (!names.insert(layouts.back().name).second) {
-      throw InputError(fmt::format(
-          "{}: another rig is called '{}' too, which its report is named after; rename one",
-          rig.string(), layouts.back().name));
+      throw InputError(
+          rig.string(),
+          {FaultKind::kRepeated,
+           fmt::format(
+               "another rig is called '{}' too, which its report is named after; rename one",
+               layouts.back().name)});
     }
   }
   return layouts;
@@ -107,8 +110,10 @@ std::vector<LayoutReport> ReadReports(const std::vector<fs::path>& files) {
     ++named[reports.back().name];
     const auto [same, is_new] = known.emplace(fs::weakly_canonical(FolderOf(file)), file);
     if (is_new) continue;
-    throw InputError(fmt::format("{}: is the same report as {}; need another to compare it with",
-                                 file.string(), same->second.string()));
+    throw InputError(file.string(),
+                     {FaultKind::kRepeated,
+                      fmt::format("is the same report as {}; need another to compare it with",
+                                  same->second.string())});
   }
   for (std::size_t r = 0; r < reports.size(); ++r) {
     if (named[reports[r].name] > 1) reports[r].name = FolderOf(files[r]).generic_string();

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <string>
 
 #include "app/commands.h"
@@ -15,10 +13,9 @@ void AddLeftOut(const std::string& name, const std::string& description, CLI::Ap
   CLI::App* command = app->add_subcommand(name, description + " (not in this build)");
   command->allow_extras();
   command->callback([name] {
-    throw InputError(
-        fmt::format("tera {}: left out of this build, which is that of the quickstart; "
-                    "scripts/build.sh builds the whole program",
-                    name));
+    throw InputError("tera " + name, {FaultKind::kUnsupported,
+                                      "left out of this build, which is that of the quickstart; "
+                                      "scripts/build.sh builds the whole program"});
   });
 }
 

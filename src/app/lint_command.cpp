@@ -65,7 +65,8 @@ void RunLint(const LintArguments& arguments) {
     return;
   }
   if (arguments.dataset.empty()) {
-    throw InputError("DATASET: is missing; name the folder of a dataset, or use --rules");
+    throw InputError("DATASET", {FaultKind::kMissing,
+                                 "is missing; name the folder of a dataset, or use --rules"});
   }
   const LintReport report = Lint(arguments.dataset, LintOptionsOf(arguments));
   fmt::print("{}", LintTable(report));

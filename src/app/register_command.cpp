@@ -60,9 +60,9 @@ void PrintOpen(const Registration& found) {
 
 void RequireOneMap(const RegisterArguments& arguments, const Survey& a, const Survey& b) {
   if (!a.map || !b.map || a.map->wkt == b.map->wkt) return;
-  throw InputError(fmt::format("{}: is in '{}', and {} in '{}'; reproject one of them",
-                               arguments.b.string(), b.map->name, arguments.a.string(),
-                               a.map->name));
+  throw InputError(arguments.b.string(),
+                   fmt::format("is in '{}', and {} in '{}'; reproject one of them", b.map->name,
+                               arguments.a.string(), a.map->name));
 }
 
 std::vector<Vec3> PointsOf(const Survey& survey) {

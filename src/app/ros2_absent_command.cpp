@@ -11,8 +11,9 @@ void AddRos2Command(CLI::App* app) {
   command->allow_extras();
   command->callback([] {
     throw InputError(
-        "tera ros2: built without Cyclone DDS; install cyclonedds-dev, then configure and "
-        "build again");
+        "tera ros2",
+        {FaultKind::kUnsupported,
+         "built without Cyclone DDS; install cyclonedds-dev, then configure and build again"});
   });
 }
 

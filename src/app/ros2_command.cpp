@@ -62,8 +62,10 @@ int DomainOfEnvironment() {
   if (text.empty()) return 0;
   const auto id = ParseNumber<int>(text);
   if (id && *id >= 0 && *id <= ros::Participant::kLargestDomainId) return *id;
-  throw InputError(fmt::format("ROS_DOMAIN_ID is '{}'; need a whole number from 0 to {}, or unset",
-                               text, ros::Participant::kLargestDomainId));
+  throw InputError(
+      "", {FaultKind::kMistyped,
+           fmt::format("ROS_DOMAIN_ID is '{}'; need a whole number from 0 to {}, or unset", text,
+                       ros::Participant::kLargestDomainId)});
 }
 
 bool LocalhostOnlyByEnvironment() {

@@ -11,8 +11,10 @@ void AddServeCommand(CLI::App* app) {
   command->allow_extras();
   command->callback([] {
     throw InputError(
-        "tera serve: built without gRPC; install libgrpc++-dev, libprotobuf-dev, protobuf-compiler "
-        "and protobuf-compiler-grpc, then configure and build again");
+        "tera serve",
+        {FaultKind::kUnsupported,
+         "built without gRPC; install libgrpc++-dev, libprotobuf-dev, protobuf-compiler and "
+         "protobuf-compiler-grpc, then configure and build again"});
   });
 }
 

@@ -83,8 +83,8 @@ void RunSite(SiteArguments arguments) {
                          : request.about_middle    ? "--local"
                                                    : nullptr;
   if (site.has_map && needless) {
-    throw InputError(fmt::format("{}: the survey is in '{}' and needs none; leave it out", needless,
-                                 site.map.name));
+    throw InputError(
+        needless, fmt::format("the survey is in '{}' and needs none; leave it out", site.map.name));
   }
   WholeFolder folder(arguments.out);
   WriteSite(site, ScenarioName(arguments.survey), arguments.survey.filename().string(),

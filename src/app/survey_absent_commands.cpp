@@ -10,8 +10,9 @@ void AddAbsent(CLI::App* app, const std::string& name, const std::string& what) 
   CLI::App* command = app->add_subcommand(name, what + " (not in this build: needs PCL)");
   command->allow_extras();
   command->callback([name] {
-    throw InputError("tera " + name +
-                     ": built without PCL; install libpcl-dev, then configure and build again");
+    throw InputError("tera " + name,
+                     {FaultKind::kUnsupported,
+                      "built without PCL; install libpcl-dev, then configure and build again"});
   });
 }
 

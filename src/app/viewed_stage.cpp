@@ -1,7 +1,5 @@
 #include "app/viewed_stage.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -135,10 +133,8 @@ Stage StageOf(const Scenario& scenario) {
 Stage StageOfRecording(const std::filesystem::path& recording,
                        const std::vector<std::string>& moved) {
   if (!Recording(recording).info().simulated) {
-    throw InputError(
-        fmt::format("{}: is a real recording, of which no scenario says what its "
-                    "machine looks like",
-                    recording.string()));
+    throw InputError(recording.string(),
+                     "is a real recording, of which no scenario says what its machine looks like");
   }
   return StageOf(LoadRecordedScenario(recording, {}, moved).scenario);
 }

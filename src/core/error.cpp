@@ -12,7 +12,9 @@ std::string MessageOf(const std::vector<InputFault>& faults) {
   return message;
 }
 
+/// The place of a fault that has one already goes on within the other.
 InputFault At(std::string place, InputFault fault) {
+  if (!fault.place.empty()) place += ": " + fault.place;
   fault.place = std::move(place);
   return fault;
 }

@@ -26,8 +26,10 @@ std::string NameInRecording(const std::string& name, std::size_t in_scenario,
   const std::vector<std::string> names = recording.Machines();
   if (std::find(names.begin(), names.end(), name) != names.end()) return name;
   if (in_scenario == 1 && names.size() == 1) return names.front();
-  throw InputError(fmt::format("{}: has no machine '{}', but {}; need the names of the scenario",
-                               recording.directory().string(), name, fmt::join(names, ", ")));
+  throw InputError(recording.directory().string(),
+                   {FaultKind::kNoSuchName,
+                    fmt::format("has no machine '{}', but {}; need the names of the scenario", name,
+                                fmt::join(names, ", "))});
 }
 
 /// The levers that the scenario replays; none where it replays none.
@@ -133,11 +135,11 @@ void RequireOtherTime(const Recording& one, const Recording& other) {
   const auto both = TimeInCommon(one, other);
   if (!both) return;
   throw InputError(
-      fmt::format("{}: is of the same time as {}, from {:.3f} s to {:.3f} s of that, by the epochs "
-                  "of both; need "
-                  "recordings of different drives, since each is judged by what it has not seen",
-                  other.directory().string(), one.directory().string(), ToSeconds(both->first_ns),
-                  ToSeconds(both->last_ns)));
+      other.directory().string(),
+      fmt::format(
+          "is of the same time as {}, from {:.3f} s to {:.3f} s of that, by the epochs of both; "
+          "need recordings of different drives, since each is judged by what it has not seen",
+          one.directory().string(), ToSeconds(both->first_ns), ToSeconds(both->last_ns)));
 }
 
 std::vector<Diagnosis> DiagnoseRecording(const Scenario& scenario, const Recording& recording,

@@ -1,7 +1,5 @@
 #include "diagnose/diagnose_recordings.h"
 
-#include <fmt/format.h>
-
 #include "core/error.h"
 
 namespace tera {
@@ -13,10 +11,9 @@ void RequireDifferent(const std::vector<std::filesystem::path>& paths) {
     for (std::size_t j = 0; j < i; ++j) {
       std::error_code none;
       if (!std::filesystem::equivalent(paths[i], paths[j], none)) continue;
-      throw InputError(
-          fmt::format("{}: is named twice; need different recordings, since each is "
-                      "judged by those that it has not seen",
-                      paths[i].string()));
+      throw InputError(paths[i].string(), {FaultKind::kRepeated,
+                                           "is named twice; need different recordings, since each "
+                                           "is judged by those that it has not seen"});
     }
   }
 }

@@ -132,17 +132,18 @@ void RequireMoving(const AxisColumns& axis, bool lever_moves) {
   const double q_span = EndsOf(axis.q).Span(), qd_span = EndsOf(axis.qd).Span();
   const bool moves = q_span > kLeastRange_rad || lever_moves;
   if (qd_span == 0 && moves) {
-    throw InputError(fmt::format(
-        "{}: column '{}' is {} in all {} samples while {}; need the rate that was measured, or a "
-        "recording without this joint",
-        axis.file, axis.rate, axis.qd.front(), axis.qd.size(),
-        q_span > kLeastRange_rad ? fmt::format("'{}' changes", axis.position) : "its lever moves"));
+    throw InputError(
+        axis.file, fmt::format("column '{}' is {} in all {} samples while {}; need the rate that "
+                               "was measured, or a recording without this joint",
+                               axis.rate, axis.qd.front(), axis.qd.size(),
+                               q_span > kLeastRange_rad ? fmt::format("'{}' changes", axis.position)
+                                                        : "its lever moves"));
   }
   if (q_span == 0 && qd_span > 0 && lever_moves) {
-    throw InputError(fmt::format(
-        "{}: column '{}' is {} in all {} samples while '{}' changes and its lever moves; need the "
-        "position that was measured",
-        axis.file, axis.position, axis.q.front(), axis.q.size(), axis.rate));
+    throw InputError(axis.file,
+                     fmt::format("column '{}' is {} in all {} samples while '{}' changes and its "
+                                 "lever moves; need the position that was measured",
+                                 axis.position, axis.q.front(), axis.q.size(), axis.rate));
   }
 }
 
@@ -166,11 +167,11 @@ void RequireRatesOfPositions(const AxisColumns& axis) {
   if (found.correlation < kLeastCorrelation) return;
   const std::string unit = UnitBehind(found.factor, axis.rate_unit);
   if (unit.empty()) return;
-  throw InputError(fmt::format(
-      "{}: column '{}' is {:.3g} times what '{}' changes by in a second; need {} and {}. Is the "
-      "rate in {}, or the position in another unit? {}",
-      axis.file, axis.rate, found.factor, axis.position, axis.rate_unit, axis.position_unit, unit,
-      kNotConverted));
+  throw InputError(axis.file,
+                   fmt::format("column '{}' is {:.3g} times what '{}' changes by in a second; need "
+                               "{} and {}. Is the rate in {}, or the position in another unit? {}",
+                               axis.rate, found.factor, axis.position, axis.rate_unit,
+                               axis.position_unit, unit, kNotConverted));
 }
 
 /// Throws where positions exceed the joint's limits and would be within them in another unit.
@@ -191,11 +192,11 @@ void RequireWithinLimits(const AxisColumns& axis, const Joint& joint) {
   for (const double factor : {kDegrees, 1000.0}) {
     const std::string unit = UnitBehind(factor, axis.position_unit);
     if (unit.empty() || beyond(factor) > 0.01) continue;
-    throw InputError(fmt::format(
-        "{}: column '{}' goes from {:.4g} to {:.4g}, and the joint from {:.4g} to {:.4g} {}. Is it "
-        "in {}? {}",
-        axis.file, axis.position, EndsOf(axis.q).low, EndsOf(axis.q).high, joint.lower_rad,
-        joint.upper_rad, axis.position_unit, unit, kNotConverted));
+    throw InputError(axis.file, fmt::format("column '{}' goes from {:.4g} to {:.4g}, and the joint "
+                                            "from {:.4g} to {:.4g} {}. Is it in {}? {}",
+                                            axis.position, EndsOf(axis.q).low, EndsOf(axis.q).high,
+                                            joint.lower_rad, joint.upper_rad, axis.position_unit,
+                                            unit, kNotConverted));
   }
 }
 
@@ -257,9 +258,10 @@ void CheckLevers(const RecordedPlace& place, const TableRecording& commands,
                        : largest > 10 && largest <= 105   ? " Is it in percent?"
                        : largest > 200 && largest <= 1050 ? " Is it in parts of a thousand?"
                                                           : "";
-    throw InputError(fmt::format(
-        "{}/{}/commands.csv: column '{}' reaches {:.4g}; need -1 to 1 of full lever.{} {}",
-        place.directory, place.machine, commands.columns[c], largest, unit, kNotConverted));
+    throw InputError(fmt::format("{}/{}/commands.csv", place.directory, place.machine),
+                     {FaultKind::kOutOfRange,
+                      fmt::format("column '{}' reaches {:.4g}; need -1 to 1 of full lever.{} {}",
+                                  commands.columns[c], largest, unit, kNotConverted)});
   }
 }
 
@@ -285,11 +287,13 @@ void CheckClocks(const RecordedPlace& place, const TableRecording& commands,
   for (std::size_t k = 1; k < spans.size(); ++k) {
     const TimeSpan &a = spans.front(), &b = spans[k];
     if (a.first_ns <= b.last_ns && b.first_ns <= a.last_ns) continue;
-    throw InputError(fmt::format(
-        "{}: {} and {} have no time in common, {:.3f} s to {:.3f} s and {:.3f} s to {:.3f} s; need "
-        "clocks that count from the same event (`time` of the import)",
-        place.directory, a.what, b.what, ToSeconds(a.first_ns), ToSeconds(a.last_ns),
-        ToSeconds(b.first_ns), ToSeconds(b.what == "commands" ? commands.t_ns.back() : b.last_ns)));
+    throw InputError(
+        place.directory,
+        fmt::format("{} and {} have no time in common, {:.3f} s to {:.3f} s and {:.3f} s to {:.3f} "
+                    "s; need clocks that count from the same event (`time` of the import)",
+                    a.what, b.what, ToSeconds(a.first_ns), ToSeconds(a.last_ns),
+                    ToSeconds(b.first_ns),
+                    ToSeconds(b.what == "commands" ? commands.t_ns.back() : b.last_ns)));
   }
 }
 
@@ -328,10 +332,10 @@ void CheckImu(const RecordedPlace& place, const std::string& channel,
     const bool others_change =
         ends[first].Span() + ends[first + 1].Span() + ends[first + 2].Span() > 0;
     if (ends[i].Span() > 0 || !others_change) continue;
-    throw InputError(fmt::format(
-        "{}: column '{}' is {} in all {} samples while others change; need what the unit measured, "
-        "or a recording without it",
-        FileOf(place, channel), kColumns[i], ends[i].low, samples.size()));
+    throw InputError(FileOf(place, channel),
+                     fmt::format("column '{}' is {} in all {} samples while others change; need "
+                                 "what the unit measured, or a recording without it",
+                                 kColumns[i], ends[i].low, samples.size()));
   }
   const double usual_mps2 = Median(force_mps2);
   const char* unit = IsNear(usual_mps2, 1)                              ? "g (9.80665 m/s²)"
@@ -339,9 +343,11 @@ void CheckImu(const RecordedPlace& place, const std::string& channel,
                      : IsNear(usual_mps2, 1000 * kStandardGravity_mps2) ? "mm/s²"
                                                                         : nullptr;
   if (unit == nullptr) return;
-  throw InputError(fmt::format(
-      "{}: the specific force is {:.4g} at the median, and gravity's {:.3f} m/s². Is it in {}? {}",
-      FileOf(place, channel), usual_mps2, kStandardGravity_mps2, unit, kNotConverted));
+  throw InputError(
+      FileOf(place, channel),
+      fmt::format(
+          "the specific force is {:.4g} at the median, and gravity's {:.3f} m/s². Is it in {}? {}",
+          usual_mps2, kStandardGravity_mps2, unit, kNotConverted));
 }
 
 void CheckGnss(const RecordedPlace& place, const std::string& channel,
@@ -353,19 +359,19 @@ void CheckGnss(const RecordedPlace& place, const std::string& channel,
     const char* column = kColumns[static_cast<std::size_t>(axis)];
     if (EndsOf(ways.receiver_m).Span() == 0) {
       throw InputError(
-          fmt::format("{}: column '{}' is {} in all {} samples with a fix while the machine goes "
-                      "{:.1f} m; need "
-                      "what the receiver measured, or a recording without it",
-                      FileOf(place, channel), column, ways.receiver_m.front(),
-                      ways.receiver_m.size(), EndsOf(ways.machine_m).Span()));
+          FileOf(place, channel),
+          fmt::format("column '{}' is {} in all {} samples with a fix while the machine goes "
+                      "{:.1f} m; need what the receiver measured, or a recording without it",
+                      column, ways.receiver_m.front(), ways.receiver_m.size(),
+                      EndsOf(ways.machine_m).Span()));
     }
     const Proportion found = ProportionOf(ways.receiver_m, ways.machine_m);
     const std::string unit = UnitBehind(found.factor, "m");
     if (found.correlation < kLeastCorrelation || unit.empty()) continue;
-    throw InputError(
-        fmt::format("{}: column '{}' changes by {:.3g} times what the machine's poses do; need m. "
-                    "Is it in {}? {}",
-                    FileOf(place, channel), column, found.factor, unit, kNotConverted));
+    throw InputError(FileOf(place, channel),
+                     fmt::format("column '{}' changes by {:.3g} times what the machine's poses do; "
+                                 "need m. Is it in {}? {}",
+                                 column, found.factor, unit, kNotConverted));
   }
 }
 
@@ -385,20 +391,19 @@ void CheckUnitsOf(const RecordedPlace& place, const std::vector<ReplayBlock>& bl
       const bool is_of_axis = block.channels.size() == 1 && channel.unit.ends_with("/s");
       if (is_of_axis && found.correlation < -kLeastCorrelation) {
         if (FollowsLate(channel.measured, predicted[c])) continue;
-        throw InputError(
-            fmt::format("{}: {} goes against its lever (correlation {:.2f}); need the signs of the "
-                        "scenario's machine, in levers and encoders",
-                        place.directory, channel.name, found.correlation));
+        throw InputError(place.directory,
+                         fmt::format("{} goes against its lever (correlation {:.2f}); need the "
+                                     "signs of the scenario's machine, in levers and encoders",
+                                     channel.name, found.correlation));
       }
       if (found.correlation < kLeastCorrelation) continue;
       const std::string unit = UnitBehind(found.factor, channel.unit);
       if (unit.empty()) continue;
-      throw InputError(
-          fmt::format("{}: {} is {:.3g} times what the scenario says of it (correlation {:.2f}); "
-                      "need {}. Is it "
-                      "in {}? {}",
-                      place.directory, channel.name, found.factor, found.correlation, channel.unit,
-                      unit, kNotConverted));
+      throw InputError(place.directory,
+                       fmt::format("{} is {:.3g} times what the scenario says of it (correlation "
+                                   "{:.2f}); need {}. Is it in {}? {}",
+                                   channel.name, found.factor, found.correlation, channel.unit,
+                                   unit, kNotConverted));
     }
   }
 }

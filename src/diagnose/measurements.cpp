@@ -87,11 +87,12 @@ void RequireLongEnough(const Measurements& measured, const MeasurementOptions& o
   const double left_s = std::min(options.to_s, length_s) - options.from_s;
   if (left_s >= kShortestRecording_s - kRounding_s) return;
   const bool is_whole = options.from_s == 0 && options.to_s >= length_s;
-  throw InputError(fmt::format(
-      "{}: {:.1f} s were measured{}; need {:g} s at least{}", measured.recording, length_s,
-      is_whole ? ""
-               : fmt::format(", of which --from and --to leave {:.1f} s", std::max(0.0, left_s)),
-      kShortestRecording_s, UnitOfTimeText(measured, length_s)));
+  throw InputError(measured.recording,
+                   fmt::format("{:.1f} s were measured{}; need {:g} s at least{}", length_s,
+                               is_whole ? ""
+                                        : fmt::format(", of which --from and --to leave {:.1f} s",
+                                                      std::max(0.0, left_s)),
+                               kShortestRecording_s, UnitOfTimeText(measured, length_s)));
 }
 
 void CheckMeasurements(const DiagnosisInput& input, const Recording& recording,
@@ -150,9 +151,9 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
   if (!any && !options.needs_any) return measured;
   if (!any) {
     throw InputError(
-        fmt::format("{}: {} of {}, and no inertial unit or receiver that the scenario has; need "
+        recording.directory().string(),
+        fmt::format("{} of {}, and no inertial unit or receiver that the scenario has; need "
                     "something measured to compare: {}",
-                    recording.directory().string(),
                     all > 0 ? "no sample in the encoder channels" : "no encoder channel",
                     input.machine, ChannelsText(input, recording)));
   }

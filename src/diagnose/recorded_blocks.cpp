@@ -94,8 +94,9 @@ void RequireLever(const DiagnosisInput& input, std::size_t axis) {
   const std::optional<std::string> lever = LeverOf(*input.model, axis);
   const std::vector<std::string>& columns = input.commands.columns;
   if (!lever || std::find(columns.begin(), columns.end(), *lever) != columns.end()) return;
-  throw InputError(fmt::format("commands have no column '{}', but {}; need its lever", *lever,
-                               fmt::join(columns, ", ")));
+  throw InputError(
+      "", {FaultKind::kMistyped, fmt::format("commands have no column '{}', but {}; need its lever",
+                                             *lever, fmt::join(columns, ", "))});
 }
 
 /// Adds a block for each joint and gear with an encoder and a lever.
@@ -232,15 +233,15 @@ std::string RecordedText(const DiagnosisInput& input, const Measurements& measur
 [[noreturn]] void ThrowNothingToCompare(const DiagnosisInput& input, const Measurements& measured,
                                         const std::vector<std::string>& obstacles) {
   if (!obstacles.empty()) {
-    throw InputError(fmt::format("{}: {}", measured.recording, fmt::join(obstacles, "; ")));
+    throw InputError(measured.recording, fmt::format("{}", fmt::join(obstacles, "; ")));
   }
-  throw InputError(fmt::format(
-      "{}: nothing of {} can be replayed: found {}; need levers and encoders of the same joints, "
-      "efforts and "
-      "encoders of the same joints, encoders of all tracks or wheels and poses, "
-      "a receiver and poses, or an inertial unit and what tells how its link moved, over {} s at "
-      "least",
-      measured.recording, input.machine, RecordedText(input, measured), kShortestRecording_s));
+  throw InputError(
+      measured.recording,
+      fmt::format("nothing of {} can be replayed: found {}; need levers and encoders of the same "
+                  "joints, efforts and encoders of the same joints, encoders of all tracks or "
+                  "wheels and poses, a receiver and poses, or an inertial unit and what tells how "
+                  "its link moved, over {} s at least",
+                  input.machine, RecordedText(input, measured), kShortestRecording_s));
 }
 
 void CountTimeFrom(TimeNs start_ns, ReplayBlock* block) {

@@ -44,10 +44,10 @@ void RequireOnSite(const Zone& zone, const TerrainGrid& site) {
     to_m = to_m.cwiseMax(p_W_m.head<2>());
   }
   if ((to_m.array() > low_m.array()).all() && (from_m.array() < high_m.array()).all()) return;
-  throw InputError(fmt::format(
-      "{}: '{}' lies beside the site, which reaches from x {} to {} m and y {} to {} m; "
-      "need a place on it",
-      zone.place, zone.name, low_m.x(), high_m.x(), low_m.y(), high_m.y()));
+  throw InputError(zone.place,
+                   fmt::format("'{}' lies beside the site, which reaches from x {} to {} m and y "
+                               "{} to {} m; need a place on it",
+                               zone.name, low_m.x(), high_m.x(), low_m.y(), high_m.y()));
 }
 
 }  // namespace
@@ -59,16 +59,19 @@ void CheckStudy(const LayoutStudy& study, const Scenario& scenario) {
   for (const Zone& zone : study.zones) {
     if (zone.name == kAroundZone) {
       throw InputError(
-          fmt::format("{}: '{}' is the name of the volume around the machine; need another",
-                      zone.place, zone.name));
+          zone.place,
+          {FaultKind::kRepeated,
+           fmt::format("'{}' is the name of the volume around the machine; need another",
+                       zone.name)});
     }
     if (zone.frame == "W") {
       RequireOnSite(zone, scenario.site->surface());
     } else if (model.LinkIndex(zone.frame) < 0) {
       std::vector<std::string> frames = {"W"};
       for (const Link& link : model.links) frames.push_back(link.name);
-      throw InputError(fmt::format("{}: of '{}' there is no frame '{}'; need one of {}", zone.place,
-                                   zone.name, zone.frame, fmt::join(frames, ", ")));
+      throw InputError(zone.place, {FaultKind::kNoSuchName,
+                                    fmt::format("of '{}' there is no frame '{}'; need one of {}",
+                                                zone.name, zone.frame, fmt::join(frames, ", "))});
     }
   }
 }
@@ -94,7 +97,7 @@ void Append(std::vector<T> more, std::vector<T>* all) {
 void RequireMounts(const Layout& layout, const LayoutMeasures& measures) {
   const std::vector<std::string> warnings = measures.MountWarnings();
   if (warnings.empty()) return;
-  throw InputError(fmt::format("{}: {}", layout.file.string(), fmt::join(warnings, "\n")));
+  throw InputError(layout.file.string(), fmt::format("{}", fmt::join(warnings, "\n")));
 }
 
 }  // namespace

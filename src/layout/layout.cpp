@@ -50,8 +50,10 @@ StudiedMachine FindMachine(const LayoutStudy& study, const Scenario& scenario) {
   if (!study.machine.empty()) {
     const auto at = std::find(machines.begin(), machines.end(), study.machine);
     if (at == machines.end()) {
-      throw InputError(fmt::format("{}: '{}' is not in the scenario; its machines are {}",
-                                   study.machine_place, study.machine, fmt::join(machines, ", ")));
+      throw InputError(
+          study.machine_place,
+          {FaultKind::kNoSuchName, fmt::format("'{}' is not in the scenario; its machines are {}",
+                                               study.machine, fmt::join(machines, ", "))});
     }
     found.machine = static_cast<std::size_t>(at - machines.begin());
   }
@@ -62,9 +64,10 @@ StudiedMachine FindMachine(const LayoutStudy& study, const Scenario& scenario) {
   if (found.upper < 0) {
     std::vector<std::string> links;
     for (const Link& link : model.links) links.push_back(link.name);
-    throw InputError(fmt::format("{}: machine '{}' has no link '{}'; its links are {}",
-                                 study.upper_place, machines[found.machine], study.upper,
-                                 fmt::join(links, ", ")));
+    throw InputError(study.upper_place,
+                     {FaultKind::kNoSuchName,
+                      fmt::format("machine '{}' has no link '{}'; its links are {}",
+                                  machines[found.machine], study.upper, fmt::join(links, ", "))});
   }
   return found;
 }
@@ -89,8 +92,9 @@ Layout LoadLayout(const std::filesystem::path& file, const Cycle& cycle, std::si
   layout.name = file.stem().string();
   layout.file = file;
   if (layout.viewers.empty()) {
-    throw InputError(fmt::format(
-        "{}: has no lidar and no camera; need one at least, to ask what it sees", file.string()));
+    throw InputError(file.string(),
+                     {FaultKind::kMissing,
+                      "has no lidar and no camera; need one at least, to ask what it sees"});
   }
   return layout;
 }

@@ -34,8 +34,10 @@ std::string RigOverride(const fs::path& dataset, const ResenseRig& rig,
   const std::string& wanted = rig.machine.empty() ? names.at(0) : rig.machine;
   const auto found = std::find(names.begin(), names.end(), wanted);
   if (found == names.end()) {
-    throw InputError(fmt::format("--machine {}: {} has no such machine; its machines are {}",
-                                 wanted, dataset.string(), fmt::join(names, ", ")));
+    throw InputError(
+        "--machine " + wanted,
+        {FaultKind::kNoSuchName, fmt::format("{} has no such machine; its machines are {}",
+                                             dataset.string(), fmt::join(names, ", "))});
   }
   return fmt::format("machines[{}].rig={}", found - names.begin(),
                      fs::absolute(rig.file).lexically_normal().string());

@@ -21,9 +21,11 @@ bool IsRosName(const std::string& name) {
 void RequireRosName(const std::string& kind, const std::string& name) {
   if (IsRosName(name)) return;
   throw InputError(
-      fmt::format("{} '{}' cannot name a ROS topic; need letters, digits and '_', no digit first: "
-                  "rename it in the scenario or its rig",
-                  kind, name));
+      "",
+      {FaultKind::kMalformed,
+       fmt::format("{} '{}' cannot name a ROS topic; need letters, digits and '_', no digit first: "
+                   "rename it in the scenario or its rig",
+                   kind, name)});
 }
 
 /// A link's name ends a frame, and may be a path of names itself.
@@ -35,11 +37,13 @@ void RequireFrameName(const ScenarioMachine& machine, const std::string& link) {
     begin = end + 1;
   }
   if (names) return;
-  throw InputError(fmt::format(
-      "link '{}' of machine '{}' cannot name a ROS frame; need letters, digits and '_', "
-      "no digit first, or several such names with '/' between: rename it in the "
-      "machine's file or its URDF",
-      link, machine.placement.name));
+  throw InputError(
+      "", {FaultKind::kMalformed,
+           fmt::format(
+               "link '{}' of machine '{}' cannot name a ROS frame; need letters, digits and '_', "
+               "no digit first, or several such names with '/' between: rename it in the "
+               "machine's file or its URDF",
+               link, machine.placement.name)});
 }
 
 void RequireDistinct(const ScenarioMachine& machine) {
@@ -57,10 +61,12 @@ void RequireDistinct(const ScenarioMachine& machine) {
                       sensor.name, machine.placement.name));
     }
     if (!topics.insert(TopicOf(sensor)).second) {
-      throw InputError(fmt::format(
-          "sensor '{}' of machine '{}' would publish at '{}', which is taken by another "
-          "sensor or by the machine itself; need another name for the sensor",
-          sensor.name, machine.placement.name, TopicOf(sensor)));
+      throw InputError(
+          "", {FaultKind::kRepeated,
+               fmt::format(
+                   "sensor '{}' of machine '{}' would publish at '{}', which is taken by another "
+                   "sensor or by the machine itself; need another name for the sensor",
+                   sensor.name, machine.placement.name, TopicOf(sensor))});
     }
   }
 }

@@ -96,9 +96,11 @@ Participant::Participant(const Options& options) : impl_(std::make_unique<Impl>(
   const auto require = [&](dds_entity_t entity) {
     if (entity > 0) return entity;
     throw InputError(
-        fmt::format("DDS cannot start on domain {}: {}; need an interface of the network that is "
-                    "up, and a CYCLONEDDS_URI that Cyclone DDS accepts where it is set",
-                    options.domain_id, dds_strretcode(entity)));
+        "",
+        {FaultKind::kUnsupported,
+         fmt::format("DDS cannot start on domain {}: {}; need an interface of the network that is "
+                     "up, and a CYCLONEDDS_URI that Cyclone DDS accepts where it is set",
+                     options.domain_id, dds_strretcode(entity))});
   };
   const auto domain = static_cast<dds_domainid_t>(options.domain_id);
   impl_->domain = require(dds_create_domain(domain, Settings(options.this_host_only).c_str()));

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/config/config.h"
+#include "core/config/fault_text.h"
 #include "core/config/plain_name.h"
-#include "core/config/spelling.h"
 #include "core/units.h"
 #include "sensors/sensor_kinds.h"
 
@@ -136,8 +136,7 @@ const ForeignType* ReadType(const ConfigMap& config) {
     names.push_back(known.name);
   }
   if (!type.empty()) {
-    config.Fault("type", fmt::format("'{}' is not known, need one of {}{}", type,
-                                     fmt::join(names, ", "), DidYouMean(type, names)));
+    config.Fault("type", fault::NotKnown(type, names));
   }
   return &Types().front();
 }
@@ -229,9 +228,10 @@ ForeignMachine ReadForeignMachine(const std::string& name, const ConfigMap& conf
   for (const ConfigMap& item : config.List("sensors")) {
     const ForeignSensor sensor = ReadForeignSensor(item);
     if (std::find(names.begin(), names.end(), sensor.name) != names.end()) {
-      item.Fault("topic", fmt::format("a second sensor named '{}' on this machine; need another "
-                                      "last part of the topic",
-                                      sensor.name));
+      item.Fault("topic", {FaultKind::kRepeated,
+                           fmt::format("a second sensor named '{}' on this machine; need another "
+                                       "last part of the topic",
+                                       sensor.name)});
     }
     names.push_back(sensor.name);
     machine.sensors.push_back(sensor);
@@ -249,7 +249,8 @@ std::vector<ForeignMachine> ReadForeignMachines(const ConfigMap& root) {
     const std::string& id = machines.back().id;
     const auto same = [&](const ForeignMachine& machine) { return machine.id == id; };
     if (std::count_if(machines.begin(), machines.end(), same) > 1) {
-      map.Fault("id", fmt::format("a second machine '{}'; need another id", id));
+      map.Fault("id",
+                {FaultKind::kRepeated, fmt::format("a second machine '{}'; need another id", id)});
     }
   };
   for (const std::string_view key : kMachineKeys) {
@@ -263,8 +264,9 @@ std::vector<ForeignMachine> ReadForeignMachines(const ConfigMap& root) {
     return machines;
   }
   root.Fault("",
-             "no machine under 'Excavator'; need a list of {id, type, sensors}, or a mapping of "
-             "these by id");
+             {FaultKind::kMissing,
+              "no machine under 'Excavator'; need a list of {id, type, sensors}, or a mapping of "
+              "these by id"});
   return machines;
 }
 
@@ -334,7 +336,8 @@ std::string ImportRig(const std::filesystem::path& file, const std::string& mach
     return machine.empty() || m.id == machine;
   });
   if (chosen == machines.end() && !machines.empty()) {
-    root.Fault("", fmt::format("no machine '{}'; need one of {}", machine, fmt::join(ids, ", ")));
+    root.Fault("", {FaultKind::kNoSuchName,
+                    fmt::format("no machine '{}'; need one of {}", machine, fmt::join(ids, ", "))});
   }
   const bool is_several = machine.empty() && machines.size() > 1;
   for (const std::string& id : ids) {

@@ -23,8 +23,9 @@ ControlMessage::ToolPose ToolPoseOf(const v1::ToolPose& pose) {
     const v1::Quaternion& q = pose.rotation_b();
     const Quat rotation(q.w(), q.x(), q.y(), q.z());
     if (!(std::abs(rotation.norm() - 1) <= kUnitTolerance)) {
-      throw InputError(fmt::format("the quaternion of tool frame '{}' has length {}, need 1",
-                                   pose.frame(), rotation.norm()));
+      throw InputError("", {FaultKind::kMalformed,
+                            fmt::format("the quaternion of tool frame '{}' has length {}, need 1",
+                                        pose.frame(), rotation.norm())});
     }
     command.target.R_BF = rotation.normalized().toRotationMatrix();
   }
@@ -73,11 +74,12 @@ std::map<std::size_t, ControlMessage> CommandsOf(const v1::Step& step, const Sce
     const MachineModel& model = scenario.machines[machine].placement.model;
     const ControlMessage message = MessageOf(action, model);
     if (const auto fault = FaultOf(message, model)) {
-      throw InputError(fmt::format("action of '{}': {}", action.machine(), *fault));
+      throw InputError(fmt::format("action of '{}'", action.machine()), *fault);
     }
     if (!commands.emplace(machine, message).second) {
-      throw InputError(
-          fmt::format("machine '{}' has two actions in one step; need one", action.machine()));
+      throw InputError("", {FaultKind::kRepeated,
+                            fmt::format("machine '{}' has two actions in one step; need one",
+                                        action.machine())});
     }
   }
   return commands;

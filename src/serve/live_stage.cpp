@@ -33,14 +33,17 @@ std::int64_t StepsOf(const v1::Step& step, double rate_hz) {
   double steps = step.physics_steps();
   if (step.has_duration_s()) {
     if (!(step.duration_s() > 0)) {
-      throw InputError(fmt::format("a step of {} s; need more than 0", step.duration_s()));
+      throw InputError("", {FaultKind::kOutOfRange,
+                            fmt::format("a step of {} s; need more than 0", step.duration_s())});
     }
     steps = std::max(1.0, std::round(step.duration_s() * rate_hz));
   }
-  if (!(steps >= 1)) throw InputError("a step of no duration; need at least one physics step");
-  if (steps > kLongestStep_s * rate_hz) {
+  if (!(steps >= 1))
     throw InputError(
-        fmt::format("a step of {} s; need at most {} s", steps / rate_hz, kLongestStep_s));
+        "", {FaultKind::kOutOfRange, "a step of no duration; need at least one physics step"});
+  if (steps > kLongestStep_s * rate_hz) {
+    throw InputError("", {FaultKind::kOutOfRange, fmt::format("a step of {} s; need at most {} s",
+                                                              steps / rate_hz, kLongestStep_s)});
   }
   return static_cast<std::int64_t>(steps);
 }
@@ -107,7 +110,7 @@ class LiveStage : public Stage {
       if (!Run(commands, steps)) return std::nullopt;
     } catch (const InputError& error) {
       run_.reset();
-      throw InputError(fmt::format("the episode ends here: {}", error.what()));
+      throw InputError("the episode ends here", error.AsFinding());
     }
     return Observe(plan);
   }

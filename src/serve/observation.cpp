@@ -29,8 +29,9 @@ std::size_t IndexOf(const Items& items, const NameOf& name_of, const std::string
   std::vector<std::string> names;
   for (const auto& item : items) names.push_back(name_of(item));
   throw InputError(
-      fmt::format("no {} named '{}'; need one of: {}", what, name,
-                  names.empty() ? "none there" : fmt::format("{}", fmt::join(names, ", "))));
+      "", {FaultKind::kNoSuchName,
+           fmt::format("no {} named '{}'; need one of: {}", what, name,
+                       names.empty() ? "none there" : fmt::format("{}", fmt::join(names, ", ")))});
 }
 
 PatchPlan PlanPatch(const v1::PatchSelection& patch, const Scenario& scenario) {
@@ -44,14 +45,16 @@ PatchPlan PlanPatch(const v1::PatchSelection& patch, const Scenario& scenario) {
   }
   const double size_m = patch.size_m(), step_m = patch.resolution_m();
   if (!(size_m > 0 && size_m <= kLargestPatch_m)) {
-    throw InputError(fmt::format("terrain patch of {} m; need more than 0 and at most {} m", size_m,
-                                 kLargestPatch_m));
+    throw InputError("", {FaultKind::kOutOfRange,
+                          fmt::format("terrain patch of {} m; need more than 0 and at most {} m",
+                                      size_m, kLargestPatch_m)});
   }
   if (!(step_m > 0 && step_m <= size_m && size_m / step_m < kMostPatchVertices - 1)) {
     throw InputError(
-        fmt::format("terrain patch of {} m with a resolution of {} m; need at most {} "
-                    "vertices along an edge, and at least 2",
-                    size_m, step_m, kMostPatchVertices));
+        "", {FaultKind::kOutOfRange,
+             fmt::format("terrain patch of {} m with a resolution of {} m; need at most {} "
+                         "vertices along an edge, and at least 2",
+                         size_m, step_m, kMostPatchVertices)});
   }
   const int intervals = static_cast<int>(std::lround(size_m / step_m));
   plan.n = intervals + 1;
@@ -83,9 +86,11 @@ bool IsFrame(const SensorDescription& sensor) { return KindOf(sensor).form != Ch
 void CheckSize(double bytes, double duration_s) {
   if (bytes <= static_cast<double>(kLargestSamples_bytes)) return;
   throw InputError(
-      fmt::format("samples of {} s and terrain may take {:.0f} MB, need at most {:.0f} MB; ask for "
-                  "the latest pictures and scans alone, fewer patches, or take shorter steps",
-                  duration_s, 1e-6 * bytes, 1e-6 * static_cast<double>(kLargestSamples_bytes)));
+      "", {FaultKind::kOutOfRange,
+           fmt::format(
+               "samples of {} s and terrain may take {:.0f} MB, need at most {:.0f} MB; ask for "
+               "the latest pictures and scans alone, fewer patches, or take shorter steps",
+               duration_s, 1e-6 * bytes, 1e-6 * static_cast<double>(kLargestSamples_bytes))});
 }
 
 double PatchBytes(const PatchPlan& plan) {
@@ -192,7 +197,9 @@ ObservationPlan PlanObservation(const v1::Observe& observe, const Scenario& scen
         fmt::format("sensor of machine '{}'", selection.machine()))];
     const std::string whole_name = selection.machine() + "/" + selection.sensor();
     if (!named.insert(whole_name).second) {
-      throw InputError(fmt::format("sensor '{}' is asked for twice; need each once", whole_name));
+      throw InputError("",
+                       {FaultKind::kRepeated,
+                        fmt::format("sensor '{}' is asked for twice; need each once", whole_name)});
     }
     const bool latest_only = selection.latest_only() && IsFrame(sensor);
     bytes += SampleBytes(sensor, machine.placement.model) *

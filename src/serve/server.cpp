@@ -72,9 +72,10 @@ struct Server::Impl final : Service {
     grpc_server = builder.BuildAndStart();
     if (!grpc_server || port == 0) {
       throw InputError(
-          fmt::format("cannot listen on {}; need an address of this machine and a port "
-                      "that no other program uses (--port 0 finds one)",
-                      endpoint));
+          "", {FaultKind::kUnwritable,
+               fmt::format("cannot listen on {}; need an address of this machine and a port "
+                           "that no other program uses (--port 0 finds one)",
+                           endpoint)});
     }
     address = Endpoint(options.address, port);
     thread = std::thread([this] { ServeOneAfterTheOther(); });

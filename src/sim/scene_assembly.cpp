@@ -319,7 +319,7 @@ void SceneAssembly::AddNode(const Visual& visual, int body, SemanticClass label,
   try {
     node.mesh = AddLooksOf(visual, &model_);
   } catch (const InputError& e) {
-    throw InputError(visual.place + ": " + e.what());
+    throw InputError(visual.place, e.faults().front());
   }
   node.body = body;
   node.X_BG = visual.X_BG;

@@ -144,10 +144,11 @@ std::size_t Spread(const std::vector<Part>& parts, std::uint64_t base, std::uint
   for (std::size_t n = 1; n <= kRarest; ++n) {
     if (page(n) <= most) return n;
   }
-  throw InputError(fmt::format(
-      "--size: {:.0f} MB are too few: with every thousandth frame alone the page has {:.1f} MB; "
-      "give more",
-      static_cast<double>(most) / kBytesPerMb, static_cast<double>(page(kRarest)) / kBytesPerMb));
+  throw InputError("--size", {FaultKind::kOutOfRange,
+                              fmt::format("{:.0f} MB are too few: with every thousandth frame "
+                                          "alone the page has {:.1f} MB; give more",
+                                          static_cast<double>(most) / kBytesPerMb,
+                                          static_cast<double>(page(kRarest)) / kBytesPerMb)});
 }
 
 void AddFrames(const std::string& prefix, const Part& part, std::size_t n, Pack* pack) {

@@ -34,10 +34,11 @@ std::string ReadPage(const std::vector<std::filesystem::path>& places) {
     if (!std::filesystem::exists(page)) continue;
     std::string text = ReadWholeFile(page);
     if (text.find(kPackMark) != std::string::npos) return text;
-    throw InputError(
-        fmt::format("{}: is not the page of tera view; build or install it again", page.string()));
+    throw InputError(page.string(), {FaultKind::kMalformed,
+                                     "is not the page of tera view; build or install it again"});
   }
-  throw InputError(fmt::format("tera view: its page was not built: {}", WhyMissing(places)));
+  throw InputError("tera view", {FaultKind::kUnsupported,
+                                 fmt::format("its page was not built: {}", WhyMissing(places))});
 }
 
 }  // namespace tera

@@ -36,8 +36,8 @@ ServedFolder::ServedFolder(const std::filesystem::path& folder) {
   std::error_code error;
   root_ = std::filesystem::canonical(folder, error);
   if (error || !std::filesystem::is_directory(root_, error)) {
-    throw InputError(
-        fmt::format("{}: is no folder; need that of a dataset or of a diagnosis", folder.string()));
+    throw InputError(folder.string(), {FaultKind::kUnreadable,
+                                       "is no folder; need that of a dataset or of a diagnosis"});
   }
 }
 
@@ -53,10 +53,10 @@ std::optional<std::filesystem::path> ServedFolder::Find(std::string_view relativ
 std::string ServedFolder::Read(std::string_view relative) const {
   const auto file = Find(relative);
   if (!file) {
-    throw InputError(
-        fmt::format("{}: '{}' is no file below it; need one that is there, without "
-                    "'..' and links that lead out",
-                    root_.string(), relative));
+    throw InputError(root_.string(), {FaultKind::kNoSuchName,
+                                      fmt::format("'{}' is no file below it; need one that is "
+                                                  "there, without '..' and links that lead out",
+                                                  relative)});
   }
   return ReadWholeFile(*file);
 }

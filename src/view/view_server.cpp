@@ -153,9 +153,11 @@ class ViewServer::Running {
       port_ = port;
     }
     if (port_ <= 0) {
-      throw InputError(fmt::format(
-          "--port {}: cannot be bound on {}; another program may have it, give another or none",
-          port, kLoopback));
+      throw InputError(
+          "--port " + port,
+          {FaultKind::kUnwritable,
+           fmt::format("cannot be bound on {}; another program may have it, give another or none",
+                       kLoopback)});
     }
     hosts_ = {fmt::format("{}:{}", kLoopback, port_), fmt::format("localhost:{}", port_)};
     constexpr int kUsualPort = 80;  // which browsers leave out

@@ -45,11 +45,13 @@ Viewed OpenViewed(const std::filesystem::path& path) {
             .index_json = DiagnosisIndexJson(path)};
   }
   const bool stopped = WasStopped(path);
-  throw InputError(fmt::format(
-      "{}: {}", path.string(),
-      stopped ? "is of a run that was stopped; finish it by tera generate --resume, then look at it"
-              : "holds neither dataset.yaml nor diagnosis.json; need the folder of a dataset or of "
-                "a diagnosis"));
+  throw InputError(
+      path.string(),
+      {FaultKind::kMalformed,
+       stopped
+           ? "is of a run that was stopped; finish it by tera generate --resume, then look at it"
+           : "holds neither dataset.yaml nor diagnosis.json; need the folder of a dataset or of "
+             "a diagnosis"});
 }
 
 void RequireFewDatasets(const std::vector<Viewed>& viewed) {
@@ -58,10 +60,10 @@ void RequireFewDatasets(const std::vector<Viewed>& viewed) {
         return one.kind == Viewed::Kind::kDataset;
       }));
   if (datasets > kMostDatasets) {
-    throw InputError(
-        fmt::format("PATH: {} datasets found, need at most {} side by side; leave "
-                    "out some",
-                    datasets, kMostDatasets));
+    throw InputError("PATH",
+                     {FaultKind::kOutOfRange,
+                      fmt::format("{} datasets found, need at most {} side by side; leave out some",
+                                  datasets, kMostDatasets)});
   }
 }
 

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -32,9 +30,10 @@ std::string DiagnosisIndexJson(const std::filesystem::path& diagnosis) {
   const Json read = Json::parse(ReadWholeFile(file), nullptr, false);
   if (read.is_discarded() || !read.is_object() || !read.contains("findings") ||
       !read.contains("verdict")) {
-    throw InputError(fmt::format(
-        "{}: is no JSON with `verdict` and `findings`; need the diagnosis.json of tera diagnose",
-        file.string()));
+    throw InputError(
+        file.string(),
+        {FaultKind::kMalformed,
+         "is no JSON with `verdict` and `findings`; need the diagnosis.json of tera diagnose"});
   }
   const Json json = {{"kind", "diagnosis"},
                      {"diagnosis", read},

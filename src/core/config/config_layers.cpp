@@ -83,9 +83,11 @@ std::string Shown(const YAML::Node& node) {
 }
 
 void AddFault(ConfigNode& node, std::string_view key, const Found& found, InputFault fault) {
-  fault.place = PlaceOf(found.node, *found.layer);
+  std::string place = PlaceOf(found.node, *found.layer);
   const std::string path = Join(found.layer->path, key);
-  if (!path.empty()) fault.place += ": " + path;
+  if (!path.empty()) place += ": " + path;
+  if (!fault.place.empty()) place += ": " + fault.place;
+  fault.place = std::move(place);
   node.document->faults.push_back(std::move(fault));
 }
 

@@ -86,8 +86,8 @@ void ModelArchive::Need(std::string_view key, std::vector<double>* values, const
   *values = Times(source().Numbers(key, each, 1, most), unit);
 }
 
-void ModelArchive::Check(bool holds, std::string_view key, const std::string& finding) const {
-  if (reads() && !holds) source().Fault(key, finding);
+void ModelArchive::Check(bool holds, std::string_view key, const InputFault& fault) const {
+  if (reads() && !holds) source().Fault(key, fault);
 }
 
 void ModelArchive::Write(std::string_view key, std::string_view value) {

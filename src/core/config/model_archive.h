@@ -54,7 +54,7 @@ class ModelArchive {
   }
 
   /// Unless `holds`, what was read has a fault at `key`, or at the whole part where that is empty.
-  void Check(bool holds, std::string_view key, const std::string& finding) const;
+  void Check(bool holds, std::string_view key, const InputFault& fault) const;
 
  private:
   bool reads() const { return !sources_.empty(); }

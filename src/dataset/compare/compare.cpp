@@ -331,10 +331,9 @@ void PlotComparison(const Comparison& comparison, const std::filesystem::path& p
     }
   }
   if (charts.empty()) {
-    throw InputError(
-        fmt::format("{}: the recordings have no poses and no receivers of one machine in common, "
-                    "so there is nothing to plot",
-                    png.string()));
+    throw InputError(png.string(), {FaultKind::kMissing,
+                                    "the recordings have no poses and no receivers of one machine "
+                                    "in common, so there is nothing to plot"});
   }
   const int rows = (static_cast<int>(charts.size()) + kColumns - 1) / kColumns;
   DrawCharts(charts, kColumns, kWidth_px, rows * kRowHeight_px, png);

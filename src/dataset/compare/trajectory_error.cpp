@@ -163,9 +163,11 @@ TrajectoryError EvaluateTrajectory(const Trajectory& a, const Trajectory& b,
   const std::vector<Pair> pairs = Associate(a, b, options.max_gap_ns);
   if (pairs.size() < kMinPairs) {
     throw InputError(
-        fmt::format("the trajectories have {} times in common ({} and {} poses); need at least {}: "
-                    "check that both recordings count time from the same start",
-                    pairs.size(), a.size(), b.size(), kMinPairs));
+        "", {FaultKind::kOutOfRange,
+             fmt::format(
+                 "the trajectories have {} times in common ({} and {} poses); need at least {}: "
+                 "check that both recordings count time from the same start",
+                 pairs.size(), a.size(), b.size(), kMinPairs)});
   }
   TrajectoryError error;
   error.X_WV = Align(pairs, options.alignment);

@@ -60,19 +60,22 @@ WriteFormat WriterOf(ExportFormat format) {
 void RequireNewPlace(const fs::path& dataset, const fs::path& out) {
   const fs::path name = out.has_filename() ? out.filename() : out.parent_path().filename();
   if (name.empty() || name == "." || name == "..") {
-    throw InputError(
-        fmt::format("'{}': names no new folder; give the export's folder a name", out.string()));
+    throw InputError("", {FaultKind::kUnwritable,
+                          fmt::format("'{}': names no new folder; give the export's folder a name",
+                                      out.string())});
   }
   std::error_code ignored;
   if (HoldsSomething(out) || fs::is_symlink(out, ignored)) {
-    throw InputError(
-        fmt::format("{}: is there already; choose another place or delete it", out.string()));
+    throw InputError(out.string(), {FaultKind::kUnwritable,
+                                    "is there already; choose another place or delete it"});
   }
   const fs::path inside =
       fs::weakly_canonical(out, ignored).lexically_relative(fs::weakly_canonical(dataset, ignored));
   if (!inside.empty() && *inside.begin() != "..") {
-    throw InputError(fmt::format("{}: lies inside the recording {}; choose a place beside it",
-                                 out.string(), dataset.string()));
+    throw InputError(
+        out.string(),
+        {FaultKind::kUnwritable,
+         fmt::format("lies inside the recording {}; choose a place beside it", dataset.string())});
   }
 }
 
@@ -88,10 +91,12 @@ void RequirePlainPaths(const Recording& recording) {
                        std::none_of(channel.path.begin(), channel.path.end(),
                                     [](char c) { return static_cast<unsigned char>(c) < ' '; });
     if (!plain || !seen.insert(channel.path).second) {
-      throw InputError(fmt::format(
-          "{}: the channel '{}' {}; need paths within the recording, each once",
-          (recording.directory() / "dataset.yaml").string(), channel.path,
-          plain ? "is there twice" : "is no path of a folder or file below the recording"));
+      throw InputError(
+          (recording.directory() / "dataset.yaml").string(),
+          {FaultKind::kRepeated,
+           fmt::format(
+               "the channel '{}' {}; need paths within the recording, each once", channel.path,
+               plain ? "is there twice" : "is no path of a folder or file below the recording")});
     }
   }
 }

@@ -69,9 +69,10 @@ void RequireAny(const std::vector<std::string>& paths, const ExportJob& job,
                 std::string_view needed) {
   if (!paths.empty()) return;
   throw InputError(
-      fmt::format("{}: has no {}, of which the format '{}' consists; need a recording "
-                  "with one, or another format",
-                  job.recording.directory().string(), needed, NameOf(job.options.format)));
+      job.recording.directory().string(),
+      {FaultKind::kMissing, fmt::format("has no {}, of which the format '{}' consists; need a "
+                                        "recording with one, or another format",
+                                        needed, NameOf(job.options.format))});
 }
 
 std::string MachineOf(const std::string& path) {

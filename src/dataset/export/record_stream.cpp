@@ -72,7 +72,8 @@ void RecordStream::Fail(std::string_view finding) const {
 void RecordStream::RequireColumns(std::size_t channel,
                                   const std::vector<std::string>& needed) const {
   if (columns(channel) == needed) return;
-  throw InputError(fmt::format("{}:1: found the columns '{}' after t_ns, need '{}'", path(channel),
+  throw InputError(path(channel) + ":1",
+                   fmt::format("found the columns '{}' after t_ns, need '{}'",
                                fmt::join(columns(channel), ","), fmt::join(needed, ",")));
 }
 

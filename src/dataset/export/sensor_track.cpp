@@ -13,10 +13,11 @@ namespace {
 
 [[noreturn]] void FailUnplaced(const ExportJob& job, const std::string& sensor,
                                const std::string& lacks) {
-  throw InputError(fmt::format(
-      "{}: where {} was is not known: {}; need a simulated recording with truth, best made with "
-      "`record: {{poses_hz: N}}`",
-      job.recording.directory().string(), sensor, lacks));
+  throw InputError(
+      job.recording.directory().string(),
+      {FaultKind::kMissing, fmt::format("where {} was is not known: {}; need a simulated recording "
+                                        "with truth, best made with `record: {{poses_hz: N}}`",
+                                        sensor, lacks)});
 }
 
 SensorPoses RecordedTrack(const Recording& recording, const std::string& pose_file) {

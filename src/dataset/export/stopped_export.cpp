@@ -57,17 +57,15 @@ void BeginExport(const std::string& key, ExportFormat format, WholeFolder* folde
   std::error_code ignored;
   if (HoldsSomething(folder->temporary())) {
     if (!fs::is_regular_file(file, ignored)) {
-      throw InputError(
-          fmt::format("{}: holds no export that was stopped; choose another place or "
-                      "delete it",
-                      folder->temporary().string()));
+      throw InputError(folder->temporary().string(),
+                       {FaultKind::kUnwritable,
+                        "holds no export that was stopped; choose another place or delete it"});
     }
     if (ReadWholeFile(file) != key) {
       throw InputError(
-          fmt::format("{}: is of another export: the dataset, an option or the program's version "
-                      "is another; repeat the command that it was begun with, or delete it to "
-                      "start afresh",
-                      folder->temporary().string()));
+          folder->temporary().string(),
+          "is of another export: the dataset, an option or the program's version is another; "
+          "repeat the command that it was begun with, or delete it to start afresh");
     }
     if (!GoesOnByFrames(format)) folder->Clear();
   }
@@ -79,10 +77,10 @@ void EndExport(const fs::path& folder) { fs::remove(folder / kKeyFile); }
 void RequireNoStoppedExport(const fs::path& out) {
   std::error_code ignored;
   if (!fs::is_regular_file(IncompleteOf(out) / kKeyFile, ignored)) return;
-  throw InputError(
-      fmt::format("{}: an export that was stopped has left it; go on with it by the same command "
-                  "and --resume, or delete it",
-                  IncompleteOf(out).string()));
+  throw InputError(IncompleteOf(out).string(),
+                   {FaultKind::kUnwritable,
+                    "an export that was stopped has left it; go on with it by the same command and "
+                    "--resume, or delete it"});
 }
 
 }  // namespace tera

@@ -120,8 +120,10 @@ std::uint32_t BlockFileReader::ReadNumber() {
 }
 
 void BlockFileReader::Fail(std::string_view finding) const {
-  throw InputError(fmt::format("{}: {}; need it as it was written, from the same version of TERA",
-                               path_.string(), finding));
+  throw InputError(
+      path_.string(),
+      {FaultKind::kMalformed,
+       fmt::format("{}; need it as it was written, from the same version of TERA", finding)});
 }
 
 }  // namespace tera

@@ -38,8 +38,9 @@ std::string Remedy(int error_number) {
 
 [[noreturn]] void Fail(const std::filesystem::path& path, const std::string& doing,
                        int error_number, const std::string& remedy) {
-  throw InputError(
-      fmt::format("{}: {}: {}; {}", path.string(), doing, std::strerror(error_number), remedy));
+  throw InputError(path.string(),
+                   {FaultKind::kUnwritable,
+                    fmt::format("{}: {}; {}", doing, std::strerror(error_number), remedy)});
 }
 
 }  // namespace
@@ -113,8 +114,9 @@ void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes) {
 std::string ReadWholeFile(const std::filesystem::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {
-    throw InputError(fmt::format("{}: cannot be read: {}; need a readable file", path.string(),
-                                 std::strerror(errno)));
+    throw InputError(path.string(), {FaultKind::kUnreadable,
+                                     fmt::format("cannot be read: {}; need a readable file",
+                                                 std::strerror(errno))});
   }
   std::string bytes;
   std::error_code no_size;
@@ -125,8 +127,9 @@ std::string ReadWholeFile(const std::filesystem::path& path) {
   const int error_number = errno;
   ::close(descriptor);
   if (count < 0) {
-    throw InputError(fmt::format("{}: cannot be read: {}; need a readable file", path.string(),
-                                 std::strerror(error_number)));
+    throw InputError(path.string(), {FaultKind::kUnreadable,
+                                     fmt::format("cannot be read: {}; need a readable file",
+                                                 std::strerror(error_number))});
   }
   return bytes;
 }

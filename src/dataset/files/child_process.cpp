@@ -40,7 +40,8 @@ void ChildProcess::Close() {
   if (status == 0) return;
   const bool missing = WIFEXITED(status) && WEXITSTATUS(status) == kNotFoundStatus;
   throw InputError(
-      fmt::format("{} {}; {}", program_, missing ? "is not installed" : "failed", remedy_));
+      "", {FaultKind::kUnsupported,
+           fmt::format("{} {}; {}", program_, missing ? "is not installed" : "failed", remedy_)});
 }
 
 std::string ShellWord(const std::string& text) {

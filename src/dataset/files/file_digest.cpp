@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "core/check.h"
-#include "core/error.h"
+#include "core/config/fault_text.h"
 
 namespace tera {
 namespace {
@@ -47,7 +47,7 @@ FileDigest DigestOf(const std::filesystem::path& file) {
     digest.bytes += stream.gcount();
   }
   if (!stream.eof() || stream.bad()) {
-    throw InputError(fmt::format("{}: cannot be read; need a readable file", file.string()));
+    throw InputError(file.string(), fault::CannotBeRead("a readable file"));
   }
   digest.sha256 = hash.Finish();
   return digest;

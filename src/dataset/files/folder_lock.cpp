@@ -15,16 +15,17 @@ namespace tera {
 FolderLock::FolderLock(const std::filesystem::path& folder)
     : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
   if (descriptor_ < 0) {
-    throw InputError(fmt::format("{}: cannot be opened: {}", folder.string(),
-                                 std::generic_category().message(errno)));
+    throw InputError(folder.string(),
+                     {FaultKind::kUnreadable,
+                      fmt::format("cannot be opened: {}", std::generic_category().message(errno))});
   }
   if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
   // Some network file systems have no locks: there the user must take care.
   if (errno != EWOULDBLOCK) return;
   close(descriptor_);
-  throw InputError(
-      fmt::format("{}: another run is writing it; wait until it ends, or choose another place",
-                  folder.string()));
+  throw InputError(folder.string(),
+                   {FaultKind::kUnwritable,
+                    "another run is writing it; wait until it ends, or choose another place"});
 }
 
 FolderLock::~FolderLock() { close(descriptor_); }

@@ -1,7 +1,5 @@
 #include "dataset/files/whole_folder.h"
 
-#include <fmt/format.h>
-
 #include <system_error>
 
 #include "core/config/fault_text.h"
@@ -47,9 +45,10 @@ void WholeFolder::Commit() {
 
 void RequireNoneStopped(const fs::path& folder) {
   if (!HoldsSomething(IncompleteOf(folder))) return;
-  throw InputError(fmt::format(
-      "{}: holds what a run that was stopped has left; choose another place or delete it",
-      IncompleteOf(folder).string()));
+  throw InputError(
+      IncompleteOf(folder).string(),
+      {FaultKind::kUnwritable,
+       "holds what a run that was stopped has left; choose another place or delete it"});
 }
 
 bool HoldsSomething(const fs::path& path) {

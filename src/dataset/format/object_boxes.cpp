@@ -130,7 +130,9 @@ ObjectBox FromJson(const Json& json) {
   json.at("instance").get_to(box.instance);
   json.at("name").get_to(box.name);
   const auto label = SemanticClassFromName(json.at("class").get<std::string>());
-  if (!label) throw InputError(fmt::format("unknown class {}", json.at("class").dump()));
+  if (!label)
+    throw InputError(
+        "", {FaultKind::kNoSuchName, fmt::format("unknown class {}", json.at("class").dump())});
   box.label = *label;
   box.parent = json.value("parent", std::uint16_t{0});  // older recordings have none
   json.at("x_min_px").get_to(box.x_min_px);
@@ -179,10 +181,12 @@ void ReadBoxes(const std::filesystem::path& file, CameraFrame* frame) {
     for (const Json& box : document.at("boxes")) frame->boxes.push_back(FromJson(box));
   } catch (const nlohmann::json::exception& e) {
     throw InputError(
-        fmt::format("{}: not a file of boxes: {}; write it again", file.string(), e.what()));
+        file.string(),
+        {FaultKind::kMalformed, fmt::format("not a file of boxes: {}; write it again", e.what())});
   } catch (const InputError& e) {
-    throw InputError(
-        fmt::format("{}: {}; need a class of docs/reference/dataset.md", file.string(), e.what()));
+    throw InputError(file.string(),
+                     {FaultKind::kNoSuchName,
+                      fmt::format("{}; need a class of docs/reference/dataset.md", e.what())});
   }
 }
 

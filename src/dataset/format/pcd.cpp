@@ -84,7 +84,8 @@ std::string Little(std::uint32_t value) {
 }
 
 [[noreturn]] void Fail(const std::string& place, const std::string& finding) {
-  throw InputError(fmt::format("{}: {}; write the file again", place, finding));
+  throw InputError(place,
+                   {FaultKind::kMalformed, fmt::format("{}; write the file again", finding)});
 }
 
 /// The number of points that the header states; `body` is set to where the data begin.

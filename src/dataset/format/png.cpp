@@ -58,12 +58,14 @@ cv::Mat Decode(const std::filesystem::path& file, const std::string& bytes, int 
     image = cv::imdecode(raw, cv::IMREAD_UNCHANGED);
   }
   if (image.empty()) {
-    throw InputError(fmt::format("{}: not a whole PNG ({} bytes); need {}, write the file again",
-                                 file.string(), bytes.size(), need));
+    throw InputError(file.string(),
+                     {FaultKind::kMalformed,
+                      fmt::format("not a whole PNG ({} bytes); need {}, write the file again",
+                                  bytes.size(), need)});
   }
   if (image.type() != type) {
-    throw InputError(fmt::format("{}: has {} channels of {} bits; need {}", file.string(),
-                                 image.channels(), 8 * image.elemSize1(), need));
+    throw InputError(file.string(), fmt::format("has {} channels of {} bits; need {}",
+                                                image.channels(), 8 * image.elemSize1(), need));
   }
   return image;
 }

@@ -1,7 +1,6 @@
 #include "dataset/format/recorded_inputs.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -62,8 +61,9 @@ std::vector<RecordedInput> ReadInputs(const ConfigMap& config) {
                         .sha256 = item.Text("sha256"),
                         .place = item.Place()};
     if (!IsDigest(input.sha256)) {
-      item.Fault("sha256", fmt::format("'{}' is no digest, need {} digits of 0-9 and a-f",
-                                       input.sha256, kDigits));
+      item.Fault("sha256", {FaultKind::kMalformed,
+                            fmt::format("'{}' is no digest, need {} digits of 0-9 and a-f",
+                                        input.sha256, kDigits)});
     }
     inputs.push_back(std::move(input));
   }
@@ -74,18 +74,20 @@ std::vector<InputFile> RequireInputs(const std::vector<RecordedInput>& inputs,
                                      const std::vector<MovedFiles>& moved,
                                      const std::string& remedy) {
   std::vector<InputFile> files;
-  std::vector<std::string> faults;
+  std::vector<InputFault> faults;
   for (const RecordedInput& input : inputs) {
     const fs::path path = PlaceOfInput(input.name, moved);
     files.push_back({input.name, path});
     const std::string finding = FindingOf(input, path);
     if (finding.empty()) continue;
     const bool elsewhere = path != PlaceOfInput(input.name, {});
-    faults.push_back(fmt::format("{}: {}{} {}; {}", input.place, input.name,
-                                 elsewhere ? fmt::format(" (now {})", path.string()) : "", finding,
-                                 remedy));
+    faults.emplace_back(
+        FaultKind::kUnreadable,
+        fmt::format("{}{} {}; {}", input.name,
+                    elsewhere ? fmt::format(" (now {})", path.string()) : "", finding, remedy),
+        input.place);
   }
-  if (!faults.empty()) throw InputError(fmt::format("{}", fmt::join(faults, "\n")));
+  if (!faults.empty()) throw InputError(std::move(faults));
   return files;
 }
 

@@ -53,9 +53,10 @@ namespace {
 /// A file that dataset.yaml lists.
 CsvFile Open(const fs::path& path) {
   if (!fs::exists(path)) {
-    throw InputError(fmt::format(
-        "{}: is not there, though dataset.yaml lists it; need the file, or its line taken out",
-        path.string()));
+    throw InputError(
+        path.string(),
+        {FaultKind::kUnreadable,
+         "is not there, though dataset.yaml lists it; need the file, or its line taken out"});
   }
   return CsvFile(path, CsvFile::LastLine::kMustEnd);
 }
@@ -69,8 +70,8 @@ CsvFile OpenWithHeader(const fs::path& path, std::string_view header) {
     csv.Column(std::string(rest.substr(0, comma)));  // names the first one that is missing
     rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
   }
-  throw InputError(
-      fmt::format("{}:1: found the columns '{}', need '{}'", path.string(), found, header));
+  throw InputError(path.string() + ":1",
+                   fmt::format("found the columns '{}', need '{}'", found, header));
 }
 
 Vec3 Vector3(const CsvFile& csv, std::size_t row, std::size_t first) {
@@ -97,7 +98,9 @@ Mat3 Rotation(const CsvFile& csv, std::size_t row, std::size_t first) {
 std::uint64_t Seed(const ConfigMap& map) {
   const std::string text = map.Text("seed");
   const auto seed = ParseNumber<std::uint64_t>(text);
-  if (!seed) map.Fault("seed", fmt::format("'{}' is not a whole number from 0", text));
+  if (!seed)
+    map.Fault("seed",
+              {FaultKind::kMistyped, fmt::format("'{}' is not a whole number from 0", text)});
   return seed.value_or(0);
 }
 
@@ -178,7 +181,7 @@ ChannelForm FormOfFiles(const fs::path& folder) {
 
 TableRecording ReadTable(const CsvFile& csv) {
   if (csv.Column("t_ns") != 0) {
-    throw InputError(fmt::format("{}:1: need t_ns as the first column", csv.path().string()));
+    throw InputError(csv.path().string() + ":1", "need t_ns as the first column");
   }
   TableRecording table;
   table.columns.assign(csv.columns().begin() + 1, csv.columns().end());
@@ -219,19 +222,22 @@ std::vector<RecordedInput> LoadInputs(const fs::path& directory) {
 Recording::Recording(const fs::path& directory) : directory_(directory) {
   std::error_code ignored;
   if (!fs::is_directory(directory, ignored)) {
-    throw InputError(fmt::format(
-        "{}: {}", directory.string(),
-        fs::exists(directory, ignored)
-            ? "is a file; need the folder of a recording, as `tera generate` writes one of a "
-              "scenario and `tera import` one of a log"
-            : "no such folder; name that of a recording"));
+    throw InputError(
+        directory.string(),
+        {FaultKind::kUnreadable,
+         fs::exists(directory, ignored)
+             ? "is a file; need the folder of a recording, as `tera generate` writes one of a "
+               "scenario and `tera import` one of a log"
+             : "no such folder; name that of a recording"});
   }
   if (!fs::is_regular_file(directory / "dataset.yaml", ignored)) {
     const bool incomplete = WasStopped(directory);
-    throw InputError(fmt::format(
-        "{}: is not a complete recording ({}); {}", directory.string(),
-        incomplete ? "its run was stopped" : "it has no dataset.yaml",
-        incomplete ? "its INCOMPLETE.txt says what to do" : "name the folder that holds it"));
+    throw InputError(directory.string(),
+                     {FaultKind::kMalformed,
+                      fmt::format("is not a complete recording ({}); {}",
+                                  incomplete ? "its run was stopped" : "it has no dataset.yaml",
+                                  incomplete ? "its INCOMPLETE.txt says what to do"
+                                             : "name the folder that holds it")});
   }
   const Config config = Config::FromFile(directory / "dataset.yaml");
   const ConfigMap root = config.root();
@@ -328,10 +334,10 @@ EncoderRecording Recording::LoadEncoder(const std::string& folder) const {
     const std::string& column = csv.columns()[c];
     const bool linear = column.ends_with(kTravelEnding);
     if (!linear && !column.ends_with(kAngleEnding)) {
-      throw InputError(
-          fmt::format("{}:1: column '{}' is neither an angle (_rad) nor a travel (_m); need "
-                      "positions of all joints, then their rates",
-                      csv.path().string(), column));
+      throw InputError(csv.path().string() + ":1",
+                       fmt::format("column '{}' is neither an angle (_rad) nor a travel (_m); need "
+                                   "positions of all joints, then their rates",
+                                   column));
     }
     const std::size_t ending = linear ? kTravelEnding.size() : kAngleEnding.size();
     encoder.axes.push_back({column.substr(0, column.size() - ending), linear});
@@ -406,8 +412,9 @@ CameraFrame Recording::LoadFrame(const std::string& folder, TimeNs t_ns) const {
   if (has(file("boxes", "json"))) ReadBoxes(file("boxes", "json"), &frame);
   for (std::future<void>& picture : decoded) picture.get();
   if (!any) {
-    throw InputError(fmt::format("{}: there is no image of t_ns {}; data.csv names one",
-                                 (directory_ / folder).string(), t_ns));
+    throw InputError((directory_ / folder).string(),
+                     {FaultKind::kMissing,
+                      fmt::format("there is no image of t_ns {}; data.csv names one", t_ns)});
   }
   return frame;
 }

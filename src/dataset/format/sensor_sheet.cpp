@@ -19,7 +19,7 @@ Pose ReadPlace(const ConfigMap& map) {
   if (q.size() != 4) return Pose::Identity();
   const Quat rotation(q[0], q[1], q[2], q[3]);
   if (std::abs(rotation.norm() - 1) > kQuaternionTolerance) {
-    map.Fault("quaternion_wxyz", "need a quaternion of norm 1");
+    map.Fault("quaternion_wxyz", {FaultKind::kMalformed, "need a quaternion of norm 1"});
     return Pose::Identity();
   }
   return MakePose(p_m, rotation.normalized().toRotationMatrix());

@@ -52,10 +52,11 @@ void Remove(const fs::path& path) {
 
 void NeedSame(const fs::path& file, const std::string& now) {
   if (Exists(file) && ReadWholeFile(file) == now) return;
-  throw InputError(fmt::format(
-      "{}: the incomplete recording is of another scenario, seed or version, or of other "
-      "inputs; resume it with what it was begun with, or delete {} to start afresh",
-      file.string(), file.parent_path().string()));
+  throw InputError(
+      file.string(),
+      fmt::format("the incomplete recording is of another scenario, seed or version, or of other "
+                  "inputs; resume it with what it was begun with, or delete {} to start afresh",
+                  file.parent_path().string()));
 }
 
 /// What stands in `text` between two marks, or nothing.
@@ -70,8 +71,10 @@ void NeedSameNote(const fs::path& root, const std::string& now) {
   const std::string there = Exists(root / kNoteName) ? ReadWholeFile(root / kNoteName) : "";
   const std::string remedy = Between(there, kToDo, ".\n");
   if (!remedy.empty() && remedy != Between(now, kToDo, ".\n")) {
-    throw InputError(fmt::format("{}: holds an incomplete {}, which --resume cannot finish; {}",
-                                 root.string(), Between(there, "This ", kKindEnds), remedy));
+    throw InputError(root.string(),
+                     {FaultKind::kUnwritable,
+                      fmt::format("holds an incomplete {}, which --resume cannot finish; {}",
+                                  Between(there, "This ", kKindEnds), remedy)});
   }
   NeedSame(root / kNoteName, now);
 }
@@ -161,15 +164,17 @@ void DatasetWriter::Impl::Begin(const WriterOptions& options) {
   const fs::path name = final_directory.filename();
   if (name.empty() || name == "." || name == "..") {
     throw InputError(
-        fmt::format("'{}': names no folder of its own; give the recording's folder a name",
-                    final_directory.string()));
+        "", {FaultKind::kUnwritable,
+             fmt::format("'{}': names no folder of its own; give the recording's folder a name",
+                         final_directory.string())});
   }
   RequireNothingAt(final_directory);
   resumed = HoldsSomething(root);
   if (resumed) lock = std::make_unique<FolderLock>(root);
   if (resumed && !options.resume) {
     throw InputError(
-        fmt::format("{}: holds an incomplete recording; {}", root.string(), options.remedy));
+        root.string(),
+        {FaultKind::kUnwritable, fmt::format("holds an incomplete recording; {}", options.remedy)});
   }
   if (resumed) {
     NeedSameNote(root, note);
@@ -329,8 +334,8 @@ void DatasetWriter::AddWholeTable(const ChannelInfo& info, const fs::path& file)
   TERA_CHECK(info.form == ChannelForm::kRows, info.path);
   const std::string text = ReadWholeFile(file);
   if (!text.starts_with(HeaderOf(info) + "\n")) {
-    throw InputError(fmt::format("{}: has other columns than the scenario; need '{}'",
-                                 file.string(), HeaderOf(info)));
+    throw InputError(file.string(),
+                     fmt::format("has other columns than the scenario; need '{}'", HeaderOf(info)));
   }
   impl_->Add(info, text);
   impl_->row_bytes += static_cast<std::int64_t>(text.size());

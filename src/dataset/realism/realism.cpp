@@ -28,17 +28,19 @@ void RequireSize(const std::filesystem::path& dataset, const std::string& folder
   const Image<std::uint8_t>& semantic = frame.semantic;
   if (!semantic.empty() &&
       (semantic.width_px != frame.rgb.width_px || semantic.height_px != frame.rgb.height_px)) {
-    throw InputError(fmt::format(
-        "{}: a picture of {} x {} px with classes of {} x {} px; need classes of the same size",
-        (dataset / folder).string(), frame.rgb.width_px, frame.rgb.height_px, semantic.width_px,
-        semantic.height_px));
+    throw InputError(
+        (dataset / folder).string(),
+        fmt::format(
+            "a picture of {} x {} px with classes of {} x {} px; need classes of the same size",
+            frame.rgb.width_px, frame.rgb.height_px, semantic.width_px, semantic.height_px));
   }
   const int least_px = std::min(frame.rgb.width_px, frame.rgb.height_px);
   if (least_px >= kSmallest_px) return;
-  throw InputError(fmt::format(
-      "{}: pictures of {} x {} px found, need at least {} px to a side for "
-      "a spectrum; record larger ones",
-      (dataset / folder).string(), frame.rgb.width_px, frame.rgb.height_px, kSmallest_px));
+  throw InputError(
+      (dataset / folder).string(),
+      {FaultKind::kOutOfRange, fmt::format("pictures of {} x {} px found, need at least {} px to a "
+                                           "side for a spectrum; record larger ones",
+                                           frame.rgb.width_px, frame.rgb.height_px, kSmallest_px)});
 }
 
 }  // namespace
@@ -66,8 +68,8 @@ Realism MeasureRealism(const std::filesystem::path& dataset, int every_frame) {
     }
   }
   if (realism.pictures == 0) {
-    throw InputError(fmt::format("{}: holds no colour pictures; need a camera with rgb: true",
-                                 dataset.string()));
+    throw InputError(dataset.string(), {FaultKind::kMissing,
+                                        "holds no colour pictures; need a camera with rgb: true"});
   }
   realism.slope_mean /= realism.pictures;
   realism.colourfulness /= realism.pictures;

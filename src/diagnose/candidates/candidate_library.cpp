@@ -45,8 +45,9 @@ std::vector<std::string> Identifiers() {
 bool IsMechanism(const ConfigMap& config, std::string_view key, const std::string& id) {
   const std::vector<std::string> names = Identifiers();
   if (std::find(names.begin(), names.end(), id) != names.end()) return true;
-  config.Fault(key, fmt::format("'{}' is no mechanism{}; docs/reference/mechanisms.md lists them",
-                                id, DidYouMean(id, names)));
+  config.Fault(key, {FaultKind::kNoSuchName,
+                     fmt::format("'{}' is no mechanism{}; docs/reference/mechanisms.md lists them",
+                                 id, DidYouMean(id, names))});
   return false;
 }
 
@@ -57,7 +58,8 @@ std::vector<std::string> ReadIdentifiers(const ConfigMap& config, std::string_vi
     if (IsMechanism(config, key, id)) names.push_back(id);
   }
   if (config.Texts(key).empty()) {
-    config.Fault(key, fmt::format("is empty; need a mechanism in it, or no '{}'", key));
+    config.Fault(key, {FaultKind::kMissing,
+                       fmt::format("is empty; need a mechanism in it, or no '{}'", key)});
   }
   return names;
 }
@@ -140,10 +142,9 @@ Candidate NewCandidate(const Mechanism& mechanism, const std::vector<NumberRange
     for (std::size_t i = 0; i < mechanism.parameters.size(); ++i) {
       const EffectParameter& parameter = mechanism.parameters[i];
       if (!by_number[i] && !parameter.otherwise) {
-        throw InputError(
-            fmt::format("{}: candidates.{}: needs a range for {}, which has no default "
-                        "and no range of its own on {}",
-                        file, mechanism.id, parameter.name, target));
+        throw InputError(file, fmt::format("candidates.{}: needs a range for {}, which has no "
+                                           "default and no range of its own on {}",
+                                           mechanism.id, parameter.name, target));
       }
       if (!by_number[i]) {
         start.push_back(*parameter.otherwise);
@@ -250,10 +251,10 @@ void RequireCandidates(const CandidateLibrary& library, const std::vector<Replay
   const bool any = std::any_of(blocks.begin(), blocks.end(),
                                [](const ReplayBlock& block) { return !block.candidates.empty(); });
   if (any) return;
-  throw InputError(fmt::format(
-      "{}: leaves no candidate for what this recording has ({} blocks); need an identifier of a "
-      "mechanism that can act there",
-      library.file, blocks.size()));
+  throw InputError(library.file,
+                   fmt::format("leaves no candidate for what this recording has ({} blocks); need "
+                               "an identifier of a mechanism that can act there",
+                               blocks.size()));
 }
 
 }  // namespace tera

@@ -189,10 +189,11 @@ Grid GridOf(const Sides& sides, std::size_t joint) {
   if (to_ns <= from_ns || grid.step_s <= 0) return grid;
   const double steps = ToSeconds(to_ns - from_ns) / grid.step_s;
   if (steps > kMostFineSteps) {
-    throw InputError(fmt::format(
-        "efforts and positions reach over {:.0f} steps of {:.6f} s; need {} at most (--from and "
-        "--to look at a part)",
-        steps, grid.step_s, kMostFineSteps));
+    throw InputError(
+        "", {FaultKind::kOutOfRange, fmt::format("efforts and positions reach over {:.0f} steps of "
+                                                 "{:.6f} s; need {} at most (--from and "
+                                                 "--to look at a part)",
+                                                 steps, grid.step_s, kMostFineSteps)});
   }
   grid.size = static_cast<std::size_t>(steps) + 1;
   return grid;
@@ -291,9 +292,9 @@ int JointOf(const MachineModel& model, const std::string& column) {
   if (joint < 0) return -1;
   const bool slides = model.joints[joint].type == JointType::kPrismatic;
   if (slides == is_torque) {
-    throw InputError(fmt::format("efforts.csv: {} is of a joint that {}; need {}", column,
-                                 slides ? "slides" : "turns",
-                                 slides ? "a force, _n" : "a torque, _nm"));
+    throw InputError("efforts.csv", fmt::format("{} is of a joint that {}; need {}", column,
+                                                slides ? "slides" : "turns",
+                                                slides ? "a force, _n" : "a torque, _nm"));
   }
   return joint;
 }

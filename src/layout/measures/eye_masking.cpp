@@ -218,8 +218,9 @@ int LinkOfEye(const EyeStudy& eye, const MachineModel& machine) {
   if (link >= 0) return link;
   std::vector<std::string> links;
   for (const Link& l : machine.links) links.push_back(l.name);
-  throw InputError(fmt::format("{}: the machine has no link '{}'; its links are {}", eye.place,
-                               eye.link, fmt::join(links, ", ")));
+  throw InputError(eye.place, {FaultKind::kNoSuchName,
+                               fmt::format("the machine has no link '{}'; its links are {}",
+                                           eye.link, fmt::join(links, ", "))});
 }
 
 void EyeMasking::Add(const Pose& X_WH, const Pose& X_WB, std::size_t machine,

@@ -218,10 +218,11 @@ std::vector<std::string> LayoutMeasures::MountWarnings() const {
 void LayoutMeasures::RequirePlaces() const {
   for (const ZoneCoverage& zone : zones_) {
     if (zone.HadPlaces()) continue;
-    throw InputError(
-        fmt::format("{}: '{}' lies in the ground, in something solid or beyond the site at every "
-                    "moment; need a zone with air over the site in it",
-                    zone.zone().place, zone.zone().name));
+    throw InputError(zone.zone().place,
+                     {FaultKind::kOutOfRange,
+                      fmt::format("'{}' lies in the ground, in something solid or beyond the site "
+                                  "at every moment; need a zone with air over the site in it",
+                                  zone.zone().name)});
   }
 }
 

@@ -116,28 +116,33 @@ void Appraisal::RequireRoom(std::int64_t most_bytes) const {
   for (const Moment& moment : moments_) bytes += static_cast<double>(moment.sighting->bytes());
   const double all_bytes = bytes / static_cast<double>(moments_.size()) * search_.moments;
   if (all_bytes <= static_cast<double>(most_bytes)) return;
-  throw InputError(fmt::format(
-      "{}: {} of this cycle take {:.2g} GB of memory, of which {:.2g} GB may be used; need about "
-      "{:.0f}, or a smaller site",
-      PlaceOr(search_.place, "moments"), search_.moments, all_bytes / kBytesPerGB,
-      static_cast<double>(most_bytes) / kBytesPerGB,
-      std::floor(static_cast<double>(most_bytes) / all_bytes * search_.moments)));
+  throw InputError(
+      PlaceOr(search_.place, "moments"),
+      fmt::format("{} of this cycle take {:.2g} GB of memory, of which {:.2g} GB may be used; need "
+                  "about {:.0f}, or a smaller site",
+                  search_.moments, all_bytes / kBytesPerGB,
+                  static_cast<double>(most_bytes) / kBytesPerGB,
+                  std::floor(static_cast<double>(most_bytes) / all_bytes * search_.moments)));
 }
 
 void Appraisal::RequirePlaces() const {
   for (const SensorSlot& slot : search_.slots) {
     for (const SensorDescription& sensor : kept_) {
       if (sensor.name != slot.name) continue;
-      throw InputError(fmt::format("{}: '{}' is the name of a sensor that is kept; need another",
-                                   PlaceOr(slot.place, "sensors"), slot.name));
+      throw InputError(
+          PlaceOr(slot.place, "sensors"),
+          {FaultKind::kRepeated,
+           fmt::format("'{}' is the name of a sensor that is kept; need another", slot.name)});
     }
     for (const MountBounds& mount : slot.mounts) {
       if (model().LinkIndex(mount.link) >= 0) continue;
       std::vector<std::string> links;
       for (const Link& link : model().links) links.push_back(link.name);
-      throw InputError(fmt::format(
-          "{}: '{}' is mounted on '{}', which the machine has not; its links are {}",
-          PlaceOr(mount.place, "sensors"), slot.name, mount.link, fmt::join(links, ", ")));
+      throw InputError(
+          PlaceOr(mount.place, "sensors"),
+          {FaultKind::kNoSuchName,
+           fmt::format("'{}' is mounted on '{}', which the machine has not; its links are {}",
+                       slot.name, mount.link, fmt::join(links, ", "))});
     }
   }
 }
@@ -160,17 +165,16 @@ void Appraisal::RequireFigures() {
           "'{}' is what inertial units, encoders and antennas tell, which no search places",
           objective.figure);
     }
-    throw InputError(fmt::format("{}: {}{}", PlaceOr(objective.place, "objectives"), found,
-                                 InsteadOf(objective.figure, names)));
+    throw InputError(PlaceOr(objective.place, "objectives"),
+                     fmt::format("{}{}", found, InsteadOf(objective.figure, names)));
   }
 }
 
 void Appraisal::RequireWithinLimits() const {
   if (Beyond(LayoutOfSensors(kept_, model())) <= 0) return;
   throw InputError(
-      fmt::format("{}: the sensors that are kept are beyond them already; raise a limit or keep "
-                  "fewer",
-                  PlaceOr(search_.limits.place, "limits")));
+      PlaceOr(search_.limits.place, "limits"),
+      "the sensors that are kept are beyond them already; raise a limit or keep fewer");
 }
 
 /// The least of `name` that a layout takes which has all sensors that are not optional, and one
@@ -202,10 +206,12 @@ void Appraisal::RequireReachable() const {
   for (const char* name : kTaken) {
     const std::optional<double> most = MostOf(search_.limits, name);
     if (!most || LeastTaken(name) <= *most) continue;
-    throw InputError(fmt::format(
-        "{}: {} {:.6g}: no layout is within it: with all sensors that are not optional, and one at "
-        "least that sees, it takes {:.6g}; raise it, or let sensors be optional",
-        PlaceOr(search_.limits.place, "limits"), name, *most, LeastTaken(name)));
+    throw InputError(
+        PlaceOr(search_.limits.place, "limits"),
+        fmt::format(
+            "{} {:.6g}: no layout is within it: with all sensors that are not optional, and one at "
+            "least that sees, it takes {:.6g}; raise it, or let sensors be optional",
+            name, *most, LeastTaken(name)));
   }
 }
 

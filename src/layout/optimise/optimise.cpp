@@ -160,9 +160,9 @@ SearchState Begin(const LayoutSearch& search, const Appraisal& appraisal, std::s
   AddRandom(search, appraisal, is_worst ? kWorstOf * count : count, &state);
   if (is_worst) KeepWorst(static_cast<std::size_t>(count), &state);
   if (std::none_of(state.fitness.begin(), state.fitness.end(), IsAllowed)) {
-    throw InputError(
-        "limits: none of the layouts that were tried at first is within them; raise them, let "
-        "sensors be optional, or try more: a larger population");
+    throw InputError("limits",
+                     "none of the layouts that were tried at first is within them; raise them, let "
+                     "sensors be optional, or try more: a larger population");
   }
   state.corner = CornerOf(state.fitness);
   state.hypervolume.push_back(HypervolumeOf(state));
@@ -236,18 +236,18 @@ std::string DigestOf(const LayoutSearch& search, const std::string& search_text,
 void RequireRoom(const fs::path& out, bool resume) {
   std::error_code ignored;
   if (resume && fs::exists(out / kFrontName, ignored)) {
-    throw InputError(fmt::format(
-        "{}: holds a search that came to its end: there is nothing to go on with; look at {}, or "
-        "choose another place for another search",
-        out.string(), (out / "search.html").string()));
+    throw InputError(out.string(),
+                     {FaultKind::kUnwritable,
+                      fmt::format("holds a search that came to its end: there is nothing to go on "
+                                  "with; look at {}, or choose another place for another search",
+                                  (out / "search.html").string())});
   }
   RequireNothingAt(out);
   const fs::path beside = IncompleteOf(out);
   if (resume || !HoldsSomething(beside)) return;
-  throw InputError(
-      fmt::format("{}: holds a search that was stopped; go on with it by the same command and "
-                  "--resume, or delete it",
-                  beside.string()));
+  throw InputError(beside.string(), {FaultKind::kUnwritable,
+                                     "holds a search that was stopped; go on with it by the same "
+                                     "command and --resume, or delete it"});
 }
 
 }  // namespace

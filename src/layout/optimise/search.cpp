@@ -73,8 +73,10 @@ SensorSlot ReadSlot(const ConfigMap& config) {
   slot.optional = config.Boolean("optional", slot.optional);
   for (const ConfigMap& item : config.List("types")) slot.types.push_back(ReadType(item));
   for (const ConfigMap& item : config.List("mounts")) slot.mounts.push_back(ReadMount(item));
-  if (slot.types.empty()) config.Fault("types", "needs one at least: - {preset: FILE}");
-  if (slot.mounts.empty()) config.Fault("mounts", "needs one at least: - {link, low_xyz_m}");
+  if (slot.types.empty())
+    config.Fault("types", {FaultKind::kMissing, "needs one at least: - {preset: FILE}"});
+  if (slot.mounts.empty())
+    config.Fault("mounts", {FaultKind::kMissing, "needs one at least: - {link, low_xyz_m}"});
   return slot;
 }
 
@@ -94,10 +96,11 @@ LayoutSearch ReadSearch(const ConfigMap& config) {
   for (const ConfigMap& item : config.List("sensors")) {
     search.slots.push_back(ReadSlot(item));
     if (!names.insert(search.slots.back().name).second) {
-      item.Fault("name", "is taken by another sensor; give each its own name");
+      item.Fault("name",
+                 {FaultKind::kRepeated, "is taken by another sensor; give each its own name"});
     }
   }
-  if (search.slots.empty()) config.Fault("sensors", "needs one at least");
+  if (search.slots.empty()) config.Fault("sensors", {FaultKind::kMissing, "needs one at least"});
   if (const auto limits = config.OptionalMap("limits")) search.limits = ReadLimits(*limits);
   for (const ConfigMap& item : config.List("objectives")) {
     search.objectives.push_back({item.Text("figure"),
@@ -105,7 +108,8 @@ LayoutSearch ReadSearch(const ConfigMap& config) {
                                  item.Place("figure")});
   }
   if (search.objectives.empty()) {
-    config.Fault("objectives", "needs one at least: - {figure: zone/around/blind_m3, at: worst}");
+    config.Fault("objectives", {FaultKind::kMissing,
+                                "needs one at least: - {figure: zone/around/blind_m3, at: worst}"});
   }
   search.moments =
       static_cast<int>(config.Integer("moments", Between(1, kMostMoments, ""), search.moments));
@@ -113,7 +117,8 @@ LayoutSearch ReadSearch(const ConfigMap& config) {
   search.population = static_cast<int>(
       config.Integer("population", Between(8, kMostPopulation, ""), search.population));
   if (search.population % kInFours != 0) {
-    config.Fault("population", "is no multiple of 4, which NSGA-II needs");
+    config.Fault("population",
+                 {FaultKind::kOutOfRange, "is no multiple of 4, which NSGA-II needs"});
   }
   search.generations = static_cast<int>(
       config.Integer("generations", Between(1, kMostGenerations, ""), search.generations));

@@ -34,15 +34,15 @@ std::optional<SearchState> LoadState(const std::filesystem::path& file,
     from.at("corner").get_to(state.corner);
     from.at("hypervolume").get_to(state.hypervolume);
   } catch (const json::exception&) {
-    throw InputError(fmt::format("{}: is damaged; delete {} to start afresh", file.string(),
-                                 file.parent_path().string()));
+    throw InputError(file.string(),
+                     {FaultKind::kMalformed, fmt::format("is damaged; delete {} to start afresh",
+                                                         file.parent_path().string())});
   }
   if (state.search_sha256 != search_sha256 || state.genes.size() != state.fitness.size()) {
-    throw InputError(
-        fmt::format("{}: is of another search; resume it with the files that it was begun with as "
-                    "they were, or delete {} to "
-                    "start afresh",
-                    file.string(), file.parent_path().string()));
+    throw InputError(file.string(),
+                     fmt::format("is of another search; resume it with the files that it was begun "
+                                 "with as they were, or delete {} to start afresh",
+                                 file.parent_path().string()));
   }
   return state;
 }

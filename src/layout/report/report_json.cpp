@@ -87,7 +87,7 @@ LayoutReport FromJson(const json& from) {
                     expense.at("sensors"), expense.at("priced"),  expense.at("powered")};
   from.at("t_s").get_to(report.t_s);
   from.at("outline_m").get_to(report.outline_m);
-  if (report.t_s.empty()) throw InputError("has no moments");
+  if (report.t_s.empty()) throw InputError("", {FaultKind::kMissing, "has no moments"});
   for (const json& figure : from.at("figures")) report.figures.push_back(ReadFigure(figure));
   for (const json& map : from.at("maps")) report.maps.push_back(ReadMap(map));
   for (const json& curve : from.at("curves")) report.curves.push_back(ReadCurve(curve));
@@ -142,24 +142,26 @@ LayoutReport ReadReport(const std::filesystem::path& file_or_folder) {
                                          ? file_or_folder / "layout.json"
                                          : file_or_folder;
   if (!std::filesystem::exists(file, ignored)) {
-    throw InputError(
-        fmt::format("{}: is not there; need the folder that `tera layout evaluate` wrote of a rig",
-                    file.string()));
+    throw InputError(file.string(),
+                     {FaultKind::kUnreadable,
+                      "is not there; need the folder that `tera layout evaluate` wrote of a rig"});
   }
   const std::string text = ReadWholeFile(file);
   try {
     return FromJson(json::parse(text));
   } catch (const json::parse_error& error) {
-    throw InputError(fmt::format(
-        "{}: is damaged, or no JSON, at byte {} of {}; need what `tera layout evaluate` wrote: "
-        "evaluate again",
-        file.string(), error.byte, text.size()));
-  } catch (const json::exception&) {
-    throw InputError(fmt::format("{}: is not what `tera layout evaluate` writes; evaluate again",
-                                 file.string()));
-  } catch (const InputError& error) {
     throw InputError(
-        fmt::format("{}: {}; need what `tera layout evaluate` wrote", file.string(), error.what()));
+        file.string(),
+        {FaultKind::kMalformed, fmt::format("is damaged, or no JSON, at byte {} of {}; need what "
+                                            "`tera layout evaluate` wrote: evaluate again",
+                                            error.byte, text.size())});
+  } catch (const json::exception&) {
+    throw InputError(file.string(), {FaultKind::kMalformed,
+                                     "is not what `tera layout evaluate` writes; evaluate again"});
+  } catch (const InputError& error) {
+    throw InputError(file.string(),
+                     {FaultKind::kMalformed,
+                      fmt::format("{}; need what `tera layout evaluate` wrote", error.what())});
   }
 }
 

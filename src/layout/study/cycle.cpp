@@ -27,11 +27,10 @@ Cycle::Cycle(const fs::path& dataset_or_scenario, std::vector<std::string> moved
     : moved_(std::move(moved)) {
   std::error_code ignored;
   if (!fs::exists(dataset_or_scenario, ignored)) {
-    throw InputError(
-        fmt::format("{}: there is no such dataset or scenario; need the folder of a dataset that "
-                    "`tera generate "
-                    "--keep-state` wrote, or a scenario's file (YAML)",
-                    dataset_or_scenario.string()));
+    throw InputError(dataset_or_scenario.string(),
+                     {FaultKind::kNoSuchName,
+                      "there is no such dataset or scenario; need the folder of a dataset that "
+                      "`tera generate --keep-state` wrote, or a scenario's file (YAML)"});
   }
   if (!fs::is_directory(dataset_or_scenario, ignored)) {
     scenario_file_ = dataset_or_scenario;
@@ -46,8 +45,10 @@ Cycle::Cycle(const fs::path& dataset_or_scenario, std::vector<std::string> moved
 void RequireRigFile(const fs::path& file) {
   std::error_code ignored;
   if (fs::is_regular_file(file, ignored)) return;
-  throw InputError(fmt::format("{}: {}; need a rig's file (YAML)", file.string(),
-                               fs::is_directory(file, ignored) ? "is a folder" : "no such file"));
+  throw InputError(file.string(),
+                   {FaultKind::kUnreadable,
+                    fmt::format("{}; need a rig's file (YAML)",
+                                fs::is_directory(file, ignored) ? "is a folder" : "no such file")});
 }
 
 Scenario Cycle::WithRig(std::size_t machine, const fs::path& file) const {

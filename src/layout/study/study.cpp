@@ -36,7 +36,8 @@ PersonStudy ReadPerson(const ConfigMap& config) {
     person.postures.push_back({item.Text("name"), item.Vector3("size_m", Between(0.05, 5, "m"))});
     RequirePlainName(item, "name", person.postures.back().name);
     if (!names.insert(person.postures.back().name).second) {
-      item.Fault("name", "is taken by another posture; give each its own name");
+      item.Fault("name",
+                 {FaultKind::kRepeated, "is taken by another posture; give each its own name"});
     }
   }
   if (person.postures.empty()) person.postures = CommonPostures();
@@ -105,14 +106,15 @@ LayoutStudy ReadStudy(const ConfigMap& config) {
     study.map_heights_m = config.Numbers("map_heights_m", Between(0, 20, "m"), 1, 20);
     const std::set<double> heights_m(study.map_heights_m.begin(), study.map_heights_m.end());
     if (heights_m.size() < study.map_heights_m.size()) {
-      config.Fault("map_heights_m", "one is given twice; need each once");
+      config.Fault("map_heights_m", {FaultKind::kRepeated, "one is given twice; need each once"});
     }
   }
   std::set<std::string> names;
   for (const ConfigMap& item : config.List("zones")) {
     study.zones.push_back(ReadZone(item));
     if (!names.insert(study.zones.back().name).second) {
-      item.Fault("name", "is taken by another zone; give each its own name");
+      item.Fault("name",
+                 {FaultKind::kRepeated, "is taken by another zone; give each its own name"});
     }
   }
   if (const auto seen = config.OptionalMap("seen")) study.seen = ReadSeen(*seen);

@@ -33,8 +33,9 @@ std::optional<Following> FollowingOf(const JointPart& part, const MachineParts& 
     if (total.leader < 0) {
       std::vector<std::string> names;
       for (const Joint& joint : model.joints) names.push_back(joint.name);
-      at->place.Fault("mimic", fmt::format("there is no joint '{}'{}", at->leader,
-                                           DidYouMean(at->leader, names)));
+      at->place.Fault("mimic",
+                      {FaultKind::kNoSuchName, fmt::format("there is no joint '{}'{}", at->leader,
+                                                           DidYouMean(at->leader, names))});
       return std::nullopt;
     }
     if (steps == parts.joints.size()) {

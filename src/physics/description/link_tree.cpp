@@ -25,7 +25,9 @@ void CheckInertia(const LinkPart& part) {
   const std::string shown = fmt::format("principal moments {:.4g}, {:.4g}, {:.4g} kg m2",
                                         moments[0], moments[1], moments[2]);
   if (moments[0] <= 0) {
-    part.place.Fault("inertia_kgm2", shown + " are not all positive; no body has such an inertia");
+    part.place.Fault(
+        "inertia_kgm2",
+        {FaultKind::kOutOfRange, shown + " are not all positive; no body has such an inertia"});
   } else if (moments[2] > (moments[0] + moments[1]) * (1 + kInertiaTolerance)) {
     part.place.Fault("inertia_kgm2",
                      shown +
@@ -51,15 +53,18 @@ std::vector<int> ParentJoints(const MachineParts& parts, const std::map<std::str
     check(part, "child", part.child);
     if (!index.contains(part.child)) continue;
     if (part.parent == part.child) {
-      part.place.Fault("child",
-                       fmt::format("link '{}' is the parent already; need two links", part.child));
+      part.place.Fault(
+          "child", {FaultKind::kOutOfRange,
+                    fmt::format("link '{}' is the parent already; need two links", part.child)});
       continue;
     }
     int& joint = parent_joint[index.at(part.child)];
     if (joint >= 0) {
-      part.place.Fault("child", fmt::format("link '{}' hangs on joint '{}' already; need one joint "
-                                            "for each link",
-                                            part.child, parts.joints[joint].joint.name));
+      part.place.Fault("child",
+                       {FaultKind::kRepeated,
+                        fmt::format("link '{}' hangs on joint '{}' already; need one joint "
+                                    "for each link",
+                                    part.child, parts.joints[joint].joint.name)});
       continue;
     }
     joint = static_cast<int>(k);
@@ -78,20 +83,23 @@ int FindRoot(const MachineParts& parts, const std::vector<int>& parent_joint,
     roots.push_back(parts.links[i].link.name);
   }
   if (roots.size() == 1) return root;
-  config.Fault("joints",
-               roots.empty()
-                   ? std::string("every link hangs on a joint, so the joints form a loop; need one "
-                                 "link without a parent")
-                   : fmt::format("links {} have no parent; need joints that connect all links to "
-                                 "one root",
-                                 fmt::join(roots, ", ")));
+  config.Fault(
+      "joints",
+      {FaultKind::kMissing,
+       roots.empty()
+           ? std::string("every link hangs on a joint, so the joints form a loop; need one "
+                         "link without a parent")
+           : fmt::format("links {} have no parent; need joints that connect all links to "
+                         "one root",
+                         fmt::join(roots, ", "))});
   return -1;
 }
 
 /// Mass and inertia as they are written; none is admissible here.
 void CheckMass(const LinkPart& part) {
   if (part.link.mass_kg < 0) {
-    part.place.Fault("mass_kg", fmt::format("{} kg; need a positive mass", part.link.mass_kg));
+    part.place.Fault("mass_kg", {FaultKind::kOutOfRange,
+                                 fmt::format("{} kg; need a positive mass", part.link.mass_kg)});
   } else if (part.link.mass_kg > 0) {
     CheckInertia(part);
   }
@@ -115,20 +123,21 @@ void GiveMasses(const std::vector<const LinkPart*>& parts, const ConfigMap& conf
     if (!moves || parts[i]->link.mass_kg < 0 || model->links[i].mass_kg > 0) continue;
     parts[i]->place.Fault(
         "mass_kg",
-        fmt::format(
-            "0 kg, and no link fixed to it has any; a link that moves needs a positive "
-            "mass: give one of them an <inertial>{}",
-            i == 0 ? ", or the machine `fixed_base: true` if it is bolted to the world" : ""));
+        {FaultKind::kOutOfRange,
+         fmt::format(
+             "0 kg, and no link fixed to it has any; a link that moves needs a positive "
+             "mass: give one of them an <inertial>{}",
+             i == 0 ? ", or the machine `fixed_base: true` if it is bolted to the world" : "")});
   }
 }
 
 }  // namespace
 
-void PartPlace::Fault(std::string_view key, const std::string& finding) const {
+void PartPlace::Fault(std::string_view key, const InputFault& fault) const {
   if (part.empty()) {
-    config.Fault(key, finding);
+    config.Fault(key, fault);
   } else {
-    config.Fault("urdf", fmt::format("{}, {}: {}", part, key, finding));
+    config.Fault("urdf", {fault.kind, fault.finding, fmt::format("{}, {}", part, key)});
   }
 }
 
@@ -138,7 +147,7 @@ bool OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineMo
     index.emplace(parts.links[i].link.name, static_cast<int>(i));
   }
   if (parts.links.empty()) {
-    config.Fault("links", "there are no links; need at least one");
+    config.Fault("links", {FaultKind::kMissing, "there are no links; need at least one"});
     return false;
   }
   const std::size_t faults_before = FaultCount(config);

@@ -16,7 +16,7 @@ struct PartPlace {
   std::string part;  ///< "joint 'boom' of arm.urdf", empty where `config` is the part's own mapping
 
   /// Reports `finding` at `key` of the part.
-  void Fault(std::string_view key, const std::string& finding) const;
+  void Fault(std::string_view key, const InputFault& fault) const;
 };
 
 struct LinkPart {

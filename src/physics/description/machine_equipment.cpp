@@ -25,9 +25,10 @@ void CheckProfile(const ConfigMap& config, const std::vector<Vec2>& profile_m) {
   for (std::size_t k = 0; k < profile_m.size(); ++k) {
     const std::size_t next = (k + 1) % profile_m.size();
     if (profile_m[k] == profile_m[next]) {
-      config.Fault("profile_m", fmt::format("points {} and {} are the same; need each once, the "
-                                            "profile being open",
-                                            k, next));
+      config.Fault("profile_m", {FaultKind::kRepeated,
+                                 fmt::format("points {} and {} are the same; need each once, the "
+                                             "profile being open",
+                                             k, next)});
       return;
     }
   }
@@ -47,10 +48,11 @@ void CheckProfile(const ConfigMap& config, const std::vector<Vec2>& profile_m) {
 void CheckGearName(const ConfigMap& config, const std::string& name, const MachineModel& model) {
   RequirePlainName(config, "", name);
   for (const RunningGear& gear : model.ground_tools.gears) {
-    if (gear.name == name) config.Fault("", fmt::format("a track is named '{}' already", name));
+    if (gear.name == name)
+      config.Fault("", {FaultKind::kRepeated, fmt::format("a track is named '{}' already", name)});
   }
   if (model.JointIndex(name) >= 0) {
-    config.Fault("", fmt::format("a joint is named '{}' already", name));
+    config.Fault("", {FaultKind::kRepeated, fmt::format("a joint is named '{}' already", name)});
   }
 }
 
@@ -75,9 +77,10 @@ void ReadRoadWheels(const ConfigMap& config, TrackShape* shape) {
   if (run_m > shape->wheelbase_m + kLengthTolerance_m) {
     wheels->Fault(
         "pitch_m",
-        fmt::format("{} wheels at a pitch of {} m take {:.4g} m, half a pitch at either "
-                    "end included; need at most wheelbase_m, {} m",
-                    shape->road_wheels, shape->road_wheel_pitch_m, run_m, shape->wheelbase_m));
+        {FaultKind::kOutOfRange,
+         fmt::format("{} wheels at a pitch of {} m take {:.4g} m, half a pitch at either "
+                     "end included; need at most wheelbase_m, {} m",
+                     shape->road_wheels, shape->road_wheel_pitch_m, run_m, shape->wheelbase_m)});
   }
 }
 
@@ -119,7 +122,8 @@ void TakeWheelJoint(const ConfigMap& config, const std::string& name, int gear, 
   std::vector<std::string> known;
   for (const Joint& joint : model->joints) known.push_back(joint.name);
   if (index < 0) {
-    config.Fault("joints", fmt::format("there is no joint '{}'{}", name, DidYouMean(name, known)));
+    config.Fault("joints", {FaultKind::kNoSuchName, fmt::format("there is no joint '{}'{}", name,
+                                                                DidYouMean(name, known))});
     return;
   }
   Joint& joint = model->joints[index];

@@ -165,7 +165,9 @@ void ReadPressure(const ConfigMap& config, const std::optional<ConfigMap>& hydra
   const auto own = config.OptionalNumber("relief_pa", Positive("Pa"));
   const auto common = hydraulics ? hydraulics->OptionalNumber("relief_pa", Positive("Pa")) : own;
   if (!own && !common) {
-    config.Fault("relief_pa", "missing; need it here or as hydraulics.relief_pa for all cylinders");
+    config.Fault("relief_pa",
+                 {FaultKind::kMissing,
+                  "missing; need it here or as hydraulics.relief_pa for all cylinders"});
   }
   cylinder->relief_pa = own.value_or(common.value_or(1.0));
   if (hydraulics) {
@@ -189,9 +191,10 @@ void ReadPiston(const ConfigMap& config, const std::optional<ConfigMap>& hydraul
       cylinder->return_pressure_pa * HeadArea_m2(*cylinder) / RodArea_m2(*cylinder);
   if (cylinder->relief_pa <= least_pa) {
     config.Fault("relief_pa",
-                 fmt::format("at {:.3g} Pa the cylinder cannot pull against the return "
-                             "pressure; need more than {:.3g} Pa",
-                             cylinder->relief_pa, least_pa));
+                 {FaultKind::kOutOfRange,
+                  fmt::format("at {:.3g} Pa the cylinder cannot pull against the return "
+                              "pressure; need more than {:.3g} Pa",
+                              cylinder->relief_pa, least_pa)});
   }
 }
 
@@ -248,7 +251,8 @@ bool ReadRod(const ConfigMap& cylinder_map, const Pin& barrel_pin, std::size_t f
   const auto found = std::find(known.begin(), known.end(), name);
   if (found == known.end()) {
     if (open_linkages.contains(name)) return false;
-    rod.Fault("linkage", fmt::format("there is no linkage '{}'{}", name, DidYouMean(name, known)));
+    rod.Fault("linkage", {FaultKind::kNoSuchName, fmt::format("there is no linkage '{}'{}", name,
+                                                              DidYouMean(name, known))});
     return false;
   }
   cylinder->linkage = static_cast<int>(found - known.begin());
@@ -344,8 +348,9 @@ void ReadPump(const std::string& name, const ConfigMap& config, MachineModel* mo
     } else if (std::find(known.begin(), known.end(), fed) != known.end()) {
       pump.joints.push_back(model->JointIndex(fed));
     } else {
-      config.Fault("feeds", fmt::format("there is no joint that moves, track or wheel set '{}'{}",
-                                        fed, DidYouMean(fed, known)));
+      config.Fault("feeds", {FaultKind::kNoSuchName,
+                             fmt::format("there is no joint that moves, track or wheel set '{}'{}",
+                                         fed, DidYouMean(fed, known))});
     }
   }
   model->pumps.push_back(pump);

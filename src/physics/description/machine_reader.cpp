@@ -1,9 +1,9 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "core/config/config_faults.h"
+#include "core/config/fault_text.h"
 #include "core/config/plain_name.h"
 #include "core/config/spelling.h"
 #include "core/units.h"
@@ -17,7 +17,8 @@ Mat3 ReadInertia(const ConfigMap& config) {
   if (v.size() != 3 && v.size() != 6) {
     config.Fault(
         "inertia_kgm2",
-        fmt::format("{} numbers; need 3 (xx, yy, zz) or 6 (xx, yy, zz, xy, xz, yz)", v.size()));
+        {FaultKind::kMistyped,
+         fmt::format("{} numbers; need 3 (xx, yy, zz) or 6 (xx, yy, zz, xy, xz, yz)", v.size())});
     return Mat3::Identity();
   }
   Mat3 inertia = Vec3(v[0], v[1], v[2]).asDiagonal();
@@ -61,7 +62,8 @@ JointType ReadJointType(const ConfigMap& config) {
 Vec3 ReadAxis(const ConfigMap& config) {
   const Vec3 axis = config.Vector3("axis", Any("1"), Vec3::UnitZ());
   if (axis.norm() > 0) return axis.normalized();
-  config.Fault("axis", "the axis has no direction; need a vector that is not zero");
+  config.Fault("axis", {FaultKind::kOutOfRange,
+                        "the axis has no direction; need a vector that is not zero"});
   return Vec3::UnitZ();
 }
 
@@ -90,8 +92,9 @@ void CheckInitial(const ConfigMap& config, const Joint& joint) {
   const double unit = linear ? 1 : kDeg;
   config.Fault(
       linear ? "initial_m" : "initial_deg",
-      fmt::format("the joint starts at {:.4g}, outside its limits {:.4g} to {:.4g}",
-                  joint.initial_rad / unit, joint.lower_rad / unit, joint.upper_rad / unit));
+      {FaultKind::kOutOfRange,
+       fmt::format("the joint starts at {:.4g}, outside its limits {:.4g} to {:.4g}",
+                   joint.initial_rad / unit, joint.lower_rad / unit, joint.upper_rad / unit)});
 }
 
 /// `otherwise`: levers of a description that names none.
@@ -105,9 +108,10 @@ void ReadLevers(const ConfigMap& config, const std::vector<std::string>& otherwi
     }
     const std::string place = fmt::format("[{}] '{}'", i, lever.name);
     if (model->LeverIndex(lever.name) >= 0) {
-      config.Fault("levers", place + " is named twice; keep one");
+      config.Fault("levers", {FaultKind::kRepeated, place + " is named twice; keep one"});
     } else if (lever.joint < 0 && lever.gear < 0) {
-      config.Fault("levers", place + " is neither a joint nor a track or wheel set");
+      config.Fault("levers", {FaultKind::kNoSuchName,
+                              place + " is neither a joint nor a track or wheel set"});
     } else if (lever.joint >= 0 && lever.gear >= 0) {
       config.Fault("levers", place + " is a joint and a track or wheel set; rename one");
     } else if (lever.joint >= 0 && model->joints[lever.joint].type == JointType::kFixed) {
@@ -132,8 +136,7 @@ SemanticClass ReadLabel(const ConfigMap& config, SemanticClass otherwise) {
   if (const auto label = SemanticClassFromName(name)) return *label;
   std::vector<std::string> known;
   for (const SemanticClassInfo& info : kSemanticClasses) known.emplace_back(info.name);
-  config.Fault("label", fmt::format("'{}' is not known, need one of {}{}", name,
-                                    fmt::join(known, ", "), DidYouMean(name, known)));
+  config.Fault("label", fault::NotKnown(name, known));
   return otherwise;
 }
 
@@ -181,7 +184,8 @@ int ReadLinkName(const ConfigMap& config, std::string_view key, const MachineMod
   std::vector<std::string> known;
   for (const Link& l : model.links) known.push_back(l.name);
   if (!name.empty()) {
-    config.Fault(key, fmt::format("there is no link '{}'{}", name, DidYouMean(name, known)));
+    config.Fault(key, {FaultKind::kNoSuchName,
+                       fmt::format("there is no link '{}'{}", name, DidYouMean(name, known))});
   }
   return 0;
 }

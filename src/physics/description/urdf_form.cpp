@@ -135,19 +135,22 @@ bool RequireUrdf(const ConfigMap& config, const std::string& file,
                  const tinyxml2::XMLDocument& document) {
   const XmlElement* root = document.RootElement();
   if (root == nullptr) {
-    config.Fault("urdf", fmt::format("{} has no element; need a URDF's <robot>", file));
+    config.Fault("urdf", {FaultKind::kMalformed,
+                          fmt::format("{} has no element; need a URDF's <robot>", file)});
     return false;
   }
   if (const auto xacro = FindXacro(*root, {}, false)) {
-    config.Fault("urdf", fmt::format("{}:{}: {}: this is xacro; make a URDF of it: {}", file,
-                                     xacro->line, xacro->found, XacroCommand(file)));
+    config.Fault("urdf", {FaultKind::kUnsupported,
+                          fmt::format("this is xacro; make a URDF of it: {}", XacroCommand(file)),
+                          fmt::format("{}:{}: {}", file, xacro->line, xacro->found)});
     return false;
   }
   const std::string_view name = root->Name();
   if (name == "robot") return true;
   const std::string form = OtherForm(name, file);
-  config.Fault("urdf", fmt::format("{}:{}: <{}>: {}", file, root->GetLineNum(), name,
-                                   form.empty() ? "need a URDF, whose root is <robot>" : form));
+  config.Fault("urdf",
+               {FaultKind::kUnsupported, form.empty() ? "need a URDF, whose root is <robot>" : form,
+                fmt::format("{}:{}: <{}>", file, root->GetLineNum(), name)});
   return false;
 }
 

@@ -31,9 +31,10 @@ std::string UrdfLines::PlaceOf(const std::string& kind, const std::string& name)
 bool ParseXml(const ConfigMap& config, const std::filesystem::path& file, const std::string& xml,
               tinyxml2::XMLDocument* document) {
   if (document->Parse(xml.c_str(), xml.size()) == tinyxml2::XML_SUCCESS) return true;
-  config.Fault("urdf",
+  config.Fault(
+      "urdf", {FaultKind::kMalformed,
                fmt::format("{}:{} is not valid XML ({}); correct it", file.filename().string(),
-                           std::max(1, document->ErrorLineNum()), InWords(document->ErrorName())));
+                           std::max(1, document->ErrorLineNum()), InWords(document->ErrorName()))});
   return false;
 }
 

@@ -62,8 +62,9 @@ class PlainNames {
     const std::string plain = MadePlain(name);
     if (!IsPlainNameWithPoints(plain)) {
       place.Fault("name",
-                  fmt::format("need letters, digits, '_', '-' and points inside, at most {}",
-                              kLongestName));
+                  {FaultKind::kMalformed,
+                   fmt::format("need letters, digits, '_', '-' and points inside, at most {}",
+                               kLongestName)});
     }
     const auto [first, is_new] = taken_.emplace(plain, name);
     if (!is_new) {
@@ -113,7 +114,8 @@ Joint ToJoint(const urdf::Joint& in, const PartPlace& place, bool* known) {
     case urdf::Joint::FIXED:
       return joint;
     default:
-      place.Fault("type", "need fixed, revolute, continuous or prismatic");
+      place.Fault("type",
+                  {FaultKind::kNoSuchName, "need fixed, revolute, continuous or prismatic"});
       *known = false;
       return joint;
   }
@@ -121,7 +123,8 @@ Joint ToJoint(const urdf::Joint& in, const PartPlace& place, bool* known) {
   if (joint.axis_J.norm() > 0) {
     joint.axis_J.normalize();
   } else {
-    place.Fault("axis", "the axis has no direction; need a vector that is not zero");
+    place.Fault("axis", {FaultKind::kOutOfRange,
+                         "the axis has no direction; need a vector that is not zero"});
     joint.axis_J = Vec3::UnitZ();
   }
   if (in.mimic) joint.following = {.ratio = in.mimic->multiplier, .offset = in.mimic->offset};
@@ -152,7 +155,8 @@ void AddFriction(const urdf::Joint& in, const std::string& joint, const PartPlac
   const auto add = [&](std::string_view key, double value, const std::string& mechanism,
                        const std::string& parameter) {
     if (!std::isfinite(value) || value < 0) {
-      place.Fault("dynamics", fmt::format("{} is {}; need 0 or more", key, value));
+      place.Fault("dynamics",
+                  {FaultKind::kOutOfRange, fmt::format("{} is {}; need 0 or more", key, value)});
     } else if (value > 0) {
       effects->push_back({{"effects", joint, mechanism, parameter}, value});
     }
@@ -168,7 +172,7 @@ void LayOver(const ConfigMap& config, MachineParts* parts) {
         std::find_if(parts->links.begin(), parts->links.end(),
                      [&name = name](const LinkPart& p) { return p.link.name == name; });
     if (part == parts->links.end()) {
-      map.Fault("", fmt::format("the URDF has no link '{}'", name));
+      map.Fault("", {FaultKind::kNoSuchName, fmt::format("the URDF has no link '{}'", name)});
     } else {
       part->link.label = ReadLabel(map, part->link.label);
     }
@@ -178,7 +182,7 @@ void LayOver(const ConfigMap& config, MachineParts* parts) {
         std::find_if(parts->joints.begin(), parts->joints.end(),
                      [&name = name](const JointPart& p) { return p.joint.name == name; });
     if (part == parts->joints.end()) {
-      map.Fault("", fmt::format("the URDF has no joint '{}'", name));
+      map.Fault("", {FaultKind::kNoSuchName, fmt::format("the URDF has no joint '{}'", name)});
     } else if (part->leader.empty()) {
       ReadJointActuation(map, &part->joint);
     } else {
@@ -276,8 +280,9 @@ std::optional<MachineParts> ReadUrdfParts(const ConfigMap& config, AbsentMeshes 
   const urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(text);
   if (!model) {
     config.Fault("urdf",
-                 fmt::format("'{}' is not a valid URDF: {}; correct it (check_urdf tells more)",
-                             shown, messages.text()));
+                 {FaultKind::kMalformed,
+                  fmt::format("'{}' is not a valid URDF: {}; correct it (check_urdf tells more)",
+                              shown, messages.text())});
     return std::nullopt;
   }
   UrdfMeshes meshes{file, ReadPackages(config), absent};

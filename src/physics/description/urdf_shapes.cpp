@@ -65,8 +65,9 @@ std::optional<fs::path> MeshFile(const urdf::Mesh& mesh, const PartPlace& place,
   }
   std::vector<std::string>& left_out = meshes->left_out;
   if (meshes->absent == AbsentMeshes::kFault) {
-    place.Fault(
-        part, fmt::format("mesh '{}' does not exist; {}", mesh.filename, RemedyOf(mesh.filename)));
+    place.Fault(part,
+                {FaultKind::kUnreadable, fmt::format("mesh '{}' does not exist; {}", mesh.filename,
+                                                     RemedyOf(mesh.filename))});
   } else if (std::find(left_out.begin(), left_out.end(), mesh.filename) == left_out.end()) {
     left_out.push_back(mesh.filename);
   }
@@ -86,8 +87,9 @@ std::optional<Solid> SolidOf(const urdf::Geometry& geometry, const PartPlace& pl
     solid = {SolidForm::kCylinder, Vec3(width_m, width_m, cylinder->length)};
   }
   if (solid.size_m.allFinite() && solid.size_m.minCoeff() > 0) return solid;
-  place.Fault(part, fmt::format("a solid of {} x {} x {} m; need sizes above 0", solid.size_m.x(),
-                                solid.size_m.y(), solid.size_m.z()));
+  place.Fault(part, {FaultKind::kOutOfRange,
+                     fmt::format("a solid of {} x {} x {} m; need sizes above 0", solid.size_m.x(),
+                                 solid.size_m.y(), solid.size_m.z())});
   return std::nullopt;
 }
 

@@ -104,8 +104,8 @@ class DriveReader {
     if (!part) {
       std::vector<std::string> known;
       for (const JointPart& p : parts_.joints) known.push_back(p.joint.name);
-      place.Fault("joint",
-                  fmt::format("the URDF has no joint '{}'{}", name, DidYouMean(name, known)));
+      place.Fault("joint", {FaultKind::kNoSuchName, fmt::format("the URDF has no joint '{}'{}",
+                                                                name, DidYouMean(name, known))});
     } else if (part->joint.type == JointType::kFixed) {
       place.Fault("joint", fmt::format("joint '{}' is fixed, which nothing can drive", name));
       return nullptr;
@@ -131,9 +131,10 @@ class DriveReader {
     const auto joints = Children(element, "joint"), actuators = Children(element, "actuator");
     if (joints.size() != 1 || actuators.size() != 1) {
       place.Fault("joint",
-                  fmt::format("{} joints and {} actuators; need one of each (differential and "
-                              "four-bar transmissions are not supported)",
-                              joints.size(), actuators.size()));
+                  {FaultKind::kUnsupported,
+                   fmt::format("{} joints and {} actuators; need one of each (differential and "
+                               "four-bar transmissions are not supported)",
+                               joints.size(), actuators.size())});
       return;
     }
     CheckInterface(*joints[0], place);
@@ -146,8 +147,8 @@ class DriveReader {
     if (!part) return;
     const auto [first, is_new] = transmission_of_.emplace(part->joint.name, place.part);
     if (!is_new) {
-      place.Fault("joint", fmt::format("joint '{}' is driven by {} already", part->joint.name,
-                                       first->second));
+      place.Fault("joint", {FaultKind::kRepeated, fmt::format("joint '{}' is driven by {} already",
+                                                              part->joint.name, first->second)});
     }
     if (limits != actuators_.end()) NarrowByActuator(limits->second, reduction, &part->joint);
     AddDriven(*part);
@@ -162,9 +163,10 @@ class DriveReader {
           type = type.substr(slash + 1);
         }
         if (type == "SimpleTransmission") continue;
-        place.Fault(key, fmt::format("'{}' is not supported; need "
-                                     "transmission_interface/SimpleTransmission",
-                                     TextOf(*stated)));
+        place.Fault(
+            key, {FaultKind::kUnsupported, fmt::format("'{}' is not supported; need "
+                                                       "transmission_interface/SimpleTransmission",
+                                                       TextOf(*stated))});
         return false;
       }
     }
@@ -180,7 +182,8 @@ class DriveReader {
         if (!stated) continue;
         const auto number = ToNumber(TextOf(*stated));
         if (number && *number != 0) return std::abs(*number);
-        place.Fault(key, fmt::format("'{}'; need a number that is not zero", TextOf(*stated)));
+        place.Fault(key, {FaultKind::kMistyped,
+                          fmt::format("'{}'; need a number that is not zero", TextOf(*stated))});
       }
     }
     return 1.0;
@@ -193,8 +196,9 @@ class DriveReader {
         name = name.substr(slash + 1);
       }
       if (std::find(kInterfaces.begin(), kInterfaces.end(), name) != kInterfaces.end()) continue;
-      place.Fault("hardwareInterface", fmt::format("'{}' is not known, need one of {}", name,
-                                                   fmt::join(kInterfaces, ", ")));
+      place.Fault("hardwareInterface",
+                  {FaultKind::kNoSuchName, fmt::format("'{}' is not known, need one of {}", name,
+                                                       fmt::join(kInterfaces, ", "))});
     }
   }
 
@@ -225,7 +229,8 @@ class DriveReader {
     const std::string name = Attribute(interface, "name");
     if (name != "position" && name != "velocity" && name != "effort") {
       place.Fault("command_interface",
-                  fmt::format("'{}' is not known, need position, velocity or effort", name));
+                  {FaultKind::kNoSuchName,
+                   fmt::format("'{}' is not known, need position, velocity or effort", name)});
       return;
     }
     const auto lower = Parameter(interface, "min", name, place);
@@ -254,7 +259,8 @@ class DriveReader {
       if (Attribute(*stated, "name") != key) continue;
       const auto number = ToNumber(TextOf(*stated));
       if (!number) {
-        place.Fault(name, fmt::format("{} is '{}', need a number", key, TextOf(*stated)));
+        place.Fault(name, {FaultKind::kMistyped,
+                           fmt::format("{} is '{}', need a number", key, TextOf(*stated))});
       }
       return number;
     }
@@ -272,8 +278,9 @@ class DriveReader {
   void CheckActuatorsUsed() {
     for (const auto& [name, limits] : actuators_) {
       if (limits.used) continue;
-      config_.Fault("actuators", fmt::format("no transmission of the URDF has an actuator '{}'{}",
-                                             name, DidYouMean(name, actuator_names_)));
+      config_.Fault("actuators", {FaultKind::kNoSuchName,
+                                  fmt::format("no transmission of the URDF has an actuator '{}'{}",
+                                              name, DidYouMean(name, actuator_names_))});
     }
   }
 

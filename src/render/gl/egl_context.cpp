@@ -56,10 +56,11 @@ std::vector<Candidate> Candidates(int wanted_device) {
   const std::vector<EGLDeviceEXT> devices = Devices();
   const int count = static_cast<int>(devices.size());
   if (wanted_device >= count) {
-    throw InputError(fmt::format(
-        "EGL device {} asked for, but there are {} EGL devices; give an index below that, or none "
-        "to let TERA choose",
-        wanted_device, count));
+    throw InputError(
+        "", {FaultKind::kUnsupported, fmt::format("EGL device {} asked for, but there are {} EGL "
+                                                  "devices; give an index below that, or none "
+                                                  "to let TERA choose",
+                                                  wanted_device, count)});
   }
   if (wanted_device >= 0) return {DeviceDisplay(devices[wanted_device], wanted_device)};
   std::vector<Candidate> candidates;
@@ -123,10 +124,13 @@ EglContext::EglContext(const EglOptions& options) {
     tried += (tried.empty() ? "" : ", ") + candidate.platform;
   }
   if (context_ == nullptr) {
-    throw InputError(fmt::format(
-        "no EGL platform gives an OpenGL 4.5 core context (tried: {}); install Mesa's software "
-        "renderer (Debian: libegl1 libegl-mesa0 libgl1-mesa-dri) or a GPU driver with EGL",
-        tried.empty() ? "none available" : tried));
+    throw InputError(
+        "", {FaultKind::kUnsupported,
+             fmt::format(
+                 "no EGL platform gives an OpenGL 4.5 core context (tried: {}); install Mesa's "
+                 "software "
+                 "renderer (Debian: libegl1 libegl-mesa0 libgl1-mesa-dri) or a GPU driver with EGL",
+                 tried.empty() ? "none available" : tried)});
   }
   info_.is_software = true;  // until it is known
   const Current current(*this);

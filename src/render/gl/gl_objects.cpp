@@ -18,10 +18,9 @@ std::string ReadShader(const std::string& name) {
   const std::filesystem::path path = DataRoot() / "shaders" / name;
   std::ifstream file(path);
   if (!file) {
-    throw InputError(fmt::format(
-        "{}: cannot read this shader; set TERA_DATA_DIR to the folder that holds TERA's shaders/, "
-        "or install TERA again",
-        path.string()));
+    throw InputError(path.string(), {FaultKind::kUnreadable,
+                                     "cannot read this shader; set TERA_DATA_DIR to the folder "
+                                     "that holds TERA's shaders/, or install TERA again"});
   }
   constexpr std::string_view kInclude = "#include \"";
   std::string text, line;
@@ -50,8 +49,9 @@ GlObject CompileShader(GLenum stage, const std::string& name, const Switches& sw
   glGetShaderiv(shader.id(), GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(length) + 1, '\0');
   glGetShaderInfoLog(shader.id(), length, nullptr, log.data());
-  throw InputError(
-      fmt::format("shader {} does not compile with this OpenGL driver: {}", name, log.c_str()));
+  throw InputError("", {FaultKind::kUnsupported,
+                        fmt::format("shader {} does not compile with this OpenGL driver: {}", name,
+                                    log.c_str())});
 }
 
 GlObject Named(void (*create)(GLsizei, GLuint*), GlObject::Deleter deleter) {
@@ -135,8 +135,9 @@ Program::Program(const std::string& vertex_file, const std::string& fragment_fil
   glGetProgramiv(program_.id(), GL_INFO_LOG_LENGTH, &length);
   std::string log(static_cast<std::size_t>(length) + 1, '\0');
   glGetProgramInfoLog(program_.id(), length, nullptr, log.data());
-  throw InputError(fmt::format("shaders {} and {} do not link with this OpenGL driver: {}",
-                               vertex_file, fragment_file, log.c_str()));
+  throw InputError("", {FaultKind::kUnsupported,
+                        fmt::format("shaders {} and {} do not link with this OpenGL driver: {}",
+                                    vertex_file, fragment_file, log.c_str())});
 }
 
 void Program::Use() const { glUseProgram(program_.id()); }

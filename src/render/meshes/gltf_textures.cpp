@@ -35,7 +35,8 @@ std::array<Use, 5> UsesOf(const tinygltf::Material& material) {
 
 [[noreturn]] void Refuse(const std::filesystem::path& file, const tinygltf::Material& material,
                          const std::string& finding) {
-  throw InputError(fmt::format("{}: material '{}' {}", file.string(), material.name, finding));
+  throw InputError(file.string(), {FaultKind::kMalformed,
+                                   fmt::format("material '{}' {}", material.name, finding)});
 }
 
 std::string NameOf(const tinygltf::Image& image, int index) {

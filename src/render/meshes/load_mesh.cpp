@@ -1,7 +1,5 @@
 #include "render/meshes/load_mesh.h"
 
-#include <fmt/format.h>
-
 #include "core/error.h"
 #include "render/meshes/mesh_file.h"
 
@@ -15,8 +13,8 @@ bool IsGltf(const std::filesystem::path& file) {
 void RequireFile(const std::filesystem::path& file) {
   std::error_code error;
   if (std::filesystem::is_regular_file(file, error)) return;
-  throw InputError(
-      fmt::format("{}: no such mesh file; need a glTF, OBJ, STL or DAE file", file.string()));
+  throw InputError(file.string(), {FaultKind::kUnreadable,
+                                   "no such mesh file; need a glTF, OBJ, STL or DAE file"});
 }
 
 Mesh Load(const std::filesystem::path& file, const std::string& node, Textures* textures,

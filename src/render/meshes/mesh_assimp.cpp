@@ -14,7 +14,7 @@ namespace tera {
 namespace {
 
 [[noreturn]] void Refuse(const std::filesystem::path& file, const std::string& finding) {
-  throw InputError(fmt::format("{}: {}", file.string(), finding));
+  throw InputError(file.string(), {FaultKind::kMalformed, finding});
 }
 
 /// assimp's own reading, which also lists what was read.

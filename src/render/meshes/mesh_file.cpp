@@ -24,18 +24,21 @@ void ComputeNormals(MeshPart* part) {
 void FinishMesh(const std::filesystem::path& file, Mesh* mesh) {
   std::erase_if(mesh->parts, [](const MeshPart& part) { return part.indices.empty(); });
   if (mesh->parts.empty()) {
-    throw InputError(fmt::format("{}: holds no triangles; need at least one", file.string()));
+    throw InputError(file.string(),
+                     {FaultKind::kMalformed, "holds no triangles; need at least one"});
   }
   for (MeshPart& part : mesh->parts) {
     const std::uint32_t last = *std::max_element(part.indices.begin(), part.indices.end());
     if (last >= part.positions_m.size() || part.indices.size() % 3 != 0) {
-      throw InputError(fmt::format("{}: a triangle names vertex {} of {}; export it again",
-                                   file.string(), last, part.positions_m.size()));
+      throw InputError(
+          file.string(),
+          {FaultKind::kMalformed, fmt::format("a triangle names vertex {} of {}; export it again",
+                                              last, part.positions_m.size())});
     }
     for (const Eigen::Vector3f& p : part.positions_m) {
       if (!p.allFinite()) {
-        throw InputError(
-            fmt::format("{}: a vertex is not a finite number; export it again", file.string()));
+        throw InputError(file.string(), {FaultKind::kMalformed,
+                                         "a vertex is not a finite number; export it again"});
       }
     }
     if (part.normals.size() != part.positions_m.size()) ComputeNormals(&part);

@@ -17,7 +17,7 @@ namespace {
 constexpr int kMaxNodeDepth = 100;
 
 [[noreturn]] void RefuseGltf(const std::filesystem::path& file, const std::string& finding) {
-  throw InputError(fmt::format("{}: {}", file.string(), finding));
+  throw InputError(file.string(), {FaultKind::kMalformed, finding});
 }
 
 /// tinygltf's own reading, which also enters the path in the list at `read`.

@@ -36,7 +36,8 @@ std::shared_ptr<const Texture> ReadPictureFile(const std::filesystem::path& mesh
   if (entry) return entry;
   const auto refuse = [&](const std::string& finding) {
     known->erase(file.string());
-    throw InputError(fmt::format("{}: material '{}' {}", mesh.string(), material, finding));
+    throw InputError(mesh.string(),
+                     {FaultKind::kMalformed, fmt::format("material '{}' {}", material, finding)});
   };
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) {

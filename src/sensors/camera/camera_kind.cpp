@@ -173,9 +173,10 @@ void CheckExposure(const ConfigMap& config, const CameraModel& model, double rat
   const ConfigMap sensor = config.Map("image_sensor");
   const auto check = [&](const ConfigMap& map, const char* key, double duration_s) {
     if (duration_s <= 1 / rate_hz) return;
-    map.Fault(key, fmt::format("{} s at {} Hz: longer than from picture to picture; need at "
-                               "most {} s",
-                               duration_s, rate_hz, 1 / rate_hz));
+    map.Fault(key, {FaultKind::kOutOfRange,
+                    fmt::format("{} s at {} Hz: longer than from picture to picture; need at "
+                                "most {} s",
+                                duration_s, rate_hz, 1 / rate_hz)});
   };
   check(sensor, "exposure_s", model.image_sensor->exposure_s);
   if (const auto& loop = model.image_sensor->auto_exposure) {

@@ -16,8 +16,9 @@ void SerializeLoop(ModelArchive* archive, ControlLoop* loop) {
   archive->Visit("zone", &sides, Between(0, 1, "of the picture"));
   z = {sides[0], sides[1], sides[2], sides[3]};
   archive->Check(z.left < z.right && z.top < z.bottom, "zone",
-                 "is empty; need [left, top, right, bottom] with left < right and "
-                 "top < bottom");
+                 {FaultKind::kMissing,
+                  "is empty; need [left, top, right, bottom] with left < right and "
+                  "top < bottom"});
   archive->Visit("delay_pictures", &loop->delay_pictures, Between(1, kMostDelay, "pictures"));
   archive->Visit("rate", &loop->rate, {.min = 0, .max = 1, .min_excluded = true, .unit = "1"});
 }

@@ -21,18 +21,20 @@ LabelSet ReadLabelSet(const ConfigMap& config) {
   for (const LabelChannel& channel : kLabelChannels) known.emplace_back(channel.name);
   LabelSet labels;
   if (config.IsText("labels") && std::ranges::count(known, config.Text("labels")) > 0) {
-    config.Fault("labels", fmt::format("is a channel's name alone; need a list, [{}], or true or "
-                                       "false",
-                                       config.Text("labels")));
+    config.Fault("labels", {FaultKind::kMistyped,
+                            fmt::format("is a channel's name alone; need a list, [{}], or true or "
+                                        "false",
+                                        config.Text("labels"))});
     return labels;
   }
   if (!config.IsList("labels")) return config.Boolean("labels", true) ? UsualLabels() : labels;
   for (const std::string& name : config.Texts("labels")) {
     const auto found = std::find(known.begin(), known.end(), name);
     if (found == known.end()) {
-      config.Fault("labels", fmt::format("'{}' is no label channel{}; need some of {}, or true or "
-                                         "false",
-                                         name, DidYouMean(name, known), fmt::join(known, ", ")));
+      config.Fault("labels", {FaultKind::kNoSuchName,
+                              fmt::format("'{}' is no label channel{}; need some of {}, or true or "
+                                          "false",
+                                          name, DidYouMean(name, known), fmt::join(known, ", "))});
     } else {
       labels.set(static_cast<std::size_t>(found - known.begin()));
     }
@@ -94,9 +96,10 @@ void ReadDepthSensor(const ConfigMap& config, CameraModel* model) {
   if (model->stereo && model->stereo->disparities_px + 32 > model->intrinsics.width_px) {
     config.Map("stereo").Fault(
         "disparities_px",
-        fmt::format("{} leaves nothing of a picture {} px wide to be matched; need at most {}",
-                    model->stereo->disparities_px, model->intrinsics.width_px,
-                    std::max(16, (model->intrinsics.width_px - 32) / 16 * 16)));
+        {FaultKind::kOutOfRange,
+         fmt::format("{} leaves nothing of a picture {} px wide to be matched; need at most {}",
+                     model->stereo->disparities_px, model->intrinsics.width_px,
+                     std::max(16, (model->intrinsics.width_px - 32) / 16 * 16))});
   }
 }
 
@@ -111,8 +114,9 @@ ObjectLabels ReadObjectLabels(const ConfigMap& config, const CameraModel& model)
       labels.load = true;
     } else {
       config.Fault("object_labels",
-                   fmt::format("'{}' is no label of objects{}; need some of {}", name,
-                               DidYouMean(name, known), fmt::join(known, ", ")));
+                   {FaultKind::kNoSuchName,
+                    fmt::format("'{}' is no label of objects{}; need some of {}", name,
+                                DidYouMean(name, known), fmt::join(known, ", "))});
     }
   }
   if (!model.labels[kInstanceChannel]) {

@@ -16,7 +16,7 @@ void Serialize(ModelArchive* archive, EncoderModel* m) {
   std::set<std::string> seen;
   for (const std::string& joint : m->joints) {
     archive->Check(seen.insert(joint).second, "joints",
-                   fmt::format("'{}' is named twice; keep one", joint));
+                   {FaultKind::kRepeated, fmt::format("'{}' is named twice; keep one", joint)});
   }
   archive->Visit("resolution_deg", &m->resolution_rad, AtLeast(0, "deg"), kDeg);
   archive->Visit("noise_deg", &m->noise_rad, AtLeast(0, "deg"), kDeg);

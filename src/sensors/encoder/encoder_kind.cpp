@@ -167,7 +167,8 @@ void CheckJointNames(const ConfigMap& config, const SensorDescription& sensor,
                      const MachineModel& model) {
   for (const std::string& name : AxesOf(std::get<EncoderModel>(sensor.model), model).unknown) {
     config.Fault("joints",
-                 "machine '" + model.kind + "' has no joint, track or wheel '" + name + "'");
+                 {FaultKind::kNoSuchName,
+                  "machine '" + model.kind + "' has no joint, track or wheel '" + name + "'"});
   }
 }
 

@@ -13,9 +13,10 @@ void CheckSteps(const ConfigMap& config, const Effects& effects,
     if ((*rounding)[step] <= (*clipping)[limit]) continue;
     config.Fault(
         config.Has("quantisation") ? "quantisation" : "saturation",
-        fmt::format("{} {:g} of quantisation is beyond {} {:g} of saturation, which leaves "
-                    "no value between; need a step of at most the limit",
-                    step, (*rounding)[step], limit, (*clipping)[limit]));
+        {FaultKind::kOutOfRange,
+         fmt::format("{} {:g} of quantisation is beyond {} {:g} of saturation, which leaves "
+                     "no value between; need a step of at most the limit",
+                     step, (*rounding)[step], limit, (*clipping)[limit])});
   }
 }
 

@@ -19,7 +19,7 @@ std::vector<std::string> HeaderOf(const ConfigMap& config, const std::filesystem
   try {
     return ReadCsvHeader(file);
   } catch (const InputError& e) {
-    config.Fault("csv", e.what());
+    config.Fault("csv", e.faults().front());
     return {};
   }
 }
@@ -40,13 +40,13 @@ CommandTable ReadCommands(const ConfigMap& config, const std::filesystem::path& 
       for (std::size_t c = 1; c < columns.size(); ++c) row.push_back(values[c][r]);
       table.rows.push_back(std::move(row));
       if (r > 0 && table.t_ns[r] <= table.t_ns[r - 1]) {
-        config.Fault("csv", fmt::format("{}:{}: time does not grow from the row before",
-                                        file.string(), r + kFirstRowLine));
+        config.Fault("csv", {FaultKind::kInconsistent, "time does not grow from the row before",
+                             fmt::format("{}:{}", file.string(), r + kFirstRowLine)});
         return table;
       }
     }
   } catch (const InputError& e) {
-    config.Fault("csv", e.what());
+    config.Fault("csv", e.faults().front());
   }
   return table;
 }
@@ -61,8 +61,10 @@ void CheckLevers(const ConfigMap& config, const std::filesystem::path& file,
     for (std::size_t c = 0; c < columns.size(); ++c) {
       double& lever = table->rows[r][c];
       if (std::abs(lever) > 1 + kLeverRounding) {
-        config.Fault("csv", fmt::format("{}:{}: column '{}' is {}, need -1 to 1 of full lever",
-                                        file.string(), r + kFirstRowLine, columns[c], lever));
+        config.Fault(
+            "csv", {FaultKind::kOutOfRange,
+                    fmt::format("column '{}' is {}, need -1 to 1 of full lever", columns[c], lever),
+                    fmt::format("{}:{}", file.string(), r + kFirstRowLine)});
         return;
       }
       lever = std::clamp(lever, -1.0, 1.0);
@@ -108,7 +110,8 @@ LeverReplayPlan ReadLeverReplay(const ConfigMap& config, const MachineModel& mod
     if (name == time_column) continue;
     const int lever = model.LeverIndex(name);
     if (lever < 0) {
-      config.Fault("csv", "column '" + name + "' is no lever of machine '" + model.kind + "'");
+      config.Fault("csv", {FaultKind::kNoSuchName,
+                           "column '" + name + "' is no lever of machine '" + model.kind + "'"});
       continue;
     }
     columns.push_back(name);

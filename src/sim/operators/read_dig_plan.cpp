@@ -32,9 +32,10 @@ bool CheckLevers(const ConfigMap& config, const MachineModel& model, const DigPl
       continue;
     }
     config.Fault(config.Has(key) ? key : "type",
-                 fmt::format("machine '{}' has no lever that moves joint '{}'; a dig cycle needs "
-                             "one each for slew, boom, arm and bucket",
-                             model.kind, model.joints[index].name));
+                 {FaultKind::kNoSuchName,
+                  fmt::format("machine '{}' has no lever that moves joint '{}'; a dig cycle needs "
+                              "one each for slew, boom, arm and bucket",
+                              model.kind, model.joints[index].name)});
     good = false;
   }
   return good;
@@ -43,8 +44,8 @@ bool CheckLevers(const ConfigMap& config, const MachineModel& model, const DigPl
 /// Reports joints that are no planar arm on a slewing post; true if there is nothing to report.
 bool CheckArm(const ConfigMap& config, const MachineModel& model, const DigPlan& plan) {
   bool good = true;
-  const auto fault = [&](std::string_view key, const std::string& finding) {
-    config.Fault(key, finding);
+  const auto fault = [&](std::string_view key, const InputFault& found) {
+    config.Fault(key, found);
     good = false;
   };
   const auto at = [&](int joint) -> const Joint& { return model.joints[joint]; };
@@ -94,8 +95,9 @@ std::optional<DigPlan> ReadDigPlan(const ConfigMap& config, const MachineModel& 
     const std::string name = config.Text(key, key);
     const int index = model.JointIndex(name);
     if (index < 0) {
-      config.Fault(key, "machine '" + model.kind + "' has no joint '" + name +
-                            "'; a dig cycle needs slew, boom, arm and bucket joints");
+      config.Fault(key, {FaultKind::kNoSuchName,
+                         "machine '" + model.kind + "' has no joint '" + name +
+                             "'; a dig cycle needs slew, boom, arm and bucket joints"});
     }
     return index;
   };
@@ -104,7 +106,8 @@ std::optional<DigPlan> ReadDigPlan(const ConfigMap& config, const MachineModel& 
   for (std::size_t i = 0; i < model.frames.size(); ++i) {
     if (model.frames[i].name == tip) plan.tip_frame = static_cast<int>(i);
   }
-  if (plan.tip_frame < 0) config.Fault("tip_frame", "the machine has no frame '" + tip + "'");
+  if (plan.tip_frame < 0)
+    config.Fault("tip_frame", {FaultKind::kNoSuchName, "the machine has no frame '" + tip + "'"});
 
   const auto& shovels = model.ground_tools.shovels;
   for (std::size_t s = 0; s < shovels.size() && plan.joints.bucket >= 0; ++s) {
@@ -112,7 +115,8 @@ std::optional<DigPlan> ReadDigPlan(const ConfigMap& config, const MachineModel& 
       plan.shovel = static_cast<int>(s);
   }
   if (plan.joints.bucket >= 0 && plan.shovel < 0) {
-    config.Fault("bucket", "the link that this joint moves carries no shovel");
+    config.Fault("bucket",
+                 {FaultKind::kMissing, "the link that this joint moves carries no shovel"});
   }
 
   const Range azimuth = Between(-360, 360, "deg");
@@ -132,7 +136,8 @@ std::optional<DigPlan> ReadDigPlan(const ConfigMap& config, const MachineModel& 
   plan.patience_s = config.Number("patience_s", Positive("s"), plan.patience_s);
   plan.cycles = static_cast<int>(config.Integer("cycles", Between(0, kMostCycles, ""), 0));
   if (plan.cut_length_m >= plan.reach_m) {
-    config.Fault("cut_length_m", "the cut would pass the slew axis, need less than reach_m");
+    config.Fault("cut_length_m", {FaultKind::kOutOfRange,
+                                  "the cut would pass the slew axis, need less than reach_m"});
   }
 
   const bool complete = plan.joints.slew >= 0 && plan.joints.boom >= 0 && plan.joints.arm >= 0 &&

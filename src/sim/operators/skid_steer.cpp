@@ -11,8 +11,9 @@ int DriveLever(const ConfigMap& config, std::string_view key, std::string_view o
   const std::string name = config.Text(key, otherwise);
   const int lever = model.LeverIndex(name);
   if (lever < 0 || model.levers[lever].gear < 0) {
-    config.Fault(key, "machine '" + model.kind + "' has no lever '" + name +
-                          "' that drives tracks or wheels; name one that does");
+    config.Fault(
+        key, {FaultKind::kNoSuchName, "machine '" + model.kind + "' has no lever '" + name +
+                                          "' that drives tracks or wheels; name one that does"});
     return -1;
   }
   return lever;
@@ -28,7 +29,8 @@ double FullSpeed_mps(const MachineModel& model, int lever) {
 
 SkidSteerLevers ReadSkidSteerLevers(const ConfigMap& config, const MachineModel& model) {
   if (model.gauge_m <= 0) {
-    config.Fault("", "machine '" + model.kind + "' has no gauge_m, so it cannot be steered");
+    config.Fault("", {FaultKind::kMissing,
+                      "machine '" + model.kind + "' has no gauge_m, so it cannot be steered"});
   }
   return {DriveLever(config, "left_lever", "left_track", model),
           DriveLever(config, "right_lever", "right_track", model)};

@@ -63,7 +63,7 @@ WaypointPlan ReadWaypointPlan(const ConfigMap& config, const MachineModel& model
     plan.waypoints_W_m.push_back(point.Vector2("xy_m", Any("m")));
   }
   if (plan.waypoints_W_m.empty()) {
-    config.Fault("waypoints", "no waypoint given, need at least one {xy_m}");
+    config.Fault("waypoints", {FaultKind::kMissing, "no waypoint given, need at least one {xy_m}"});
   }
   plan.speed_mps = config.Number("speed_mps", Positive("m/s"), plan.speed_mps);
   plan.reached_m = config.Number("reached_m", Positive("m"), plan.reached_m);

@@ -81,10 +81,12 @@ GenerateReport Generate(const Scenario& scenario, const std::string& resolved_ya
         writer.Discard();
         throw;
       }
-      throw InputError(
-          fmt::format("{}\nwhat was written is kept in {}: finish it by the same command with "
+      auto faults = error.faults();
+      faults.emplace_back(
+          fmt::format("what was written is kept in {}: finish it by the same command with "
                       "--resume, or delete it",
-                      error.what(), writer.incomplete_directory().string()));
+                      writer.incomplete_directory().string()));
+      throw InputError(std::move(faults));
     }
   }
   return report;

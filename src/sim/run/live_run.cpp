@@ -140,8 +140,10 @@ struct LiveRun::Impl {
       act();
     } catch (const InputError& error) {
       if (!recorder) throw;
-      throw InputError(fmt::format("{}\nwhat was recorded is kept in {}: {}", error.what(),
-                                   recorder->incomplete_directory().string(), kRemedy));
+      auto faults = error.faults();
+      faults.emplace_back(fmt::format("what was recorded is kept in {}: {}",
+                                      recorder->incomplete_directory().string(), kRemedy));
+      throw InputError(std::move(faults));
     }
   }
 

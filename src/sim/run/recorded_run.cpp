@@ -20,15 +20,18 @@ namespace {
 MovedFiles Moved(const std::string& text, const std::vector<RecordedInput>& inputs) {
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string::npos || equals + 1 == text.size()) {
-    throw InputError(fmt::format("--moved {}: need OLD=NEW, each a file or a folder", text));
+    throw InputError("--moved " + text,
+                     {FaultKind::kMalformed, "need OLD=NEW, each a file or a folder"});
   }
   MovedFiles moved{text.substr(0, equals), text.substr(equals + 1)};
   if (std::none_of(inputs.begin(), inputs.end(),
                    [&](const RecordedInput& input) { return Concerns(moved, input.name); })) {
     throw InputError(
-        fmt::format("--moved {}: no input of the recording is '{}' or below it; need a name that "
-                    "its dataset.yaml lists, or a folder that such a name begins with",
-                    text, moved.from));
+        "--moved " + text,
+        {FaultKind::kNoSuchName,
+         fmt::format("no input of the recording is '{}' or below it; need a name that its "
+                     "dataset.yaml lists, or a folder that such a name begins with",
+                     moved.from)});
   }
   return moved;
 }
@@ -43,9 +46,10 @@ void RequireAmong(const std::vector<InputFile>& checked, const std::vector<Input
     const std::string name = PortableName(file.path);
     if (known.contains(name)) continue;
     throw InputError(
-        fmt::format("{}: now reads {}, which the recorded run did not; move it away, or say where "
-                    "the files are that dataset.yaml lists by --moved OLD=NEW",
-                    scenario_file.string(), name));
+        scenario_file.string(),
+        fmt::format("now reads {}, which the recorded run did not; move it away, or say where the "
+                    "files are that dataset.yaml lists by --moved OLD=NEW",
+                    name));
   }
 }
 
@@ -112,15 +116,18 @@ void RequireAnotherPlace(const std::filesystem::path& recording, const std::file
   for (const std::filesystem::path& written : {out, IncompleteOf(out)}) {
     if (IsAt(recording, written)) {
       throw InputError(
-          fmt::format("--out {}: would be written to {}, which is the recording to be replayed; "
-                      "give it another name",
-                      out.string(), written.string()));
+          "--out " + out.string(),
+          {FaultKind::kUnwritable, fmt::format("would be written to {}, which is the recording to "
+                                               "be replayed; give it another name",
+                                               written.string())});
     }
     if (IsInside(recording, written)) {
-      throw InputError(fmt::format(
-          "--out {}: lies inside {}, which is the recording to be replayed; choose a folder "
-          "outside it",
-          out.string(), recording.string()));
+      throw InputError(
+          "--out " + out.string(),
+          {FaultKind::kUnwritable,
+           fmt::format(
+               "lies inside {}, which is the recording to be replayed; choose a folder outside it",
+               recording.string())});
     }
   }
 }

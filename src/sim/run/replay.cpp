@@ -21,10 +21,9 @@ LeverReplayPlan Replayed(TableRecording table, const MachinePlacement& machine,
   std::vector<std::string> names;
   for (const Lever& lever : machine.model.levers) names.push_back(lever.name);
   if (table.columns != names) {
-    throw InputError(
-        fmt::format("{}: the columns are not the levers of machine '{}'; need the "
-                    "scenario.yaml that the recording was made with",
-                    shown, machine.name));
+    throw InputError(shown, fmt::format("the columns are not the levers of machine '{}'; need the "
+                                        "scenario.yaml that the recording was made with",
+                                        machine.name));
   }
   std::vector<int> lever_of_column;
   for (std::size_t i = 0; i < names.size(); ++i) lever_of_column.push_back(static_cast<int>(i));
@@ -32,8 +31,9 @@ LeverReplayPlan Replayed(TableRecording table, const MachinePlacement& machine,
   for (std::size_t r = 0; r < commands.rows.size(); ++r) {
     for (const double lever : commands.rows[r]) {
       if (std::abs(lever) <= 1) continue;
-      throw InputError(fmt::format("{}: a lever is {} at t_ns {}, need -1 to 1", shown, lever,
-                                   commands.t_ns[r]));
+      throw InputError(
+          shown, {FaultKind::kOutOfRange,
+                  fmt::format("a lever is {} at t_ns {}, need -1 to 1", lever, commands.t_ns[r])});
     }
   }
   return {std::make_shared<const CommandTable>(std::move(commands)), std::move(lever_of_column)};
@@ -43,8 +43,8 @@ LeverReplayPlan AsRecorded(const Recording& recording, const MachinePlacement& m
   const std::string file = CommandsOf(machine);
   const std::string shown = (recording.directory() / file).string();
   if (!recording.Has(file)) {
-    throw InputError(fmt::format("{}: is not part of the recording; need the commands of '{}'",
-                                 shown, machine.name));
+    throw InputError(shown, fmt::format("is not part of the recording; need the commands of '{}'",
+                                        machine.name));
   }
   return Replayed(recording.LoadTable(file), machine, shown);
 }
@@ -53,10 +53,9 @@ LeverReplayPlan AsRecorded(const Recording& recording, const MachinePlacement& m
 
 void RequireSimulated(const Recording& recording) {
   if (recording.info().simulated) return;
-  throw InputError(fmt::format(
-      "{}: is a real recording; need a simulated one (a scenario replays real levers with "
-      "`operator: {{type: lever_replay}}`)",
-      recording.directory().string()));
+  throw InputError(recording.directory().string(),
+                   "is a real recording; need a simulated one (a scenario replays real levers with "
+                   "`operator: {type: lever_replay}`)");
 }
 
 void CommandAsRecorded(const Recording& recording, Scenario* scenario) {
@@ -76,8 +75,9 @@ void CommandAsFarAsRecorded(const std::filesystem::path& directory, Scenario* sc
   }
   // The levers in force at the end are a row of their own.
   if (steps < 2) {
-    throw InputError(fmt::format("{}: was stopped before any command came to the disk; delete it",
-                                 directory.string()));
+    throw InputError(
+        directory.string(),
+        {FaultKind::kMalformed, "was stopped before any command came to the disk; delete it"});
   }
   scenario->duration_s = static_cast<double>(steps - 1) / scenario->physics_rate_hz;
 }

@@ -31,7 +31,7 @@ void SetCollisionMeshes(const ConfigMap& config, MachineModel* model) {
       try {
         link.collision.push_back(BoxAround(LoadMesh(collision.mesh, ""), collision));
       } catch (const InputError& e) {
-        config.Fault("urdf", collision.part + ", collision: " + e.what());
+        config.Fault("urdf", {e.faults().front().kind, e.what(), collision.part + ", collision"});
       }
     }
     link.collision_meshes.clear();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/config/fault_text.h"
 #include "physics/actuation/actuation_mechanisms.h"
 #include "physics/traction/ground_mechanisms.h"
 #include "sensors/sensor_mechanisms.h"
@@ -37,7 +38,7 @@ std::vector<NamedTarget> TargetsOf(const MachineModel& model,
 
 bool IsMappingOf(std::string_view need, const ConfigMap& config, std::string_view key) {
   if (!config.IsText(key)) return true;
-  config.Fault(key, fmt::format("'{}' found, need {}", config.Text(key), need));
+  config.Fault(key, fault::Mistyped(fmt::format("'{}'", config.Text(key)), std::string(need)));
   return false;
 }
 

@@ -30,9 +30,11 @@ int LimbNamed(const ConfigMap& config, const char* key, const std::vector<Obstac
   const std::string name = config.Text(key);
   const auto found = std::ranges::find(limbs, name, &ObstacleLimb::name);
   if (found != limbs.end()) return static_cast<int>(found - limbs.begin());
-  config.Fault(key, fmt::format("'{}' is no limb named above it; need the name of one, or leave it "
-                                "out for the body",
-                                name));
+  config.Fault(key,
+               {FaultKind::kNoSuchName,
+                fmt::format("'{}' is no limb named above it; need the name of one, or leave it "
+                            "out for the body",
+                            name)});
   return -1;
 }
 
@@ -64,10 +66,13 @@ Gait ReadGait(const ConfigMap& config, const Visual& body) {
     gait.limbs.push_back(ReadLimb(item, body, gait.limbs));
     const std::string& name = gait.limbs.back().name;
     if (std::ranges::count(gait.limbs, name, &ObstacleLimb::name) > 1) {
-      item.Fault("name", fmt::format("'{}' is named twice; need another name for each limb", name));
+      item.Fault("name",
+                 {FaultKind::kRepeated,
+                  fmt::format("'{}' is named twice; need another name for each limb", name)});
     }
   }
-  if (gait.limbs.empty()) given.Fault("limbs", "is empty; need a limb that swings, or no gait");
+  if (gait.limbs.empty())
+    given.Fault("limbs", {FaultKind::kMissing, "is empty; need a limb that swings, or no gait"});
   return gait;
 }
 

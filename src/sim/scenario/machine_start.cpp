@@ -60,8 +60,8 @@ std::optional<int> JointOfStart(const ConfigMap& start, const StartPlaces& place
   if (joint < 0) {
     std::vector<std::string> names;
     for (const Joint& j : model.joints) names.push_back(j.name);
-    start.Fault(places.key, "machine '" + model.kind + "' has no joint '" + name + "'" +
-                                DidYouMean(name, names));
+    start.Fault(places.key, {FaultKind::kNoSuchName, "machine '" + model.kind + "' has no joint '" +
+                                                         name + "'" + DidYouMean(name, names)});
     return std::nullopt;
   }
   if (model.joints[joint].type == JointType::kFixed) {
@@ -96,8 +96,9 @@ void ReadStartPlaces(const ConfigMap& start, const MachineModel& model, std::vec
       if (limited && ((*q)[*joint] < j.lower_rad || (*q)[*joint] > j.upper_rad)) {
         start.Fault(
             places.key,
-            fmt::format("'{0}' at {1} {2} is beyond its limits, need {3} to {4} {2}", name, value,
-                        places.unit, j.lower_rad / places.unit_si, j.upper_rad / places.unit_si));
+            {FaultKind::kOutOfRange,
+             fmt::format("'{0}' at {1} {2} is beyond its limits, need {3} to {4} {2}", name, value,
+                         places.unit, j.lower_rad / places.unit_si, j.upper_rad / places.unit_si)});
       }
     }
   }

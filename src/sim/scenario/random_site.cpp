@@ -100,7 +100,7 @@ SitePlanner::Spread SitePlanner::SpreadAt(const ConfigMap& config, const char* k
 int SitePlanner::Count(const ConfigMap& config, const std::string& kind) const {
   const Spread of = SpreadAt(config, "count", Between(0, kMostOfAKind, ""));
   if (of.lower != std::floor(of.lower) || of.upper != std::floor(of.upper)) {
-    config.Fault("count", "need whole numbers");
+    config.Fault("count", {FaultKind::kMistyped, "need whole numbers"});
   }
   const double share = Share(StreamOf(kind), 0);
   return static_cast<int>(of.lower + std::floor(share * (of.upper - of.lower + 1)));
@@ -109,7 +109,7 @@ int SitePlanner::Count(const ConfigMap& config, const std::string& kind) const {
 std::string SitePlanner::OneOf(const ConfigMap& config, const char* key, const Stream& stream) {
   const std::vector<std::string> all = config.Texts(key);
   if (all.empty()) {
-    config.Fault(key, "nothing to choose from, need a list of one or more");
+    config.Fault(key, {FaultKind::kMissing, "nothing to choose from, need a list of one or more"});
     reads_only_ = true;
     return "";
   }
@@ -324,7 +324,8 @@ void SitePlanner::Fences() {
     const double panel_m = config.Number("panel_m", Between(0.5, 20, "m"), 3.5);
     const Spread of = SpreadAt(config, "panels", Between(1, 50, ""));
     if (std::floor(of.lower) != of.lower || std::floor(of.upper) != of.upper) {
-      config.Fault("panels", fmt::format("from {} to {}; need whole numbers", of.lower, of.upper));
+      config.Fault("panels", {FaultKind::kMistyped, fmt::format("from {} to {}; need whole numbers",
+                                                                of.lower, of.upper)});
       return;
     }
     const auto panels =

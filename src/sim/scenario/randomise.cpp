@@ -106,7 +106,7 @@ std::size_t Draw::Chosen(const ConfigMap& entry, std::size_t count, const Stream
   }
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   if (weights.size() != count) return 0;
-  if (sum <= 0) entry.Fault("weights", "all are 0, need one above");
+  if (sum <= 0) entry.Fault("weights", {FaultKind::kOutOfRange, "all are 0, need one above"});
   double left = stream.Uniform(episode_) * sum;
   for (std::size_t i = 0; i + 1 < count; ++i) {
     if (left < weights[i]) return i;
@@ -160,13 +160,13 @@ void Draw::OneKey(const ConfigMap& entry) {
     const Interval of = IntervalAt(entry, "integer", Between(-kLargest, kLargest, ""));
     const double drawn = std::floor(of.lower) + std::floor(share * (of.upper - of.lower + 1));
     if (of.lower != std::floor(of.lower) || of.upper != std::floor(of.upper)) {
-      entry.Fault("integer", "need whole numbers");
+      entry.Fault("integer", {FaultKind::kMistyped, "need whole numbers"});
     }
     Give(entry, key, fmt::format("{}", static_cast<std::int64_t>(drawn)));
   } else {
     const std::vector<std::string> values = entry.YamlItems("choice");
     if (values.empty()) {
-      entry.Fault("choice", "nothing to choose from");
+      entry.Fault("choice", {FaultKind::kMissing, "nothing to choose from"});
       return;
     }
     Give(entry, key, values[Chosen(entry, values.size(), stream)]);
@@ -176,7 +176,7 @@ void Draw::OneKey(const ConfigMap& entry) {
 void Draw::Together(const ConfigMap& entry) {
   const std::vector<ConfigMap> sets = entry.List("together");
   if (sets.empty()) {
-    entry.Fault("together", "nothing to choose from");
+    entry.Fault("together", {FaultKind::kMissing, "nothing to choose from"});
     return;
   }
   std::string keys;
@@ -198,7 +198,7 @@ void Draw::Correlated(const ConfigMap& entry) {
   const double least = count > 1 ? -1 / (static_cast<double>(count) - 1) : -1;
   const double correlation =
       entry.Number("correlation", {.min = least, .max = 1, .min_excluded = true});
-  if (count < 2) entry.Fault("keys", "need two or more");
+  if (count < 2) entry.Fault("keys", {FaultKind::kOutOfRange, "need two or more"});
   if (count < 2 || mean.size() != count || sigma.size() != count) return;
   const auto n = static_cast<Eigen::Index>(count);
   const Eigen::MatrixXd alike = Eigen::MatrixXd::Constant(n, n, correlation) +
@@ -261,7 +261,8 @@ void Draw::Places(const ConfigMap& entry) {
 void Draw::WholeSite(const ConfigMap& entry) {
   const SiteDraw draw{seed_, episode_, &scenario_, &values_};
   const ConfigMap site = entry.Map("site");
-  if (std::exchange(has_site_, true)) site.Fault("", "is the second site, need one entry");
+  if (std::exchange(has_site_, true))
+    site.Fault("", {FaultKind::kRepeated, "is the second site, need one entry"});
   std::vector<Config::GivenValue> lists;
   for (auto& [key, yaml] : DrawSite(site, draw)) {
     lists.push_back({key, std::move(yaml), fmt::format("{} (drawn)", entry.Place())});

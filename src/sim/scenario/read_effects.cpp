@@ -30,9 +30,10 @@ class TargetReader {
     const auto map = config_.OptionalMap(name);
     if (!map) return {};
     if (!read_.insert(name).second) {
-      config_.Fault(name, "'" + name +
-                              "' names two things of this machine (joint, track, pump or sensor); "
-                              "rename one of them");
+      config_.Fault(name, {FaultKind::kRepeated,
+                           "'" + name +
+                               "' names two things of this machine (joint, track, pump or sensor); "
+                               "rename one of them"});
     }
     if (target != EffectTarget::kJoint && target != EffectTarget::kGear && map->Has("learned")) {
       map->Fault("learned", fmt::format("'learned' does not act on this target, {}; it acts on a "

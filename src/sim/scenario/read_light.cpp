@@ -49,9 +49,9 @@ void SetDaylight(const ConfigMap& config, const SiteOrigin& origin, Environment*
   }
   const std::optional<TimeNs> utc_ns = ParseUtc(text);
   if (!utc_ns) {
-    config.Fault("time", "'" + text +
-                             "' is no time; need UTC from 1970 to 2037, "
-                             "2026-06-21T09:30:00Z");
+    config.Fault("time", {FaultKind::kMistyped, "'" + text +
+                                                    "' is no time; need UTC from 1970 to 2037, "
+                                                    "2026-06-21T09:30:00Z"});
     return;
   }
   environment->to_sun_W = ToSun(*utc_ns, origin);
@@ -74,15 +74,17 @@ ScenarioLamp ReadLamp(const ConfigMap& config, const MachineOfName& machine_of) 
   lamp.link = config.Text("link");
   const MachineModel* machine = machine_of(lamp.machine);
   if (machine == nullptr) {
-    config.Fault("machine", "'" + lamp.machine + "' is no machine of this scenario");
+    config.Fault("machine",
+                 {FaultKind::kNoSuchName, "'" + lamp.machine + "' is no machine of this scenario"});
     return lamp;
   }
   std::vector<std::string> links;
   for (const Link& link : machine->links) links.push_back(link.name);
   if (!lamp.link.empty() && std::ranges::count(links, lamp.link) == 0) {
     config.Fault("link",
-                 fmt::format("'{}' is no link of {}{}; need one of {}", lamp.link, lamp.machine,
-                             DidYouMean(lamp.link, links), fmt::join(links, ", ")));
+                 {FaultKind::kNoSuchName,
+                  fmt::format("'{}' is no link of {}{}; need one of {}", lamp.link, lamp.machine,
+                              DidYouMean(lamp.link, links), fmt::join(links, ", "))});
   }
   return lamp;
 }
@@ -117,7 +119,8 @@ std::vector<ScenarioLamp> ReadLamps(const ConfigMap& config, const MachineOfName
   std::vector<ScenarioLamp> lamps;
   for (const ConfigMap& lamp : config.List("lamps")) lamps.push_back(ReadLamp(lamp, machine_of));
   if (lamps.size() > kMostLamps) {
-    config.Fault("lamps", fmt::format("{} lamps; need at most {}", lamps.size(), kMostLamps));
+    config.Fault("lamps", {FaultKind::kOutOfRange,
+                           fmt::format("{} lamps; need at most {}", lamps.size(), kMostLamps)});
   }
   return lamps;
 }

@@ -28,10 +28,11 @@ DustModel ReadDust(const ConfigMap& config) {
   dust.cell_m = config.Number("cell_m", Between(0.1, 2, "m"), dust.cell_m);
   const double cells = dust.extent_m * dust.extent_m * dust.height_m / std::pow(dust.cell_m, 3);
   if (cells > kMostCells) {
-    config.Fault("cell_m", fmt::format("{} m makes {:.2g} cells of {} x {} x {} m of air; need at "
-                                       "most {:.0g}, so larger cells or less air",
-                                       dust.cell_m, cells, dust.extent_m, dust.extent_m,
-                                       dust.height_m, kMostCells));
+    config.Fault("cell_m", {FaultKind::kOutOfRange,
+                            fmt::format("{} m makes {:.2g} cells of {} x {} x {} m of air; need at "
+                                        "most {:.0g}, so larger cells or less air",
+                                        dust.cell_m, cells, dust.extent_m, dust.extent_m,
+                                        dust.height_m, kMostCells)});
   }
   return dust;
 }
@@ -41,13 +42,15 @@ void CheckTemperature(const ConfigMap& config, const Weather& weather) {
       config.OptionalNumber("temperature_degc", Between(-60, 60, "C"));
   if (!degc) return;
   if (weather.snow_depth_m > 0 && *degc > kWarmestSnow_degc) {
-    config.Fault("snow_depth_m", fmt::format("snow lies on the ground at {} C; need at most {} C, "
-                                             "or no snow",
-                                             *degc, kWarmestSnow_degc));
+    config.Fault("snow_depth_m", {FaultKind::kOutOfRange,
+                                  fmt::format("snow lies on the ground at {} C; need at most {} C, "
+                                              "or no snow",
+                                              *degc, kWarmestSnow_degc)});
   }
   if (weather.rain_mmph > 0 && *degc < kColdestRain_degc) {
-    config.Fault("rain_mmph", fmt::format("rain falls at {} C; need at least {} C, or no rain",
-                                          *degc, kColdestRain_degc));
+    config.Fault("rain_mmph", {FaultKind::kOutOfRange,
+                               fmt::format("rain falls at {} C; need at least {} C, or no rain",
+                                           *degc, kColdestRain_degc)});
   }
 }
 

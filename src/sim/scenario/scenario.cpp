@@ -49,18 +49,19 @@ bool ReadSensors(const ConfigMap& config, const MachineModel& model,
       continue;
     }
     if (!names.insert(sensor.name).second) {
-      item.Fault("name", "'" + sensor.name +
-                             "' is taken by another sensor of this machine; "
-                             "give each its own name");
+      item.Fault("name", {FaultKind::kRepeated, "'" + sensor.name +
+                                                    "' is taken by another sensor of this machine; "
+                                                    "give each its own name"});
     }
     const SensorKind& kind = KindOf(sensor);
     if (kind.check_names) kind.check_names(item, sensor, model);
     if (kind.on_link && model.LinkIndex(sensor.link) < 0) {
       std::vector<std::string> links;
       for (const Link& link : model.links) links.push_back(link.name);
-      item.Fault("link",
-                 fmt::format("machine '{}' has no link '{}'{}; its links are {}", model.kind,
-                             sensor.link, DidYouMean(sensor.link, links), fmt::join(links, ", ")));
+      item.Fault("link", {FaultKind::kNoSuchName,
+                          fmt::format("machine '{}' has no link '{}'{}; its links are {}",
+                                      model.kind, sensor.link, DidYouMean(sensor.link, links),
+                                      fmt::join(links, ", "))});
     }
     sensors->push_back(std::move(sensor));
   }
@@ -164,7 +165,8 @@ ScenarioObstacle ReadObstacle(const ConfigMap& config, const Wear& wear) {
   } else if (!label.empty()) {
     std::vector<std::string> names;
     for (const SemanticClassInfo& info : kSemanticClasses) names.emplace_back(info.name);
-    config.Fault("label", "'" + label + "' is no semantic class" + DidYouMean(label, names));
+    config.Fault("label", {FaultKind::kNoSuchName,
+                           "'" + label + "' is no semantic class" + DidYouMean(label, names)});
   }
   obstacle.visual.mesh = config.File("mesh");
   obstacle.visual.node = config.Text("node", "body");
@@ -214,7 +216,8 @@ void RequireUniqueNames(const ConfigMap& config, const Scenario& scenario) {
   const auto require = [&](const std::string& name, std::string_view key) {
     if (!name.empty() && !names.insert(name).second) {
       config.Fault(key,
-                   "name '" + name + "' is used twice; give each machine and obstacle its own");
+                   {FaultKind::kRepeated,
+                    "name '" + name + "' is used twice; give each machine and obstacle its own"});
     }
     if (name == "truth") {
       config.Fault(key, "name 'truth' is a folder that every dataset has; choose another");
@@ -283,7 +286,8 @@ Scenario ReadScenario(const ConfigMap& config) {
     }
     return model;
   });
-  if (scenario.machines.empty()) config.Fault("machines", "no machine given, need at least one");
+  if (scenario.machines.empty())
+    config.Fault("machines", {FaultKind::kMissing, "no machine given, need at least one"});
   RequireUniqueNames(config, scenario);
   scenario.inputs = config.Inputs();
   return scenario;

@@ -42,7 +42,7 @@ std::optional<Mesh> Load(const ConfigMap& config, std::string_view key,
     Place(X_WG, &mesh);
     return mesh;
   } catch (const InputError& e) {
-    config.Fault(key, e.what());
+    config.Fault(key, e.faults().front());
     return std::nullopt;
   }
 }
@@ -52,7 +52,8 @@ SemanticClass LabelAt(const ConfigMap& config) {
   if (const auto known = SemanticClassFromName(label)) return *known;
   std::vector<std::string> names;
   for (const SemanticClassInfo& info : kSemanticClasses) names.emplace_back(info.name);
-  config.Fault("label", "'" + label + "' is no semantic class" + DidYouMean(label, names));
+  config.Fault("label", {FaultKind::kNoSuchName,
+                         "'" + label + "' is no semantic class" + DidYouMean(label, names)});
   return SemanticClass::kStructure;
 }
 
@@ -99,9 +100,10 @@ void SetGround(const ConfigMap& config, const ConfigMap& terrain, const Mesh& me
   }
   const Vec2 vertices = (size_m / cell_m).array() + 1;
   if (!(vertices.prod() <= kMostVertices)) {
-    config.Fault("cell_m", fmt::format("{:.0f} x {:.0f} heights are more than {}; need a larger "
-                                       "cell_m or a smaller terrain.size_m",
-                                       vertices.x(), vertices.y(), kMostVertices));
+    config.Fault("cell_m", {FaultKind::kOutOfRange,
+                            fmt::format("{:.0f} x {:.0f} heights are more than {}; need a larger "
+                                        "cell_m or a smaller terrain.size_m",
+                                        vertices.x(), vertices.y(), kMostVertices)});
     return;
   }
   const int nx = VerticesOver(size_m.x(), cell_m), ny = VerticesOver(size_m.y(), cell_m);

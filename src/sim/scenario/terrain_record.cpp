@@ -28,8 +28,9 @@ int CellsIn(const ConfigMap& config, std::string_view key, const TerrainGrid& si
   const double length_m = config.Number(key, Between(site.cell_m, kMost_m, "m"), otherwise_m);
   const double cells = length_m / site.cell_m;
   if (std::abs(cells - std::round(cells)) > kRounding * cells) {
-    config.Fault(key, fmt::format("{} m is no whole multiple of the site's cell of {} m", length_m,
-                                  site.cell_m));
+    config.Fault(key, {FaultKind::kOutOfRange,
+                       fmt::format("{} m is no whole multiple of the site's cell of {} m", length_m,
+                                   site.cell_m)});
   }
   return std::max(1, static_cast<int>(std::lround(cells)));
 }
@@ -42,13 +43,14 @@ std::vector<GroundRaster> ReadRasters(const ConfigMap& config) {
   for (const std::string& name : config.Texts("terrain")) {
     const auto found = std::find(known.begin(), known.end(), name);
     if (found == known.end()) {
-      config.Fault("terrain", fmt::format("'{}' is no raster of the ground{}; need some of {}",
-                                          name, DidYouMean(name, known), fmt::join(known, ", ")));
+      config.Fault("terrain", {FaultKind::kNoSuchName,
+                               fmt::format("'{}' is no raster of the ground{}; need some of {}",
+                                           name, DidYouMean(name, known), fmt::join(known, ", "))});
       continue;
     }
     const GroundRaster raster = kAllRasters[found - known.begin()];
     if (std::find(rasters.begin(), rasters.end(), raster) != rasters.end()) {
-      config.Fault("terrain", fmt::format("names '{}' twice", name));
+      config.Fault("terrain", {FaultKind::kRepeated, fmt::format("names '{}' twice", name)});
     }
     rasters.push_back(raster);
   }
@@ -66,17 +68,19 @@ void CheckBox(const ConfigMap& config, const VoxelBox& box, const TerrainGrid& s
   if ((box.low_W_m.head<2>().array() < site_low_m.array()).any() ||
       (box.high_W_m.head<2>().array() > site_high_m.array()).any()) {
     config.Fault("low_m",
-                 fmt::format("the box reaches beyond the site, x {:g} to {:g} m, y {:g} to "
-                             "{:g} m",
-                             site_low_m.x(), site_high_m.x(), site_low_m.y(), site_high_m.y()));
+                 {FaultKind::kOutOfRange,
+                  fmt::format("the box reaches beyond the site, x {:g} to {:g} m, y {:g} to "
+                              "{:g} m",
+                              site_low_m.x(), site_high_m.x(), site_low_m.y(), site_high_m.y())});
     return;
   }
   const double edge_m = box.columns * site.cell_m;
   const double cubes = ((box.high_W_m - box.low_W_m) / edge_m).prod();
   if (cubes > kMostCubes) {
-    config.Fault("edge_m", fmt::format("{:.3g} cubes of {:g} m are more than the {:g} that a file "
-                                       "can have; need a longer edge_m or a smaller box",
-                                       cubes, edge_m, kMostCubes));
+    config.Fault("edge_m", {FaultKind::kOutOfRange,
+                            fmt::format("{:.3g} cubes of {:g} m are more than the {:g} that a file "
+                                        "can have; need a longer edge_m or a smaller box",
+                                        cubes, edge_m, kMostCubes)});
   }
 }
 
@@ -87,7 +91,8 @@ std::vector<TerrainRecord::Voxels> ReadVoxels(const ConfigMap& config, const Ter
     voxels.name = item.Text("name");
     RequirePlainName(item, "name", voxels.name);
     for (const TerrainRecord::Voxels& other : all) {
-      if (other.name == voxels.name) item.Fault("name", "is taken by another box of voxels");
+      if (other.name == voxels.name)
+        item.Fault("name", {FaultKind::kRepeated, "is taken by another box of voxels"});
     }
     voxels.box.low_W_m = item.Vector3("low_m", Any("m"));
     voxels.box.high_W_m = item.Vector3("high_m", Any("m"));

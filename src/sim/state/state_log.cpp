@@ -28,9 +28,9 @@ void RequireState(const std::filesystem::path& dataset) {
   std::error_code ignored;
   if (std::filesystem::exists(dataset / kStateFile, ignored)) return;
   throw InputError(
-      fmt::format("{}: is not there; need a dataset whose state was kept by `tera generate "
-                  "--keep-state`",
-                  (dataset / kStateFile).string()));
+      (dataset / kStateFile).string(),
+      {FaultKind::kUnreadable,
+       "is not there; need a dataset whose state was kept by `tera generate --keep-state`"});
 }
 
 std::string StateHeader(const std::string& resolved_yaml, std::size_t columns) {

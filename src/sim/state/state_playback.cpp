@@ -78,8 +78,9 @@ bool StatePlayback::LoadBlock() {
 
 void StatePlayback::Fail(const std::string& finding) const {
   throw InputError(
-      fmt::format("{}: {}; need the file that `tera generate --keep-state` wrote with this dataset",
-                  path_.string(), finding));
+      path_.string(),
+      fmt::format("{}; need the file that `tera generate --keep-state` wrote with this dataset",
+                  finding));
 }
 
 }  // namespace tera

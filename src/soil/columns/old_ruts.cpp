@@ -67,9 +67,10 @@ RutSize ReadRutSize(const ConfigMap& config, double usual_gauge_m,
                                    : config.Number("width_m", width)};
   if (ruts.gauge_m > 0 && ruts.gauge_m < ruts.width_m) {
     config.Fault("gauge_m",
-                 fmt::format("{} m lets two ruts of {} m lie over each other; need at least "
-                             "their width, or 0 for one rut",
-                             ruts.gauge_m, ruts.width_m));
+                 {FaultKind::kOutOfRange,
+                  fmt::format("{} m lets two ruts of {} m lie over each other; need at least "
+                              "their width, or 0 for one rut",
+                              ruts.gauge_m, ruts.width_m)});
   }
   return ruts;
 }
@@ -84,8 +85,9 @@ std::vector<RutPlan> ReadRuts(const ConfigMap& config) {
       ruts.path_W_m.emplace_back(row[0], row[1]);
     }
     if (ruts.path_W_m.size() < 2) {
-      item.Fault("path_m", fmt::format("{} points found, need at least 2, each [x, y] in m",
-                                       ruts.path_W_m.size()));
+      item.Fault("path_m", {FaultKind::kOutOfRange,
+                            fmt::format("{} points found, need at least 2, each [x, y] in m",
+                                        ruts.path_W_m.size())});
     }
     ruts.size = ReadRutSize(item, 0, {});
     ruts.depth_m = item.Number("depth_m", Between(0, kDeepestRut_m, "m"));

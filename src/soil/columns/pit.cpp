@@ -18,8 +18,9 @@ std::vector<PitPlan> ReadPits(const ConfigMap& config, const TerrainGrid& grid) 
     };
     if (std::any_of(pit.outline_W_m.begin(), pit.outline_W_m.end(), beyond)) {
       item.Fault("outline_m",
-                 fmt::format("reaches beyond the site, x {:g} to {:g} m, y {:g} to {:g} m",
-                             low_m.x(), high_m.x(), low_m.y(), high_m.y()));
+                 {FaultKind::kOutOfRange,
+                  fmt::format("reaches beyond the site, x {:g} to {:g} m, y {:g} to {:g} m",
+                              low_m.x(), high_m.x(), low_m.y(), high_m.y())});
     }
     pits.push_back(pit);
   }

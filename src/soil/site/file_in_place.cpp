@@ -15,14 +15,17 @@ void PutInPlace(
   std::error_code error;
   if (const auto reason = write(part)) {
     std::filesystem::remove(part, error);
-    throw InputError(fmt::format(
-        "{}: cannot be written ({}); check the folder, its permissions and the space on the disk",
-        file.string(), *reason));
+    throw InputError(
+        file.string(),
+        {FaultKind::kUnwritable,
+         fmt::format(
+             "cannot be written ({}); check the folder, its permissions and the space on the disk",
+             *reason)});
   }
   std::filesystem::rename(part, file, error);
   if (error) {
-    throw InputError(
-        fmt::format("{}: cannot be put in place ({})", file.string(), error.message()));
+    throw InputError(file.string(), {FaultKind::kUnwritable,
+                                     fmt::format("cannot be put in place ({})", error.message())});
   }
 }
 

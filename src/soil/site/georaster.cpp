@@ -29,8 +29,9 @@ std::vector<T> ReadStored(const std::filesystem::path& file, GDALRasterBand* ban
   T* last_row = pixels.data() + static_cast<std::size_t>(ny - 1) * nx;
   const GSpacing line = -static_cast<GSpacing>(nx) * static_cast<GSpacing>(sizeof(T));
   if (band->RasterIO(GF_Read, 0, 0, nx, ny, last_row, nx, ny, type, 0, line) != CE_None) {
-    Refuse(file, fmt::format("its pixels cannot be read ({}); the file may be truncated",
-                             CPLGetLastErrorMsg()));
+    Refuse(file, {FaultKind::kMalformed,
+                  fmt::format("its pixels cannot be read ({}); the file may be truncated",
+                              CPLGetLastErrorMsg())});
   }
   return pixels;
 }
@@ -60,15 +61,17 @@ double HeightUnit_m(const std::filesystem::path& file, GDALRasterBand* band,
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     const auto found = known_m.find(unit);
     if (found != known_m.end()) return found->second;
-    Refuse(file, fmt::format("its heights are in '{}', need metres or feet; name their unit with "
-                             "gdal_edit.py -units, or convert them with gdal_calc.py",
-                             band->GetUnitType()));
+    Refuse(file, {FaultKind::kUnsupported,
+                  fmt::format("its heights are in '{}', need metres or feet; name their unit with "
+                              "gdal_edit.py -units, or convert them with gdal_calc.py",
+                              band->GetUnitType())});
   }
   if (system && system->GetAttrNode("VERT_CS")) return system->GetTargetLinearUnits("VERT_CS");
   if (system && system->IsProjected() && system->GetLinearUnits() != 1.0) {
-    Refuse(file, fmt::format("its map has a unit of {:.4f} m, and the unit of its heights is not "
-                             "named; name it with gdal_edit.py -units m, ft or us-ft",
-                             system->GetLinearUnits()));
+    Refuse(file, {FaultKind::kUnsupported,
+                  fmt::format("its map has a unit of {:.4f} m, and the unit of its heights is not "
+                              "named; name it with gdal_edit.py -units m, ft or us-ft",
+                              system->GetLinearUnits())});
   }
   return 1;
 }
@@ -100,11 +103,12 @@ void RequireMarkedGaps(const std::filesystem::path& file, const std::vector<doub
   if (!is_pit && !is_peak) return;
   const bool tell_pit = is_pit && (!is_peak || low <= high);
   Refuse(file,
-         fmt::format("{} of {} pixels have a height of {:g} m, {:g} m {} all others: no "
-                     "height, without the tag that says so? tag it: gdal_translate -a_nodata "
-                     "{} IN OUT",
-                     tell_pit ? low : high, height_m.size(), tell_pit ? below_m : above_m, gap_m,
-                     tell_pit ? "below" : "above", stored(tell_pit ? below_m : above_m)));
+         {FaultKind::kUnsupported,
+          fmt::format("{} of {} pixels have a height of {:g} m, {:g} m {} all others: no "
+                      "height, without the tag that says so? tag it: gdal_translate -a_nodata "
+                      "{} IN OUT",
+                      tell_pit ? low : high, height_m.size(), tell_pit ? below_m : above_m, gap_m,
+                      tell_pit ? "below" : "above", stored(tell_pit ? below_m : above_m))});
 }
 
 /// Refuses heights beyond the earth's land, and steps that no ground has.
@@ -113,20 +117,23 @@ void RequireHeightsOfTheEarth(const std::filesystem::path& file,
   constexpr double kHighest_m = 20'000, kSteepest_m = 1000;
   for (std::size_t k = 0; k < height_m.size(); ++k) {
     if (std::abs(height_m[k]) > kHighest_m) {
-      Refuse(file, fmt::format("a height of {:g} m found, and no ground is higher or lower than {} "
-                               "m; name their unit with gdal_edit.py -units, or their scale with "
-                               "-scale",
-                               height_m[k], kHighest_m));
+      Refuse(file,
+             {FaultKind::kUnsupported,
+              fmt::format("a height of {:g} m found, and no ground is higher or lower than {} "
+                          "m; name their unit with gdal_edit.py -units, or their scale with "
+                          "-scale",
+                          height_m[k], kHighest_m)});
     }
     const auto width = static_cast<std::size_t>(nx);
     for (const std::size_t before : {k % width > 0 ? k - 1 : k, k >= width ? k - width : k}) {
       const double step_m = std::abs(height_m[k] - height_m[before]);
       if (step_m <= kSteepest_m || std::isnan(step_m)) continue;
       Refuse(file,
-             fmt::format("two pixels beside each other have heights of {:g} and {:g} m: heights "
-                         "mixed with no-data values? mark these before you resample: "
-                         "gdal_translate -a_nodata",
-                         height_m[before], height_m[k]));
+             {FaultKind::kUnsupported,
+              fmt::format("two pixels beside each other have heights of {:g} and {:g} m: heights "
+                          "mixed with no-data values? mark these before you resample: "
+                          "gdal_translate -a_nodata",
+                          height_m[before], height_m[k])});
     }
   }
 }
@@ -142,19 +149,20 @@ QuietGdal::QuietGdal() {
   CPLPushErrorHandler(CPLQuietErrorHandler);
 }
 
-void Refuse(const std::filesystem::path& file, const std::string& finding) {
-  throw InputError(fmt::format("{}: {}", file.string(), finding));
+void Refuse(const std::filesystem::path& file, const InputFault& fault) {
+  throw InputError(file.string(), fault);
 }
 
 RasterFile OpenRaster(const std::filesystem::path& file, std::string_view content) {
   RasterFile raster(static_cast<GDALDataset*>(GDALOpen(file.c_str(), GA_ReadOnly)), &GDALClose);
   if (!raster) {
-    Refuse(file, fmt::format("not readable as a GeoTIFF ({}); give a one-band {}",
-                             CPLGetLastErrorMsg(), content));
+    Refuse(file, {FaultKind::kUnreadable,
+                  fmt::format("not readable as a GeoTIFF ({}); give a one-band {}",
+                              CPLGetLastErrorMsg(), content)});
   }
   if (raster->GetRasterCount() != 1) {
-    Refuse(file,
-           fmt::format("{} bands found, need a one-band {}", raster->GetRasterCount(), content));
+    Refuse(file, {FaultKind::kMistyped, fmt::format("{} bands found, need a one-band {}",
+                                                    raster->GetRasterCount(), content)});
   }
   return raster;
 }
@@ -170,23 +178,26 @@ RasterFrame ReadFrame(const std::filesystem::path& file, GDALDataset* raster) {
   RasterFrame frame;
   const OGRSpatialReference* projection = raster->GetSpatialRef();
   if (!projection || raster->GetGeoTransform(frame.affine.data()) != CE_None) {
-    Refuse(file,
-           "has no projection or no geotransform; add them with gdal_translate -a_srs "
-           "and -a_ullr");
+    Refuse(file, {FaultKind::kMissing,
+                  "has no projection or no geotransform; add them with gdal_translate -a_srs "
+                  "and -a_ullr"});
   }
   const std::array<double, 6>& affine = frame.affine;
   if (affine[2] != 0 || affine[4] != 0 || affine[1] <= 0 || affine[5] >= 0) {
-    Refuse(file, "is rotated or not north-up; warp it with gdalwarp first");
+    Refuse(file,
+           {FaultKind::kUnsupported, "is rotated or not north-up; warp it with gdalwarp first"});
   }
   frame.nx = raster->GetRasterXSize();
   frame.ny = raster->GetRasterYSize();
   if (frame.nx < 2 || frame.ny < 2) {
-    Refuse(file, fmt::format("{} x {} pixels found, need at least 2 x 2", frame.nx, frame.ny));
+    Refuse(file, {FaultKind::kOutOfRange,
+                  fmt::format("{} x {} pixels found, need at least 2 x 2", frame.nx, frame.ny)});
   }
   if (static_cast<double>(frame.nx) * frame.ny > kMostPixels) {
-    Refuse(file, fmt::format("{} x {} pixels found, need at most {}; make them larger with "
-                             "gdalwarp -tr, or cut out the site with gdalwarp -te",
-                             frame.nx, frame.ny, kMostPixels));
+    Refuse(file, {FaultKind::kOutOfRange,
+                  fmt::format("{} x {} pixels found, need at most {}; make them larger with "
+                              "gdalwarp -tr, or cut out the site with gdalwarp -te",
+                              frame.nx, frame.ny, kMostPixels)});
   }
   frame.projection = *projection;
   frame.projection.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
@@ -268,8 +279,9 @@ void Conversion::Apply(std::vector<double>* x, std::vector<double>* y) const {
   if (!transformation_ ||
       !transformation_->Transform(static_cast<int>(x->size()), x->data(), y->data())) {
     Refuse(file_,
-           "its reference system cannot be converted to that of the site (WGS 84, near by); "
-           "reproject it with gdalwarp");
+           {FaultKind::kUnsupported,
+            "its reference system cannot be converted to that of the site (WGS 84, near by); "
+            "reproject it with gdalwarp"});
   }
 }
 

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/error.h"
 #include "soil/soil.h"
 
 namespace tera {
@@ -26,7 +27,7 @@ class QuietGdal {
 using RasterFile = std::unique_ptr<GDALDataset, decltype(&GDALClose)>;
 
 /// Throws the InputError of a file that cannot be used.
-[[noreturn]] void Refuse(const std::filesystem::path& file, const std::string& finding);
+[[noreturn]] void Refuse(const std::filesystem::path& file, const InputFault& fault);
 
 /// Where the pixels of a file lie.
 struct RasterFrame {

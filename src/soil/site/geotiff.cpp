@@ -28,9 +28,10 @@ std::vector<double> ReadAllHeights(const std::filesystem::path& file, GDALDatase
   const auto gaps =
       std::count_if(height_m.begin(), height_m.end(), [](double z_m) { return std::isnan(z_m); });
   if (gaps > 0) {
-    Refuse(file, fmt::format("{} of {} pixels have no height; fill the gaps, e.g. with "
-                             "gdal_fillnodata.py",
-                             gaps, height_m.size()));
+    Refuse(file, {FaultKind::kMissing,
+                  fmt::format("{} of {} pixels have no height; fill the gaps, e.g. with "
+                              "gdal_fillnodata.py",
+                              gaps, height_m.size())});
   }
   return height_m;
 }
@@ -39,9 +40,10 @@ std::vector<double> ReadAllHeights(const std::filesystem::path& file, GDALDatase
 std::uint8_t ClassOf(const std::filesystem::path& file, double value) {
   constexpr double kMost = 255;
   if (value < 0 || value > kMost || value != std::floor(value)) {
-    Refuse(file, fmt::format("a class of {:g} found by its scale and offset, need whole numbers "
-                             "from 0 to {}; take them off with gdal_translate -unscale -ot Byte",
-                             value, kMost));
+    Refuse(file, {FaultKind::kMistyped,
+                  fmt::format("a class of {:g} found by its scale and offset, need whole numbers "
+                              "from 0 to {}; take them off with gdal_translate -unscale -ot Byte",
+                              value, kMost)});
   }
   return static_cast<std::uint8_t>(value);
 }
@@ -126,9 +128,10 @@ SoilClassGrid ReadSoilClasses(const std::filesystem::path& file,
   const RasterFrame frame = ReadFrame(file, raster.get());
   GDALRasterBand* band = raster->GetRasterBand(1);
   if (band->GetRasterDataType() != GDT_Byte) {
-    Refuse(file, fmt::format("its pixels are {}, need classes as Byte; convert them with "
-                             "gdal_translate -ot Byte",
-                             GDALGetDataTypeName(band->GetRasterDataType())));
+    Refuse(file, {FaultKind::kUnsupported,
+                  fmt::format("its pixels are {}, need classes as Byte; convert them with "
+                              "gdal_translate -ot Byte",
+                              GDALGetDataTypeName(band->GetRasterDataType()))});
   }
   const std::vector<double> pixels = ReadBand(file, raster.get());
 

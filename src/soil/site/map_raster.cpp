@@ -31,9 +31,9 @@ void RequireSitePlane(const std::filesystem::path& file, GDALDataset* raster,
   Conversion(file, projection, SitePlane(origin)).Apply(&x, &y);
   for (std::size_t k = 0; k < x.size(); ++k) {
     if (std::hypot(x[k] - x_m[k], y[k] - y_m[k]) <= kSame_m) continue;
-    Refuse(file,
-           "is in another projection than its recording's origin says; need the file that "
-           "was recorded");
+    Refuse(file, {FaultKind::kInconsistent,
+                  "is in another projection than its recording's origin says; need the file that "
+                  "was recorded"});
   }
 }
 
@@ -43,9 +43,9 @@ Squares SquaresOf(const std::filesystem::path& file, GDALDataset* raster, const 
   const bool placed =
       raster->GetSpatialRef() != nullptr && raster->GetGeoTransform(affine.data()) == CE_None;
   if (!placed || affine[2] != 0 || affine[4] != 0 || affine[1] <= 0 || affine[5] != -affine[1]) {
-    Refuse(file,
-           "has no projection, is not north-up, or its pixels are no squares; need the file "
-           "that was recorded");
+    Refuse(file, {FaultKind::kMissing,
+                  "has no projection, is not north-up, or its pixels are no squares; need the file "
+                  "that was recorded"});
   }
   RequireSitePlane(file, raster, affine, origin);
   const int nx = raster->GetRasterXSize(), ny = raster->GetRasterYSize();
@@ -55,7 +55,8 @@ Squares SquaresOf(const std::filesystem::path& file, GDALDataset* raster, const 
   squares.map.nx = nx / squares.pixels;
   squares.map.ny = ny / squares.pixels;
   if (squares.map.nx < 1 || squares.map.ny < 1) {
-    Refuse(file, fmt::format("{} x {} pixels found, need a site that is less narrow", nx, ny));
+    Refuse(file, {FaultKind::kOutOfRange,
+                  fmt::format("{} x {} pixels found, need a site that is less narrow", nx, ny)});
   }
   squares.map.low_W_m = Vec2(affine[0], affine[3] - squares.map.ny * squares.map.square_m);
   return squares;
@@ -94,8 +95,9 @@ SiteMap ReadSiteMap(const std::filesystem::path& file, const SiteOrigin& origin,
   if (band->RasterIO(GF_Read, 0, 0, map.nx * squares.pixels, map.ny * squares.pixels,
                      map.values.data() + last_row, map.nx, map.ny, GDT_Float32, sizeof(float), line,
                      &how) != CE_None) {
-    Refuse(file, fmt::format("its pixels cannot be read ({}); the file may be truncated",
-                             CPLGetLastErrorMsg()));
+    Refuse(file, {FaultKind::kMalformed,
+                  fmt::format("its pixels cannot be read ({}); the file may be truncated",
+                              CPLGetLastErrorMsg())});
   }
   const BandScaling scaling(band);
   for (float& value : map.values) value = static_cast<float>(scaling.Value(value));

@@ -18,9 +18,9 @@ OGRSpatialReference Parse(const std::string& place, const std::string& definitio
                               OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) !=
           OGRERR_NONE) {
     throw InputError(
-        fmt::format("{}: reference system '{:.60}' is not understood; need EPSG:n or "
-                    "OGC WKT",
-                    place, definition));
+        place, {FaultKind::kMalformed,
+                fmt::format("reference system '{:.60}' is not understood; need EPSG:n or OGC WKT",
+                            definition)});
   }
   system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   return system;
@@ -33,9 +33,10 @@ std::string TakeVertical(const std::string& place, OGRSpatialReference* system) 
   const std::string vertical = name;
   if (system->GetTargetLinearUnits("VERT_CS") != 1.0) {
     throw InputError(
-        fmt::format("{}: heights of '{}' are not in metres; convert them first, e.g. "
-                    "with pdal or gdalwarp",
-                    place, vertical));
+        place,
+        fmt::format(
+            "heights of '{}' are not in metres; convert them first, e.g. with pdal or gdalwarp",
+            vertical));
   }
   system->StripVertical();
   return vertical;
@@ -52,16 +53,15 @@ std::optional<MapReference> ReadMapReference(const std::string& place,
   map.vertical = TakeVertical(place, &system);
   map.name = system.GetName() ? system.GetName() : "unnamed";
   if (!system.IsProjected()) {
-    throw InputError(
-        fmt::format("{}: '{}' is in degrees or no map's plane; reproject it to a "
-                    "projected system in metres, e.g. with gdalwarp or pdal",
-                    place, map.name));
+    throw InputError(place, fmt::format("'{}' is in degrees or no map's plane; reproject it to a "
+                                        "projected system in metres, e.g. with gdalwarp or pdal",
+                                        map.name));
   }
   if (system.GetLinearUnits() != 1.0) {
     throw InputError(
-        fmt::format("{}: '{}' has a unit of {} m, need metres; reproject it, e.g. "
-                    "with gdalwarp or pdal",
-                    place, map.name, system.GetLinearUnits()));
+        place, fmt::format(
+                   "'{}' has a unit of {} m, need metres; reproject it, e.g. with gdalwarp or pdal",
+                   map.name, system.GetLinearUnits()));
   }
   std::array<double, 4> area_deg{};
   if (system.GetAreaOfUse(&area_deg[0], &area_deg[1], &area_deg[2], &area_deg[3], nullptr)) {
@@ -89,12 +89,14 @@ void RequireOnMap(const std::string& place, const MapReference& map, const Vec2&
       lat_deg > south - kMargin_deg && lat_deg < north + kMargin_deg) {
     return;
   }
-  throw InputError(fmt::format(
-      "{}: x {:.0f} m, y {:.0f} m lie {} in '{}', which is for {:.0f} to {:.0f} deg N, {:.0f} to "
-      "{:.0f} deg E; need the map of these coordinates, in metres, x east and y north",
-      place, at_m.x(), at_m.y(),
-      is_converted ? fmt::format("at {:.2f} deg N, {:.2f} deg E", lat_deg, lon_deg) : "nowhere",
-      map.name, south, north, west, east));
+  throw InputError(
+      place,
+      fmt::format(
+          "x {:.0f} m, y {:.0f} m lie {} in '{}', which is for {:.0f} to {:.0f} deg N, {:.0f} to "
+          "{:.0f} deg E; need the map of these coordinates, in metres, x east and y north",
+          at_m.x(), at_m.y(),
+          is_converted ? fmt::format("at {:.2f} deg N, {:.2f} deg E", lat_deg, lon_deg) : "nowhere",
+          map.name, south, north, west, east));
 }
 
 MapReference LocalMapReference(const SiteOrigin& origin) {

@@ -29,9 +29,10 @@ double ReadDensity(const ConfigMap& layer, const SoilCatalogue& soils, const Str
   if (density_kgpm3 < LooseDensity_kgpm3(soil) || density_kgpm3 > soil.max_density_kgpm3) {
     layer.Fault(
         "density_kgpm3",
-        fmt::format("{} is not a density of {}, need {:.0f} (dug) to {:.0f} (compacted) "
-                    "kg/m^3",
-                    density_kgpm3, soil.name, LooseDensity_kgpm3(soil), soil.max_density_kgpm3));
+        {FaultKind::kOutOfRange,
+         fmt::format("{} is not a density of {}, need {:.0f} (dug) to {:.0f} (compacted) "
+                     "kg/m^3",
+                     density_kgpm3, soil.name, LooseDensity_kgpm3(soil), soil.max_density_kgpm3)});
   }
   return density_kgpm3;
 }
@@ -137,11 +138,12 @@ void ReadClasses(const ConfigMap& config, SoilCatalogue* soils, SiteProfiles* si
     site->profiles.push_back(ReadProfile(item, soils));
     const auto profile = static_cast<std::uint8_t>(site->profiles.size() - 1);
     if (!site->profile_of_class.emplace(value, profile).second) {
-      item.Fault("value", fmt::format("second class of value {}", value));
+      item.Fault("value", {FaultKind::kRepeated, fmt::format("second class of value {}", value)});
     }
   }
   if (site->profiles.empty()) {
-    map.Fault("classes", "names no class; need {value, soil} for each value of the file");
+    map.Fault("classes", {FaultKind::kNoSuchName,
+                          "names no class; need {value, soil} for each value of the file"});
     site->profiles.push_back(GroundProfile({StratumOf(0, *soils)}));
   }
 }
@@ -164,9 +166,10 @@ SiteProfiles ReadProfiles(const ConfigMap& config, SoilCatalogue* soils) {
   ReadRegions(config, soils, &site);
   constexpr std::size_t kMostProfiles = 256;
   if (site.profiles.size() > kMostProfiles) {
-    config.Fault("regions", fmt::format("{} strips, regions and classes of soil, with at most {} "
-                                        "possible",
-                                        site.profiles.size() - 1, kMostProfiles - 1));
+    config.Fault("regions", {FaultKind::kOutOfRange,
+                             fmt::format("{} strips, regions and classes of soil, with at most {} "
+                                         "possible",
+                                         site.profiles.size() - 1, kMostProfiles - 1)});
     site.regions.clear();
   }
   return site;

@@ -44,8 +44,9 @@ std::vector<PilePlan> ReadPiles(const ConfigMap& config, const TerrainGrid& grid
     const auto place = [&](const char* key) {
       const Vec2 p_m = item.Vector2(key, Any("m"));
       if ((p_m.array() < low_m.array()).any() || (p_m.array() > high_m.array()).any()) {
-        item.Fault(key, fmt::format("lies beyond the site, x {:g} to {:g} m, y {:g} to {:g} m",
-                                    low_m.x(), high_m.x(), low_m.y(), high_m.y()));
+        item.Fault(key, {FaultKind::kOutOfRange,
+                         fmt::format("lies beyond the site, x {:g} to {:g} m, y {:g} to {:g} m",
+                                     low_m.x(), high_m.x(), low_m.y(), high_m.y())});
       }
       return p_m;
     };
@@ -67,7 +68,7 @@ std::optional<ElevationGrid> ReadGeotiff(const ConfigMap& config) {
     for (const std::filesystem::path& read : grid.files) config.AlsoReads(read);
     return grid;
   } catch (const InputError& e) {
-    config.Fault("geotiff", e.what());
+    config.Fault("geotiff", e.faults().front());
     return std::nullopt;
   }
 }
@@ -108,7 +109,7 @@ std::optional<SoilClassGrid> ReadClassFile(const ConfigMap& config,
     for (const std::filesystem::path& read : classes.files) map->AlsoReads(read);
     return classes;
   } catch (const InputError& e) {
-    map->Fault("geotiff", e.what());
+    map->Fault("geotiff", e.faults().front());
     return std::nullopt;
   }
 }
@@ -165,9 +166,10 @@ TerrainGrid ReadGrid(const ConfigMap& config, const std::optional<ElevationGrid>
   grid.nx = static_cast<int>(std::lround(size_m.x() / grid.cell_m)) + 1;
   grid.ny = static_cast<int>(std::lround(size_m.y() / grid.cell_m)) + 1;
   if (static_cast<double>(grid.nx) * grid.ny > kMostColumns) {
-    config.Fault("size_m", fmt::format("{} x {} columns of {} m are more than the {} that a site "
-                                       "can have; use a larger cell_m or a smaller size_m",
-                                       grid.nx, grid.ny, grid.cell_m, kMostColumns));
+    config.Fault("size_m", {FaultKind::kOutOfRange,
+                            fmt::format("{} x {} columns of {} m are more than the {} that a site "
+                                        "can have; use a larger cell_m or a smaller size_m",
+                                        grid.nx, grid.ny, grid.cell_m, kMostColumns)});
     grid.nx = grid.ny = 2;
   }
   grid.origin_W_m = -0.5 * grid.cell_m * Vec2(grid.nx - 1, grid.ny - 1);

@@ -15,7 +15,9 @@ SoilCatalogue::SoilCatalogue(const ConfigMap& config) {
   for (const ConfigMap& custom : config.List("custom_soils")) {
     custom.ApplyPreset("preset");
     const SoilType soil = ReadSoilType(custom);
-    if (Find(soil.name)) custom.Fault("name", fmt::format("second soil named '{}'", soil.name));
+    if (Find(soil.name))
+      custom.Fault("name",
+                   {FaultKind::kRepeated, fmt::format("second soil named '{}'", soil.name)});
     soils_.push_back(soil);
   }
 }
@@ -24,13 +26,14 @@ std::uint8_t SoilCatalogue::Index(const ConfigMap& at, std::string_view key,
                                   const std::string& name) {
   if (const auto known = Find(name)) return *known;
   if (soils_.size() >= kMostSoils) {
-    at.Fault(key, fmt::format("more than {} soils", kMostSoils));
+    at.Fault(key, {FaultKind::kOutOfRange, fmt::format("more than {} soils", kMostSoils)});
     return 0;
   }
   const auto file = ShippedSoilFile(name);
   if (!file) {
-    at.Fault(key, fmt::format("no soil named '{}'; need one of {} or a name in custom_soils", name,
-                              ShippedSoilNames()));
+    at.Fault(key, {FaultKind::kNoSuchName,
+                   fmt::format("no soil named '{}'; need one of {} or a name in custom_soils", name,
+                               ShippedSoilNames())});
     return 0;
   }
   const Config preset = Config::FromFile(*file);

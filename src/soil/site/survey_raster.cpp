@@ -40,7 +40,9 @@ SurveyRaster ReadSurveyRaster(const std::filesystem::path& file) {
   const std::string counted_from = vertical ? vertical : "";
   plane.StripVertical();  // whose unit is applied already
   const auto map = ReadMapReference(file.string(), WktOf(plane));
-  if (!map) Refuse(file, "its reference system is a local one; give it one with gdal_edit -a_srs");
+  if (!map)
+    Refuse(file, {FaultKind::kUnsupported,
+                  "its reference system is a local one; give it one with gdal_edit -a_srs"});
   survey.map = *map;
   survey.map.vertical = counted_from;
   survey.pixel_m = Vec2(frame.affine[1], -frame.affine[5]);
@@ -56,8 +58,9 @@ SurveyRaster ReadSurveyRaster(const std::filesystem::path& file) {
     }
   }
   if (survey.p_m.empty()) {
-    Refuse(file, fmt::format("none of its {} pixels has a height; need an elevation raster",
-                             survey.gaps));
+    Refuse(file, {FaultKind::kMissing,
+                  fmt::format("none of its {} pixels has a height; need an elevation raster",
+                              survey.gaps)});
   }
   return survey;
 }

@@ -29,9 +29,10 @@ bool IsRaster(const std::filesystem::path& file) {
   if (ending == ".tif" || ending == ".tiff") return true;
   RefuseForeignFile(file, "a survey as .pcd, .ply, .las or .tif");
   throw InputError(
-      fmt::format("{}: '{}' is no ending of a survey that is known; need .pcd, .ply, "
-                  ".las or .tif",
-                  file.string(), ending));
+      file.string(),
+      {FaultKind::kUnsupported,
+       fmt::format("'{}' is no ending of a survey that is known; need .pcd, .ply, .las or .tif",
+                   ending)});
 }
 
 Survey ReadRaster(const std::filesystem::path& file) {
@@ -91,11 +92,11 @@ Survey ReadSurvey(const std::filesystem::path& file, const SurveyReading& how) {
   Survey survey = IsRaster(file) ? ReadRaster(file) : ReadCloud(file, how);
   if (how.map.empty()) return survey;
   if (survey.map) {
-    throw InputError(
-        fmt::format("{}: is in '{}' already; leave out --map", file.string(), survey.map->name));
+    throw InputError(file.string(),
+                     fmt::format("is in '{}' already; leave out --map", survey.map->name));
   }
   survey.map = ReadMapReference("--map", how.map);
-  if (!survey.map) throw InputError("--map: is a local system; need one of the earth, EPSG:n");
+  if (!survey.map) throw InputError("--map", "is a local system; need one of the earth, EPSG:n");
   RequireOnMap("--map", *survey.map, SomePlace(survey.p_m));
   return survey;
 }

@@ -61,27 +61,29 @@ double CellSize(const std::filesystem::path& file, const std::vector<Vec3>& p_m,
   if (!wanted_m) {
     const double size_m = FinestGood_m(p_m);
     if (size_m == 0) {
-      throw InputError(
-          fmt::format("{}: its points lie so sparsely that even of cells of {} m fewer than half "
-                      "have one; need "
-                      "a denser survey, or give --cell",
-                      file.string(), kSizes_m.back()));
+      throw InputError(file.string(),
+                       fmt::format("its points lie so sparsely that even of cells of {} m fewer "
+                                   "than half have one; need a denser survey, or give --cell",
+                                   kSizes_m.back()));
     }
     return size_m;
   }
   const double cells = CellsOver(p_m, *wanted_m);
   if (cells > kMostCells) {
     throw InputError(
-        fmt::format("{}: {:.3g} cells of {} m, need at most {:.2g}; use a larger "
-                    "--cell, or cut out the site",
-                    file.string(), cells, *wanted_m, kMostCells));
+        file.string(),
+        {FaultKind::kOutOfRange,
+         fmt::format(
+             "{:.3g} cells of {} m, need at most {:.2g}; use a larger --cell, or cut out the site",
+             cells, *wanted_m, kMostCells)});
   }
   const double share = ShareWithPoints(p_m, *wanted_m);
   if (share < kLeastShare) {
     const double good_m = FinestGood_m(p_m);
     throw InputError(
-        fmt::format("{}: only {:.0f} % of the cells of {} m have points, need {:.0f} %; use {}",
-                    file.string(), 100 * share, *wanted_m, 100 * kLeastShare,
+        file.string(),
+        fmt::format("only {:.0f} % of the cells of {} m have points, need {:.0f} %; use {}",
+                    100 * share, *wanted_m, 100 * kLeastShare,
                     good_m > 0 ? fmt::format("--cell {}", good_m) : "a denser survey"));
   }
   return *wanted_m;

@@ -38,17 +38,18 @@ Vec2 RequireSite(const std::filesystem::path& file, const std::vector<Vec3>& p_m
   const Vec3 size_m = high_m - low_m;
   if (std::max(size_m.x(), size_m.y()) > kLargestSite_m) {
     throw InputError(
-        fmt::format("{}: {:.0f} x {:.0f} m found, a site has at most {} m to a side; "
-                    "cut it out, e.g. with pdal or gdalwarp -te, or bring it to metres where "
-                    "these are millimetres",
-                    file.string(), size_m.x(), size_m.y(), kLargestSite_m));
+        file.string(),
+        {FaultKind::kOutOfRange,
+         fmt::format("{:.0f} x {:.0f} m found, a site has at most {} m to a side; cut it out, e.g. "
+                     "with pdal or gdalwarp -te, or bring it to metres where these are millimetres",
+                     size_m.x(), size_m.y(), kLargestSite_m)});
   }
   constexpr double kSmallestSite_m = 1;
   if (std::min(size_m.x(), size_m.y()) < kSmallestSite_m) {
-    throw InputError(
-        fmt::format("{}: {:.2f} x {:.2f} m found, a site has at least {} m to a side; "
-                    "need x and y in metres, z up",
-                    file.string(), size_m.x(), size_m.y(), kSmallestSite_m));
+    throw InputError(file.string(), {FaultKind::kOutOfRange,
+                                     fmt::format("{:.2f} x {:.2f} m found, a site has at least {} "
+                                                 "m to a side; need x and y in metres, z up",
+                                                 size_m.x(), size_m.y(), kSmallestSite_m)});
   }
   return 0.5 * (low_m + high_m).head<2>();
 }
@@ -56,10 +57,12 @@ Vec2 RequireSite(const std::filesystem::path& file, const std::vector<Vec3>& p_m
 /// Refuses a survey without a map that does not lie about its origin.
 void RequireAboutOrigin(const std::filesystem::path& file, const Vec2& middle_m) {
   if (middle_m.norm() <= kLargestSite_m) return;
-  throw InputError(fmt::format(
-      "{}: names no map, and its middle x {:.0f}, y {:.0f} m lies {:.1f} km from the origin: "
-      "coordinates of a map? name it, --map EPSG:n, or take them about their own middle, --local",
-      file.string(), middle_m.x(), middle_m.y(), middle_m.norm() / 1000));
+  throw InputError(file.string(),
+                   {FaultKind::kMissing,
+                    fmt::format("names no map, and its middle x {:.0f}, y {:.0f} m lies {:.1f} km "
+                                "from the origin: coordinates of a map? name it, --map EPSG:n, or "
+                                "take them about their own middle, --local",
+                                middle_m.x(), middle_m.y(), middle_m.norm() / 1000)});
 }
 
 std::vector<Vec3> WithoutOutliers(const std::vector<Vec3>& p_m, const OutlierRule& rule) {
@@ -120,8 +123,9 @@ SurveySite MakeSurveySite(const std::filesystem::path& file, const SiteRequest& 
       std::count_if(above_m.begin(), above_m.end(), [](float above) { return above <= 0; });
   site.terrain = MakeTerrain(p_m, above_m, cell_m);
   if (site.terrain.CountOf(HeightSource::kMeasured) == 0) {
-    throw InputError(fmt::format("{}: no ground found among {} points; need z up, in metres",
-                                 file.string(), p_m.size()));
+    throw InputError(
+        file.string(),
+        fmt::format("no ground found among {} points; need z up, in metres", p_m.size()));
   }
   site.things =
       FindThings(p_m, above_m, site.terrain,

@@ -37,9 +37,10 @@ struct SqliteBagWriter::Database {
   void Require(int status) const {
     if (status == SQLITE_OK || status == SQLITE_DONE || status == SQLITE_ROW) return;
     throw InputError(
-        fmt::format("{}: cannot be written: {}; free space on that disk or choose "
-                    "another place",
-                    file.string(), sqlite3_errmsg(handle)));
+        file.string(),
+        {FaultKind::kUnwritable,
+         fmt::format("cannot be written: {}; free space on that disk or choose another place",
+                     sqlite3_errmsg(handle))});
   }
   void Execute(const char* sql) const {
     Require(sqlite3_exec(handle, sql, nullptr, nullptr, nullptr));

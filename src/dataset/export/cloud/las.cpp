@@ -48,10 +48,13 @@ std::uint8_t ClassOf(std::uint8_t label) {
 std::int32_t Units(double coordinate_m) {
   const double units = std::round(coordinate_m / kUnit_m);
   if (std::abs(units) > std::numeric_limits<std::int32_t>::max()) {
-    throw InputError(fmt::format(
-        "a point at {:.0f} m is too far from the origin for LAS; need less than 200 km, or "
-        "another format",
-        coordinate_m));
+    throw InputError(
+        "",
+        {FaultKind::kOutOfRange,
+         fmt::format(
+             "a point at {:.0f} m is too far from the origin for LAS; need less than 200 km, or "
+             "another format",
+             coordinate_m)});
   }
   return static_cast<std::int32_t>(units);
 }

@@ -241,10 +241,8 @@ class CocoFiles {
     if (size.width_px == frame.instance.width_px && size.height_px == frame.instance.height_px) {
       return;
     }
-    throw InputError(
-        fmt::format("{}: has another size than the picture of instances; need one "
-                    "for all of a frame",
-                    rgb.string()));
+    throw InputError(rgb.string(),
+                     "has another size than the picture of instances; need one for all of a frame");
   }
 
   std::vector<ObjectAnnotation> Objects(const LabelledFrame& frame, const fs::path& file) const {

@@ -136,10 +136,11 @@ class KittiExport {
     const fs::path file = FrameFile(job_.recording, rig_.camera, kind, t_ns);
     std::error_code ignored;
     if (fs::is_regular_file(file, ignored)) return file;
-    throw InputError(fmt::format(
-        "{}: is not there, and KITTI's layout '{}' has it; need a camera that records it, by "
-        "--camera, or other layouts, by --layout",
-        file.string(), layout.name));
+    throw InputError(file.string(),
+                     {FaultKind::kUnreadable,
+                      fmt::format("is not there, and KITTI's layout '{}' has it; need a camera "
+                                  "that records it, by --camera, or other layouts, by --layout",
+                                  layout.name)});
   }
 
   void RequireSteady(const KittiFrame& frame) {
@@ -147,12 +148,13 @@ class KittiExport {
     const Pose moved = X_CS_first_.inverse() * frame.X_CS();
     const double turned_rad = Eigen::AngleAxisd(moved.linear()).angle();
     if (moved.translation().norm() <= kSteadyWithin_m && turned_rad <= kSteadyWithin_rad) return;
-    throw InputError(fmt::format(
-        "{}: {} and {} move against each other, by {:.3f} m and {:.2f} deg until {} ns, and "
-        "KITTI's layout '{}' has one calibration for all frames; need both on one link, by "
-        "--camera and --lidar, or --layout object,depth",
-        job_.recording.directory().string(), rig_.camera, rig_.lidar.path,
-        moved.translation().norm(), turned_rad / kDeg, frame.times.picture_ns, steady_->name));
+    throw InputError(
+        job_.recording.directory().string(),
+        fmt::format("{} and {} move against each other, by {:.3f} m and {:.2f} deg until {} ns, "
+                    "and KITTI's layout '{}' has one calibration for all frames; need both on one "
+                    "link, by --camera and --lidar, or --layout object,depth",
+                    rig_.camera, rig_.lidar.path, moved.translation().norm(), turned_rad / kDeg,
+                    frame.times.picture_ns, steady_->name));
   }
 
   std::vector<fs::path> FilesOf(int number) const {
@@ -185,9 +187,10 @@ class KittiExport {
     if (picture.width_px == rig_.lens.width_px && picture.height_px == rig_.lens.height_px) {
       return picture;
     }
-    throw InputError(fmt::format("{}: is of {} x {} pixels; need {} x {}, as sensor.yaml says",
-                                 file.string(), picture.width_px, picture.height_px,
-                                 rig_.lens.width_px, rig_.lens.height_px));
+    throw InputError(
+        file.string(),
+        fmt::format("is of {} x {} pixels; need {} x {}, as sensor.yaml says", picture.width_px,
+                    picture.height_px, rig_.lens.width_px, rig_.lens.height_px));
   }
 
   void WritePictureAndPoints(const KittiFrame& frame) const {
@@ -237,10 +240,10 @@ void ExportKitti(ExportJob* job) {
   }
   frames.Finish();
   if (!any) {
-    throw InputError(fmt::format(
-        "{}: {} took no picture during a scan of {}; need two that ran at the same time, by "
-        "--camera and --lidar",
-        job->recording.directory().string(), rig.camera, rig.lidar.path));
+    throw InputError(job->recording.directory().string(),
+                     fmt::format("{} took no picture during a scan of {}; need two that ran at the "
+                                 "same time, by --camera and --lidar",
+                                 rig.camera, rig.lidar.path));
   }
   kitti.Commit();
 }

@@ -18,9 +18,10 @@ std::string Chosen(const ExportJob& job, ChannelForm form, const std::string& na
   RequireAny(all, job, kind);
   if (named.empty()) return all.front();
   if (std::find(all.begin(), all.end(), named) == all.end()) {
-    throw InputError(fmt::format("{}: {} has no {} '{}'; need one of {}", option,
-                                 job.recording.directory().string(), kind, named,
-                                 fmt::join(all, ", ")));
+    throw InputError(option,
+                     {FaultKind::kNoSuchName, fmt::format("{} has no {} '{}'; need one of {}",
+                                                          job.recording.directory().string(), kind,
+                                                          named, fmt::join(all, ", "))});
   }
   return named;
 }
@@ -32,14 +33,15 @@ std::string SheetOf(const ExportJob& job, const std::string& sensor) {
 CameraLens LensOf(const ExportJob& job, const std::string& camera) {
   const SensorSheet sheet = ReadSensorSheet(job.recording.directory() / camera);
   if (!sheet.lens) {
-    throw InputError(
-        fmt::format("{}: has no lens; need `model` with width_px to cy_px", SheetOf(job, camera)));
+    throw InputError(SheetOf(job, camera),
+                     {FaultKind::kMissing, "has no lens; need `model` with width_px to cy_px"});
   }
   if (!Rectifier::Takes(*sheet.lens)) {
-    throw InputError(fmt::format(
-        "{}: its lens is of the law {}, which sees what no pinhole does, and KITTI's pictures are "
-        "those of a pinhole; need a camera whose lens is brown_conrady or rational, by --camera",
-        SheetOf(job, camera), sheet.lens->law));
+    throw InputError(SheetOf(job, camera),
+                     fmt::format("its lens is of the law {}, which sees what no pinhole does, and "
+                                 "KITTI's pictures are those of a pinhole; need a camera whose "
+                                 "lens is brown_conrady or rational, by --camera",
+                                 sheet.lens->law));
   }
   return *sheet.lens;
 }
@@ -65,12 +67,13 @@ KittiLidar ReadKittiLidar(ExportJob* job) {
   lidar.path = ChosenLidar(*job);
   const SensorSheet sheet = ReadSensorSheet(job->recording.directory() / lidar.path);
   if (!(sheet.rate_hz > 0)) {
-    throw InputError(
-        fmt::format("{}: has no rate; need `rate_hz` of its scans", SheetOf(*job, lidar.path)));
+    throw InputError(SheetOf(*job, lidar.path),
+                     {FaultKind::kMissing, "has no rate; need `rate_hz` of its scans"});
   }
   if (!sheet.X_PS) {
-    throw InputError(fmt::format("{}: has no X_parent_sensor; need where its link carries it",
-                                 SheetOf(*job, lidar.path)));
+    throw InputError(
+        SheetOf(*job, lidar.path),
+        {FaultKind::kMissing, "has no X_parent_sensor; need where its link carries it"});
   }
   lidar.period_ns = FromSeconds(1 / sheet.rate_hz);
   lidar.X_PS = *sheet.X_PS;

@@ -66,9 +66,11 @@ std::string LabelBytes(const LidarScan& scan, const fs::path& file, ClassCounts*
   for (const LidarPoint& point : scan.points) {
     if (point.label >= counts->size()) {
       throw InputError(
-          fmt::format("{}: has a point of the class {}; need classes of "
-                      "docs/reference/dataset.md, 0 to {}",
-                      file.string(), point.label, counts->size() - 1));
+          file.string(),
+          {FaultKind::kNoSuchName,
+           fmt::format(
+               "has a point of the class {}; need classes of docs/reference/dataset.md, 0 to {}",
+               point.label, counts->size() - 1)});
     }
     ++(*counts)[point.label];
     AppendNumber(std::uint32_t{point.instance} << kInstanceShift | point.label, &bytes);

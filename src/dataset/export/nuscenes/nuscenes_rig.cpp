@@ -50,9 +50,9 @@ void RequireChannelsApart(const NuScenesRig& rig) {
     const auto [other, is_new] = sensor_of.try_emplace(sensor.channel, sensor.path);
     if (is_new) continue;
     throw InputError(
-        fmt::format("{}: would be nuScenes' channel {}, as {}; rename one of the two "
-                    "folders",
-                    sensor.path, sensor.channel, other->second));
+        sensor.path,
+        fmt::format("would be nuScenes' channel {}, as {}; rename one of the two folders",
+                    sensor.channel, other->second));
   }
 }
 

@@ -23,9 +23,9 @@ std::string SensorFrames::PictureBytes(TimeNs t_ns) const {
   const std::filesystem::path rgb = FrameFile(recording_, sensor_.path, "rgb", t_ns);
   const PictureSize size = SizeOfPng(rgb);
   if (size.width_px != lens.width_px || size.height_px != lens.height_px) {
-    throw InputError(fmt::format("{}: is of {} x {} pixels; need {} x {}, as sensor.yaml says",
-                                 rgb.string(), size.width_px, size.height_px, lens.width_px,
-                                 lens.height_px));
+    throw InputError(rgb.string(),
+                     fmt::format("is of {} x {} pixels; need {} x {}, as sensor.yaml says",
+                                 size.width_px, size.height_px, lens.width_px, lens.height_px));
   }
   return rectifier_->changes_pictures() ? EncodeRgbPng(rectifier_->Blended(ReadRgbPng(rgb)))
                                         : ReadWholePng(rgb);
@@ -50,12 +50,13 @@ std::string SensorFrames::Categories(const std::vector<LidarPoint>& points, Time
   for (const LidarPoint& point : points) {
     if (point.label >= kSemanticClasses.size()) {
       throw InputError(
-          fmt::format("{}: has a point of the class {}; need classes of "
-                      "docs/reference/dataset.md, 0 to {}",
-                      (recording_.directory() / sensor_.path / "scans" /
-                       fmt::format("{}.pcd", t_ns - sensor_.delay_ns))
-                          .string(),
-                      point.label, kSemanticClasses.size() - 1));
+          (recording_.directory() / sensor_.path / "scans" /
+           fmt::format("{}.pcd", t_ns - sensor_.delay_ns))
+              .string(),
+          {FaultKind::kNoSuchName,
+           fmt::format(
+               "has a point of the class {}; need classes of docs/reference/dataset.md, 0 to {}",
+               point.label, kSemanticClasses.size() - 1)});
     }
     const bool is_own = own.contains(point.instance);
     categories.push_back(static_cast<char>(

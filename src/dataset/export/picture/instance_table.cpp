@@ -15,9 +15,11 @@ InstanceTable::InstanceTable(const Recording& recording) {
     const auto label = SemanticClassFromName(instance.label);
     if (!label) {
       throw InputError(
-          fmt::format("{}: the instance '{}' is of the class '{}'; need a class of "
-                      "docs/reference/dataset.md",
-                      yaml.string(), instance.name, instance.label));
+          yaml.string(),
+          {FaultKind::kNoSuchName,
+           fmt::format(
+               "the instance '{}' is of the class '{}'; need a class of docs/reference/dataset.md",
+               instance.name, instance.label)});
     }
     entries_[instance.id] = {instance.name, *label, instance.parent};
   }
@@ -30,8 +32,9 @@ void InstanceTable::FindWholes(const fs::path& yaml) {
     for (std::uint16_t at = instance; at != 0; at = Of(at, yaml).parent) {
       if (std::find(wholes.begin(), wholes.end(), at) != wholes.end()) {
         throw InputError(
-            fmt::format("{}: the instance '{}' is a part of itself; need parents without a circle",
-                        yaml.string(), entry.name));
+            yaml.string(),
+            fmt::format("the instance '{}' is a part of itself; need parents without a circle",
+                        entry.name));
       }
       wholes.push_back(at);
     }
@@ -42,9 +45,10 @@ const InstanceTable::Entry& InstanceTable::Of(std::uint16_t instance, const fs::
   const auto found = entries_.find(instance);
   if (found == entries_.end()) {
     throw InputError(
-        fmt::format("{}: names the instance {}, which dataset.yaml does not list; need it among "
-                    "`instances`",
-                    file.string(), instance));
+        file.string(),
+        fmt::format(
+            "names the instance {}, which dataset.yaml does not list; need it among `instances`",
+            instance));
   }
   return found->second;
 }

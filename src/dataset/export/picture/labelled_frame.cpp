@@ -28,8 +28,8 @@ bool IsThere(const fs::path& file) {
 }
 
 [[noreturn]] void FailPng(const fs::path& file) {
-  throw InputError(
-      fmt::format("{}: not a whole PNG; need one, write the file again", file.string()));
+  throw InputError(file.string(),
+                   {FaultKind::kMalformed, "not a whole PNG; need one, write the file again"});
 }
 
 /// Whether chunks, each with the sum of its bytes, follow one another from IHDR to IEND.
@@ -51,8 +51,10 @@ void RequireKnownClasses(const Image<std::uint8_t>& semantic, const fs::path& fi
   const auto highest = std::max_element(semantic.data.begin(), semantic.data.end());
   if (highest == semantic.data.end() || *highest < kSemanticClasses.size()) return;
   throw InputError(
-      fmt::format("{}: has the class {}; need classes of docs/reference/dataset.md, 0 to {}",
-                  file.string(), *highest, kSemanticClasses.size() - 1));
+      file.string(),
+      {FaultKind::kNoSuchName,
+       fmt::format("has the class {}; need classes of docs/reference/dataset.md, 0 to {}", *highest,
+                   kSemanticClasses.size() - 1)});
 }
 
 }  // namespace
@@ -89,8 +91,9 @@ LabelledFrame LoadLabels(const Recording& recording, const std::string& camera, 
   frame.instance = instances.get();
   if (frame.semantic.width_px != frame.instance.width_px ||
       frame.semantic.height_px != frame.instance.height_px) {
-    throw InputError(fmt::format("{}: has another size than {}; need one for all of a frame",
-                                 instance.string(), semantic.string()));
+    throw InputError(
+        instance.string(),
+        fmt::format("has another size than {}; need one for all of a frame", semantic.string()));
   }
   RequireKnownClasses(frame.semantic, semantic);
   if (IsThere(boxes)) frame.boxes = ReadBoxes(boxes);

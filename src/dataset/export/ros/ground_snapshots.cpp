@@ -87,9 +87,9 @@ ros::GridMap GridMapOf(const GroundSnapshot& snapshot, TimeNs stamp_ns, const Re
       map.middle.translation() = Vec3(middle_m.x(), middle_m.y(), 0);
     } else if (!LieAlike(squares, *first)) {
       throw InputError(
-          fmt::format("{}: its pixels lie otherwise than those of {}; need rasters "
-                      "of one recording",
-                      file.string(), snapshot.layers.begin()->second.string()));
+          file.string(),
+          fmt::format("its pixels lie otherwise than those of {}; need rasters of one recording",
+                      snapshot.layers.begin()->second.string()));
     }
     // Rows of a grid map run down x and its columns down y, column after column: from the
     // north-east, backwards through what lies row by row from the south-west.

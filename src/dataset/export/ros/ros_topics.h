@@ -132,9 +132,10 @@ template <typename Message>
 RosTopics::TopicId RosTopics::AddTopic(const std::string& name, const TopicQuality& quality) {
   const Topic topic = {ros::AllowedName(name), Message::kType, quality};
   if (!names_.insert(topic.name).second) {
-    throw InputError(fmt::format(
-        "{}: two channels would be the ROS topic {}; rename one of them in the recording",
-        job_->recording.directory().string(), topic.name));
+    throw InputError(
+        job_->recording.directory().string(),
+        fmt::format("two channels would be the ROS topic {}; rename one of them in the recording",
+                    topic.name));
   }
   topics_.push_back(topic);
   return bag_->AddTopic(topic);

@@ -69,11 +69,13 @@ CardFacts ReadCardFacts(const std::filesystem::path& file) {
   }
   facts.creator = facts.creator_is_person ? root.Text("person") : root.Text("organization");
   if (root.Has("license") && !IsUrl(facts.license)) {
-    root.Fault("license", "need a URL, such as one of https://spdx.org/licenses/");
+    root.Fault("license",
+               {FaultKind::kMistyped, "need a URL, such as one of https://spdx.org/licenses/"});
   }
-  if (root.Has("url") && !IsUrl(facts.url)) root.Fault("url", "need a URL, of the data's page");
+  if (root.Has("url") && !IsUrl(facts.url))
+    root.Fault("url", {FaultKind::kMistyped, "need a URL, of the data's page"});
   if (root.Has("date_published") && !IsDate(facts.date_published)) {
-    root.Fault("date_published", "need a date, 2026-05-01");
+    root.Fault("date_published", {FaultKind::kMistyped, "need a date, 2026-05-01"});
   }
   config.Finish();
   return facts;

@@ -46,8 +46,10 @@ std::string Header(std::string_view folder, std::string_view name, std::size_t b
 void TarWriter::Add(std::string_view folder, std::string_view name, std::string_view bytes) {
   if (folder.size() > kMostPrefixBytes || name.size() > kMostNameBytes) {
     throw InputError(
-        fmt::format("'{}/{}': is too long a name for a tar archive; need at most {} and {} bytes",
-                    folder, name, kMostPrefixBytes, kMostNameBytes));
+        "",
+        {FaultKind::kOutOfRange,
+         fmt::format("'{}/{}': is too long a name for a tar archive; need at most {} and {} bytes",
+                     folder, name, kMostPrefixBytes, kMostNameBytes)});
   }
   file_.Append(Header(folder, name, bytes.size()));
   file_.Append(bytes);

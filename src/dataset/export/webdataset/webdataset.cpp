@@ -32,7 +32,8 @@ OrderedJson BoxesIn(const fs::path& file) {
     return OrderedJson::parse(ReadWholeFile(file)).at("boxes");
   } catch (const nlohmann::json::exception& e) {
     throw InputError(
-        fmt::format("{}: not a file of boxes: {}; write it again", file.string(), e.what()));
+        file.string(),
+        {FaultKind::kMalformed, fmt::format("not a file of boxes: {}; write it again", e.what())});
   }
 }
 
@@ -76,8 +77,9 @@ class SensorSamples {
     take("depth");
     for (const LabelChannel& channel : kLabelChannels) take(channel.name);
     if (parts.empty()) {
-      throw InputError(fmt::format("{}: there is no image of t_ns {}; data.csv names one",
-                                   (job_.recording.directory() / sensor_).string(), t_ns));
+      throw InputError((job_.recording.directory() / sensor_).string(),
+                       {FaultKind::kMissing,
+                        fmt::format("there is no image of t_ns {}; data.csv names one", t_ns)});
     }
     return parts;
   }

@@ -1,7 +1,5 @@
 #include "diagnose/report/files/write_report.h"
 
-#include <fmt/format.h>
-
 #include "core/error.h"
 #include "dataset/files/checked_file.h"
 #include "diagnose/report/files/diagnosis_json.h"
@@ -46,10 +44,9 @@ void WriteReport(const std::filesystem::path& directory, const Diagnosis& diagno
 void RequireNewFolder(const std::filesystem::path& out) {
   RequireNoneStopped(out);
   if (!std::filesystem::exists(out)) return;
-  throw InputError(
-      fmt::format("{}: exists already; need the name of a new folder, for a report of "
-                  "its own",
-                  out.string()));
+  throw InputError(out.string(),
+                   {FaultKind::kUnwritable,
+                    "exists already; need the name of a new folder, for a report of its own"});
 }
 
 std::vector<std::filesystem::path> ReportFolder::Write(const std::vector<Diagnosis>& diagnoses,

@@ -32,7 +32,8 @@ void Serialize(ModelArchive* archive, OpticsModel* m) {
   archive->Visit("flare", &m->flare);
   archive->Visit("soiling", &m->soiling);
   archive->Check(m->focus_m || m->glare || m->flare || m->soiling, "",
-                 "is empty; need some of focus_m, glare, flare and soiling, or no optics");
+                 {FaultKind::kMissing,
+                  "is empty; need some of focus_m, glare, flare and soiling, or no optics"});
 }
 
 }  // namespace tera

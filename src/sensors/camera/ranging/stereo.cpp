@@ -54,12 +54,14 @@ cv::Mat View(const Image<std::uint8_t>& picture) {
 void Serialize(ModelArchive* archive, StereoModel* m) {
   archive->Visit("disparities_px", &m->disparities_px, Between(16, 1024, "px"));
   archive->Check(m->disparities_px % 16 == 0, "disparities_px",
-                 fmt::format("{} is no multiple of 16; need {} or {}", m->disparities_px,
-                             m->disparities_px / 16 * 16, m->disparities_px / 16 * 16 + 16));
+                 {FaultKind::kOutOfRange,
+                  fmt::format("{} is no multiple of 16; need {} or {}", m->disparities_px,
+                              m->disparities_px / 16 * 16, m->disparities_px / 16 * 16 + 16)});
   archive->Visit("block_px", &m->block_px, Between(1, 11, "px"));
-  archive->Check(m->block_px % 2 == 1, "block_px",
-                 fmt::format("{} is even; need {} or {}, with a middle", m->block_px,
-                             m->block_px - 1, m->block_px + 1));
+  archive->Check(
+      m->block_px % 2 == 1, "block_px",
+      {FaultKind::kOutOfRange, fmt::format("{} is even; need {} or {}, with a middle", m->block_px,
+                                           m->block_px - 1, m->block_px + 1)});
   archive->Visit("uniqueness_percent", &m->uniqueness_percent, Between(0, 100, "%"));
   archive->Visit("noise_dn", &m->noise_dn, Between(0, 100, "of 255"));
   archive->Visit("projector", &m->projector);
