@@ -28,14 +28,18 @@ std::vector<InputFault> FaultsIn(const Read& read) {
 }
 
 /// `end` is the last part of `place`, in whole components: of "run/a.csv:3: k[0].x" for instance
-/// "x", "k[0].x", "a.csv:3: k[0].x". A line and a column after it need not be named.
+/// "x", "k[0].x", "a.csv:3: k[0].x". A line, a column and an item after it need not be named.
 inline bool EndsIn(std::string place, const std::string& end) {
-  const auto is_counted = [&] {
-    const std::size_t colon = place.find_last_not_of("0123456789");
-    return colon != place.npos && colon + 1 < place.size() && place[colon] == ':';
-  };
-  while (!place.ends_with(end) && is_counted()) place.resize(place.find_last_of(':'));
-  if (!place.ends_with(end)) return false;
+  while (!place.ends_with(end)) {
+    const bool is_item = place.ends_with(']');
+    const std::size_t number = place.find_last_of(is_item ? "[" : ":");
+    const std::size_t digits = is_item ? place.size() - 1 : place.size();
+    if (number == place.npos || number + 1 == digits ||
+        place.find_first_not_of("0123456789", number + 1) < digits) {
+      return false;
+    }
+    place.resize(number);
+  }
   const std::string before = place.substr(0, place.size() - end.size());
   return before.empty() || end.empty() ||
          std::string(" ./:[").find(before.back()) != std::string::npos;
@@ -46,6 +50,13 @@ MATCHER_P2(IsFault, kind, place, "") { return arg.kind == kind && EndsIn(arg.pla
 /// One of the faults is of that kind, at a place that ends in `place`.
 inline auto HasFault(FaultKind kind, const std::string& place = "") {
   return testing::Contains(IsFault(kind, place));
+}
+
+/// One of the faults, of whatever kind, is at a place that ends in `place`.
+inline auto HasFaultAt(const std::string& place) {
+  return testing::Contains(
+      testing::Field("place", &InputFault::place,
+                     testing::Truly([place](const std::string& at) { return EndsIn(at, place); })));
 }
 
 /// There is one fault, of that kind, at a place that ends in `place`.

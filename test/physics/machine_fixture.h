@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "core/units.h"
 #include "physics/actuation/actuation_mechanisms.h"
 #include "physics/dynamics/physics_world.h"
@@ -55,14 +55,9 @@ inline MachineModel WithEffects(MachineModel model, const std::string& yaml) {
 }
 
 /// The message with all faults of a description, empty if it has none.
-inline std::string FaultsOf(const std::string& yaml,
-                            const std::vector<std::string>& overrides = {}) {
-  try {
-    MachineFromText(yaml, overrides);
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "";
+inline std::vector<InputFault> FaultsOf(const std::string& yaml,
+                                        const std::vector<std::string>& overrides = {}) {
+  return FaultsIn([&] { MachineFromText(yaml, overrides); });
 }
 
 /// An arm of 20 kg and 1.5 m on a fixed post, its centre of mass 0.8 m from the pin, carrying a

@@ -10,6 +10,8 @@
 namespace tera {
 namespace {
 
+using enum FaultKind;
+
 TEST(FaultText, NamesWhatIsUnknownAndWhatIsNearestToIt) {
   EXPECT_EQ(fault::UnknownKey("max_rang_m", {"max_range_m", "min_range_m"}).finding,
             "unknown key (did you mean 'max_range_m'?)");
@@ -63,6 +65,8 @@ TEST(Faults, AreFoundByTheEndOfTheirPlaceInWholeComponents) {
   EXPECT_TRUE(EndsIn("run/levers.csv:12", "levers.csv"));
   EXPECT_TRUE(EndsIn("run/levers.csv:12", "levers.csv:12"));
   EXPECT_FALSE(EndsIn("run/levers.csv:12", "levers.csv:1"));
+  EXPECT_TRUE(EndsIn("a.yaml:1:2: box_m[1]", "box_m"));
+  EXPECT_FALSE(EndsIn("a.yaml:1:2: box_m[1].x", "box_m"));
   const std::string told = "some warning\nrun/site.yaml:3:10: piles[0].height_m: -1 is: not so\n";
   EXPECT_THAT(told, TellsOf("site.yaml:3:10: piles[0].height_m"));
   EXPECT_THAT(told, TellsOf("height_m"));

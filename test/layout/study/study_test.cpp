@@ -3,14 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "dataset/format/sample_recording.h"
 
 namespace tera {
 namespace {
 
 using testing::AllOf;
-using testing::HasSubstr;
 
 class Study : public testing::Test {
  protected:
@@ -19,13 +18,8 @@ class Study : public testing::Test {
     WriteWholeFile(file, yaml);
     return LoadStudy(file);
   }
-  std::string FaultsOf(const std::string& yaml) {
-    try {
-      Read(yaml);
-    } catch (const InputError& e) {
-      return e.what();
-    }
-    return "";
+  std::vector<InputFault> FaultsOf(const std::string& yaml) {
+    return FaultsIn([&] { Read(yaml); });
   }
   const ScratchDirectory scratch_;
 };
@@ -36,7 +30,7 @@ TEST_F(Study, HasNoLimitOfMaskingButItsOwn) {
       Read("eye: {link: upper, xyz_m: [0.1, 0.4, 1.3], most_masking_m: 0.7}").eye->most_masking_m,
       0.7);
   EXPECT_THAT(FaultsOf("eye: {link: upper, xyz_m: [0.1, 0.4, 1.3], most_masking_m: -1}"),
-              HasSubstr("most_masking_m"));
+              HasFaultAt("most_masking_m"));
 }
 
 TEST_F(Study, SaysWhatEntropiesAreComputedWith) {
@@ -51,9 +45,9 @@ TEST_F(Study, SaysWhatEntropiesAreComputedWith) {
 
 TEST_F(Study, RefusesEntropiesWithoutSense) {
   EXPECT_THAT(FaultsOf("information: {voxel_m: 0, lidar: {a: 0.1}, camera: {a: -1, b: 0}}"),
-              AllOf(HasSubstr("information.voxel_m"), HasSubstr("information.lidar"),
-                    HasSubstr("information.camera.a")));
-  EXPECT_THAT(FaultsOf("information: {voxels_m: 0.5}"), HasSubstr("voxel_m"));
+              AllOf(HasFaultAt("information.voxel_m"), HasFaultAt("information.lidar"),
+                    HasFaultAt("information.camera.a")));
+  EXPECT_THAT(FaultsOf("information: {voxels_m: 0.5}"), HasFaultAt("voxel_m"));
 }
 
 }  // namespace

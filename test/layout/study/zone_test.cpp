@@ -7,14 +7,13 @@
 #include <numbers>
 #include <set>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "core/units.h"
 
 namespace tera {
 namespace {
 
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+using enum FaultKind;
 
 Zone ZoneOf(const std::string& keys) {
   const Config config = Config::FromText("zone: {" + keys + "}", "study.yaml");
@@ -23,8 +22,10 @@ Zone ZoneOf(const std::string& keys) {
   return zone;
 }
 
-void ExpectZoneRefused(const std::string& keys, const std::string& message) {
-  EXPECT_THAT([&] { ZoneOf(keys); }, ThrowsMessage<InputError>(HasSubstr(message))) << keys;
+void ExpectZoneRefused(const std::string& keys, const FaultsMatcher& fault) {
+  EXPECT_THAT([&] { ZoneOf(keys); },
+              testing::Throws<InputError>(testing::Property(&InputError::faults, fault)))
+      << keys;
 }
 
 /// An L of two bars, 4 x 1 and 1 x 2, whose corner is on the left below.
@@ -37,53 +38,57 @@ bool IsInL(const Vec3& p) {
 }
 
 TEST(ReadZone, RefusesWhatIsNoZone) {
-  ExpectZoneRefused("box_m: [1, 2, 3]", "name");
-  ExpectZoneRefused("name: a", "needs one shape");
+  ExpectZoneRefused("box_m: [1, 2, 3]", HasFaultAt("name"));
+  ExpectZoneRefused("name: a", HasFault(kInconsistent));
   ExpectZoneRefused("name: a, box_m: [1, 2, 3], cylinder: {radius_m: 1, height_m: 2}",
-                    "needs one shape");
-  ExpectZoneRefused("name: a, box_m: [1, 2]", "box_m");
-  ExpectZoneRefused("name: a, box_m: [1, -2, 3]", "box_m");
-  ExpectZoneRefused("name: a, box_m: [1, 0, 3]", "box_m");
-  ExpectZoneRefused("name: a, box_m: [1, .nan, 3]", "box_m");
-  ExpectZoneRefused("name: a, box_m: [1, .inf, 3]", "box_m");
-  ExpectZoneRefused("name: a, box_m: high", "box_m");
-  ExpectZoneRefused("name: a, cylinder: {radius_m: 1}", "height_m");
-  ExpectZoneRefused("name: a, cylinder: {radius_m: 0, height_m: 1}", "radius_m");
-  ExpectZoneRefused("name: a, cylinder: {radius_m: 1, height_m: -1}", "height_m");
-  ExpectZoneRefused("name: a, cylinder: {radius_m: 1, height_m: 1, colour: red}", "colour");
-  ExpectZoneRefused("name: a, box_m: [1, 1, 1], level: perhaps", "level");
-  ExpectZoneRefused("name: a, box_m: [1, 1, 1], xyz_m: [1, 2]", "xyz_m");
-  ExpectZoneRefused("name: a, box_m: [1, 1, 1], rpy_degs: [1, 2, 3]", "rpy_degs");
+                    HasFault(kInconsistent));
+  ExpectZoneRefused("name: a, box_m: [1, 2]", HasFaultAt("box_m"));
+  ExpectZoneRefused("name: a, box_m: [1, -2, 3]", HasFaultAt("box_m"));
+  ExpectZoneRefused("name: a, box_m: [1, 0, 3]", HasFaultAt("box_m"));
+  ExpectZoneRefused("name: a, box_m: [1, .nan, 3]", HasFaultAt("box_m"));
+  ExpectZoneRefused("name: a, box_m: [1, .inf, 3]", HasFaultAt("box_m"));
+  ExpectZoneRefused("name: a, box_m: high", HasFaultAt("box_m"));
+  ExpectZoneRefused("name: a, cylinder: {radius_m: 1}", HasFaultAt("height_m"));
+  ExpectZoneRefused("name: a, cylinder: {radius_m: 0, height_m: 1}", HasFaultAt("radius_m"));
+  ExpectZoneRefused("name: a, cylinder: {radius_m: 1, height_m: -1}", HasFaultAt("height_m"));
+  ExpectZoneRefused("name: a, cylinder: {radius_m: 1, height_m: 1, colour: red}",
+                    HasFaultAt("colour"));
+  ExpectZoneRefused("name: a, box_m: [1, 1, 1], level: perhaps", HasFaultAt("level"));
+  ExpectZoneRefused("name: a, box_m: [1, 1, 1], xyz_m: [1, 2]", HasFaultAt("xyz_m"));
+  ExpectZoneRefused("name: a, box_m: [1, 1, 1], rpy_degs: [1, 2, 3]", HasFaultAt("rpy_degs"));
 }
 
 TEST(ReadZone, RefusesAPrismThatIsNone) {
   const auto prism = [](const std::string& keys) { return "name: a, prism: {" + keys + "}"; };
   const std::string square = "xy_m: [[0, 0], [1, 0], [1, 1], [0, 1]]";
   EXPECT_NO_THROW(ZoneOf(prism(square + ", high_m: 2")));
-  ExpectZoneRefused(prism(square), "high_m");
-  ExpectZoneRefused(prism(square + ", low_m: 2, high_m: 2"), "high_m");
-  ExpectZoneRefused(prism(square + ", low_m: 3, high_m: 2"), "high_m");
-  ExpectZoneRefused(prism("high_m: 2"), "xy_m");
-  ExpectZoneRefused(prism("xy_m: [], high_m: 2"), "xy_m");
-  ExpectZoneRefused(prism("xy_m: [[0, 0], [1, 0]], high_m: 2"), "xy_m");
-  ExpectZoneRefused(prism("xy_m: [[0, 0], [1, 0], [1]], high_m: 2"), "xy_m");
-  ExpectZoneRefused(prism("xy_m: [[0, 0], [1, 0], [x, 1]], high_m: 2"), "xy_m");
+  ExpectZoneRefused(prism(square), HasFaultAt("high_m"));
+  ExpectZoneRefused(prism(square + ", low_m: 2, high_m: 2"), HasFaultAt("high_m"));
+  ExpectZoneRefused(prism(square + ", low_m: 3, high_m: 2"), HasFaultAt("high_m"));
+  ExpectZoneRefused(prism("high_m: 2"), HasFaultAt("xy_m"));
+  ExpectZoneRefused(prism("xy_m: [], high_m: 2"), HasFaultAt("xy_m"));
+  ExpectZoneRefused(prism("xy_m: [[0, 0], [1, 0]], high_m: 2"), HasFaultAt("xy_m"));
+  ExpectZoneRefused(prism("xy_m: [[0, 0], [1, 0], [1]], high_m: 2"), HasFaultAt("xy_m"));
+  ExpectZoneRefused(prism("xy_m: [[0, 0], [1, 0], [x, 1]], high_m: 2"), HasFaultAt("xy_m"));
 }
 
 TEST(ReadZone, RefusesAPrismWithoutArea) {
-  ExpectZoneRefused("name: a, prism: {xy_m: [[0, 0], [1, 1], [2, 2]], high_m: 2}", "xy_m");
-  ExpectZoneRefused("name: a, prism: {xy_m: [[0, 0], [0, 0], [0, 0]], high_m: 2}", "xy_m");
+  ExpectZoneRefused("name: a, prism: {xy_m: [[0, 0], [1, 1], [2, 2]], high_m: 2}",
+                    HasFaultAt("xy_m"));
+  ExpectZoneRefused("name: a, prism: {xy_m: [[0, 0], [0, 0], [0, 0]], high_m: 2}",
+                    HasFaultAt("xy_m"));
 }
 
 TEST(ReadZone, RefusesAPrismThatIsASliver) {
   // Places would be tried in a million cells around it for each that lies in it.
   ExpectZoneRefused("name: a, prism: {xy_m: [[0, 0], [10, 10], [10, 10.00001]], high_m: 2}",
-                    "xy_m");
+                    HasFaultAt("xy_m"));
 }
 
 TEST(ReadZone, RefusesAPrismWhoseOutlineCrossesItself) {
   // A bow tie: its two halves turn opposite ways, so that it has no one area.
-  ExpectZoneRefused("name: a, prism: {xy_m: [[0, 0], [2, 2], [2, 0], [0, 1]], high_m: 2}", "xy_m");
+  ExpectZoneRefused("name: a, prism: {xy_m: [[0, 0], [2, 2], [2, 0], [0, 1]], high_m: 2}",
+                    HasFaultAt("xy_m"));
 }
 
 TEST(ReadZone, TakesEveryKey) {

@@ -7,12 +7,15 @@
 #include <set>
 #include <string>
 
+#include "core/faults.h"
 #include "core/types/effects.h"
 #include "physics/description/payload.h"
 #include "physics/machine_fixture.h"
 
 namespace tera {
 namespace {
+
+using enum FaultKind;
 
 TEST(ActuationMechanisms, HaveEachItsOwnId) {
   std::set<std::string_view> known;
@@ -44,13 +47,10 @@ TEST(ActuationMechanisms, NumbersBeyondTheirRangeAreReportedForEveryParameter) {
       }
       const Config config = Config::FromText(text + "}", "effects.yaml");
       ReadEffects(config.root(), target, ActuationMechanisms());
-      try {
-        config.Finish();
-        ADD_FAILURE() << text;
-      } catch (const InputError& e) {
-        EXPECT_THAT(e.what(), testing::HasSubstr(fmt::format("{}.{}: ", mechanism.id, wrong.name)));
-        EXPECT_THAT(e.what(), testing::HasSubstr("out of range"));
-      }
+      EXPECT_THAT(
+          [&] { config.Finish(); },
+          ThrowsFault(FaultKind::kOutOfRange, fmt::format("{}.{}", mechanism.id, wrong.name)))
+          << text;
     }
   }
 }

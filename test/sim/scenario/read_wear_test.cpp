@@ -3,12 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/faults.h"
 #include "sim/scenario/scenario_text.h"
 
 namespace tera {
 namespace {
 
-using ::testing::HasSubstr;
+using enum FaultKind;
 
 std::string WornSite(const std::string& root, const std::string& machine,
                      const std::string& obstacle) {
@@ -38,10 +39,9 @@ TEST(ReadWear, ThatOfTheScenarioIsOfAllAndEachMayDiffer) {
 }
 
 TEST(ReadWear, EveryFaultIsNamed) {
-  EXPECT_THAT(FaultsOf(WornSite("wear: {mud: 1.5}\n", "", "")),
-              HasSubstr("wear.mud: 1.5 is out of range"));
+  EXPECT_THAT(FaultsOf(WornSite("wear: {mud: 1.5}\n", "", "")), HasFault(kOutOfRange, "wear.mud"));
   EXPECT_THAT(FaultsOf(WornSite("", "    wear: {dirt: 0.5}\n", "")),
-              HasSubstr("machines[0].wear.dirt: unknown key"));
+              HasFault(kUnknown, "machines[0].wear.dirt"));
 }
 
 }  // namespace

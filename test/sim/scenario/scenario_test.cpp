@@ -4,67 +4,64 @@
 #include <gtest/gtest.h>
 
 #include "core/config/config.h"
-#include "core/error.h"
+#include "core/faults.h"
 #include "core/units.h"
 #include "sim/scenario/scenario_text.h"
 
 namespace tera {
 namespace {
 
+using enum FaultKind;
 using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 TEST(ReadScenario, AcceptsTheSmallestOne) {
-  EXPECT_EQ(FaultsOf(std::string(kSite) + kExcavator), "");
+  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator), testing::IsEmpty());
 }
 
 TEST(ReadScenario, RefusesAnUnknownKeyWithItsPlace) {
-  EXPECT_EQ(FaultsOf(std::string(kSite) + "phisics_rate_hz: 500\n" + kExcavator),
-            "s.yaml:5:1: phisics_rate_hz: unknown key (did you mean 'physics_rate_hz'?)");
+  EXPECT_THAT(FaultsOf(std::string(kSite) + "phisics_rate_hz: 500\n" + kExcavator),
+              HasOnlyFault(kUnknown, "s.yaml:5:1: phisics_rate_hz"));
 }
 
 TEST(ReadScenario, RefusesTwoSensorsWithOneName) {
   const std::string imu = "{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, link: boom}";
   EXPECT_THAT(FaultsOf(WithRig(imu + ", " + imu)),
-              AllOf(HasSubstr("s.yaml:10:"), HasSubstr("machines[0].rig.sensors[1].name: 'imu' is "
-                                                       "taken by another sensor")));
+              HasFault(kRepeated, "machines[0].rig.sensors[1].name"));
 }
 
 TEST(ReadScenario, RefusesASensorOnALinkThatIsNotThere) {
   EXPECT_THAT(
       FaultsOf(WithRig("{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, link: bom}")),
-      AllOf(HasSubstr("machines[0].rig.sensors[0].link"),
-            HasSubstr("has no link 'bom' (did you mean 'boom'?)")));
+      HasFault(kNoSuchName, "machines[0].rig.sensors[0].link"));
 }
 
 TEST(ReadScenario, RefusesASensorWithoutARate) {
   EXPECT_THAT(FaultsOf(WithRig("{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, "
                                "link: boom, rate_hz: 0}")),
-              HasSubstr("rate_hz: 0 is out of range, need more than 0"));
+              HasFault(kOutOfRange, "rate_hz"));
 }
 
 TEST(ReadScenario, RefusesAnEncoderOnAJointThatIsNotThere) {
   EXPECT_THAT(
       FaultsOf(WithRig("{name: e, preset: tera:config/sensors/encoder.yaml, joints: [elbow]}")),
-      HasSubstr("no joint, track or wheel 'elbow'"));
+      HasFault(kNoSuchName, "joints"));
 }
 
 TEST(ReadScenario, RefusesAMachineFileThatIsNotThere) {
   EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator, {"machines[0].machine=nowhere.yaml"}),
-              HasSubstr("file 'nowhere.yaml' does not exist"));
+              HasFault(kUnreadable));
 }
 
 TEST(ReadScenario, RefusesANegativeMassInTheMachineFile) {
   EXPECT_THAT(
       FaultsOf(std::string(kSite) + kExcavator, {"machines[0].machine.links.boom.mass_kg=-3"}),
-      HasSubstr("machines[0].machine.links.boom.mass_kg: -3 is out of range"));
+      HasFault(kOutOfRange, "machines[0].machine.links.boom.mass_kg"));
 }
 
 TEST(ReadScenario, RefusesAMissingMesh) {
   EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator +
                        "obstacles: [{name: r, label: rock, mesh: no.glb, xy_m: [1, 1]}]\n"),
-              AllOf(HasSubstr("obstacles[0].mesh"), HasSubstr("'no.glb' does not exist")));
+              HasFault(kUnreadable, "obstacles[0].mesh"));
 }
 
 TEST(ReadScenario, RefusesABedWithoutAFloorOrWithWallsThatGoDown) {
@@ -74,44 +71,43 @@ TEST(ReadScenario, RefusesABedWithoutAFloorOrWithWallsThatGoDown) {
                     "xy_m: [1, 1], bed: " +
                     bed + "}]\n");
   };
-  EXPECT_EQ(faults("{xyz_m: [0, 0, 1], size_m: [3, 2], wall_m: 0.5}"), "");
+  EXPECT_THAT(faults("{xyz_m: [0, 0, 1], size_m: [3, 2], wall_m: 0.5}"), testing::IsEmpty());
   EXPECT_THAT(faults("{xyz_m: [0, 0, 1], size_m: [3, 0], wall_m: 0.5}"),
-              HasSubstr("obstacles[0].bed.size_m"));
+              HasFaultAt("obstacles[0].bed.size_m"));
   EXPECT_THAT(faults("{xyz_m: [0, 0, 1], size_m: [3, 2], wall_m: -0.5}"),
-              HasSubstr("obstacles[0].bed.wall_m: -0.5 is out of range"));
+              HasFault(kOutOfRange, "obstacles[0].bed.wall_m"));
   EXPECT_THAT(faults("{size_m: [3, 2], wall_m: 0.5, walls_m: 1}"),
-              AllOf(HasSubstr("obstacles[0].bed.xyz_m"), HasSubstr("walls_m: unknown key")));
+              AllOf(HasFaultAt("obstacles[0].bed.xyz_m"), HasFault(kUnknown, "walls_m")));
 }
 
 TEST(ReadScenario, RefusesAnUnreadableGeoTiff) {
   EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator, {"terrain.geotiff=LICENSE"}),
-              HasSubstr("terrain.geotiff"));
+              HasFaultAt("terrain.geotiff"));
 }
 
 TEST(ReadScenario, RefusesNamesThatAreUsedTwiceOrAreNoFolders) {
   const std::string cone = ", label: cone, mesh: tera:assets/cone.glb, xy_m: [1, 1]}";
   EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator + "obstacles: [{name: excavator1" + cone +
                        ", {name: a/b" + cone + "]\n"),
-              AllOf(HasSubstr("name 'excavator1' is used twice"),
-                    HasSubstr("obstacles[1].name: name 'a/b' cannot name a folder")));
+              HasFault(kMalformed, "obstacles[1].name"));
 }
 
 TEST(ReadScenario, RefusesMachineNamesThatLeaveTheDataset) {
   for (const char* name : {"..", ".", "''", "a b", "a,b", "/tmp/a"}) {
     EXPECT_THAT(
         FaultsOf(std::string(kSite) + kExcavator, {std::string("machines[0].name=") + name}),
-        HasSubstr("--set: machines[0].name: "))
+        HasFaultAt("--set: machines[0].name"))
         << name;
   }
   EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator, {"machines[0].name=truth"}),
-              HasSubstr("name 'truth' is a folder that every dataset has"));
+              HasFault(kInconsistent));
 }
 
 TEST(ReadScenario, RefusesStartAnglesBeyondTheLimits) {
-  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator,
-                       {"machines[0].start.joints_deg={boom: 100, elbow: 3}"}),
-              AllOf(HasSubstr("'boom' at 100 deg is beyond its limits"),
-                    HasSubstr("has no joint 'elbow'")));
+  EXPECT_THAT(
+      FaultsOf(std::string(kSite) + kExcavator,
+               {"machines[0].start.joints_deg={boom: 100, elbow: 3}"}),
+      AllOf(HasFault(kOutOfRange, "start.joints_deg"), HasFault(kNoSuchName, "start.joints_deg")));
 }
 
 TEST(ReadScenario, JointsThatSlideStartByMetres) {
@@ -124,17 +120,17 @@ TEST(ReadScenario, JointsThatSlideStartByMetres) {
   const Scenario scenario = ReadScenario(config.root());
   EXPECT_EQ(scenario.machines[0].placement.q_rad, std::vector<double>{-0.2});
   EXPECT_THAT(FaultsOf(axis, {"machines[0].start.joints_m.carriage=0.6"}),
-              HasSubstr("'carriage' at 0.6 m is beyond its limits, need -0.5 to 0.5 m"));
+              HasFault(kOutOfRange, "start.joints_m"));
   EXPECT_THAT(FaultsOf(axis, {"machines[0].start.joints_deg.carriage=10"}),
-              HasSubstr("'carriage' slides; need it under joints_m"));
+              HasFault(kInconsistent, "start.joints_deg"));
   EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator, {"machines[0].start.joints_m.boom=1"}),
-              HasSubstr("'boom' turns; need it under joints_deg"));
+              HasFault(kInconsistent, "start.joints_m"));
   EXPECT_THAT(FaultsOf(axis, {"machines[0].start.joints_m.carriage=ten"}),
-              AllOf(HasSubstr("is not a number"), Not(HasSubstr("limits"))));
+              HasOnlyFault(kMistyped, "start.joints_m.carriage"));
 }
 
 TEST(ReadScenario, RefusesASiteWithoutMachines) {
-  EXPECT_THAT(FaultsOf(kSite), HasSubstr("no machine given"));
+  EXPECT_THAT(FaultsOf(kSite), HasFault(kMissing, "machines"));
 }
 
 TEST(ReadScenario, SetsAMachineOnASlope) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/config/config.h"
-#include "core/error.h"
+#include "core/faults.h"
 #include "sim/scenario/scenario.h"
 
 // Scenarios as text, from parts, and what is wrong with them.
@@ -54,16 +54,13 @@ machines:
 }
 
 /// What is wrong with a scenario, or nothing.
-inline std::string FaultsOf(const std::string& yaml,
-                            const std::vector<std::string>& overrides = {}) {
-  try {
+inline std::vector<InputFault> FaultsOf(const std::string& yaml,
+                                        const std::vector<std::string>& overrides = {}) {
+  return FaultsIn([&] {
     const Config config = Config::FromText(yaml, "s.yaml", overrides);
     ReadScenario(config.root());
     config.Finish();
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "";
+  });
 }
 
 }  // namespace tera

@@ -5,12 +5,13 @@
 
 #include <cmath>
 
+#include "core/faults.h"
 #include "soil/site/site_fixture.h"
 
 namespace tera {
 namespace {
 
-using testing::HasSubstr;
+using enum FaultKind;
 using namespace testing_soil;
 
 TEST(OldRuts, TwoRunHalfTheGaugeBesideThePathAndNothingBetween) {
@@ -47,16 +48,16 @@ TEST(OldRuts, MassIsKeptWhereSoilIsSqueezedOutBesideThem) {
 
 TEST(OldRuts, EveryFaultIsNamed) {
   EXPECT_THAT(FaultsOf("ruts: [{path_m: [[0, 0]], width_m: 0.3, depth_m: 0.1}]\n"),
-              HasSubstr("ruts[0].path_m: 1 points found, need at least 2, each [x, y] in m"));
+              HasFault(kOutOfRange, "ruts[0].path_m"));
   EXPECT_THAT(FaultsOf("ruts: [{path_m: [[0, 0], [1, 0]], width_m: 0.3, depth_m: 0.8}]\n"),
-              HasSubstr("ruts[0].depth_m: 0.8 is out of range"));
+              HasFault(kOutOfRange, "ruts[0].depth_m"));
   EXPECT_THAT(FaultsOf("ruts: [{path_m: [[0, 0], [1, 0]], width_m: 9, depth_m: 0.1}]\n"),
-              HasSubstr("ruts[0].width_m: 9 is out of range"));
+              HasFault(kOutOfRange, "ruts[0].width_m"));
   EXPECT_THAT(FaultsOf("ruts: [{path_m: [[-1e12, 0], [1e12, 0]], width_m: 0.3, depth_m: 0.1}]\n"),
-              HasSubstr("ruts[0].path_m"));
+              HasFaultAt("ruts[0].path_m"));
   EXPECT_THAT(
       FaultsOf("ruts: [{path_m: [[0, 0], [1, 0]], gauge_m: 0.2, width_m: 0.3, depth_m: 0.1}]\n"),
-      HasSubstr("ruts[0].gauge_m: 0.2 m lets two ruts of 0.3 m lie over each other"));
+      HasFault(kOutOfRange, "ruts[0].gauge_m"));
 }
 
 }  // namespace

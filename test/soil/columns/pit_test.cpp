@@ -5,13 +5,14 @@
 
 #include <cmath>
 
+#include "core/faults.h"
 #include "core/units.h"
 #include "soil/site/site_fixture.h"
 
 namespace tera {
 namespace {
 
-using testing::HasSubstr;
+using enum FaultKind;
 using namespace testing_soil;
 
 TEST(Pit, IsAsDeepAsItSaysWithinItsOutlineAndNowhereElse) {
@@ -48,12 +49,12 @@ TEST(Pit, WallsOfClayStandAtOneMetreAndFailAtOnePointFourAndSandSlumps) {
 
 TEST(Pit, EveryFaultIsNamed) {
   EXPECT_THAT(FaultsOf("pits: [{outline_m: [[0, 0], [1, 0], [1, 1]], depth_m: -1}]\n"),
-              HasSubstr("pits[0].depth_m: -1 is out of range"));
+              HasFault(kOutOfRange, "pits[0].depth_m"));
   EXPECT_THAT(FaultsOf("pits: [{outline_m: [[0, 0], [1, 1], [1, 0], [0, 1]], depth_m: 1}]\n"),
-              HasSubstr("pits[0].outline_m: its sides 1 and 3 cross"));
+              HasFaultAt("pits[0].outline_m"));
   EXPECT_THAT(FaultsOf("size_m: [4, 4]\npits: [{outline_m: [[0, 0], [3, 0], [1, 1]], depth_m: 1}]"),
-              HasSubstr("pits[0].outline_m: reaches beyond the site, x -2 to 2 m"));
-  EXPECT_THAT(FaultsOf("pits: [{depth_m: 1}]\n"), HasSubstr("pits[0].outline_m"));
+              HasFault(kOutOfRange, "pits[0].outline_m"));
+  EXPECT_THAT(FaultsOf("pits: [{depth_m: 1}]\n"), HasFaultAt("pits[0].outline_m"));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/faults.h"
 #include "geotiff_fixture.h"
 #include "site_fixture.h"
 
@@ -18,8 +19,7 @@
 namespace tera {
 namespace {
 
-using ::testing::AllOf;
-using ::testing::HasSubstr;
+using enum FaultKind;
 using namespace testing_soil;
 
 class GeotiffTest : public FolderTest {};
@@ -53,16 +53,15 @@ TEST_F(GeotiffTest, FinerCellsInterpolateTheSameGround) {
 }
 
 TEST_F(GeotiffTest, UnreadableFilesAreFaultsAtTheirKey) {
-  EXPECT_THAT(FaultsOf("geotiff: " + File("none.tif") + "\n"), HasSubstr("does not exist"));
+  EXPECT_THAT(FaultsOf("geotiff: " + File("none.tif") + "\n"), HasFault(kUnreadable, "geotiff"));
   std::ofstream(File("text.tif")) << "not a raster";
-  EXPECT_THAT(FaultsOf("geotiff: " + File("text.tif") + "\n"),
-              AllOf(HasSubstr("site.yaml:1:10: geotiff"), HasSubstr("not readable as a GeoTIFF")));
+  EXPECT_THAT(FaultsOf("geotiff: " + File("text.tif") + "\n"), HasFault(kUnreadable, "text.tif"));
   std::ofstream(File("empty.tif"));
-  EXPECT_THAT(FaultsOf("geotiff: " + File("empty.tif") + "\n"), HasSubstr("not readable"));
+  EXPECT_THAT(FaultsOf("geotiff: " + File("empty.tif") + "\n"), HasFault(kUnreadable, "empty.tif"));
   MakeGround("size_m: [6, 6]\nrelief: {amplitude_m: 1}\n")
       ->WriteGeoTiff(File("cut.tif"), GroundRaster::kHeight, {1, 2, 0}, 1);
   std::filesystem::resize_file(File("cut.tif"), std::filesystem::file_size(File("cut.tif")) / 2);
-  EXPECT_THAT(FaultsOf("geotiff: " + File("cut.tif") + "\n"), HasSubstr("cut.tif"));
+  EXPECT_THAT(FaultsOf("geotiff: " + File("cut.tif") + "\n"), HasFaultAt("cut.tif"));
 }
 
 /// The reference system of an ASCII grid, in a file beside it.
@@ -86,14 +85,13 @@ void WriteAsciiGrid(const std::string& file, const std::string& rows) {
 
 TEST_F(GeotiffTest, NoProjectionIsAFault) {
   WriteAsciiGrid(File("plain.asc"), "1 2 3\n4 5 6\n");
-  EXPECT_THAT(FaultsOf("geotiff: " + File("plain.asc") + "\n"), HasSubstr("has no projection"));
+  EXPECT_THAT(FaultsOf("geotiff: " + File("plain.asc") + "\n"), HasFault(kMissing, "plain.asc"));
 }
 
 TEST_F(GeotiffTest, GapsAreAFault) {
   WriteAsciiGrid(File("gaps.asc"), "1 2 -9999\n4 5 6\n");
   WriteUtmProjection(File("gaps.prj"), 33);
-  EXPECT_THAT(FaultsOf("geotiff: " + File("gaps.asc") + "\n"),
-              HasSubstr("1 of 6 pixels have no height"));
+  EXPECT_THAT(FaultsOf("geotiff: " + File("gaps.asc") + "\n"), HasFault(kMissing, "gaps.asc"));
 }
 
 /// Eight by eight pixels of a metre that rise by 10 units a pixel to the east, from `first`.
@@ -126,8 +124,7 @@ TEST_F(GeotiffTest, HeightsInFeetBecomeMetres) {
     EXPECT_NEAR(site.georeference()->height_m, 1035 * metres, 1e-4) << unit;
   }
   EditBand(File("feet.tif"), [](GDALRasterBand* band) { band->SetUnitType("fathom"); });
-  EXPECT_THAT(FaultsOf("geotiff: " + File("feet.tif") + "\n"),
-              AllOf(HasSubstr("heights are in 'fathom'"), HasSubstr("gdal_edit.py -units")));
+  EXPECT_THAT(FaultsOf("geotiff: " + File("feet.tif") + "\n"), HasFault(kUnsupported, "feet.tif"));
 }
 
 TEST_F(GeotiffTest, AMapInFeetMustNameTheUnitOfItsHeights) {
@@ -139,8 +136,7 @@ TEST_F(GeotiffTest, AMapInFeetMustNameTheUnitOfItsHeights) {
     ASSERT_EQ(new_york.importFromEPSG(2263), OGRERR_NONE);
     dataset->SetSpatialRef(&new_york);
   }
-  EXPECT_THAT(FaultsOf("geotiff: " + File("ny.tif") + "\n"),
-              AllOf(HasSubstr("the unit of its heights is not named"), HasSubstr("us-ft")));
+  EXPECT_THAT(FaultsOf("geotiff: " + File("ny.tif") + "\n"), HasFault(kUnsupported, "ny.tif"));
   EditBand(File("ny.tif"), [](GDALRasterBand* band) { band->SetUnitType("us-ft"); });
   const Site site = SiteOf("cell_m: 0.1\ngeotiff: " + File("ny.tif") + "\n");
   EXPECT_NEAR(site.georeference()->height_m, 135 * 1200.0 / 3937, 1e-4);
@@ -154,16 +150,14 @@ TEST_F(GeotiffTest, NoDataThatIsNotMarkedIsNoPit) {
     return FaultsOf("geotiff: " + File("gap.tif") + "\n");
   };
   for (const double pixel : {-9999.0, -32768.0, 32767.0, 0.0}) {
-    EXPECT_THAT(fault(420, pixel, GDT_Int16),
-                AllOf(HasSubstr("3 of 64 pixels have a height of"),
-                      HasSubstr(fmt::format("gdal_translate -a_nodata {} IN OUT", pixel))));
+    EXPECT_THAT(fault(420, pixel, GDT_Int16), HasFault(kUnsupported));
   }
   for (const double pixel : {-3.4028234663852886e38, 1e30, -99999.0}) {
-    EXPECT_THAT(fault(420, pixel, GDT_Float32), HasSubstr("3 of 64 pixels have a height of"));
+    EXPECT_THAT(fault(420, pixel, GDT_Float32), HasFault(kUnsupported));
   }
   // A wall of 40 m with nothing between is a quarry's, and a tower of 300 m stands in some cities.
-  EXPECT_EQ(fault(420, 380, GDT_Float32), "");
-  EXPECT_EQ(fault(420, 800, GDT_Float32), "");
+  EXPECT_THAT(fault(420, 380, GDT_Float32), testing::IsEmpty());
+  EXPECT_THAT(fault(420, 800, GDT_Float32), testing::IsEmpty());
 }
 
 TEST_F(GeotiffTest, MostPixelsMayBeNoDataThatIsNotMarked) {
@@ -171,7 +165,7 @@ TEST_F(GeotiffTest, MostPixelsMayBeNoDataThatIsNotMarked) {
   for (auto& row : rows) std::fill(row.begin(), row.begin() + 6, -9999);
   WriteUtmRaster(File("strip.tif"), rows, 1, {500000, 5200000}, GDT_Float32);
   EXPECT_THAT(FaultsOf("geotiff: " + File("strip.tif") + "\n"),
-              HasSubstr("48 of 64 pixels have a height of -9999 m"));
+              HasFault(kUnsupported, "strip.tif"));
 }
 
 TEST_F(GeotiffTest, TheRemedyNamesTheNumberThatTheFileHolds) {
@@ -179,8 +173,7 @@ TEST_F(GeotiffTest, TheRemedyNamesTheNumberThatTheFileHolds) {
   rows[1][1] = -9999;
   WriteUtmRaster(File("dm.tif"), rows, 1, {500000, 5200000}, GDT_Int16);
   EditBand(File("dm.tif"), [](GDALRasterBand* band) { band->SetScale(0.5); });
-  EXPECT_THAT(FaultsOf("geotiff: " + File("dm.tif") + "\n"),
-              AllOf(HasSubstr("height of -4999.5 m"), HasSubstr("-a_nodata -9999 IN OUT")));
+  EXPECT_THAT(FaultsOf("geotiff: " + File("dm.tif") + "\n"), HasFault(kUnsupported, "dm.tif"));
 }
 
 // Bilinear warping mixes them with the heights beside.
@@ -189,15 +182,14 @@ TEST_F(GeotiffTest, NoDataMixedWithHeightsIsAFault) {
   rows[3] = {420, -2100, -4700, -9999, -7500, -4700, -2100, 490};
   WriteUtmRaster(File("mixed.tif"), rows, 1, {500000, 5200000}, GDT_Float32);
   EXPECT_THAT(FaultsOf("geotiff: " + File("mixed.tif") + "\n"),
-              HasSubstr("two pixels beside each other have heights of"));
+              HasFault(kUnsupported, "mixed.tif"));
 }
 
 TEST_F(GeotiffTest, HeightsInMillimetresAreAFault) {
   WriteUtmRaster(File("mm.tif"), Rising(420'000), 1, {500000, 5200000}, GDT_Float32);
-  EXPECT_THAT(FaultsOf("geotiff: " + File("mm.tif") + "\n"),
-              AllOf(HasSubstr("a height of 420000 m found"), HasSubstr("-scale")));
+  EXPECT_THAT(FaultsOf("geotiff: " + File("mm.tif") + "\n"), HasFault(kUnsupported, "mm.tif"));
   EditBand(File("mm.tif"), [](GDALRasterBand* band) { band->SetUnitType("mm"); });
-  EXPECT_EQ(FaultsOf("geotiff: " + File("mm.tif") + "\n"), "");
+  EXPECT_THAT(FaultsOf("geotiff: " + File("mm.tif") + "\n"), testing::IsEmpty());
 }
 
 TEST_F(GeotiffTest, PixelsThatAMaskLeavesOutHaveNoHeight) {
@@ -210,8 +202,7 @@ TEST_F(GeotiffTest, PixelsThatAMaskLeavesOutHaveNoHeight) {
         band->GetMaskBand()->RasterIO(GF_Write, 0, 0, 8, 8, valid.data(), 8, 8, GDT_Byte, 0, 0),
         CE_None);
   });
-  EXPECT_THAT(FaultsOf("geotiff: " + File("masked.tif") + "\n"),
-              HasSubstr("2 of 64 pixels have no height"));
+  EXPECT_THAT(FaultsOf("geotiff: " + File("masked.tif") + "\n"), HasFault(kMissing, "masked.tif"));
 }
 
 TEST_F(GeotiffTest, FolderThatIsNotThereIsAnErrorAndSpoilsNoLaterFile) {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "geotiff_fixture.h"
 #include "site_fixture.h"
 #include "soil/site/ground_raster.h"
@@ -11,8 +11,7 @@
 namespace tera {
 namespace {
 
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+using enum FaultKind;
 using testing_soil::FolderTest;
 
 class MapRasterTest : public FolderTest {};
@@ -57,12 +56,12 @@ TEST_F(MapRasterTest, OfTooManyPixelsSquaresHoldTheMean) {
 
 TEST_F(MapRasterTest, ScaleAndOffsetOfTheBandAreApplied) {
   const Columns ground = Slope();
-  WriteGroundRaster(File("height.tif"), ground, GroundRaster::kHeight, kQuebec, 1);
+  WriteGroundRaster(File("height.tif"), ground, GroundRaster::kHeight, kMapRasterQuebec, 1);
   testing_soil::EditBand(File("height.tif"), [](GDALRasterBand* band) {
     band->SetScale(2);
-    band->SetOffset(-kQuebec.height_m);
+    band->SetOffset(-kMapRasterQuebec.height_m);
   });
-  const SiteMap map = ReadSiteHeights(File("height.tif"), kQuebec, 200);
+  const SiteMap map = ReadSiteHeights(File("height.tif"), kMapRasterQuebec, 200);
   EXPECT_NEAR(map.values[0], 2 * ground.TopAt(0, 0), 1e-4);
 }
 
@@ -70,14 +69,13 @@ TEST_F(MapRasterTest, AnotherProjectionOrNoRasterIsRefused) {
   WriteGroundRaster(File("height.tif"), Slope(), GroundRaster::kHeight, kMapRasterQuebec, 1);
   SiteOrigin other = kMapRasterQuebec;
   other.lon_deg += 0.001;
-  EXPECT_THAT([&] { ReadSiteMap(File("height.tif"), other, 100); },
-              ThrowsMessage<InputError>(HasSubstr("is in another projection")));
+  EXPECT_THAT([&] { ReadSiteMap(File("height.tif"), other, 100); }, ThrowsFault(kInconsistent));
   EXPECT_THAT([&] { ReadSiteMap(File("none.tif"), kMapRasterQuebec, 100); },
-              ThrowsMessage<InputError>(HasSubstr("none.tif: not readable as a GeoTIFF")));
+              ThrowsFault(kUnreadable, "none.tif"));
   testing_soil::WriteUtmRaster(File("bare.tif"), {{1, 2}, {3, 4}}, 1, {0, 0}, GDT_Byte,
                                /*referenced=*/false);
   EXPECT_THAT([&] { ReadSiteMap(File("bare.tif"), kMapRasterQuebec, 100); },
-              ThrowsMessage<InputError>(HasSubstr("bare.tif: has no projection")));
+              ThrowsFault(kMissing, "bare.tif"));
 }
 
 }  // namespace

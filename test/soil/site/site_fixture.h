@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "soil/site/site_plan.h"
 #include "soil/soil_fixture.h"
 
@@ -11,13 +11,8 @@
 namespace tera::testing_soil {
 
 /// What is wrong with a terrain mapping, or nothing.
-inline std::string FaultsOf(const std::string& terrain_yaml) {
-  try {
-    MakeGround(terrain_yaml);
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "";
+inline std::vector<InputFault> FaultsOf(const std::string& terrain_yaml) {
+  return FaultsIn([&] { MakeGround(terrain_yaml); });
 }
 
 inline SitePlan Plan(const std::string& terrain_yaml, std::uint64_t seed = 1) {

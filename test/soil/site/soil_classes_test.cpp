@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "core/faults.h"
 #include "soil/site/geotiff_fixture.h"
 #include "soil/site/site_fixture.h"
 
@@ -11,6 +12,7 @@
 namespace tera {
 namespace {
 
+using enum FaultKind;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using namespace testing_soil;
@@ -100,33 +102,29 @@ TEST_F(SoilClassesTest, EveryFaultIsNamed) {
   WriteClasses(File("soil.tif"));
   const std::string two = "{value: 1, soil: sand}, {value: 2, soil: dirt}";
   EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), two)),
-              AllOf(HasSubstr("soil_classes.geotiff: 1 of 96 pixels have the value 7"),
-                    HasSubstr("name its soil under classes")));
+              HasFault(kInconsistent, "soil_classes.geotiff"));
   const std::string all = two + ", {value: 7, soil: gravel}";
-  EXPECT_EQ(FaultsOf(ClassesYaml(File("soil.tif"), all)), "");
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), all)), testing::IsEmpty());
   EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), all) + "soil: dirt\n"),
-              HasSubstr("soil and soil_classes exclude each other"));
+              HasFault(kInconsistent, "soil"));
   EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), all + ", {value: 2, soil: sand}")),
-              HasSubstr("second class of value 2"));
-  EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), "")), HasSubstr("names no class"));
+              HasFault(kRepeated, "value"));
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), "")), HasFault(kNoSuchName, "classes"));
   EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), "{value: 300, soil: sand}")),
-              HasSubstr("300 is out of range"));
+              HasFault(kOutOfRange));
   EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), all) + "size_m: [40, 4]\n"),
-              HasSubstr("need a class for all of it"));
+              HasFault(kInconsistent, "soil_classes.geotiff"));
   WriteClasses(File("float.tif"), GDT_Float32);
-  EXPECT_THAT(FaultsOf(ClassesYaml(File("float.tif"), all)),
-              AllOf(HasSubstr("its pixels are Float32, need classes as Byte"),
-                    HasSubstr("gdal_translate -ot Byte")));
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("float.tif"), all)), HasFault(kUnsupported, "float.tif"));
   WriteClasses(File("nowhere.tif"), GDT_Byte, false);
-  EXPECT_THAT(FaultsOf(ClassesYaml(File("nowhere.tif"), all)), HasSubstr("has no projection"));
+  EXPECT_THAT(FaultsOf(ClassesYaml(File("nowhere.tif"), all)), HasFault(kMissing, "nowhere.tif"));
   {
     std::unique_ptr<GDALDataset, ReadRaster::Close> file(
         static_cast<GDALDataset*>(GDALOpen(File("soil.tif").c_str(), GA_Update)));
     file->GetRasterBand(1)->SetNoDataValue(7);
   }
   EXPECT_THAT(FaultsOf(ClassesYaml(File("soil.tif"), two)),
-              AllOf(HasSubstr("1 of 96 pixels have no class: the file's no-data value 7"),
-                    HasSubstr("fill the gaps")));
+              HasFault(kInconsistent, "soil_classes.geotiff"));
 }
 
 TEST_F(SoilClassesTest, WhatWasExportedComesBack) {
