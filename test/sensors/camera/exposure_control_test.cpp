@@ -6,7 +6,6 @@
 #include <string>
 
 #include "core/config/config.h"
-#include "core/config/config.h"
 #include "core/config/model_archive.h"
 #include "core/faults.h"
 #include "core/units.h"
