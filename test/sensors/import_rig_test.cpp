@@ -197,8 +197,7 @@ TEST(ImportRig, VectorsAndNoiseMayBeMappings) {
 }
 
 TEST(ImportRig, SeveralMachinesBecomeThoseOfAScenario) {
-  const ForeignFile file(kTwoMachines);
-  const std::string text = ImportRig(file.path());
+  const std::string text = ImportRig(ForeignFile(kTwoMachines));
   const Config config = Config::FromText(text, "imported.yaml");
   const std::vector<ConfigMap> machines = config.root().List("machines");
   ASSERT_EQ(machines.size(), 2u);
@@ -220,9 +219,8 @@ TEST(ImportRig, SeveralMachinesBecomeThoseOfAScenario) {
 }
 
 TEST(ImportRig, ARigTellsWhatOfItsMachineBelongsToTheScenario) {
-  const ForeignFile file(kTwoMachines);
   EXPECT_THAT(
-      ImportRig(file.path(), "excavator1"),
+      ImportRig(ForeignFile(kTwoMachines), "excavator1"),
       AllOf(HasSubstr("# In a scenario the machine has start: {xy_m: [0.75, -5], yaw_deg: -90}"),
             HasSubstr("# In a scenario it has effects: {excavator1: {lidar_chasis: ")));
 }
