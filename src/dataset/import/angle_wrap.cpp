@@ -22,7 +22,8 @@ std::vector<std::size_t> JumpsOf(const std::vector<double>& angle, double turn) 
   std::vector<std::size_t> rows;
   const auto is_unlike = [&](double step, std::size_t other) {
     if (other == 0 || other >= angle.size()) return true;
-    return std::abs(step - (angle[other] - angle[other - 1])) > 0.5 * turn;
+    const double beside = angle[other] - angle[other - 1];
+    return std::abs(step - beside) > std::max(0.5 * turn, std::abs(beside));
   };
   for (std::size_t i = 1; i < angle.size(); ++i) {
     const double step = angle[i] - angle[i - 1];

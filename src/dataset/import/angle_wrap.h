@@ -9,8 +9,8 @@ namespace tera {
 
 /// The rows, from the second on, to which an angle jumps: it differs from that of the row before by
 /// more than half a turn of `turn`, in the angle's own unit, and this step differs by as much from
-/// the steps before and after it. A wheel that turns on fast, and angles in degrees that are taken
-/// for radians, take large steps one after the other.
+/// the steps before and after it, and by more than their own size. A wheel that turns on fast, and
+/// angles in degrees that are taken for radians, take large steps one after the other.
 std::vector<std::size_t> JumpsOf(const std::vector<double>& angle, double turn);
 
 /// Whether angles jump because they begin anew after `turn`.

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/random.h"
+#include "sensors/sensor_mechanisms.h"
 
 // Quadratics of segments about a truth that is known: information I = J' J of drawn rows, score I p
 // + noise of covariance I, as linear measurements with white noise of one have.
@@ -27,7 +28,8 @@ constexpr double kTolerance = 0.5;
 ParameterTable Table(int groups) {
   ParameterTable table;
   for (int g = 0; g < groups; ++g) {
-    table.groups.push_back({{"sensor" + std::to_string(g), nullptr}, 2 * g, 2});
+    table.groups.push_back(
+        {{"sensor" + std::to_string(g), &SensorMechanism("bias", EffectTarget::kImu)}, 2 * g, 2});
     for (int k = 0; k < 2; ++k) {
       SensorParameter parameter;
       parameter.name = "number" + std::to_string(k);

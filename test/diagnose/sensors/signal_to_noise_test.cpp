@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sensors/sensor_mechanisms.h"
+
 namespace tera {
 namespace {
 
@@ -29,7 +31,8 @@ ParameterTable Table() {
   ParameterTable table;
   table.parameters.resize(2);
   table.parameters[1].documented = 1;
-  table.groups = {{{"first", nullptr}, 0, 1}, {{"second", nullptr}, 1, 1}};
+  table.groups = {{{"first", &SensorMechanism("bias", EffectTarget::kImu)}, 0, 1},
+                  {{"second", &SensorMechanism("scale", EffectTarget::kImu)}, 1, 1}};
   return table;
 }
 
@@ -53,7 +56,7 @@ TEST(SignalToNoise, OfFewSegmentsIsThatOfTheQuietest) {
 // The first number changes readings by far more, and is within its tolerance.
 TEST(SignalToNoise, OfANumberWithinToleranceIsNotThatOfTheFinding) {
   ParameterTable table = Table();
-  table.groups = {{{"both", nullptr}, 0, 2}};
+  table.groups = {{{"both", &SensorMechanism("scale", EffectTarget::kImu)}, 0, 2}};
   const NamedGroup found = {0, {{0.5, 0.01, false}, {1.3, 0.01, true}}, 0, 0, {}};
   EXPECT_NEAR(SignalToNoise(Segments(3), {Read(5), Read(2), Read(4)}, table, found), 3, 1e-9);
 }

@@ -149,7 +149,7 @@ TEST_F(MotionRules, AnAngleThatBeginsAnewIsAJumpAtAnyRateAndNotDegrees) {
   const LintFinding fast = Only("encoders.jump", "digger/joints");
   EXPECT_EQ(fast.count, 1);
   EXPECT_EQ(fast.places[0].line, 28);
-  EXPECT_THAT(fast.places[0].message, HasSubstr("boom_rad goes from 6.25 to 0.01681 rad"));
+  EXPECT_THAT(fast.places[0].message, HasSubstr("boom_rad goes from 6.25 to 0.0168"));
   Put("digger/joints/sensor.yaml", "type: encoder\nrate_hz: 2\n");
   LetTheBoomBeginAnew(true);
   EXPECT_EQ(Only("encoders.jump", "digger/joints").places[0].line, 4);
