@@ -44,10 +44,14 @@ double TypicalRate_hz(const std::vector<MappedRow>& rows) {
   return 1.0 / ToSeconds(Median(std::move(intervals_ns)));
 }
 
-/// Receivers' logs come as UTC. What wrote a bag or a table had some clock.
+/// Receivers' logs come as UTC, and so do dates and weeks of GPS time. What wrote a bag, or numbers
+/// in a table, had some clock.
 ClockScale ClockOf(const RowSource& source) {
-  const bool is_utc = source.log_type == kPosType || source.log_type == kNmeaType;
-  return is_utc && source.time.column == kLogTimeColumn ? ClockScale::kUtc : ClockScale::kUnknown;
+  const RowTime::Form form = source.time.form;
+  if (form == RowTime::Form::kDate || form == RowTime::Form::kGpsWeek) return ClockScale::kUtc;
+  const bool is_of_receiver = source.log_type == kPosType || source.log_type == kNmeaType;
+  const bool is_own = source.time.Columns() == std::vector<std::string>{kLogTimeColumn};
+  return is_of_receiver && is_own ? ClockScale::kUtc : ClockScale::kUnknown;
 }
 
 }  // namespace
