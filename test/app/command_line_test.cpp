@@ -3,6 +3,7 @@
 
 #include "app/other_program.h"
 #include "app/program.h"
+#include "core/faults.h"
 
 // The commands besides `generate`, and what they have in common.
 
@@ -152,7 +153,7 @@ TEST(CommandLine, ManualHasAPageForEveryCommand) {
               HasSubstr("\\fB\\-\\-study\\fR \\fITEXT\\fR"));
   const Outcome again = RunTera({"manual", "--out", "man"}, {scratch.path()});
   EXPECT_EQ(again.status, 2);
-  EXPECT_THAT(again.err, StartsWith("man: is not an empty directory"));
+  EXPECT_THAT(again.err, TellsOf("man"));
 }
 
 TEST(Info, NamesVersionsRendererAndThreads) {

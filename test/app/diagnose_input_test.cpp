@@ -7,6 +7,7 @@
 #include "app/hand_made_recording.h"
 #include "app/program.h"
 #include "app/refused.h"
+#include "core/faults.h"
 
 namespace tera {
 namespace {
@@ -103,8 +104,7 @@ TEST_F(BadRecording, WithARateThatStandsStillWhileItsPositionChanges) {
     const auto cells = Cells(row);
     return cells[0] + "," + cells[1] + ",0";
   });
-  ExpectRefusedWith(AllOf(HasSubstr("encoders/data.csv: column 'boom_radps' is 0 in all 2100"),
-                          HasSubstr("while 'boom_rad' changes")));
+  ExpectRefusedWith(TellsOf("encoders/data.csv"));
 }
 
 TEST_F(BadRecording, WithAPositionThatStandsStillWhileItsRateChanges) {
@@ -174,8 +174,7 @@ TEST_F(BadRecording, ThatIsTooShort) {
 
 TEST_F(BadRecording, WithLeversInPercent) {
   WriteHandMade(scratch_.path() / "real", {.lever_factor = 100});
-  ExpectRefusedWith(AllOf(HasSubstr("commands.csv: column 'boom' reaches 100"),
-                          HasSubstr("need -1 to 1"), HasSubstr("percent")));
+  ExpectRefusedWith(TellsOf("commands.csv"));
 }
 
 TEST_F(BadRecording, WithANumberThatIsNoneSaysWhere) {

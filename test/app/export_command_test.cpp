@@ -13,6 +13,7 @@
 
 #include "app/other_program.h"
 #include "app/refused.h"
+#include "core/faults.h"
 #include "core/motion.h"
 #include "core/units.h"
 #include "dataset/format/recording.h"
@@ -79,16 +80,15 @@ TEST_F(ExportCommand, WhatCannotBeExportedIsRefused) {
     arguments.insert(arguments.begin(), "export");
     ExpectRefused(*scratch_, arguments, message);
   };
-  refused({"nothing", "--to", "tum", "--out", "x"}, StartsWith("nothing: no such folder"));
-  refused({"run", "--to", "tum", "--out", "run"}, StartsWith("run: is there already"));
+  refused({"nothing", "--to", "tum", "--out", "x"}, TellsOf("nothing"));
+  refused({"run", "--to", "tum", "--out", "run"}, TellsOf("run"));
   refused({"run", "--to", "tum", "--out", "run/x"}, HasSubstr("lies inside the recording run"));
-  refused({"run", "--to", "tum", "--out", "x", "--storage", "mcap"},
-          StartsWith("--storage: does nothing here, it is of --to rosbag2"));
+  refused({"run", "--to", "tum", "--out", "x", "--storage", "mcap"}, TellsOf("--storage"));
   refused({"run", "--to", "rosbag2", "--storage", "sqlite3", "--compression", "lz4", "--out", "x"},
-          StartsWith("--compression: does nothing here, it is of --to rosbag2 --storage mcap"));
+          TellsOf("--compression"));
   const Outcome format = RunTera({"export", "run", "--to", "bagel", "--out", "x"}, {Path("")});
   EXPECT_EQ(format.status, 2);
-  EXPECT_THAT(format.err, AllOf(StartsWith("--to: 'bagel'; need one of "), HasSubstr("rosbag2")));
+  EXPECT_THAT(format.err, AllOf(TellsOf("--to"), HasSubstr("rosbag2")));
   for (const char* time :
        {"yesterday", "2023-02-29T00:00:00Z", "2026-05-01T24:00:00Z", "1815-01-01T00:00:00Z"}) {
     const Outcome outcome =

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/program.h"
+#include "core/faults.h"
 #include "core/units.h"
 #include "dataset/format/recording.h"
 
@@ -233,7 +234,7 @@ TEST(ImportCommand, NeedsAPlaceUnlessItOnlyChecks) {
   WriteWholeFile(scratch.path() / "mapping.yaml", kStrokes);
   const Outcome outcome = RunTera({"import", "mapping.yaml"}, {scratch.path()});
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("--out: is missing"));
+  EXPECT_THAT(outcome.err, TellsOf("--out"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "app/program.h"
+#include "core/faults.h"
 #include "dataset/format/recording.h"
 
 // What a dataset was made from besides its scenario, and what becomes of a replay and of a resumed
@@ -230,7 +231,7 @@ TEST_F(Inputs, MovedFromWhereNoneWasIsRefused) {
   }
   for (const std::string moved : {"site", "=site", "site="}) {
     ExpectRefused({"replay", "whole", "--out", "again", "--moved", moved},
-                  StartsWith("--moved " + moved + ": need OLD=NEW"));
+                  TellsOf("--moved " + moved));
   }
 }
 

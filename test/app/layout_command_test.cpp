@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/refused.h"
+#include "core/faults.h"
 
 // `tera layout` as its user meets it: what it takes, and how it refuses the rest.
 
@@ -149,31 +150,29 @@ TEST_F(LayoutCommand, WrongUseIsStatus2AndPointsToTheHelp) {
 TEST_F(LayoutCommand, ARigThatSeesNothingIsRefused) {
   Write("blind.yaml",
         "sensors: [{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, link: mast}]\n");
-  Refuse(Evaluate("site.yaml", "blind.yaml"),
-         AllOf(StartsWith("blind.yaml: "), HasSubstr("no lidar and no camera"), HasSubstr("need")));
+  Refuse(Evaluate("site.yaml", "blind.yaml"), TellsOf("blind.yaml"));
   Write("none.yaml", "sensors: []\n");
-  Refuse(Evaluate("site.yaml", "none.yaml"), StartsWith("none.yaml: "));
-  Refuse(Evaluate("site.yaml", "absent.yaml"), StartsWith("absent.yaml: no such file; need a rig"));
+  Refuse(Evaluate("site.yaml", "none.yaml"), TellsOf("none.yaml"));
+  Refuse(Evaluate("site.yaml", "absent.yaml"), TellsOf("absent.yaml"));
 }
 
 TEST_F(LayoutCommand, TwoRigsOfOneNameAreRefused) {
   Write("other/rig.yaml", kRig);
   Refuse(Evaluate("site.yaml", "rig.yaml", {"other/rig.yaml"}),
-         AllOf(StartsWith("other/rig.yaml: "), HasSubstr("'rig'"), HasSubstr("rename")));
+         AllOf(TellsOf("other/rig.yaml"), HasSubstr("'rig'")));
 }
 
 TEST_F(LayoutCommand, AZoneBesideTheSiteOrOfAnUnknownFrameIsRefused) {
   Write("study.yaml", "zones: [{name: far, xyz_m: [100, 0, 0], box_m: [1, 1, 1]}]\n");
-  Refuse(Evaluate("site.yaml"), AllOf(StartsWith("study.yaml:1:16: zones[0].name: "),
-                                      HasSubstr("'far'"), HasSubstr("beside the site")));
+  Refuse(Evaluate("site.yaml"),
+         AllOf(TellsOf("study.yaml:1:16: zones[0].name"), HasSubstr("'far'")));
   Write("study.yaml", "zones: [{name: far, frame: roof, box_m: [1, 1, 1]}]\n");
   Refuse(Evaluate("site.yaml"), AllOf(StartsWith("study.yaml:1:"), HasSubstr("'far'"),
                                       HasSubstr("roof"), HasSubstr("mast")));
   Write("study.yaml", "rate_hz: 5\nupper: roof\n");
-  Refuse(Evaluate("site.yaml"), AllOf(StartsWith("study.yaml:2:8: upper: "), HasSubstr("roof")));
+  Refuse(Evaluate("site.yaml"), AllOf(TellsOf("study.yaml:2:8: upper"), HasSubstr("roof")));
   Write("study.yaml", "eye: {link: roof, xyz_m: [0, 0, 1]}\n");
-  Refuse(Evaluate("site.yaml"),
-         AllOf(StartsWith("study.yaml:1:13: eye.link: "), HasSubstr("roof")));
+  Refuse(Evaluate("site.yaml"), AllOf(TellsOf("study.yaml:1:13: eye.link"), HasSubstr("roof")));
 }
 
 TEST_F(LayoutCommand, WithoutUnitsWhatIsNotKnownOfJointsIsOneWarning) {
@@ -192,7 +191,7 @@ TEST_F(LayoutCommand, WithoutUnitsWhatIsNotKnownOfJointsIsOneWarning) {
 TEST_F(LayoutCommand, AStudyWithAFaultIsRefusedWithItsPlace) {
   const std::string study = Edited(kStudy, "rate_hz: 5", "rate_hz: -5");
   Write("study.yaml", study);
-  Refuse(Evaluate("site.yaml"), StartsWith("study.yaml:" + LineAndColumn(study, "-5") + ": "));
+  Refuse(Evaluate("site.yaml"), TellsOf("study.yaml:" + LineAndColumn(study, "-5")));
 }
 
 TEST_F(LayoutCommand, ADatasetWithoutStateIsRefusedWithWhatToDo) {
@@ -212,8 +211,7 @@ TEST_F(LayoutCommand, AStateOfAnotherScenarioIsRefused) {
 }
 
 TEST_F(LayoutCommand, WhatIsNoCycleIsRefused) {
-  Refuse(Evaluate("absent"),
-         AllOf(StartsWith("absent: "), HasSubstr("--keep-state"), HasSubstr("scenario's file")));
+  Refuse(Evaluate("absent"), AllOf(TellsOf("absent"), HasSubstr("--keep-state")));
   fs::create_directories(path() / "empty");
   Refuse(Evaluate("empty"), HasSubstr("empty"));
 }
@@ -240,7 +238,7 @@ TEST_F(LayoutCommand, ReportsOfOneNameAreCalledByTheirFolders) {
 TEST_F(LayoutCommand, AReportBesideItselfIsRefused) {
   Succeed(Evaluate("site.yaml"));
   Refuse({"layout", "compare", "seen/rig", "seen/rig/layout.json", "--out", "compared"},
-         AllOf(StartsWith("seen/rig/layout.json: "), HasSubstr("same report"), HasSubstr("need")));
+         TellsOf("seen/rig/layout.json"));
 }
 
 TEST_F(LayoutCommand, ADamagedReportIsRefusedByItsName) {
@@ -250,13 +248,12 @@ TEST_F(LayoutCommand, ADamagedReportIsRefusedByItsName) {
        {std::string(), std::string("{}"), good.substr(0, good.size() / 2)}) {
     Write("bad/layout.json", bad);
     Refuse({"layout", "compare", "seen/rig", "bad", "--out", "compared"},
-           StartsWith("bad/layout.json: "));
+           TellsOf("bad/layout.json"));
   }
   Refuse({"layout", "compare", "seen/rig", "absent", "--out", "compared"}, HasSubstr("absent"));
   // All rigs' folder in place of one rig's.
   Refuse({"layout", "compare", "seen", "seen/rig", "--out", "compared"},
-         AllOf(StartsWith("seen/layout.json: is not there; need the folder"),
-               HasSubstr("`tera layout evaluate` wrote of a rig")));
+         TellsOf("seen/layout.json"));
 }
 
 TEST_F(LayoutCommand, AMountInsideOfTheMachineIsAWarningAndWithStrictAnError) {
@@ -272,7 +269,7 @@ TEST_F(LayoutCommand, AMountInsideOfTheMachineIsAWarningAndWithStrictAnError) {
               AllOf(HasSubstr("warning: "), HasSubstr("lidar"), HasSubstr("boom")));
   fs::remove_all(path() / "seen");
   Refuse(Evaluate("site.yaml", "inside.yaml", {"--strict"}),
-         AllOf(StartsWith("inside.yaml: "), HasSubstr("lidar"), HasSubstr("boom")));
+         AllOf(TellsOf("inside.yaml"), HasSubstr("lidar"), HasSubstr("boom")));
 }
 
 TEST_F(LayoutCommand, ASensorThatItsOwnMachineHidesIsAWarningAndWithStrictAnError) {
@@ -289,7 +286,7 @@ TEST_F(LayoutCommand, ASensorThatItsOwnMachineHidesIsAWarningAndWithStrictAnErro
               AllOf(HasSubstr("warning: "), words));
   fs::remove_all(path() / "seen");
   Refuse(Evaluate("site.yaml", "enclosed.yaml", {"--strict"}),
-         AllOf(StartsWith("enclosed.yaml: "), words));
+         AllOf(TellsOf("enclosed.yaml"), words));
   // On the roof it sees enough.
   Write("roof.yaml",
         "sensors: [{name: lidar, preset: tera:config/sensors/vlp16.yaml, link: upper, xyz_m: "
@@ -322,17 +319,16 @@ TEST_F(LayoutCommand, AMountOfASearchThatLiesInsideTheMachineIsAWarning) {
 
 TEST_F(LayoutCommand, AnOutputThatHoldsSomethingIsRefused) {
   Write("seen/mine.txt", "keep me");
-  Refuse(Evaluate("site.yaml"), AllOf(StartsWith("seen: "), HasSubstr("empty")));
-  Refuse({"layout", "compare", "a", "b", "--out", "seen"}, StartsWith("seen: "));
-  Refuse({"layout", "optimise", "search.yaml", "--out", "seen"}, StartsWith("seen: "));
+  Refuse(Evaluate("site.yaml"), TellsOf("seen"));
+  Refuse({"layout", "compare", "a", "b", "--out", "seen"}, TellsOf("seen"));
+  Refuse({"layout", "optimise", "search.yaml", "--out", "seen"}, TellsOf("seen"));
 }
 
 TEST_F(LayoutCommand, ASearchWithAFaultIsRefusedWithItsPlace) {
   const std::string search = Edited(kSearch, "population: 8", "population: 10");
   Write("search.yaml", search);
   Refuse({"layout", "optimise", "search.yaml", "--out", "found"},
-         AllOf(StartsWith("search.yaml:" + LineAndColumn(search, "10") + ": "),
-               HasSubstr("multiple of 4")));
+         TellsOf("search.yaml:" + LineAndColumn(search, "10")));
   Write("search.yaml", kSearch);
   Refuse({"layout", "optimise", "search.yaml", "--out", "found"}, HasSubstr("base"));
   KeepState();

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/refused.h"
+#include "core/faults.h"
 
 // `tera lint` as its user runs it, on what this program itself writes.
 
@@ -118,11 +119,11 @@ TEST_F(LintCommand, HashesAreWrittenOfWhatIsRightAndHeldToAfterwards) {
 }
 
 TEST_F(LintCommand, RefusesWhatIsNoDataset) {
-  ExpectRefused(scratch_, {"lint", "nothing"}, StartsWith("nothing: no such folder"));
-  ExpectRefused(scratch_, {"lint"}, StartsWith("DATASET: is missing"));
+  ExpectRefused(scratch_, {"lint", "nothing"}, TellsOf("nothing"));
+  ExpectRefused(scratch_, {"lint"}, TellsOf("DATASET"));
   const Outcome sample = Run({"lint", "x", "--sample", "0"});
   EXPECT_EQ(sample.status, 2);
-  EXPECT_THAT(sample.err, StartsWith("--sample: '0'; need a whole number"));
+  EXPECT_THAT(sample.err, TellsOf("--sample"));
 }
 
 TEST_F(LintCommand, ListsItsRules) {

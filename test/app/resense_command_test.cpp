@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "app/refused.h"
+#include "core/faults.h"
 
 // `tera resense` as its user meets it: a dataset whose state was kept, measured with another rig.
 
@@ -115,7 +116,7 @@ TEST_F(ResenseCommand, ADamagedStateIsRefusedByItsName) {
 TEST_F(ResenseCommand, AnUnknownMachineIsRefusedWithThoseThatThereAre) {
   KeepState();
   ExpectRefused(scratch_, Resense("other", "rig.yaml", {"--machine", "rover2"}),
-                AllOf(StartsWith("--machine rover2: "), HasSubstr("rover1")));
+                AllOf(TellsOf("--machine rover2"), HasSubstr("rover1")));
 }
 
 TEST_F(ResenseCommand, ARigWithAFaultIsRefusedWithItsPlace) {
@@ -124,15 +125,14 @@ TEST_F(ResenseCommand, ARigWithAFaultIsRefusedWithItsPlace) {
       Edited(kResenseCommandRig, "icm_20948.yaml, link: chassis", "icm_20948.yaml, link: roof");
   WriteWholeFile(path() / "faulty.yaml", rig);
   ExpectRefused(scratch_, Resense("other", "faulty.yaml"),
-                AllOf(HasSubstr("faulty.yaml:" + LineAndColumn(rig, "roof") + ": "),
-                      HasSubstr("has no link 'roof'"), HasSubstr("chassis")));
+                AllOf(TellsOf("faulty.yaml:" + LineAndColumn(rig, "roof")), HasSubstr("chassis")));
   ExpectRefused(scratch_, Resense("other", "absent.yaml"), HasSubstr("absent.yaml"));
 }
 
 TEST_F(ResenseCommand, AnOutputAtOrInsideTheDatasetIsRefused) {
   KeepState();
   for (const std::string out : {"base", "base/other", "base/../base", "base/truth/deep/er"}) {
-    ExpectRefused(scratch_, Resense(out), StartsWith("--out " + out + ": "));
+    ExpectRefused(scratch_, Resense(out), TellsOf("--out " + out));
   }
 }
 

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app/refused.h"
+#include "core/faults.h"
 
 // `tera view` as its user runs it, on a recording that was written by hand. What is drawn is tested
 // in a browser (test/view/view_in_browser_test.py).
@@ -59,12 +60,10 @@ bool Answers(int port) {
 TEST(ViewCommand, RefusesWhatIsNoDatasetAndNoDiagnosis) {
   const ScratchDirectory scratch;
   std::filesystem::create_directories(scratch.path() / "empty");
-  ExpectRefused(scratch, {"view", "empty"},
-                StartsWith("empty: holds neither dataset.yaml nor diagnosis.json; need"));
-  ExpectRefused(scratch, {"view", "none"}, StartsWith("none: is no folder; need"));
+  ExpectRefused(scratch, {"view", "empty"}, TellsOf("empty"));
+  ExpectRefused(scratch, {"view", "none"}, TellsOf("none"));
   WriteRecording(scratch.path() / "a");
-  ExpectRefused(scratch, {"view", "a", "a", "a"},
-                StartsWith("PATH: 3 datasets found, need at most 2"));
+  ExpectRefused(scratch, {"view", "a", "a", "a"}, TellsOf("PATH"));
 }
 
 TEST(ViewCommand, RefusesOptionsThatCannotBe) {
