@@ -39,4 +39,11 @@ std::string DidYouMean(const std::string& word, const std::vector<std::string>& 
   return best ? fmt::format(" (did you mean '{}'?)", *best) : "";
 }
 
+std::string LowerCase(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
 }  // namespace tera

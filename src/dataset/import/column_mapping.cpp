@@ -4,11 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <limits>
 
+#include "core/config/spelling.h"
 #include "core/units.h"
 
 namespace tera {
@@ -181,12 +181,6 @@ std::string BareUnit(std::string_view text) {
   return bare;
 }
 
-std::string LowerAscii(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 std::string OutOfRange(double value, const Range& need) {
   const std::string limits = std::isfinite(need.max)
                                  ? fmt::format("{:.6g} to {:.6g}", need.min, need.max)
@@ -206,7 +200,7 @@ std::optional<WrittenUnit> UnitOfText(std::string_view text, Dimension dimension
   const auto fits = [&](const Unit& unit) {
     return dimension == Dimension::kAny || unit.dimension == dimension;
   };
-  const std::string bare = BareUnit(text), lower = LowerAscii(bare);
+  const std::string bare = BareUnit(text), lower = LowerCase(bare);
   if (const Unit* unit = FindUnit(bare); unit != nullptr && fits(*unit)) return WrittenUnit{unit};
   for (const Spelling& spelling : kSpellings) {
     const Unit* unit = FindUnit(spelling.unit);
@@ -214,7 +208,7 @@ std::optional<WrittenUnit> UnitOfText(std::string_view text, Dimension dimension
   }
   for (const Unit& unit : kUnits) {
     // Capitals are no matter where they tell nothing apart, as they do of mPa and MPa.
-    if (lower == LowerAscii(unit.name) && unit.dimension != Dimension::kPressure && fits(unit)) {
+    if (lower == LowerCase(unit.name) && unit.dimension != Dimension::kPressure && fits(unit)) {
       return WrittenUnit{&unit};
     }
   }

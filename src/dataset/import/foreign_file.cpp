@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <fstream>
 #include <vector>
 
+#include "core/config/spelling.h"
 #include "core/error.h"
 #include "dataset/files/checked_file.h"
 
@@ -204,16 +204,9 @@ bool IsCandumpLine(std::string_view line) {
          IsMadeOf(words[2].substr(1, words[2].size() - 2), kHex);
 }
 
-std::string LowerCase(std::string_view text) {
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower;
-}
-
 /// A table whose rows are undecoded frames of a CAN bus, by its names (python-can, SavvyCAN).
 bool NamesCanFrames(std::string_view line) {
-  const std::string lower = LowerCase(line);
+  const std::string lower = LowerCase(std::string(line));
   const auto has = [&](std::string_view name) { return lower.find(name) != std::string::npos; };
   return (has("arbitration_id") && has("data")) || (has("id,extended") && has(",len,d1"));
 }
@@ -223,7 +216,7 @@ std::optional<ForeignFile> TextKind(std::string_view first) {
   if (first.starts_with("\xef\xbb\xbf")) first.remove_prefix(3);
   const std::size_t begin = first.find_first_not_of(" \t\r\n");
   if (begin == first.npos) return std::nullopt;
-  const std::string start = LowerCase(first.substr(begin, 16));
+  const std::string start = LowerCase(std::string(first.substr(begin, 16)));
   if (start.starts_with("<!doctype html") || start.starts_with("<html")) {
     return ForeignFile{"a page in HTML, as of a login or a fault of a server",
                        "download the file itself again"};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/config/spelling.h"
 #include "core/parse_number.h"
 
 namespace tera {
@@ -241,9 +242,7 @@ bool SaysNothing(std::string_view field) {
   if (field.size() > kLongest || std::isdigit(static_cast<unsigned char>(field.back())) != 0) {
     return false;
   }
-  std::string lower(field);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string lower = LowerCase(std::string(field));
   return std::find(kWords.begin(), kWords.end(), lower) != kWords.end();
 }
 

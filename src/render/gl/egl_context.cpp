@@ -4,13 +4,13 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
-#include <cctype>
 #include <cstring>
 #include <mutex>
 #include <optional>
 #include <vector>
 
 #include "core/check.h"
+#include "core/config/spelling.h"
 #include "core/error.h"
 
 namespace tera {
@@ -103,10 +103,9 @@ std::string GlText(GLenum name) {
 
 /// By Mesa's renderers in GL_RENDERER, which others that draw through them name as well: "zink
 /// Vulkan 1.3(llvmpipe ...)", "virgl (LLVMPIPE ...)".
-bool DrawsInSoftware(std::string renderer) {
-  for (char& c : renderer) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return renderer.find("llvmpipe") != std::string::npos ||
-         renderer.find("softpipe") != std::string::npos;
+bool DrawsInSoftware(const std::string& renderer) {
+  const std::string name = LowerCase(renderer);
+  return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos;
 }
 
 }  // namespace

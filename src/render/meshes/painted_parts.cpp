@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
+#include "core/config/spelling.h"
 #include "render/meshes/load_mesh.h"
 #include "render/meshes/solid_mesh.h"
 
@@ -12,10 +12,7 @@ namespace tera {
 namespace {
 
 bool HasColours(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending != ".stl";
+  return LowerCase(file.extension().string()) != ".stl";
 }
 
 std::string_view NameOf(SolidForm form) {

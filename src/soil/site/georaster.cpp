@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <map>
 
+#include "core/config/spelling.h"
 #include "core/error.h"
 #include "core/units.h"
 
@@ -57,9 +57,7 @@ double HeightUnit_m(const std::filesystem::path& file, GDALRasterBand* band,
                                                         {"foot_us", kSurveyFoot_m}};
   std::string unit = band->GetUnitType();
   if (!unit.empty()) {
-    std::transform(unit.begin(), unit.end(), unit.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const auto found = known_m.find(unit);
+    const auto found = known_m.find(LowerCase(unit));
     if (found != known_m.end()) return found->second;
     Refuse(file, {FaultKind::kUnsupported,
                   fmt::format("its heights are in '{}', need metres or feet; name their unit with "

@@ -1,10 +1,7 @@
 #include "survey/points/read_survey.h"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cctype>
-
+#include "core/config/spelling.h"
 #include "core/error.h"
 #include "dataset/import/cloud/read_point_cloud.h"
 #include "dataset/import/foreign_file.h"
@@ -14,15 +11,8 @@
 namespace tera {
 namespace {
 
-std::string EndingOf(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
 bool IsRaster(const std::filesystem::path& file) {
-  const std::string ending = EndingOf(file);
+  const std::string ending = LowerCase(file.extension().string());
   for (const char* other : {".pcd", ".ply", ".las", ".laz"}) {
     if (ending == other) return false;
   }

@@ -2,23 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <string_view>
 
+#include "core/config/spelling.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/import/cloud/cloud_bytes.h"
 #include "dataset/import/foreign_file.h"
 
 namespace tera {
 namespace {
-
-std::string EndingOf(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
 
 /// Refuses what is no point cloud whatever its name says: pointers, archives, captures.
 void RefuseOtherForms(const std::filesystem::path& file, std::string_view bytes) {
@@ -32,7 +24,7 @@ void RefuseOtherForms(const std::filesystem::path& file, std::string_view bytes)
 }
 
 PointCloud Parse(const std::filesystem::path& file) {
-  const std::string ending = EndingOf(file);
+  const std::string ending = LowerCase(file.extension().string());
   const std::string bytes = ReadWholeFile(file);
   RefuseOtherForms(file, bytes);
   if (ending == ".laz") {

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "core/config/spelling.h"
 #include "core/quantile.h"
 #include "core/units.h"
 #include "dataset/format/dataset_description.h"
@@ -19,12 +20,6 @@ double LargestOf(const std::vector<const NumbersOfColumn*>& columns) {
   double largest = 0;
   for (const NumbersOfColumn* column : columns) largest = std::max(largest, column->LargestSize());
   return largest;
-}
-
-std::string Lower(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lower;
 }
 
 /// Texts that may be a name's unit: what stands in brackets, else what follows each part.
@@ -128,9 +123,11 @@ std::string YamlWord(std::string_view text) {
       });
   constexpr std::array<std::string_view, 8> kWords = {"y",    "n",     "yes", "no",
                                                       "true", "false", "on",  "null"};
-  const bool is_word = std::find(kWords.begin(), kWords.end(), Lower(text)) != kWords.end();
-  return is_plain && !is_word && Lower(text) != "off" ? std::string(text)
-                                                      : YamlQuoted(std::string(text));
+  const bool is_word =
+      std::find(kWords.begin(), kWords.end(), LowerCase(std::string(text))) != kWords.end();
+  return is_plain && !is_word && LowerCase(std::string(text)) != "off"
+             ? std::string(text)
+             : YamlQuoted(std::string(text));
 }
 
 std::vector<std::string> WordsOfName(std::string_view name) {
