@@ -1,6 +1,7 @@
 #include "survey/points/read_survey.h"
 
 #include <fmt/format.h>
+
 #include "core/config/spelling.h"
 #include "core/error.h"
 #include "dataset/import/cloud/read_point_cloud.h"
