@@ -45,7 +45,16 @@ inline bool EndsIn(std::string place, const std::string& end) {
          std::string(" ./:[").find(before.back()) != std::string::npos;
 }
 
-MATCHER_P2(IsFault, kind, place, "") { return arg.kind == kind && EndsIn(arg.place, place); }
+/// The place, or one of the places within which it lies ("site.yaml:1:10: geotiff" of one in a
+/// file that the key names), ends in `end`.
+inline bool LiesAt(const std::string& place, const std::string& end) {
+  for (std::size_t at = place.find(": "); at != place.npos; at = place.find(": ", at + 1)) {
+    if (EndsIn(place.substr(0, at), end)) return true;
+  }
+  return EndsIn(place, end);
+}
+
+MATCHER_P2(IsFault, kind, place, "") { return arg.kind == kind && LiesAt(arg.place, place); }
 
 /// One of the faults is of that kind, at a place that ends in `place`.
 inline auto HasFault(FaultKind kind, const std::string& place = "") {
@@ -56,7 +65,7 @@ inline auto HasFault(FaultKind kind, const std::string& place = "") {
 inline auto HasFaultAt(const std::string& place) {
   return testing::Contains(
       testing::Field("place", &InputFault::place,
-                     testing::Truly([place](const std::string& at) { return EndsIn(at, place); })));
+                     testing::Truly([place](const std::string& at) { return LiesAt(at, place); })));
 }
 
 /// There is one fault, of that kind, at a place that ends in `place`.
@@ -73,9 +82,8 @@ inline auto ThrowsFault(FaultKind kind, const std::string& place = "") {
 MATCHER_P(TellsOf, place, "") {
   std::istringstream lines(arg);
   for (std::string line; std::getline(lines, line);) {
-    for (std::size_t at = line.find(": "); at != line.npos; at = line.find(": ", at + 1)) {
-      if (EndsIn(line.substr(0, at), place)) return true;
-    }
+    const std::size_t end = line.rfind(": ");
+    if (end != line.npos && LiesAt(line.substr(0, end), place)) return true;
   }
   return false;
 }

@@ -177,7 +177,7 @@ TEST(RandomLevers, RefusePiecesWithoutAnOrder) {
 
 TEST(ReadOperatorPlan, NamesTheJointThatADigCycleLacks) {
   const Cart cart;
-  EXPECT_THAT([&] { Read("{type: dig_cycle}", cart); }, ThrowsFault(kNoSuchName, "type"));
+  EXPECT_THAT([&] { Read("{type: dig_cycle}", cart); }, ThrowsFault(kNoSuchName, "slew"));
 }
 
 MachineModel Excavator() {

@@ -117,9 +117,9 @@ TEST(OneFault, AMistypedLinkOfACylinderOrALinkage) {
 
 TEST(OneFault, AMistypedOrMissingTypeOfAJoint) {
   EXPECT_THAT(FaultsOf(Digger("type: revolute", "type: revolut")),
-              OneLine(HasFault(kNoSuchName, ".type")));
+              OneLine(HasFault(kNoSuchName, "type")));
   EXPECT_THAT(FaultsOf(Digger("type: revolute", "typ: revolute")),
-              OneLine(HasFault(kMissing, ".type")));
+              OneLine(HasFault(kMissing, "type")));
 }
 
 TEST(OneFault, BesideAMistypedTypeOtherMistakesAreTold) {
