@@ -43,7 +43,7 @@ struct MachineParts {
 /// reports joints that name no link, links with two parents, loops, several roots. After such a
 /// fault the model holds what could be ordered, and false is returned. Masses of links fixed to one
 /// that has none become its own (fixed_links.h); bodies without mass or with an impossible inertia
-/// are faults. Joints that follow others are tied to them (following_joints.h).
+/// are faults. Joints that follow others are tied to them.
 bool OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineModel* model);
 
 }  // namespace tera

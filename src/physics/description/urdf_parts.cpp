@@ -23,7 +23,7 @@
 /// URDF to links and joints.
 ///
 /// Model   inertials, revolute, continuous, prismatic and fixed joints with their limits, and which
-///         follow others (following_joints.h), visuals and collisions (urdf_shapes.h), drives
+///         follow others (link_tree.h), visuals and collisions (urdf_shapes.h), drives
 ///         (urdf_transmissions.h).
 ///         A joint's damping and friction are effects of the machine, viscous_friction and
 ///         coulomb_friction, below those that it is given.
