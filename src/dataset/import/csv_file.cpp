@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "core/config/spelling.h"
 #include "core/error.h"
@@ -86,6 +87,8 @@ void CsvFile::RequireUniqueColumns() const {
 }
 
 void CsvFile::NameColumns(const std::vector<std::string_view>& names) {
+  std::map<std::string_view, std::size_t> count, before;
+  for (const std::string_view name : names) ++count[name];
   for (std::size_t c = 0; c < names.size(); ++c) {
     std::string name = names[c].empty() ? std::to_string(c + 1) : std::string(names[c]);
     // Of a name on two lines the second is mostly the unit; a quote within quotes is written twice.
@@ -93,10 +96,7 @@ void CsvFile::NameColumns(const std::vector<std::string_view>& names) {
     for (std::size_t at = 0; (at = name.find("\"\"", at)) != std::string::npos; ++at) {
       name.erase(at, 1);
     }
-    if (std::count(names.begin(), names.end(), names[c]) > 1 && !names[c].empty()) {
-      const auto end = names.begin() + static_cast<std::ptrdiff_t>(c) + 1;
-      name += fmt::format("#{}", std::count(names.begin(), end, names[c]));
-    }
+    if (count[names[c]] > 1 && !names[c].empty()) name += fmt::format("#{}", ++before[names[c]]);
     columns_.push_back(std::move(name));
   }
 }

@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-constexpr TimeNs kDayNs = 86'400 * kNsPerSecond;
+constexpr TimeNs kDayNs = 86'400 * kNsPerSecond, kWeekNs = 7 * kDayNs;
 constexpr double kFarthest_s = 9e9;  // beyond, nanoseconds do not fit into 64 bits
 
 constexpr const char* kNeedDate =
@@ -132,7 +132,7 @@ TimeNs RowTimes::OfNumber(std::size_t row) const {
       RefuseTextOfCalendar(row, places_[k]);
       return FromSeconds(number_.At(row));
     }
-    sum_ns += *exact_ns;
+    if (__builtin_add_overflow(sum_ns, *exact_ns, &sum_ns)) return FromSeconds(number_.At(row));
   }
   return sum_ns + offset_ns;
 }
@@ -186,7 +186,11 @@ TimeNs RowTimes::OfGpsWeek(std::size_t row) const {
                 "need a week since 1980-01-06, 1024 to 8192; a receiver that counts to 1023 alone "
                 "leaves out 1024 or 2048 of them");
   }
-  const TimeNs gps_ns = GpsWeek(static_cast<int>(week)) + OfNumber(row);
+  const TimeNs of_week_ns = OfNumber(row);
+  if (of_week_ns < 0 || of_week_ns > kWeekNs) {
+    table_.Fail(row, places_.front(), "need a time of the week, 0 to 604800 s");
+  }
+  const TimeNs gps_ns = GpsWeek(static_cast<int>(week)) + of_week_ns;
   return gps_ns - GpsAheadOfUtc(gps_ns);
 }
 

@@ -27,7 +27,4 @@ TimeGuess GuessTime(const CsvFile& csv, const std::vector<std::size_t>& rows,
 /// The times of all rows as a guess has them; empty where it is to be filled in, or a row has none.
 std::vector<TimeNs> TimesOf(const CsvFile& csv, const TimeGuess& guess);
 
-/// Whether a name says that a column is a time.
-bool NamesTime(std::string_view name);
-
 }  // namespace tera
