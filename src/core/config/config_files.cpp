@@ -187,7 +187,7 @@ std::vector<fs::path> FilesOrList(const ConfigMap& config, std::string_view key,
     paths.push_back(file->path);
     names.push_back(file->name);
   }
-  if (paths.empty()) AddFault(node, key, *found, "an empty list found, need files' paths");
+  if (paths.empty()) AddFault(node, key, *found, fault::Missing("files' paths"));
   node.resolved[std::string(key)] = names;
   return paths;
 }

@@ -291,8 +291,9 @@ std::optional<ForeignFile> ForeignFileOf(const fs::path& file) {
 
 void RefuseForeignFile(const fs::path& file, std::string_view need) {
   if (const auto kind = ForeignFileOf(file)) {
-    throw InputError(
-        fmt::format("{}: is {}; need {}; {}", file.string(), kind->name, need, kind->remedy));
+    throw InputError(file.string(),
+                     {FaultKind::kUnsupported,
+                      fmt::format("is {}; need {}; {}", kind->name, need, kind->remedy)});
   }
 }
 

@@ -83,10 +83,12 @@ RowTime ReadRowTime(const ConfigMap& time, bool has_stamps) {
 
 bool IsTimeToFillIn(const ConfigMap& holder) {
   if (!holder.IsText("time")) return false;
-  holder.Fault("time", fmt::format("'{}' says nothing of the time; need {{column: NAME, unit: s}} "
-                                   "(or ms, us, ns), {{date: NAME}} for dates, or {{interval: "
-                                   "20, unit: ms}} where rows have no time",
-                                   holder.Text("time")));
+  holder.Fault("time",
+               {FaultKind::kMissing,
+                fmt::format("'{}' says nothing of the time; need {{column: NAME, unit: s}} (or ms, "
+                            "us, ns), {{date: NAME}} for dates, or {{interval: 20, unit: ms}} "
+                            "where rows have no time",
+                            holder.Text("time"))});
   return true;
 }
 

@@ -6,6 +6,8 @@
 #include <array>
 #include <set>
 
+#include "dataset/import/suggest/doubted_numbers.h"
+
 namespace tera {
 namespace {
 
@@ -78,8 +80,11 @@ std::string SignalsYaml(const CsvFile& csv, const TableLayout& layout, const Lon
         fmt::format("  - name: {}\n    valid_if: [{{column: {}, equals: {}}}{}]\n", name,
                     signal_column, YamlWord(signal), present);
     const std::string joint = JointOfAngle(numbers);
-    const UnitGuess unit = joint.empty() ? GuessAnyUnit(numbers) : GuessAngleUnit({&numbers});
-    const std::string column = ColumnYaml(value_column, unit) + (joint.empty() ? "" : "}");
+    const AngleGuess angle =
+        joint.empty() ? AngleGuess{GuessAnyUnit(numbers)} : GuessAngle(numbers);
+    const UnitGuess& unit = angle.unit;
+    const std::string wrap = angle.begins_anew ? ", wrap_deg: 360}" : "}";
+    const std::string column = ColumnYaml(value_column, unit) + (joint.empty() ? "" : wrap);
     const std::string row =
         joint.empty() ? fmt::format("    columns:\n      {}: {}", name, column)
                       : fmt::format("    joints:\n      - {{name: {}, angle: {}", joint, column);

@@ -166,9 +166,8 @@ class TableGuess {
     ColumnList all = rates;
     all.insert(all.end(), forces.begin(), forces.end());
     Take(all);
-    return "imus:\n  - name: imu\n" + Rules(all) +
-           InertialRemarks(TimesOf(csv_, time_), rates, forces) + "    columns:\n" +
-           Columns(rates, {"wx", "wy", "wz"}, GuessRateUnit(rates)) +
+    return "imus:\n  - name: imu\n" + Rules(all) + InertialRemarks(time_.t_ns, rates, forces) +
+           "    columns:\n" + Columns(rates, {"wx", "wy", "wz"}, GuessRateUnit(rates)) +
            Columns(forces, {"ax", "ay", "az"}, GuessAccelerationUnit(forces));
   }
 

@@ -19,7 +19,7 @@ namespace {
 struct SeenTimes {
   std::size_t rows = 0, without = 0, repeats = 0, backs = 0;
   int first_repeat = 0, first_back = 0;  ///< lines
-  TimeNs first_ns = 0;
+  std::vector<TimeNs> t_ns;              ///< of the rows that have one
   bool goes_on = false;
   bool is_usable() const {
     return goes_on && 10 * without <= rows && 5 * repeats <= rows && 20 * backs <= rows + 20;
@@ -40,7 +40,7 @@ SeenTimes Look(const CsvFile& csv, const std::vector<std::size_t>& rows, const s
       ++seen.without;
       continue;
     }
-    if (!before_ns) seen.first_ns = *t_ns;
+    seen.t_ns.push_back(*t_ns);
     if (before_ns && *t_ns == *before_ns && seen.repeats++ == 0) seen.first_repeat = csv.Line(row);
     if (before_ns && *t_ns < *before_ns && seen.backs++ == 0) seen.first_back = csv.Line(row);
     seen.goes_on = seen.goes_on || (before_ns && *t_ns > *before_ns);
@@ -105,12 +105,10 @@ TimeGuess ToFillIn(std::size_t row_count, const std::vector<NumbersOfColumn>& co
     seen += fmt::format("; '{}' always increases, by {:.4g}, but no name says that it is a time",
                         column.name, column.MedianStep());
   }
-  return {
-      "time: unknown   # to fill in, as {column: NAME, unit: s}, or {interval: 10, unit: ms} "
-      "from row to row" +
-          seen + "\n",
-      {},
-      ""};
+  return {.yaml =
+              "time: unknown   # to fill in, as {column: NAME, unit: s}, or {interval: 10, unit: "
+              "ms} from row to row" +
+              seen + "\n"};
 }
 
 }  // namespace
@@ -121,8 +119,8 @@ TimeGuess GuessTime(const CsvFile& csv, const std::vector<std::size_t>& rows,
   constexpr std::size_t kMostCandidates = 20;
   for (TimeCandidate& found : FindTimeCandidates(csv, rows, columns, has_header)) {
     if (candidates.size() == kMostCandidates) break;
-    const SeenTimes seen = Look(csv, rows, "time: " + PossibleTime(found.time));
-    candidates.push_back({std::move(found), seen});
+    SeenTimes seen = Look(csv, rows, "time: " + PossibleTime(found.time));
+    candidates.push_back({std::move(found), std::move(seen)});
   }
   // The best of those that go on: first by what is known of them, then by how they go on.
   const SeenCandidate* best = nullptr;
@@ -135,29 +133,17 @@ TimeGuess GuessTime(const CsvFile& csv, const std::vector<std::size_t>& rows,
   }
   if (best == nullptr) return ToFillIn(rows.size(), columns, candidates);
   TimeGuess guess{.columns = best->columns};
+  if (!best->to_fill_in && best->seen.without == 0) guess.t_ns = best->seen.t_ns;
   const std::string what = best->to_fill_in ? "to fill in: " : "guessed: ";
   guess.yaml = fmt::format("time: {}{}\n", best->time,
                            best->remark.empty() ? "" : "   # " + what + best->remark);
-  if (best->is_absolute || ToSeconds(best->seen.first_ns) > kLeastEpoch_s)
+  if (best->is_absolute || ToSeconds(best->seen.t_ns.front()) > kLeastEpoch_s)
     guess.yaml += "zero: start\n";
   guess.yaml += RepeatRemarks(best->seen);
   if (best->seen.repeats > 0) {
     guess.rule = fmt::format("{{column: {}, changes: true}}", YamlWord(best->columns.back()));
   }
   return guess;
-}
-
-std::vector<TimeNs> TimesOf(const CsvFile& csv, const TimeGuess& guess) {
-  std::vector<TimeNs> all;
-  try {
-    const Config config = Config::FromText(guess.yaml, "suggested");
-    const RowTime time = ReadRowTime(config.root().Map("time"), /*has_stamps=*/false);
-    const RowTimes times(csv, time);
-    for (std::size_t row = 0; row < csv.row_count(); ++row) all.push_back(times.At(row));
-  } catch (const InputError&) {
-    return {};
-  }
-  return all;
 }
 
 }  // namespace tera

@@ -14,6 +14,7 @@ struct TimeGuess {
   /// that the import refuses until it is filled in, with a remark of what was seen.
   std::string yaml;
   std::vector<std::string> columns;  ///< it is made of
+  std::vector<TimeNs> t_ns;          ///< of the rows; empty where it is not known of all
   /// The item of `valid_if` that leaves out rows which repeat the time of the row before; empty
   /// where there are none.
   std::string rule;
@@ -23,8 +24,5 @@ struct TimeGuess {
 /// alone. `rows` are those to look at, `columns` all of the table with the numbers of these rows.
 TimeGuess GuessTime(const CsvFile& csv, const std::vector<std::size_t>& rows,
                     const std::vector<NumbersOfColumn>& columns, bool has_header);
-
-/// The times of all rows as a guess has them; empty where it is to be filled in, or a row has none.
-std::vector<TimeNs> TimesOf(const CsvFile& csv, const TimeGuess& guess);
 
 }  // namespace tera

@@ -346,7 +346,8 @@ TEST_F(SuggestedTable, WhatIsNoTableIsRefusedByItsName) {
         {"PK\x03\x04[Content_Types].xml", "a workbook of Excel"},
         {"     3.04           OBSERVATION DATA    M: Mixed            RINEX VERSION / TYPE\n",
          "a RINEX file"}}) {
-    EXPECT_THAT([&, &bytes = first] { Suggest(bytes); },
+    const std::string bytes = first;
+    EXPECT_THAT([&] { Suggest(bytes); },
                 ThrowsMessage<InputError>(AllOf(HasSubstr("log.csv: is "), HasSubstr(name),
                                                 HasSubstr("need a table in text"))));
   }
