@@ -57,9 +57,9 @@ void TakeOverTruth(const fs::path& dataset, const Scenario& scenario, DatasetWri
 }
 
 /// Measures the whole run.
-void Measure(const Scenario& scenario, const SceneAssembly& assembly,
-             const GenerateOptions& options, StatePlayback* playback, DatasetWriter* writer,
-             GenerateReport* report) {
+void MeasureAgain(const Scenario& scenario, const SceneAssembly& assembly,
+                  const GenerateOptions& options, StatePlayback* playback, DatasetWriter* writer,
+                  GenerateReport* report) {
   const std::int64_t steps = std::llround(scenario.duration_s * scenario.physics_rate_hz);
   const std::int64_t steps_per_report =
       std::max<std::int64_t>(1, std::llround(scenario.physics_rate_hz / 5));
@@ -104,7 +104,7 @@ GenerateReport Resense(const fs::path& dataset, const ResenseRig& rig,
     DatasetWriter writer(options.out, info, {.threads = options.threads, .resume = options.resume});
     try {
       TakeOverTruth(dataset, scenario, &writer);
-      Measure(scenario, assembly, options, &playback, &writer, &report);
+      MeasureAgain(scenario, assembly, options, &playback, &writer, &report);
       writer.Finish();
     } catch (const InputError&) {
       if (!writer.resumed()) writer.Discard();
