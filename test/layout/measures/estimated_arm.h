@@ -8,8 +8,8 @@
 
 #include "core/random.h"
 #include "core/units.h"
-#include "physics/description/machine.h"
 #include "dataset/format/site_frame.h"
+#include "physics/description/machine.h"
 #include "sensors/sensor.h"
 
 // An arm whose motion is drawn at random, its sensors at work, and a filter that estimates the
@@ -154,8 +154,8 @@ inline void MeasureImu(const Arm& arm, const SensorDescription& sensor,
 }
 
 /// `rig` has inertial units at 50 Hz, encoders of the slew joint and antennas at 10 Hz.
-inline ArmSamples Measure(const Arm& arm, const std::vector<SensorDescription>& rig,
-                          const std::vector<ArmMotion>& course, std::uint64_t seed) {
+inline ArmSamples SamplesOf(const Arm& arm, const std::vector<SensorDescription>& rig,
+                            const std::vector<ArmMotion>& course, std::uint64_t seed) {
   constexpr std::size_t kSamplesASlowOne = 5;
   const SiteFrame site(46.8, -71.3, 90);
   ArmSamples samples;

@@ -123,7 +123,7 @@ Deviations Observed(const Arm& arm, const std::vector<SensorDescription>& rig, i
   int moments = 0;
   for (int seed = 0; seed < seeds; ++seed) {
     const auto course = DrawCourse(arm, LawOf(arm), kSamples * kStepsASample, seed);
-    const ArmSamples samples = Measure(arm, rig, course, seed);
+    const ArmSamples samples = SamplesOf(arm, rig, course, seed);
     // The first sample of a unit knows nothing of the velocity before it.
     ArmFilter filter(arm, rig, LawOf(arm), course[kStepsASample], 3 * kDeg, seed);
     for (int m = 2; m <= kSamples; ++m) {
