@@ -18,7 +18,7 @@ std::string Chosen(const ExportJob& job, ChannelForm form, const std::string& na
   RequireAny(all, job, kind);
   if (named.empty()) return all.front();
   if (std::find(all.begin(), all.end(), named) == all.end()) {
-    throw InputError(option,
+    throw InputError(std::string(option),
                      {FaultKind::kNoSuchName, fmt::format("{} has no {} '{}'; need one of {}",
                                                           job.recording.directory().string(), kind,
                                                           named, fmt::join(all, ", "))});
