@@ -9,6 +9,7 @@
 #include "core/config/listed_folder.h"
 #include "core/config/spelling.h"
 #include "core/error.h"
+#include "dataset/import/bag/standard_topics.h"
 #include "dataset/import/logs/foreign_log.h"
 #include "dataset/import/logs/ulog.h"
 #include "dataset/import/table_text.h"
@@ -128,6 +129,46 @@ std::optional<BagTopic> ReadTopic(const ConfigMap& channel, const std::filesyste
   return unknown;
 }
 
+/// Whether a mapping says what the time of a channel is whose rows have stamps of their own.
+bool HasTimeForStamps(const ConfigMap& channel, const ConfigMap& top) {
+  if (channel.Has("time") || !channel.Has("file") || !top.Has("time")) {
+    return channel.Has("time") || top.Has("time");
+  }
+  if (top.IsText("time")) return false;
+  // What has more than a column and an offset is of text tables.
+  const std::vector<std::string> keys = top.Map("time").Keys();
+  return std::all_of(keys.begin(), keys.end(),
+                     [](const std::string& key) { return key == "column" || key == "offset"; });
+}
+
+/// Chooses the transform of the frames that a channel names; rows are the messages that have it.
+void ReadTransform(const ConfigMap& channel, RowSource* source) {
+  if (!channel.Has("parent") && !channel.Has("child")) return;
+  const std::string parent = channel.Text("parent"), child = channel.Text("child");
+  std::vector<std::string> pairs;
+  for (const auto& [pair, count] :
+       NamesInMessages(source->file, *source->topic, source->unpacked)) {
+    pairs.push_back(pair.front());
+  }
+  const auto bare = [](const std::string& frame) {
+    return frame.substr(frame.starts_with('/') ? 1 : 0);
+  };
+  const std::string pair = bare(parent) + ">" + bare(child);
+  if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) {
+    channel.Fault("child", fmt::format("{} has no transform {}{}; it has {}", source->topic->name,
+                                       pair, DidYouMean(pair, pairs), fmt::join(pairs, ", ")));
+  }
+  source->element = PathOfTransform(parent, child);
+  source->rules.push_back({source->element + "transform.translation.x", RowRule::Test::kPresent});
+}
+
+/// When the rows of a topic or a log of known form were, where no mapping says so.
+std::string OwnTimeColumn(const RowSource& source) {
+  if (!source.topic) return kLogTimeColumn;
+  const bool has_stamp = !source.element.empty() || HasHeader(*source.topic);
+  return has_stamp ? source.element + kHeaderStamp : kLogTime;
+}
+
 /// Rules by a text are of tables that are made of texts.
 std::vector<RowRule> ReadRules(const ConfigMap& channel, const RowSource& source) {
   std::vector<RowRule> rules;
@@ -148,10 +189,17 @@ RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top, Unpacked
   source.files = FilesOrList(channel.Has("file") ? channel : top, "file", kBagMetadata);
   if (!source.files.empty()) source.file = source.files.front();
   source.log_type = TypeOfLog(source.file);
+  if (channel.Has("form")) {
+    source.log_type = TypeOfTrajectory(channel.Choice("form", {"tum", "euroc", "kitti"}, "tum"));
+  }
   if (source.log_type == kUlogType) {
     source.log_topic = channel.Text("topic");
   } else {
     source.topic = ReadTopic(channel, source.file, unpacked);
+  }
+  if (source.log_type == kNmeaType) {
+    const ConfigMap& chooses = channel.Has("talker") ? channel : top;
+    source.talker = chooses.Has("talker") ? chooses.Text("talker") : "";
   }
   if (source.files.size() > 1 && !TypeOf(source).empty()) {
     channel.Fault("file", "names several files; tables in text alone are joined, need one");
@@ -166,13 +214,16 @@ RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top, Unpacked
     source.form = ReadCsvForm(*form);
   }
   source.rules = ReadRules(channel, source);
+  if (source.topic && HoldsTransforms(source.topic->type)) ReadTransform(channel, &source);
   const ConfigMap& holder = channel.Has("time") ? channel : top;
-  if (source.topic && !holder.Has("time")) {
-    source.time.number.column = HasHeader(*source.topic) ? kHeaderStamp : kLogTime;
-  } else if (!source.log_type.empty() && !holder.Has("time")) {
-    source.time.number.column = kLogTimeColumn;
+  const bool has_stamps = source.topic || !source.log_type.empty();
+  if (source.log_type == kKittiPosesType && !holder.Has("time")) {
+    channel.Fault("time",
+                  "is missing: poses of KITTI's form have no times; need {interval: 0.1, unit: s}");
+  } else if (has_stamps && !HasTimeForStamps(channel, top)) {
+    source.time.number.column = OwnTimeColumn(source);
   } else if (!IsTimeToFillIn(holder)) {
-    source.time = ReadRowTime(holder.Map("time"), !TypeOf(source).empty() || source.topic);
+    source.time = ReadRowTime(holder.Map("time"), has_stamps);
   }
   return source;
 }
@@ -239,7 +290,9 @@ std::unique_ptr<const RowTable> TableOf(const RowSource& source,
     std::erase(paths, kLogTimeColumn);
     return ReadUlog(source.file, source.log_topic, paths, left_out);
   }
-  if (!source.log_type.empty()) return ReadLog(source.file, source.log_type, left_out);
+  if (!source.log_type.empty()) {
+    return ReadLog(source.file, source.log_type, source.talker, left_out);
+  }
   if (!source.topic) return ReadTextTables(source.files, source.form, left_out);
   return std::make_unique<TopicTable>(source.file, *source.topic, PathsOf(source, columns),
                                       source.unpacked, left_out);

@@ -31,18 +31,23 @@ struct RowSource {
   std::filesystem::path file;                ///< the first where there are several
   std::vector<std::filesystem::path> files;  ///< of tables in text, joined in this order
   CsvForm form;
-  std::optional<BagTopic> topic;      ///< of the bag that the file is
+  std::optional<BagTopic> topic;  ///< of the bag that the file is
+  /// Of a topic of many transforms, the path of the one that is read: "transforms[odom>base_link]."
+  std::string element;
   UnpackedFiles* unpacked = nullptr;  ///< of the import, for bags
   std::string log_type;               ///< of a log of known form (foreign_log.h), else empty
   std::string log_topic;              ///< of a ULog
+  std::string talker;                 ///< of NMEA, where one is chosen
   RowTime time;
   std::vector<RowRule> rules;
 };
 
-/// Reads `file:`, `topic:`, `csv:`, `time:` and `valid_if:` of a channel; `file`, `csv` and `time`
-/// default to those of the mapping's top level. Of a topic the time defaults to its header's stamp,
-/// or to when its messages were recorded, of a log of known form to its own column `time`.
-/// Looks the topic up in its bag.
+/// Reads `file:`, `topic:`, `parent:` and `child:` of transforms, `form:` of poses, `talker:`,
+/// `csv:`, `time:` and `valid_if:` of a channel; `file`, `talker`, `csv` and `time` default to
+/// those of the mapping's top level. Of a topic the time defaults to its header's stamp, or to when
+/// its messages were recorded, of a log of known form to its own column `time`; where the file is
+/// the channel's own these do not take a time of the top level that is one of text tables. Looks
+/// the topic up in its bag.
 RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top, UnpackedFiles* unpacked);
 
 /// How the keys of `csv:` say that a table is written.

@@ -28,8 +28,15 @@ Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options, Unpacked
   if (mapping.machine == "truth") {
     top.Fault("machine", "'truth' is a folder that every recording has; choose another");
   }
-  for (const char* shared : {"file", "time", "csv"})
+  for (const char* shared : {"file", "time", "csv", "talker"})
     top.Has(shared);  // if each channel has its own
+  for (const char* key : {"lidars", "cameras"}) {
+    if (!top.Has(key)) continue;
+    top.Fault(
+        key,
+        "scans and pictures of logs do not come in by a mapping; need them written into the "
+        "recording's folders (docs/reference/dataset.md, recordings with scans and pictures)");
+  }
   mapping.starts_at_zero = top.Choice("zero", {"start", "as_written"}, "as_written") == "start";
   mapping.epoch = ReadEpoch(top, /*may_count_from_1970=*/true);
   top.Has("machine_model");  // asked for by encoders that need it
@@ -93,9 +100,16 @@ std::optional<RecordingEpoch> EpochOf(const Mapping& mapping, const FoundZero& z
   return RecordingEpoch{zero.zero_ns, zero.clock};
 }
 
-void RequireOwnZero(const std::filesystem::path& mapping, const ImportReport& report) {
+void RequireOwnZero(const std::filesystem::path& mapping, const ImportReport& report,
+                    bool starts_at_zero) {
   for (const ImportedChannel& channel : report.channels) {
     if (channel.rows == 0 || std::abs(ToSeconds(channel.first_ns)) < kEpoch_s) continue;
+    if (starts_at_zero) {
+      throw InputError(fmt::format(
+          "{}: times of {} begin {:.0f} s after those of the first channel, as those of two clocks "
+          "or of an epoch beside none; give one of them a 'time' with the offset in s",
+          mapping.string(), channel.path, ToSeconds(channel.first_ns)));
+    }
     throw InputError(fmt::format(
         "{}: times of {} begin at {:.0f} s, as of an epoch, and a recording's begin near zero; add "
         "'zero: start' to the mapping, or an offset to its time",
@@ -144,7 +158,7 @@ ImportReport ImportCsv(const std::filesystem::path& mapping_file, const std::fil
     ImportReport report = run.TakeReport();
     report.zero_ns = zero.zero_ns;
     report.epoch = mapping.info.epoch;
-    RequireOwnZero(mapping_file, report);
+    RequireOwnZero(mapping_file, report, mapping.starts_at_zero);
     return report;
   };
   if (options.checks_only) return run_jobs(nullptr);

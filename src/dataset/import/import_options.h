@@ -54,7 +54,7 @@ struct ImportedChannel {
 struct ImportReport {
   std::vector<ImportedChannel> channels;
   TimeNs zero_ns = 0;                   ///< of the recording, in the files' times
-  std::optional<RecordingEpoch> epoch;           ///< of the recording
+  std::optional<RecordingEpoch> epoch;  ///< of the recording
   std::vector<ClockDifference> clocks;  ///< told, and never put right
 };
 

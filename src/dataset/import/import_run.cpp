@@ -1,6 +1,7 @@
 #include "dataset/import/import_run.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -76,6 +77,13 @@ std::vector<MappedRow> ImportRun::Read(const std::string& path, const RowSource&
     });
   }
   clocks_.insert(ClockOf(source));
+  if (left_out.count > static_cast<std::int64_t>(rows.size())) {
+    throw InputError(fmt::format(
+        "{}: {} of {} rows cannot be read, more than --skip-bad-rows may leave out (half); the "
+        "first: {}",
+        path, left_out.count, left_out.count + static_cast<std::int64_t>(rows.size()),
+        left_out.first));
+  }
   channel.left_out = left_out.count;
   channel.first_fault = left_out.first;
   Describe(rows, &channel);
@@ -115,8 +123,18 @@ std::string ReadPath(const ConfigMap& config, const std::string& ending, Mapping
 
 ColumnKeys::ColumnKeys(const ConfigMap& channel, const RowSource& source, std::string_view makes,
                        std::string_view key)
-    : given_(channel.OptionalMap("columns")), type_(TypeOf(source)) {
+    : given_(channel.OptionalMap("columns")), type_(TypeOf(source)), element_(source.element) {
   if (given_) return;
+  if (HoldsTransforms(type_) && element_.empty()) {
+    std::vector<std::string> pairs;
+    for (const auto& [pair, count] : NamesInMessages(source.file, *source.topic, source.unpacked)) {
+      pairs.push_back(pair.front());
+    }
+    channel.Fault("topic", fmt::format("is of {}, which holds many transforms; need the frames "
+                                       "'parent' and 'child' of one; it has {}",
+                                       type_, fmt::join(pairs, ", ")));
+    return;
+  }
   if (!source.topic && !StandardColumnOf(type_, key)) {
     channel.Map("columns");  // is missing
   } else if (!type_.empty() && !StandardColumnOf(type_, key)) {
@@ -133,7 +151,7 @@ std::optional<ConfigMap> ColumnKeys::Given(const char* key) const {
 ColumnMapping ColumnKeys::Read(const char* key, Dimension dimension, const Range& allowed) const {
   if (const auto given = Given(key)) return ReadColumnMapping(*given, dimension, allowed);
   if (const auto standard = StandardColumnOf(type_, key)) {
-    return {.column = standard->path,
+    return {.column = element_ + standard->path,
             .factor = standard->factor,
             .allowed = allowed,
             .may_lack = standard->may_lack};

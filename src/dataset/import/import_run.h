@@ -58,8 +58,8 @@ struct Mapping {
   std::string machine;
   std::set<std::string> paths;  ///< of channels
   std::vector<ImportJob> jobs;
-  bool starts_at_zero = false;  ///< times are counted from the first measurement
-  std::optional<RecordingEpoch> epoch;   ///< when the files' times are 0, where the mapping says so
+  bool starts_at_zero = false;          ///< times are counted from the first measurement
+  std::optional<RecordingEpoch> epoch;  ///< when the files' times are 0, where the mapping says so
   const ImportOptions& options;
   UnpackedFiles* unpacked;
 };
@@ -81,7 +81,8 @@ class ColumnKeys {
 
  private:
   std::optional<ConfigMap> given_;
-  std::string type_;  ///< of the topic or the log
+  std::string type_;     ///< of the topic or the log
+  std::string element_;  ///< of the source
 };
 
 /// What sensor.yaml can say of a sensor that was not simulated.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "core/config/plain_name.h"
 #include "core/error.h"
@@ -83,6 +85,21 @@ void RequireNumbers(const MappedRow& row, const RowSource& source, const FixRead
   }
 }
 
+/// East, north and up are those of one site, whose tangent plane ends well before the earth curves
+/// away from it.
+void RequireNear(const GnssSample& sample, const std::string& where) {
+  constexpr double kFarthest_m = 100e3;
+  if (sample.enu_m.norm() <= kFarthest_m) return;
+  throw InputError(
+      fmt::format("{}: is {:.0f} km from the mapping's origin, need at most {:.0f} km; an origin "
+                  "of this row is "
+                  "{{lat_deg: {:.7f}, lon_deg: {:.7f}, height_m: {:.3f}}}; if the row is wrong, "
+                  "leave it out by "
+                  "valid_if or --skip-bad-rows",
+                  where, sample.enu_m.norm() / 1e3, kFarthest_m / 1e3, sample.lat_deg,
+                  sample.lon_deg, sample.alt_m));
+}
+
 GnssSample GnssOf(const MappedRow& row, const RowSource& source, const FixReading& reading,
                   const SiteFrame& site) {
   const std::vector<double>& v = row.values;
@@ -101,6 +118,7 @@ GnssSample GnssOf(const MappedRow& row, const RowSource& source, const FixReadin
   s.lon_deg = v[kLon] / kDeg;
   s.alt_m = v[kAlt];
   s.enu_m = site.ToEnu({s.lat_deg, s.lon_deg, s.alt_m});
+  RequireNear(s, PlaceOf(source, row.line));
   s.variance_enu_m2 = Vec3(v[kVarE], v[kVarN], v[kVarU]);
   return s;
 }
@@ -233,21 +251,79 @@ ImportJob ReadPose(const ConfigMap& config, const ConfigMap& top, Mapping* mappi
   };
 }
 
-ImportJob ReadTable(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
-  const std::string file = ReadPath(config, ".csv", mapping);
-  const RowSource source = ReadRowSource(config, top, mapping->unpacked);
+namespace {
+
+/// Columns of a table that come from one topic or file, and their places in the table.
+struct TablePart {
+  RowSource source;
   std::vector<ColumnMapping> columns;
-  std::vector<std::string> names;
+  std::vector<std::size_t> places;
+};
+
+/// The rows of all parts: one at each time of any, in which the others hold what they said last;
+/// from when each has said something.
+std::vector<MappedRow> HeldTogether(const std::vector<TablePart>& parts,
+                                    const std::vector<std::vector<MappedRow>>& rows,
+                                    std::size_t width) {
+  std::map<TimeNs, std::vector<std::pair<std::size_t, std::size_t>>> said;  // part and row
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    for (std::size_t r = 0; r < rows[p].size(); ++r) said[rows[p][r].t_ns].emplace_back(p, r);
+  }
+  std::vector<MappedRow> together;
+  MappedRow held{.values = std::vector<double>(width)};
+  std::set<std::size_t> known;
+  for (const auto& [t_ns, places] : said) {
+    for (const auto& [p, r] : places) {
+      known.insert(p);
+      held.line = rows[p][r].line;
+      for (std::size_t c = 0; c < parts[p].places.size(); ++c) {
+        held.values[parts[p].places[c]] = rows[p][r].values[c];
+      }
+    }
+    held.t_ns = t_ns;
+    if (known.size() == parts.size()) together.push_back(held);
+  }
+  return together;
+}
+
+/// The parts of a table: its own file or topic, and each column with a topic of its own.
+std::vector<TablePart> ReadTableParts(const ConfigMap& config, const ConfigMap& top,
+                                      const Mapping& mapping, std::vector<std::string>* names) {
+  std::vector<TablePart> parts;
+  std::optional<TablePart> own;
   for (const auto& [name, column] : config.NamedMaps("columns")) {
     RequirePlainName(column, "", name);
     if (name == "t_ns") column.Fault("", "is the first column of every table; need another name");
-    names.push_back(name);
-    columns.push_back(ReadColumnMapping(column, Dimension::kAny));
+    const ColumnMapping mapped = ReadColumnMapping(column, Dimension::kAny);
+    if (column.Has("topic")) {
+      const ConfigMap& above = config.Has("file") ? config : top;
+      parts.push_back({ReadRowSource(column, above, mapping.unpacked), {mapped}, {names->size()}});
+    } else {
+      if (!own) own = TablePart{ReadRowSource(config, top, mapping.unpacked), {}, {}};
+      own->columns.push_back(mapped);
+      own->places.push_back(names->size());
+    }
+    names->push_back(name);
   }
-  if (columns.empty()) config.Fault("columns", "need at least one column");
+  if (own) parts.insert(parts.begin(), *own);
+  if (names->empty()) config.Fault("columns", "need at least one column");
+  return parts;
+}
+
+}  // namespace
+
+ImportJob ReadTable(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
+  const std::string file = ReadPath(config, ".csv", mapping);
+  std::vector<std::string> names;
+  const std::vector<TablePart> parts = ReadTableParts(config, top, *mapping, &names);
   const bool is_levers = file.ends_with("/commands.csv");
   return [=](ImportRun* run) {
-    std::vector<MappedRow> rows = run->Read(file, source, columns);
+    std::vector<std::vector<MappedRow>> parts_rows;
+    for (const TablePart& part : parts) {
+      parts_rows.push_back(run->Read(file, part.source, part.columns));
+    }
+    std::vector<MappedRow> rows = parts.size() == 1 ? std::move(parts_rows.front())
+                                                    : HeldTogether(parts, parts_rows, names.size());
     if (is_levers) ClampLevers(&rows, run->last());
     DatasetWriter* writer = run->writer();
     if (writer == nullptr) return;

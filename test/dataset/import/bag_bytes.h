@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Bytes of messages and of MCAP records as their specifications lay them out, by hand: nothing of
 /// the code under test makes them.
@@ -30,8 +32,17 @@ class Cdr {
     return *this;
   }
   /// std_msgs/Header.
-  Cdr& Header(std::int32_t seconds, std::uint32_t nanoseconds) {
-    return Add(seconds).Add(nanoseconds).Text("f");
+  Cdr& Header(std::int32_t seconds, std::uint32_t nanoseconds, std::string_view frame = "f") {
+    return Add(seconds).Add(nanoseconds).Text(frame);
+  }
+  /// As many as there are, without their count.
+  Cdr& Numbers(const std::vector<double>& values) {
+    for (const double value : values) Add(value);
+    return *this;
+  }
+  Cdr& Sequence(const std::vector<double>& values) {
+    Add(static_cast<std::uint32_t>(values.size()));
+    return Numbers(values);
   }
   const std::string& bytes() const { return bytes_; }
 
@@ -114,6 +125,43 @@ class SmallMcap {
 
  private:
   std::string records_;
+};
+
+/// An MCAP file without chunks and summary of several topics, whose definitions TERA knows.
+class TopicsMcap {
+ public:
+  TopicsMcap() : records_(McapRecord(0x01, Packed().Text("ros2").Text("by hand").bytes())) {}
+
+  TopicsMcap& Message(const std::string& topic, const std::string& type, std::int64_t log_ns,
+                      const Cdr& message) {
+    auto [id, is_new] = ids_.try_emplace(topic, static_cast<std::uint16_t>(ids_.size() + 1));
+    if (is_new) Offer(id->second, topic, type);
+    records_ += McapRecord(0x05, Packed()
+                                     .Add(id->second)
+                                     .Add(std::uint32_t{0})
+                                     .Add(log_ns)
+                                     .Add(log_ns)
+                                     .Raw(message.bytes())
+                                     .bytes());
+    return *this;
+  }
+  std::string bytes() const {
+    return kMcapMagic + records_ + McapRecord(0x0F, Packed().Add(std::uint32_t{0}).bytes()) +
+           McapRecord(
+               0x02,
+               Packed().Add(std::uint64_t{0}).Add(std::uint64_t{0}).Add(std::uint32_t{0}).bytes()) +
+           kMcapMagic;
+  }
+
+ private:
+  void Offer(std::uint16_t id, const std::string& topic, const std::string& type) {
+    records_ += McapRecord(0x03, Packed().Add(id).Text(type).Text("").Text("").bytes());
+    records_ += McapRecord(
+        0x04, Packed().Add(id).Add(id).Text(topic).Text("cdr").Add(std::uint32_t{0}).bytes());
+  }
+
+  std::string records_;
+  std::map<std::string, std::uint16_t> ids_;
 };
 
 }  // namespace tera

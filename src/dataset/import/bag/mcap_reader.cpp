@@ -49,8 +49,8 @@ class McapReader {
       return true;
     } catch (const BadBytes& bad) {
       throw BagDamage(fmt::format(
-          "{}: byte {}: {}; need a whole MCAP file: copy it again, mend it by 'mcap recover', or "
-          "read what stands before by --skip-bad-rows",
+          "{0}: byte {1}: {2}; need a whole MCAP file: copy it again, mend it by 'mcap recover {0} "
+          "-o whole.mcap', or read what stands before by --skip-bad-rows",
           file_.path().string(), at, bad.finding));
     }
   }
@@ -62,7 +62,7 @@ class McapReader {
 
   std::string_view HeadAt(std::uint64_t at) {
     if (at == file_.size()) {
-      throw BadBytes{"the file ends without its footer, as when a recorder is cut off"};
+      throw BadBytes{"the file ends without its footer and index, as when a recorder is cut off"};
     }
     head_ = file_.Read(at, kRecordHeadBytes);
     return head_;

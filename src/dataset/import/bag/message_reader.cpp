@@ -6,6 +6,7 @@
 #include <bit>
 #include <charconv>
 #include <cstring>
+#include <utility>
 
 #include "core/config/spelling.h"
 #include "dataset/import/bag/byte_cursor.h"
@@ -15,7 +16,7 @@ namespace tera {
 /// What is wanted of one element of a field, or of the field itself where it has one.
 struct MessageReader::Element {
   std::optional<std::uint32_t> index;
-  std::string label;  ///< instead of an index
+  std::string label;  ///< instead of an index; of a transform its frames
   std::vector<std::size_t> columns;
   std::unique_ptr<Node> below;  ///< of a message
 };
@@ -76,9 +77,25 @@ bool HasLabels(const MessageType& type, std::size_t before) {
   return false;
 }
 
+constexpr const char *kParentFrame = "frame_id", *kChildFrame = "child_frame_id";
+
+bool IsTransform(const MessageType& type) {
+  return std::any_of(type.fields.begin(), type.fields.end(), [](const MessageField& field) {
+    return field.name == kChildFrame && field.kind == FieldKind::kString;
+  });
+}
+
+/// "odom>base_link" of "/odom" and "/base_link".
+std::string PairOf(std::string_view parent, std::string_view child) {
+  const auto bare = [](std::string_view frame) {
+    return std::string(frame.substr(frame.starts_with('/') ? 1 : 0));
+  };
+  return bare(parent) + ">" + bare(child);
+}
+
 /// Which elements of a field a step means.
-void RequireElement(const MessageType& type, std::size_t f, const Step& step,
-                    std::optional<std::uint32_t>* index, std::string* label) {
+void RequireElement(const MessageSchema& schema, const MessageType& type, std::size_t f,
+                    const Step& step, std::optional<std::uint32_t>* index, std::string* label) {
   const MessageField& field = type.fields[f];
   const bool has_elements = field.arity != MessageField::Arity::kOne;
   if (has_elements != step.has_brackets) {
@@ -97,6 +114,12 @@ void RequireElement(const MessageType& type, std::size_t f, const Step& step,
       throw BadBytes{fmt::format("'{}' of {} has {} elements, from 0 to {}; found {}", field.name,
                                  type.name, field.count, field.count - 1, value)};
     }
+    return;
+  }
+  const std::size_t arrow = step.inside.find('>');
+  if (arrow != std::string::npos && field.kind == FieldKind::kMessage &&
+      IsTransform(schema.types[field.type])) {
+    *label = PairOf(step.inside.substr(0, arrow), step.inside.substr(arrow + 1));
     return;
   }
   if (!HasLabels(type, f) || step.inside.empty()) {
@@ -125,8 +148,8 @@ void MessageReader::Add(const std::string& path, std::size_t column) {
     const std::size_t f = FieldOf(*type, steps[k].name);
     const MessageField& field = type->fields[f];
     Element element;
-    RequireElement(*type, f, steps[k], &element.index, &element.label);
-    node->has_labels = node->has_labels || !element.label.empty();
+    RequireElement(schema_, *type, f, steps[k], &element.index, &element.label);
+    node->has_labels = node->has_labels || (!element.label.empty() && HasLabels(*type, f));
     node->fields.resize(type->fields.size());
     auto& elements = node->fields[f];
     const auto same = std::find_if(elements.begin(), elements.end(), [&](const Element& e) {
@@ -174,6 +197,9 @@ class MessageReader::Walk {
     }
     return labels;
   }
+
+  /// Adds the frames of all transforms that Message comes to.
+  void CollectPairs(std::vector<std::string>* pairs) { pairs_ = pairs; }
 
   void RequireEnd() const {
     // Some writers fill up to a multiple of four.
@@ -244,10 +270,16 @@ class MessageReader::Walk {
     if (LeastOf(field) == 0) return;  // messages without any field
     for (std::uint64_t k = 0; k < count; ++k) {
       if (field.kind == FieldKind::kMessage) {
-        Message(schema_.types[field.type], BelowOf(wanted, k, labels));
+        const MessageType& type = schema_.types[field.type];
+        std::string frames;
+        if ((wanted != nullptr || pairs_ != nullptr) && IsTransform(type)) frames = FramesAt(type);
+        if (pairs_ != nullptr && !frames.empty()) pairs_->push_back(frames);
+        Message(type, BelowOf(wanted, k, labels, frames));
       } else if (field.kind == FieldKind::kString) {
         const std::string_view text = Text();
         if (texts != nullptr) texts->push_back(text);
+        if (frames_ != nullptr && field.name == kParentFrame) frames_->first = text;
+        if (frames_ != nullptr && field.name == kChildFrame) frames_->second = text;
       } else {
         throw BadBytes{
             fmt::format("'{}' is a wstring, which writers lay out in different ways", field.name)};
@@ -266,16 +298,30 @@ class MessageReader::Walk {
                                count, bytes_.size() - at_)};
   }
 
+  /// The frames of the transform that stands here, which is still to be read then.
+  std::string FramesAt(const MessageType& type) {
+    std::pair<std::string_view, std::string_view> frames;
+    const std::size_t begin = at_;
+    const auto pairs = std::exchange(pairs_, nullptr);
+    frames_ = &frames;
+    Message(type, nullptr);
+    frames_ = nullptr;
+    pairs_ = pairs;
+    at_ = begin;
+    return PairOf(frames.first, frames.second);
+  }
+
   static bool IsElement(const Element& element, std::uint64_t k,
-                        const std::vector<std::string_view>& labels) {
+                        const std::vector<std::string_view>& labels, std::string_view frames) {
+    if (!element.label.empty() && !frames.empty()) return element.label == frames;
     if (!element.label.empty()) return k < labels.size() && labels[k] == element.label;
     return !element.index || *element.index == k;
   }
   static const Node* BelowOf(const std::vector<Element>* wanted, std::uint64_t k,
-                             const std::vector<std::string_view>& labels) {
+                             const std::vector<std::string_view>& labels, std::string_view frames) {
     if (wanted == nullptr) return nullptr;
     for (const Element& element : *wanted) {
-      if (IsElement(element, k, labels)) return element.below.get();
+      if (IsElement(element, k, labels, frames)) return element.below.get();
     }
     return nullptr;
   }
@@ -353,6 +399,8 @@ class MessageReader::Walk {
   std::string_view bytes_;
   std::size_t at_ = 0;
   std::vector<MessageCell>* cells_;
+  std::pair<std::string_view, std::string_view>* frames_ = nullptr;  ///< where they go
+  std::vector<std::string>* pairs_ = nullptr;
 };
 
 void MessageReader::Read(std::string_view message, std::vector<MessageCell>* cells) const {
@@ -368,6 +416,15 @@ std::vector<std::string> MessageReader::Labels(std::string_view message) const {
   labelled.has_labels = true;
   const auto labels = Walk(schema_, message, &none).Message(schema_.root(), &labelled);
   return {labels.begin(), labels.end()};
+}
+
+std::vector<std::string> MessageReader::FramePairs(std::string_view message) const {
+  std::vector<MessageCell> none;
+  std::vector<std::string> pairs;
+  Walk walk(schema_, message, &none);
+  walk.CollectPairs(&pairs);
+  walk.Message(schema_.root(), nullptr);
+  return pairs;
 }
 
 }  // namespace tera

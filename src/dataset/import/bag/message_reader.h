@@ -17,8 +17,9 @@ struct MessageCell {
 };
 
 /// A field by its path: names between points, an element of an array or a sequence in brackets, by
-/// its index from 0 or by what the text at the same place of the sequence `name` beside it says:
-/// "linear_acceleration.x", "position[2]", "position[boom]", "header.stamp".
+/// its index from 0, by what the text at the same place of the sequence `name` beside it says, or
+/// of transforms by their frames: "linear_acceleration.x", "position[2]", "position[boom]",
+/// "header.stamp", "transforms[odom>base_link].transform.translation.x".
 class MessageReader {
  public:
   /// BadBytes for a path that the schema has not, that leads to no number and no time, or to an
@@ -33,6 +34,8 @@ class MessageReader {
   void Read(std::string_view message, std::vector<MessageCell>* cells) const;
   /// What the sequence `name` of a message says, which labels its other sequences.
   std::vector<std::string> Labels(std::string_view message) const;
+  /// The frames of a message's transforms, "odom>base_link", without the '/' that ROS 1 put first.
+  std::vector<std::string> FramePairs(std::string_view message) const;
   bool IsStamp(std::size_t path) const { return is_stamp_[path]; }
 
  private:

@@ -9,6 +9,7 @@
 #include "dataset/import/bag/bag_source.h"
 #include "dataset/import/bag/unpack.h"
 #include "dataset/import/bag/unpacked_file.h"
+#include "dataset/import/foreign_file.h"
 
 namespace tera {
 namespace {
@@ -62,6 +63,7 @@ bool ReadPlainFile(const fs::path& file, BagVisitor* visitor, bool to_the_damage
   if (const FileReader read = ReaderOf(FirstBytes(file))) {
     return read(file, visitor, to_the_damage);
   }
+  RefuseForeignFile(file, "an MCAP file, a SQLite 3 file of rosbag2 or a ROS 1 bag");
   throw InputError(file.string() +
                    ": is no bag; need an MCAP file, a SQLite 3 file of rosbag2 or a ROS 1 bag, or "
                    "for a table in a text file no 'topic'");

@@ -80,10 +80,11 @@ class Ros1BagReader {
       RequireEnd();
       return true;
     } catch (const BadBytes& bad) {
-      throw BagDamage(fmt::format(
-          "{}: byte {}: {}; need a whole bag: copy it again, mend it by 'rosbag reindex', or read "
-          "what stands before by --skip-bad-rows",
-          file_.path().string(), at, bad.finding));
+      throw BagDamage(
+          fmt::format("{0}: byte {1}: {2}; need a whole bag: copy it again, mend it by 'rosbag "
+                      "reindex {0}', or "
+                      "read what stands before by --skip-bad-rows",
+                      file_.path().string(), at, bad.finding));
     }
   }
 
@@ -101,7 +102,8 @@ class Ros1BagReader {
   void RequireEnd() const {
     if (!chunk_count_) throw BadBytes{"the bag has no header"};
     if (index_position_ == 0)
-      throw BadBytes{"the bag was not closed, as when a recorder is cut off"};
+      throw BadBytes{
+          "the bag was not closed and has no index, as when a recorder is cut off (.bag.active)"};
     if (chunks_ != *chunk_count_ || chunk_infos_ != *chunk_count_) {
       throw BadBytes{
           fmt::format("the file ends after {} chunks and the index of {}, its header "

@@ -40,6 +40,8 @@ constexpr std::array<Row, 7> kPose = {{{"x", "position.x"},
                                        {"qx", "orientation.x"},
                                        {"qy", "orientation.y"},
                                        {"qz", "orientation.z"}}};
+constexpr std::array<Row, 7> kBarePose = {
+    {{"x", "x"}, {"y", "y"}, {"z", "z"}, {"qw", "qw"}, {"qx", "qx"}, {"qy", "qy"}, {"qz", "qz"}}};
 constexpr std::array<Row, 7> kTransform = {{{"x", "translation.x"},
                                             {"y", "translation.y"},
                                             {"z", "translation.z"},
@@ -90,6 +92,32 @@ std::optional<StandardColumn> Find(const Rows& rows, std::string_view key,
   return std::nullopt;
 }
 
+/// Counts what messages name.
+class NamesOfMessages : public BagVisitor {
+ public:
+  explicit NamesOfMessages(const BagTopic& topic) : topic_(topic), reader_(SchemaOf(topic), {}) {}
+
+  Wish Wants(const BagTopic& topic) override {
+    return topic.name == topic_.name ? Wish::kTake : Wish::kSkip;
+  }
+  bool Take(std::size_t, const BagMessage& message) override {
+    try {
+      if (!HoldsTransforms(topic_.type)) ++counts_[reader_.Labels(message.bytes)];
+      if (!HoldsTransforms(topic_.type)) return true;
+      for (const std::string& pair : reader_.FramePairs(message.bytes)) ++counts_[{pair}];
+    } catch (const BadBytes&) {
+      // Whoever imports the topic is told of it.
+    }
+    return true;
+  }
+  const std::map<std::vector<std::string>, std::int64_t>& counts() const { return counts_; }
+
+ private:
+  const BagTopic& topic_;
+  MessageReader reader_;
+  std::map<std::vector<std::string>, std::int64_t> counts_;
+};
+
 /// Reads a topic's first message only.
 class FirstMessage : public BagVisitor {
  public:
@@ -117,12 +145,39 @@ std::optional<StandardColumn> StandardColumnOf(std::string_view type, std::strin
   if (type == kPosType) return Find(kPos, key, "");
   if (type == kNmeaType) return Find(kNmea, key, "");
   if (type == kKittiType) return Find(kKitti, key, "");
+  if (type.starts_with("poses/")) return Find(kBarePose, key, "");
   if (type == "geometry_msgs/PoseStamped") return Find(kPose, key, "pose.");
-  if (type == "geometry_msgs/TransformStamped") return Find(kTransform, key, "transform.");
+  if (type == "geometry_msgs/TransformStamped" || HoldsTransforms(type)) {
+    return Find(kTransform, key, "transform.");
+  }
   if (type == "nav_msgs/Odometry" || type == "geometry_msgs/PoseWithCovarianceStamped") {
     return Find(kPose, key, "pose.pose.");
   }
   return std::nullopt;
+}
+
+bool HoldsTransforms(std::string_view type) {
+  return type == "tf2_msgs/TFMessage" || type == "tf/tfMessage";
+}
+
+std::string PathOfTransform(const std::string& parent, const std::string& child) {
+  return "transforms[" + parent + ">" + child + "].";
+}
+
+std::map<std::vector<std::string>, std::int64_t> NamesInMessages(const std::filesystem::path& bag,
+                                                                 const BagTopic& topic,
+                                                                 UnpackedFiles* unpacked) {
+  try {
+    NamesOfMessages names(topic);
+    try {
+      ReadBag(bag, unpacked, &names, /*to_the_damage=*/true);
+    } catch (const BagDamage&) {
+      // What stands before it counts.
+    }
+    return names.counts();
+  } catch (const BadBytes&) {
+    return {};  // its definition cannot be read
+  }
 }
 
 std::vector<std::string> JointNames(const std::filesystem::path& bag, const BagTopic& topic,

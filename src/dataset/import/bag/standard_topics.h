@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,8 +24,8 @@ struct StandardColumn {
 /// The field of a type that the mapping's key, "wx" or "lat", means. None where the type is not one
 /// of those that a channel of that key is made of by itself:
 /// sensor_msgs/Imu, sensor_msgs/NavSatFix, nav_msgs/Odometry, geometry_msgs/PoseStamped,
-/// geometry_msgs/PoseWithCovarianceStamped, geometry_msgs/TransformStamped, and the types of
-/// foreign_log.h.
+/// geometry_msgs/PoseWithCovarianceStamped, geometry_msgs/TransformStamped, the types of
+/// foreign_log.h, and of the messages of many transforms the fields of one of these.
 std::optional<StandardColumn> StandardColumnOf(std::string_view type, std::string_view key);
 
 inline constexpr std::string_view kImuType = "sensor_msgs/Imu";
@@ -31,6 +33,17 @@ inline constexpr std::string_view kFixType = "sensor_msgs/NavSatFix";
 inline constexpr std::string_view kJointType = "sensor_msgs/JointState";
 /// Of kFixType: whether its covariance is known, not 0.
 inline constexpr const char* kCovarianceTypePath = "position_covariance_type";
+
+/// Whether the messages of a type are lists of transforms: tf2_msgs/TFMessage, tf/tfMessage.
+bool HoldsTransforms(std::string_view type);
+/// The path of one of them, "transforms[odom>base_link]."
+std::string PathOfTransform(const std::string& parent, const std::string& child);
+
+/// What the messages of a topic name, and how many of them: the joints of each, or each of the
+/// transforms as "odom>base_link". Messages that cannot be read are passed over.
+std::map<std::vector<std::string>, std::int64_t> NamesInMessages(const std::filesystem::path& bag,
+                                                                 const BagTopic& topic,
+                                                                 UnpackedFiles* unpacked);
 
 /// The joints that the first message of a topic of kJointType names; none where there is no
 /// message. InputError where it cannot be read.

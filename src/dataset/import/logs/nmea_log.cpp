@@ -1,12 +1,17 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
+#include <array>
+#include <deque>
+#include <map>
 #include <optional>
 #include <string>
 
+#include "core/error.h"
 #include "dataset/import/logs/foreign_log.h"
 #include "dataset/import/logs/log_time.h"
+#include "dataset/import/logs/nmea_sentence.h"
 #include "dataset/import/logs/number_table.h"
 
 namespace tera {
@@ -19,8 +24,9 @@ constexpr TimeNs kDay_ns = 86'400 * kNsPerSecond;
 struct Epoch {
   int line = 0;
   TimeNs time_of_day_ns = 0;
-  std::optional<TimeNs> date_ns;
-  std::vector<NumberTable::Cell> values;
+  std::optional<TimeNs> date_ns = std::nullopt;
+  std::string_view position = {};  ///< the kind of the sentence that said where
+  std::vector<NumberTable::Cell> values = {};
 
   /// What is said again is what counts.
   void Put(std::string_view column, std::optional<double> value) {
@@ -74,37 +80,113 @@ std::optional<double> AngleOf(std::string_view text, std::string_view side, std:
   return side == "S" || side == "W" ? -angle_deg : angle_deg;
 }
 
-/// Whether a sentence's checksum is its own, or missing; its body is then `body`.
-bool IsSound(std::string_view line, std::string_view* body) {
-  const std::size_t star = line.rfind('*');
-  *body = line.substr(1, star == std::string_view::npos ? star : star - 1);
-  if (star == std::string_view::npos) return true;
-  unsigned sum = 0;
-  for (const char c : *body) sum ^= static_cast<unsigned char>(c);
-  std::string told(line.substr(star + 1));
-  std::transform(told.begin(), told.end(), told.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return told == fmt::format("{:02X}", sum);
+/// Where a sentence says that its receiver is.
+struct NmeaPosition {
+  TimeNs time_of_day_ns = 0;
+  double quality = 0;  ///< of GGA
+  std::optional<double> lat_deg, lon_deg, msl_m = std::nullopt, altitude_m = std::nullopt;
+  std::optional<double> satellites, hdop;
+
+  bool IsWhole() const { return quality == 0 || (lat_deg && lon_deg && (msl_m || altitude_m)); }
+};
+
+/// The best of what each system has: a letter for each, "RRN".
+std::optional<double> QualityOfModes(std::string_view modes) {
+  constexpr std::array<std::pair<char, double>, 9> kModes = {
+      {{'R', 4}, {'F', 5}, {'P', 2}, {'D', 2}, {'A', 1}, {'E', 6}, {'M', 7}, {'S', 8}, {'N', 0}}};
+  for (const auto& [mode, quality] : kModes) {
+    if (modes.find(mode) != std::string_view::npos) return quality;
+  }
+  return std::nullopt;
 }
+
+/// GGA's quality of GGK's: none, single, RTK float, RTK fixed, differential, SBAS, network RTK
+/// float and fixed in 3-D, in 2-D, OmniSTAR HP, VBS, Location RTK, beacon, RTX, xFill.
+std::optional<double> QualityOfGgk(std::string_view text) {
+  constexpr std::array<double, 16> kQuality = {0, 1, 5, 4, 2, 2, 5, 4, 5, 4, 5, 2, 5, 2, 5, 4};
+  const auto told = WholeNumber(text);
+  if (!told || *told < 0 || *told >= kQuality.size()) return std::nullopt;
+  return kQuality[static_cast<std::size_t>(*told)];
+}
+
+/// Sentences of one kind say of one time and talker the same; those of several talkers, that there
+/// are several receivers.
+class Talkers {
+ public:
+  /// Counts a position. False where the same talker says another place of the same time.
+  bool Add(std::string_view kind, std::string_view talker, const NmeaPosition& position) {
+    std::deque<Said>& said = said_[std::string(kind)];
+    ++count_[std::string(talker)];
+    const auto agrees = [&](const Said& s) {
+      return s.position.time_of_day_ns != position.time_of_day_ns || s.talker != talker ||
+             (s.position.lat_deg == position.lat_deg && s.position.lon_deg == position.lon_deg &&
+              s.position.msl_m == position.msl_m);
+    };
+    const bool is_same = std::all_of(said.begin(), said.end(), agrees);
+    for (const Said& s : said) {
+      if (s.talker == talker || s.position.time_of_day_ns != position.time_of_day_ns) continue;
+      rival_[s.talker] = rival_[std::string(talker)] = true;
+    }
+    constexpr std::size_t kRemembered = 32;  // receivers of one recorder are not further apart
+    said.push_back({std::string(talker), position});
+    if (said.size() > kRemembered) said.pop_front();
+    return is_same;
+  }
+
+  /// Those that say of the same times where they are, the one with most positions first.
+  std::vector<std::string> Rivals() const {
+    std::vector<std::string> rivals;
+    for (const auto& [talker, is_rival] : rival_) rivals.push_back(talker);
+    std::stable_sort(rivals.begin(), rivals.end(), [&](const std::string& a, const std::string& b) {
+      return count_.at(a) > count_.at(b);
+    });
+    return rivals;
+  }
+  std::vector<std::string> All() const {
+    std::vector<std::string> all;
+    for (const auto& [talker, count] : count_) all.push_back(talker);
+    return all;
+  }
+
+ private:
+  struct Said {
+    std::string talker;
+    NmeaPosition position;
+  };
+  std::map<std::string, std::deque<Said>> said_;  ///< by kind
+  std::map<std::string, int> count_;
+  std::map<std::string, bool> rival_;
+};
 
 class NmeaReader {
  public:
-  NmeaReader(const std::filesystem::path& file, LeftOutRows* left_out)
-      : lines_(file), left_out_(left_out) {}
+  /// An empty `talker`: all.
+  NmeaReader(const std::filesystem::path& file, std::string talker, LeftOutRows* left_out)
+      : lines_(file, BinaryFrameBytes), talker_(std::move(talker)), left_out_(left_out) {}
 
   std::vector<Epoch> Read() {
     for (std::string line; lines_.Next(&line);) {
       if (line.empty() || line.front() == '#' || line.front() == '!') continue;
-      std::string_view body;
-      if (line.front() != '$') {
+      const auto sentence = SentenceIn(line);
+      if (!sentence) {
         lines_.Fault("is no sentence, which begins with '$'", left_out_);
-      } else if (!IsSound(line, &body)) {
+      } else if (!sentence->is_sound) {
         lines_.Fault("its checksum is not that of the sentence", left_out_);
-      } else if (!Take(FieldsOf(body, ','))) {
+      } else if (!Take(FieldsOf(sentence->body, ','))) {
         lines_.Fault("is a sentence without the fields that it must have", left_out_);
       }
     }
     return std::move(epochs_);
+  }
+
+  const Talkers& talkers() const { return talkers_; }
+  /// How often each kind was there, "10 GSV, 5 RMC".
+  std::string KindsText() const {
+    std::string text;
+    for (const auto& [kind, count] : kinds_) {
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, kind);
+    }
+    return text;
   }
 
  private:
@@ -112,15 +194,36 @@ class NmeaReader {
   Epoch& At(TimeNs time_of_day_ns) {
     if (epochs_.empty() || epochs_.back().time_of_day_ns != time_of_day_ns) {
       epochs_.push_back({.line = lines_.number(), .time_of_day_ns = time_of_day_ns});
+      if (others_date_ && others_date_->first == time_of_day_ns) {
+        epochs_.back().date_ns = others_date_->second;
+      }
     }
     return epochs_.back();
   }
 
   /// False where a field is not as it must be. Sentences of other kinds are passed over.
-  bool Take(const Fields& f) {
-    const std::string_view head = f.front();
-    const std::string_view kind = head.size() == 5 ? head.substr(2) : "";
-    if (kind == "GGA") return TakeGga(f);
+  bool Take(Fields f) {
+    std::string_view talker = f.front().substr(0, 2), kind = f.front();
+    kind.remove_prefix(std::min<std::size_t>(kind.size(), 2));
+    if (f.front().starts_with('P') && f.front().size() == 4) {
+      // A maker's own: the kind is the next field.
+      talker = f.front();
+      kind = FieldAt(f, 1);
+      f.erase(f.begin());
+    }
+    ++kinds_[talker.size() == 2 ? std::string(kind) : fmt::format("{},{}", talker, kind)];
+    const bool is_other = !talker_.empty() && talker != talker_;
+    if (kind == "GGA") return TakePosition("GGA", talker, GgaOf(f));
+    if (kind == "GNS") return TakePosition("GNS", talker, GnsOf(f));
+    if (kind == "GGK") {
+      return TakePosition("GGK", talker, GgkOf(f)) && (is_other || TakeGgkDate(f));
+    }
+    if (is_other) {
+      // The day is the same for all receivers.
+      const auto time_ns = TimeOf(FieldAt(f, 1)), date_ns = DateOf(FieldAt(f, 9));
+      if (kind == "RMC" && time_ns && date_ns) others_date_ = {*time_ns, *date_ns};
+      return true;
+    }
     if (kind == "RMC") return TakeRmc(f);
     if (kind == "GST") return TakeGst(f);
     if (kind == "ZDA") return TakeZda(f);
@@ -134,27 +237,77 @@ class NmeaReader {
     return true;
   }
 
-  bool TakeGga(const Fields& f) {
+  static std::optional<NmeaPosition> GgaOf(const Fields& f) {
+    return PositionOf(f, WholeNumber(FieldAt(f, 6)), 11);
+  }
+  static std::optional<NmeaPosition> GnsOf(const Fields& f) {
+    return PositionOf(f, QualityOfModes(FieldAt(f, 6)), 10);
+  }
+  /// Of GGA and GNS, which differ in the quality and in where the separation stands.
+  static std::optional<NmeaPosition> PositionOf(const Fields& f, std::optional<double> quality,
+                                                std::size_t separation_at) {
     const auto time_ns = TimeOf(FieldAt(f, 1));
-    const auto quality = WholeNumber(FieldAt(f, 6));
-    if (!time_ns || !quality) return false;
-    return TakeFix(f, *time_ns, *quality);
+    if (!time_ns || !quality) return std::nullopt;
+    NmeaPosition position{.time_of_day_ns = *time_ns,
+                          .quality = *quality,
+                          .lat_deg = AngleOf(FieldAt(f, 2), FieldAt(f, 3), 2),
+                          .lon_deg = AngleOf(FieldAt(f, 4), FieldAt(f, 5), 3),
+                          .msl_m = WholeNumber(FieldAt(f, 9)),
+                          .satellites = WholeNumber(FieldAt(f, 7)),
+                          .hdop = WholeNumber(FieldAt(f, 8))};
+    const auto separation_m = WholeNumber(FieldAt(f, separation_at));
+    if (position.msl_m && separation_m) position.altitude_m = *position.msl_m + *separation_m;
+    return position;
+  }
+  /// Its height says by its first letters whether it is that above the ellipsoid or the sea.
+  static std::optional<NmeaPosition> GgkOf(const Fields& f) {
+    const auto time_ns = TimeOf(FieldAt(f, 1));
+    const auto quality = QualityOfGgk(FieldAt(f, 7));
+    if (!time_ns || !quality) return std::nullopt;
+    NmeaPosition position{.time_of_day_ns = *time_ns,
+                          .quality = *quality,
+                          .lat_deg = AngleOf(FieldAt(f, 3), FieldAt(f, 4), 2),
+                          .lon_deg = AngleOf(FieldAt(f, 5), FieldAt(f, 6), 3),
+                          .satellites = WholeNumber(FieldAt(f, 8)),
+                          .hdop = WholeNumber(FieldAt(f, 9))};
+    const std::string_view height = FieldAt(f, 10);
+    if (height.starts_with("EHT")) position.altitude_m = WholeNumber(height.substr(3));
+    if (height.starts_with("GHT")) position.msl_m = WholeNumber(height.substr(3));
+    return position;
+  }
+  /// Month, day and year.
+  bool TakeGgkDate(const Fields& f) {
+    const std::string date(FieldAt(f, 2));
+    if (date.empty()) return true;
+    if (date.size() != 6) return false;
+    const auto date_ns = DateOf(date.substr(2, 2) + date.substr(0, 2) + date.substr(4));
+    if (date_ns) epochs_.back().date_ns = date_ns;
+    return date_ns.has_value();
   }
 
-  bool TakeFix(const Fields& f, TimeNs time_ns, double quality) {
-    const auto lat = AngleOf(FieldAt(f, 2), FieldAt(f, 3), 2);
-    const auto lon = AngleOf(FieldAt(f, 4), FieldAt(f, 5), 3);
-    const auto msl = WholeNumber(FieldAt(f, 9)), separation = WholeNumber(FieldAt(f, 11));
-    if (quality != 0 && (!lat || !lon || !msl)) return false;
-    Epoch& epoch = At(time_ns);
-    epoch.Put("fix", quality);
-    epoch.Put("satellites", WholeNumber(FieldAt(f, 7)));
-    epoch.Put("hdop", WholeNumber(FieldAt(f, 8)));
-    if (quality == 0) return true;
-    epoch.Put("latitude", *lat);
-    epoch.Put("longitude", *lon);
-    epoch.Put("msl", *msl);
-    epoch.Put("altitude", separation ? std::optional(*msl + *separation) : std::nullopt);
+  bool TakePosition(std::string_view kind, std::string_view talker,
+                    const std::optional<NmeaPosition>& position) {
+    if (!position || !position->IsWhole()) return false;
+    const bool agrees = talkers_.Add(kind, talker, *position);
+    if (!talker_.empty() && talker != talker_) return true;
+    if (!agrees) {
+      lines_.Fault(fmt::format("says another place than a {} before it of the same time and "
+                               "talker, as of two receivers; write each into a file of its own",
+                               kind),
+                   left_out_);
+      return true;
+    }
+    Epoch& epoch = At(position->time_of_day_ns);
+    if (!epoch.position.empty() && epoch.position != kind) return true;
+    epoch.position = kind;
+    epoch.Put("fix", position->quality);
+    epoch.Put("satellites", position->satellites);
+    epoch.Put("hdop", position->hdop);
+    if (position->quality == 0) return true;
+    epoch.Put("latitude", position->lat_deg);
+    epoch.Put("longitude", position->lon_deg);
+    epoch.Put("msl", position->msl_m);
+    epoch.Put("altitude", position->altitude_m);
     return true;
   }
 
@@ -196,8 +349,12 @@ class NmeaReader {
   }
 
   LogLines lines_;
+  std::string talker_;
   LeftOutRows* left_out_;
   std::vector<Epoch> epochs_;
+  Talkers talkers_;
+  std::map<std::string, int> kinds_;
+  std::optional<std::pair<TimeNs, TimeNs>> others_date_;  ///< time of day and date of another's
 };
 
 /// Dates of all, from those that say theirs: a time of day that goes back by more than half a day
@@ -220,13 +377,36 @@ void FillDates(std::vector<Epoch>* epochs) {
 
 }  // namespace
 
+NmeaContents ContentsOfNmea(const std::filesystem::path& file) {
+  LeftOutRows left_out;
+  NmeaReader reader(file, "", &left_out);
+  const std::vector<Epoch> epochs = reader.Read();
+  return {.rivals = reader.talkers().Rivals(),
+          .kinds = reader.KindsText(),
+          .has_dates = std::any_of(epochs.begin(), epochs.end(),
+                                   [](const Epoch& e) { return e.date_ns.has_value(); })};
+}
+
 std::unique_ptr<const RowTable> ReadNmeaLog(const std::filesystem::path& file,
-                                            LeftOutRows* left_out) {
+                                            const std::string& talker, LeftOutRows* left_out) {
   auto table = std::make_unique<NumberTable>(
       file, std::vector<std::string>{"latitude", "longitude", "altitude", "msl", "fix",
                                      "satellites", "hdop", "speed", "course", "heading", "sdn",
                                      "sde", "sdu", "var_n", "var_e", "var_u"});
-  std::vector<Epoch> epochs = NmeaReader(file, left_out).Read();
+  NmeaReader reader(file, talker, left_out);
+  std::vector<Epoch> epochs = reader.Read();
+  const std::vector<std::string> rivals = reader.talkers().Rivals(), all = reader.talkers().All();
+  if (talker.empty() && !rivals.empty()) {
+    throw InputError(fmt::format(
+        "{}: the talkers {} say of the same times where they are, as of several receivers; need "
+        "the one to read, for instance 'talker: {}' beside the file",
+        file.string(), fmt::join(rivals, ", "), rivals.front()));
+  }
+  if (!talker.empty() && std::find(all.begin(), all.end(), talker) == all.end()) {
+    throw InputError(fmt::format("{}: no position is of the talker '{}'; it has those of {}",
+                                 file.string(), talker,
+                                 all.empty() ? "none" : fmt::format("{}", fmt::join(all, ", "))));
+  }
   FillDates(&epochs);
   for (const Epoch& epoch : epochs) {
     table->AddRow(epoch.line, *epoch.date_ns + epoch.time_of_day_ns, epoch.values);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -74,15 +75,36 @@ void NumberTable::Fail(std::size_t row, std::size_t column, const std::string& f
                                finding));
 }
 
-LogLines::LogLines(const std::filesystem::path& file) : file_(file), text_(ReadWholeFile(file)) {}
+LogLines::LogLines(const std::filesystem::path& file, FrameBytes frame_bytes)
+    : file_(file), text_(ReadWholeFile(file)), frame_bytes_(frame_bytes) {}
+
+std::size_t LogLines::EndOfLine() const {
+  const std::string_view text = text_;
+  const std::size_t end = std::min(text.find('\n', at_), text.size());
+  for (std::size_t k = at_ + 1; k < end && frame_bytes_ != nullptr; ++k) {
+    const bool is_text = static_cast<unsigned char>(text[k]) < 0x80;
+    if (!is_text && frame_bytes_(text.substr(k)) > 0) return k;
+  }
+  return end;
+}
 
 bool LogLines::Next(std::string* line) {
-  if (at_ >= text_.size()) return false;
-  const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-  *line = text_.substr(at_, end - at_);
+  const std::string_view text = text_;
+  while (frame_bytes_ != nullptr) {
+    const std::size_t frame = frame_bytes_(text.substr(at_));
+    if (frame == 0) break;
+    const std::string_view bytes = text.substr(at_, frame);
+    ended_ += static_cast<int>(std::count(bytes.begin(), bytes.end(), '\n'));
+    at_ += frame;
+  }
+  if (at_ >= text.size()) return false;
+  const std::size_t end = EndOfLine();
+  *line = text.substr(at_, end - at_);
   if (line->ends_with('\r')) line->pop_back();
-  at_ = end + 1;
-  ++number_;
+  number_ = ended_ + 1;
+  const bool has_end = end < text.size() && text[end] == '\n';
+  if (has_end) ++ended_;
+  at_ = has_end ? end + 1 : end;
   return true;
 }
 

@@ -47,7 +47,12 @@ class NumberTable final : public RowTable {
 /// Lines of a text file, one after the other, whatever its length.
 class LogLines {
  public:
-  explicit LogLines(const std::filesystem::path& file);
+  /// The length of the binary frame that bytes begin with, or 0.
+  using FrameBytes = std::size_t (*)(std::string_view bytes);
+
+  /// Frames that stand before, between and behind lines are passed over; their first byte is none
+  /// of ASCII's.
+  explicit LogLines(const std::filesystem::path& file, FrameBytes frame_bytes = nullptr);
 
   /// Without its end. False at the end of the file.
   bool Next(std::string* line);
@@ -57,10 +62,14 @@ class LogLines {
   void Fault(const std::string& finding, LeftOutRows* left_out) const;
 
  private:
+  /// Where a line ends that begins at `at_`: at its end, or where a frame begins.
+  std::size_t EndOfLine() const;
+
   std::filesystem::path file_;
   std::string text_;
+  FrameBytes frame_bytes_;
   std::size_t at_ = 0;
-  int number_ = 0;
+  int number_ = 0, ended_ = 0;  ///< of the line that Next gave; of line ends before `at_`
 };
 
 /// A finite number that makes up the whole of a text.

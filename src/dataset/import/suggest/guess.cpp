@@ -221,6 +221,39 @@ std::string PlainNameOf(std::string_view text) {
   return name.empty() ? "unnamed" : name;
 }
 
+std::string OriginYaml(double lat_deg, double lon_deg, double height_m, std::string_view which) {
+  return fmt::format(
+      "origin: {{lat_deg: {:.9f}, lon_deg: {:.9f}, height_m: {:.4f}}}   # guessed: {}\n", lat_deg,
+      lon_deg, height_m, which);
+}
+
+void RuleGuesses::Add(const std::string& rule, const std::string& reason) {
+  rules_ += (rules_.empty() ? "" : ", ") + rule;
+  reasons_ += (reasons_.empty() ? "" : "; ") + reason;
+}
+
+std::string RuleGuesses::Yaml(std::string_view indent) const {
+  if (rules_.empty()) return "";
+  return fmt::format("{}valid_if: [{}]   # guessed: {}\n", indent, rules_, reasons_);
+}
+
+void TimeSteps::Add(TimeNs t_ns) {
+  if (rows++ > 0 && t_ns <= last_ns_) ++(t_ns == last_ns_ ? repeated : back);
+  last_ns_ = t_ns;
+}
+
+void AddStepRule(const TimeSteps& steps, const std::string& column, RuleGuesses* rules) {
+  if (steps.repeated == 0) return;
+  rules->Add(fmt::format("{{column: {}, changes: true}}", column),
+             fmt::format("{} of {} times repeat the one before", steps.repeated, steps.rows));
+}
+
+std::string TakenNames::Take(std::string_view wanted) {
+  std::string name = PlainNameOf(wanted);
+  while (!names_.insert(name).second) name += "_2";
+  return name;
+}
+
 std::string ColumnYaml(std::string_view column, const UnitGuess& unit) {
   const std::string shown_unit =
       unit.unit == "1" || unit.unit == "%" ? "'" + unit.unit + "'" : unit.unit;

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/time.h"
 #include "dataset/import/column_mapping.h"
 
 namespace tera {
@@ -43,6 +46,44 @@ UnitGuess GuessAngleUnit(const std::vector<const NumbersOfColumn*>& angles);
 
 /// Times in s beyond count from an epoch.
 inline constexpr double kLeastEpoch_s = 1e8;
+
+/// The `origin:` of a mapping, whose height is that of the rows: above the ellipsoid or above the
+/// sea as they are. `which` says of which row it is.
+std::string OriginYaml(double lat_deg, double lon_deg, double height_m, std::string_view which);
+
+/// The `valid_if:` of a channel, with the reasons behind it.
+class RuleGuesses {
+ public:
+  void Add(const std::string& rule, const std::string& reason);
+  /// "valid_if: [...]   # guessed: ..." behind `indent`, or nothing where there is no rule.
+  std::string Yaml(std::string_view indent = "    ") const;
+
+ private:
+  std::string rules_, reasons_;
+};
+
+/// How the times of rows follow each other.
+struct TimeSteps {
+  std::int64_t rows = 0, repeated = 0, back = 0;
+
+  void Add(TimeNs t_ns);
+  /// Whether they are of no use: all the same, or at least half of them repeat the one before.
+  bool IsStuck() const { return rows > 1 && 2 * repeated >= rows - 1; }
+
+ private:
+  TimeNs last_ns_ = 0;
+};
+/// Leaves rows out that repeat a time.
+void AddStepRule(const TimeSteps& steps, const std::string& column, RuleGuesses* rules);
+
+/// Names of channels, each given once.
+class TakenNames {
+ public:
+  std::string Take(std::string_view wanted);
+
+ private:
+  std::set<std::string> names_;
+};
 
 /// "{column: gx, unit: deg/s}"
 std::string ColumnYaml(std::string_view column, const UnitGuess& unit);

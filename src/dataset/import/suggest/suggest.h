@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ std::string SuggestForTable(const std::filesystem::path& log,
 std::string SuggestForUlog(const std::filesystem::path& log);
 /// Of a type of foreign_log.h.
 std::string SuggestForLog(const std::filesystem::path& log);
+/// Of a text file of poses in the form of TUM, EuRoC or KITTI; nothing of others.
+std::optional<std::string> SuggestForTrajectory(const std::filesystem::path& log);
 /// Of a drive of KITTI's raw data, or of files NAME/data.csv in EuRoC's form.
 std::string SuggestForFolder(const std::filesystem::path& folder);
 

@@ -1,11 +1,16 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/error.h"
+#include "core/types/sample_rows.h"
 #include "dataset/import/logs/foreign_log.h"
+#include "dataset/import/logs/number_table.h"
 #include "dataset/import/suggest/guess.h"
 #include "dataset/import/suggest/suggest.h"
 
@@ -22,52 +27,119 @@ std::string Top(const std::string& name) {
       PlainNameOf(name));
 }
 
-/// What the first row that has all of these columns says of them.
-std::vector<double> FirstOf(const RowTable& table, const std::vector<std::string>& columns) {
-  std::vector<std::size_t> places;
-  for (const std::string& name : columns) places.push_back(table.Column(name));
-  for (std::size_t row = 0; row < table.row_count(); ++row) {
-    std::vector<double> values;
-    for (const std::size_t place : places) {
-      if (const auto value = table.NumberIfAny(row, place)) values.push_back(*value);
-    }
-    if (values.size() == columns.size()) return values;
-  }
-  return {};
+/// Whether a row has numbers in all of these columns.
+bool HasAllOf(const RowTable& table, std::size_t row, const std::vector<const char*>& columns) {
+  return std::all_of(columns.begin(), columns.end(), [&](const char* column) {
+    return table.NumberIfAny(row, table.Column(column)).has_value();
+  });
 }
 
-std::string OriginYaml(const RowTable& table, const std::vector<std::string>& columns,
-                       const fs::path& log) {
-  const std::vector<double> place = FirstOf(table, columns);
-  if (place.empty()) {
-    throw InputError(fmt::format("{}: has no row with a position; need one", log.string()));
+std::int64_t CountOf(const RowTable& table, const std::vector<const char*>& columns) {
+  std::int64_t count = 0;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    if (HasAllOf(table, row, columns)) ++count;
   }
-  return fmt::format(
-      "origin: {{lat_deg: {:.9f}, lon_deg: {:.9f}, height_m: {:.4f}}}   # guessed: the first row\n",
-      place[0], place[1], place[2]);
+  return count;
+}
+
+using IsValidRow = std::function<bool(std::size_t row)>;
+
+/// At the first valid row that has a place; nothing where none has.
+std::optional<std::string> OriginOf(const RowTable& table,
+                                    const std::vector<const char*>& lat_lon_height,
+                                    const IsValidRow& is_valid) {
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    if (!HasAllOf(table, row, lat_lon_height) || !is_valid(row)) continue;
+    const auto number = [&](int k) {
+      return table.Number(row, table.Column(lat_lon_height[static_cast<std::size_t>(k)]));
+    };
+    return OriginYaml(number(0), number(1), number(2), "the first row with a fix");
+  }
+  return std::nullopt;
+}
+
+bool HasFix(const RowTable& table, std::size_t row) {
+  const auto quality = table.NumberIfAny(row, table.Column("fix"));
+  const auto fix = quality ? FixOfQuality(*quality) : std::nullopt;
+  return fix && *fix != GnssFix::kNone;
+}
+
+TimeSteps TimeStepsOf(const RowTable& table) {
+  TimeSteps steps;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    steps.Add(*table.Stamp(row, table.Column(kLogTimeColumn)));
+  }
+  return steps;
 }
 
 std::string PosYaml(const fs::path& log, const RowTable& table) {
-  return Top(log.stem().string()) + "file: " + YamlWord(log.string()) + "\n" +
-         OriginYaml(table, {"latitude", "longitude", "height"}, log) + "gnss:\n  - {name: gnss}\n";
+  const auto origin = OriginOf(table, {"latitude", "longitude", "height"},
+                               [&](std::size_t row) { return HasFix(table, row); });
+  if (!origin) throw InputError(log.string() + ": has no row with a fix; need one");
+  RuleGuesses rules;
+  AddStepRule(TimeStepsOf(table), kLogTimeColumn, &rules);
+  return Top(log.stem().string()) + "file: " + YamlWord(log.string()) + "\n" + *origin +
+         "gnss:\n  - name: gnss\n" + rules.Yaml();
 }
 
-std::string NmeaYaml(const fs::path& log, const RowTable& table) {
-  std::string yaml = Top(log.stem().string()) + "file: " + YamlWord(log.string()) + "\n" +
-                     OriginYaml(table, {"latitude", "longitude", "msl"}, log) +
-                     "gnss:\n  - name: gnss\n";
+/// Rows that say of no fix, or of one that is no measurement.
+RuleGuesses RulesOfNmea(const RowTable& table, const char* height) {
+  std::int64_t without_fix = 0, not_measured = 0, without_height = 0;
+  for (std::size_t row = 0; row < table.row_count(); ++row) {
+    const auto quality = table.NumberIfAny(row, table.Column("fix"));
+    if (!quality) ++without_fix;
+    if (quality && !FixOfQuality(*quality)) ++not_measured;
+    if (HasFix(table, row) && !HasAllOf(table, row, {height})) ++without_height;
+  }
+  RuleGuesses rules;
+  if (without_fix > 0) {
+    rules.Add("{column: fix, present: true}",
+              fmt::format("{} times have no position", without_fix));
+  }
+  if (not_measured > 0) {
+    rules.Add("{column: fix, below: 6}",
+              fmt::format("{} fixes are estimated, by hand or simulated", not_measured));
+  }
+  if (without_height > 0) {
+    rules.Add(fmt::format("{{column: {}, present: true}}", height),
+              fmt::format("{} fixes have no height above the ellipsoid", without_height));
+  }
+  AddStepRule(TimeStepsOf(table), kLogTimeColumn, &rules);
+  return rules;
+}
+
+std::string NmeaYaml(const fs::path& log, const RowTable& table, const NmeaContents& contents) {
+  const bool has_altitude = CountOf(table, {"altitude"}) > 0;
+  const char* const height = has_altitude ? "altitude" : "msl";
+  const auto has_fix = [&](std::size_t row) { return HasFix(table, row); };
+  const auto origin = OriginOf(table, {"latitude", "longitude", height}, has_fix);
+  if (!origin) {
+    throw InputError(fmt::format("{}: has no GGA, GNS or PTNL,GGK with a fix; it has {}",
+                                 log.string(), contents.kinds.empty() ? "none" : contents.kinds));
+  }
+  std::string yaml = Top(log.stem().string()) + "file: " + YamlWord(log.string()) + "\n";
+  if (!contents.has_dates) yaml += "# no sentence has a date: times count from 1970-01-01\n";
+  if (!contents.rivals.empty()) {
+    yaml += fmt::format("talker: {}   # guessed: {} say of the same times where they are\n",
+                        contents.rivals.front(), fmt::join(contents.rivals, ", "));
+  }
+  yaml += *origin + "gnss:\n  - name: gnss\n" + RulesOfNmea(table, height).Yaml();
   std::string columns;
-  if (FirstOf(table, {"altitude"}).empty()) {
+  if (!has_altitude) {
     columns +=
         "      alt: {column: msl, unit: m}   # guessed: above the sea, no separation is told\n";
   }
-  if (FirstOf(table, {"var_e"}).empty()) {
+  const std::int64_t fixes = CountOf(table, {"latitude"});
+  const std::int64_t deviations = CountOf(table, {"latitude", "var_e", "var_n", "var_u"});
+  if (deviations < fixes) {
     for (const char* key : {"var_e", "var_n", "var_u"}) {
-      columns += fmt::format("      {}: {{constant: 4}}   # guessed: there is no GST\n", key);
+      columns += fmt::format(
+          "      {}: {{constant: 4}}   # guessed: there is {}\n", key,
+          deviations == 0 ? "no GST" : fmt::format("a GST for {} of {} fixes", deviations, fixes));
     }
   }
   if (!columns.empty()) yaml += "    columns:\n" + columns;
-  if (!FirstOf(table, {"heading"}).empty()) {
+  if (CountOf(table, {"heading"}) > 0) {
     yaml +=
         "tables:\n  - name: heading\n    valid_if: [{column: heading, present: true}]\n"
         "    columns:\n      heading_rad: {column: heading, unit: deg}   # clockwise from north\n";
@@ -78,7 +150,7 @@ std::string NmeaYaml(const fs::path& log, const RowTable& table) {
 std::string KittiYaml(const fs::path& timestamps, const RowTable& table) {
   return Top(timestamps.parent_path().parent_path().filename().string()) +
          "file: " + YamlWord(timestamps.string()) + "\n" +
-         OriginYaml(table, {"lat", "lon", "alt"}, timestamps) +
+         OriginOf(table, {"lat", "lon", "alt"}, [](std::size_t) { return true; }).value_or("") +
          "imus:\n  - {name: imu}\n"
          "gnss:\n  - name: gnss\n    columns:\n"
          "      fix: {constant: 4}   # guessed: the unit's modes are not GGA's\n"
@@ -92,33 +164,75 @@ std::string KittiYaml(const fs::path& timestamps, const RowTable& table) {
 
 struct EurocFile {
   fs::path file;
-  std::string name;  ///< of its folder
-  std::string header;
+  std::string name;                  ///< of its folder
+  std::vector<std::string> columns;  ///< as its first line names them behind the '#'
+
+  bool Has(const std::string& column) const {
+    return std::find(columns.begin(), columns.end(), column) != columns.end();
+  }
 };
 
-/// All NAME/data.csv below a folder whose first column is a time in ns.
-std::vector<EurocFile> EurocFilesOf(const fs::path& folder) {
+/// The names in a first line "#timestamp [ns],w_RS_S_x [rad s^-1]", with blanks or none around.
+std::vector<std::string> EurocColumnsOf(const fs::path& file) {
+  constexpr std::string_view kBlanks = " \t\r";
+  std::string header;
+  std::ifstream stream(file);
+  std::getline(stream, header);
+  if (!header.starts_with('#')) return {};
+  std::vector<std::string> columns;
+  for (std::string_view name : FieldsOf(std::string_view(header).substr(1), ',')) {
+    name.remove_prefix(std::min(name.find_first_not_of(kBlanks), name.size()));
+    columns.emplace_back(name.substr(0, name.find_last_not_of(kBlanks) + 1));
+  }
+  return columns;
+}
+
+/// Files below a folder whose names end so; those that are nearer to the folder first, as what is
+/// of the machine stands before what is of its parts.
+std::vector<fs::path> FilesBelow(const fs::path& folder, std::string_view ending) {
   constexpr int kDeepest = 5;
-  std::vector<EurocFile> files;
+  std::vector<fs::path> files;
   std::error_code failed;
   for (fs::recursive_directory_iterator at(folder, failed), end; !failed && at != end;
        at.increment(failed)) {
     if (at.depth() >= kDeepest) at.disable_recursion_pending();
-    if (at->path().filename() != "data.csv" || !at->is_regular_file()) continue;
-    std::string header;
-    std::ifstream stream(at->path());
-    std::getline(stream, header);
-    if (header.ends_with('\r')) header.pop_back();
-    if (!header.starts_with("#timestamp [ns],")) continue;
-    files.push_back({at->path(), at->path().parent_path().filename().string(), header});
+    if (at->path().filename().string().ends_with(ending) && at->is_regular_file()) {
+      files.push_back(at->path());
+    }
   }
-  std::sort(files.begin(), files.end(),
-            [](const EurocFile& a, const EurocFile& b) { return a.file < b.file; });
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    const auto depth = [](const fs::path& path) { return std::distance(path.begin(), path.end()); };
+    return std::pair(depth(a), a) < std::pair(depth(b), b);
+  });
   return files;
 }
 
-std::string ColumnsYaml(const std::vector<std::pair<const char*, const char*>>& columns,
-                        const std::string& unit) {
+/// All NAME/data.csv below a folder whose first column is a time.
+std::vector<EurocFile> EurocFilesOf(const fs::path& folder) {
+  std::vector<EurocFile> files;
+  for (const fs::path& path : FilesBelow(folder, "data.csv")) {
+    EurocFile file{path, path.parent_path().filename().string(), EurocColumnsOf(path)};
+    if (!file.columns.empty() && file.columns.front().starts_with("timestamp")) {
+      files.push_back(std::move(file));
+    }
+  }
+  return files;
+}
+
+/// The first trajectory in the form of TUM below a folder; nothing where there is none.
+std::string TumFolderYaml(const fs::path& folder) {
+  std::string yaml, others;
+  for (const fs::path& file : FilesBelow(folder, ".tum")) {
+    const auto own = yaml.empty() ? SuggestForTrajectory(file) : std::nullopt;
+    if (own) yaml = *own;
+    if (!own) others += "# not imported: " + file.string() + "\n";
+  }
+  return yaml.empty() ? "" : yaml + others;
+}
+
+using EurocColumns = std::vector<std::pair<const char*, const char*>>;  // key, column
+
+std::string EurocColumnsYaml(const EurocColumns& columns, const std::string& unit) {
   std::string yaml;
   for (const auto& [key, column] : columns) {
     yaml += fmt::format("      {}: {{column: \"{}\", unit: {}}}\n", key, column, unit);
@@ -126,37 +240,59 @@ std::string ColumnsYaml(const std::vector<std::pair<const char*, const char*>>& 
   return yaml;
 }
 
-bool HasAll(const EurocFile& file,
-            const std::vector<std::pair<const char*, const char*>>& columns) {
-  return std::all_of(columns.begin(), columns.end(), [&](const auto& column) {
-    return file.header.find(column.second) != std::string::npos;
-  });
+bool HasAll(const EurocFile& file, const EurocColumns& columns) {
+  return std::all_of(columns.begin(), columns.end(),
+                     [&](const auto& column) { return file.Has(column.second); });
+}
+
+std::string EurocTimeYaml(const EurocFile& file, std::string_view indent) {
+  return fmt::format("{}time: {{column: \"{}\", unit: ns}}\n", indent, file.columns.front());
+}
+
+/// The ground truth's pose before those of other instruments.
+const EurocFile* EurocPoseOf(const std::vector<EurocFile>& files, const EurocColumns& columns) {
+  const EurocFile* pose = nullptr;
+  for (const EurocFile& file : files) {
+    if (!HasAll(file, columns)) continue;
+    const auto is_truth = [](const EurocFile& f) { return f.name.find("truth") != f.name.npos; };
+    if (pose == nullptr || (is_truth(file) && !is_truth(*pose))) pose = &file;
+  }
+  return pose;
 }
 
 std::string EurocYaml(const fs::path& folder, const std::vector<EurocFile>& files) {
-  using Columns = std::vector<std::pair<const char*, const char*>>;
-  const Columns rates = {
+  const EurocColumns rates = {
       {"wx", "w_RS_S_x [rad s^-1]"}, {"wy", "w_RS_S_y [rad s^-1]"}, {"wz", "w_RS_S_z [rad s^-1]"}};
-  const Columns forces = {
+  const EurocColumns forces = {
       {"ax", "a_RS_S_x [m s^-2]"}, {"ay", "a_RS_S_y [m s^-2]"}, {"az", "a_RS_S_z [m s^-2]"}};
-  const Columns place = {{"x", "p_RS_R_x [m]"}, {"y", "p_RS_R_y [m]"}, {"z", "p_RS_R_z [m]"}};
-  const Columns turn = {
+  const EurocColumns place = {{"x", "p_RS_R_x [m]"}, {"y", "p_RS_R_y [m]"}, {"z", "p_RS_R_z [m]"}};
+  const EurocColumns turn = {
       {"qw", "q_RS_w []"}, {"qx", "q_RS_x []"}, {"qy", "q_RS_y []"}, {"qz", "q_RS_z []"}};
-  std::string imus, pose, others;
+  EurocColumns whole_pose = place;
+  whole_pose.insert(whole_pose.end(), turn.begin(), turn.end());
+  const EurocFile* const pose = EurocPoseOf(files, whole_pose);
+  std::string imus, others;
+  TakenNames names;
   for (const EurocFile& file : files) {
+    if (&file == pose) continue;
     if (HasAll(file, rates) && HasAll(file, forces)) {
-      imus += fmt::format("  - name: {}\n    file: {}\n    columns:\n{}{}", PlainNameOf(file.name),
-                          YamlWord(file.file.string()), ColumnsYaml(rates, "rad/s"),
-                          ColumnsYaml(forces, "m/s2"));
-    } else if (pose.empty() && HasAll(file, place) && HasAll(file, turn)) {
-      pose = fmt::format("pose:\n  file: {}\n  columns:\n{}{}", YamlWord(file.file.string()),
-                         ColumnsYaml(place, "m"), ColumnsYaml(turn, "\"1\""));
+      imus +=
+          fmt::format("  - name: {}\n    file: {}\n{}    columns:\n{}{}", PlainNameOf(file.name),
+                      YamlWord(file.file.string()), EurocTimeYaml(file, "    "),
+                      EurocColumnsYaml(rates, "rad/s"), EurocColumnsYaml(forces, "m/s2"));
     } else {
-      others += "# not imported: " + file.file.string() + "\n";
+      others += "# not imported: " + file.file.string() +
+                (file.Has("filename") ? ", pictures do not come in by a mapping\n" : "\n");
     }
   }
-  return Top(folder.filename().string()) + "time: {column: \"timestamp [ns]\", unit: ns}\n" +
-         (imus.empty() ? "" : "imus:\n" + imus) + pose + others;
+  std::string yaml = Top(folder.filename().string());
+  if (!imus.empty()) yaml += "imus:\n" + imus;
+  if (pose != nullptr) {
+    yaml += fmt::format("pose:\n  file: {}\n{}  columns:\n{}{}", YamlWord(pose->file.string()),
+                        EurocTimeYaml(*pose, "  "), EurocColumnsYaml(place, "m"),
+                        EurocColumnsYaml(turn, "\"1\""));
+  }
+  return yaml + others;
 }
 
 }  // namespace
@@ -165,13 +301,15 @@ std::string SuggestForLog(const fs::path& log) {
   const std::string type = TypeOfLog(log);
   if (type == kUlogType) return SuggestForUlog(log);
   LeftOutRows left_out;
-  const auto table = ReadLog(log, type, &left_out);
+  const NmeaContents contents = type == kNmeaType ? ContentsOfNmea(log) : NmeaContents{};
+  const std::string talker = contents.rivals.empty() ? "" : contents.rivals.front();
+  const auto table = ReadLog(log, type, talker, &left_out);
   const std::string yaml = type == kPosType    ? PosYaml(log, *table)
-                           : type == kNmeaType ? NmeaYaml(log, *table)
+                           : type == kNmeaType ? NmeaYaml(log, *table, contents)
                                                : KittiYaml(log, *table);
   if (left_out.count == 0) return yaml;
-  return yaml +
-         fmt::format("# {} lines cannot be read, the first: {}\n", left_out.count, left_out.first);
+  return yaml + fmt::format("# {} lines cannot be read and need --skip-bad-rows, the first: {}\n",
+                            left_out.count, left_out.first);
 }
 
 std::string SuggestForFolder(const fs::path& folder) {
@@ -180,6 +318,15 @@ std::string SuggestForFolder(const fs::path& folder) {
   }
   const std::vector<EurocFile> files = EurocFilesOf(folder);
   if (!files.empty()) return EurocYaml(folder, files);
+  if (const std::string yaml = TumFolderYaml(folder); !yaml.empty()) return yaml;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string ending = entry.path().extension();
+    if (ending != ".db3" && ending != ".mcap") continue;
+    throw InputError(fmt::format(
+        "{0}: holds {1} of a rosbag2 and no metadata.yaml, which lists its files; 'ros2 bag "
+        "reindex {0}' writes it, or name {1} itself",
+        folder.string(), entry.path().filename().string()));
+  }
   throw InputError(fmt::format(
       "{}: is a folder of no known form; need a rosbag2 with metadata.yaml, a drive of KITTI with "
       "oxts/timestamps.txt, data.csv files as EuRoC has them, or a file",

@@ -349,6 +349,8 @@ std::string SuggestMapping(const std::filesystem::path& log,
                            const std::vector<std::string>& overrides) {
   const bool is_table =
       !LooksLikeBag(log) && !std::filesystem::is_directory(log) && TypeOfLog(log).empty();
+  const auto trajectory = is_table && overrides.empty() ? SuggestForTrajectory(log) : std::nullopt;
+  if (trajectory) return *trajectory;
   if (is_table) return SuggestForTable(log, overrides);
   if (!overrides.empty()) {
     throw InputError(fmt::format(

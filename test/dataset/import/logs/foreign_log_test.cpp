@@ -185,21 +185,26 @@ TEST_F(ForeignLog, DatesGoOnOverMidnightAndBack) {
 TEST_F(ForeignLog, ABadChecksumIsAFaultOrCounted) {
   std::string bad = kRmc;
   bad[40] = '9';
+  std::string more;  // as many rows as are left out
+  for (int k = 30; k < 36; ++k) {
+    more += Sentence(fmt::format("GPGGA,1235{},4807.038,N,01131.0,E,1,8,1,500,M,40,M,,", k));
+  }
   Log("log.nmea", std::string(kGga) + bad + "\xb5\x62 binary\n" + "$GPRMC,1235,A*00\n" +
                       Sentence("GPRMC,123519,A,4807.038,N,01131.0,E,1,2,320394,,") +
                       Sentence("GPGGA,123520,4860.038,N,01131.0,E,1,8,1,500,M,40,M,,") +
                       Sentence("GNZDA,123520,02,01,7.8e86,00,00") +
-                      Sentence("GPGSV,3,1,11,03,03,111,00") + "$GPGGA,123521,48");
+                      Sentence("GPGSV,3,1,11,03,03,111,00") + more + "$GPGGA,123521,48");
   const std::string keys =
       "gnss: [{name: gnss, columns: {var_e: {constant: 4}, var_n: {constant: 4}, var_u: "
       "{constant: 9}}}]\n";
   EXPECT_THAT(FaultOf("log.nmea", keys),
               AllOf(HasSubstr("log.nmea:2: its checksum is not that of the sentence"),
                     HasSubstr("--skip-bad-rows")));
-  const ImportReport report =
-      Import("log.nmea", "zero: start\n" + std::string(kOrigin) + keys, {.skips_bad_rows = true});
+  const ImportReport report = Import(
+      "log.nmea", "zero: start\norigin: {lat_deg: 48.1, lon_deg: 11.5, height_m: 500}\n" + keys,
+      {.skips_bad_rows = true});
   ASSERT_EQ(report.channels.size(), 1u);
-  EXPECT_EQ(report.channels[0].rows, 1);
+  EXPECT_EQ(report.channels[0].rows, 7);
   // The changed one, what is none, one of a wrong sum, a date that is none, minutes beyond 60, a
   // year that no whole number holds and a line that was cut off.
   EXPECT_EQ(report.channels[0].left_out, 7);
@@ -314,14 +319,17 @@ TEST_F(ForeignLog, ADriveOfKittiComesInBySuggestion) {
 
 TEST_F(ForeignLog, FramesThatADriveLacksAreNamedOrCounted) {
   Log("drive/oxts/timestamps.txt",
-      "2011-09-26 13:02:25.9\n2011-09-26 13:02:26.0\n2011-09-26 13:02:26.1\n2011-09-26 13:02\n");
-  Log("drive/oxts/data/0000000000.txt", Oxts(49, 0.5));
+      "2011-09-26 13:02:25.9\n2011-09-26 13:02:26.0\n2011-09-26 13:02:26.1\n2011-09-26 13:02\n"
+      "2011-09-26 13:02:26.3\n2011-09-26 13:02:26.4\n");
+  for (const int whole : {0, 4, 5}) {
+    Log(fmt::format("drive/oxts/data/000000000{}.txt", whole), Oxts(49, 0.5));
+  }
   Log("drive/oxts/data/0000000001.txt", "49 8.4 112.5 0.01");
   const std::string file = "drive/oxts/timestamps.txt", keys = "imus: [{name: imu}]\n";
   EXPECT_THAT(FaultOf(file, keys), AllOf(HasSubstr("timestamps.txt:2:"),
                                          HasSubstr("0000000001.txt has 4, need 30 numbers")));
   const ImportReport report = Import(file, "zero: start\n" + keys, {.skips_bad_rows = true});
-  EXPECT_EQ(report.channels[0].rows, 1);
+  EXPECT_EQ(report.channels[0].rows, 3);
   EXPECT_EQ(report.channels[0].left_out, 3);
 }
 

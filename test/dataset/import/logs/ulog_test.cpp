@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "core/error.h"
@@ -144,6 +145,52 @@ TEST_F(UlogTest, ASuggestionComesInWithAxesForwardLeftAndUp) {
   EXPECT_EQ(imu[0].t_ns, 0);
   EXPECT_TRUE(imu[0].w_WS_S_radps.isApprox(Vec3(0.25, 0.5, -1), 1e-12));
   EXPECT_TRUE(imu[0].f_S_mps2.isApprox(Vec3(0.5, -1.5, 9.75), 1e-12));  // at rest +g along z
+}
+
+// Of both spellings of a receiver's fields, after a message without a fix; the bytes tell whatever
+// the name.
+TEST_F(UlogTest, TheSuggestedOriginIsTheFirstFixAboveTheEllipsoid) {
+  const auto newer = [](std::uint64_t t_us, std::uint8_t fix, double lat_deg) {
+    return Bytes(t_us) + Bytes(lat_deg) + Bytes(fix == 0 ? 0.0 : 8.5) +
+           Bytes(fix == 0 ? 0.0 : 488.0) + Bytes(fix);
+  };
+  const auto older = [](std::uint64_t t_us, std::uint8_t fix, double lat_deg) {
+    return Bytes(t_us) + Bytes(static_cast<std::int32_t>(std::lround(lat_deg * 1e7))) +
+           Bytes(std::int32_t{fix == 0 ? 0 : 85'000'000}) +
+           Bytes(std::int32_t{fix == 0 ? 0 : 488'000}) + Bytes(fix);
+  };
+  const std::string newer_format =
+      "vehicle_gps_position:uint64_t timestamp;double latitude_deg;double longitude_deg;double "
+      "altitude_ellipsoid_m;uint8_t fix_type;";
+  const std::string older_format =
+      "vehicle_gps_position:uint64_t timestamp;int32_t lat;int32_t lon;int32_t "
+      "alt_ellipsoid;uint8_t "
+      "fix_type;";
+  for (const bool is_newer : {true, false}) {
+    Ulog log;
+    log.Format(is_newer ? newer_format : older_format).Offer(1, "vehicle_gps_position");
+    for (int k = 0; k < 3; ++k) {
+      const std::uint64_t t_us = 1'000'000 + 200'000 * static_cast<std::uint64_t>(k);
+      const std::uint8_t fix = k == 0 ? 0 : 3;
+      log.Data(1, is_newer ? newer(t_us, fix, k == 0 ? 0 : 47.375)
+                           : older(t_us, fix, k == 0 ? 0 : 47.375));
+    }
+    WriteWholeFile(scratch_.path() / "flight.bin", log.bytes());
+    WriteWholeFile(scratch_.path() / "mapping.yaml",
+                   SuggestMapping(scratch_.path() / "flight.bin"));
+    fs::remove_all(Out());
+    ImportCsv(scratch_.path() / "mapping.yaml", Out());
+    const auto fixes = Recording(Out()).LoadGnss("machine/vehicle_gps_position");
+    ASSERT_EQ(fixes.size(), 2u);
+    EXPECT_NEAR(fixes[0].alt_m, 488, 1e-9);
+    EXPECT_NEAR(fixes[0].enu_m.norm(), 0, 1e-2);
+  }
+  Ulog none;
+  none.Format(newer_format).Offer(1, "vehicle_gps_position").Data(1, newer(1'000'000, 0, 0));
+  Log(none.bytes());
+  EXPECT_THAT(SuggestMapping(scratch_.path() / "log.ulg"),
+              AllOf(HasSubstr("# not imported: vehicle_gps_position, no message has a fix"),
+                    testing::Not(HasSubstr("origin"))));
 }
 
 TEST_F(UlogTest, TopicsAndFieldsThatAreMissingAreNamed) {

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dataset/import/bag/bag_source.h"
+#include "dataset/import/suggest/topic_look.h"
+
+/// Channels that topics of a bag become, as texts of a mapping.
+
+namespace tera {
+
+struct SeenTopic {
+  BagTopic topic;
+  std::int64_t messages = 0;
+  TimeNs first_ns = 0, last_ns = 0;  ///< of their recording
+
+  /// "100 messages, 10 Hz"
+  std::string Rate() const;
+};
+
+/// Whether a message is one number: std_msgs/Float32 and its like.
+bool IsNumber(const BagTopic& topic);
+
+/// Each Add looks at the messages and returns why they make no channel; nothing where they do.
+class BagChannels {
+ public:
+  BagChannels(const std::filesystem::path& log, UnpackedFiles* unpacked)
+      : log_(log), unpacked_(unpacked) {}
+
+  std::string AddImu(const SeenTopic& seen, TakenNames* names);
+  std::string AddReceiver(const SeenTopic& seen, TakenNames* names);
+  std::string AddJoints(const SeenTopic& seen, TakenNames* names);
+  std::string AddPose(const SeenTopic& seen);
+  /// TERA's own: levers, and the pose of the tool as a table.
+  std::string AddDeltaCan(const SeenTopic& seen, TakenNames* names);
+  std::string AddToolPose(const SeenTopic& seen, TakenNames* names);
+  /// A lever, an angle or a table of one column, by the topic's name.
+  std::string AddNumber(const SeenTopic& seen, TakenNames* names);
+  /// "odom>base_link 100, ..." of a topic of transforms.
+  std::string PairsText(const SeenTopic& seen) const;
+  /// `zero:`, `origin:` and all channels.
+  std::string Yaml() const;
+
+ private:
+  /// A channel, whose time is chosen when all are known.
+  struct Entry {
+    std::string key;  ///< "imus"
+    std::string head;
+    TopicTimes times;
+    RuleGuesses rules;
+    std::string rest;
+  };
+  struct Lever {
+    std::string name, topic;
+    TopicTimes times;
+    double largest = 0;
+    std::string rate;
+    RuleGuesses rules;
+  };
+
+  TopicLook Look(const SeenTopic& seen, const std::vector<std::string>& paths) const;
+  void Add(const std::string& key, const SeenTopic& seen, const TopicTimes& times,
+           const RuleGuesses& rules, const std::string& rest, TakenNames* names);
+  std::string AddJointSet(const SeenTopic& seen, const std::vector<std::string>& joints,
+                          TakenNames* names);
+  /// The table of the levers that AddNumber found, and the latest of their first times.
+  std::string CommandsYaml(bool trusts_far, TimeNs* first_ns) const;
+
+  std::filesystem::path log_;
+  UnpackedFiles* unpacked_;
+  std::vector<Entry> entries_;
+  std::vector<Lever> levers_;
+  std::string origin_;
+  bool has_commands_ = false;
+};
+
+}  // namespace tera
