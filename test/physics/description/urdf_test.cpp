@@ -154,7 +154,7 @@ TEST(Urdf, FaultsNameTheUrdfAndItsPart) {
               HasFault(kOutOfRange, "joint 'k' of broken.urdf:6, dynamics"));
   EXPECT_THAT(rubbing(R"(<dynamics friction="-1" damping="1"/>)"),
               HasFault(kOutOfRange, "dynamics"));
-  EXPECT_EQ(rubbing(R"(<dynamics friction="1" damping="1"/>)"), "");
+  EXPECT_THAT(rubbing(R"(<dynamics friction="1" damping="1"/>)"), testing::IsEmpty());
   EXPECT_THAT(
       faults_with("<robot name=\"r\"><link name=\"" + std::string(101, 'a') + "\"/></robot>"),
       HasFault(kMalformed, "name"));
