@@ -14,7 +14,7 @@
 
 namespace tera {
 
-using FaultsMatcher = testing::Matcher<const std::vector<InputFault>&>;
+using FaultsMatcher = ::testing::Matcher<const std::vector<InputFault>&>;
 
 /// What is wrong with what `read` reads, or nothing.
 template <typename Read>
@@ -58,24 +58,24 @@ MATCHER_P2(IsFault, kind, place, "") { return arg.kind == kind && LiesAt(arg.pla
 
 /// One of the faults is of that kind, at a place that ends in `place`.
 inline auto HasFault(FaultKind kind, const std::string& place = "") {
-  return testing::Contains(IsFault(kind, place));
+  return ::testing::Contains(IsFault(kind, place));
 }
 
 /// One of the faults, of whatever kind, is at a place that ends in `place`.
 inline auto HasFaultAt(const std::string& place) {
-  return testing::Contains(
-      testing::Field("place", &InputFault::place,
-                     testing::Truly([place](const std::string& at) { return LiesAt(at, place); })));
+  return ::testing::Contains(::testing::Field(
+      "place", &InputFault::place,
+      ::testing::Truly([place](const std::string& at) { return LiesAt(at, place); })));
 }
 
 /// There is one fault, of that kind, at a place that ends in `place`.
 inline auto HasOnlyFault(FaultKind kind, const std::string& place = "") {
-  return testing::ElementsAre(IsFault(kind, place));
+  return ::testing::ElementsAre(IsFault(kind, place));
 }
 
 inline auto ThrowsFault(FaultKind kind, const std::string& place = "") {
-  return testing::Throws<InputError>(
-      testing::Property("faults", &InputError::faults, HasFault(kind, place)));
+  return ::testing::Throws<InputError>(
+      ::testing::Property("faults", &InputError::faults, HasFault(kind, place)));
 }
 
 /// Of what a program prints: one line is "place: finding", the place ending in `place`.

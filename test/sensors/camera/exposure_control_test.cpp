@@ -208,7 +208,7 @@ TEST(ExposureControl, WhatCannotBeIsRefusedWithTheRemedy) {
               HasOnlyFault(kOutOfRange, "auto_white_balance.rate"));
   EXPECT_THAT(Refusal("auto_white_balance: {most: 0.5}"),
               HasOnlyFault(kOutOfRange, "auto_white_balance.most"));
-  EXPECT_THAT(Refusal("auto_exposure: {}"), testing::IsEmpty());
+  EXPECT_THAT(Refusal("auto_exposure: {}"), ::testing::IsEmpty());
 }
 
 }  // namespace

@@ -144,12 +144,13 @@ TEST(Lens, ThatFoldsWithinItsPictureIsRefusedWhereItSaysSo) {
   // theta - theta^3 / 2 is greatest at 0.816 rad, 0.54 focal lengths off the axis.
   const std::string folding = kSize + "fx_px: 300, lens: kannala_brandt, k1: -0.5";
   EXPECT_THAT(LensRefusal(folding), HasFault(kInconsistent, "lens.k1"));
-  EXPECT_THAT(LensRefusal(folding + ", field_of_view_deg: 90"), testing::IsEmpty())
+  EXPECT_THAT(LensRefusal(folding + ", field_of_view_deg: 90"), ::testing::IsEmpty())
       << "it folds beyond its field";
-  EXPECT_THAT(LensRefusal(kSize + "fx_px: 900, lens: kannala_brandt, k1: -0.5"), testing::IsEmpty())
+  EXPECT_THAT(LensRefusal(kSize + "fx_px: 900, lens: kannala_brandt, k1: -0.5"),
+              ::testing::IsEmpty())
       << "it folds beyond its picture";
   EXPECT_THAT(LensRefusal(kSize + "fx_px: 330, lens: rational, k1: -0.6"),
-              testing::Not(testing::IsEmpty()));
+              ::testing::Not(::testing::IsEmpty()));
 }
 
 TEST(Lens, ThatFoldsBeforeItsFieldEndsIsRefusedByItsField) {
