@@ -8,6 +8,10 @@ target_precompile_headers(tera_module_headers PRIVATE <Eigen/Geometry> <algorith
 # tera_unite(TARGET): with CMAKE_UNITY_BUILD the sources of one folder compile as one, at most twelve at a time, since most
 # time goes into the headers that neighbours share. Names in anonymous namespaces are therefore unique within a folder.
 function(tera_unite TARGET)
+  if(CMAKE_UNITY_BUILD)
+    # g++ takes an included source for a header, whose types must not rest on anonymous namespaces.
+    target_compile_options(${TARGET} PRIVATE -Wno-subobject-linkage)
+  endif()
   set_target_properties(${TARGET} PROPERTIES UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${TARGET} SOURCES)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
