@@ -107,9 +107,6 @@ Mat3 RotationFromUnityEuler(const Vec3& deg) {
   return to_ours * R * to_ours.transpose();
 }
 
-/// Less tilt is rounding.
-constexpr double kLevel_deg = 1e-9;
-
 struct ForeignSensor {
   std::string name;
   const ForeignType* type = nullptr;
@@ -281,16 +278,19 @@ std::string EffectsOf(const ForeignMachine& machine) {
   return text.empty() ? text : fmt::format("{}: {{{}}}", machine.id, text);
 }
 
+/// Without the rounding of turns there and back, and without a zero's minus sign.
+double Tidy(double value) { return std::round(1e9 * value) / 1e9 + 0.0; }
+
 /// Where the machine starts in a scenario, and what of its pose that leaves to the ground.
 std::string StartOf(const ForeignMachine& machine) {
-  const Vec3 p_m = machine.X_WB.translation();
-  const Vec3 rpy_deg = RpyFromRotation(machine.X_WB.linear()) / kDeg;
-  std::string text = fmt::format("start: {{xy_m: [{:.12g}, {:.12g}], yaw_deg: {:.12g}}}",
-                                 p_m.x() + 0.0, p_m.y() + 0.0, rpy_deg.z() + 0.0);
-  if (p_m.z() != 0 || rpy_deg.head<2>().norm() > kLevel_deg) {
+  const Vec3 p_m = machine.X_WB.translation().unaryExpr(&Tidy);
+  const Vec3 rpy_deg = (RpyFromRotation(machine.X_WB.linear()) / kDeg).unaryExpr(&Tidy);
+  std::string text = fmt::format("start: {{xy_m: [{:.12g}, {:.12g}], yaw_deg: {:.12g}}}", p_m.x(),
+                                 p_m.y(), rpy_deg.z());
+  if (p_m.z() != 0 || !rpy_deg.head<2>().isZero(0)) {
     text +=
         fmt::format("  # height {:.4g} m, roll {:.4g} and pitch {:.4g} deg are left to the ground",
-                    p_m.z(), rpy_deg.x() + 0.0, rpy_deg.y() + 0.0);
+                    p_m.z(), rpy_deg.x(), rpy_deg.y());
   }
   return text + "\n";
 }
