@@ -61,15 +61,6 @@ TEST_F(ImportTest, ALogInThePlaceOfItsMappingIsRefusedWithTheWayToOne) {
   EXPECT_FALSE(fs::exists(scratch_.path() / "out"));
 }
 
-TEST_F(ImportTest, ADecimalCommaIsRefusedByItsName) {
-  WriteWholeFile(scratch_.path() / "log.csv", "ms;x\n1000;0,5\n1100;0,6\n");
-  EXPECT_THAT(
-      [&] { Import("tables:\n  - {name: a, columns: {x: {column: x, unit: '1'}}}\n"); },
-      testing::ThrowsMessage<InputError>(testing::HasSubstr(
-          "log.csv:2: column 'x': found '0,5', need a finite number, with a decimal point in place "
-          "of the comma")));
-}
-
 TEST_F(ImportTest, ConvertsUnitsScalesOffsetsAndAxesOfAnImu) {
   const Recording recording = Import(kImu);
   EXPECT_FALSE(recording.info().simulated);

@@ -126,7 +126,7 @@ TEST_F(SuggestedTable, ATimeWithoutAUnitIsTakenWhereItsFractionsTell) {
   ExpectFiftyHertz(Joints("t,boom\n0.00,20\n0.02,20.1\n0.04,20.2\n"));
   EXPECT_THAT(yaml_, HasSubstr("time: {column: t, unit: s}   # guessed: steps of 0.02 with"));
   EXPECT_THAT(Refusal("t,boom\n0,20\n20,20.1\n40,20.2\n"),
-              HasSubstr("mapping.yaml:5:26: time.unit: 'unknown' does not fit here, need one of: "
+              HasSubstr("mapping.yaml:5:25: time.unit: 'unknown' does not fit here, need one of: "
                         "s, ms, us, ns"));
   EXPECT_THAT(yaml_,
               HasSubstr("# to fill in: nothing tells its unit; it steps by 20, at 0.05 Hz in "
@@ -267,7 +267,7 @@ TEST_F(SuggestedTable, GivenKeysCountAndOthersAreRefused) {
   EXPECT_THAT(Suggest(log, {"csv.skip_lines=2", "csv.header=false"}),
               AllOf(HasSubstr("csv: {skip_lines: 2, header: false}"), HasSubstr("time: unknown")));
   EXPECT_THAT([&] { Suggest(log, {"machine=digger"}); },
-              ThrowsMessage<InputError>(HasSubstr("machine: unknown key; known here: csv")));
+              ThrowsMessage<InputError>(HasSubstr("machine: unknown key")));
   WriteWholeFile(scratch_.path() / "log.nmea", "");
   EXPECT_THAT([&] { SuggestMapping(scratch_.path() / "log.nmea", {"csv.skip_lines=2"}); },
               ThrowsMessage<InputError>(HasSubstr("--set csv.skip_lines=2: beside --suggest it")));
