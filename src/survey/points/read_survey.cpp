@@ -58,13 +58,15 @@ void RequireFineSteps(const std::filesystem::path& file, const PointCloud& cloud
                       const SurveyReading& how, std::vector<std::string>* warnings) {
   const auto found = FindCoarseSteps(cloud);
   if (!found) return;
-  const std::string finding = fmt::format("{}: {} has steps of {:g} m: {}", file.string(),
-                                          found->axis, found->step_m, found->cause);
+  const std::string finding =
+      fmt::format("{} has steps of {:g} m: {}", found->axis, found->step_m, found->cause);
   if (found->step_m > how.coarsest_step_m) {
-    throw InputError(fmt::format("{} (for a site, --cell of {:g} or more takes them as they are)",
-                                 finding, found->step_m));
+    throw InputError(file.string(),
+                     {FaultKind::kOutOfRange,
+                      fmt::format("{} (for a site, --cell of {:g} or more takes them as they are)",
+                                  finding, found->step_m)});
   }
-  warnings->push_back(finding);
+  warnings->push_back(fmt::format("{}: {}", file.string(), finding));
 }
 
 Survey ReadCloud(const std::filesystem::path& file, const SurveyReading& how) {
