@@ -66,7 +66,11 @@ bool IsOfReceiver(std::string_view body) {
 
 std::optional<NmeaSentence> SentenceIn(std::string_view line) {
   const std::size_t begin = line.find('$');
-  if (begin == std::string_view::npos) return std::nullopt;
+  const auto is_text = [](char c) { return (c >= ' ' && c <= '~') || c == '\t'; };
+  const std::string_view before = line.substr(0, begin);
+  if (begin == std::string_view::npos || !std::all_of(before.begin(), before.end(), is_text)) {
+    return std::nullopt;
+  }
   const std::string_view sentence = line.substr(begin + 1);
   const std::size_t star = sentence.find('*');
   if (star == std::string_view::npos) {
