@@ -183,7 +183,8 @@ std::vector<int> ParentJoints(const MachineParts& parts, const std::map<std::str
     return fmt::format("there is no link '{}'{}", name, DidYouMean(name, known));
   };
   const auto check = [&](const JointPart& part, std::string_view key, const std::string& name) {
-    if (!index.contains(name) && !name.empty()) part.place.Fault(key, unknown(name));
+    if (!index.contains(name) && !name.empty())
+      part.place.Fault(key, {FaultKind::kNoSuchName, unknown(name)});
   };
   for (std::size_t k = 0; k < parts.joints.size(); ++k) {
     const JointPart& part = parts.joints[k];

@@ -154,7 +154,7 @@ TEST(UrdfTransmission, ADrivenJointNeedsLimits) {
   EXPECT_THAT(TransmissionFaultsWith(R"(<joint name="spin">
       <state_interface name="position"/>)",
                                      R"(<joint name="spinn">)"),
-              HasFault(kNoSuchName, "name"));
+              HasFault(kNoSuchName, "joint"));
 }
 
 }  // namespace

@@ -24,13 +24,13 @@ std::vector<InputFault> EffectFaults(const std::string& effects, const std::stri
                          const std::string& place) {
     return "{name: " + name + ", preset: tera:config/sensors/" + preset + ".yaml" + place + "}, ";
   };
-  return FaultsOf(WithRig(sensor("imu", "xsens_mti_670", ", link: boom") +
-                          sensor("left", "rtk_f9p", ", link: upper") +
-                          sensor("right", "rtk_f9p", ", link: upper") +
-                          sensor("camera", "rgb_640", ", link: upper") +
-                          sensor("lidar", "vlp16", ", link: upper") +
-                          sensor("encoders", "encoder", "") + more) +
-                  "effects: {excavator1: {" + effects + "}}\n");
+  return ScenarioFaults(WithRig(sensor("imu", "xsens_mti_670", ", link: boom") +
+                                sensor("left", "rtk_f9p", ", link: upper") +
+                                sensor("right", "rtk_f9p", ", link: upper") +
+                                sensor("camera", "rgb_640", ", link: upper") +
+                                sensor("lidar", "vlp16", ", link: upper") +
+                                sensor("encoders", "encoder", "") + more) +
+                        "effects: {excavator1: {" + effects + "}}\n");
 }
 
 TEST(EffectFaults, TakesEffectsOfEverySensorAndOfOneAxis) {
@@ -73,10 +73,11 @@ TEST(EffectFaults, RefusesEffectsOfAPairOfAntennasThatIsNone) {
               HasFault(kInconsistent, "effects.excavator1.left.antenna_swap"));
   EXPECT_THAT(EffectFaults("left: {antenna_yaw: {yaw_deg: 1}}, right: {antenna_yaw: {yaw_deg: 1}}"),
               HasFault(kInconsistent));
-  EXPECT_THAT(FaultsOf(WithRig("{name: a, preset: tera:config/sensors/rtk_f9p.yaml, link: upper}, "
-                               "{name: b, preset: tera:config/sensors/rtk_f9p.yaml, link: boom}") +
-                       "effects: {excavator1: {a: {antenna_yaw: {yaw_deg: 1}}}}\n"),
-              HasFault(kInconsistent));
+  EXPECT_THAT(
+      ScenarioFaults(WithRig("{name: a, preset: tera:config/sensors/rtk_f9p.yaml, link: upper}, "
+                             "{name: b, preset: tera:config/sensors/rtk_f9p.yaml, link: boom}") +
+                     "effects: {excavator1: {a: {antenna_yaw: {yaw_deg: 1}}}}\n"),
+      HasFault(kInconsistent));
 }
 
 /// What was learned of a joint as a share of its rate over one variable.
@@ -114,25 +115,25 @@ machines:
     rig: {sensors: [{name: a, preset: tera:config/sensors/rtk_f9p.yaml, link: mast}]}
 effects: {mast1: {a: {multipath: {}}}}
 )";
-  EXPECT_THAT(FaultsOf(kSite + mast), HasFault(kInconsistent, "effects.mast1.a.multipath"));
+  EXPECT_THAT(ScenarioFaults(kSite + mast), HasFault(kInconsistent, "effects.mast1.a.multipath"));
 }
 
 TEST(EffectFaults, RefusesALeverArmOfAnImuThatNeverTurns) {
   const auto faults = [](const std::string& link) {
-    return FaultsOf(std::string(kSite) + R"(
+    return ScenarioFaults(std::string(kSite) + R"(
 machines:
   - name: bench
     machine: tera:config/machines/fixed_arm.yaml
     operator: {type: idle}
     rig: {sensors: [{name: i, preset: tera:config/sensors/xsens_mti_670.yaml, link: )" +
-                    link + "}]}\neffects: {bench: {i: {imu_lever_arm: {x_m: 0.1}}}}\n");
+                          link + "}]}\neffects: {bench: {i: {imu_lever_arm: {x_m: 0.1}}}}\n");
   };
   EXPECT_THAT(faults("link1"), testing::IsEmpty());
   EXPECT_THAT(faults("base"), HasFault(kInconsistent, "imu_lever_arm"));
 }
 
 TEST(EffectFaults, TakesMultipathOnAMachineWithOtherJointNames) {
-  EXPECT_THAT(FaultsOf(std::string(kSite) + R"(
+  EXPECT_THAT(ScenarioFaults(std::string(kSite) + R"(
 machines:
   - name: bench
     machine: tera:config/machines/fixed_arm.yaml
@@ -177,7 +178,7 @@ TEST(EffectFaults, RefusesStepsOfASensorBeyondItsLimit) {
 
 TEST(EffectFaults, RefusesErrorsOfPositionsThatAReceiverDoesNotHave) {
   const auto faults = [](const std::string& fix, const std::string& effects) {
-    return FaultsOf(
+    return ScenarioFaults(
         WithRig("{name: a, preset: tera:config/sensors/rtk_f9p.yaml, link: upper, fix: " + fix +
                 "}") +
         "effects: {excavator1: {a: {" + effects + "}}}\n");
@@ -202,7 +203,7 @@ TEST(EffectFaults, RefusesErrorsOfEncodersInUnitsOfAnotherKindOfAxis) {
   const std::string gantry =
       Gantry("gantry", "{name: e, preset: tera:config/sensors/encoder.yaml}");
   const auto faults = [&](const std::string& effects) {
-    return FaultsOf(kSite + gantry + "effects: {gantry: {" + effects + "}}\n");
+    return ScenarioFaults(kSite + gantry + "effects: {gantry: {" + effects + "}}\n");
   };
   EXPECT_THAT(faults("e: {bias: {travel_m: 0.1, angle_deg: 1}}"), testing::IsEmpty());
   EXPECT_THAT(faults("e/slide: {bias: {travel_m: 0.1}}, e/turn: {bias: {angle_deg: 1}}"),
@@ -219,9 +220,9 @@ TEST(EffectFaults, RefusesAllEffectsThatCannotActEachAtItsPlace) {
                             HasFaultAt("effects.excavator1.slew.cylinder_lever"),
                             HasFaultAt("effects.excavator1.arm.cylinder_lever"),
                             ::testing::Not(HasFaultAt("swing.end_cushion"))));
-  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator +
-                           "effects: {excavator1: {boom: {dead_band: {width: 0.1}}}}\n",
-                       {"machines[0].machine.levers=[left_track, right_track, slew]"}),
+  EXPECT_THAT(ScenarioFaults(std::string(kSite) + kExcavator +
+                                 "effects: {excavator1: {boom: {dead_band: {width: 0.1}}}}\n",
+                             {"machines[0].machine.levers=[left_track, right_track, slew]"}),
               AllOf(HasFaultAt("boom.dead_band"), HasFaultAt("boom.actuator_ring"),
                     HasFaultAt("bucket.actuator_ring")));
 }
@@ -242,8 +243,8 @@ std::vector<InputFault> OverlayFaults(const std::string& overlay,
 }
 
 TEST(EffectFaults, AreToldAtTheKeyThatTheUserWroteWhereverThatWas) {
-  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator +
-                       "effects: {excavator1: {boom: {dead_band: {width: 2}}}}\n"),
+  EXPECT_THAT(ScenarioFaults(std::string(kSite) + kExcavator +
+                             "effects: {excavator1: {boom: {dead_band: {width: 2}}}}\n"),
               HasOnlyFault(kOutOfRange, "s.yaml:10:50: effects.excavator1.boom.dead_band.width"));
   EXPECT_THAT(OverlayFaults("boom: {dead_band: {width: 2}}", {}),
               HasOnlyFault(kOutOfRange, "over.yaml:3:31: effects.excavator1.boom.dead_band.width"));
@@ -287,8 +288,9 @@ TEST(EffectFaults, RefuseToTakeAwayWhatIsNotThere) {
 
 TEST(EffectFaults, RefusesSlipsThatLeaveNothingOfTheTracksSpeed) {
   const auto faults = [](const std::string& effects) {
-    return FaultsOf(std::string(kSite) + kExcavator +
-                    "    ground: kinematic\neffects: {excavator1: {base: {" + effects + "}}}\n");
+    return ScenarioFaults(std::string(kSite) + kExcavator +
+                          "    ground: kinematic\neffects: {excavator1: {base: {" + effects +
+                          "}}}\n");
   };
   const std::string slope = "slope_slip: {slip: 0.5, slip_per_slope: 0}";
   EXPECT_THAT(faults("track_slip: {slip: 0.49}, " + slope), testing::IsEmpty());
@@ -304,10 +306,10 @@ TEST(EffectFaults, RefusesSlipsThatLeaveNothingOfTheTracksSpeed) {
 
 TEST(EffectFaults, RefusesRaisedGroundBeyondTheSite) {
   const auto faults = [](const std::string& place) {
-    return FaultsOf(std::string(kSite) + kExcavator +
-                    "effects: {excavator1: {base: "
-                    "{terrain_height: {" +
-                    place + ", height_m: 0.2, edge_m: 1}}}}\n");
+    return ScenarioFaults(std::string(kSite) + kExcavator +
+                          "effects: {excavator1: {base: "
+                          "{terrain_height: {" +
+                          place + ", height_m: 0.2, edge_m: 1}}}}\n");
   };
   // The site reaches from -6 to 6 m.
   EXPECT_THAT(faults("x_m: 8, y_m: 0, radius_m: 1.5"), testing::IsEmpty());

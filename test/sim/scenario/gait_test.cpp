@@ -52,19 +52,20 @@ TEST(Gait, ComesRoundAfterAStrideAndIsStraightBetweenItsMoments) {
 }
 
 TEST(Gait, EveryFaultIsNamed) {
-  EXPECT_THAT(FaultsOf(Walker("")), testing::IsEmpty());
-  EXPECT_THAT(FaultsOf(Walker(", gait: {stride_m: 0}")),
+  EXPECT_THAT(ScenarioFaults(Walker("")), testing::IsEmpty());
+  EXPECT_THAT(ScenarioFaults(Walker(", gait: {stride_m: 0}")),
               HasFault(kOutOfRange, "obstacles[0].gait.stride_m"));
-  EXPECT_THAT(FaultsOf(Walker(", gait: {limbs: [{name: tail, node: trunk, of: left_tigh, joint_m: "
-                              "[0, 0, 1], swing_deg: [0]}]}")),
-              HasFault(kNoSuchName));
-  EXPECT_THAT(FaultsOf(Walker(", keypoints: [{name: nose, limb: head, xyz_m: [0, 0, 1]}]")),
+  EXPECT_THAT(
+      ScenarioFaults(Walker(", gait: {limbs: [{name: tail, node: trunk, of: left_tigh, joint_m: "
+                            "[0, 0, 1], swing_deg: [0]}]}")),
+      HasFault(kNoSuchName));
+  EXPECT_THAT(ScenarioFaults(Walker(", keypoints: [{name: nose, limb: head, xyz_m: [0, 0, 1]}]")),
               HasFault(kNoSuchName, "keypoints[0].limb"));
-  EXPECT_THAT(FaultsOf(Walker(", gait: {rise_m: [5]}")), HasFaultAt("rise_m"));
-  EXPECT_THAT(FaultsOf(Walker(", gait: {rise_m: [0, 0.1], limbs: []}")),
+  EXPECT_THAT(ScenarioFaults(Walker(", gait: {rise_m: [5]}")), HasFaultAt("rise_m"));
+  EXPECT_THAT(ScenarioFaults(Walker(", gait: {rise_m: [0, 0.1], limbs: []}")),
               HasFault(kMissing, "gait.limbs"));
   const std::string limb = "{name: leg, node: trunk, joint_m: [0, 0, 1], swing_deg: [0]}";
-  EXPECT_THAT(FaultsOf(Walker(", gait: {limbs: [" + limb + ", " + limb + "]}")),
+  EXPECT_THAT(ScenarioFaults(Walker(", gait: {limbs: [" + limb + ", " + limb + "]}")),
               HasFaultAt("limbs[1].name"));
 }
 

@@ -56,18 +56,20 @@ TEST(ReadLight, ExposureAndSunCanStillBeGiven) {
 }
 
 TEST(ReadLight, RefusesWhatContradictsOrIsNoTime) {
-  EXPECT_THAT(FaultsOf(Site("environment: {time: '2026-06-21T10:00:00Z', sun_elevation_deg: 3}\n")),
-              HasFault(kInconsistent, "environment.sun_elevation_deg"));
-  EXPECT_THAT(FaultsOf(Site("environment: {time: '21 June'}\n")),
+  EXPECT_THAT(
+      ScenarioFaults(Site("environment: {time: '2026-06-21T10:00:00Z', sun_elevation_deg: 3}\n")),
+      HasFault(kInconsistent, "environment.sun_elevation_deg"));
+  EXPECT_THAT(ScenarioFaults(Site("environment: {time: '21 June'}\n")),
               HasFault(kMistyped, "environment.time"));
-  EXPECT_THAT(FaultsOf(Site("environment: {cloud_cover: 1.5}\n")),
+  EXPECT_THAT(ScenarioFaults(Site("environment: {cloud_cover: 1.5}\n")),
               HasFault(kOutOfRange, "environment.cloud_cover"));
 }
 
 TEST(ReadLight, RefusesASunThatShinesAtNight) {
-  EXPECT_THAT(FaultsOf(Site("environment: {time: '2026-12-21T23:00:00Z', sun_illuminance_klx: "
-                            "50}\n")),
-              HasFault(kInconsistent, "environment.sun_illuminance_klx"));
+  EXPECT_THAT(
+      ScenarioFaults(Site("environment: {time: '2026-12-21T23:00:00Z', sun_illuminance_klx: "
+                          "50}\n")),
+      HasFault(kInconsistent, "environment.sun_illuminance_klx"));
 }
 
 TEST(ReadLight, LampsHangOnLinksOrStandOnTheSite) {
@@ -86,17 +88,17 @@ TEST(ReadLight, LampsHangOnLinksOrStandOnTheSite) {
 
 TEST(ReadLight, RefusesLampsOnWhatIsNotThere) {
   const std::string rest = ", xyz_m: [0, 0, 1], flux_lm: 100, beam_deg: 60}\n";
-  EXPECT_THAT(FaultsOf(Site("lamps:\n  - {machine: excavator2" + rest)),
+  EXPECT_THAT(ScenarioFaults(Site("lamps:\n  - {machine: excavator2" + rest)),
               HasFault(kNoSuchName, "lamps[0].machine"));
-  EXPECT_THAT(FaultsOf(Site("lamps:\n  - {machine: excavator1, link: bom" + rest)),
+  EXPECT_THAT(ScenarioFaults(Site("lamps:\n  - {machine: excavator1, link: bom" + rest)),
               HasFault(kNoSuchName, "link"));
-  EXPECT_THAT(FaultsOf(Site("lamps:\n  - {xyz_m: [0, 0, 1], flux_lm: -1, beam_deg: 60}\n")),
+  EXPECT_THAT(ScenarioFaults(Site("lamps:\n  - {xyz_m: [0, 0, 1], flux_lm: -1, beam_deg: 60}\n")),
               HasFault(kOutOfRange, "lamps[0].flux_lm"));
-  EXPECT_THAT(FaultsOf(Site("lamps:\n  - {name: mast" + rest)),
+  EXPECT_THAT(ScenarioFaults(Site("lamps:\n  - {name: mast" + rest)),
               HasFault(kUnknown, "lamps[0].name"));
   std::string nine = "lamps:\n";
   for (int k = 0; k < 9; ++k) nine += "  - {" + rest.substr(2);
-  EXPECT_THAT(FaultsOf(Site(nine)), HasFault(kOutOfRange, "lamps"));
+  EXPECT_THAT(ScenarioFaults(Site(nine)), HasFault(kOutOfRange, "lamps"));
 }
 
 }  // namespace

@@ -52,23 +52,23 @@ TEST(ReadTolerances, OfTheScenarioStandOverThoseOfTheMachinesFile) {
 }
 
 TEST(ReadTolerances, NegativeAndUnknownOnesAreRefusedByTheirPlace) {
-  EXPECT_THAT(FaultsOf(WithTolerances("{excavator1: {boom: {dead_band: {width: -0.1}}}}")),
+  EXPECT_THAT(ScenarioFaults(WithTolerances("{excavator1: {boom: {dead_band: {width: -0.1}}}}")),
               HasFault(kOutOfRange, "tolerances.excavator1.boom.dead_band.width"));
-  EXPECT_THAT(FaultsOf(WithTolerances("{excavator1: {boom: {dead_band: {widht: 0.1}}}}")),
+  EXPECT_THAT(ScenarioFaults(WithTolerances("{excavator1: {boom: {dead_band: {widht: 0.1}}}}")),
               HasFault(kUnknown, "dead_band.widht"));
-  EXPECT_THAT(FaultsOf(WithTolerances("{excavator1: {boom: {dead_bant: {width: 0.1}}}}")),
+  EXPECT_THAT(ScenarioFaults(WithTolerances("{excavator1: {boom: {dead_bant: {width: 0.1}}}}")),
               HasFault(kUnknown, "tolerances.excavator1.boom.dead_bant"));
-  EXPECT_THAT(FaultsOf(WithTolerances("{excavator1: {bom: {dead_band: {width: 0.1}}}}")),
+  EXPECT_THAT(ScenarioFaults(WithTolerances("{excavator1: {bom: {dead_band: {width: 0.1}}}}")),
               HasFault(kUnknown, "tolerances.excavator1.bom"));
-  EXPECT_THAT(FaultsOf(WithTolerances("{digger: {boom: {dead_band: {width: 0.1}}}}")),
+  EXPECT_THAT(ScenarioFaults(WithTolerances("{digger: {boom: {dead_band: {width: 0.1}}}}")),
               HasFault(kUnknown, "tolerances.digger"));
 }
 
 TEST(ReadTolerances, ValuesWhereMappingsBelongAreRefused) {
-  EXPECT_THAT(FaultsOf(WithTolerances("0.1")), HasFaultAt("tolerances"));
-  EXPECT_THAT(FaultsOf(WithTolerances("{excavator1: 0.1}")), HasFault(kMistyped));
-  EXPECT_THAT(FaultsOf(WithTolerances("{excavator1: {boom: 0.1}}")), HasFault(kMistyped));
-  EXPECT_THAT(FaultsOf(WithTolerances("{excavator1: {boom: {dead_band: 0.1}}}")),
+  EXPECT_THAT(ScenarioFaults(WithTolerances("0.1")), HasFaultAt("tolerances"));
+  EXPECT_THAT(ScenarioFaults(WithTolerances("{excavator1: 0.1}")), HasFault(kMistyped));
+  EXPECT_THAT(ScenarioFaults(WithTolerances("{excavator1: {boom: 0.1}}")), HasFault(kMistyped));
+  EXPECT_THAT(ScenarioFaults(WithTolerances("{excavator1: {boom: {dead_band: 0.1}}}")),
               HasFault(kMistyped));
 }
 

@@ -39,8 +39,9 @@ TEST(ReadWear, ThatOfTheScenarioIsOfAllAndEachMayDiffer) {
 }
 
 TEST(ReadWear, EveryFaultIsNamed) {
-  EXPECT_THAT(FaultsOf(WornSite("wear: {mud: 1.5}\n", "", "")), HasFault(kOutOfRange, "wear.mud"));
-  EXPECT_THAT(FaultsOf(WornSite("", "    wear: {dirt: 0.5}\n", "")),
+  EXPECT_THAT(ScenarioFaults(WornSite("wear: {mud: 1.5}\n", "", "")),
+              HasFault(kOutOfRange, "wear.mud"));
+  EXPECT_THAT(ScenarioFaults(WornSite("", "    wear: {dirt: 0.5}\n", "")),
               HasFault(kUnknown, "machines[0].wear.dirt"));
 }
 

@@ -52,29 +52,30 @@ TEST(ReadWeather, RainTakesItsPartOfTheVisibility) {
 }
 
 TEST(ReadWeather, RefusesWeatherThatContradictsItself) {
-  EXPECT_THAT(FaultsOf(SiteWithWeather("rain_mmph: 5")), HasFaultAt("environment.rain_mmph"));
-  EXPECT_THAT(FaultsOf(SiteWithWeather("rain_mmph: 5, cloud_cover: 0.2")),
+  EXPECT_THAT(ScenarioFaults(SiteWithWeather("rain_mmph: 5")), HasFaultAt("environment.rain_mmph"));
+  EXPECT_THAT(ScenarioFaults(SiteWithWeather("rain_mmph: 5, cloud_cover: 0.2")),
               HasFaultAt("environment.rain_mmph"));
-  EXPECT_THAT(FaultsOf(SiteWithWeather("snow_depth_m: 0.1, temperature_degc: 30")),
+  EXPECT_THAT(ScenarioFaults(SiteWithWeather("snow_depth_m: 0.1, temperature_degc: 30")),
               HasFault(kOutOfRange, "environment.snow_depth_m"));
-  EXPECT_THAT(FaultsOf(SiteWithWeather("rain_mmph: 5, cloud_cover: 1, temperature_degc: -20")),
-              HasFault(kOutOfRange, "environment.rain_mmph"));
-  EXPECT_THAT(FaultsOf(SiteWithWeather("rain_mmph: 5, cloud_cover: 1, temperature_degc: 12")),
+  EXPECT_THAT(
+      ScenarioFaults(SiteWithWeather("rain_mmph: 5, cloud_cover: 1, temperature_degc: -20")),
+      HasFault(kOutOfRange, "environment.rain_mmph"));
+  EXPECT_THAT(ScenarioFaults(SiteWithWeather("rain_mmph: 5, cloud_cover: 1, temperature_degc: 12")),
               testing::IsEmpty());
-  EXPECT_THAT(FaultsOf(SiteWithWeather("snow_depth_m: 0.1, temperature_degc: -3")),
+  EXPECT_THAT(ScenarioFaults(SiteWithWeather("snow_depth_m: 0.1, temperature_degc: -3")),
               testing::IsEmpty());
 }
 
 TEST(ReadWeather, RefusesWhatIsOutOfRange) {
-  EXPECT_THAT(FaultsOf(SiteWithWeather("rain_mmph: -1, cloud_cover: 1")),
+  EXPECT_THAT(ScenarioFaults(SiteWithWeather("rain_mmph: -1, cloud_cover: 1")),
               HasFault(kOutOfRange, "environment.rain_mmph"));
-  EXPECT_THAT(FaultsOf(SiteWithWeather("wind_mps: -3")),
+  EXPECT_THAT(ScenarioFaults(SiteWithWeather("wind_mps: -3")),
               HasFault(kOutOfRange, "environment.wind_mps"));
-  EXPECT_THAT(FaultsOf(SiteWithWeather("dust: {emission_factor: -1}")),
+  EXPECT_THAT(ScenarioFaults(SiteWithWeather("dust: {emission_factor: -1}")),
               HasFault(kOutOfRange, "environment.dust.emission_factor"));
-  EXPECT_THAT(FaultsOf(SiteWithWeather("dust: {slit_percent: 3}")),
+  EXPECT_THAT(ScenarioFaults(SiteWithWeather("dust: {slit_percent: 3}")),
               HasFault(kUnknown, "environment.dust.slit_percent"));
-  EXPECT_THAT(FaultsOf(SiteWithWeather("dust: {extent_m: 400, cell_m: 0.2}")),
+  EXPECT_THAT(ScenarioFaults(SiteWithWeather("dust: {extent_m: 400, cell_m: 0.2}")),
               HasFault(kOutOfRange, "environment.dust.cell_m"));
 }
 

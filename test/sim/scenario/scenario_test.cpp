@@ -15,61 +15,62 @@ using enum FaultKind;
 using ::testing::AllOf;
 
 TEST(ReadScenario, AcceptsTheSmallestOne) {
-  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator), testing::IsEmpty());
+  EXPECT_THAT(ScenarioFaults(std::string(kSite) + kExcavator), testing::IsEmpty());
 }
 
 TEST(ReadScenario, RefusesAnUnknownKeyWithItsPlace) {
-  EXPECT_THAT(FaultsOf(std::string(kSite) + "phisics_rate_hz: 500\n" + kExcavator),
+  EXPECT_THAT(ScenarioFaults(std::string(kSite) + "phisics_rate_hz: 500\n" + kExcavator),
               HasOnlyFault(kUnknown, "s.yaml:5:1: phisics_rate_hz"));
 }
 
 TEST(ReadScenario, RefusesTwoSensorsWithOneName) {
   const std::string imu = "{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, link: boom}";
-  EXPECT_THAT(FaultsOf(WithRig(imu + ", " + imu)),
+  EXPECT_THAT(ScenarioFaults(WithRig(imu + ", " + imu)),
               HasFault(kRepeated, "machines[0].rig.sensors[1].name"));
 }
 
 TEST(ReadScenario, RefusesASensorOnALinkThatIsNotThere) {
-  EXPECT_THAT(
-      FaultsOf(WithRig("{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, link: bom}")),
-      HasFault(kNoSuchName, "machines[0].rig.sensors[0].link"));
+  EXPECT_THAT(ScenarioFaults(WithRig(
+                  "{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, link: bom}")),
+              HasFault(kNoSuchName, "machines[0].rig.sensors[0].link"));
 }
 
 TEST(ReadScenario, RefusesASensorWithoutARate) {
-  EXPECT_THAT(FaultsOf(WithRig("{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, "
-                               "link: boom, rate_hz: 0}")),
+  EXPECT_THAT(ScenarioFaults(WithRig("{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, "
+                                     "link: boom, rate_hz: 0}")),
               HasFault(kOutOfRange, "rate_hz"));
 }
 
 TEST(ReadScenario, RefusesAnEncoderOnAJointThatIsNotThere) {
-  EXPECT_THAT(
-      FaultsOf(WithRig("{name: e, preset: tera:config/sensors/encoder.yaml, joints: [elbow]}")),
-      HasFault(kNoSuchName, "joints"));
+  EXPECT_THAT(ScenarioFaults(
+                  WithRig("{name: e, preset: tera:config/sensors/encoder.yaml, joints: [elbow]}")),
+              HasFault(kNoSuchName, "joints"));
 }
 
 TEST(ReadScenario, RefusesAMachineFileThatIsNotThere) {
-  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator, {"machines[0].machine=nowhere.yaml"}),
+  EXPECT_THAT(ScenarioFaults(std::string(kSite) + kExcavator, {"machines[0].machine=nowhere.yaml"}),
               HasFault(kUnreadable));
 }
 
 TEST(ReadScenario, RefusesANegativeMassInTheMachineFile) {
-  EXPECT_THAT(
-      FaultsOf(std::string(kSite) + kExcavator, {"machines[0].machine.links.boom.mass_kg=-3"}),
-      HasFault(kOutOfRange, "machines[0].machine.links.boom.mass_kg"));
+  EXPECT_THAT(ScenarioFaults(std::string(kSite) + kExcavator,
+                             {"machines[0].machine.links.boom.mass_kg=-3"}),
+              HasFault(kOutOfRange, "machines[0].machine.links.boom.mass_kg"));
 }
 
 TEST(ReadScenario, RefusesAMissingMesh) {
-  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator +
-                       "obstacles: [{name: r, label: rock, mesh: no.glb, xy_m: [1, 1]}]\n"),
+  EXPECT_THAT(ScenarioFaults(std::string(kSite) + kExcavator +
+                             "obstacles: [{name: r, label: rock, mesh: no.glb, xy_m: [1, 1]}]\n"),
               HasFault(kUnreadable, "obstacles[0].mesh"));
 }
 
 TEST(ReadScenario, RefusesABedWithoutAFloorOrWithWallsThatGoDown) {
   const auto faults = [](const std::string& bed) {
-    return FaultsOf(std::string(kSite) + kExcavator +
-                    "obstacles: [{name: bin, label: structure, mesh: tera:assets/container.glb, "
-                    "xy_m: [1, 1], bed: " +
-                    bed + "}]\n");
+    return ScenarioFaults(
+        std::string(kSite) + kExcavator +
+        "obstacles: [{name: bin, label: structure, mesh: tera:assets/container.glb, "
+        "xy_m: [1, 1], bed: " +
+        bed + "}]\n");
   };
   EXPECT_THAT(faults("{xyz_m: [0, 0, 1], size_m: [3, 2], wall_m: 0.5}"), testing::IsEmpty());
   EXPECT_THAT(faults("{xyz_m: [0, 0, 1], size_m: [3, 0], wall_m: 0.5}"),
@@ -81,32 +82,32 @@ TEST(ReadScenario, RefusesABedWithoutAFloorOrWithWallsThatGoDown) {
 }
 
 TEST(ReadScenario, RefusesAnUnreadableGeoTiff) {
-  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator, {"terrain.geotiff=LICENSE"}),
+  EXPECT_THAT(ScenarioFaults(std::string(kSite) + kExcavator, {"terrain.geotiff=LICENSE"}),
               HasFaultAt("terrain.geotiff"));
 }
 
 TEST(ReadScenario, RefusesNamesThatAreUsedTwiceOrAreNoFolders) {
   const std::string cone = ", label: cone, mesh: tera:assets/cone.glb, xy_m: [1, 1]}";
-  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator + "obstacles: [{name: excavator1" + cone +
-                       ", {name: a/b" + cone + "]\n"),
+  EXPECT_THAT(ScenarioFaults(std::string(kSite) + kExcavator + "obstacles: [{name: excavator1" +
+                             cone + ", {name: a/b" + cone + "]\n"),
               HasFault(kMalformed, "obstacles[1].name"));
 }
 
 TEST(ReadScenario, RefusesMachineNamesThatLeaveTheDataset) {
   for (const char* name : {"..", ".", "''", "a b", "a,b", "/tmp/a"}) {
     EXPECT_THAT(
-        FaultsOf(std::string(kSite) + kExcavator, {std::string("machines[0].name=") + name}),
+        ScenarioFaults(std::string(kSite) + kExcavator, {std::string("machines[0].name=") + name}),
         HasFaultAt("--set: machines[0].name"))
         << name;
   }
-  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator, {"machines[0].name=truth"}),
+  EXPECT_THAT(ScenarioFaults(std::string(kSite) + kExcavator, {"machines[0].name=truth"}),
               HasFault(kInconsistent));
 }
 
 TEST(ReadScenario, RefusesStartAnglesBeyondTheLimits) {
   EXPECT_THAT(
-      FaultsOf(std::string(kSite) + kExcavator,
-               {"machines[0].start.joints_deg={boom: 100, elbow: 3}"}),
+      ScenarioFaults(std::string(kSite) + kExcavator,
+                     {"machines[0].start.joints_deg={boom: 100, elbow: 3}"}),
       AllOf(HasFault(kOutOfRange, "start.joints_deg"), HasFault(kNoSuchName, "start.joints_deg")));
 }
 
@@ -119,18 +120,19 @@ TEST(ReadScenario, JointsThatSlideStartByMetres) {
       Config::FromText(axis, "s.yaml", {"machines[0].start.joints_m.carriage=-0.2"});
   const Scenario scenario = ReadScenario(config.root());
   EXPECT_EQ(scenario.machines[0].placement.q_rad, std::vector<double>{-0.2});
-  EXPECT_THAT(FaultsOf(axis, {"machines[0].start.joints_m.carriage=0.6"}),
+  EXPECT_THAT(ScenarioFaults(axis, {"machines[0].start.joints_m.carriage=0.6"}),
               HasFault(kOutOfRange, "start.joints_m"));
-  EXPECT_THAT(FaultsOf(axis, {"machines[0].start.joints_deg.carriage=10"}),
+  EXPECT_THAT(ScenarioFaults(axis, {"machines[0].start.joints_deg.carriage=10"}),
               HasFault(kInconsistent, "start.joints_deg"));
-  EXPECT_THAT(FaultsOf(std::string(kSite) + kExcavator, {"machines[0].start.joints_m.boom=1"}),
-              HasFault(kInconsistent, "start.joints_m"));
-  EXPECT_THAT(FaultsOf(axis, {"machines[0].start.joints_m.carriage=ten"}),
+  EXPECT_THAT(
+      ScenarioFaults(std::string(kSite) + kExcavator, {"machines[0].start.joints_m.boom=1"}),
+      HasFault(kInconsistent, "start.joints_m"));
+  EXPECT_THAT(ScenarioFaults(axis, {"machines[0].start.joints_m.carriage=ten"}),
               HasOnlyFault(kMistyped, "start.joints_m.carriage"));
 }
 
 TEST(ReadScenario, RefusesASiteWithoutMachines) {
-  EXPECT_THAT(FaultsOf(kSite), HasFault(kMissing, "machines"));
+  EXPECT_THAT(ScenarioFaults(kSite), HasFault(kMissing, "machines"));
 }
 
 TEST(ReadScenario, SetsAMachineOnASlope) {

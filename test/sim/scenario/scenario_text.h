@@ -54,8 +54,8 @@ machines:
 }
 
 /// What is wrong with a scenario, or nothing.
-inline std::vector<InputFault> FaultsOf(const std::string& yaml,
-                                        const std::vector<std::string>& overrides = {}) {
+inline std::vector<InputFault> ScenarioFaults(const std::string& yaml,
+                                              const std::vector<std::string>& overrides = {}) {
   return FaultsIn([&] {
     const Config config = Config::FromText(yaml, "s.yaml", overrides);
     ReadScenario(config.root());

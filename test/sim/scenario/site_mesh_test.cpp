@@ -167,25 +167,27 @@ TEST_F(SiteMeshFile, IsWrittenSoThatItReadsAgainTheSame) {
 }
 
 TEST_F(SiteMeshFile, FaultsSayWhereTheyAre) {
-  EXPECT_THAT(FaultsOf(Yaml("parts: [{node: wal}]")),
+  EXPECT_THAT(ScenarioFaults(Yaml("parts: [{node: wal}]")),
               HasFault(kNoSuchName, "environment.mesh.parts[0].node"));
-  EXPECT_THAT(FaultsOf(Yaml("parts: [{node: wall, label: barier}]")),
+  EXPECT_THAT(ScenarioFaults(Yaml("parts: [{node: wall, label: barier}]")),
               HasFaultAt("environment.mesh.parts[0].label"));
-  EXPECT_THAT(FaultsOf(Yaml("ground: {node: ground}, scale: -2")),
+  EXPECT_THAT(ScenarioFaults(Yaml("ground: {node: ground}, scale: -2")),
               HasFault(kOutOfRange, "environment.mesh.scale"));
-  EXPECT_THAT(FaultsOf(Yaml("ground: {node: ground, cell_m: 0}")),
+  EXPECT_THAT(ScenarioFaults(Yaml("ground: {node: ground, cell_m: 0}")),
               HasFaultAt("environment.mesh.ground.cell_m"));
-  EXPECT_THAT(FaultsOf(Yaml("ground: {node: ground}, gruond: 1")), HasFault(kUnknown, "gruond"));
-  EXPECT_THAT(FaultsOf(Yaml("scale: 1", "cell_m: 0.1, soil: dirt", "no.obj")),
+  EXPECT_THAT(ScenarioFaults(Yaml("ground: {node: ground}, gruond: 1")),
+              HasFault(kUnknown, "gruond"));
+  EXPECT_THAT(ScenarioFaults(Yaml("scale: 1", "cell_m: 0.1, soil: dirt", "no.obj")),
               HasFault(kUnreadable, "environment.mesh.file"));
-  EXPECT_THAT(FaultsOf(Yaml("ground: {node: ground}", "size_m: [17, 16], soil: dirt")),
+  EXPECT_THAT(ScenarioFaults(Yaml("ground: {node: ground}", "size_m: [17, 16], soil: dirt")),
               HasFault(kInconsistent, "environment.mesh.ground"));
-  EXPECT_THAT(FaultsOf(Yaml("ground: {node: ground}", "size_m: [1e12, 1e12], soil: dirt")),
+  EXPECT_THAT(ScenarioFaults(Yaml("ground: {node: ground}", "size_m: [1e12, 1e12], soil: dirt")),
               HasFault(kOutOfRange, "cell_m"));
-  EXPECT_THAT(FaultsOf(Yaml("ground: {node: ground}", "size_m: [-4, 4], soil: dirt")),
+  EXPECT_THAT(ScenarioFaults(Yaml("ground: {node: ground}", "size_m: [-4, 4], soil: dirt")),
               HasFaultAt("terrain.size_m"));
-  EXPECT_THAT(FaultsOf(Yaml("ground: {node: ground}, xyz_m: [20, 0, 0]")), HasFault(kInconsistent));
-  EXPECT_THAT(FaultsOf(Yaml("parts: [{node: wall, name: excavator1}]")), HasFault(kRepeated));
+  EXPECT_THAT(ScenarioFaults(Yaml("ground: {node: ground}, xyz_m: [20, 0, 0]")),
+              HasFault(kInconsistent));
+  EXPECT_THAT(ScenarioFaults(Yaml("parts: [{node: wall, name: excavator1}]")), HasFault(kRepeated));
 }
 
 TEST_F(SiteMeshFile, AMissingPictureIsAFaultAtTheNodeThatNeedsIt) {
@@ -194,10 +196,10 @@ TEST_F(SiteMeshFile, AMissingPictureIsAFaultAtTheNodeThatNeedsIt) {
                             faces + "f 1/1 2/2 3/3\n");
   Write("site.mtl", "newmtl paint\nmap_Kd bricks.png\n");
   const std::string yaml = Yaml("parts: [{node: wall}]", "cell_m: 0.1, soil: dirt", "textured.obj");
-  EXPECT_THAT(FaultsOf(yaml),
+  EXPECT_THAT(ScenarioFaults(yaml),
               AllOf(HasFaultAt("environment.mesh.parts[0].node"), HasFault(kMalformed)));
   Write("bricks.png", "no picture");
-  EXPECT_THAT(FaultsOf(yaml), HasFault(kMalformed));
+  EXPECT_THAT(ScenarioFaults(yaml), HasFault(kMalformed));
 }
 
 }  // namespace

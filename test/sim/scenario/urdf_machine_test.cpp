@@ -60,7 +60,7 @@ TEST(UrdfMachine, HasTheLeversOfItsDrivesInTheirOrder) {
 }
 
 TEST(UrdfMachine, WhatIsNotReadIsCounted) {
-  EXPECT_THAT(ModelOf(Read()).remarks,
+  EXPECT_THAT(ModelOf(ReadUrdfScenario()).remarks,
               ElementsAre("backhoe_loader.urdf: 1 texture, 1 safety controller left out"));
 }
 
