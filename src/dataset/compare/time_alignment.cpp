@@ -41,7 +41,7 @@ std::string LengthText(TimeNs length_ns) {
   constexpr double kHour_s = 3600, kDay_s = 24 * kHour_s;
   const double s = std::abs(ToSeconds(length_ns));
   if (s > 2 * kDay_s) return fmt::format("{:.0f} days", s / kDay_s);
-  return s > kHour_s ? fmt::format("{:.1f} h", s / kHour_s) : fmt::format("{:.9g} s", s);
+  return s > kHour_s ? fmt::format("{:.1f} h", s / kHour_s) : fmt::format("{:.13g} s", s);
 }
 
 /// "by the epochs of both, of UTC; that of b is 3 s after that of a".

@@ -67,7 +67,7 @@ void UnwrapAngle(const JointColumns& joint, std::size_t j, std::vector<EncoderSa
   channel->remarks.push_back(
       fmt::format("{} goes on where its column begins anew after {:.6g} deg, "
                   "{} times",
-                  joint.axis.name, joint.wrap_rad / kDeg, changes));
+                  joint.axis.name, joint.wrap_rad / kDeg, changes, changes == 1 ? "" : "s"));
 }
 
 std::vector<EncoderSample> EncoderSamples(const std::vector<JointColumns>& joints,
@@ -112,10 +112,11 @@ void CountJumps(const std::vector<JointColumns>& joints, const std::vector<Encod
     if (jumps.empty()) continue;
     const std::size_t first = jumps.front();
     channel->remarks.push_back(fmt::format(
-        "{} jumps of {} by more than half a turn, the first at {} from {:.4g} to {:.4g} deg: "
+        "{} jump{} of {} by more than half a turn, the first at {} from {:.4g} to {:.4g} deg: "
         "{}give the joint wrap_deg: 360 if its sensor begins anew after a turn",
-        jumps.size(), joints[j].axis.name, PlaceOf(source, rows[first].line),
-        samples[first - 1].q_rad[j] / kDeg, samples[first].q_rad[j] / kDeg,
+        jumps.size(), jumps.size() == 1 ? "" : "s", joints[j].axis.name,
+        PlaceOf(source, rows[first].line), samples[first - 1].q_rad[j] / kDeg,
+        samples[first].q_rad[j] / kDeg,
         joints[j].rate < 0 ? "its rates there are wrong too; " : ""));
   }
 }

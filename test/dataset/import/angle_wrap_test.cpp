@@ -119,7 +119,7 @@ TEST_F(WrappedSlew, IsToldAsAJumpAtAnyRateAndNotAsDegrees) {
     const ImportReport report = Import("{name: slew, angle: {column: slew, unit: deg}}");
     ASSERT_EQ(report.channels[0].remarks.size(), 1u) << rate_hz;
     EXPECT_THAT(report.channels[0].remarks[0],
-                testing::AllOf(HasSubstr("jumps of slew by more than half a turn, the first at "),
+                testing::AllOf(HasSubstr(" of slew by more than half a turn, the first at "),
                                HasSubstr("wrap_deg: 360")));
     EXPECT_EQ(report.channels[0].too_fast, 0);
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "core/units.h"
@@ -18,8 +19,8 @@ struct TurnOfUnit {
   UnitGuess unit;
 };
 
-std::vector<TurnOfUnit> TurnsOfUnits(const UnitGuess& named) {
-  if (named.doubt.empty()) return {{named.unit == "rad" ? 2 * kPi : 360.0, named}};
+std::vector<TurnOfUnit> TurnsOfUnits(const std::optional<UnitGuess>& told) {
+  if (told) return {{2 * kPi / (told->scale * (told->unit == "rad" ? 1 : kDeg)), *told}};
   std::vector<TurnOfUnit> turns = {{2 * kPi, {"rad", 1.0, ""}}, {360, {"deg", 1.0, ""}}};
   const auto add = [&](double turn) {
     turns.push_back({turn, {"deg", 360 / turn, fmt::format("one turn is {:g}", turn)}});
@@ -46,11 +47,10 @@ double ForceFactor(const UnitGuess& unit) {
 }  // namespace
 
 AngleGuess GuessAngle(const NumbersOfColumn& angle) {
-  const UnitGuess named = GuessAngleUnit({&angle});
-  for (const TurnOfUnit& one : TurnsOfUnits(named)) {
+  for (const TurnOfUnit& one : TurnsOfUnits(ToldUnit(angle, Dimension::kAngle))) {
     if (BeginsAnew(angle.values, one.turn)) return {one.unit, true};
   }
-  return {named, false};
+  return {GuessAngleUnit({&angle}), false};
 }
 
 std::string JointYaml(const std::string& joint, const NumbersOfColumn& angle) {
