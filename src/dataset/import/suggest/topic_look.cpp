@@ -97,6 +97,11 @@ TopicLook::TopicLook(const std::filesystem::path& bag, const BagTopic& topic,
     }
     times_.own_steps.Add(*own_ns);
   }
+  // A clock that begins at 0, as a simulation's does, has one such time, its first.
+  const bool begins_at_zero = times_.unfilled == 1 && times_.own_steps.rows > 0 &&
+                              table_.Stamp(0, own) == TimeNs{0} &&
+                              times_.first_own_ns < FromSeconds(kLeastEpoch_s);
+  if (begins_at_zero) times_.unfilled = times_.first_own_ns = 0;
 }
 
 NumbersOfColumn TopicLook::Numbers(std::size_t path) const {

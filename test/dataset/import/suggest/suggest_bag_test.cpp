@@ -173,6 +173,17 @@ TEST_F(SuggestBag, StampsOfAnotherClockAreThoseOfTheRecorderWhereOthersHaveHis) 
   EXPECT_THAT(yaml_, Not(HasSubstr("time:")));
 }
 
+TEST_F(SuggestBag, AClockThatBeginsAtZeroIsFilled) {
+  TopicsMcap bag;
+  for (int k = 0; k < 3; ++k) {
+    const StampOf stamp{0, static_cast<std::uint32_t>(k * kStep_ns)};
+    bag.Message("/imu", kImuName, k * kStep_ns, ImuMessage(stamp));
+  }
+  Write(bag);
+  EXPECT_EQ(Suggested().LoadImu("machine/imu").size(), 3u);
+  EXPECT_THAT(yaml_, Not(HasSubstr("valid_if")));
+}
+
 TEST_F(SuggestBag, WithoutAnyTimeThatGoesOnRowsAreCounted) {
   TopicsMcap bag;
   for (int k = 0; k < 4; ++k) bag.Message("/imu", kImuName, kFirst_ns, ImuMessage({}));
