@@ -61,7 +61,7 @@ void PrintLinks(const ScenarioMachine& machine, const SceneModel& scene) {
     fmt::print("  {:<24} {:>10.4g}  {}\n", link.name, link.mass_kg,
                size_m.isZero(0)
                    ? "-"
-                   : fmt::format("{:.3g} x {:.3g} x {:.3g}", size_m.x(), size_m.y(), size_m.z()));
+                   : fmt::format("{:.4g} x {:.4g} x {:.4g}", size_m.x(), size_m.y(), size_m.z()));
   }
   for (const std::string& remark : machine.placement.model.remarks) fmt::print("{}\n", remark);
 }

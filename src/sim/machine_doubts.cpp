@@ -74,7 +74,7 @@ Box BoxOf(const ScenarioMachine& machine, std::size_t index, const SceneModel& s
 Vec3 SizeOf(const Box& box) { return box.isEmpty() ? Vec3(Vec3::Zero()) : Vec3(box.sizes()); }
 
 std::string Shown(const Vec3& size_m) {
-  return fmt::format("{:.3g} x {:.3g} x {:.3g} m", size_m.x(), size_m.y(), size_m.z());
+  return fmt::format("{:.4g} x {:.4g} x {:.4g} m", size_m.x(), size_m.y(), size_m.z());
 }
 
 /// Links that are fixed together, in the frame of the first.

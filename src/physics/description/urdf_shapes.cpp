@@ -37,7 +37,8 @@ std::optional<fs::path> FindMesh(const std::string& text, const UrdfMeshes& mesh
   if (const auto package = meshes.packages.find(in->package); package != meshes.packages.end()) {
     return package->second / in->path;
   }
-  for (fs::path up = fs::absolute(folder); up.has_relative_path(); up = up.parent_path()) {
+  for (fs::path up = fs::absolute(meshes.urdf).parent_path(); up.has_relative_path();
+       up = up.parent_path()) {
     for (const fs::path& tail : {in->package / in->path, in->path}) {
       if (fs::is_regular_file(up / tail)) return up / tail;
     }
