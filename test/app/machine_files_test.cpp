@@ -121,7 +121,7 @@ TEST_F(MachineFiles, MeshesThatAreNotThereAreLeftOutOnDemand) {
   ASSERT_EQ(
       RunTera({"generate", "s.yaml", "--out", "run", "--without-meshes"}, {scratch.path()}).status,
       0);
-  const Outcome again = RunTera({"replay", "run"}, {scratch.path()});
+  const Outcome again = RunTera({"replay", "run", "--out", "again"}, {scratch.path()});
   EXPECT_EQ(again.status, 0) << again.out << again.err;
 }
 
@@ -135,7 +135,7 @@ TEST_F(MachineFiles, PackagesAreWhereTheMachineFileSays) {
   EXPECT_EQ(checked.status, 0) << checked.err;
   EXPECT_THAT(checked.out, ContainsRegex("upper +500 +1 x 1 x 0.5\n"));
   ASSERT_EQ(RunTera({"generate", "s.yaml", "--out", "run"}, {scratch.path()}).status, 0);
-  EXPECT_EQ(RunTera({"replay", "run"}, {scratch.path()}).status, 0);
+  EXPECT_EQ(RunTera({"replay", "run", "--out", "again"}, {scratch.path()}).status, 0);
 }
 
 }  // namespace
