@@ -66,7 +66,7 @@ void UnwrapAngle(const JointColumns& joint, std::size_t j, std::vector<EncoderSa
   for (std::size_t i = 0; i < angles.size(); ++i) (*samples)[i].q_rad[j] = angles[i];
   channel->remarks.push_back(
       fmt::format("{} goes on where its column begins anew after {:.6g} deg, "
-                  "{} times",
+                  "{} time{}",
                   joint.axis.name, joint.wrap_rad / kDeg, changes, changes == 1 ? "" : "s"));
 }
 

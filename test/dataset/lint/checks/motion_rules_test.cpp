@@ -187,7 +187,7 @@ TEST_F(MotionRules, GyroscopeInDegreesOfAUnitWhoseMountIsNotKnown) {
               HasSubstr("57.3 times as far as its machine"));
 }
 
-// The healthy unit is pitched by 0.1 rad: its z is 9.76 m/s2, whose opposite is told.
+// The healthy unit is pitched by 0.1 rad: its z is 9.755 m/s2, whose opposite is told.
 TEST_F(MotionRules, AUnitWhoseZPointsDown) {
   LeaveTheUnitAlone("");
   EXPECT_TRUE(Found().empty());
@@ -195,7 +195,7 @@ TEST_F(MotionRules, AUnitWhoseZPointsDown) {
   Scale("digger/imu/data.csv", {"wy_radps", "wz_radps", "ay_mps2", "az_mps2"}, -1);
   EXPECT_THAT(
       Only("imu.down", "digger/imu").places[0].message,
-      HasSubstr("at rest az is -9.76 m/s2, about -g: does its z point down? give it rpy_deg: "
+      HasSubstr("at rest az is -9.75 m/s2, about -g: does its z point down? give it rpy_deg: "
                 "[180, 0, 0]"));
 }
 
