@@ -1,5 +1,6 @@
 #include "sim/machine_doubts.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ using testing::IsEmpty;
 /// Of a link: its mass, its three equal moments, what is drawn of it.
 std::string LinkText(const std::string& name, double mass_kg, double moment_kgm2,
                      const std::string& geometry) {
-  const std::string i = std::to_string(moment_kgm2);
+  const std::string i = fmt::format("{}", moment_kgm2);
   return "<link name=\"" + name + "\"><inertial><mass value=\"" + std::to_string(mass_kg) +
          "\"/><inertia ixx=\"" + i + "\" iyy=\"" + i + "\" izz=\"" + i +
          "\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial><visual><origin xyz=\"1 0 0\" rpy=\"0 0 "

@@ -49,7 +49,7 @@ TEST(Simulation, AMachineThatFallsBelowAllGroundEndsTheRun) {
 name: test
 duration_s: 60
 settle_s: 0
-terrain: {size_m: [24, 16], cell_m: 0.1, soil: dirt, pits: [{xy_m: [6, 2], radius_m: 2, depth_m: 2}]}
+terrain: {size_m: [24, 16], cell_m: 0.1, soil: asphalt, pits: [{outline_m: [[4, 0], [8, 0], [8, 4], [4, 4]], depth_m: 2}]}
 machines:
   - name: m1
     machine:
