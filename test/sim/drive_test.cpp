@@ -18,7 +18,7 @@ constexpr double kMass_kg = 3500, kB_m = 0.3, kL_m = 1.6, kGauge_m = 1.148, kFul
 constexpr double kG_mps2 = 9.80665;
 constexpr const char* kDriveStowed = "joints_deg: {boom: 55, arm: -130, bucket: -40}";
 
-std::string At(double x_m, double y_m, double yaw_deg) {
+std::string StowedAt(double x_m, double y_m, double yaw_deg) {
   return fmt::format("{{xy_m: [{}, {}], yaw_deg: {}, {}}}", x_m, y_m, yaw_deg, kDriveStowed);
 }
 
@@ -95,7 +95,7 @@ std::string Rising(const std::string& soil, double slope_deg) {
 }
 
 TEST(Drive, MachineLeansWithTheSlopeItStandsOn) {
-  Drive drive(kDriveExcavator, At(1, 2, 40), Rising("gravel", 12), 0, 0);
+  Drive drive(kDriveExcavator, StowedAt(1, 2, 40), Rising("gravel", 12), 0, 0);
   drive.Run(1.0);
   const Vec3 normal(0, -std::sin(12 * kDeg), std::cos(12 * kDeg));
   // The ground gives by less than 1 cm, over 1.15 m between the tracks: 0.5 deg.
@@ -105,7 +105,7 @@ TEST(Drive, MachineLeansWithTheSlopeItStandsOn) {
 
 TEST(Drive, StandsStillOnASlopeWithNeutralLevers) {
   for (const char* soil : {"dirt", "gravel", "sand", "asphalt"}) {
-    Drive drive(kDriveExcavator, At(1, 2, 30), Rising(soil, 15), 0, 0);
+    Drive drive(kDriveExcavator, StowedAt(1, 2, 30), Rising(soil, 15), 0, 0);
     drive.Run(1.0);
     const Vec3 start = drive.place();
     EXPECT_LT(Shake_mps2(&drive, 9.0), 0.01) << soil;
@@ -119,10 +119,10 @@ TEST(Drive, SlidesDownASlopeSteeperThanItsFriction) {
   const std::string wet =
       "wet, custom_soils: [{preset: tera:config/soils/asphalt.yaml, name: wet, "
       "friction_angle_deg: 20}]";
-  Drive holds(kDriveExcavator, At(1, 2, 90), Rising(wet, 14), 0, 0);
+  Drive holds(kDriveExcavator, StowedAt(1, 2, 90), Rising(wet, 14), 0, 0);
   holds.Run(1.0);
   EXPECT_LT(holds.Measure(1.0).v_W_mps.norm(), 0.001);
-  Drive slides(kDriveExcavator, At(1, 4, 90), Rising(wet, 24), 0, 0);
+  Drive slides(kDriveExcavator, StowedAt(1, 4, 90), Rising(wet, 24), 0, 0);
   const Vec3 before = slides.body().v_WB_mps;
   slides.Run(1.0);
   const Vec3 gained = slides.body().v_WB_mps - before;
@@ -134,7 +134,7 @@ TEST(Drive, SlidesDownASlopeSteeperThanItsFriction) {
 TEST(Drive, SinksAsBekkerSays) {
   double shallower_m = 0;
   for (const auto& [soil, bearing] : kBearing) {
-    Drive drive(kDriveExcavator, At(1, 2, 30), Level(soil), 0, 0);
+    Drive drive(kDriveExcavator, StowedAt(1, 2, 30), Level(soil), 0, 0);
     drive.Run(0.2);
     const double sinkage_m = -drive.place().z();
     const double expected_m = bearing.SinkageUnderWheels_m(kMass_kg * kG_mps2 / (2 * kB_m * kL_m));
@@ -149,7 +149,7 @@ TEST(Drive, EqualLeversDriveStraightAtTheTracksSpeed) {
   const double lever = 0.6;
   const Vec3 heading(std::cos(20 * kDeg), std::sin(20 * kDeg), 0);
   for (const char* soil : {"dirt", "gravel", "sand", "wet_sand", "loose", "asphalt"}) {
-    Drive drive(kDriveExcavator, At(-8, -4, 20), Level(soil), lever, lever);
+    Drive drive(kDriveExcavator, StowedAt(-8, -4, 20), Level(soil), lever, lever);
     drive.Run(3.0);  // sets off, and sinks to the depth of its ruts
     const Vec3 start = drive.place();
     double slip = 0, shoes_m = 0;
@@ -192,7 +192,7 @@ TEST(Drive, RidesSmoothlyInRutsDeeperThanItsTracksOuterSidesAreHigh) {
 
 TEST(Drive, DrivingCostsTheWorkOfTheRuts) {
   for (const auto& [soil, bearing] : kBearing) {
-    Drive drive(kDriveExcavator, At(-8, -4, 20), Level(soil), 0.6, 0.6);
+    Drive drive(kDriveExcavator, StowedAt(-8, -4, 20), Level(soil), 0.6, 0.6);
     drive.Run(5.0);
     double thrust_n = 0;
     int n = 0;
@@ -211,7 +211,7 @@ TEST(Drive, DrivingCostsTheWorkOfTheRuts) {
 }
 
 TEST(Drive, LeavesTwoRutsInTheGround) {
-  Drive drive(kDriveExcavator, At(-6, 1, 0), Level("sand"), 0.6, 0.6);
+  Drive drive(kDriveExcavator, StowedAt(-6, 1, 0), Level("sand"), 0.6, 0.6);
   drive.Run(6.0);  // 4.5 m
   ASSERT_GT(drive.place().x(), -2.0);
   const TerrainSurface& ground = drive.simulation->ground();
@@ -227,7 +227,7 @@ TEST(Drive, LeavesTwoRutsInTheGround) {
 
 TEST(Drive, OppositeLeversTurnOnTheSpotSlowerThanWithoutSlip) {
   for (const char* soil : {"dirt", "gravel", "sand", "asphalt"}) {
-    Drive drive(kDriveExcavator, At(1, 2, 20), Level(soil), -0.4, 0.4);
+    Drive drive(kDriveExcavator, StowedAt(1, 2, 20), Level(soil), -0.4, 0.4);
     const Vec3 start = drive.place();
     const double off_centre_m =
         (drive.body().X_WB.inverse() * drive.CentreOfMass()).head<2>().norm();
@@ -244,7 +244,7 @@ TEST(Drive, OppositeLeversTurnOnTheSpotSlowerThanWithoutSlip) {
 }
 
 TEST(Drive, UnequalLeversSteerBySkidding) {
-  Drive drive(kDriveExcavator, At(-4, -4, 20), Level("dirt"), 0.4, 0.8);
+  Drive drive(kDriveExcavator, StowedAt(-4, -4, 20), Level("dirt"), 0.4, 0.8);
   drive.Run(1.0);
   const double rate_radps = drive.Measure(3.0).yaw_rate_radps;
   const double no_slip_radps = 0.4 * kFullSpeed_mps / kGauge_m;
@@ -297,7 +297,7 @@ TEST(Drive, SlipGrowsWithTheSlopeItClimbsAsJanosiSays) {
     double last_slip = 0;
     for (const double slope_deg : slopes_deg) {
       const std::string where = fmt::format("{} {} deg", soil, slope_deg);
-      Drive drive(kDriveExcavator, At(0, -6, 90), Rising(soil, slope_deg), 0.5, 0.5);
+      Drive drive(kDriveExcavator, StowedAt(0, -6, 90), Rising(soil, slope_deg), 0.5, 0.5);
       drive.Run(3.0);
       const double start_z_m = drive.place().z();
       double slip = 0, thrust_n = 0;
