@@ -82,7 +82,7 @@ TEST(DetectionProbability, OfAPlaceHasItsMeanAndItsWorstMoment) {
 TestBox Nothing() { return {Vec3(0, 0, -0.5), Vec3(0.01, 0.01, -0.4)}; }
 
 /// Level with the middle of a person, above the machine's base.
-Viewer Lidar(const Yard& yard, double per_sr) {
+Viewer EvenLidar(const Yard& yard, double per_sr) {
   return ViewerOf(ViewField::Samples::kPoints, per_sr, yard.X_WH() * MakePose(Vec3(0, 0, 0.875)));
 }
 
@@ -114,28 +114,28 @@ TEST(DetectionProbability, IsThatOfTheSolidAngleThatSheFills) {
   // The solid angle of her front is its area over the distance squared to 0.2 %, and the
   // probability of five or more of five changes by 5 e^-5 5^4 / 4! = 0.88 times the share.
   const Yard yard(Nothing());
-  EXPECT_NEAR(Ahead(yard, {Lidar(yard, PerSr(yard, 5))}, 20), 0.559507, 0.002);
-  EXPECT_NEAR(Ahead(yard, {Lidar(yard, PerSr(yard, 0.7))}, 20, 1), 1 - std::exp(-0.7), 0.002);
+  EXPECT_NEAR(Ahead(yard, {EvenLidar(yard, PerSr(yard, 5))}, 20), 0.559507, 0.002);
+  EXPECT_NEAR(Ahead(yard, {EvenLidar(yard, PerSr(yard, 0.7))}, 20, 1), 1 - std::exp(-0.7), 0.002);
 }
 
 TEST(DetectionProbability, ComesOfThePointsOfAllLidarsTogether) {
   const Yard yard(Nothing());
-  const double both = Ahead(yard, {Lidar(yard, 1000), Lidar(yard, 1500)}, 20);
-  EXPECT_NEAR(both, Ahead(yard, {Lidar(yard, 2500)}, 20), 1e-9);
-  EXPECT_GT(both, Ahead(yard, {Lidar(yard, 1500)}, 20) + 0.05);
+  const double both = Ahead(yard, {EvenLidar(yard, 1000), EvenLidar(yard, 1500)}, 20);
+  EXPECT_NEAR(both, Ahead(yard, {EvenLidar(yard, 2500)}, 20), 1e-9);
+  EXPECT_GT(both, Ahead(yard, {EvenLidar(yard, 1500)}, 20) + 0.05);
 }
 
 TEST(DetectionProbability, CamerasAddNothing) {
   const Yard yard(Nothing());
-  Viewer camera = Lidar(yard, 1e6);
+  Viewer camera = EvenLidar(yard, 1e6);
   camera.field.samples = ViewField::Samples::kPixels;
   EXPECT_EQ(Ahead(yard, {camera}, 20), 0);
-  EXPECT_EQ(Ahead(yard, {Lidar(yard, 2000), camera}, 20), Ahead(yard, {Lidar(yard, 2000)}, 20));
+  EXPECT_EQ(Ahead(yard, {EvenLidar(yard, 2000), camera}, 20), Ahead(yard, {EvenLidar(yard, 2000)}, 20));
 }
 
 TEST(DetectionProbability, IsNothingBeyondTheReachOfTheLidar) {
   const Yard yard(Nothing());
-  Viewer lidar = Lidar(yard, 1e6);
+  Viewer lidar = EvenLidar(yard, 1e6);
   lidar.field.reach_m = [](double) { return 15.0; };
   EXPECT_NEAR(Ahead(yard, {lidar}, 13), 1, 1e-9);
   EXPECT_EQ(Ahead(yard, {lidar}, 20), 0);
@@ -144,7 +144,7 @@ TEST(DetectionProbability, IsNothingBeyondTheReachOfTheLidar) {
 TEST(DetectionProbability, IsLessWhereMorePointsMakeACluster) {
   // Ten or more of five: 1 - e^-5 sum of 5^i / i! to 9 = 0.031828.
   const Yard yard(Nothing());
-  EXPECT_NEAR(Ahead(yard, {Lidar(yard, PerSr(yard, 5))}, 20, 10), 0.031828, 0.001);
+  EXPECT_NEAR(Ahead(yard, {EvenLidar(yard, PerSr(yard, 5))}, 20, 10), 0.031828, 0.001);
 }
 
 }  // namespace
