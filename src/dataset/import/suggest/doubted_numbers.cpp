@@ -32,6 +32,19 @@ std::vector<TurnOfUnit> TurnsOfUnits(const std::optional<UnitGuess>& told) {
   return turns;
 }
 
+/// Whether numbers are as of a sensor that counts from 0 or from half a turn below it; of a few
+/// rows that says nothing.
+bool MayBeWithin(double turn, const std::vector<double>& angle) {
+  constexpr std::size_t kLeastRows = 8;
+  constexpr double kSlack = 0.01;
+  if (angle.size() < kLeastRows) return false;
+  const auto [low, high] = std::minmax_element(angle.begin(), angle.end());
+  const auto is_from = [&](double least) {
+    return *low >= least - kSlack * turn && *high <= least + (1 + kSlack) * turn;
+  };
+  return is_from(0) || is_from(-0.5 * turn);
+}
+
 double RateFactor(const UnitGuess& unit) {
   constexpr double kMinute_s = 60;
   const double factor = unit.unit == "deg/s" ? kDeg
@@ -47,7 +60,9 @@ double ForceFactor(const UnitGuess& unit) {
 }  // namespace
 
 AngleGuess GuessAngle(const NumbersOfColumn& angle) {
-  for (const TurnOfUnit& one : TurnsOfUnits(ToldUnit(angle, Dimension::kAngle))) {
+  const auto told = ToldUnit(angle, Dimension::kAngle);
+  for (const TurnOfUnit& one : TurnsOfUnits(told)) {
+    if (!told && !MayBeWithin(one.turn, angle.values)) continue;
     if (BeginsAnew(angle.values, one.turn)) return {one.unit, true};
   }
   return {GuessAngleUnit({&angle}), false};

@@ -42,6 +42,13 @@ TEST(DoubtedNumbers, AnAngleThatBeginsAnewTellsItsUnitByItsTurn) {
   EXPECT_EQ(GuessAngle(Slew("slew", 4096)).unit.doubt, "one turn is 4096");
 }
 
+TEST(DoubtedNumbers, AStepOfATurnAwayFromItsSensorsRangeOrAmongFewRowsIsNone) {
+  EXPECT_FALSE(GuessAngle({.name = "arm", .values = {-60, -61}}).begins_anew);
+  EXPECT_FALSE(GuessAngle({.name = "arm", .values = {0, 1, 1}}).begins_anew);
+  EXPECT_FALSE(
+      GuessAngle({.name = "arm", .values = {60, 60, 60, 60, 61, 61, 61, 61, 61}}).begins_anew);
+}
+
 TEST(DoubtedNumbers, AnAngleThatGoesOnKeepsItsGuess) {
   NumbersOfColumn boom{.name = "boom"};
   for (int k = 0; k < 60; ++k) boom.values.push_back(30 + 20 * std::sin(0.1 * k));
