@@ -145,7 +145,9 @@ Mesh LoadWithAssimp(const std::filesystem::path& file, const std::string& node, 
     if (start == nullptr) {
       std::vector<std::string> names;
       CollectNames(*scene->mRootNode, &names);
-      Refuse(file, fmt::format("has no node '{}'{}", node, NodeHint(node, names)));
+      throw InputError(
+          file.string(),
+          {FaultKind::kNoSuchName, fmt::format("has no node '{}'{}", node, NodeHint(node, names))});
     }
   }
   Eigen::Affine3f X = Eigen::Affine3f::Identity();

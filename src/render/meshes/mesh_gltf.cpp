@@ -324,7 +324,9 @@ Mesh LoadGltf(const std::filesystem::path& file, const std::string& node, Textur
     const std::vector<std::string> names = NamesOf(model);
     const auto found = std::find(names.begin(), names.end(), node);
     if (found == names.end()) {
-      RefuseGltf(file, fmt::format("has no node '{}'{}", node, NodeHint(node, names)));
+      throw InputError(
+          file.string(),
+          {FaultKind::kNoSuchName, fmt::format("has no node '{}'{}", node, NodeHint(node, names))});
     }
     const int index = static_cast<int>(found - names.begin());
     reader.AddNode(index, frame == NodeFrame::kScene ? PlaceOf(file, model, index) : identity, true,
