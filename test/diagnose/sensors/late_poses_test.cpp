@@ -25,9 +25,10 @@ TEST(LatePoses, AreStampedWhenTheyWereMeasured) {
 
 TEST(LatePoses, KeepTheirStampsWhereSomethingElseMayBeLateOrIs) {
   SensorDiagnosis either = NamedClock("poses", 0.16);
-  either.findings[0].rivals = {"imu_chassis/clock_offset"};
+  either.findings[0].rivals = {
+      {"imu_chassis", &SensorMechanism("clock_offset", EffectTarget::kImu)}};
   SensorDiagnosis turned = NamedClock("poses", 0.16);
-  turned.findings[0].mechanism = "mount_rotation";
+  turned.findings[0].mechanism = &SensorMechanism("mount_rotation", EffectTarget::kImu);
   for (const SensorDiagnosis& estimate : {either, turned, NamedClock("gnss_left", 0.16)}) {
     Measurements measured = TwoPoses();
     EXPECT_FALSE(StampPosesAnew(estimate, &measured));
