@@ -104,7 +104,7 @@ TEST_F(RealRecording, DrivingAheadOnGrassIsSimulatedOverTheSameWay) {
   const Outcome compared = RunTera({"compare", "real", "simulated"}, {scratch_.path()});
   EXPECT_EQ(compared.status, 0) << compared.err;
   const Comparison c = Compare(scratch_.path() / "real", scratch_.path() / "simulated");
-  const TrajectoryError& e = c.machines.at(0).aligned_se2;
+  const TrajectoryError& e = c.machines.at(0).tracks.at(0).aligned_se2;
   EXPECT_GT(e.path_length_a_m, 8.0);
   EXPECT_NEAR(e.path_length_b_m, e.path_length_a_m, 0.2 * e.path_length_a_m);
   EXPECT_LT(e.ape_translation_m.rmse, 0.2 * e.path_length_a_m);

@@ -15,7 +15,7 @@ using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-Outcome Run(const Arguments& arguments, const ScratchDirectory& scratch) {
+Outcome Prove(const Arguments& arguments, const ScratchDirectory& scratch) {
   return TeraProcess(arguments, {scratch.path()}, TERA_PROVE_PROGRAM).Wait();
 }
 
@@ -24,7 +24,7 @@ Outcome Run(const Arguments& arguments, const ScratchDirectory& scratch) {
 TEST(TeraProve, ConcealsAsksAndMarksCasesOfAFrozenSeed) {
   const ScratchDirectory scratch;
   const Outcome outcome =
-      Run({"--cases", "3", "--seed", "1", "--duration", "30", "--out", "proof"}, scratch);
+      Prove({"--cases", "3", "--seed", "1", "--duration", "30", "--out", "proof"}, scratch);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("| false alarm where nothing is wrong | ≤ 2 % |"));
   std::ifstream file(scratch.path() / "proof" / "table.json");
@@ -46,7 +46,7 @@ TEST(TeraProve, ConcealsAsksAndMarksCasesOfAFrozenSeed) {
 TEST(TeraProve, NamesTwoOfWhichEachIsNeededOnlyBesideTheOther) {
   const ScratchDirectory scratch;
   const Outcome outcome =
-      Run({"--seed", "39", "--first", "83", "--cases", "1", "--out", "proof"}, scratch);
+      Prove({"--seed", "39", "--first", "83", "--cases", "1", "--out", "proof"}, scratch);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("| bucket backlash; bucket asymmetric_gain | "
                                      "bucket asymmetric_gain by lever/bucket; "
@@ -57,7 +57,7 @@ TEST(TeraProve, NamesTwoOfWhichEachIsNeededOnlyBesideTheOther) {
 TEST(TeraProve, NamesAReaderThatLooksOnceAPeriod) {
   const ScratchDirectory scratch;
   const Outcome outcome =
-      Run({"--seed", "41", "--first", "33", "--cases", "1", "--out", "proof"}, scratch);
+      Prove({"--seed", "41", "--first", "33", "--cases", "1", "--out", "proof"}, scratch);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("| bucket input_hold by lever_way/bucket |"));
 }
@@ -65,17 +65,17 @@ TEST(TeraProve, NamesAReaderThatLooksOnceAPeriod) {
 TEST(TeraProve, RefusesAFolderThatIsThereAndRecordingsThatAreTooShort) {
   const ScratchDirectory scratch;
   std::filesystem::create_directory(scratch.path() / "proof");
-  const Outcome there = Run({"--out", "proof"}, scratch);
+  const Outcome there = Prove({"--out", "proof"}, scratch);
   EXPECT_EQ(there.status, 2);
   EXPECT_THAT(there.err, AllOf(HasSubstr("proof"), HasSubstr("exists already")));
-  const Outcome brief = Run({"--out", "new", "--duration", "5"}, scratch);
+  const Outcome brief = Prove({"--out", "new", "--duration", "5"}, scratch);
   EXPECT_EQ(brief.status, 2);
   EXPECT_THAT(brief.err, HasSubstr("--duration"));
 }
 
 TEST(TeraProve, SaysAnUnknownOptionAndWhichItResembles) {
   const ScratchDirectory scratch;
-  const Outcome outcome = Run({"--out", "proof", "--case", "3"}, scratch);
+  const Outcome outcome = Prove({"--out", "proof", "--case", "3"}, scratch);
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.err, TellsOf("--case"));
   EXPECT_TRUE(Entries(scratch.path()).empty());
@@ -83,9 +83,9 @@ TEST(TeraProve, SaysAnUnknownOptionAndWhichItResembles) {
 
 TEST(TeraProve, PrintsItsVersionAndItsManualPage) {
   const ScratchDirectory scratch;
-  EXPECT_THAT(Run({"--version"}, scratch).out,
+  EXPECT_THAT(Prove({"--version"}, scratch).out,
               ContainsRegex("^tera-prove [0-9]+\\.[0-9]+\\.[0-9]+\n$"));
-  const Outcome page = Run({"--manual"}, scratch);
+  const Outcome page = Prove({"--manual"}, scratch);
   EXPECT_EQ(page.status, 0) << page.err;
   EXPECT_THAT(page.out, AllOf(StartsWith(".TH \"TERA\\-PROVE\" 1"), HasSubstr("\\-\\-maker"),
                               HasSubstr("\\-\\-reserve")));

@@ -24,7 +24,7 @@ constexpr const char* kRover = "warthog.yaml";
 constexpr double kGroundKindsG_mps2 = 9.80665;
 constexpr const char* kStart = "{xy_m: [-6, -3], yaw_deg: 25}";
 
-std::string Ground(const std::string& ground, const std::string& base = "") {
+std::string GroundOf(const std::string& ground, const std::string& base = "") {
   return "    ground: " + ground + "\n" +
          (base.empty() ? "" : "effects: {m: {base: {" + base + "}}}\n");
 }
@@ -56,7 +56,7 @@ TEST(TrackDrive, IdealTracksMoveAsADifferentialDrive) {
       for (const auto& [left, right] :
            std::vector<std::pair<double, double>>{{0.1, 0.25}, {-0.2, 0.2}, {-0.2, -0.2}}) {
         const PlanarTwist twist = Steady(machine, fmt::format("cell_m: 0.1, soil: {}", soil), left,
-                                         right, Ground("ideal"));
+                                         right, GroundOf("ideal"));
         EXPECT_NEAR(twist.forward_mps, 0.5 * (left + right) * full_mps, 1e-3) << machine << soil;
         EXPECT_NEAR(twist.left_mps, 0, 1e-3) << machine << soil;
         EXPECT_NEAR(twist.yaw_radps, (right - left) * full_mps / gauge_m, 1e-3) << machine << soil;
@@ -68,7 +68,7 @@ TEST(TrackDrive, IdealTracksMoveAsADifferentialDrive) {
 TEST(TrackDrive, KinematicTracksWithoutEffectsAreIdealOnes) {
   for (const char* ground : {"ideal", "kinematic"}) {
     const PlanarTwist twist =
-        Steady(kGroundKindsExcavator, "cell_m: 0.1, soil: dirt", 0.3, 0.5, Ground(ground));
+        Steady(kGroundKindsExcavator, "cell_m: 0.1, soil: dirt", 0.3, 0.5, GroundOf(ground));
     EXPECT_NEAR(twist.forward_mps, 0.5, 1e-3) << ground;
     EXPECT_NEAR(twist.yaw_radps, 0.25 / 1.148, 1e-3) << ground;
   }
@@ -77,7 +77,7 @@ TEST(TrackDrive, KinematicTracksWithoutEffectsAreIdealOnes) {
 TEST(TrackDrive, EffectsOfSlipActOnAMachineThatDrives) {
   const std::string flat = "cell_m: 0.1, soil: asphalt";
   const auto with = [&](const std::string& base) {
-    return Steady(kGroundKindsExcavator, flat, 0.3, 0.5, Ground("kinematic", base));
+    return Steady(kGroundKindsExcavator, flat, 0.3, 0.5, GroundOf("kinematic", base));
   };
   const double yaw_radps = 0.25 / 1.148;
   EXPECT_NEAR(with("track_slip: {slip: 0.1}").forward_mps, 0.45, 1e-3);
@@ -100,7 +100,7 @@ TEST(TrackDrive, SlopesMakeAMachineSlipAndDrift) {
                   std::atan(0.2) / kDeg);
   const auto heading = [&](double yaw_deg, const std::string& base) {
     Drive drive(kGroundKindsExcavator, fmt::format("{{xy_m: [0, -4], yaw_deg: {}}}", yaw_deg),
-                slope, 0.4, 0.4, Ground("kinematic", base));
+                slope, 0.4, 0.4, GroundOf("kinematic", base));
     drive.Run(2.0);
     return TwistOf(drive);
   };
@@ -114,7 +114,7 @@ TEST(TrackDrive, SlopesMakeAMachineSlipAndDrift) {
 TEST(TrackDrive, ScaleAndAsymmetryActOnTheSoilToo) {
   const std::string flat = "cell_m: 0.1, soil: asphalt";
   const auto with = [&](const std::string& base) {
-    return Steady(kRover, flat, 0.1, 0.1, Ground("terramechanics", base));
+    return Steady(kRover, flat, 0.1, 0.1, GroundOf("terramechanics", base));
   };
   EXPECT_NEAR(with("track_scale: {scale: 0.9}").forward_mps, 0.45, 0.01);
   EXPECT_GT(with("track_asymmetry: {difference: 0.1}").yaw_radps, 0.01);
@@ -124,7 +124,7 @@ TEST(TrackDrive, ScaleAndAsymmetryLieBetweenSprocketsAndShoes) {
   // 0.1 of 1.25 m/s on sprockets of 0.25 m is 0.5 rad/s, whatever the shoes make of it.
   for (const char* ground : {"terramechanics", "ideal", "kinematic"}) {
     Drive drive(kGroundKindsExcavator, kStart, "cell_m: 0.1, soil: asphalt", 0.1, 0.1,
-                Ground(ground, "track_scale: {scale: 0.9}, track_asymmetry: {difference: 0.1}"));
+                GroundOf(ground, "track_scale: {scale: 0.9}, track_asymmetry: {difference: 0.1}"));
     drive.Run(2.0);
     EXPECT_NEAR(drive.machine().gear_rate_radps[0], 0.5, 1e-3) << ground;
     EXPECT_NEAR(drive.machine().gear_rate_radps[1], 0.5, 1e-3) << ground;
@@ -142,7 +142,7 @@ TEST(TrackDrive, TheGroundHoldsNoMoreThanItsStrength) {
                             "tera:config/soils/asphalt.yaml, name: wet, friction_angle_deg: 20}}], "
                             "relief: {{slope_deg: {}, slope_direction_deg: 90}}",
                             slope_deg),
-                0, 0, Ground("ideal"));
+                0, 0, GroundOf("ideal"));
     const Vec3 before = drive.body().v_WB_mps;
     drive.Run(1.0);
     return (drive.body().v_WB_mps - before).norm();
@@ -155,7 +155,7 @@ TEST(TrackDrive, SprocketsCarryTheWeightOnTheSlope) {
   // Uphill at 10 deg, 3500 kg, two sprockets of 0.25 m.
   Drive drive(kGroundKindsExcavator, "{xy_m: [0, -4], yaw_deg: 90}",
               "cell_m: 0.1, soil: asphalt, relief: {slope_deg: 10, slope_direction_deg: 90}", 0.4,
-              0.4, Ground("kinematic", "rolling_resistance: {coefficient: 0.1}"));
+              0.4, GroundOf("kinematic", "rolling_resistance: {coefficient: 0.1}"));
   drive.Run(2.0);
   double torque_nm = 0;
   drive.Run(0.5, [&] {
@@ -174,7 +174,7 @@ TEST(TrackDrive, StrengthOfTheSoilDecidesWhatHolds) {
                   fmt::format("cell_m: 0.1, soil: asphalt, relief: {{slope_deg: {}, "
                               "slope_direction_deg: 90}}",
                               slope_deg),
-                  0, 0, Ground(ground, "soil_strength: {strength: 0.5}"));
+                  0, 0, GroundOf(ground, "soil_strength: {strength: 0.5}"));
       drive.Run(1.0);
       return drive.body().v_WB_mps.norm();
     };
@@ -186,7 +186,7 @@ TEST(TrackDrive, StrengthOfTheSoilDecidesWhatHolds) {
 TEST(TrackDrive, StiffnessOfTheSoilDecidesTheSinkage) {
   const auto sinkage = [](double stiffness) {
     Drive drive(kGroundKindsExcavator, kStart, "cell_m: 0.1, soil: loose", 0, 0,
-                Ground("ideal", fmt::format("soil_strength: {{stiffness: {}}}", stiffness)));
+                GroundOf("ideal", fmt::format("soil_strength: {{stiffness: {}}}", stiffness)));
     return -drive.place().z();
   };
   // Bekker: z in proportion to modulus^(-1/n), n = 0.7; the elastic part to modulus^-1.
@@ -199,13 +199,13 @@ TEST(TrackDrive, RaisedGroundLiftsWhatStandsOnItAndWhatDrivesOntoIt) {
   const std::string raised =
       "terrain_height: {x_m: 3, y_m: 0, radius_m: 2.5, height_m: 0.4, edge_m: 2}";
   Drive on("tb235.yaml", "{xy_m: [3, 0], yaw_deg: 15}", "cell_m: 0.1, soil: asphalt", 0, 0,
-           Ground("ideal", raised));
+           GroundOf("ideal", raised));
   EXPECT_NEAR(on.place().z(), 0.4, 0.02);
   EXPECT_NEAR(on.simulation->ground().HeightAt(3, 2.4), 0.4, 1e-6);
   EXPECT_NEAR(on.simulation->ground().HeightAt(3, 3.5), 0.2, 1e-6);  // amid its edge
   EXPECT_NEAR(on.simulation->ground().HeightAt(3, 4.6), 0, 1e-6);
   Drive onto(kRover, "{xy_m: [-4, 0], yaw_deg: 0}", "cell_m: 0.1, soil: asphalt", 0.3, 0.3,
-             Ground("terramechanics", raised));
+             GroundOf("terramechanics", raised));
   onto.Run(7 / 1.5);
   EXPECT_NEAR(onto.place().x(), 3, 0.5);
   EXPECT_NEAR(onto.place().z(), 0.4, 0.03);
@@ -216,19 +216,20 @@ std::vector<InputFault> FaultOf(const std::string& machine, const std::string& m
 }
 
 TEST(TrackDrive, FaultsOfTheChoiceSayWhatIsNeeded) {
-  EXPECT_THAT(FaultOf(kGroundKindsExcavator, Ground("kinematik")), HasFault(kNoSuchName, "ground"));
-  EXPECT_THAT(FaultOf("mast.yaml", Ground("ideal")), HasFault(kInconsistent, "ground"));
+  EXPECT_THAT(FaultOf(kGroundKindsExcavator, GroundOf("kinematik")),
+              HasFault(kNoSuchName, "ground"));
+  EXPECT_THAT(FaultOf("mast.yaml", GroundOf("ideal")), HasFault(kInconsistent, "ground"));
   for (const char* ground : {"terramechanics", "ideal"}) {
-    EXPECT_THAT(FaultOf(kGroundKindsExcavator, Ground(ground, "track_slip: {slip: 0.1}")),
+    EXPECT_THAT(FaultOf(kGroundKindsExcavator, GroundOf(ground, "track_slip: {slip: 0.1}")),
                 HasFault(kInconsistent, "base.track_slip"));
   }
-  EXPECT_THAT(FaultOf(kGroundKindsExcavator, Ground("kinematic", "track_slip: {slip: 1.5}")),
+  EXPECT_THAT(FaultOf(kGroundKindsExcavator, GroundOf("kinematic", "track_slip: {slip: 1.5}")),
               HasFault(kOutOfRange, "track_slip.slip"));
-  EXPECT_THAT(FaultOf(kGroundKindsExcavator, Ground("kinematic", "effective_gauge: {}")),
+  EXPECT_THAT(FaultOf(kGroundKindsExcavator, GroundOf("kinematic", "effective_gauge: {}")),
               HasFault(kMissing, "effective_gauge.ratio"));
-  EXPECT_THAT(FaultOf(kGroundKindsExcavator, Ground("kinematic", "trak_slip: {slip: 0.1}")),
+  EXPECT_THAT(FaultOf(kGroundKindsExcavator, GroundOf("kinematic", "trak_slip: {slip: 0.1}")),
               HasFault(kUnknown, "base.trak_slip"));
-  EXPECT_THAT(FaultOf(kGroundKindsExcavator, Ground("kinematic", "track_slip: {slip: 0.1}")),
+  EXPECT_THAT(FaultOf(kGroundKindsExcavator, GroundOf("kinematic", "track_slip: {slip: 0.1}")),
               testing::IsEmpty());
 }
 
@@ -258,9 +259,9 @@ shovels:
 
 TEST(TrackDrive, AToolOfTheRootLinkIsRefusedWhereItsForceCannotBeTold) {
   const std::string pusher = CartWithBladeOn("chassis"), welded = CartWithBladeOn("mount");
-  EXPECT_THAT(FaultOf(pusher, Ground("kinematic")), HasFault(kInconsistent, "ground"));
-  EXPECT_THAT(FaultOf(pusher, Ground("ideal")), testing::IsEmpty());
-  EXPECT_THAT(FaultOf(welded, Ground("kinematic")), testing::IsEmpty());
+  EXPECT_THAT(FaultOf(pusher, GroundOf("kinematic")), HasFault(kInconsistent, "ground"));
+  EXPECT_THAT(FaultOf(pusher, GroundOf("ideal")), testing::IsEmpty());
+  EXPECT_THAT(FaultOf(welded, GroundOf("kinematic")), testing::IsEmpty());
 }
 
 }  // namespace

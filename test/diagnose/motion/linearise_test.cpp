@@ -125,13 +125,13 @@ TEST(Linearise, OfATimeThatTheMotionDoesNotCoverIsFalse) {
 }
 
 /// The base's pose and the positions of hinge and slide at a time.
-struct LineariseAt {
+struct MotionThere {
   Pose X_WB;
   double q[2];
 };
 
 double NumberAt(const MadeProblem& made, int number, double t, int derivative = 0) {
-  const SplineWeights weights = made.spline.LineariseAt(t);
+  const SplineWeights weights = made.spline.At(t);
   double sum = 0;
   for (int k = 0; k < 5; ++k) {
     if (weights.first + k >= made.spline.coefficients) continue;
@@ -140,7 +140,7 @@ double NumberAt(const MadeProblem& made, int number, double t, int derivative = 
   return sum;
 }
 
-LineariseAt MotionAt(const MadeProblem& made, double t) {
+MotionThere MotionAt(const MadeProblem& made, double t) {
   Vec3 p, rpy;
   for (int k = 0; k < 3; ++k) {
     p[k] = NumberAt(made, k, t);
@@ -159,7 +159,7 @@ TEST(Linearise, PredictsAnAntennaAtItsPlaceOfTheTimeBefore) {
   made.parameters[receiver.late] = kLate_s;
   made.parameters.segment<3>(receiver.place) = Vec3(0.1, -0.2, 0.3);
   made.parameters.segment<3>(receiver.datum) = Vec3(1, 2, -3);
-  const LineariseAt at = MotionAt(made, kTime_s - kLate_s);
+  const MotionThere at = MotionAt(made, kTime_s - kLate_s);
   const Vec3 p_B =
       PointInBase<double>(receiver.chain, receiver.p_LS_m + Vec3(0.1, -0.2, 0.3), at.q);
   Observation seen = {.kind = kReceiver, .from_s = kTime_s, .to_s = kTime_s};
@@ -176,7 +176,7 @@ TEST(Linearise, TurnsAPairAboutItsMiddle) {
   const ReceiverChannel& receiver = made.problem.receivers[0];
   made.parameters.setZero();
   made.parameters[receiver.pair_yaw] = kPi / 2;
-  const LineariseAt at = MotionAt(made, kTime_s);
+  const MotionThere at = MotionAt(made, kTime_s);
   const Vec3 p_L = receiver.middle_L_m + Vec3(-0.7, 0, 0);
   Observation seen = {.kind = kReceiver, .from_s = kTime_s, .to_s = kTime_s};
   seen.value.head<3>() = at.X_WB * PointInBase<double>(receiver.chain, p_L, at.q);
@@ -240,7 +240,7 @@ TEST(Linearise, PredictsAnInertialUnitByTheMotionOfItsTrueFrame) {
   X_LS.translation() += shift;
   X_LS.linear() = unit.X_LS.linear() * RotationFromRpy(turn[0], turn[1], turn[2]);
   const auto sensor = [&](double t) {
-    const LineariseAt at = MotionAt(made, t);
+    const MotionThere at = MotionAt(made, t);
     const Vec3 o = PointInBase<double>(unit.chain, Vec3::Zero(), at.q);
     Pose X_BL = Pose::Identity();
     X_BL.translation() = o;
