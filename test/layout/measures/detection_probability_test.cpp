@@ -130,7 +130,8 @@ TEST(DetectionProbability, CamerasAddNothing) {
   Viewer camera = EvenLidar(yard, 1e6);
   camera.field.samples = ViewField::Samples::kPixels;
   EXPECT_EQ(Ahead(yard, {camera}, 20), 0);
-  EXPECT_EQ(Ahead(yard, {EvenLidar(yard, 2000), camera}, 20), Ahead(yard, {EvenLidar(yard, 2000)}, 20));
+  EXPECT_EQ(Ahead(yard, {EvenLidar(yard, 2000), camera}, 20),
+            Ahead(yard, {EvenLidar(yard, 2000)}, 20));
 }
 
 TEST(DetectionProbability, IsNothingBeyondTheReachOfTheLidar) {

@@ -45,9 +45,9 @@ TEST_F(Study, SaysWhatEntropiesAreComputedWith) {
 
 TEST_F(Study, RefusesEntropiesWithoutSense) {
   EXPECT_THAT(FaultsOf("information: {voxel_m: 0, lidar: {a: 0.1}, camera: {a: -1, b: 0}}"),
-              AllOf(HasFaultAt("information.voxel_m"), HasFaultAt("information.lidar"),
+              AllOf(HasFaultAt("information.voxel_m"), HasFaultAt("information.lidar.b"),
                     HasFaultAt("information.camera.a")));
-  EXPECT_THAT(FaultsOf("information: {voxels_m: 0.5}"), HasFaultAt("voxel_m"));
+  EXPECT_THAT(FaultsOf("information: {voxels_m: 0.5}"), HasFaultAt("information.voxels_m"));
 }
 
 }  // namespace
