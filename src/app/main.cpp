@@ -9,6 +9,7 @@ namespace {
 void AddProveCommand(CLI::App* app) {
   CLI::App* command = app->add_subcommand("prove", "Is the program tera-prove");
   command->group("")->allow_extras();  // neither in the help nor among the manual pages
+  command->set_help_flag("");          // --help is answered as all else is
   command->callback([] {
     throw tera::InputError(
         "tera prove: is a program of its own; run tera-prove with the same options, of the package "
