@@ -32,6 +32,20 @@ class Trajectory : public ::testing::Test {
     ImportCsv(scratch_.path() / "mapping.yaml", scratch_.path() / "out");
     return Recording(scratch_.path() / "out").LoadPose("truth/machine/pose.csv").poses;
   }
+  /// Of KITTI's form, whose suggestion has no time until one fills it in.
+  std::vector<TruthPose> FilledIn(const std::string& name, const std::string& text) {
+    try {
+      Suggested(name, text);
+      ADD_FAILURE() << "imported without a time: " << yaml_;
+    } catch (const InputError& fault) {
+      EXPECT_THAT(fault.what(), HasSubstr("'unknown' says nothing of the time"));
+    }
+    const std::string unknown = "time: unknown";
+    const std::size_t at = yaml_.find(unknown);
+    if (at == std::string::npos) return {};
+    return Imported(
+        std::string(yaml_).replace(at, unknown.size(), "time: {interval: 0.1, unit: s}"));
+  }
   /// 0.1 s apart, at 1 2 3 and 4 2 3, turned about z by 2 atan(0.6 / 0.8).
   void ExpectThePoses(const std::vector<TruthPose>& poses) {
     ASSERT_EQ(poses.size(), 2u) << yaml_;
@@ -108,7 +122,7 @@ TEST_F(Trajectory, OfAFolderOfTumsTheMachinesIsThePose) {
 TEST_F(Trajectory, OfKittiIsRowsOfRotationAndPlaceAndNeedsTimes) {
   const std::string rows =
       "0.28 -0.96 0 1 0.96 0.28 0 2 0 0 1 3\n0.28 -0.96 0 4 0.96 0.28 0 2 0 0 1 3\n";
-  const auto poses = Suggested("00.txt", rows);
+  const auto poses = FilledIn("00.txt", rows);
   ExpectThePoses(poses);
   EXPECT_THAT(yaml_, AllOf(HasSubstr("form: kitti"), HasSubstr("the file has no times")));
   const std::string head = "name: n\nmachine: machine\nfile: 00.txt\n";
@@ -125,7 +139,7 @@ TEST_F(Trajectory, OfKittiIsRowsOfRotationAndPlaceAndNeedsTimes) {
 // A camera that drives along its z and turns left about -y, by its cosine 0.8 and sine 0.6.
 TEST_F(Trajectory, OfKittisCameraIsTurnedUpright) {
   const auto poses =
-      Suggested("05.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n0.8 0 -0.6 -2 0 1 0 0.1 0.6 0 0.8 10\n");
+      FilledIn("05.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n0.8 0 -0.6 -2 0 1 0 0.1 0.6 0 0.8 10\n");
   ASSERT_EQ(poses.size(), 2u);
   EXPECT_TRUE(poses[0].X_WB.isApprox(Pose::Identity(), 1e-9)) << yaml_;
   EXPECT_TRUE(poses[1].X_WB.translation().isApprox(Vec3(10, 2, -0.1), 1e-9));
