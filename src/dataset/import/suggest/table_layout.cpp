@@ -55,6 +55,39 @@ std::vector<HeadLine> HeadOf(std::string_view text, int skipped) {
   return head;
 }
 
+bool IsUnitWord(std::string_view field) {
+  constexpr std::array<std::string_view, 37> kOthers = {
+      "-",    "°C",   "degC",   "deg C", "C",     "K",     "V",      "mV",  "A",   "mA",
+      "W",    "kW",   "Hz",     "kHz",   "l/min", "l/h",   "L/h",    "l",   "kg",  "t",
+      "bool", "text", "string", "none",  "n/a",   "count", "counts", "ohm", "Ohm", "Smp",
+      "Avg",  "Max",  "Min",    "Std",   "Tot",   "TS",    "RN"};
+  if (UnitOfText(field, Dimension::kAny)) return true;
+  std::string bare;
+  for (const char c : field) {
+    if (std::string_view("[]()").find(c) == std::string_view::npos) bare += c;
+  }
+  return std::find(kOthers.begin(), kOthers.end(), bare) != kOthers.end();
+}
+
+/// Whether fields are units, of which some are known.
+bool AreUnits(const std::vector<std::string_view>& fields) {
+  std::size_t named = 0, known = 0;
+  for (const std::string_view field : fields) {
+    if (field.empty()) continue;
+    ++named;
+    if (IsUnitWord(field)) ++known;
+  }
+  return named > 0 && 2 * known >= named;
+}
+
+/// No field is a value, but for the unit 1 among others.
+bool HasWordsOnly(const SplitLine& line) {
+  for (std::size_t k = 0; k < line.fields.size(); ++k) {
+    if (IsValue(line.kinds[k]) && (line.fields[k] != "1" || !AreUnits(line.fields))) return false;
+  }
+  return true;
+}
+
 /// One way to read the head, and the block of rows that it finds.
 struct Reading {
   char separator = ',';
@@ -80,6 +113,10 @@ struct Reading {
   std::size_t least_fields() const { return FieldsOf(/*with_empty_end=*/false); }
 
  private:
+  struct Block {
+    std::size_t first, end;
+  };
+
   std::size_t FieldsOf(bool with_empty_end) const {
     std::size_t most = 0;
     for (std::size_t k = first; k < end; ++k) {
@@ -109,6 +146,7 @@ struct Reading {
   }
 
   void FindBlock() {
+    std::vector<Block> blocks;
     for (std::size_t begin = 0; begin < lines.size();) {
       std::size_t next = begin + 1, last = begin;
       if (HasValue(lines[begin])) {
@@ -117,11 +155,17 @@ struct Reading {
           if (!AreAlike(lines[last], lines[next])) break;
           last = next;
         }
+        blocks.push_back({begin, last + 1});
         Weigh(begin, last + 1);
       }
       begin = std::max(last + 1, begin + 1);
     }
-    // A first row with a word in the place of a number is a row as well.
+    TakeRowsWithWords();
+    PreferRowsBelowNames(blocks);
+  }
+
+  /// A first row with a word in the place of a number is a row as well.
+  void TakeRowsWithWords() {
     while (first > 0 && end > first && HasValue(lines[first - 1])) {
       const SplitLine &above = lines[first - 1], &row = lines[first];
       const std::size_t columns = std::max(above.kinds.size(), row.kinds.size());
@@ -130,6 +174,34 @@ struct Reading {
         break;
       }
       --first;
+    }
+  }
+
+  /// Whether a line of as many words as the row has fields stands right above it.
+  bool HasNames(std::size_t row) const {
+    for (std::size_t k = row; k-- > 0;) {
+      const std::size_t fields = lines[k].fields.size();
+      const bool fits = fields >= lines[row].fields.size() && fields <= lines[row].field_count;
+      if (fits && HasWordsOnly(lines[k])) return true;
+      if (!lines[k].is_remark) return false;
+    }
+    return false;
+  }
+
+  /// A row of another width parts a table in blocks. The largest one without names of its own
+  /// gives way to the first with names, or to one of its form at the top of the file.
+  void PreferRowsBelowNames(const std::vector<Block>& blocks) {
+    if (end == first || HasNames(first)) return;
+    constexpr std::size_t kFewRows = 3;
+    for (const Block& block : blocks) {
+      if (block.first >= first) return;
+      const bool is_alike = AreAlike(lines[block.first], lines[first]);
+      const bool has_names =
+          HasNames(block.first) && (is_alike || block.end - block.first >= kFewRows);
+      if (!has_names && (block.first > 0 || !is_alike)) continue;
+      first = block.first;
+      end = block.end;
+      return;
     }
   }
 
@@ -166,39 +238,6 @@ std::optional<Reading> BestReading(const std::vector<HeadLine>& head, const Give
     }
   }
   return best;
-}
-
-bool IsUnitWord(std::string_view field) {
-  constexpr std::array<std::string_view, 37> kOthers = {
-      "-",    "°C",   "degC",   "deg C", "C",     "K",     "V",      "mV",  "A",   "mA",
-      "W",    "kW",   "Hz",     "kHz",   "l/min", "l/h",   "L/h",    "l",   "kg",  "t",
-      "bool", "text", "string", "none",  "n/a",   "count", "counts", "ohm", "Ohm", "Smp",
-      "Avg",  "Max",  "Min",    "Std",   "Tot",   "TS",    "RN"};
-  if (UnitOfText(field, Dimension::kAny)) return true;
-  std::string bare;
-  for (const char c : field) {
-    if (std::string_view("[]()").find(c) == std::string_view::npos) bare += c;
-  }
-  return std::find(kOthers.begin(), kOthers.end(), bare) != kOthers.end();
-}
-
-/// Whether fields are units, of which some are known.
-bool AreUnits(const std::vector<std::string_view>& fields) {
-  std::size_t named = 0, known = 0;
-  for (const std::string_view field : fields) {
-    if (field.empty()) continue;
-    ++named;
-    if (IsUnitWord(field)) ++known;
-  }
-  return named > 0 && 2 * known >= named;
-}
-
-/// No field is a value, but for the unit 1 among others.
-bool HasWordsOnly(const SplitLine& line) {
-  for (std::size_t k = 0; k < line.fields.size(); ++k) {
-    if (IsValue(line.kinds[k]) && (line.fields[k] != "1" || !AreUnits(line.fields))) return false;
-  }
-  return true;
 }
 
 /// Lines of words before the block, in their order: names, and units behind them.

@@ -262,6 +262,19 @@ TEST_F(SuggestedTable, PreamblesAreSkipped) {
   }
 }
 
+TEST_F(SuggestedTable, ARowOfAnotherWidthMakesNoPreambleOfTheRowsAboveIt) {
+  for (const std::string odd : {"0.38;21.9;7", "0.38", "0.38;ERR"}) {
+    for (const std::string names : {"time_s;boom_deg\n", ""}) {
+      std::string log = names;
+      for (int k = 0; k < 60; ++k) {
+        log += k == 19 ? odd + "\n" : fmt::format("{:.2f};{:.1f}\n", 0.02 * k, 20 + 0.1 * k);
+      }
+      EXPECT_THAT(Suggest(log), Not(HasSubstr("skip_lines"))) << odd;
+      EXPECT_EQ(yaml_.find("header: false") == std::string::npos, !names.empty()) << yaml_;
+    }
+  }
+}
+
 TEST_F(SuggestedTable, GivenKeysCountAndOthersAreRefused) {
   const std::string log = "Time,Boom\nx,y\n0.00,20\n0.02,20.1\n0.04,20.2\n";
   EXPECT_THAT(Suggest(log, {"csv.skip_lines=2", "csv.header=false"}),
