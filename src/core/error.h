@@ -24,7 +24,8 @@ enum class FaultKind {
   kUnsupported,  ///< well formed, but not for this program, its build, or this computer
 };
 
-/// One fault of the input. What is wrong is told by kind and place; the finding is for people.
+/// One fault of the input. Its kind and place tell programs what is wrong; the finding is
+/// for people.
 struct InputFault {
   FaultKind kind = FaultKind::kInconsistent;
   std::string finding;  ///< what was found, what is needed, and the remedy

@@ -95,7 +95,7 @@ std::string WireTypeName(std::string_view type) {
   return fmt::format("{}::msg::dds_::{}_", type.substr(0, slash), type.substr(slash + 1));
 }
 
-/// What is written: its bytes go over to Cyclone.
+/// A message that is written: its bytes go over to Cyclone.
 struct Sample {
   mutable std::string bytes;
 };
@@ -118,7 +118,7 @@ const std::string& BytesOf(const ddsi_serdata* data) {
   return static_cast<const WireData*>(data)->bytes;
 }
 
-/// Of bytes that came; null if they are no message.
+/// The data of received bytes; null if they are no message.
 ddsi_serdata* Received(const ddsi_sertype* type, ddsi_serdata_kind kind, std::string bytes) {
   static const std::string levers = WireTypeName(DeltaCan::kType);
   if (kind == SDK_DATA && type->type_name == levers && !LeversOf(bytes)) return nullptr;
@@ -237,7 +237,7 @@ dds_entity_t CreateTopic(dds_entity_t participant, const std::string& name, std:
   ddsi_sertype* taken = own.get();
   const dds_entity_t topic =
       dds_create_topic_sertype(participant, name.c_str(), &taken, nullptr, nullptr, nullptr);
-  if (topic > 0) own.release();  // Cyclone's now
+  if (topic > 0) own.release();  // Cyclone owns it
   return topic;
 }
 

@@ -17,7 +17,7 @@ using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
 /// A field of `message`, or of a message within it, that this build has no name for, as a newer
-/// client sends: "field 9 of Action". What it asks for would be left undone without a word.
+/// client sends: "field 9 of Action". Its request would be left undone without a word.
 std::optional<std::string> UnknownField(const Message& message) {
   const google::protobuf::Reflection& reflection = *message.GetReflection();
   const auto& unknown = reflection.GetUnknownFields(message);

@@ -34,14 +34,14 @@ const SceneInstance* InstanceOf(const SceneModel& scene, const std::string& name
   return found == scene.instances.end() ? nullptr : &*found;
 }
 
-/// Of what the link shows; empty where that is nothing.
+/// The box of what the link shows; empty where that is nothing.
 Box ShownBox(const ScenarioMachine& machine, const Link& link, const SceneModel& scene) {
   if (link.visuals.empty()) return {};
   const SceneInstance* shown = InstanceOf(scene, machine.placement.name + "/" + link.name);
   return shown == nullptr ? Box() : Box(shown->box_min_B_m, shown->box_max_B_m);
 }
 
-/// Of all of a link, in its frame.
+/// The box of all of a link, in its frame.
 Box BoxOf(const ScenarioMachine& machine, std::size_t index, const SceneModel& scene) {
   const MachineModel& model = machine.placement.model;
   const Link& link = model.links[index];

@@ -6,7 +6,7 @@
 #include "render/scene.h"
 #include "sim/scenario/scenario.h"
 
-/// What a machine's description says that no real machine has, for whoever checks it.
+/// Properties in a machine's description that no real machine has, for whoever checks it.
 
 namespace tera {
 
@@ -21,14 +21,13 @@ struct LinkSize {
 /// One for each link of the machine, in their order. `scene` shows it.
 std::vector<LinkSize> SizesOf(const ScenarioMachine& machine, const SceneModel& scene);
 
-/// What of the machine cannot be meant, a sentence each that begins with its name.
+/// Doubts about the machine's description, a sentence each that begins with its name.
 ///
-/// Model   What lies within a box has a radius of gyration of at most half the box's diagonal,
-/// about
-///         any axis through its centre of mass; links that are fixed together are one body. A body
-///         weighs less than a ball of osmium around its box, and a machine more than the air in the
-///         box around it. No link is longer than 100 m. Without running gear and hull points a
-///         machine whose base is free falls.
+/// Model   A body within a box has a radius of gyration of at most half the box's diagonal
+///         about any axis through its centre of mass; links that are fixed together are one body. A
+///         body weighs less than a ball of osmium around its box, and a machine more than the air
+///         in the box around it. No link is longer than 100 m. Without running gear and hull points
+///         a machine whose base is free falls.
 std::vector<std::string> DoubtsOf(const ScenarioMachine& machine, const SceneModel& scene);
 
 }  // namespace tera

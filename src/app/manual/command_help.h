@@ -35,7 +35,8 @@ struct CommandHelp {
   std::string Joined(const std::string& separator) const;
 };
 
-/// What `app`, which has a name, and all below it take; commands that its help hides are left out.
+/// Lists what `app`, which has a name, and all below it take. Commands that its help hides are left
+/// out.
 CommandHelp HelpOf(const CLI::App& app);
 
 /// `command` and all below it, each before those below it.

@@ -126,7 +126,7 @@ std::string RadarOutline(const LayoutReport& report, const std::string& colour) 
                      colour, area, outline);
 }
 
-/// Which of the main figures layouts do not have.
+/// Tells the main figures that layouts do not have.
 std::string AbsentText(const std::vector<LayoutReport>& reports) {
   std::string html;
   for (const LayoutReport& report : reports) {

@@ -70,7 +70,7 @@ std::string WithQuarter(std::string_view name, std::optional<std::size_t> quarte
   return quarter ? filled.replace(at, 1, kQuarters[*quarter].name) : filled;
 }
 
-/// What stands at the `*` of `pattern`, empty where there is none; nothing where it does not match.
+/// The text at the `*` of `pattern`, empty where there is none; nothing where it does not match.
 std::optional<std::string> SubjectIn(std::string_view name, std::string_view pattern) {
   const std::size_t star = pattern.find('*');
   if (star == pattern.npos) return name == pattern ? std::optional<std::string>("") : std::nullopt;

@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// What a figure, a map or a curve measures of its subject.
+/// The quantity that a figure, a map or a curve measures of its subject.
 enum class Measure {
   kSeenBy1,
   kSeenBy2,
@@ -37,7 +37,7 @@ enum class Measure {
   kExceedsLimit,
   kAngleSigma,
   kLengthSigma,
-  // Of maps and curves alone.
+  // Only maps and curves have these.
   kSeenMap,
   kDetectedMap,
   kProbabilityMap,
@@ -47,7 +47,7 @@ enum class Measure {
   kPixelCurve,
 };
 
-/// Of what a measure may be.
+/// The kinds of subject that a measure may have.
 enum class Subject {
   kZone,
   kHeight,  ///< above the ground
@@ -62,7 +62,7 @@ enum class Subject {
   kState
 };
 
-/// Which figure, map or curve of a layout it is.
+/// Identifies a figure, map or curve of a layout.
 struct FigureId {
   Measure measure = Measure::kSeenBy1;
   std::string of = {};                      ///< name of the subject; empty of what there is one of

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kPercentOfOne = 100;
 
-/// What figures say, in the order of Measure: {0} is what they are of, {1} the quarter.
+/// Texts of figures in the order of Measure: {0} is their subject, {1} the quarter.
 constexpr std::array<const char*, 28> kWords = {
     "{0} seen by 1 or more sensors",
     "{0} seen by 2 or more sensors",

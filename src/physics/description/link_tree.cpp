@@ -25,7 +25,7 @@ const JointPart& PartNamed(const MachineParts& parts, const std::string& name) {
                        [&](const JointPart& part) { return part.joint.name == name; });
 }
 
-/// What `part` follows in the end, or nothing after a fault.
+/// The joint that `part` follows in the end, or nothing after a fault.
 std::optional<Following> FollowingOf(const JointPart& part, const MachineParts& parts,
                                      const MachineModel& model) {
   Following total;

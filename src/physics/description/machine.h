@@ -219,7 +219,7 @@ struct MachineModel {
   std::vector<WheelVisual> wheel_visuals;
   std::vector<NamedFrame> frames;
   double gauge_m = 0;  ///< distance between left and right gear centres, 0 without
-  /// What its reader left out or changed of what it read, a sentence each.
+  /// Everything that its reader left out or changed, a sentence each.
   std::vector<std::string> remarks;
 
   int LinkIndex(std::string_view name) const;  ///< -1 if there is none
@@ -232,7 +232,7 @@ struct MachineModel {
   }
 };
 
-/// What becomes of meshes that a URDF names and that are not there.
+/// The treatment of meshes that a URDF names and that are not there.
 enum class AbsentMeshes {
   kFault,
   kLeftOut  ///< with a remark

@@ -21,7 +21,7 @@ constexpr std::string_view kXacro = "xacro";
 constexpr std::string_view kDeclaration = "xmlns:";
 /// For Gazebo alone, whose plugins have texts of their own.
 constexpr std::string_view kGazebo = "gazebo";
-/// What the readers of links, joints and drives take of a <robot>.
+/// The elements of a <robot> that the readers of links, joints and drives take.
 constexpr std::array<std::string_view, 5> kReadElements = {"link", "joint", "material",
                                                            "transmission", "ros2_control"};
 
@@ -90,7 +90,8 @@ std::string XacroCommand(const std::string& file) {
   return fmt::format("xacro {0}.xacro > {0} (after mv {0} {0}.xacro)", file);
 }
 
-/// What a file of that root is, and how a URDF is made of it; empty where that is not known.
+/// Tells the form of a file of that root, and how a URDF is made of it; empty where that is not
+/// known.
 std::string OtherForm(std::string_view root, const std::string& file) {
   std::string urdf = AsUrdf(file);
   if (urdf == file) urdf = "robot.urdf";

@@ -12,8 +12,8 @@ namespace tera {
 /// Holds a joint where the one that it follows takes it.
 ///
 /// Model   a row of the machine's constraints, without bound: at the end of each step the rates are
-///         those that bring q = ratio * q(leader) + offset about. What the follower bears, ratio
-///         times that acts on the leader, as of a gear without friction.
+///         those that bring q = ratio * q(leader) + offset about. The load of the follower
+///         acts on the leader times ratio, as that of a gear without friction.
 /// Omits   compliance and play of what ties them.
 class JointTie {
  public:

@@ -56,7 +56,7 @@ std::vector<std::filesystem::path> FilesOf(GDALDataset* raster);
 /// and one of more pixels than fit into memory with all that is made of them.
 RasterFrame ReadFrame(const std::filesystem::path& file, GDALDataset* raster);
 
-/// What a band's stored numbers mean: its scale times them, plus its offset.
+/// The meaning of a band's stored numbers: its scale times them, plus its offset.
 struct BandScaling {
   explicit BandScaling(GDALRasterBand* band) : scale(band->GetScale()), offset(band->GetOffset()) {}
   double Value(double stored) const { return scale * stored + offset; }

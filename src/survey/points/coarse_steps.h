@@ -16,10 +16,11 @@ struct CoarseSteps {
 
 /// The coarsest steps of x, y and z, where they exceed 0.02 m.
 ///
-/// Model   Of LAS, the scale. Of others, x and y that went through single precision: every
-///         coordinate is a float, and those of both axes lie as near to each other as floats of
-///         their size can, which a regular grid's do not. And those written with too few digits:
-///         steps of coordinates over 100 km, with more than three points at a place.
+/// Model   LAS has them as its scale. Others have them where x and y went through single precision:
+///         every coordinate is a float, and those of both axes lie as near to each other as floats
+///         of their size can, which a regular grid's do not. Coordinates written with too few
+///         digits have them too: steps of coordinates over 100 km, with more than three points at a
+///         place.
 /// Omits   clouds of a few points.
 std::optional<CoarseSteps> FindCoarseSteps(const PointCloud& cloud);
 

@@ -15,8 +15,8 @@ namespace tera {
 ///         likeliest of each slot), of which the eight that are likeliest after a few steps are
 ///         fitted in full. Then, from the best single one, and from the best pair if that is
 ///         better, one term more at a time of at least `kLeastTermEffect`, with swaps, four fitted
-///         in full, as long as the Bayesian information criterion on TRAIN falls. Of structures
-///         that are as likely, the one whose terms cancel each other less. Backward (pruning.h): a
+///         in full, as long as the Bayesian information criterion on TRAIN falls. The one whose
+///         terms cancel each other less wins over one that is as likely. Backward (pruning.h): a
 ///         term goes unless its gain over the structure fitted without it is steady over the
 ///         manoeuvres of TRAIN and SELECT, each left out of the fits that it judges (cross_fit.h,
 ///         steady_gain.h; Bonferroni over all that the diagnosis tests), and its share, share of
@@ -24,9 +24,9 @@ namespace tera {
 ///         with numbers by which it is another mechanism in disguise (Candidate::is_itself). A
 ///         number that refines another one is put to its default where that changes less than
 ///         `kLeastTermEffect`, one number after the other. Rivals (DiscriminateRivals): each term
-///         is swapped for each screened candidate. Of the five that are likeliest after a few
-///         steps, those are rivals over which the same manoeuvres do not gain from the term with p
-///         at most kRivalP and at least kRivalGain; a rejected one is tried again with the
+///         is swapped for each screened candidate. A rival is one of the five that are likeliest
+///         after a few steps, over which the same manoeuvres do not gain from the term with p at
+///         most kRivalP and at least kRivalGain; a rejected one is tried again with the
 ///         likeliest mechanism of timing or actuator beside it that is as expected
 ///         (expected_beside.h).
 /// Omits   that the structures whose terms are tested were chosen on part of the same manoeuvres,

@@ -15,7 +15,7 @@ namespace tera {
 ///         penalty by generalised cross-validation; centred so that its mean over the samples is 0.
 ///         Band: blocks of the scores drawn with replacement, the estimate moved by its
 ///         linearisation; `low` and `high` hold the whole curve over the occupied bins with the
-///         confidence of 90 %. Of a variable whose functions are multiplied, the curve is the
+///         confidence of 90 %. The curve of a variable whose functions are multiplied is the
 ///         factor.
 /// Omits   the bias of smoothing; the offset, which a coloured residual hardly determines.
 /// Source  Eilers and Marx 1996; Craven and Wahba 1979; Künsch 1989.
