@@ -20,7 +20,7 @@ struct ChannelDifference {
 
 /// The trajectories of a machine, or of an antenna on it, and the errors under each alignment.
 struct TrackComparison {
-  /// What the rotations of the trajectories tell.
+  /// The part of the rotations that the trajectories tell.
   enum class Rotation { kAll, kHeading, kNone };
 
   std::string of;  ///< "poses", "gnss_left"
@@ -29,7 +29,7 @@ struct TrackComparison {
   TrajectoryError unaligned, aligned_se2, aligned_se3;
 };
 
-/// What one machine has in both recordings.
+/// The comparison of one machine that both recordings have.
 struct MachineComparison {
   std::string name_a, name_b;
   /// By poses; where a side has none, by the antennas that both have; else none, as of a machine

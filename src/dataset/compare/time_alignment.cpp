@@ -61,7 +61,7 @@ std::string EpochsText(const RecordingEpoch& a, const RecordingEpoch& b, TimeNs 
 
 std::string NameIn(const Recording& recording) { return recording.directory().string(); }
 
-/// What both have, in times of `one`.
+/// The span that both have, in times of `one`.
 std::optional<RecordedSpan> Overlap(const Recording& one, const Recording& other, TimeNs shift_ns) {
   const auto a = SpanOf(one), b = SpanOf(other);
   if (!a || !b) return std::nullopt;

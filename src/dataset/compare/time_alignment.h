@@ -31,8 +31,8 @@ struct TimeAlignment {
 ///         two drives of different days; else each from its own zero.
 TimeAlignment AlignTimes(const Recording& one, const Recording& other);
 
-/// What two recordings have of the same time, in times of `one`; nothing where that is not known
-/// from their epochs or there is none.
+/// The time that two recordings share, in times of `one`; nothing where there is none or their
+/// epochs do not tell.
 std::optional<RecordedSpan> TimeInCommon(const Recording& one, const Recording& other);
 
 }  // namespace tera

@@ -24,7 +24,7 @@ class AntennaPair {
   static std::optional<AntennaPair> Of(const Recording& recording,
                                        const std::vector<std::string>& receivers);
 
-  /// Of antennas at these places of P; nothing where they are above one another.
+  /// The pair of antennas at these places of P; nothing where they are above one another.
   static std::optional<AntennaPair> At(const Vec3& first_P_m, const Vec3& second_P_m);
 
   /// Heading of P from a fix of each, of the same time, the first receiver's first.

@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// What a clock counts.
+/// The time scale that a clock counts in.
 enum class ClockScale {
   kUtc,     ///< Unix time: UTC without leap seconds
   kGps,     ///< GPS time, as a date: ahead of UTC by the leap seconds since 1980

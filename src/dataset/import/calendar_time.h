@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// Which number of a date stands first: 2026-11-28, 28.11.2026, 11/28/2026.
+/// The number of a date that stands first: 2026-11-28, 28.11.2026, 11/28/2026.
 enum class DateOrder { kYearFirst, kDayFirst, kMonthFirst };
 
 struct CalendarTime {

@@ -44,7 +44,7 @@ struct WrittenUnit {
   const Unit* unit = nullptr;
   double scale = 1.0;  ///< of such a unit in one that is written
 };
-/// What `text` means, of that dimension; none where it is no unit that is known.
+/// The unit of that dimension that `text` means; none where it is no unit that is known.
 std::optional<WrittenUnit> UnitOfText(std::string_view text, Dimension dimension);
 
 /// One column's part in a value.
@@ -65,7 +65,7 @@ struct ColumnMapping {
 
   /// The same value in other units.
   void MultiplyBy(double scale);
-  /// Of the sum, the first one too; none of a constant.
+  /// All terms of the sum, the first one too; none where the value is a constant.
   std::vector<ColumnTerm> Terms() const;
 };
 

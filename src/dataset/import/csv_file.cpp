@@ -91,7 +91,8 @@ void CsvFile::NameColumns(const std::vector<std::string_view>& names) {
   for (const std::string_view name : names) ++count[name];
   for (std::size_t c = 0; c < names.size(); ++c) {
     std::string name = names[c].empty() ? std::to_string(c + 1) : std::string(names[c]);
-    // Of a name on two lines the second is mostly the unit; a quote within quotes is written twice.
+    // A name on two lines mostly has its unit on the second. A quote within quotes is written
+    // twice.
     std::replace(name.begin(), name.end(), '\n', ' ');
     for (std::size_t at = 0; (at = name.find("\"\"", at)) != std::string::npos; ++at) {
       name.erase(at, 1);

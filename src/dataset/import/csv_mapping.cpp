@@ -135,7 +135,7 @@ bool HasTimeForStamps(const ConfigMap& channel, const ConfigMap& top) {
     return channel.Has("time") || top.Has("time");
   }
   if (top.IsText("time")) return false;
-  // What has more than a column and an offset is of text tables.
+  // A time of more than a column and an offset is one of text tables.
   const std::vector<std::string> keys = top.Map("time").Keys();
   return std::all_of(keys.begin(), keys.end(),
                      [](const std::string& key) { return key == "column" || key == "offset"; });

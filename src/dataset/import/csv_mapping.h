@@ -12,7 +12,7 @@
 #include "dataset/import/csv_file.h"
 #include "dataset/import/row_time.h"
 
-/// Which rows of which file make a channel, and their values.
+/// The file and the rows that make a channel, and their values.
 
 namespace tera {
 
@@ -32,7 +32,7 @@ struct RowSource {
   std::vector<std::filesystem::path> files;  ///< of tables in text, joined in this order
   CsvForm form;
   std::optional<BagTopic> topic;  ///< of the bag that the file is
-  /// Of a topic of many transforms, the path of the one that is read: "transforms[odom>base_link]."
+  /// The path of the transform that is read, in a topic of many: "transforms[odom>base_link]."
   std::string element;
   UnpackedFiles* unpacked = nullptr;  ///< of the import, for bags
   std::string log_type;               ///< of a log of known form (foreign_log.h), else empty
@@ -44,10 +44,10 @@ struct RowSource {
 
 /// Reads `file:`, `topic:`, `parent:` and `child:` of transforms, `form:` of poses, `talker:`,
 /// `csv:`, `time:` and `valid_if:` of a channel; `file`, `talker`, `csv` and `time` default to
-/// those of the mapping's top level. Of a topic the time defaults to its header's stamp, or to when
-/// its messages were recorded, of a log of known form to its own column `time`; where the file is
-/// the channel's own these do not take a time of the top level that is one of text tables. Looks
-/// the topic up in its bag.
+/// those of the mapping's top level. The time of a topic defaults to its header's stamp, or to when
+/// its messages were recorded. The time of a log of known form defaults to its own column `time`.
+/// Where the file is the channel's own, neither takes a time of the top level that is one of text
+/// tables. Looks the topic up in its bag.
 RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top, UnpackedFiles* unpacked);
 
 /// How the keys of `csv:` say that a table is written.

@@ -13,7 +13,7 @@ struct ForeignFile {
   std::string remedy;  ///< how to come to something that TERA reads, with a command where one does
 };
 
-/// Which known form the beginning of `file` has: stand-ins (Git LFS, git-annex), archives,
+/// The known form that the beginning of `file` has: stand-ins (Git LFS, git-annex), archives,
 /// documents, pictures, logs of CAN buses and networks, binary tables, observations of receivers,
 /// bags and point clouds. Nothing where the form is not known, as that of any table in text.
 /// A reader asks for its own form before it asks for these.

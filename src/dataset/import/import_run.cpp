@@ -45,8 +45,8 @@ double TypicalRate_hz(const std::vector<MappedRow>& rows) {
   return 1.0 / ToSeconds(Median(std::move(intervals_ns)));
 }
 
-/// Receivers' logs come as UTC, and so do dates and weeks of GPS time. What wrote a bag, or numbers
-/// in a table, had some clock.
+/// Receivers' logs come as UTC, and so do dates and weeks of GPS time. The clock behind a bag, or
+/// behind numbers in a table, is not known.
 ClockScale ClockOf(const RowSource& source) {
   const RowTime::Form form = source.time.form;
   if (form == RowTime::Form::kDate || form == RowTime::Form::kGpsWeek) return ClockScale::kUtc;

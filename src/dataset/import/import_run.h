@@ -36,7 +36,7 @@ class ImportRun {
   /// None where nothing is to be written.
   DatasetWriter* writer() const { return writer_; }
   const ImportOptions& options() const { return options_; }
-  /// What the clocks of all that was read count, where they are known to be one.
+  /// The time scale of all clocks that were read, where they are known to share one.
   ClockScale Clock() const;
   /// With the clocks compared.
   ImportReport TakeReport();

@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// What an inertial unit's numbers can be otherwise than docs/reference/dataset.md has them.
+/// The ways in which an inertial unit's numbers can differ from docs/reference/dataset.md.
 enum class InertialDoubt {
   kZDown,           ///< its axes are forward, right, down, or it hangs upside down
   kRatesInDegrees,  ///< rates that are taken as rad/s are in deg/s

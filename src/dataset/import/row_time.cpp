@@ -162,7 +162,7 @@ TimeNs RowTimes::OfDate(std::size_t row) const {
   const auto date = CalendarTimeOf(TextAt(row, place, kNeedDate), time_.order);
   if (!date) table_.Fail(row, place, kNeedDate);
   if (!time_.clock.empty()) {
-    // Of two columns the first may have a midnight of its own.
+    // The first of two columns may have a midnight of its own.
     return date->t_ns / kDayNs * kDayNs + ClockAt(row, places_[1]);
   }
   if (!date->has_clock) {

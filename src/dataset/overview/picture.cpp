@@ -21,7 +21,7 @@ cv::Mat View(Picture* picture) {
 
 cv::Mat View(const Picture& picture) { return View(const_cast<Picture*>(&picture)); }
 
-/// What most of the sizes lie below, `least` or more.
+/// The size that most of the sizes lie below, at least `least`.
 double LargestShown(std::vector<double> sizes, double least) {
   return sizes.empty() ? least : std::max(Quantile(std::move(sizes), kShownShare), least);
 }

@@ -78,7 +78,7 @@ struct JointState {
   std::vector<double> position, velocity, effort;
 };
 
-/// Of a unit that estimates no orientation.
+/// The message of a unit that estimates no orientation.
 struct Imu {
   static constexpr std::string_view kType = "sensor_msgs/Imu";
   Header header;
@@ -121,7 +121,7 @@ struct CompressedImage {
   std::string data;
 };
 
-/// Of a camera whose pictures are not rectified: r is the identity and p is k.
+/// The message of a camera whose pictures are not rectified: r is the identity and p is k.
 struct CameraInfo {
   static constexpr std::string_view kType = "sensor_msgs/CameraInfo";
   Header header;
@@ -172,7 +172,7 @@ struct GridMap {
 using Message = std::variant<Clock, Float64, PoseStamped, TfMessage, Odometry, JointState, Imu,
                              NavSatFix, Image, CameraInfo, PointCloud2>;
 
-/// Of one that came nothing has been checked yet.
+/// The contents of a received one are unchecked.
 struct DeltaCan {
   static constexpr std::string_view kType = "tera_msgs/DeltaCAN";
   /// The header's stamp as it came.

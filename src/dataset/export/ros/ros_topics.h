@@ -26,7 +26,7 @@
 
 namespace tera {
 
-// What docs/reference/ros2.md offers topics with.
+// The qualities of service that docs/reference/ros2.md offers topics with.
 inline constexpr TopicQuality kSensorData = {5, false, false};
 inline constexpr TopicQuality kLarge = {2, true, false};
 inline constexpr TopicQuality kState = {10, true, false};

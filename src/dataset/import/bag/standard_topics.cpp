@@ -172,7 +172,7 @@ std::map<std::vector<std::string>, std::int64_t> NamesInMessages(const std::file
     try {
       ReadBag(bag, unpacked, &names, /*to_the_damage=*/true);
     } catch (const BagDamage&) {
-      // What stands before it counts.
+      // The messages before the damage count.
     }
     return names.counts();
   } catch (const BadBytes&) {

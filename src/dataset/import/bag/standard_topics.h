@@ -39,7 +39,7 @@ bool HoldsTransforms(std::string_view type);
 /// The path of one of them, "transforms[odom>base_link]."
 std::string PathOfTransform(const std::string& parent, const std::string& child);
 
-/// What the messages of a topic name, and how many of them: the joints of each, or each of the
+/// Counts the messages of a topic by the names in them: the joints of each, or each of the
 /// transforms as "odom>base_link". Messages that cannot be read are passed over.
 std::map<std::vector<std::string>, std::int64_t> NamesInMessages(const std::filesystem::path& bag,
                                                                  const BagTopic& topic,

@@ -15,15 +15,15 @@ namespace tera {
 
 inline constexpr const char *kPosType = "rtklib/pos", *kNmeaType = "nmea/0183",
                             *kKittiType = "kitti/oxts", *kUlogType = "px4/ulog";
-/// Of text files of poses, whose form a mapping names.
+/// The types of text files of poses, whose form a mapping names.
 inline constexpr const char *kTumPosesType = "poses/tum", *kEurocPosesType = "poses/euroc",
                             *kKittiPosesType = "poses/kitti";
 /// The column of their times, UTC.
 inline constexpr const char* kLogTimeColumn = "time";
 
-/// Which of these a file is: by its first bytes, sentences of NMEA 0183 or a ULog of PX4; by its
-/// name, NAME.pos, NAME.nmea, NAME.ulg, or oxts/timestamps.txt beside oxts/data of a KITTI drive.
-/// Empty: none.
+/// The one of these types that a file has. Its first bytes tell sentences of NMEA 0183 and a ULog
+/// of PX4. Its name tells NAME.pos, NAME.nmea, NAME.ulg, and oxts/timestamps.txt beside oxts/data
+/// of a KITTI drive. Empty: none.
 std::string TypeOfLog(const std::filesystem::path& file);
 
 /// Reads a log of such a type, but a ULog, of which a topic is read (ulog.h); of NMEA the sentences
@@ -55,7 +55,7 @@ std::unique_ptr<const RowTable> ReadPosLog(const std::filesystem::path& file,
 std::unique_ptr<const RowTable> ReadNmeaLog(const std::filesystem::path& file,
                                             const std::string& talker, LeftOutRows* left_out);
 
-/// What a log of NMEA holds, as far as its lines can be read.
+/// The contents of a log of NMEA, as far as its lines can be read.
 struct NmeaContents {
   std::vector<std::string> rivals;  ///< talkers of several receivers; none where there is one
   std::string kinds;                ///< "10 GGA, 10 RMC"

@@ -243,7 +243,7 @@ class NmeaReader {
   static std::optional<NmeaPosition> GnsOf(const Fields& f) {
     return PositionOf(f, QualityOfModes(FieldAt(f, 6)), 10);
   }
-  /// Of GGA and GNS, which differ in the quality and in where the separation stands.
+  /// The position in a GGA or a GNS, which differ in the quality and the separation's field.
   static std::optional<NmeaPosition> PositionOf(const Fields& f, std::optional<double> quality,
                                                 std::size_t separation_at) {
     const auto time_ns = TimeOf(FieldAt(f, 1));

@@ -79,7 +79,7 @@ class TrajectoryReader {
   }
 
  private:
-  /// Of a line, whose fault it tells where it has none.
+  /// The pose in a line; where there is none it tells the line's fault.
   std::optional<PoseNumbers> PoseOf(const std::vector<std::string_view>& fields, TimeNs* t_ns) {
     const bool is_kitti = type_ == kKittiPosesType;
     constexpr std::size_t kTimedFields = 8;

@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 18> kCommandWords = {
     "cmd",       "command", "commanded", "ref",      "reference", "setpoint",
     "setpoints", "sp",      "target",    "desired",  "des",       "demand",
     "goal",      "request", "soll",      "sollwert", "consigne",  "vorgabe"};
-/// What has a unit and is no lever.
+/// Words of quantities that have a unit and are no lever.
 constexpr std::array<std::string_view, 22> kQuantityWords = {
     "speed", "vel", "velocity",        "rate",   "angle", "pos",   "position", "pressure",
     "flow",  "rpm", "force",           "torque", "omega", "yaw",   "heading",  "deg",
@@ -118,7 +118,7 @@ LeverCoding CodingOf(const std::vector<Named>& levers) {
     most = std::max(most, levers[k].column->LargestSize());
     least = k == 0 ? levers[k].column->Least() : std::min(least, levers[k].column->Least());
   }
-  // What overshoots by some per cent is still of its kind.
+  // Numbers that overshoot by some per cent are still of their kind.
   constexpr double kMostShare = 1.5, kMostPerCent = 110, kMostThousandths = 1100;
   constexpr double kLeastPulse = 800, kMostPulse = 2200, kMostByte = 255;
   if (most <= kMostShare) return {"unit: '1'", ""};

@@ -6,7 +6,7 @@
 #include "core/time.h"
 #include "dataset/import/suggest/guess.h"
 
-/// What the numbers of encoders and inertial units show beside their unit.
+/// Findings in the numbers of encoders and inertial units beside their unit.
 
 namespace tera {
 
@@ -26,7 +26,7 @@ std::string JointYaml(const std::string& joint, const NumbersOfColumn& angle);
 
 /// Remarks on what is doubtful of an inertial unit whose three rates and three accelerations are
 /// imported in the units that are guessed of them: lines that begin with four blanks and "#
-/// guessed:". Of rates nothing where there is no time; nothing at all where a column lacks a
+/// guessed:". Rates have none where there is no time. There are none at all where a column lacks a
 /// number.
 std::string InertialRemarks(const std::vector<TimeNs>& t_ns,
                             const std::vector<const NumbersOfColumn*>& rates,

@@ -92,7 +92,7 @@ std::string DoubtRemark(const UnitGuess& unit);
 /// Words as YAML takes them, in quotes where they need them.
 std::string YamlWord(std::string_view text);
 /// Words of a name in lower case, parted at what is no letter and where capitals begin: {"boom",
-/// "speed", "cmd"} of "boomSpeed_cmd2". What stands in brackets is left out.
+/// "speed", "cmd"} of "boomSpeed_cmd2". Text in brackets is left out.
 std::vector<std::string> WordsOfName(std::string_view name);
 /// A name without case, unit and what is neither letter nor digit: "gyrox" of "Gyro X [deg/s]".
 std::string StemOfName(std::string_view name);

@@ -15,17 +15,17 @@ namespace tera {
 std::string SuggestMapping(const std::filesystem::path& log,
                            const std::vector<std::string>& overrides = {});
 
-// Of each kind of log.
+// The mapping of each kind of log.
 std::string SuggestForBag(const std::filesystem::path& log);
 std::string SuggestForTable(const std::filesystem::path& log,
                             const std::vector<std::string>& overrides);
-/// Of PX4, by its topics.
+/// The mapping of a log of PX4, by its topics.
 std::string SuggestForUlog(const std::filesystem::path& log);
-/// Of a type of foreign_log.h.
+/// The mapping of a log whose type foreign_log.h has.
 std::string SuggestForLog(const std::filesystem::path& log);
-/// Of a text file of poses in the form of TUM, EuRoC or KITTI; nothing of others.
+/// The mapping of a text file of poses in the form of TUM, EuRoC or KITTI; nothing for others.
 std::optional<std::string> SuggestForTrajectory(const std::filesystem::path& log);
-/// Of a drive of KITTI's raw data, or of files NAME/data.csv in EuRoC's form.
+/// The mapping of a drive of KITTI's raw data, or of files NAME/data.csv in EuRoC's form.
 std::string SuggestForFolder(const std::filesystem::path& folder);
 
 }  // namespace tera

@@ -268,7 +268,7 @@ class TableGuess {
     return levers + CommandTable("setpoints", GuessSetpoints(Left()));
   }
 
-  /// What is left becomes tables, in units that are told or unknown.
+  /// The columns that are left become tables, in units that are told or unknown.
   std::string Others() {
     std::string yaml;
     std::set<std::string> names;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kHeadLines = 400;
 
-/// What a field holds.
+/// The kind of content that a field holds.
 enum class FieldKind { kNothing, kNumber, kCalendar, kText };
 
 FieldKind KindOfField(std::string_view field, const NumberForm& numbers) {
@@ -336,7 +336,7 @@ std::vector<NumbersOfColumn> NumbersOf(const CsvFile& csv, const TableLayout& la
       ++(csv.IsPresent(row, c) ? numbers.words : numbers.missing);
       numbers.gaps = numbers.gaps * kDigestFactor + row + 1;
     }
-    // Among words a number now and then is one more word.
+    // A few numbers among more words are words too.
     if (numbers.words > numbers.values.size()) numbers.values.clear();
     columns.push_back(std::move(numbers));
   }

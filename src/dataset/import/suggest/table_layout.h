@@ -20,13 +20,13 @@ struct GivenForm {
 /// How a foreign table is written.
 struct TableLayout {
   CsvForm form;
-  /// What stands behind the names in the line of units, column by column; empty: there is none.
+  /// The texts in the line of units behind the names, column by column; empty: there is none.
   std::vector<std::string> units;
   std::string yaml;  ///< "csv: {...}\n" with what CsvFile does not find by itself, or nothing
 };
 
 /// Finds the largest block of rows of one form among the first lines, and the names before it.
-/// What is `given` is not looked for. Nothing where there is no such block.
+/// It does not look for what is `given`. Nothing where there is no such block.
 std::optional<TableLayout> FindTableLayout(std::string_view text, const GivenForm& given);
 
 /// Numbers of all columns in these rows.

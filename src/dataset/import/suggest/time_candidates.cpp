@@ -161,7 +161,7 @@ std::optional<TimeCandidate> OfGpsWeek(const std::vector<NumbersOfColumn>& colum
 
 // --- Dates.
 
-/// What the texts of a column are.
+/// Counts of the kinds of texts in a column.
 struct CalendarColumn {
   std::string name;
   std::size_t dates = 0, clocks = 0, both = 0, without_zone = 0;

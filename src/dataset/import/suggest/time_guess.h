@@ -8,7 +8,7 @@
 
 namespace tera {
 
-/// What a table's time seems to be.
+/// The time that a table seems to have.
 struct TimeGuess {
   /// "time: {column: t, unit: s}\n" and what goes with it; where the time is not known, a `time:`
   /// that the import refuses until it is filled in, with a remark of what was seen.

@@ -23,7 +23,7 @@ struct TopicTimes {
   bool IsFar() const;
 };
 
-/// What a mapping says of the time of a channel, and which rows it leaves out for it.
+/// The text of a mapping on the time of a channel, and on the rows that it leaves out for it.
 struct TimeChoice {
   std::string yaml;  ///< a line without indent, "time: {...}   # guessed: ...", or nothing
   TimeNs first_ns = 0;
