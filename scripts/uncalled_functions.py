@@ -3,7 +3,7 @@
 
     scripts/uncalled_functions.py build/release     # after a build of tera and tera-prove
 
-What only tests call is no part of the programs. A function that is inlined into all its callers asks for nothing: it counts as called
+A function that only tests call is no part of the programs. A function that is inlined into all its callers asks for nothing: it counts as called
 where the text of its object file names it once more. scripts/uncalled_functions.txt lists those that may stay, with the reason.
 """
 
@@ -42,7 +42,7 @@ def words_of(source: Path) -> Counter:
 
 
 def last_word(name: str) -> str:
-    """Of tera::Soil::Act(int) const: Act. Of operators and destructors, which are called without a word, nothing."""
+    """The name Act of tera::Soil::Act(int) const. Operators and destructors, which are called without a word, have none."""
     head = name.replace("(anonymous namespace)::", "").split("(")[0]
     found = re.search(r"(\w+)(?:\[abi:\w+\])?$", head)
     return found[1] if found and "~" not in head and "operator" not in head else ""

@@ -102,7 +102,7 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"dds/", "ros2"},
 };
 
-/// What docs/architecture.md calls a library, by the beginning of its headers.
+/// Names of libraries in docs/architecture.md, by the beginning of their headers.
 const std::map<std::string, std::string> kNameOfLibrary = {
     {"BulletCollision/", "Bullet"},
     {"BulletDynamics/", "Bullet"},

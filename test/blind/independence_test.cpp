@@ -44,7 +44,8 @@ bool IsForbidden(const std::string& header) {
   return fs::exists("src/" + header);
 }
 
-/// Of the library; the program tera-prove brings it together with the diagnosis.
+/// The forbidden links of the library; the program tera-prove brings it together with the
+/// diagnosis.
 std::vector<std::string> ForbiddenLinks(const std::string& cmake) {
   std::vector<std::string> links;
   for (const std::string& linked :

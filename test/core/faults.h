@@ -10,13 +10,13 @@
 
 #include "core/error.h"
 
-/// What tests ask of bad input: the kind of each fault and its place, never the sentence.
+/// Tests of bad input ask for the kind of each fault and its place, never for the sentence.
 
 namespace tera {
 
 using FaultsMatcher = ::testing::Matcher<const std::vector<InputFault>&>;
 
-/// What is wrong with what `read` reads, or nothing.
+/// The faults of what `read` reads, or nothing.
 template <typename Read>
 std::vector<InputFault> FaultsIn(const Read& read) {
   try {
@@ -78,7 +78,7 @@ inline auto ThrowsFault(FaultKind kind, const std::string& place = "") {
       ::testing::Property("faults", &InputError::faults, HasFault(kind, place)));
 }
 
-/// Of what a program prints: one line is "place: finding", the place ending in `place`.
+/// One line that a program prints is "place: finding", the place ending in `place`.
 MATCHER_P(TellsOf, place, "") {
   std::istringstream lines(arg);
   for (std::string line; std::getline(lines, line);) {

@@ -38,7 +38,7 @@ def prose(page: str) -> str:
 
 
 def anchors(page: str) -> set:
-    """Of the headings, as GitHub makes them."""
+    """The anchors of the headings, as GitHub makes them."""
     found, count = set(), {}
     for heading in re.findall(r"^#{1,6} +(.+)$", prose(page), flags=re.MULTILINE):
         plain = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).strip().lower()

@@ -210,8 +210,8 @@ TEST(ImportRig, SeveralMachinesBecomeThoseOfAScenario) {
   EXPECT_EQ(machines[1].Map("rig").List("sensors").size(), 0u);
   EXPECT_EQ(machines[1].Map("start").Vector2("xy_m", Any("m")), Vec2(-5, 2));
   EXPECT_NEAR(machines[1].Map("start").Number("yaw_deg", Any("deg")), 30, 1e-9);
-  // What the ground decides is told; the lidar's mean is an effect. A turn of 3 degrees about
-  // right, left-handed, brings the nose down.
+  // The text tells what the ground decides; the lidar's mean is an effect. A turn of 3 degrees
+  // about right, left-handed, brings the nose down.
   EXPECT_THAT(text, HasSubstr("# height 1 m, roll 0 and pitch 0 deg are left to the ground"));
   EXPECT_THAT(text, HasSubstr("# height 0 m, roll 0 and pitch 3 deg are left to the ground"));
   EXPECT_THAT(text,

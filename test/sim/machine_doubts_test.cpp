@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// Of a link: its mass, its three equal moments, what is drawn of it.
+/// A link by its mass, its three equal moments and its drawn geometry.
 std::string LinkText(const std::string& name, double mass_kg, double moment_kgm2,
                      const std::string& geometry) {
   const std::string i = fmt::format("{}", moment_kgm2);

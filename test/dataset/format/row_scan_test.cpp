@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 class RowScanTest : public testing::Test {
  protected:
-  /// What is said about a file of these bytes when all of it is read.
+  /// The fault of a file of these bytes when all of it is read.
   std::string FaultOf(const std::string& bytes) {
     const fs::path file = scratch_.path() / "data.csv";
     WriteWholeFile(file, bytes);

@@ -62,7 +62,7 @@ class FlowBeforeAWall : public ::testing::Test {
   Pose X_WS_;
 };
 
-/// What a pixel of scene flow says: whole millimetres from the middle of its range; 0 0 0: nothing.
+/// The shift in a pixel of scene flow: whole millimetres from the middle of its range; 0 0 0: none.
 std::optional<Vec3> ShiftAt(const Image<std::uint16_t>& scene_flow, int x_px, int y_px) {
   const auto value = [&](int c) { return scene_flow.at(x_px, y_px, c); };
   if (value(0) == 0 && value(1) == 0 && value(2) == 0) return std::nullopt;

@@ -15,7 +15,7 @@
 #include "survey/points/coarse_steps.h"
 #include "survey/survey_files.h"
 
-// What a cloud's numbers can hold, and which map they are of.
+// Tests of the contents of a cloud's numbers, and of the map that they belong to.
 
 namespace tera {
 namespace {
@@ -55,7 +55,7 @@ TEST(CoarseSteps, OfSinglePrecisionAreThoseOfFloatsOfThatSize) {
   ASSERT_TRUE(swiss);
   EXPECT_EQ(swiss->axis, 'x');
   EXPECT_EQ(swiss->step_m, 0.25);
-  // Of a cloud whose easting alone was made small.
+  // A cloud whose easting alone was made small has steps in northing.
   const auto half = FindCoarseSteps(CloudAt(Vec3(0, 5'250'000, 420), AsFloat));
   ASSERT_TRUE(half);
   EXPECT_EQ(half->axis, 'y');

@@ -42,7 +42,7 @@ std::string RmcAt(int k, const std::string& talker = "GN") {
 
 class NmeaLog : public ::testing::Test {
  protected:
-  /// What comes in by the suggested mapping.
+  /// The fixes that the suggested mapping imports.
   std::vector<GnssSample> Suggested(const std::string& name, const std::string& text) {
     WriteWholeFile(scratch_.path() / name, text);
     yaml_ = SuggestMapping(scratch_.path() / name);

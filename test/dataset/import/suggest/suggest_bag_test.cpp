@@ -69,7 +69,7 @@ Cdr JointsMessage(StampOf stamp, const std::vector<std::string>& names,
   for (const std::string& name : names) message.Text(name);
   return message.Sequence(positions).Sequence(velocities).Sequence({});
 }
-/// Of a turn by twice the angle whose cosine is 0.8 and whose sine is 0.6, about z.
+/// The turn about z by twice the angle whose cosine is 0.8 and whose sine is 0.6.
 const std::vector<double> kTurned = {0, 0, 0.6, 0.8};
 Cdr PoseMessage(StampOf stamp, double x_m, const std::vector<double>& turn = kTurned) {
   return Cdr().Header(stamp.s, stamp.ns, "map").Numbers({x_m, 2, 3}).Numbers(turn);
@@ -78,7 +78,7 @@ Cdr PoseMessage(StampOf stamp, double x_m, const std::vector<double>& turn = kTu
 class SuggestBag : public ::testing::Test {
  protected:
   void Write(const TopicsMcap& bag) { WriteWholeFile(scratch_.path() / "log.mcap", bag.bytes()); }
-  /// Of the bag that was written, by its suggestion.
+  /// The recording of the bag that was written, by its suggestion.
   Recording Suggested() {
     yaml_ = SuggestMapping(scratch_.path() / "log.mcap");
     return Imported(yaml_);

@@ -27,7 +27,7 @@ class SuggestedTable : public ::testing::Test {
     yaml_ = SuggestMapping(scratch_.path() / "log.csv", overrides);
     return yaml_;
   }
-  /// What the suggestion of a table makes of it, as it stands.
+  /// The recording that the suggestion of a table makes of it, as it stands.
   Recording Imported(const std::string& text) {
     Suggest(text);
     return Import();
@@ -42,7 +42,7 @@ class SuggestedTable : public ::testing::Test {
     }
     return Recording(Out());
   }
-  /// What the import says of a suggestion whose time is to be filled in.
+  /// The message of the import for a suggestion whose time is to be filled in.
   std::string Refusal(const std::string& text) {
     WriteWholeFile(scratch_.path() / "mapping.yaml", Suggest(text));
     fs::remove_all(Out());
