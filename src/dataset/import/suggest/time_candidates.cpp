@@ -66,12 +66,33 @@ const Epoch* EpochOf(const NumbersOfColumn& column, bool is_named) {
   return nullptr;
 }
 
+/// Whether the name says GPS and the size is that of a time before July 2027 since 1980, which is
+/// one before July 2017 since 1970. GPS time is ahead of UTC by 18 s from 2017 on.
+bool MayCountFrom1980(const NumbersOfColumn& column, const Epoch& epoch) {
+  constexpr double kMost_s = 1.5e9;
+  const std::vector<std::string> words = WordsOfName(column.name);
+  const bool names_gps = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    return word.starts_with("gps") || word.starts_with("gnss");
+  });
+  return names_gps && *epoch.offset == '\0' &&
+         column.values.front() <= kMost_s * (epoch.least / kEpochs[0].least);
+}
+
 TimeCandidate OfEpoch(const NumbersOfColumn& column, const Epoch& epoch) {
   TimeCandidate candidate{.columns = {column.name}, .is_absolute = true};
   const std::string offset = *epoch.offset == '\0' ? "" : fmt::format(", offset: {}", epoch.offset);
   std::string yaml = ColumnYaml(column.name, {epoch.unit, epoch.scale, ""});
   candidate.time = yaml.substr(0, yaml.size() - 1) + offset + "}";
   candidate.remark = epoch.remark;
+  if (MayCountFrom1980(column, epoch)) {
+    candidate.time = fmt::format("{{column: {}, unit: unknown}}", YamlWord(column.name));
+    candidate.remark = fmt::format(
+        "{} of GPS time since 1980-01-06 need offset: 315964782 beside the unit, those since 1970 "
+        "none",
+        epoch.unit);
+    candidate.to_fill_in = true;
+    return candidate;
+  }
   const auto told = ToldUnit(column, Dimension::kTime);
   if (told && told->unit != epoch.unit && *epoch.remark == '\0') {
     candidate.remark = fmt::format("by its size, though it is named in {}", told->unit);
@@ -95,8 +116,11 @@ TimeCandidate OfNamed(const NumbersOfColumn& column) {
   const double step = column.MedianStep();
   const bool has_fractions = std::any_of(column.values.begin(), column.values.end(),
                                          [](double value) { return value != std::round(value); });
-  constexpr double kLeast_s = 5e-4, kMost_s = 0.5;  // of loggers of machines
-  if (has_fractions && step >= kLeast_s && step <= kMost_s) {
+  // Of loggers of machines; milliseconds of a fast one last too long as seconds.
+  constexpr double kLeast_s = 2e-3, kMost_s = 0.5, kLongest_s = 6 * 3600;
+  const bool is_long =
+      !column.values.empty() && column.values.back() - column.values.front() > kLongest_s;
+  if (has_fractions && step >= kLeast_s && step <= kMost_s && !is_long) {
     candidate.time = ColumnYaml(column.name, {"s", 1.0, ""});
     candidate.remark = fmt::format("steps of {:.4g} with fractions are seconds", step);
     return candidate;
@@ -144,8 +168,10 @@ std::optional<TimeCandidate> OfGpsWeek(const std::vector<NumbersOfColumn>& colum
     });
   };
   const auto week = find({"week", "gpsweek", "gnssweek", "wn", "gpswn", "weekno", "weeknumber"});
-  const auto tow = find({"tow", "gpstow", "itow", "sow", "gpssow", "gpsseconds", "secondsofweek",
-                         "timeofweek", "tows", "towms", "gpstime", "gpssec", "weekseconds"});
+  const auto tow = find(
+      {"tow",        "gpstow",   "itow",      "sow",     "gpssow",   "gpsseconds", "secondsofweek",
+       "timeofweek", "tows",     "towms",     "towsec",  "gpstows",  "gpstowms",   "gpstowsec",
+       "gnsstow",    "gnsstows", "gnsstowms", "gpstime", "gpstimes", "gpssec",     "weekseconds"});
   if (week == columns.end() || tow == columns.end()) return std::nullopt;
   constexpr double kWeek_s = 604'800;
   const auto told = ToldUnit(*tow, Dimension::kTime);
@@ -233,8 +259,11 @@ std::vector<TimeCandidate> CalendarCandidates(const CsvFile& csv,
       }
     }
   }
+  // A date whose order is to be told is no reason to go without it.
+  const bool asks_for_order = std::any_of(candidates.begin(), candidates.end(),
+                                          [](const TimeCandidate& one) { return one.to_fill_in; });
   for (const CalendarColumn& column : found) {
-    if (most(column.clocks)) candidates.push_back(OfCalendar(column, ""));
+    if (most(column.clocks) && !asks_for_order) candidates.push_back(OfCalendar(column, ""));
   }
   return candidates;
 }

@@ -204,6 +204,43 @@ TEST_F(SuggestedTable, StampsOfTwoColumnsAreOneTime) {
              "2312,304518.02,20.2\n"));
 }
 
+TEST_F(SuggestedTable, MillisecondsOfAFastLoggerAreNoSeconds) {
+  EXPECT_THAT(Refusal("t,boom\n0.000,20\n0.001,20.1\n0.002,20.2\n"),
+              HasSubstr("time.unit: 'unknown'"));
+  EXPECT_THAT(yaml_, HasSubstr("it steps by 0.001, at 1000 Hz in s"));
+  // 22 hours in seconds, 80 seconds in milliseconds.
+  std::string log = "t,boom\n";
+  for (int k = 0; k < 200; ++k)
+    log += fmt::format("{:.1f},20\n", k < 100 ? 0.5 * k : 8e4 + 0.5 * k);
+  EXPECT_THAT(Suggest(log), HasSubstr("{column: t, unit: unknown}   # to fill in: nothing tells"));
+}
+
+TEST_F(SuggestedTable, SecondsOfGpsTimeAreNotThoseSince1970) {
+  EXPECT_THAT(Refusal("gps_time_s,boom_deg\n1398601714.00,20\n1398601714.02,20.1\n"),
+              HasSubstr("time.unit: 'unknown'"));
+  EXPECT_THAT(yaml_, HasSubstr("need offset: 315964782"));
+  EXPECT_THAT(Suggest("gps_time_s,boom_deg\n1714566896.00,20\n1714566896.02,20.1\n"),
+              HasSubstr("time: {column: gps_time_s, unit: s}\n"));
+}
+
+TEST_F(SuggestedTable, WeeksOfGpsTimeStandBesideEachNameOfTheirSeconds) {
+  for (const std::string name : {"gps_tow_s", "tow", "tow_s", "gps_tow"}) {
+    ExpectFiftyHertz(Joints("gps_week," + name +
+                            ",boom_deg\n2312,604799.98,20\n2313,0.00,20.1\n"
+                            "2313,0.02,20.2\n"));
+    EXPECT_THAT(yaml_, HasSubstr("time: {week: gps_week, column: " + name + ", unit: s}")) << name;
+  }
+}
+
+TEST_F(SuggestedTable, ADateBesideAClockIsAskedForItsOrder) {
+  EXPECT_THAT(Refusal("\"Date\",\"Time\",\"Boom [deg]\"\n"
+                      "\"06/03/2025\",\"10:00:00.000 AM\",20\n"
+                      "\"06/03/2025\",\"10:00:00.020 AM\",20.1\n"
+                      "\"06/03/2025\",\"10:00:00.040 AM\",20.2\n"),
+              HasSubstr("time.order: 'unknown'"));
+  EXPECT_THAT(yaml_, HasSubstr("time: {date: Date, clock: Time, order: unknown}"));
+}
+
 TEST_F(SuggestedTable, StampsTooCoarseForTheirRowsAreNoTime) {
   EXPECT_THAT(Refusal("time,boom_deg\n12:00:00,20\n12:00:00,20.1\n12:00:00,20.2\n12:00:01,20.3\n"),
               HasSubstr("time: 'unknown'"));
