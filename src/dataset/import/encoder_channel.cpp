@@ -266,7 +266,7 @@ void DropMissing(const RowSource& source, const std::vector<MappedRow>& rows,
   }
 }
 
-/// After what an angle's column begins anew; 0 where the mapping does not say that it does.
+/// The turn after which an angle's column begins anew; 0 where the mapping has none.
 double ReadWrap(const ConfigMap& config, const JointColumns& joint) {
   const auto wrap_deg = config.OptionalNumber("wrap_deg", Positive("deg"));
   if (!wrap_deg) return 0;

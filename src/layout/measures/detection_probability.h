@@ -15,8 +15,8 @@ namespace tera {
 ///         function; 0 where none is expected.
 double ProbabilityOfAtLeast(int least, double expected);
 
-/// With what probability a detector of clusters finds a person by the points that the lidars of a
-/// layout have on her, at each place around the machine.
+/// The probability with which a detector of clusters finds a person by the points that the lidars
+/// of a layout have on her, at each place around the machine.
 ///
 /// Frames  sectors as in PolarMap; distances are from the hull of the machine to her middle.
 /// Model   the detector gathers what does not belong to the ground into Euclidean clusters and

@@ -20,7 +20,7 @@ struct ActuatorEffort {
 /// What load and friction do to an actuator. As built, nothing. Efforts are newtons and rates
 /// metres a second for a joint that slides.
 struct LoadFrictionParameters {
-  /// At which effort it stands still in either direction; no values: at none.
+  /// The efforts at which it stands still in either direction; no values: none.
   OverTravel stall_positive_nm, stall_negative_nm;
   double droop_response_s = 0;
   /// Yield to a load that pushes it the negative way, or the positive; no values: none.

@@ -29,7 +29,7 @@ class TerrainTracker {
   /// `ground` as its reader knows it already.
   explicit TerrainTracker(const TerrainSurface& ground);
 
-  /// In what `now` differs from the ground as it is known.
+  /// The differences of `now` from the ground as it is known.
   TerrainChange Find(const TerrainSurface& now);
   /// From now on the ground is known as the change leaves it.
   void Accept(const TerrainChange& change) { Apply(change, &known_); }

@@ -21,7 +21,7 @@ class TarWriter {
   void Add(std::string_view folder, std::string_view name, std::string_view bytes);
   /// What a file of so many bytes takes.
   static std::int64_t SpaceOf(std::size_t bytes);
-  /// With what Commit adds.
+  /// The size with the bytes that Commit adds.
   std::int64_t bytes() const;
   void Commit();
 

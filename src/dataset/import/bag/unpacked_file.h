@@ -21,7 +21,7 @@ class UnpackedFile {
   UnpackedFile(const UnpackedFile&) = delete;
   UnpackedFile& operator=(const UnpackedFile&) = delete;
 
-  /// By which this program, and no other, opens it: a link in /proc to no name.
+  /// The path by which this program, and no other, opens it: a link in /proc to no name.
   const std::filesystem::path& path() const { return path_; }
   /// What is wrong with the packed bytes from some place on; what stands before it is there.
   const std::optional<std::string>& damage() const { return damage_; }

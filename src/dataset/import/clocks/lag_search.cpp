@@ -13,7 +13,7 @@ constexpr double kCoarseStep_s = 0.1, kCoarseAverage_s = 0.2;
 constexpr double kShortestSegment_s = 20;
 /// Of the values that a segment could have; with fewer it tells nothing.
 constexpr double kLeastFilled = 0.7;
-/// By which the highest peak must excel the next.
+/// The factor by which the highest peak must excel the next.
 constexpr double kExcels = 7.0 / 6;
 
 /// Means over an odd number of values, of those that are there, where most are.

@@ -13,7 +13,7 @@
 namespace tera {
 namespace {
 
-/// After what an angle begins anew, in its own numbers; the smallest that fits.
+/// The smallest turn after which an angle can begin anew, in its own numbers.
 struct TurnOfUnit {
   double turn = 0;
   UnitGuess unit;

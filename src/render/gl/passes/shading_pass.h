@@ -19,7 +19,7 @@ struct Lights {
   const GroundTextures* ground;  ///< whose shadow falls on surfaces too; null: there is none
 };
 
-/// From what each pixel shows to its radiance under sun, sky and lamps.
+/// Shades what each pixel shows: its radiance under sun, sky and lamps.
 ///
 /// Model   the share of the sky that near surfaces leave open is found at half the picture's size
 ///         and smoothed; then each pixel where something was drawn is lit once.

@@ -32,7 +32,7 @@ class Trajectory : public ::testing::Test {
     ImportCsv(scratch_.path() / "mapping.yaml", scratch_.path() / "out");
     return Recording(scratch_.path() / "out").LoadPose("truth/machine/pose.csv").poses;
   }
-  /// Of KITTI's form, whose suggestion has no time until one fills it in.
+  /// The poses of KITTI's form, whose suggestion has no time until one fills it in.
   std::vector<TruthPose> FilledIn(const std::string& name, const std::string& text) {
     try {
       Suggested(name, text);
