@@ -116,7 +116,7 @@ TimeCandidate OfNamed(const NumbersOfColumn& column) {
   const double step = column.MedianStep();
   const bool has_fractions = std::any_of(column.values.begin(), column.values.end(),
                                          [](double value) { return value != std::round(value); });
-  // Of loggers of machines; milliseconds of a fast one last too long as seconds.
+  // The steps of machine loggers; milliseconds of a fast one last too long as seconds.
   constexpr double kLeast_s = 2e-3, kMost_s = 0.5, kLongest_s = 6 * 3600;
   const bool is_long =
       !column.values.empty() && column.values.back() - column.values.front() > kLongest_s;
