@@ -110,9 +110,9 @@ std::string KittiPosesYaml(const PoseLines& lines) {
   const double x_m = span_m(3), y_m = span_m(7), z_m = span_m(11);
   const bool is_camera = y_m < kFlat * std::max(x_m, z_m) && y_m < z_m;
   return std::string(
-             "pose:\n  form: kitti   # three rows of rotation and place\n  time: unknown   # to "
-             "fill "
-             "in, as {interval: 0.1, unit: s} of KITTI's 10 Hz: the file has no times\n") +
+             "pose:\n  form: kitti   # three rows of rotation and place\n"
+             "  time: unknown   # to fill in, as {interval: 0.1, unit: s} of KITTI's 10 Hz: the "
+             "file has no times\n") +
          (is_camera
               ? "  world: {rpy_deg: [-90, 0, -90]}   # guessed: of a camera, whose y points down\n"
                 "  body: {rpy_deg: [0, -90, 90]}   # guessed: forward, left and up in the camera\n"
