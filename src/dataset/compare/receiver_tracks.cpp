@@ -116,29 +116,38 @@ class PairHeading {
   AntennaPair pair_;
 };
 
-bool KnowsPlaces(const Antenna& first, const Antenna& second) {
-  return first.p_P_m && second.p_P_m && first.link == second.link;
-}
-
-/// The headings of both recordings.
-struct Headings {
+/// The yaw of one link in both recordings, by two antennas whose places on it are known in both.
+struct LinkHeading {
+  std::string name;  ///< "gnss_left to gnss_right"
   PairHeading a, b;
 };
 
-std::optional<Headings> HeadingsOf(const std::vector<Shared>& shared) {
-  if (shared.size() < 2) return std::nullopt;
-  const Shared &first = shared[0], &second = shared[1];
-  const bool on_two_links = first.a.link != second.a.link || first.b.link != second.b.link;
-  if (on_two_links) return std::nullopt;
-  const bool knows = KnowsPlaces(first.a, second.a) && KnowsPlaces(first.b, second.b);
-  // Where places are not known the link's x points from the first antenna to the second.
-  const auto pair_of = [&](const Antenna& one, const Antenna& other) {
-    return knows ? AntennaPair::At(*one.p_P_m, *other.p_P_m)
-                 : AntennaPair::At(Vec3::Zero(), Vec3::UnitX());
-  };
-  const auto a = pair_of(first.a, second.a), b = pair_of(first.b, second.b);
-  if (!a || !b) return std::nullopt;
-  return Headings{{first.a, second.a, *a}, {first.b, second.b, *b}};
+bool IsOnLink(const Shared& one, const std::string& link) {
+  return !link.empty() && one.a.link == link && one.b.link == link;
+}
+
+bool CanTellHeading(const Shared& one) {
+  return one.a.p_P_m && one.b.p_P_m && !one.a.fixes.empty() && !one.b.fixes.empty();
+}
+
+/// By the first two antennas that tell it.
+std::optional<LinkHeading> HeadingOfLink(const std::string& link,
+                                         const std::vector<Shared>& shared) {
+  std::vector<const Shared*> on_link;
+  for (const Shared& one : shared) {
+    if (IsOnLink(one, link) && CanTellHeading(one)) on_link.push_back(&one);
+  }
+  for (std::size_t i = 0; i < on_link.size(); ++i) {
+    for (std::size_t k = i + 1; k < on_link.size(); ++k) {
+      const Shared &first = *on_link[i], &second = *on_link[k];
+      const auto a = AntennaPair::At(*first.a.p_P_m, *second.a.p_P_m);
+      const auto b = AntennaPair::At(*first.b.p_P_m, *second.b.p_P_m);
+      if (!a || !b) continue;
+      return LinkHeading{
+          first.a.name + " to " + second.a.name, {first.a, second.a, *a}, {first.b, second.b, *b}};
+    }
+  }
+  return std::nullopt;
 }
 
 /// The fixes with the heading, each moved by a shift of the link; those without a heading, which
@@ -155,7 +164,6 @@ Trajectory Headed(const Trajectory& fixes, const PairHeading& heading, const Vec
 }
 
 std::optional<AntennaTracks> TracksOf(const Shared& one, const std::vector<Shared>& all,
-                                      const std::optional<Headings>& headings,
                                       std::vector<std::string>* remarks) {
   const std::string& name = one.a.name;
   if (one.a.fixes.empty() || one.b.fixes.empty()) {
@@ -176,17 +184,20 @@ std::optional<AntennaTracks> TracksOf(const Shared& one, const std::vector<Share
                        .b = one.b.fixes,
                        .max_gap_ns = std::max(one.a.max_gap_ns, one.b.max_gap_ns)};
   const bool is_moved = shift_P_m.norm() > kSamePlace_m;
+  const std::optional<LinkHeading> heading =
+      IsOnLink(one, one.a.link) ? HeadingOfLink(one.a.link, all) : std::nullopt;
   if (is_moved) {
     remarks->push_back(fmt::format(
         "{} sits {:.3f} m elsewhere in the other recording by its mount, {}", name,
         shift_P_m.norm(),
-        headings ? "and is moved to where it sits in the reference"
-                 : "and no heading is known by which to move it: the errors contain that"));
+        heading
+            ? "and is moved to where it sits in the reference"
+            : "and no heading of its link is known by which to move it: the errors contain that"));
   }
-  if (headings) {
-    tracks.heading = all[0].a.name + " to " + all[1].a.name;
-    tracks.a = Headed(one.a.fixes, headings->a, Vec3::Zero());
-    tracks.b = Headed(one.b.fixes, headings->b, is_moved ? shift_P_m : Vec3::Zero());
+  if (heading) {
+    tracks.heading = heading->name;
+    tracks.a = Headed(one.a.fixes, heading->a, Vec3::Zero());
+    tracks.b = Headed(one.b.fixes, heading->b, is_moved ? shift_P_m : Vec3::Zero());
   }
   return tracks;
 }
@@ -207,9 +218,8 @@ ReceiverTracks TracksOfReceivers(const RecordedMachine& a, const RecordedMachine
         "the origins are {:.0f} km apart: each recording is compared in its own east, north and up",
         apart_m / 1e3));
   }
-  const std::optional<Headings> headings = HeadingsOf(shared);
   for (const Shared& one : shared) {
-    if (auto tracks = TracksOf(one, shared, headings, &out.remarks)) {
+    if (auto tracks = TracksOf(one, shared, &out.remarks)) {
       out.antennas.push_back(std::move(*tracks));
     }
   }

@@ -31,12 +31,12 @@ struct ReceiverTracks {
 ///
 /// Frames  W east, north and up at the origin of `a`; P the link that carries the antennas.
 /// Model   receivers are matched by name, or where each side has one, those two. Latitude,
-/// longitude
-///         and height of both are taken to W by WGS 84; with origins more than 100 km apart, as of
-///         a simulation at a place of its own, each keeps its own east, north and up. The yaw of P
-///         is that of the first two antennas (AntennaPair); where the places of these are not known
-///         on both sides it is the direction from one to the other. An antenna that by its mount
-///         sits elsewhere on P in `b` than in `a` is moved by that yaw to where it sits in `a`.
+///         longitude and height of both are taken to W by WGS 84; with origins more than 100 km
+///         apart, as of a simulation at a place of its own, each keeps its own east, north and up.
+///         The yaw of P is that of the first two antennas on it whose places on P both recordings
+///         know (AntennaPair), and that of antennas on P alone; without such two none is known. An
+///         antenna that by its mount sits elsewhere on P in `b` than in `a` is moved by that yaw
+///         to where it sits in `a`.
 /// Omits   roll and pitch of P, by which a move by 1 m errs by 0.09 m at 5 deg.
 ReceiverTracks TracksOfReceivers(const RecordedMachine& a, const RecordedMachine& b);
 

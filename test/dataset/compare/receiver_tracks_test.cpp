@@ -29,6 +29,7 @@ struct Made {
   std::vector<std::pair<std::string, Vec3>> antennas = {{"left", Vec3(-0.9, 0.6, 1.2)},
                                                         {"right", Vec3(-0.9, -0.6, 1.2)}};
   bool has_mounts = true;
+  std::vector<std::string> links = {};  ///< of the antennas; of more than these, "upper"
   double rate_hz = 10, late_s = 0;
 };
 
@@ -48,13 +49,15 @@ void Write(const fs::path& folder, const Made& made) {
   info.origin_height_m = made.origin.height_m;
   const SiteFrame yard(kYard), own(made.origin);
   DatasetWriter writer(folder, info, {});
-  for (const auto& [name, p_P_m] : made.antennas) {
-    const std::string mount =
-        made.has_mounts ? fmt::format(
-                              "parent_link: upper\nX_parent_sensor: {{xyz_m: [{}, {}, {}], "
-                              "quaternion_wxyz: [1, 0, 0, 0]}}\n",
-                              p_P_m.x(), p_P_m.y(), p_P_m.z())
-                        : "";
+  for (std::size_t i = 0; i < made.antennas.size(); ++i) {
+    const auto& [name, p_P_m] = made.antennas[i];
+    const std::string link = i < made.links.size() ? made.links[i] : "upper";
+    const std::string mount = made.has_mounts
+                                  ? fmt::format(
+                                        "parent_link: {}\nX_parent_sensor: {{xyz_m: [{}, {}, {}], "
+                                        "quaternion_wxyz: [1, 0, 0, 0]}}\n",
+                                        link, p_P_m.x(), p_P_m.y(), p_P_m.z())
+                                  : "";
     const ChannelId gnss = writer.AddChannel(GnssChannel("digger/" + name, "type: gnss\n" + mount));
     for (int k = 0; k <= 24 * made.rate_hz; ++k) {
       const double t_s = k / made.rate_hz;
@@ -130,7 +133,7 @@ TEST_F(ReceiverTracksTest, AnAntennaThatSitsElsewhereIsMovedByTheHeading) {
   other.antennas.pop_back();
   Made one;
   one.antennas.pop_back();
-  EXPECT_THAT(Compared(one, other).remarks, Contains(HasSubstr("no heading is known")));
+  EXPECT_THAT(Compared(one, other).remarks, Contains(HasSubstr("no heading of its link is known")));
 }
 
 TEST_F(ReceiverTracksTest, OfOneReceiverOrOfUnknownPlacesThePathIsCompared) {
@@ -144,8 +147,35 @@ TEST_F(ReceiverTracksTest, OfOneReceiverOrOfUnknownPlacesThePathIsCompared) {
   EXPECT_NEAR(single.tracks[0].unaligned.ape_translation_m.rmse, 0.25, 1e-6);
   EXPECT_NEAR(single.tracks[0].unaligned.path_length_a_m, 4 * kPi + 4, 0.2);
   const Made unknown{.has_mounts = false}, turned{.turn_rad = 3 * kDeg, .has_mounts = false};
-  EXPECT_NEAR(Compared(unknown, turned).tracks.at(0).unaligned.ape_rotation_rad.rmse, 3 * kDeg,
-              1e-6);
+  for (const Made& a : {unknown, Made{}}) {
+    const MachineComparison headless = Compared(a, turned);
+    ASSERT_EQ(headless.tracks.size(), 2u);
+    EXPECT_EQ(headless.tracks[0].of, "left");
+    EXPECT_EQ(headless.tracks[0].rotation, TrackComparison::Rotation::kNone);
+  }
+}
+
+// The bucket's antenna stands first and on a link of its own; two of the upper structure tell the
+// heading of that alone, whichever order they have.
+TEST_F(ReceiverTracksTest, AHeadingIsThatOfAntennasOnItsLinkAlone) {
+  Made one;
+  one.antennas = {{"bucket", Vec3(5, 0.2, 0)},
+                  {"left", Vec3(-0.9, 0.6, 1.2)},
+                  {"right", Vec3(-0.9, -0.6, 1.2)}};
+  one.links = {"bucket"};
+  Made other = one;
+  other.turn_rad = 3 * kDeg;
+  other.antennas[0].second = Vec3(4, 0.2, 0);
+  const MachineComparison c = Compared(one, other);
+  ASSERT_EQ(c.tracks.size(), 3u);
+  EXPECT_EQ(c.tracks[0].of, "bucket");
+  EXPECT_EQ(c.tracks[0].rotation, TrackComparison::Rotation::kNone);
+  EXPECT_THAT(c.remarks, Contains(HasSubstr("bucket sits 1.000 m elsewhere")));
+  EXPECT_THAT(c.remarks, Contains(HasSubstr("no heading of its link is known")));
+  for (std::size_t k : {1, 2}) {
+    EXPECT_THAT(c.tracks[k].of, HasSubstr("heading from left to right"));
+    EXPECT_NEAR(c.tracks[k].unaligned.ape_rotation_rad.rmse, 3 * kDeg, 1e-6);
+  }
 }
 
 TEST_F(ReceiverTracksTest, ASlowReceiverIsComparedWithAFastOne) {
