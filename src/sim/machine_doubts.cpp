@@ -18,7 +18,11 @@ using Box = Eigen::AlignedBox3d;
 /// Booms of the largest draglines have about this length.
 constexpr double kLongestLink_m = 100;
 constexpr double kMillimetre_m = 1e-3;
-constexpr double kAir_kgpm3 = 1.2, kOsmium_kgpm3 = 22590;
+/// The densest metal, osmium, has 22.6 t/m3.
+constexpr double kAir_kgpm3 = 1.2, kDensest_kgpm3 = 25000;
+/// A needle has 0.58 of its half diagonal as its radius of gyration, a ball 0.37.
+constexpr double kPointGyration = 0.01;
+constexpr double kTurn_rad = 2 * kPi;
 
 Box BoxIn(const Box& box, const Pose& X_AB) {
   Box moved;
@@ -116,6 +120,14 @@ std::vector<RigidBody> BodiesOf(const MachineModel& model, const std::vector<Box
   return bodies;
 }
 
+std::optional<std::string> DoubtOfDensity(const std::string& link, double mass_kg, const Box& box) {
+  // What is drawn flat fills no box.
+  const double volume_m3 = box.isEmpty() ? 0 : box.volume();
+  if (volume_m3 <= 0 || mass_kg <= kDensest_kgpm3 * volume_m3) return std::nullopt;
+  return fmt::format(", link {}: {:.3g} kg in {}, denser than any metal: is it drawn too small?",
+                     link, mass_kg, Shown(SizeOf(box)));
+}
+
 std::optional<std::string> DoubtOfInertia(const RigidBody& body) {
   if (body.mass_kg <= 0 || body.box.isEmpty()) return std::nullopt;
   const double moment_kgm2 =
@@ -130,11 +142,34 @@ std::optional<std::string> DoubtOfInertia(const RigidBody& body) {
         "of a body larger than what is drawn of it ({}): placeholders?",
         body.name, body.mass_kg, gyration_m, Shown(SizeOf(body.box)));
   }
-  if (body.mass_kg > kOsmium_kgpm3 * 4 / 3 * kPi * std::pow(half_m, 3)) {
-    return fmt::format(", link {}: {:.3g} kg in {}, denser than any metal: is it drawn too small?",
-                       body.name, body.mass_kg, Shown(SizeOf(body.box)));
+  if (auto dense = DoubtOfDensity(body.name, body.mass_kg, body.box)) return dense;
+  if (gyration_m < kPointGyration * half_m) {
+    return fmt::format(
+        ", link {}: {:.3g} kg, and its inertia (radius of gyration {:.3g} m) is that of a point "
+        "within what is drawn of it ({}): placeholder?",
+        body.name, body.mass_kg, gyration_m, Shown(SizeOf(body.box)));
   }
   return std::nullopt;
+}
+
+/// Doubts limits in degrees, and limits that hold a joint in its place.
+std::optional<std::string> DoubtOfLimits(const Joint& joint) {
+  const bool turns = joint.type == JointType::kRevolute;
+  if ((!turns && joint.type != JointType::kPrismatic) || joint.following) return std::nullopt;
+  const double lower = joint.lower_rad, upper = joint.upper_rad;
+  const bool is_driven = joint.max_effort_nm > 0 &&
+                         std::max(joint.max_rate_positive_radps, joint.max_rate_negative_radps) > 0;
+  if (lower == upper && !is_driven) {
+    return fmt::format(
+        ", joint {} cannot move: its limits are both {:.4g} {}, and its velocity or effort is 0: "
+        "left by the exporter?",
+        joint.name, lower, turns ? "rad" : "m");
+  }
+  if (!turns || std::max(-lower, upper) <= kTurn_rad) return std::nullopt;
+  return fmt::format(
+      ", joint {} has limits of {:.4g} to {:.4g} rad ({:.0f} turns): in degrees? URDF takes "
+      "radians",
+      joint.name, lower, upper, (upper - lower) / kTurn_rad);
 }
 
 /// The mesh of a link that is as long as that, if it is one.
@@ -221,7 +256,9 @@ std::vector<std::string> DoubtsOf(const ScenarioMachine& machine, const SceneMod
   const std::vector<Box> boxes = BoxesOf(machine, scene);
   std::vector<std::string> doubts;
   const auto add = [&](const std::optional<std::string>& doubt) {
-    if (doubt) doubts.push_back(machine.placement.name + *doubt);
+    if (!doubt) return;
+    const std::string whole = machine.placement.name + *doubt;
+    if (std::ranges::find(doubts, whole) == doubts.end()) doubts.push_back(whole);
   };
   add(DoubtOfGround(model));
   const std::size_t before = doubts.size();
@@ -230,6 +267,11 @@ std::vector<std::string> DoubtsOf(const ScenarioMachine& machine, const SceneMod
   }
   if (doubts.size() > before) return doubts;  // of sizes that are wrong nothing follows
   for (const RigidBody& body : BodiesOf(model, boxes)) add(DoubtOfInertia(body));
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Link& link = model.links[i];
+    if (!link.visuals.empty()) add(DoubtOfDensity(link.name, link.mass_kg, boxes[i]));
+  }
+  for (const Joint& joint : model.joints) add(DoubtOfLimits(joint));
   add(DoubtOfTotalMass(model, machine.placement.q_rad, boxes));
   return doubts;
 }

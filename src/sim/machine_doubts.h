@@ -24,10 +24,12 @@ std::vector<LinkSize> SizesOf(const ScenarioMachine& machine, const SceneModel& 
 /// Doubts about the machine's description, a sentence each that begins with its name.
 ///
 /// Model   A body within a box has a radius of gyration of at most half the box's diagonal
-///         about any axis through its centre of mass; links that are fixed together are one body. A
-///         body weighs less than a ball of osmium around its box, and a machine more than the air
-///         in the box around it. No link is longer than 100 m. Without running gear and hull points
-///         a machine whose base is free falls.
+///         about any axis through its centre of mass, and at least a hundredth of that about some
+///         axis; links that are fixed together are one body. Neither such a body nor a link that
+///         is drawn is denser than 25 t/m3 in its box, and a machine weighs more than the air in
+///         the box around it. No link is longer than 100 m. A revolute joint's limits lie within a
+///         turn either way; a joint whose limits are equal has effort and velocity. Without
+///         running gear and hull points a machine whose base is free falls.
 std::vector<std::string> DoubtsOf(const ScenarioMachine& machine, const SceneModel& scene);
 
 }  // namespace tera

@@ -96,7 +96,7 @@ TEST(MachineDoubts, AGyrationBeyondWhatIsDrawnCannotBeMeant) {
 
 TEST(MachineDoubts, LinksThatAreFixedTogetherAreOneBody) {
   // Neither fits its own box: a long arm is drawn by a link that is fixed to what has its mass.
-  const std::string arm = LinkText("arm", 200, 300, R"(<box size="0.2 0.2 0.2"/>)") +
+  const std::string arm = LinkText("arm", 180, 300, R"(<box size="0.2 0.2 0.2"/>)") +
                           LinkText("shell", 1, 0.001, R"(<box size="5 0.5 0.5"/>)") +
                           JointText("revolute", "arm") + JointText("fixed", "shell", "arm");
   EXPECT_THAT(DoubtsWith(Base() + arm), IsEmpty());
@@ -128,6 +128,53 @@ TEST(MachineDoubts, AMachineLighterThanAirIsMadeOfPlaceholders) {
               ElementsAre("m1: 0.06 kg in all, less than the air in 2.5 x 4 x 1 m: placeholders?"));
   // Twice the mass of 10 m3 of air.
   EXPECT_THAT(DoubtsWith(LinkText("base", 24, 24, R"(<box size="4 2.5 1"/>)")), IsEmpty());
+}
+
+TEST(MachineDoubts, ALinkDenserThanAnyMetalIsToldWhereverItIs) {
+  // 12 m3 of osmium weigh 271 t.
+  const auto upper = [](double mass_kg) {
+    return Base() + LinkText("upper", mass_kg, mass_kg, R"(<box size="4 2 1.5"/>)") +
+           JointText("revolute", "upper");
+  };
+  EXPECT_THAT(DoubtsWith(upper(299e3)), IsEmpty());
+  EXPECT_THAT(DoubtsWith(upper(800e3)),
+              ElementsAre("m1, link upper: 8e+05 kg in 2 x 4 x 1.5 m, denser than any metal: is it "
+                          "drawn too small?"));
+  const std::string block = LinkText("block", 300, 9, R"(<box size="0.2 0.2 0.2"/>)");
+  EXPECT_THAT(DoubtsWith(Base() + block + JointText("fixed", "block")),
+              ElementsAre(AllOf(HasSubstr("m1, link block: 300 kg"), HasSubstr("denser"))));
+}
+
+TEST(MachineDoubts, TheInertiaOfAPointIsAPlaceholder) {
+  // Half the diagonal is 2.47 m, a hundredth of it squared and times 500 kg 0.306 kg m2.
+  const auto upper = [](double moment_kgm2) {
+    return Base() + LinkText("upper", 500, moment_kgm2, R"(<box size="4 2.5 1.5"/>)") +
+           JointText("revolute", "upper");
+  };
+  EXPECT_THAT(DoubtsWith(upper(0.31)), IsEmpty());
+  EXPECT_THAT(DoubtsWith(upper(0.001)),
+              ElementsAre("m1, link upper: 500 kg, and its inertia (radius of gyration 0.00141 m) "
+                          "is that of a point within what is drawn of it (2.5 x 4 x 1.5 m): "
+                          "placeholder?"));
+}
+
+TEST(MachineDoubts, LimitsInDegreesAndLimitsThatHoldAJointAreTold) {
+  const auto with = [](const std::string& type, const std::string& limit) {
+    return DoubtsWith(
+        Base() + LinkText("arm", 90, 90, R"(<box size="4 2.5 1"/>)") +
+        "<joint name=\"to_arm\" type=\"" + type +
+        "\"><parent link=\"base\"/><child link=\"arm\"/><axis xyz=\"0 0 1\"/><limit " + limit +
+        "/></joint>");
+  };
+  EXPECT_THAT(with("revolute", R"(lower="-45" upper="60" effort="500" velocity="1")"),
+              ElementsAre("m1, joint to_arm has limits of -45 to 60 rad (17 turns): in degrees? "
+                          "URDF takes radians"));
+  EXPECT_THAT(with("revolute", R"(lower="-6.28" upper="6.28" effort="500" velocity="1")"),
+              IsEmpty());
+  EXPECT_THAT(with("revolute", R"(lower="0" upper="0" effort="500" velocity="1")"), IsEmpty());
+  EXPECT_THAT(with("revolute", R"(lower="0" upper="0" effort="500" velocity="0")"),
+              ElementsAre(HasSubstr("m1, joint to_arm cannot move: its limits are both 0 rad")));
+  EXPECT_THAT(with("prismatic", R"(lower="0" upper="8" effort="500" velocity="1")"), IsEmpty());
 }
 
 TEST(MachineDoubts, WhatBearsOnNothingFalls) {
