@@ -79,7 +79,16 @@ std::string LimitsOf(const Joint& joint) {
 void NarrowLimits(const Joint& follower, const Following& following, const PartPlace& place,
                   MachineModel* model) {
   Joint& leader = model->joints[following.leader];
-  if (!IsLimited(follower) || following.ratio == 0) return;
+  if (!IsLimited(follower)) return;
+  if (following.ratio == 0) {
+    if (following.offset >= follower.lower_rad && following.offset <= follower.upper_rad) return;
+    place.Fault("mimic", {FaultKind::kOutOfRange,
+                          fmt::format("a multiplier of 0 holds '{}' at its offset of {:.4g}, which "
+                                      "is beyond its limits ({}); correct limits, multiplier or "
+                                      "offset",
+                                      follower.name, following.offset, LimitsOf(follower))});
+    return;
+  }
   const Span span = SpanOfLeader(follower, following);
   const bool is_free = !IsLimited(leader);
   const double lower = is_free ? span.lower : std::max(leader.lower_rad, span.lower);

@@ -106,6 +106,10 @@ TEST(FollowingJoints, FaultsNameTheJointThatCannotBeFollowed) {
       HasFault(kInconsistent, "mimic"));
   EXPECT_THAT(FaultsOf(Machine(TwoBars(R"(<mimic joint="lift" offset="3"/>)"))),
               HasFault(kInconsistent, "mimic"));
+  // A follower that stands still must stand within its limits.
+  EXPECT_THAT(FaultsOf(Machine(TwoBars(R"(<mimic joint="lift" multiplier="0" offset="3"/>)",
+                                       R"(lower="-1" upper="1" velocity="1" effort="1")"))),
+              HasFault(kOutOfRange, "mimic"));
 }
 
 TEST(FollowingJoints, NothingElseMovesOne) {
