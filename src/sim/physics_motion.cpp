@@ -32,12 +32,17 @@ void RequireAboveGround(const MachinePlacement& placement, const MachineState& m
   const Vec3 top_m = HighestCentre_m(placement.model, machine);
   const double bottom_m = top_m.z() + kBelowGround_m;
   if (bottom_m > ground.HeightAt(top_m.x(), top_m.y()) || bottom_m > ground.Lowest_m()) return;
-  throw InputError(fmt::format(
-      "machine {} has fallen below all ground at {:.2f} s, to ({:.1f}, {:.1f}, {:.1f}) m: {}",
-      placement.name, ToSeconds(t_ns), top_m.x(), top_m.y(), top_m.z(),
-      placement.model.BearsOnGround()
-          ? "its tracks, wheels and hull_points did not hold it; correct their places, or its mass"
-          : "it touches nothing; give it tracks, wheels or hull_points, or fixed_base: true"));
+  throw InputError(
+      "machine " + placement.name,
+      {FaultKind::kInconsistent,
+       fmt::format("has fallen below all ground at {:.2f} s, to ({:.1f}, {:.1f}, "
+                   "{:.1f}) m: {}",
+                   ToSeconds(t_ns), top_m.x(), top_m.y(), top_m.z(),
+                   placement.model.BearsOnGround()
+                       ? "its tracks, wheels and hull_points did not hold it; correct their "
+                         "places, or its mass"
+                       : "it touches nothing; give it tracks, wheels or hull_points, or "
+                         "fixed_base: true")});
 }
 
 }  // namespace

@@ -99,7 +99,7 @@ TEST_F(MachineFiles, AMachineThatTouchesNothingIsToldAndItsRunStops) {
               HasSubstr("\nwarning: m1 touches nothing: no tracks, wheels or hull_points; it will "
                         "fall: give it these, or fixed_base: true\nvalid\n"));
   ExpectRefused(scratch, {"generate", "s.yaml", "--out", "run"},
-                AllOf(HasSubstr("machine m1 has fallen below all ground at -0."),
+                AllOf(HasSubstr("machine m1: has fallen below all ground at -0."),
                       HasSubstr("it touches nothing; give it tracks, wheels or hull_points, or "
                                 "fixed_base: true")));
   Write(kPlain, kFixed);

@@ -67,10 +67,12 @@ machines:
     StepUntil(&simulation, 3.0);
   } catch (const InputError& error) {
     fault = error.what();
+    EXPECT_EQ(error.faults().front().place, "machine m1");
+    EXPECT_EQ(error.faults().front().kind, FaultKind::kInconsistent);
   }
   // From 0.4 m to 3 m below the pit's floor: 5.4 m, which a fall takes sqrt(2 h / g) = 1.05 s for.
   EXPECT_NEAR(ToSeconds(simulation.state().t_ns), std::sqrt(2 * 5.4 / 9.80665), 0.02);
-  EXPECT_THAT(fault, testing::HasSubstr("machine m1 has fallen below all ground at 1.0"));
+  EXPECT_THAT(fault, testing::HasSubstr("machine m1: has fallen below all ground at 1.0"));
   EXPECT_THAT(fault,
               testing::HasSubstr("it touches nothing; give it tracks, wheels or hull_points"));
 }
