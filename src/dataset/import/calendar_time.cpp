@@ -108,8 +108,9 @@ std::optional<TakenDate> TakeYearLast(TextCursor* text, std::optional<DateOrder>
   if (!second || !text->TakeOneOf(std::string_view(&separator, 1))) return std::nullopt;
   const bool has_century = text->DigitCount() == 4;
   const bool day_is_first = named || separator == '.' || order == DateOrder::kDayFirst;
-  auto year = text->TakeNumber(2, 4);
+  auto year = text->TakeDigits(has_century ? 4 : 2);
   if (!year || (!has_century && !named && separator != '.' && !order)) return std::nullopt;
+  if (!has_century && text->DigitCount() > 0) return std::nullopt;
   if (!has_century) *year += 2000;
   const bool is_told = day_is_first || order == DateOrder::kMonthFirst;
   const bool swapped = order == DateOrder::kMonthFirst && !named;
@@ -136,6 +137,7 @@ std::optional<TimeNs> TakeClock(TextCursor* text, bool is_compact) {
     second_ns = *second * kNsPerSecond;
     if (text->TakeOneOf(".,:")) second_ns += text->TakeFraction_ns();
   }
+  if (*hour == 24 && (*minute > 0 || second_ns > 0)) return std::nullopt;
   TimeNs hours = *hour;
   text->SkipBlanks();
   const bool is_am = text->TakeWord("am"), is_pm = !is_am && text->TakeWord("pm");

@@ -235,7 +235,10 @@ class MappedRows {
  public:
   MappedRows(const RowTable& table, const RowSource& source,
              const std::vector<ColumnMapping>& columns, TimeNs zero_ns)
-      : table_(table), source_(source), times_(table, source.time), zero_ns_(zero_ns) {
+      : table_(table),
+        source_(source),
+        times_(table, source.time, [this](std::size_t row) { return IsValid(row); }),
+        zero_ns_(zero_ns) {
     // A missing column is a fault of the mapping, also where no row is read.
     for (const ColumnMapping& column : columns) columns_.emplace_back(table, column);
     for (const RowRule& rule : source.rules) table.Column(rule.column);

@@ -92,10 +92,11 @@ bool IsTimeToFillIn(const ConfigMap& holder) {
   return true;
 }
 
-RowTimes::RowTimes(const RowTable& table, const RowTime& time)
+RowTimes::RowTimes(const RowTable& table, const RowTime& time,
+                   const std::function<bool(std::size_t row)>& counts)
     : table_(table), time_(time), number_(table, time.number) {
   for (const std::string& column : time.Columns()) places_.push_back(table.Column(column));
-  if (time.form == RowTime::Form::kClock) CountDays();
+  if (time.form == RowTime::Form::kClock) CountDays(counts);
 }
 
 TimeNs RowTimes::At(std::size_t row) const {
@@ -196,12 +197,13 @@ TimeNs RowTimes::OfGpsWeek(std::size_t row) const {
   return gps_ns - GpsAheadOfUtc(gps_ns);
 }
 
-void RowTimes::CountDays() {
+void RowTimes::CountDays(const std::function<bool(std::size_t row)>& counts) {
   days_.resize(table_.row_count());
   TimeNs before_ns = 0;
   std::uint16_t day = 0;
   for (std::size_t row = 0; row < table_.row_count(); ++row) {
-    if (const auto clock = ClockTimeOf(table_.Text(row, places_.front()).value_or(""))) {
+    const auto clock = ClockTimeOf(table_.Text(row, places_.front()).value_or(""));
+    if (clock && (!counts || counts(row))) {
       if (before_ns - clock->t_ns > kDayNs / 2) ++day;
       before_ns = clock->t_ns;
     }

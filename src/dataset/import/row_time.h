@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -47,8 +48,10 @@ bool IsTimeToFillIn(const ConfigMap& holder);
 /// Times of the rows of one table.
 class RowTimes {
  public:
+  /// Times of day count days over the rows that `counts` takes; without it, over all of them.
   /// Throws InputError where a column is missing.
-  RowTimes(const RowTable& table, const RowTime& time);
+  RowTimes(const RowTable& table, const RowTime& time,
+           const std::function<bool(std::size_t row)>& counts = nullptr);
 
   /// Exactly where the table has stamps, texts of the calendar or numbers of digits alone; of other
   /// numbers as far as doubles hold them. Throws InputError where the row has no time.
@@ -64,7 +67,7 @@ class RowTimes {
   /// A text of the calendar where a number is asked for is told from other faults.
   void RefuseTextOfCalendar(std::size_t row, std::size_t place) const;
   std::string_view TextAt(std::size_t row, std::size_t place, const char* need) const;
-  void CountDays();
+  void CountDays(const std::function<bool(std::size_t row)>& counts);
 
   const RowTable& table_;
   const RowTime& time_;

@@ -59,7 +59,8 @@ TEST(CalendarTime, WhatIsNoneIsNone) {
   for (const std::string text :
        {"", "12", "20.5", "2024-05-01T", "2024-13-01", "2024-02-30 00:00:00", "2024-05-01T25:00:00",
         "2024-05-01T12:60:00", "2024-05-01T12:34:56 boom", "2024-05-01T12:34:56+", "1.5", "1-2",
-        "boom", "2024-05-01X12:34:56"}) {
+        "boom", "2024-05-01X12:34:56", "2024-05-01T24:00:01", "2024-05-01T24:30",
+        "01.05.024 12:00:00", "01.05.20245 12:00:00"}) {
     EXPECT_FALSE(CalendarTimeOf(text, DateOrder::kDayFirst)) << text;
   }
 }
@@ -72,6 +73,8 @@ TEST(ClockTime, IsATimeOfDay) {
   // Minutes and seconds are no hours and minutes.
   EXPECT_FALSE(ClockTimeOf("05:23.4"));
   EXPECT_FALSE(ClockTimeOf("12"));
+  EXPECT_EQ(ClockTimeOf("24:00")->t_ns, 86'400 * kNsPerSecond);
+  EXPECT_FALSE(ClockTimeOf("24:00:00.001"));
 }
 
 }  // namespace

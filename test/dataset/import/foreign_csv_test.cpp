@@ -462,6 +462,14 @@ TEST_F(ForeignCsv, ClocksGoOnOverMidnight) {
   EXPECT_EQ(TimesOf(Out()), kTwentyMs);
 }
 
+TEST_F(ForeignCsv, RowsThatAreLeftOutCountNoDays) {
+  Log("t,x,y\n23:00:00.000,1,1\n00:00:00.000,0,0\n23:00:00.020,2,2\n");
+  Import(
+      "zero: start\ntime: {clock: t}\ntables: [{name: levels, valid_if: [{column: x, above: 0}], "
+      "columns: {a: {column: x, unit: '1'}}}]\n");
+  EXPECT_EQ(TimesOf(Out()), kTwentyMs);
+}
+
 TEST_F(ForeignCsv, WeeksOfGpsBecomeUtc) {
   // 2024-05-01 is a Wednesday of week 2312; GPS time is 18 s ahead of UTC.
   Log("w,t,x,y\n2312,304517.990,1,1\n2312,304518.010,2,2\n");
