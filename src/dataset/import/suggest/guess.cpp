@@ -153,6 +153,14 @@ std::string StemOfName(std::string_view name) {
     const auto byte = static_cast<unsigned char>(c);
     if (std::isalnum(byte) != 0 || byte >= 0x80) stem += static_cast<char>(std::tolower(byte));
   }
+  // A single letter is a unit only as a word of its own: "alt_m", and not "heading".
+  const std::string_view bare = name.substr(0, name.find_first_of("[("));
+  for (const std::string_view unit : {"_g", "_m", "_kg"}) {
+    if (bare.ends_with(unit) && stem.size() >= unit.size()) {
+      stem.resize(stem.size() - (unit.size() - 1));
+      return stem;
+    }
+  }
   for (const std::string_view unit : {"degps", "radps", "mps2", "dps", "deg", "rad", "rpm"}) {
     if (stem.ends_with(unit) && stem.size() > unit.size()) {
       stem.resize(stem.size() - unit.size());

@@ -347,6 +347,18 @@ TEST_F(SuggestedTable, WhatHasNoNumbersBesideItsTimeIsTold) {
               ThrowsMessage<InputError>(HasSubstr("has no column of numbers beside its time")));
 }
 
+TEST_F(SuggestedTable, EndingsOfNamesAreUnits) {
+  Suggest(
+      "t_s,gyro_x_dps,gyro_y_dps,gyro_z_dps,acc_x_g,acc_y_g,acc_z_g,lat_rad,lon_rad,alt_m\n"
+      "0.00,1,2,3,0.1,0.2,2.5,0.816,-1.244,90\n0.02,1,2,3,0.1,0.2,2.5,0.816,-1.244,90\n");
+  EXPECT_THAT(yaml_, AllOf(HasSubstr("wx: {column: gyro_x_dps, unit: deg/s}\n"),
+                           HasSubstr("az: {column: acc_z_g, unit: g}\n"),
+                           HasSubstr("lat: {column: lat_rad, unit: rad}\n"),
+                           HasSubstr("alt: {column: alt_m, unit: m}\n")));
+  Suggest("t_s,x_m,y_m,z_m,qw,qx,qy,qz\n0.00,1,2,3,1,0,0,0\n0.02,1,2,3,1,0,0,0\n");
+  EXPECT_THAT(yaml_, AllOf(HasSubstr("pose:\n"), HasSubstr("x: {column: x_m, unit: m}\n")));
+}
+
 // --- Levers and set-points.
 
 TEST_F(SuggestedTable, PulsesOfServosAreLevers) {
