@@ -32,7 +32,7 @@ apt_get() {
       echo "another program has held apt's lock for $longest_wait_s s: $(grep -m 1 lock "$log")" >&2
       exit 1
     fi
-    echo "waiting for another program that holds apt's lock: $(grep -m 1 -oE 'held by process.*|/var/[^ ]*' "$log" || true)"
+    echo "waiting for another program: $(grep -m 1 -E 'Could not get lock|Unable to (acquire|lock)' "$log")"
     sleep "$pause_s"
   done
 }

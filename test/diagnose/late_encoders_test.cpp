@@ -33,8 +33,7 @@ TEST(LateEncoders, KeepTheirStampsWhereTheLeversShareTheirClock) {
 
 TEST(LateEncoders, KeepTheirStampsWhereSomethingElseMayBeLateOrIs) {
   SensorDiagnosis either = NamedClock("encoders", kLate_s);
-  either.findings[0].rivals = {
-      {"imu_boom", &SensorMechanism("clock_offset", EffectTarget::kImu)}};
+  either.findings[0].rivals = {{"imu_boom", &SensorMechanism("clock_offset", EffectTarget::kImu)}};
   EXPECT_EQ(StampedEarlierBy_s(DrivenJoints(false), either), 0);
   EXPECT_EQ(StampedEarlierBy_s(DrivenJoints(false), NamedClock("imu_boom", kLate_s)), 0);
 }

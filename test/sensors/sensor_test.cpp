@@ -232,7 +232,8 @@ TEST(ReadSensor, FaultsSayWhereAndWhatIsNeeded) {
               HasSubstr("latency_s: -1 is out of range"));
   EXPECT_THAT(SensorFaultOf("name: a, type: imu, link: b, rate_hz: 1, gyro_bias_dps: [0, 0, 0]"),
               HasSubstr("unknown key (did you mean 'gyro_bias_degps'?)"));
-  EXPECT_THAT(SensorFaultOf("name: e, type: encoder, link: b, rate_hz: 1"), HasSubstr("unknown key"));
+  EXPECT_THAT(SensorFaultOf("name: e, type: encoder, link: b, rate_hz: 1"),
+              HasSubstr("unknown key"));
   EXPECT_THAT(SensorFaultOf("name: e, type: encoder, rate_hz: 1, joints: [boom, arm, boom]"),
               HasSubstr("sensor.joints: 'boom' is named twice; keep one"));
   EXPECT_THAT(SensorFaultOf("name: a, link: b, preset: nowhere.yaml"),
@@ -244,14 +245,17 @@ TEST(ReadSensor, ModelsThatContradictThemselvesAreRefused) {
       "name: c, type: camera, link: b, rate_hz: 1, width_px: 8, height_px: 8";
   EXPECT_THAT(SensorFaultOf(camera + ", horizontal_fov_deg: 60, fx_px: 3"), HasSubstr("keep one"));
   EXPECT_THAT(SensorFaultOf(camera), HasSubstr("fx_px: missing"));
-  EXPECT_THAT(SensorFaultOf(camera + ", fx_px: 3, near_m: 5, far_m: 4"), HasSubstr("near_m < far_m"));
+  EXPECT_THAT(SensorFaultOf(camera + ", fx_px: 3, near_m: 5, far_m: 4"),
+              HasSubstr("near_m < far_m"));
   EXPECT_THAT(SensorFaultOf(camera + ", fx_px: 3, depth_min_m: 5, depth_max_m: 4"),
               HasSubstr("depth_min_m < depth_max_m"));
-  EXPECT_THAT(SensorFaultOf(camera + ", fx_px: 3, rgb: false, labels: false"), HasSubstr("all off"));
+  EXPECT_THAT(SensorFaultOf(camera + ", fx_px: 3, rgb: false, labels: false"),
+              HasSubstr("all off"));
   EXPECT_THAT(SensorFaultOf(camera + ", fx_px: 3, labels: [semantic, norml]"),
               AllOf(HasSubstr("labels: 'norml' is no label channel"), HasSubstr("'normal'"),
                     HasSubstr("need some of semantic, instance, normal")));
-  EXPECT_THAT(SensorFaultOf(camera + ", fx_px: 3, labels: normal"), HasSubstr("need a list, [normal]"));
+  EXPECT_THAT(SensorFaultOf(camera + ", fx_px: 3, labels: normal"),
+              HasSubstr("need a list, [normal]"));
   const std::string lidar = "name: l, type: lidar, link: b, rate_hz: 10, elevation_deg: [1, 2]";
   EXPECT_THAT(SensorFaultOf(lidar + ", columns: 10, azimuth_offset_deg: [1]"),
               HasSubstr("need a list of 2 numbers"));

@@ -5,8 +5,8 @@
 
 #include "core/types/effects.h"
 #include "core/types/measurement.h"
-#include "sensors/gnss/gnss_errors.h"
 #include "dataset/format/site_frame.h"
+#include "sensors/gnss/gnss_errors.h"
 #include "sensors/slots/low_pass.h"
 #include "sensors/slots/report_clock.h"
 

@@ -238,8 +238,9 @@ TEST_F(ExportTest, PosHasRtklibsColumnsAndQualities) {
 TEST_F(ExportTest, FormatsWithDatesTakeThatOfTheEpoch) {
   const std::string text = ReadWholeFile(recording() / "dataset.yaml");
   const auto first_line = [&](const std::string& clock) {
-    WriteWholeFile(recording() / "dataset.yaml",
-                   text + "epoch: {since_1970_ns: \"1700000003000000000\", clock: " + clock + "}\n");
+    WriteWholeFile(
+        recording() / "dataset.yaml",
+        text + "epoch: {since_1970_ns: \"1700000003000000000\", clock: " + clock + "}\n");
     fs::remove_all(out());
     To(ExportFormat::kPos);
     return LinesOf("digger/gnss.pos")[4];

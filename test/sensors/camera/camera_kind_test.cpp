@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/units.h"
+#include "dataset/format/site_frame.h"
 #include "render/gl/rasterizer_pool.h"
 #include "render/hand_made_scene.h"
 #include "sensors/camera/camera_on_a_link.h"
-#include "dataset/format/site_frame.h"
 #include "sensors/sensor.h"
 
 // A camera whose pictures are taken beside a run that goes on writes the same as one whose pictures

@@ -207,7 +207,8 @@ TEST(ImageSensor, RowsAreOffTogetherAndAnewInEachPicture) {
   }
   double squares = 0, both = 0;
   for (const double e : offset_e) squares += e * e / offset_e.size();
-  for (int y = 0; y < kImageSensorHeight; ++y) both += offset_e[y] * offset_e[kImageSensorHeight + y] / kImageSensorHeight;
+  for (int y = 0; y < kImageSensorHeight; ++y)
+    both += offset_e[y] * offset_e[kImageSensorHeight + y] / kImageSensorHeight;
   EXPECT_NEAR(std::sqrt(squares), 30, 3);
   EXPECT_LT(std::abs(both), 0.35 * squares);
 }

@@ -76,8 +76,10 @@ TEST_F(FlowBeforeAWall, FirstPictureHasNone) {
   SurfaceLabels labels(lens_, kFlows);
   const CameraFrame frame = Next(&labels);
   ASSERT_EQ(frame.flow_to_previous.data.size(), 3u * kSurfaceLabelsWidth * kSurfaceLabelsHeight);
-  EXPECT_EQ(std::ranges::count(frame.flow_to_previous.data, 0), 3 * kSurfaceLabelsWidth * kSurfaceLabelsHeight);
-  EXPECT_EQ(std::ranges::count(frame.flow_to_this.data, 0), 3 * kSurfaceLabelsWidth * kSurfaceLabelsHeight);
+  EXPECT_EQ(std::ranges::count(frame.flow_to_previous.data, 0),
+            3 * kSurfaceLabelsWidth * kSurfaceLabelsHeight);
+  EXPECT_EQ(std::ranges::count(frame.flow_to_this.data, 0),
+            3 * kSurfaceLabelsWidth * kSurfaceLabelsHeight);
   EXPECT_EQ(std::ranges::count(frame.scene_flow_to_previous.data, 0),
             3 * kSurfaceLabelsWidth * kSurfaceLabelsHeight);
 }

@@ -7,11 +7,11 @@
 
 #include "core/error.h"
 #include "core/units.h"
+#include "dataset/format/site_frame.h"
 #include "render/gl/rasterizer_pool.h"
 #include "render/hand_made_scene.h"
 #include "sensors/camera/camera.h"
 #include "sensors/camera/camera_on_a_link.h"
-#include "dataset/format/site_frame.h"
 #include "sensors/sensor.h"
 
 namespace tera {
@@ -127,7 +127,8 @@ TEST_F(SquareThatPasses, ItsEdgeIsBlurredOverItsSpeedTimesTheExposure) {
 TEST_F(SquareThatPasses, SkewAndBlurAddUp) {
   Shoot({.readout_s = 0.06, .step_px = 0.3, .most_pictures = 101}, 0.12, 4.0, 0);
   for (const int row : {78}) {  // below the horizon, where the background is even
-    const double middle_px = 79.5 - kSweepFocal_px / kSweepDistance_m + 100 * 0.06 * (row - 60) / 120.0;
+    const double middle_px =
+        79.5 - kSweepFocal_px / kSweepDistance_m + 100 * 0.06 * (row - 60) / 120.0;
     EXPECT_NEAR(Crossing(row, 0.5), middle_px, 0.6) << row;
     EXPECT_NEAR(Crossing(row, 0.9) - Crossing(row, 0.1), 9.6, 0.6) << row;
   }
@@ -249,7 +250,8 @@ TEST_F(SquareThatPasses, ASamplerTakesAPictureWhenItsLastRowIsComplete) {
   const CameraFrame& frame = sink.frames.back();
   EXPECT_EQ(frame.t_ns, 100'000'000);
   EXPECT_EQ(frame.t_available_ns, 140'000'000);
-  const double middle_px = 79.5 + 75 * 0.1 - kSweepFocal_px / kSweepDistance_m;  // 3 m/s are 75 px/s
+  const double middle_px =
+      79.5 + 75 * 0.1 - kSweepFocal_px / kSweepDistance_m;  // 3 m/s are 75 px/s
   for (int row = 45; row <= 75; ++row) {
     EXPECT_NEAR(LeftEdge(frame, row) - 0.5, middle_px + 75 * 0.06 * (row - 60) / 120.0, 1.0) << row;
   }

@@ -25,9 +25,10 @@ PictureSource Wall(double away_m) {
   R_SC << 0, 0, 1, -1, 0, 0, 0, -1, 0;
   source.X_SC.linear() = R_SC;
   source.t_ns = {7'000'000'000};
-  SimulatedPicture picture{Image<float>(kPictureRegistrationWidth, kPictureRegistrationHeight),
-                           Image<float>(kPictureRegistrationWidth, kPictureRegistrationHeight),
-                           Image<std::uint8_t>(kPictureRegistrationWidth, kPictureRegistrationHeight)};
+  SimulatedPicture picture{
+      Image<float>(kPictureRegistrationWidth, kPictureRegistrationHeight),
+      Image<float>(kPictureRegistrationWidth, kPictureRegistrationHeight),
+      Image<std::uint8_t>(kPictureRegistrationWidth, kPictureRegistrationHeight)};
   for (int y = 0; y < kPictureRegistrationHeight; ++y) {
     for (int x = 0; x < kPictureRegistrationWidth; ++x) {
       picture.grey.at(x, y) = static_cast<float>(PaintAt(x / 14.0, y / 14.0));
