@@ -58,7 +58,7 @@ Cdr FixMessage(StampOf stamp, std::int8_t status, double lat_deg, double varianc
       .Header(stamp.s, stamp.ns)
       .Add(status)
       .Add(std::uint16_t{1})
-      .Numbers({lat_deg, lat_deg == 0 ? 0 : -71.25, lat_deg == 0 ? 0 : 90})
+      .Numbers({lat_deg, lat_deg == 0 ? 0.0 : -71.25, lat_deg == 0 ? 0.0 : 90.0})
       .Numbers(covariance)
       .Add(covariance_type);
 }
