@@ -121,7 +121,7 @@ std::vector<RigidBody> BodiesOf(const MachineModel& model, const std::vector<Box
 }
 
 std::optional<std::string> DoubtOfDensity(const std::string& link, double mass_kg, const Box& box) {
-  // What is drawn flat fills no box.
+  // A flat drawing fills no box.
   const double volume_m3 = box.isEmpty() ? 0 : box.volume();
   if (volume_m3 <= 0 || mass_kg <= kDensest_kgpm3 * volume_m3) return std::nullopt;
   return fmt::format(", link {}: {:.3g} kg in {}, denser than any metal: is it drawn too small?",
