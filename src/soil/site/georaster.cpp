@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <map>
 
@@ -74,39 +73,93 @@ double HeightUnit_m(const std::filesystem::path& file, GDALRasterBand* band,
   return 1;
 }
 
-/// Refuses pixels of one number that is far from all others: no height, which no tag says.
-///
-/// Model   the number lies farther from the others than they from each other, and so much below or
-///         above them that no wall or tower is as high.
-void RequireMarkedGaps(const std::filesystem::path& file, const std::vector<double>& height_m,
-                       const std::function<double(double)>& stored) {
-  constexpr double kDeepestWall_m = 50, kTallestTower_m = 1000;
-  double least_m = std::numeric_limits<double>::max(), most_m = -least_m;
+/// Whether files hold a stored number in the place of no height.
+bool StandsForNoHeight(double stored, GDALRasterBand* band) {
+  constexpr std::array kNumbers = {-999.0,   -9999.0, -10000.0, -32767.0, -32768.0,
+                                   -99999.0, 9999.0,  32767.0,  65535.0,  99999.0};
+  constexpr double kNoInteger = 1e9, kMostOfBytes = 255;
+  if (stored == 0) {
+    // Zero is a height too, to one who has marked another number.
+    int marks = 0;
+    band->GetNoDataValue(&marks);
+    return marks == 0;
+  }
+  return std::abs(stored) > kNoInteger ||
+         std::find(kNumbers.begin(), kNumbers.end(), stored) != kNumbers.end() ||
+         (stored == kMostOfBytes && band->GetRasterDataType() == GDT_Byte);
+}
+
+/// A height that a file has once or often, and the way from it to the next other.
+struct Outermost {
+  double height_m = 0, gap_m = 0;
+  std::int64_t pixels = 0;
+};
+
+/// The lowest height, or the highest as the lowest of all of the other sign.
+Outermost LowestOf(const std::vector<double>& height_m, double sign) {
+  constexpr double kNone = std::numeric_limits<double>::max();
+  double least_m = kNone, next_m = kNone;
+  std::int64_t pixels = 0;
   for (const double z_m : height_m) {  // comparisons with NaN are false
-    if (z_m < least_m) least_m = z_m;
-    if (z_m > most_m) most_m = z_m;
+    const double signed_m = sign * z_m;
+    if (signed_m < least_m) {
+      next_m = least_m;
+      least_m = signed_m;
+      pixels = 0;
+    } else if (signed_m > least_m && signed_m < next_m) {
+      next_m = signed_m;
+    }
+    if (signed_m == least_m) ++pixels;
   }
-  // A gap between heights that is wider than both sides of it contains the middle.
-  const double middle_m = 0.5 * least_m + 0.5 * most_m;
-  double below_m = least_m, above_m = most_m;
-  std::int64_t low = 0, high = 0;
-  for (const double z_m : height_m) {
-    if (z_m <= middle_m) below_m = std::max(below_m, z_m), ++low;
-    if (z_m > middle_m) above_m = std::min(above_m, z_m), ++high;
+  return {sign * least_m, next_m < kNone ? next_m - least_m : 0, pixels};
+}
+
+/// The widest gap between heights one after the other in size, all but `out_m`.
+double WidestGap_m(std::vector<double> height_m, double out_m) {
+  std::erase_if(height_m, [&](double z_m) { return std::isnan(z_m) || z_m == out_m; });
+  std::sort(height_m.begin(), height_m.end());
+  double widest_m = 0;
+  for (std::size_t k = 1; k < height_m.size(); ++k) {
+    widest_m = std::max(widest_m, height_m[k] - height_m[k - 1]);
   }
-  if (high == 0) return;
-  const double gap_m = above_m - below_m;
-  const bool is_pit = below_m == least_m && gap_m > std::max(kDeepestWall_m, most_m - above_m);
-  const bool is_peak = above_m == most_m && gap_m > std::max(kTallestTower_m, below_m - least_m);
-  if (!is_pit && !is_peak) return;
-  const bool tell_pit = is_pit && (!is_peak || low <= high);
+  return widest_m;
+}
+
+/// Refuses pixels of one number that stands for no height, which no tag says.
+///
+/// Model   the number is the lowest or the highest of all. It is one that files hold in the place
+///         of no height, and lies farther from the next than a wall is high and than any two of the
+///         others lie apart, one after the other in size; or, whatever the number, farther than
+///         from the lowest to the highest of the others, and than a tower is high.
+void RequireMarkedGaps(const std::filesystem::path& file, GDALRasterBand* band,
+                       const std::vector<double>& height_m, double unit_m) {
+  constexpr double kHighestWall_m = 50, kHighestCliffOverSea_m = 100, kTallestTower_m = 1000;
+  const Outermost low = LowestOf(height_m, 1), high = LowestOf(height_m, -1);
+  const double whole_m = high.height_m - low.height_m;
+  const auto stored = [&](double z_m) { return BandScaling(band).Stored(z_m / unit_m); };
+  const auto is_no_height = [&](const Outermost& of) {
+    if (of.gap_m > std::max(kTallestTower_m, 0.5 * whole_m)) return true;
+    const double number = stored(of.height_m);
+    return of.gap_m > (number == 0 ? kHighestCliffOverSea_m : kHighestWall_m) &&
+           StandsForNoHeight(number, band) && of.gap_m > WidestGap_m(height_m, of.height_m);
+  };
+  // Of two heights alone, the one that files hold for none, else the rarer.
+  const bool high_stands = StandsForNoHeight(stored(high.height_m), band),
+             low_stands = StandsForNoHeight(stored(low.height_m), band);
+  const bool is_high_first = high_stands != low_stands ? high_stands : high.pixels < low.pixels;
+  const Outermost &first = is_high_first ? high : low, &second = is_high_first ? low : high;
+  const bool is_first = is_no_height(first);
+  if (!is_first && !is_no_height(second)) return;
+  const Outermost& found = is_first ? first : second;
+  const double number = stored(found.height_m);
   Refuse(file,
          {FaultKind::kUnsupported,
           fmt::format("{} of {} pixels have a height of {:g} m, {:g} m {} all others: no "
                       "height, without the tag that says so? tag it: gdal_translate -a_nodata "
-                      "{} IN OUT",
-                      tell_pit ? low : high, height_m.size(), tell_pit ? below_m : above_m, gap_m,
-                      tell_pit ? "below" : "above", stored(tell_pit ? below_m : above_m))});
+                      "{} IN OUT{}",
+                      found.pixels, height_m.size(), found.height_m, found.gap_m,
+                      &found == &low ? "below" : "above", number,
+                      number == 0 ? "; where it is one, tag a number that no pixel has" : "")});
 }
 
 /// Refuses heights beyond the earth's land, and steps that no ground has.
@@ -221,8 +274,7 @@ std::vector<double> ReadHeights(const std::filesystem::path& file, GDALDataset* 
       if (valid[k] == 0) height_m[k] = kNoHeight;
     }
   }
-  const auto stored = [&](double z_m) { return BandScaling(band).Stored(z_m / unit_m); };
-  RequireMarkedGaps(file, height_m, stored);
+  RequireMarkedGaps(file, band, height_m, unit_m);
   RequireHeightsOfTheEarth(file, height_m, band->GetXSize());
   return height_m;
 }
@@ -284,12 +336,14 @@ void Conversion::Apply(std::vector<double>* x, std::vector<double>* y) const {
 }
 
 EllipsoidDrop::EllipsoidDrop(double lat_deg) {
-  constexpr double kSemiMajor_m = 6378137.0, kFlattening = 1 / 298.257223563;
-  constexpr double kE2 = kFlattening * (2 - kFlattening);
+  OGRSpatialReference wgs84;
+  wgs84.SetWellKnownGeogCS("WGS84");
+  const double semi_major_m = wgs84.GetSemiMajor(), flattening = 1 / wgs84.GetInvFlattening();
+  const double e2 = flattening * (2 - flattening);
   const double s = std::sin(lat_deg * kDeg);
-  const double w = 1 - kE2 * s * s;
-  normal_m_ = kSemiMajor_m / std::sqrt(w);
-  meridian_m_ = kSemiMajor_m * (1 - kE2) / (w * std::sqrt(w));
+  const double w = 1 - e2 * s * s;
+  normal_m_ = semi_major_m / std::sqrt(w);
+  meridian_m_ = semi_major_m * (1 - e2) / (w * std::sqrt(w));
 }
 
 }  // namespace tera

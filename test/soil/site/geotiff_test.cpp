@@ -155,9 +155,59 @@ TEST_F(GeotiffTest, NoDataThatIsNotMarkedIsNoPit) {
   for (const double pixel : {-3.4028234663852886e38, 1e30, -99999.0}) {
     EXPECT_THAT(fault(420, pixel, GDT_Float32), HasFault(kUnsupported));
   }
-  // A wall of 40 m with nothing between is a quarry's, and a tower of 300 m stands in some cities.
-  EXPECT_THAT(fault(420, 380, GDT_Float32), testing::IsEmpty());
-  EXPECT_THAT(fault(420, 800, GDT_Float32), testing::IsEmpty());
+}
+
+// Numbers that stand for no height are a pit of a mountain side's relief as well.
+TEST_F(GeotiffTest, NoDataThatIsNotMarkedIsNoPitOfWideRelief) {
+  for (const double pixel : {-9999.0, -999.0, 0.0}) {
+    std::vector<std::vector<double>> rows(8, std::vector<double>(8));
+    for (int k = 0; k < 64; ++k) rows[k / 8][k % 8] = 300 + 12 * k;  // to 1056 m
+    rows[3][3] = rows[3][4] = pixel;
+    WriteUtmRaster(File("mountain.tif"), rows, 50, {500000, 5200000}, GDT_Float32);
+    EXPECT_THAT(FaultsOf("geotiff: " + File("mountain.tif") + "\n"), HasFault(kUnsupported))
+        << pixel;
+  }
+}
+
+// A quarry's floor, a terrace, a tower and the sea below a cliff lie at one height each.
+TEST_F(GeotiffTest, ALevelPlaceFarBelowOrAboveTheOthersIsGround) {
+  const auto fault = [&](double first, double level) {
+    auto rows = Rising(first);
+    for (auto& row : rows) std::fill(row.begin(), row.begin() + 5, level);
+    WriteUtmRaster(File("step.tif"), rows, 1, {500000, 5200000}, GDT_Float32);
+    return FaultsOf("geotiff: " + File("step.tif") + "\n");
+  };
+  for (const auto& [others, level] : {std::pair{420.0, 380.0},
+                                      {420.0, 360.0},
+                                      {420.0, 120.0},
+                                      {420.0, 800.0},
+                                      {-30.0, -390.0},
+                                      {30.0, 0.0},
+                                      {0.0, 160.0}}) {
+    EXPECT_THAT(fault(others, level), testing::IsEmpty()) << others << ' ' << level;
+  }
+}
+
+TEST_F(GeotiffTest, TwoLevelsAreGround) {
+  const auto fault = [&](double low, double high) {
+    std::vector<std::vector<double>> rows(8, std::vector<double>(8, low));
+    for (auto& row : rows) std::fill(row.begin() + 3, row.end(), high);
+    WriteUtmRaster(File("levels.tif"), rows, 1, {500000, 5200000}, GDT_Float32);
+    return FaultsOf("geotiff: " + File("levels.tif") + "\n");
+  };
+  EXPECT_THAT(fault(100, 175), testing::IsEmpty());
+  EXPECT_THAT(fault(1250, 1400.5), testing::IsEmpty());
+  EXPECT_THAT(fault(-9999, 420), HasFault(kUnsupported));
+}
+
+// The sea below a cliff of 150 m, by one who has marked what is no height.
+TEST_F(GeotiffTest, ZeroIsAHeightWhereAnotherNumberIsMarked) {
+  auto rows = Rising(150);
+  rows[2][5] = rows[2][6] = rows[3][5] = 0;
+  WriteUtmRaster(File("sea.tif"), rows, 1, {500000, 5200000}, GDT_Float32);
+  EXPECT_THAT(FaultsOf("geotiff: " + File("sea.tif") + "\n"), HasFault(kUnsupported, "sea.tif"));
+  EditBand(File("sea.tif"), [](GDALRasterBand* band) { band->SetNoDataValue(-9999); });
+  EXPECT_THAT(FaultsOf("geotiff: " + File("sea.tif") + "\n"), testing::IsEmpty());
 }
 
 TEST_F(GeotiffTest, MostPixelsMayBeNoDataThatIsNotMarked) {
