@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -13,6 +11,7 @@
 #include "core/units.h"
 #include "dataset/files/checked_file.h"
 #include "survey/align/registration.h"
+#include "survey/align/registration_hints.h"
 #include "survey/align/registration_json.h"
 #include "survey/points/raster_steps.h"
 #include "survey/points/read_survey.h"
@@ -34,12 +33,18 @@ void PrintPose(const Registration& found) {
   const Vec3 p_m = found.X_AB.translation();
   fmt::print("X_AB: x {:.4f} y {:.4f} z {:.4f} m, roll {:.4f} pitch {:.4f} yaw {:.4f} deg\n",
              p_m.x(), p_m.y(), p_m.z(), rpy_deg.x(), rpy_deg.y(), rpy_deg.z());
-  const Vec6 sigma = found.centre_covariance.diagonal().cwiseSqrt();
+  Vec6 sigma = found.centre_covariance.diagonal().cwiseSqrt();
+  sigma.tail<3>() /= kDeg;
+  const auto observed = found.ObservedAt(found.centre_A_m);
+  const auto one = [&](std::size_t k) {
+    return observed[k] ? fmt::format("{:.4f}", sigma[static_cast<Eigen::Index>(k)])
+                       : std::string("not observed");
+  };
   fmt::print(
-      "1 sigma: x {:.4f} y {:.4f} z {:.4f} m, about x {:.4f} y {:.4f} z {:.4f} deg, of B "
-      "at ({:.2f}, {:.2f}, {:.2f}) of A\n",
-      sigma[0], sigma[1], sigma[2], sigma[3] / kDeg, sigma[4] / kDeg, sigma[5] / kDeg,
-      found.centre_A_m.x(), found.centre_A_m.y(), found.centre_A_m.z());
+      "1 sigma: x {} y {} z {} m, about x {} y {} z {} deg, of B at ({:.2f}, {:.2f}, {:.2f}) of "
+      "A\n",
+      one(0), one(1), one(2), one(3), one(4), one(5), found.centre_A_m.x(), found.centre_A_m.y(),
+      found.centre_A_m.z());
 }
 
 void PrintOpen(const Registration& found) {
@@ -60,9 +65,10 @@ void PrintOpen(const Registration& found) {
 
 void RequireOneMap(const RegisterArguments& arguments, const Survey& a, const Survey& b) {
   if (!a.map || !b.map || a.map->wkt == b.map->wkt) return;
-  throw InputError(arguments.b.string(),
-                   fmt::format("is in '{}', and {} in '{}'; reproject one of them", b.map->name,
-                               arguments.a.string(), a.map->name));
+  throw InputError(
+      arguments.b.string(),
+      {FaultKind::kInconsistent, fmt::format("is in '{}', and {} in '{}'; reproject one of them",
+                                             b.map->name, arguments.a.string(), a.map->name)});
 }
 
 std::vector<Vec3> PointsOf(const Survey& survey) {
@@ -77,12 +83,16 @@ void RunRegister(RegisterArguments arguments) {
     arguments.request.X_AB_start =
         MakePose(Vec3(s[0], s[1], s[2]), s[3] * kDeg, s[4] * kDeg, s[5] * kDeg);
   }
-  const Registration found = Register(PointsOf(a), PointsOf(b), arguments.request);
+  const std::vector<Vec3> a_m = PointsOf(a), b_m = PointsOf(b);
+  const Registration found = Register(a_m, b_m, arguments.request);
   fmt::print("status: {}\n", NameOf(found.status));
   if (found.status != RegistrationStatus::kNoOverlap) PrintPose(found);
   fmt::print("overlap: {:.1f} % of A, {:.1f} % of B; {} partners, {:.4f} m apart (rms)\n",
              100 * found.overlap_of_A, 100 * found.overlap_of_B, found.partners, found.residual_m);
   PrintOpen(found);
+  for (const std::string& hint : RegistrationHints(a_m, b_m, arguments.request, found)) {
+    fmt::print("hint: {}\n", hint);
+  }
   if (!arguments.json.empty()) {
     WriteWholeFile(arguments.json,
                    RegistrationJson(found, arguments.a.string(), arguments.b.string()));

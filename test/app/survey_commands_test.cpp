@@ -18,6 +18,7 @@ namespace {
 
 using nlohmann::json;
 using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::StartsWith;
 using testing_survey::kBoxes;
@@ -151,7 +152,11 @@ TEST_F(SurveyCommands, WhatCannotBeRegisteredEndsWithAStatusOfItsOwn) {
       RunTera({"register", "floor.ply", "floor.ply", "--json", "open.json"}, {scratch_->path()});
   EXPECT_EQ(open.status, 5);
   EXPECT_THAT(open.out, HasSubstr("the geometry leaves open: x, y, yaw"));
-  EXPECT_EQ(JsonOf(File("open.json"))["open_axes"], json({"x", "y", "yaw"}));
+  EXPECT_THAT(open.out, ContainsRegex("1 sigma: x not observed y not observed z 0.0[0-9]+ m, about "
+                                      "x 0.0[0-9]+ y 0.0[0-9]+ z not observed deg"));
+  const json result = JsonOf(File("open.json"));
+  EXPECT_EQ(result["open_axes"], json({"x", "y", "yaw"}));
+  EXPECT_EQ(result["centre_not_observed"], json({"x", "y", "yaw"}));
   const Outcome apart = RunTera({"register", "floor.ply", "far.ply"}, {scratch_->path()});
   EXPECT_EQ(apart.status, 3);
   EXPECT_THAT(apart.out, HasSubstr("status: no_overlap"));

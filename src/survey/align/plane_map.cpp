@@ -1,7 +1,6 @@
 #include "survey/align/plane_map.h"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <cmath>
 
 namespace tera {

@@ -101,14 +101,13 @@ OpenMotion OpenMotionOf(const Vec6& motion, const Registration& of) {
 }
 
 void NameOpenMotions(const ToldMotions& motions, Registration* result) {
-  constexpr std::array<std::string_view, 6> kAxes = {"x", "y", "z", "roll", "pitch", "yaw"};
   constexpr double kMostly = 0.5;
   for (int k = 0; k < motions.open.cols(); ++k) {
     result->open.push_back(OpenMotionOf(motions.open.col(k), *result));
   }
   for (int axis = 0; axis < 6; ++axis) {
     if (motions.open.row(axis).squaredNorm() > kMostly) {
-      result->open_axes.push_back(kAxes[static_cast<std::size_t>(axis)]);
+      result->open_axes.push_back(kPoseAxes[static_cast<std::size_t>(axis)]);
     }
   }
 }
@@ -124,6 +123,22 @@ void StateCovariance(const PlaneFit& fit, const ToldMotions& motions, Registrati
 }
 
 }  // namespace
+
+std::array<bool, 6> Registration::ObservedAt(const Vec3& at_A_m) const {
+  constexpr double kLeast = 0.05;  // of an open motion of length 1: a twentieth of the way
+  Vec6 squares = Vec6::Zero();
+  for (const OpenMotion& motion : open) {
+    const Vec3 shift =
+        motion.translation + (motion.rotation / reach_m).cross(at_A_m - centre_A_m).eval();
+    squares.head<3>() += shift.cwiseAbs2();
+    squares.tail<3>() += motion.rotation.cwiseAbs2();
+  }
+  std::array<bool, 6> observed{};
+  for (std::size_t k = 0; k < observed.size(); ++k) {
+    observed[k] = squares[static_cast<Eigen::Index>(k)] < kLeast * kLeast;
+  }
+  return observed;
+}
 
 Registration Register(const std::vector<Vec3>& a_m, const std::vector<Vec3>& b_m,
                       const RegistrationRequest& request) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -63,7 +64,14 @@ struct Registration {
   int partners = 0, steps = 0;
   std::vector<OpenMotion> open;
   std::vector<std::string_view> open_axes;  ///< those of x, y, z, roll, pitch, yaw mostly open
+
+  /// Whether x, y, z and the turns about them are observed, of the point of B that lies at
+  /// `at_A_m`: none of the open motions has a part along them. Covariances do not count open
+  /// motions, and so are no bound of what is not observed.
+  std::array<bool, 6> ObservedAt(const Vec3& at_A_m) const;
 };
+
+constexpr std::array<std::string_view, 6> kPoseAxes = {"x", "y", "z", "roll", "pitch", "yaw"};
 
 /// Aligns B with A.
 ///

@@ -30,6 +30,16 @@ Json PoseOf(const Pose& X_AB) {
   return pose;
 }
 
+/// Those of x, y, z, roll, pitch and yaw that are not observed of the point of B at `at_A_m`.
+Json NotObserved(const Registration& registration, const Vec3& at_A_m) {
+  Json names = Json::array();
+  const auto observed = registration.ObservedAt(at_A_m);
+  for (std::size_t k = 0; k < observed.size(); ++k) {
+    if (!observed[k]) names.push_back(kPoseAxes[k]);
+  }
+  return names;
+}
+
 }  // namespace
 
 std::string RegistrationJson(const Registration& registration, const std::string& a,
@@ -46,9 +56,11 @@ std::string RegistrationJson(const Registration& registration, const std::string
   if (registration.status != RegistrationStatus::kNoOverlap) {
     json["X_AB"] = PoseOf(registration.X_AB);
     json["covariance"] = RowsOf(registration.covariance);
+    json["not_observed"] = NotObserved(registration, registration.X_AB.translation());
     json["covariance_kind"] = "sandwich; x, y, z in m, rotation vector in rad, in A";
     json["centre_A_m"] = ListOf(registration.centre_A_m);
     json["centre_covariance"] = RowsOf(registration.centre_covariance);
+    json["centre_not_observed"] = NotObserved(registration, registration.centre_A_m);
   }
   json["open_axes"] = registration.open_axes;
   json["open_motions"] = Json::array();

@@ -7,13 +7,18 @@
 #include <random>
 
 #include "core/units.h"
+#include "survey/align/registration_hints.h"
 
 // Clouds whose pose is known, from surfaces sampled anew for each.
 
 namespace tera {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::StartsWith;
 using testing::UnorderedElementsAre;
 
 /// Points of rectangles, each with noise of its own.
@@ -135,6 +140,8 @@ TEST(Registration, AFlatFloorLeavesXYAndYawOpen) {
   EXPECT_EQ(found.status, RegistrationStatus::kOpen);
   EXPECT_THAT(found.open_axes, ElementsAre("x", "y", "yaw"));
   EXPECT_EQ(found.open.size(), 3u);
+  EXPECT_THAT(found.ObservedAt(found.centre_A_m),
+              ElementsAre(false, false, true, true, true, false));
   // What it can tell it does: the height of the floor's middle, and how the floor leans.
   EXPECT_NEAR((found.X_AB * (X_AB.inverse() * Vec3::Zero())).z(), 0, 0.005);
   EXPECT_NEAR(found.X_AB.linear()(2, 0), X_AB.linear()(2, 0), 0.001);
@@ -153,9 +160,21 @@ TEST(Registration, AFloorAndAWallLeaveTheWaysAlongTheirEdgeOpen) {
   ASSERT_EQ(found.open.size(), 1u);
   const Vec3 along = found.open[0].translation.normalized();
   EXPECT_NEAR(std::abs(along.dot(Vec3(1, 1, 0).normalized())), 1, 0.01);
+  // A shift along (1, 1, 0) is one of x and of y.
+  EXPECT_THAT(found.ObservedAt(found.centre_A_m),
+              ElementsAre(false, false, true, true, true, true));
   // Across the edge it is found: the wall's plane is x = y.
   const Vec3 error = ErrorOf(found, X_AB).head<3>();
   EXPECT_LT(std::abs(error.dot(Vec3(1, -1, 0).normalized())), 0.01);
+}
+
+TEST(Registration, ATurnThatIsOpenMovesPlacesBesideItsAxis) {
+  Registration found;
+  found.centre_A_m = {1, 2, 3};
+  found.reach_m = 4;
+  found.open.push_back({.rotation = Vec3::UnitZ()});
+  EXPECT_THAT(found.ObservedAt(found.centre_A_m), ElementsAre(true, true, true, true, true, false));
+  EXPECT_THAT(found.ObservedAt({1, 7, 3}), ElementsAre(false, true, true, true, true, false));
 }
 
 TEST(Registration, CloudsThatShareNoPlaceAreNotAligned) {
@@ -169,6 +188,34 @@ TEST(Registration, AHandfulOfPointsIsNoOverlap) {
   const std::vector<Vec3> few = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   EXPECT_EQ(Register(Yard(41), few, {}).status, RegistrationStatus::kNoOverlap);
   EXPECT_EQ(Register(few, few, {}).status, RegistrationStatus::kNoOverlap);
+}
+
+std::vector<Vec3> InUnitsOf(std::vector<Vec3> points, double unit_m) {
+  for (Vec3& p : points) p /= unit_m;
+  return points;
+}
+
+TEST(RegistrationHints, NameTheCloudThatIsInAnotherUnit) {
+  const Pose X_AB = MakePose({0.2, -0.1, 0.1}, 0, 0, 2 * kDeg);
+  const std::vector<Vec3> a = Yard(51), b = InFrame(Yard(52), X_AB);
+  const auto hints = [](const std::vector<Vec3>& first, const std::vector<Vec3>& second) {
+    return RegistrationHints(first, second, {}, Register(first, second, {}));
+  };
+  for (const auto& [name, unit_m] : {std::pair{"millimetres", 0.001}, {"feet", 0.3048}}) {
+    EXPECT_THAT(hints(a, InUnitsOf(b, unit_m)),
+                ElementsAre(AllOf(StartsWith("B "), HasSubstr(name))));
+    EXPECT_THAT(hints(InUnitsOf(a, unit_m), b),
+                ElementsAre(AllOf(StartsWith("A "), HasSubstr(name))));
+  }
+  EXPECT_THAT(hints(a, b), IsEmpty());
+  EXPECT_THAT(hints(a, InFrame(b, MakePose({80, 0, 0}))), IsEmpty());
+}
+
+TEST(RegistrationHints, NameADistanceAsOfMaps) {
+  const std::vector<Vec3> a = InFrame(Yard(53), MakePose({-432'100, -5'245'700, -460}));
+  const std::vector<Vec3> b = Yard(54);
+  EXPECT_THAT(RegistrationHints(a, b, {}, Register(a, b, {})),
+              ElementsAre(HasSubstr("5263 km")));  // hypot(432, 5246)
 }
 
 }  // namespace
