@@ -3,7 +3,6 @@
 #include <pcl/filters/statistical_outlier_removal.h>
 #include <pcl/kdtree/kdtree_flann.h>
 
-#include <algorithm>
 #include <cmath>
 #include <pcl/filters/impl/filter_indices.hpp>
 #include <pcl/filters/impl/statistical_outlier_removal.hpp>

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+
 #include "core/config/spelling.h"
 #include "core/error.h"
 #include "dataset/import/cloud/read_point_cloud.h"
@@ -11,6 +15,27 @@
 
 namespace tera {
 namespace {
+
+/// How to come to a survey from points as text or from a raster of another form: "; ...".
+std::string RemedyFor(const std::filesystem::path& file, const std::string& ending) {
+  const auto is_of = [&](std::initializer_list<std::string_view> endings) {
+    return std::find(endings.begin(), endings.end(), ending) != endings.end();
+  };
+  const std::string name = file.stem().string();
+  if (is_of({".xyz", ".txt", ".csv", ".pts", ".xyb", ".neu"})) {
+    return fmt::format(
+        "; points as text become LAS by pdal translate -r readers.text "
+        "--readers.text.header=\"X Y Z\" --readers.text.separator=\" \" "
+        "--writers.las.scale_x=0.001 --writers.las.scale_y=0.001 --writers.las.scale_z=0.001 {} "
+        "{}.las",
+        file.string(), name);
+  }
+  if (is_of({".asc", ".dem", ".hgt", ".img", ".bil", ".flt", ".vrt", ".grd", ".nc"})) {
+    return fmt::format("; a raster becomes GeoTIFF by gdal_translate {} {}.tif", file.string(),
+                       name);
+  }
+  return "";
+}
 
 bool IsRaster(const std::filesystem::path& file) {
   const std::string ending = LowerCase(file.extension().string());
@@ -22,8 +47,8 @@ bool IsRaster(const std::filesystem::path& file) {
   throw InputError(
       file.string(),
       {FaultKind::kUnsupported,
-       fmt::format("'{}' is no ending of a survey that is known; need .pcd, .ply, .las or .tif",
-                   ending)});
+       fmt::format("'{}' is no ending of a survey that is known; need .pcd, .ply, .las or .tif{}",
+                   ending, RemedyFor(file, ending))});
 }
 
 Survey ReadRaster(const std::filesystem::path& file) {
@@ -86,10 +111,14 @@ Survey ReadSurvey(const std::filesystem::path& file, const SurveyReading& how) {
   if (how.map.empty()) return survey;
   if (survey.map) {
     throw InputError(file.string(),
-                     fmt::format("is in '{}' already; leave out --map", survey.map->name));
+                     {FaultKind::kInconsistent,
+                      fmt::format("is in '{}' already; leave out --map", survey.map->name)});
   }
   survey.map = ReadMapReference("--map", how.map);
-  if (!survey.map) throw InputError("--map", "is a local system; need one of the earth, EPSG:n");
+  if (!survey.map) {
+    throw InputError("--map",
+                     {FaultKind::kUnsupported, "is a local system; need one of the earth, EPSG:n"});
+  }
   RequireOnMap("--map", *survey.map, SomePlace(survey.p_m));
   return survey;
 }

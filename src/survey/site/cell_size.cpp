@@ -62,9 +62,10 @@ double CellSize(const std::filesystem::path& file, const std::vector<Vec3>& p_m,
     const double size_m = FinestGood_m(p_m);
     if (size_m == 0) {
       throw InputError(file.string(),
-                       fmt::format("its points lie so sparsely that even of cells of {} m fewer "
-                                   "than half have one; need a denser survey, or give --cell",
-                                   kSizes_m.back()));
+                       {FaultKind::kUnsupported,
+                        fmt::format("its points lie so sparsely that even of cells of {} m fewer "
+                                    "than half have one; need a denser survey, or give --cell",
+                                    kSizes_m.back())});
     }
     return size_m;
   }
@@ -82,9 +83,10 @@ double CellSize(const std::filesystem::path& file, const std::vector<Vec3>& p_m,
     const double good_m = FinestGood_m(p_m);
     throw InputError(
         file.string(),
-        fmt::format("only {:.0f} % of the cells of {} m have points, need {:.0f} %; use {}",
-                    100 * share, *wanted_m, 100 * kLeastShare,
-                    good_m > 0 ? fmt::format("--cell {}", good_m) : "a denser survey"));
+        {FaultKind::kOutOfRange,
+         fmt::format("only {:.0f} % of the cells of {} m have points, need {:.0f} %; use {}",
+                     100 * share, *wanted_m, 100 * kLeastShare,
+                     good_m > 0 ? fmt::format("--cell {}", good_m) : "a denser survey")});
   }
   return *wanted_m;
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/error.h"
 #include "survey/points/outliers.h"
@@ -125,7 +124,8 @@ SurveySite MakeSurveySite(const std::filesystem::path& file, const SiteRequest& 
   if (site.terrain.CountOf(HeightSource::kMeasured) == 0) {
     throw InputError(
         file.string(),
-        fmt::format("no ground found among {} points; need z up, in metres", p_m.size()));
+        {FaultKind::kMissing,
+         fmt::format("no ground found among {} points; need z up, in metres", p_m.size())});
   }
   site.things =
       FindThings(p_m, above_m, site.terrain,

@@ -7,7 +7,7 @@
 #include <functional>
 #include <random>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "core/units.h"
 #include "dataset/export/cloud/las.h"
 #include "dataset/import/cloud/read_point_cloud.h"
@@ -128,6 +128,18 @@ TEST(ReadSurvey, TakesCoarseStepsOnlyWhereSuchWillDo) {
               testing::ElementsAre(HasSubstr("y has steps of 0.5 m")));
 }
 
+TEST(ReadSurvey, NamesTheProgramThatMakesASurveyOfPointsAsTextAndOfOtherRasters) {
+  for (const auto& [name, program] : {std::pair{"site.xyz", "pdal translate"},
+                                      {"site.TXT", "pdal translate"},
+                                      {"site.asc", "gdal_translate"}}) {
+    const auto file = OwnFolder() / name;
+    WriteBytes(file, "1 2 3\n");
+    const auto faults = FaultsIn([&] { ReadSurvey(file); });
+    ASSERT_THAT(faults, HasOnlyFault(FaultKind::kUnsupported, name));
+    EXPECT_THAT(faults[0].finding, HasSubstr(program));
+  }
+}
+
 TEST(ReadSurvey, ANamedMapCountsWhereTheFilesOwnCannotBeRead) {
   const auto file = OwnFolder() / "broken.las";
   WriteBytes(file, LasOf({kUtm_m, kUtm_m + Vec3(1, 2, 3)}, kUtm_m, 32767));
@@ -169,7 +181,7 @@ TEST(ReadSurvey, OfAnExportedMapLiesWhereItWasRecorded) {
   info.origin_height_m = 90.5;
   const Vec3 p_W_m(30, -12, 1.5);
   MapPoint point;
-  point.p_m = LasPlace(p_W_m, info);
+  point.p_m = LasPlaces(info)(p_W_m);
   std::string bytes = LasHeader({1, point.p_m, point.p_m}, info);
   AppendLasPoint(point, &bytes);
   const auto file = OwnFolder() / "map.las";

@@ -64,10 +64,6 @@ bool IsOnTheEarth(const DatasetInfo& info) {
   return info.origin_lat_deg != 0 || info.origin_lon_deg != 0 || info.origin_height_m != 0;
 }
 
-SiteFrame SiteOf(const DatasetInfo& info) {
-  return SiteFrame(info.origin_lat_deg, info.origin_lon_deg, info.origin_height_m);
-}
-
 std::string WktOf(const DatasetInfo& info) {
   if (!IsOnTheEarth(info)) {
     return "LOCAL_CS[\"East, north, up\",LOCAL_DATUM[\"Site\",0],UNIT[\"metre\",1],"
@@ -86,9 +82,12 @@ std::string WktOf(const DatasetInfo& info) {
 
 }  // namespace
 
-Vec3 LasPlace(const Vec3& p_W_m, const DatasetInfo& info) {
-  if (!IsOnTheEarth(info)) return p_W_m;
-  return {p_W_m.x(), p_W_m.y(), SiteOf(info).ToGeodetic(p_W_m).height_m};
+PlaceOnMap LasPlaces(const DatasetInfo& info) {
+  if (!IsOnTheEarth(info)) return [](const Vec3& p_W_m) { return p_W_m; };
+  const SiteFrame site(info.origin_lat_deg, info.origin_lon_deg, info.origin_height_m);
+  return [site](const Vec3& p_W_m) {
+    return Vec3(p_W_m.x(), p_W_m.y(), site.ToGeodetic(p_W_m).height_m);
+  };
 }
 
 void AppendLasPoint(const MapPoint& point, std::string* bytes) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "dataset/export/cloud/map_points.h"
@@ -22,8 +21,8 @@ namespace tera {
 /// Source  ASPRS, "LAS specification 1.4 - R15", 2019; OGC 01-009, "Coordinate Transformation
 ///         Services", 2001 (WKT).
 
-/// Where a point of W lies in the file.
-Vec3 LasPlace(const Vec3& p_W_m, const DatasetInfo& info);
+/// Where points of W lie in the file.
+PlaceOnMap LasPlaces(const DatasetInfo& info);
 
 /// Throws InputError for a point more than 200 km from the origin.
 void AppendLasPoint(const MapPoint& point, std::string* bytes);

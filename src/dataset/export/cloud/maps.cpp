@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <bit>
-#include <cmath>
 #include <string>
 
 #include "dataset/export/bag/little_endian.h"
@@ -67,8 +66,7 @@ void ExportPly(ExportJob* job) {
 void ExportLas(ExportJob* job) {
   CountedFile file(job->folder / "map.las");
   const DatasetInfo& info = job->recording.info();
-  const auto place = [&](const Vec3& p_W_m) { return LasPlace(p_W_m, info); };
-  file.Commit(LasHeader(WriteMapPoints(job, place, AppendLasPoint, &file), info));
+  file.Commit(LasHeader(WriteMapPoints(job, LasPlaces(info), AppendLasPoint, &file), info));
 }
 
 }  // namespace tera

@@ -171,8 +171,8 @@ TEST_F(MapsTest, ALasOfARecordingWithoutAPlaceOnTheEarthIsLocal) {
 
 // The tangent plane at a place leaves the ellipsoid by d^2 / 2R: 7.83 m at 10 km to the east,
 // where R is 6 389 km at 46.78 deg N.
-TEST(LasPlace, HeightsAreAboveTheEllipsoid) {
-  const Vec3 place_m = LasPlace(Vec3(10'000, 0, 3), SampleInfo());
+TEST(LasPlaces, HeightsAreAboveTheEllipsoid) {
+  const Vec3 place_m = LasPlaces(SampleInfo())(Vec3(10'000, 0, 3));
   EXPECT_NEAR(place_m.z(), 90.5 + 3 + 1e8 / (2 * 6'389'000.0), 0.01);
   EXPECT_EQ(place_m.head<2>(), Vec2(10'000, 0));
 }
