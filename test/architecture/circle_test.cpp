@@ -66,6 +66,30 @@ std::vector<std::string> Circles(const std::vector<Include>& includes) {
   return Walk(parts).circles();
 }
 
+/// The room of a file: the folder within one of the folders of src/. Nothing for a file that stands
+/// in such a folder itself, as that includes any room and any includes it.
+std::string RoomOf(const std::string& file) {
+  const std::size_t folder = file.find('/');
+  const std::size_t room = folder == file.npos ? file.npos : file.find('/', folder + 1);
+  return room == file.npos ? "" : file.substr(0, room);
+}
+
+/// The circles among the rooms of `folder`.
+std::vector<std::string> CirclesOfRooms(const std::vector<Include>& includes,
+                                        const std::string& folder) {
+  Parts rooms;
+  for (const Include& include : includes) {
+    const std::string room = RoomOf(include.file), other = RoomOf(include.header);
+    if (include.folder != folder || room.empty()) continue;
+    rooms[room];
+    if (other.starts_with(folder + "/") && other != room) rooms[room].insert(other);
+  }
+  for (const auto& [_, others] : Parts(rooms)) {
+    for (const std::string& other : others) rooms[other];
+  }
+  return Walk(rooms).circles();
+}
+
 /// The includes of several files, each of one header.
 std::vector<Include> Sources(const std::vector<std::pair<std::string, std::string>>& lines) {
   std::vector<Include> includes;
@@ -98,6 +122,25 @@ TEST(Circles, AreNotSeenWhereTwoPartsShareALeaf) {
                                {"soil/flow.h", "soil/grain.h"},
                                {"soil/grain.h", "vector"}}))
                   .empty());
+}
+
+TEST(Circles, AreNotAmongTheRoomsOfAFolder) {
+  const std::vector<Include> includes = AllIncludes();
+  for (const char* folder : {"app", "blind", "core", "dataset", "layout", "resimulate", "ros2",
+                             "sensors", "serve", "sim", "survey", "view"}) {
+    for (const std::string& circle : CirclesOfRooms(includes, folder)) ADD_FAILURE() << circle;
+  }
+}
+
+TEST(Circles, AreFoundAmongRoomsWhosePartsHaveNone) {
+  const auto sources = Sources({{"soil/bed/bed.h", "soil/flow/grain.h"},
+                                {"soil/flow/flow.cpp", "soil/bed/layer.h"},
+                                {"soil/flow/grain.h", "vector"},
+                                {"soil/bed/layer.h", "vector"},
+                                {"soil/soil.cpp", "soil/bed/bed.h"}});
+  EXPECT_TRUE(Circles(sources).empty());
+  EXPECT_EQ(CirclesOfRooms(sources, "soil"),
+            std::vector<std::string>{"soil/bed > soil/flow > soil/bed"});
 }
 
 }  // namespace

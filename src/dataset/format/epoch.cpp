@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
-
-#include "dataset/import/logs/log_time.h"
+#include <chrono>
 
 namespace tera {
 namespace {
@@ -49,6 +48,21 @@ std::optional<RecordingEpoch> ReadEpoch(const ConfigMap& config, bool may_count_
                                                                   : clock == "gps"
                                                                       ? ClockScale::kGps
                                                                       : ClockScale::kUnknown};
+}
+
+TimeNs GpsAheadOfUtc(TimeNs gps_ns) {
+  struct Step {
+    int year, month;
+    TimeNs ahead_s;
+  };
+  TimeNs ahead_s = 13;
+  for (const Step& step : {Step{2006, 1, 14}, Step{2009, 1, 15}, Step{2012, 7, 16},
+                           Step{2015, 7, 17}, Step{2017, 1, 18}}) {
+    const std::chrono::sys_days day = std::chrono::year(step.year) / step.month / 1;
+    const TimeNs utc_s = std::chrono::seconds(day.time_since_epoch()).count();
+    if (gps_ns >= (utc_s + step.ahead_s) * kNsPerSecond) ahead_s = step.ahead_s;
+  }
+  return ahead_s * kNsPerSecond;
 }
 
 TimeNs UtcOf(const RecordingEpoch& epoch) {

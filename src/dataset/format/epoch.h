@@ -34,6 +34,11 @@ std::string EpochYaml(const RecordingEpoch& epoch);
 /// may count from 1970 themselves, `since_1970_ns` may be left out for 0. Faults go to `config`.
 std::optional<RecordingEpoch> ReadEpoch(const ConfigMap& config, bool may_count_from_1970 = false);
 
+/// By how much GPS time was ahead of UTC at a GPS time, since 1999.
+///
+/// Source  IERS Bulletin C; the last leap second was at the end of 2016.
+TimeNs GpsAheadOfUtc(TimeNs gps_ns);
+
 /// The epoch by UTC; one of a clock that is not known is taken for that.
 TimeNs UtcOf(const RecordingEpoch& epoch);
 

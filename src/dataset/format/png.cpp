@@ -64,8 +64,9 @@ cv::Mat Decode(const std::filesystem::path& file, const std::string& bytes, int 
                                   bytes.size(), need)});
   }
   if (image.type() != type) {
-    throw InputError(file.string(), fmt::format("has {} channels of {} bits; need {}",
-                                                image.channels(), 8 * image.elemSize1(), need));
+    throw InputError(file.string(), {FaultKind::kMistyped,
+                                     fmt::format("has {} channels of {} bits; need {}",
+                                                 image.channels(), 8 * image.elemSize1(), need)});
   }
   return image;
 }

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "core/config/portable_name.h"
 #include "core/error.h"
 #include "dataset/files/file_digest.h"

@@ -1,7 +1,6 @@
 #include "dataset/format/recording.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -25,7 +24,7 @@
 #include "dataset/format/pcd.h"
 #include "dataset/format/png.h"
 #include "dataset/format/recorded_inputs.h"
-#include "dataset/import/csv_file.h"
+#include "dataset/format/row_scan.h"
 
 namespace tera {
 namespace {
@@ -50,47 +49,21 @@ constexpr std::array<ChannelType, 7> kChannelTypes = {
 namespace fs = std::filesystem;
 namespace {
 
-/// A file that dataset.yaml lists.
-CsvFile Open(const fs::path& path) {
-  if (!fs::exists(path)) {
-    throw InputError(
-        path.string(),
-        {FaultKind::kUnreadable,
-         "is not there, though dataset.yaml lists it; need the file, or its line taken out"});
-  }
-  return CsvFile(path, CsvFile::LastLine::kMustEnd);
+std::vector<RowSample> RowsOf(RowScan* scan) {
+  std::vector<RowSample> rows;
+  for (ScannedRow row; scan->Next(&row);) rows.push_back({row.t_ns, row.t_ns, row.values});
+  return rows;
 }
 
-CsvFile OpenWithHeader(const fs::path& path, std::string_view header) {
-  CsvFile csv = Open(path);
-  const std::string found = fmt::format("{}", fmt::join(csv.columns(), ","));
-  if (found == header) return csv;
-  for (std::string_view rest = header; !rest.empty();) {
-    const std::size_t comma = rest.find(',');
-    csv.Column(std::string(rest.substr(0, comma)));  // names the first one that is missing
-    rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
-  }
-  throw InputError(path.string() + ":1",
-                   fmt::format("found the columns '{}', need '{}'", found, header));
+Vec3 Vector3(const ScannedRow& row, std::size_t first) {
+  return {row.values[first], row.values[first + 1], row.values[first + 2]};
 }
 
-Vec3 Vector3(const CsvFile& csv, std::size_t row, std::size_t first) {
-  return {csv.Number(row, first), csv.Number(row, first + 1), csv.Number(row, first + 2)};
-}
-
-RowSample RowAt(const CsvFile& csv, std::size_t row) {
-  RowSample sample{csv.Time(row), csv.Time(row), {}};
-  for (std::size_t c = 1; c < csv.columns().size(); ++c) {
-    sample.values.push_back(csv.Number(row, c));
-  }
-  return sample;
-}
-
-Mat3 Rotation(const CsvFile& csv, std::size_t row, std::size_t first) {
-  const Quat q(csv.Number(row, first), csv.Number(row, first + 1), csv.Number(row, first + 2),
-               csv.Number(row, first + 3));
+Mat3 Rotation(const RowScan& scan, const ScannedRow& row, std::size_t first) {
+  const Quat q(row.values[first], row.values[first + 1], row.values[first + 2],
+               row.values[first + 3]);
   if (std::abs(q.norm() - 1.0) > kQuaternionTolerance) {
-    csv.Fail(row, first, fmt::format("in a quaternion of norm {}; need norm 1", q.norm()));
+    scan.Fail(fmt::format("found a quaternion of norm {}; need norm 1", q.norm()));
   }
   return q.normalized().toRotationMatrix();
 }
@@ -179,18 +152,19 @@ ChannelForm FormOfFiles(const fs::path& folder) {
   return fs::is_directory(folder / "scans") ? ChannelForm::kScans : ChannelForm::kPictures;
 }
 
-TableRecording ReadTable(const CsvFile& csv) {
-  if (csv.Column("t_ns") != 0) {
-    throw InputError(csv.path().string() + ":1", "need t_ns as the first column");
-  }
+TableRecording ReadTable(RowScan* scan) {
   TableRecording table;
-  table.columns.assign(csv.columns().begin() + 1, csv.columns().end());
-  for (std::size_t row = 0; row < csv.row_count(); ++row) {
-    RowSample sample = RowAt(csv, row);
-    table.t_ns.push_back(sample.t_ns);
-    table.rows.push_back(std::move(sample.values));
+  table.columns = scan->columns();
+  for (ScannedRow row; scan->Next(&row);) {
+    table.t_ns.push_back(row.t_ns);
+    table.rows.push_back(row.values);
   }
   return table;
+}
+
+TableRecording ReadTable(const fs::path& file) {
+  RowScan scan(file);
+  return ReadTable(&scan);
 }
 
 }  // namespace
@@ -205,7 +179,11 @@ TableRecording LoadStoppedTable(const fs::path& directory, const std::string& fi
   fs::path path = directory / file;
   std::error_code ignored;
   if (!fs::exists(path, ignored)) path += kPartSuffix;
-  return ReadTable(CsvFile(path, CsvFile::LastLine::kIsLeftOutIfCut));
+  RowScan scan(path, [&](RowFault fault, int line, const std::string& what) {
+    if (fault == RowFault::kCutOff) return;
+    throw InputError(fmt::format("{}:{}", path.string(), line), {FaultKind::kMalformed, what});
+  });
+  return ReadTable(&scan);
 }
 
 std::vector<RecordedInput> LoadInputs(const fs::path& directory) {
@@ -306,66 +284,67 @@ std::vector<std::string> Recording::Machines() const {
 }
 
 std::vector<ImuSample> Recording::LoadImu(const std::string& folder) const {
-  const CsvFile csv = OpenWithHeader(directory_ / folder / "data.csv", TableHeader(ImuColumns()));
+  RowScan scan(directory_ / folder / "data.csv");
+  scan.RequireColumns(ImuColumns());
   std::vector<ImuSample> samples;
-  for (std::size_t row = 0; row < csv.row_count(); ++row) {
-    samples.push_back(ImuSampleOf(RowAt(csv, row)));
-  }
+  for (const RowSample& row : RowsOf(&scan)) samples.push_back(ImuSampleOf(row));
   return samples;
 }
 
 std::vector<GnssSample> Recording::LoadGnss(const std::string& folder) const {
-  const CsvFile csv = OpenWithHeader(directory_ / folder / "data.csv", TableHeader(GnssColumns()));
-  const std::size_t fix = csv.Column("fix");
+  const std::vector<std::string> columns = GnssColumns();
+  const auto fix =
+      static_cast<std::size_t>(std::find(columns.begin(), columns.end(), "fix") - columns.begin());
+  RowScan scan(directory_ / folder / "data.csv");
+  scan.RequireColumns(columns);
   std::vector<GnssSample> samples;
-  for (std::size_t row = 0; row < csv.row_count(); ++row) {
-    if (!FixOfQuality(csv.Number(row, fix))) csv.Fail(row, fix, std::string(kNeedFix));
-    samples.push_back(GnssSampleOf(RowAt(csv, row)));
+  for (ScannedRow row; scan.Next(&row);) {
+    if (!FixOfQuality(row.values[fix])) {
+      scan.Fail(fmt::format("column 'fix': found '{}', {}", row.values[fix], kNeedFix));
+    }
+    samples.push_back(GnssSampleOf({row.t_ns, row.t_ns, row.values}));
   }
   return samples;
 }
 
 EncoderRecording Recording::LoadEncoder(const std::string& folder) const {
   constexpr std::string_view kAngleEnding = "_rad", kTravelEnding = "_m";
-  const CsvFile csv = Open(directory_ / folder / "data.csv");
+  RowScan scan(directory_ / folder / "data.csv");
   EncoderRecording encoder;
-  const std::size_t n = (csv.columns().size() - 1) / 2;  // positions, then rates
-  for (std::size_t c = 1; c <= n; ++c) {
-    const std::string& column = csv.columns()[c];
+  const std::size_t n = scan.columns().size() / 2;  // positions, then rates
+  for (std::size_t c = 0; c < n; ++c) {
+    const std::string& column = scan.columns()[c];
     const bool linear = column.ends_with(kTravelEnding);
     if (!linear && !column.ends_with(kAngleEnding)) {
-      throw InputError(csv.path().string() + ":1",
-                       fmt::format("column '{}' is neither an angle (_rad) nor a travel (_m); need "
-                                   "positions of all joints, then their rates",
-                                   column));
+      scan.Fail(
+          fmt::format("column '{}' is neither an angle (_rad) nor a travel (_m); need "
+                      "positions of all joints, then their rates",
+                      column));
     }
     const std::size_t ending = linear ? kTravelEnding.size() : kAngleEnding.size();
     encoder.axes.push_back({column.substr(0, column.size() - ending), linear});
   }
-  OpenWithHeader(csv.path(), TableHeader(EncoderColumns(encoder.axes)));
-  for (std::size_t row = 0; row < csv.row_count(); ++row) {
-    encoder.samples.push_back(EncoderSampleOf(RowAt(csv, row)));
-  }
+  scan.RequireColumns(EncoderColumns(encoder.axes));
+  for (const RowSample& row : RowsOf(&scan)) encoder.samples.push_back(EncoderSampleOf(row));
   return encoder;
 }
 
 TableRecording Recording::LoadRows(const std::string& folder) const {
-  return ReadTable(Open(directory_ / folder / "data.csv"));
+  return ReadTable(directory_ / folder / "data.csv");
 }
 
 PoseRecording Recording::LoadPose(const std::string& file) const {
   PoseRecording recording;
-  const std::size_t reference_columns = 8;
-  recording.has_velocity = Open(directory_ / file).columns().size() != reference_columns;
-  const CsvFile csv =
-      OpenWithHeader(directory_ / file, TableHeader(PoseColumns(recording.has_velocity)));
-  for (std::size_t row = 0; row < csv.row_count(); ++row) {
+  RowScan scan(directory_ / file);
+  recording.has_velocity = scan.columns().size() != PoseColumns(false).size();
+  scan.RequireColumns(PoseColumns(recording.has_velocity));
+  for (ScannedRow row; scan.Next(&row);) {
     TruthPose pose;
-    pose.t_ns = csv.Time(row);
-    pose.X_WB = MakePose(Vector3(csv, row, 1), Rotation(csv, row, 4));
+    pose.t_ns = row.t_ns;
+    pose.X_WB = MakePose(Vector3(row, 0), Rotation(scan, row, 3));
     if (recording.has_velocity) {
-      pose.v_WB_mps = Vector3(csv, row, 8);
-      pose.w_WB_B_radps = Vector3(csv, row, 11);
+      pose.v_WB_mps = Vector3(row, 7);
+      pose.w_WB_B_radps = Vector3(row, 10);
     }
     recording.poses.push_back(pose);
   }
@@ -373,13 +352,14 @@ PoseRecording Recording::LoadPose(const std::string& file) const {
 }
 
 TableRecording Recording::LoadTable(const std::string& file) const {
-  return ReadTable(Open(directory_ / file));
+  return ReadTable(directory_ / file);
 }
 
 std::vector<TimeNs> Recording::FrameTimes(const std::string& folder) const {
-  const CsvFile csv = OpenWithHeader(directory_ / folder / "data.csv", kFrameHeader);
+  RowScan scan(directory_ / folder / "data.csv");
+  scan.RequireColumns({"filename"});
   std::vector<TimeNs> times;
-  for (std::size_t row = 0; row < csv.row_count(); ++row) times.push_back(csv.Time(row));
+  for (ScannedRow row; scan.Next(&row);) times.push_back(row.t_ns);
   return times;
 }
 

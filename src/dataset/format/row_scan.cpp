@@ -2,25 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "core/config/spelling.h"
 #include "core/error.h"
 #include "core/parse_number.h"
+#include "core/split_text.h"
 #include "dataset/format/csv_rows.h"
 
 namespace tera {
 namespace {
-
-void SplitAtCommas(std::string_view text, std::vector<std::string_view>* fields) {
-  fields->clear();
-  for (;;) {
-    const std::size_t comma = text.find(',');
-    fields->push_back(text.substr(0, comma));
-    if (comma == std::string_view::npos) return;
-    text.remove_prefix(comma + 1);
-  }
-}
 
 void DropCarriageReturn(std::string* text) {
   if (text->ends_with('\r')) text->pop_back();
@@ -44,11 +37,25 @@ RowScan::RowScan(const std::filesystem::path& file, OnFault on_fault)
   if (!std::getline(stream_, text_)) Fail("the file is empty; need a header line");
   DropCarriageReturn(&text_);
   lists_frames_ = text_ == kFrameHeader;
-  SplitAtCommas(text_, &fields_);
+  SplitAt(',', text_, &fields_);
   if (fields_.front() != "t_ns") {
     Fail(fmt::format("the first column is '{}', need t_ns", fields_.front()));
   }
   columns_.assign(fields_.begin() + 1, fields_.end());
+  std::vector<std::string> names = columns_;
+  std::sort(names.begin(), names.end());
+  const auto twice = std::adjacent_find(names.begin(), names.end());
+  if (twice != names.end()) Fail(fmt::format("column '{}' is there twice; rename one", *twice));
+}
+
+void RowScan::RequireColumns(const std::vector<std::string>& columns) const {
+  if (columns == columns_) return;
+  for (const std::string& column : columns) {
+    if (std::find(columns_.begin(), columns_.end(), column) != columns_.end()) continue;
+    Fail(fmt::format("column '{}' is missing{}", column, DidYouMean(column, columns_)));
+  }
+  Fail(fmt::format("found the columns '{}', need '{}'", TableHeader(columns_),
+                   TableHeader(columns)));
 }
 
 bool RowScan::Tell(RowFault fault, const std::string& what) const {
@@ -65,7 +72,7 @@ bool RowScan::Next(ScannedRow* row) {
   while (std::getline(stream_, text_)) {
     ++line_;
     if (stream_.eof()) {
-      return Tell(RowFault::kFields,
+      return Tell(RowFault::kCutOff,
                   "the last line is cut off; need whole lines, copy or record it again");
     }
     DropCarriageReturn(&text_);
@@ -76,7 +83,7 @@ bool RowScan::Next(ScannedRow* row) {
 }
 
 bool RowScan::Read(ScannedRow* row) {
-  SplitAtCommas(text_, &fields_);
+  SplitAt(',', text_, &fields_);
   if (fields_.size() != columns_.size() + 1) {
     return Tell(RowFault::kFields, fmt::format("found {} fields, need {} as in the header",
                                                fields_.size(), columns_.size() + 1));

@@ -21,7 +21,8 @@ struct ScannedRow {
 };
 
 enum class RowFault {
-  kFields,     ///< cut off, too few or many fields, or no number
+  kCutOff,     ///< a last line without an end
+  kFields,     ///< too few or many fields, or no number
   kNotFinite,  ///< NaN or infinity
   kStamp       ///< t_ns no greater than in the row before
 };
@@ -33,7 +34,7 @@ class RowScan {
   using OnFault = std::function<void(RowFault fault, int line, const std::string& what)>;
 
   /// Refuses faults: throws InputError with file and line where the file cannot be read, where its
-  /// first line is no header, and in Next at a faulty row.
+  /// first line is no header or names a column twice, and in Next at a faulty row.
   explicit RowScan(const std::filesystem::path& file);
   /// Goes on behind faulty rows, which it tells and leaves out.
   RowScan(const std::filesystem::path& file, OnFault on_fault);
@@ -45,8 +46,10 @@ class RowScan {
   bool lists_frames() const { return lists_frames_; }
   /// The next row without fault; false at the end.
   bool Next(ScannedRow* row);
-  /// Throws InputError about the row that Next gave last.
+  /// Throws InputError about the row that Next gave last, before it about the header.
   [[noreturn]] void Fail(std::string_view finding) const;
+  /// Throws InputError unless the columns are these, without t_ns; names the first that is missing.
+  void RequireColumns(const std::vector<std::string>& columns) const;
 
  private:
   bool Read(ScannedRow* row);

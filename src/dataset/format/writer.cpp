@@ -334,8 +334,9 @@ void DatasetWriter::AddWholeTable(const ChannelInfo& info, const fs::path& file)
   TERA_CHECK(info.form == ChannelForm::kRows, info.path);
   const std::string text = ReadWholeFile(file);
   if (!text.starts_with(HeaderOf(info) + "\n")) {
-    throw InputError(file.string(),
-                     fmt::format("has other columns than the scenario; need '{}'", HeaderOf(info)));
+    throw InputError(file.string(), {FaultKind::kInconsistent,
+                                     fmt::format("has other columns than the scenario; need '{}'",
+                                                 HeaderOf(info))});
   }
   impl_->Add(info, text);
   impl_->row_bytes += static_cast<std::int64_t>(text.size());

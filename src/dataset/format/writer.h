@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "dataset/files/whole_folder.h"
 #include "dataset/format/dataset_info.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
+#include "dataset/format/epoch.h"
 #include "dataset/import/logs/log_time.h"
 #include "dataset/import/table_text.h"
 

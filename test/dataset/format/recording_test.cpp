@@ -3,15 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "dataset/format/sample_recording.h"
 
 namespace tera {
 namespace {
 
-using testing::AllOf;
+using enum FaultKind;
 using testing::HasSubstr;
-using testing::ThrowsMessage;
 
 /// A finished sample recording.
 class RecordingTest : public testing::Test {
@@ -204,53 +203,41 @@ TEST_F(RecordingTest, CsvFilesHaveTheDocumentedColumns) {
 TEST_F(RecordingTest, RejectsATruncatedCsv) {
   const std::string text = ReadWholeFile(directory() / "digger/imu/data.csv");
   WriteWholeFile(directory() / "digger/imu/data.csv", text.substr(0, text.size() - 5));
-  EXPECT_THAT([&] { Open().LoadImu("digger/imu"); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("data.csv:7:"), HasSubstr("cut off"))));
+  EXPECT_THAT([&] { Open().LoadImu("digger/imu"); }, ThrowsFault(kMalformed, "imu/data.csv:7"));
   WriteWholeFile(directory() / "digger/imu/data.csv", text + "600000000,1,2\n");
-  EXPECT_THAT([&] { Open().LoadImu("digger/imu"); },
-              ThrowsMessage<InputError>(
-                  AllOf(HasSubstr("data.csv:8:"), HasSubstr("found 3 fields, need 7"))));
+  EXPECT_THAT([&] { Open().LoadImu("digger/imu"); }, ThrowsFault(kMalformed, "imu/data.csv:8"));
 }
 
 TEST_F(RecordingTest, RejectsAListedFileThatIsNotThere) {
   std::filesystem::remove(directory() / "digger/commands.csv");
   EXPECT_THAT([&] { Open().LoadTable("digger/commands.csv"); },
-              ThrowsMessage<InputError>(AllOf(
-                  HasSubstr("commands.csv: is not there, though dataset.yaml lists it; need the"),
-                  HasSubstr("or its line taken out"))));
+              ThrowsFault(kUnreadable, "digger/commands.csv"));
 }
 
 TEST_F(RecordingTest, RejectsNumbersThatAreNotFinite) {
   Edit("digger/imu/data.csv", "9.80665", "nan");
-  EXPECT_THAT([&] { Open().LoadImu("digger/imu"); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("data.csv:2: column 'az_mps2'"),
-                                              HasSubstr("need a finite number"))));
+  EXPECT_THAT([&] { Open().LoadImu("digger/imu"); }, ThrowsFault(kMalformed, "data.csv:2"));
 }
 
 TEST_F(RecordingTest, RejectsAMissingColumn) {
   Edit("digger/imu/data.csv", "wy_radps", "wy_degps");
-  EXPECT_THAT([&] { Open().LoadImu("digger/imu"); },
-              ThrowsMessage<InputError>(HasSubstr("data.csv:1: column 'wy_radps' is missing")));
+  EXPECT_THAT([&] { Open().LoadImu("digger/imu"); }, ThrowsFault(kMalformed, "data.csv:1"));
 }
 
 TEST_F(RecordingTest, RejectsTimesThatDoNotIncrease) {
   Edit("digger/commands.csv", "200000000,", "100000000,");
   EXPECT_THAT([&] { Open().LoadTable("digger/commands.csv"); },
-              ThrowsMessage<InputError>(
-                  AllOf(HasSubstr("commands.csv:4: column 't_ns': found '100000000'"),
-                        HasSubstr("need a later time than that of the row before, 100000000"))));
+              ThrowsFault(kMalformed, "commands.csv:4"));
 }
 
 TEST_F(RecordingTest, RejectsAnEmptyCsvAFixOutsideNmeaAndAQuaternionOfAnotherNorm) {
   WriteWholeFile(directory() / "digger/imu/data.csv", "");
-  EXPECT_THAT([&] { Open().LoadImu("digger/imu"); },
-              ThrowsMessage<InputError>(HasSubstr("the file is empty")));
+  EXPECT_THAT([&] { Open().LoadImu("digger/imu"); }, ThrowsFault(kMalformed, "imu/data.csv:1"));
   Edit("digger/gnss/data.csv", ",5,", ",3,");
-  EXPECT_THAT([&] { Open().LoadGnss("digger/gnss"); },
-              ThrowsMessage<InputError>(HasSubstr("need 0 none, 1 single")));
+  EXPECT_THAT([&] { Open().LoadGnss("digger/gnss"); }, ThrowsFault(kMalformed, "gnss/data.csv"));
   Edit("truth/digger/pose.csv", "\n0,1,2,-0.5,", "\n0,1,2,-0.5,1");
   EXPECT_THAT([&] { Open().LoadPose("truth/digger/pose.csv"); },
-              ThrowsMessage<InputError>(HasSubstr("need norm 1")));
+              ThrowsFault(kMalformed, "pose.csv:2"));
 }
 
 TEST_F(RecordingTest, RejectsAnEmptyOrTruncatedPng) {
@@ -258,9 +245,7 @@ TEST_F(RecordingTest, RejectsAnEmptyOrTruncatedPng) {
   const std::string png = ReadWholeFile(file);
   for (const std::size_t size : {std::size_t{0}, png.size() / 2, png.size() - 1}) {
     WriteWholeFile(file, png.substr(0, size));
-    EXPECT_THAT(
-        [&] { Open().LoadFrame("digger/front", 0); },
-        ThrowsMessage<InputError>(AllOf(HasSubstr("rgb/0.png"), HasSubstr("not a whole PNG"))))
+    EXPECT_THAT([&] { Open().LoadFrame("digger/front", 0); }, ThrowsFault(kMalformed, "rgb/0.png"))
         << size << " bytes";
   }
 }
@@ -270,17 +255,14 @@ TEST_F(RecordingTest, RejectsAPictureOfAnotherFormUnderThatName) {
   const auto file = directory() / "digger/front/rgb/0.png";
   const std::string png = ReadWholeFile(file);
   WriteWholeFile(file, "P6\n1 1\n255\n\xff\x01\x01" + png.substr(png.size() - 8));
-  EXPECT_THAT(
-      [&] { Open().LoadFrame("digger/front", 0); },
-      ThrowsMessage<InputError>(AllOf(HasSubstr("rgb/0.png"), HasSubstr("not a whole PNG"))));
+  EXPECT_THAT([&] { Open().LoadFrame("digger/front", 0); }, ThrowsFault(kMalformed, "rgb/0.png"));
 }
 
 TEST_F(RecordingTest, RejectsAPngOfAnotherKind) {
   std::filesystem::copy_file(directory() / "digger/front/semantic/0.png",
                              directory() / "digger/front/depth/0.png",
                              std::filesystem::copy_options::overwrite_existing);
-  EXPECT_THAT([&] { Open().LoadFrame("digger/front", 0); },
-              ThrowsMessage<InputError>(HasSubstr("1 channels of 8 bits; need 16-bit grey")));
+  EXPECT_THAT([&] { Open().LoadFrame("digger/front", 0); }, ThrowsFault(kMistyped, "depth/0.png"));
 }
 
 TEST_F(RecordingTest, RejectsATruncatedScan) {
@@ -288,8 +270,7 @@ TEST_F(RecordingTest, RejectsATruncatedScan) {
   const std::string pcd = ReadWholeFile(file);
   for (const std::size_t size : {std::size_t{0}, std::size_t{40}, pcd.size() - 1}) {
     WriteWholeFile(file, pcd.substr(0, size));
-    EXPECT_THAT([&] { Open().LoadScan("digger/lidar", 0); },
-                ThrowsMessage<InputError>(HasSubstr("scans/0.pcd")))
+    EXPECT_THAT([&] { Open().LoadScan("digger/lidar", 0); }, ThrowsFault(kMalformed, "scans/0.pcd"))
         << size << " bytes";
   }
 }
@@ -297,24 +278,21 @@ TEST_F(RecordingTest, RejectsATruncatedScan) {
 TEST_F(RecordingTest, RejectsDamagedBoxes) {
   Edit("digger/front/boxes/0.json", "\"visibility\"", "\"visiblity\"");
   EXPECT_THAT([&] { Open().LoadFrame("digger/front", 0); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("0.json"), HasSubstr("visibility"))));
+              ThrowsFault(kMalformed, "boxes/0.json"));
 }
 
 TEST_F(RecordingTest, RejectsAFolderThatIsNoRecording) {
-  EXPECT_THAT([&] { Recording(scratch_.path()); },
-              ThrowsMessage<InputError>(HasSubstr("no dataset.yaml")));
+  EXPECT_THAT([&] { Recording(scratch_.path()); }, ThrowsFault(kMalformed));
 }
 
 TEST_F(RecordingTest, RejectsAFileAndSaysWhatMakesARecordingOfIt) {
   WriteWholeFile(scratch_.path() / "log.csv", "t,boom\n0,1\n");
-  EXPECT_THAT([&] { Recording(scratch_.path() / "log.csv"); },
-              ThrowsMessage<InputError>(HasSubstr("log.csv: is a file; need the folder of a "
-                                                  "recording, as `tera generate` writes")));
+  EXPECT_THAT([&] { Recording(scratch_.path() / "log.csv"); }, ThrowsFault(kUnreadable, "log.csv"));
 }
 
 TEST_F(RecordingTest, RejectsALabelOrderOfAnotherFormat) {
   Edit("dataset.yaml", "{id: 10, name: truck}", "{id: 10, name: person}");
-  EXPECT_THAT([&] { Open(); }, ThrowsMessage<InputError>(HasSubstr("need 'truck'")));
+  EXPECT_THAT([&] { Open(); }, ThrowsFault(kInconsistent, "classes[10].name"));
 }
 
 TEST(Pcd, HasTheHeaderThatPclReads) {

@@ -67,7 +67,7 @@ TEST_F(RowScanTest, GoesOnBehindFaultsThatItTells) {
   for (ScannedRow row; scan.Next(&row);) values.push_back(row.values[0]);
   EXPECT_THAT(values, ElementsAre(2, 7));
   EXPECT_THAT(told, ElementsAre(std::pair(RowFault::kStamp, 3), std::pair(RowFault::kNotFinite, 4),
-                                std::pair(RowFault::kFields, 5), std::pair(RowFault::kFields, 7)));
+                                std::pair(RowFault::kFields, 5), std::pair(RowFault::kCutOff, 7)));
 }
 
 TEST_F(RowScanTest, FaultsHaveTheirLine) {

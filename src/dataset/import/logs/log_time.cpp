@@ -64,21 +64,6 @@ std::optional<TimeNs> TimeOfDayText(std::string_view text) {
   return (*hour * kMinute_s + *minute) * kMinute_s * kNsPerSecond + *second_ns;
 }
 
-TimeNs GpsAheadOfUtc(TimeNs gps_ns) {
-  struct Step {
-    int year, month;
-    TimeNs ahead_s;
-  };
-  TimeNs ahead_s = 13;
-  for (const Step& step : {Step{2006, 1, 14}, Step{2009, 1, 15}, Step{2012, 7, 16},
-                           Step{2015, 7, 17}, Step{2017, 1, 18}}) {
-    if (gps_ns - step.ahead_s * kNsPerSecond >= *DayOf(step.year, step.month, 1)) {
-      ahead_s = step.ahead_s;
-    }
-  }
-  return ahead_s * kNsPerSecond;
-}
-
 TimeNs GpsWeek(int week) {
   constexpr TimeNs kWeek_s = 604'800;
   return *DayOf(1980, 1, 6) + week * kWeek_s * kNsPerSecond;

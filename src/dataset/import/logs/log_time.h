@@ -21,11 +21,6 @@ std::optional<TimeNs> TimeOfDayText(std::string_view text);
 /// Of a number of seconds as text, "345600.125", exactly to the nanosecond.
 std::optional<TimeNs> SecondsOfText(std::string_view text);
 
-/// By how much GPS time was ahead of UTC at a GPS time, since 1999.
-///
-/// Source  IERS Bulletin C; the last leap second was at the end of 2016.
-TimeNs GpsAheadOfUtc(TimeNs gps_ns);
-
 /// The beginning of a week of GPS time.
 TimeNs GpsWeek(int week);
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/error.h"
+#include "dataset/format/epoch.h"
 #include "dataset/import/logs/foreign_log.h"
 #include "dataset/import/logs/log_time.h"
 #include "dataset/import/logs/number_table.h"

@@ -51,6 +51,7 @@ std::string HeaderFault(std::string_view type, ChannelForm form, const RowScan& 
 
 RuleId RuleOf(RowFault fault) {
   switch (fault) {
+    case RowFault::kCutOff:
     case RowFault::kFields:
       return "rows.fields";
     case RowFault::kNotFinite:

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "dataset/export/export.h"
+#include "dataset/format/epoch.h"
 #include "dataset/format/recording.h"
 #include "dataset/format/sample_recording.h"
 #include "dataset/import/import_csv.h"
