@@ -7,7 +7,6 @@
 #include <set>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "dataset/format/recording.h"
 #include "dataset/format/sensor_sheet.h"

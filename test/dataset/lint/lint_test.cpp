@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
-
 #include "core/error.h"
 #include "dataset/lint/healthy_recording.h"
 

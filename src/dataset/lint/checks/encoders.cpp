@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 
 #include "core/units.h"
 #include "dataset/import/angle_wrap.h"
@@ -20,6 +18,8 @@ namespace {
 constexpr double kJointFloor_rad = 0.02, kTravelFloor_m = 0.005;
 /// Ten revolutions at the first row, or a wheel of a metre at 100 m/s: no joint of a machine.
 constexpr double kMostFirstAngle_rad = 20 * kPi, kMostRate_radps = 100;
+/// A cab swings round at 14 rev/min at most.
+constexpr double kMostSwing_radps = 1.5;
 /// A zero position that is off by 10 degrees, or 10 cm, is one that nobody has set.
 constexpr double kTruthTolerance_rad = 10 * kDeg, kTruthTolerance_m = 0.1;
 
@@ -81,6 +81,22 @@ void CheckJumps(LintJob* job, const std::string& channel, const ScannedTable& ta
   }
 }
 
+/// Whether a joint can be beyond a turn when a recording begins: a wheel, which turns on and on, or
+/// a cab, which swings. One that stays where it is, or moves to and fro faster than a cab, cannot.
+bool CanBeBeyondATurn(const ScannedTable& table, const Joint& joint) {
+  constexpr double kOnAndOn = 0.8, kLeastTravel_rad = 0.1;
+  double path_rad = 0, fastest_radps = 0;
+  for (std::size_t i = 1; i < table.rows.size(); ++i) {
+    path_rad +=
+        std::abs(table.rows[i].values[joint.position] - table.rows[i - 1].values[joint.position]);
+    fastest_radps = std::max(fastest_radps, std::abs(table.rows[i].values[joint.rate]));
+  }
+  if (path_rad < kLeastTravel_rad) return false;
+  const double way_rad = std::abs(table.rows.back().values[joint.position] -
+                                  table.rows.front().values[joint.position]);
+  return fastest_radps <= kMostSwing_radps || (way_rad > 4 * kPi && way_rad > kOnAndOn * path_rad);
+}
+
 void CheckRadians(LintJob* job, const std::string& channel, const ScannedTable& table,
                   const Joint& joint) {
   if (joint.linear || table.rows.empty()) return;
@@ -91,8 +107,9 @@ void CheckRadians(LintJob* job, const std::string& channel, const ScannedTable& 
                fmt::format("{} is {:.4g} {}", table.columns[column], row.values[column], unit)});
   };
   const ScannedRow& first = table.rows.front();
-  if (std::abs(first.values[joint.position]) > kMostFirstAngle_rad) {
-    find(first, joint.position, "rad at the first row");
+  const double start_rad = std::abs(first.values[joint.position]);
+  if (start_rad > kMostFirstAngle_rad || (start_rad > 2 * kPi && !CanBeBeyondATurn(table, joint))) {
+    find(first, joint.position, "rad at the first row, beyond a turn");
   }
   // Differences over a jump are no rates: encoders.jump tells of it.
   const std::vector<std::size_t> jumps = JumpsOfJoint(table, joint);

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <fstream>
-#include <map>
 #include <set>
 
 #include "core/error.h"

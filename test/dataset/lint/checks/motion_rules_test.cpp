@@ -141,6 +141,30 @@ TEST_F(MotionRules, AnEncoderAllInDegrees) {
               HasSubstr("rad at the first row"));
 }
 
+// A boom at 15 deg that rises to 25 deg and sinks again, and one that stays at 20 deg; a wheel, and
+// a cab that swings, may be there.
+TEST_F(MotionRules, AnAngleOfSomeTurnsIsInDegreesWhereItsJointNeitherTurnsOnNorSwings) {
+  fs::remove(run() / "truth/digger/joints.csv");
+  Edit("dataset.yaml", "  - {path: \"truth/digger/joints.csv\", type: table}\n", "");
+  const auto boom = [&](double start, double amplitude, double speed) {
+    EditRows("digger/joints/data.csv", [&](int, std::vector<std::string>* fields) {
+      const double t_s = std::stod((*fields)[0]) / 1e9;
+      (*fields)[1] = fmt::format("{}", start + speed * t_s + amplitude * std::sin(kPi * t_s));
+      (*fields)[3] = fmt::format("{}", speed + amplitude * kPi * std::cos(kPi * t_s));
+    });
+  };
+  boom(15, 10, 0);
+  EXPECT_EQ(Only("encoders.radians", "digger/joints").places[0].line, 2);
+  boom(20, 0, 0);
+  Only("encoders.radians", "digger/joints");
+  boom(20, 0, 9);  // a wheel
+  EXPECT_THAT(Found(), testing::IsEmpty());
+  boom(20, 0.4, 0);  // a cab
+  EXPECT_THAT(Found(), testing::IsEmpty());
+  boom(3, 0.4, 0);
+  EXPECT_THAT(Found(), testing::IsEmpty());
+}
+
 // 2.5 rad/s for 2 s from 5 rad on pass 2 pi once, at 0.51 s: from row 25 to 26 after the header,
 // and at 2 Hz from the row of 0.5 s to that of 1 s.
 TEST_F(MotionRules, AnAngleThatBeginsAnewIsAJumpAtAnyRateAndNotDegrees) {
