@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "core/units.h"
 #include "dataset/compare/receiver_tracks.h"
 #include "dataset/compare/time_alignment.h"
+#include "dataset/compare/track_doubts.h"
 #include "dataset/format/recording.h"
 #include "dataset/format/series_tables.h"
 #include "dataset/overview/gnuplot.h"
@@ -107,13 +107,14 @@ void CompareSeries(const Recording& a, const Recording& b, TimeNs shift_ns,
 
 TrackComparison CompareTracks(const std::string& of, TrackComparison::Rotation rotation,
                               Trajectory a, Trajectory b, TimeNs max_gap_ns) {
-  TrackComparison track{of, rotation, std::move(a), std::move(b), {}, {}, {}};
+  TrackComparison track{of, rotation, std::move(a), std::move(b), {}, {}, {}, {}};
   TrajectoryErrorOptions options{.max_gap_ns = max_gap_ns};
   track.unaligned = EvaluateTrajectory(track.a, track.b, options);
   options.alignment = Alignment::kSe2;
   track.aligned_se2 = EvaluateTrajectory(track.a, track.b, options);
   options.alignment = Alignment::kSe3;
   track.aligned_se3 = EvaluateTrajectory(track.a, track.b, options);
+  track.doubts = TrackDoubts(track.a, track.b, max_gap_ns);
   return track;
 }
 
@@ -168,10 +169,12 @@ void RequireSomething(const Recording& a, const Recording& b, const Comparison& 
     for (const std::string& remark : machine.remarks) found += remark + "; ";
   }
   throw InputError(
-      fmt::format("nothing can be compared: {}need poses of both (truth/<machine>/pose.csv), a "
-                  "receiver of both "
-                  "with fixes, or a channel of one name and type with times in common",
-                  found));
+      b.directory().string(),
+      {FaultKind::kMissing,
+       fmt::format("nothing can be compared: {}need poses of both (truth/<machine>/pose.csv), a "
+                   "receiver of both with fixes, or a channel of one name and type with times in "
+                   "common",
+                   found)});
 }
 
 std::vector<std::pair<std::string, std::string>> MatchMachines(const Recording& a,
@@ -186,10 +189,11 @@ std::vector<std::pair<std::string, std::string>> MatchMachines(const Recording& 
   }
   if (matches.empty()) {
     throw InputError(
-        fmt::format("{} has the machines [{}] and {} has [{}]; need one name in common, or one "
-                    "machine in each",
-                    a.directory().string(), fmt::join(in_a, ", "), b.directory().string(),
-                    fmt::join(in_b, ", ")));
+        b.directory().string(),
+        {FaultKind::kNoSuchName,
+         fmt::format("has the machines [{}] and {} has [{}]; need one name in common, "
+                     "or one machine in each",
+                     fmt::join(in_b, ", "), a.directory().string(), fmt::join(in_a, ", "))});
   }
   return matches;
 }
@@ -235,6 +239,7 @@ void AppendTrack(std::string* text, const TrackComparison& track) {
   if (is_turned && std::min(e.path_length_a_m, e.path_length_b_m) < kTellsHeading_m) {
     text->append("  a path of less than 1 m does not tell its heading: ignore aligned rotations\n");
   }
+  for (const std::string& doubt : track.doubts) fmt::format_to(out, "  hint: {}\n", doubt);
 }
 
 Curve PathCurve(const std::string& title, const Trajectory& track, const Pose& X_WV) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +26,7 @@ struct TrackComparison {
   Rotation rotation = Rotation::kAll;
   Trajectory a, b;
   TrajectoryError unaligned, aligned_se2, aligned_se3;
+  std::vector<std::string> doubts;  ///< TrackDoubts
 };
 
 /// The comparison of one machine that both recordings have.
