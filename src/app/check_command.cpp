@@ -119,6 +119,7 @@ void RunCheck(const ScenarioOptions& options) {
   for (const ScenarioMachine& machine : scenario.machines) {
     PrintDoubts(machine, assembly.model());
   }
+  for (const std::string& doubt : PlacesInDoubt(scenario)) fmt::print("warning: {}\n", doubt);
   fmt::print("valid\n");
 }
 

@@ -143,6 +143,13 @@ std::optional<std::string> DoubtOfInertia(const RigidBody& body) {
         body.name, body.mass_kg, gyration_m, Shown(SizeOf(body.box)));
   }
   if (auto dense = DoubtOfDensity(body.name, body.mass_kg, body.box)) return dense;
+  const double beside_m = body.box.exteriorDistance(body.com_m);
+  if (beside_m > 2 * half_m) {
+    return fmt::format(
+        ", link {}: its centre of mass lies {:.3g} m beside what is drawn of it ({}): in mm, or of "
+        "another frame?",
+        body.name, beside_m, Shown(SizeOf(body.box)));
+  }
   if (gyration_m < kPointGyration * half_m) {
     return fmt::format(
         ", link {}: {:.3g} kg, and its inertia (radius of gyration {:.3g} m) is that of a point "
@@ -271,7 +278,11 @@ std::vector<std::string> DoubtsOf(const ScenarioMachine& machine, const SceneMod
     const Link& link = model.links[i];
     if (!link.visuals.empty()) add(DoubtOfDensity(link.name, link.mass_kg, boxes[i]));
   }
+  const std::size_t before_limits = doubts.size();
   for (const Joint& joint : model.joints) add(DoubtOfLimits(joint));
+  if (doubts.size() == before_limits) {
+    for (std::string& doubt : DrivesInDoubt(machine.placement)) doubts.push_back(std::move(doubt));
+  }
   add(DoubtOfTotalMass(model, machine.placement.q_rad, boxes));
   return doubts;
 }

@@ -32,4 +32,17 @@ std::vector<LinkSize> SizesOf(const ScenarioMachine& machine, const SceneModel& 
 ///         running gear and hull points a machine whose base is free falls.
 std::vector<std::string> DoubtsOf(const ScenarioMachine& machine, const SceneModel& scene);
 
+/// Doubts about how the machine is driven, part of DoubtsOf.
+///
+/// Model   No revolute joint goes its whole way in a fifth of a second. A joint holds against
+/// gravity
+///         what hangs on it at the start. A lever's joint or gear has a rate and an effort. Running
+///         gear goes at most 30 m/s, "left" of it to the left, and lies about its gauge apart. A
+///         shovel holds at most ten times what its profile and width enclose.
+std::vector<std::string> DrivesInDoubt(const MachinePlacement& placement);
+
+/// Doubts about what stands where: machines and obstacles beside the site, a machine in the place
+/// of another or of an obstacle, persons faster than 12 m/s and others faster than 40 m/s.
+std::vector<std::string> PlacesInDoubt(const Scenario& scenario);
+
 }  // namespace tera

@@ -174,7 +174,16 @@ TEST(MachineDoubts, LimitsInDegreesAndLimitsThatHoldAJointAreTold) {
   EXPECT_THAT(with("revolute", R"(lower="0" upper="0" effort="500" velocity="1")"), IsEmpty());
   EXPECT_THAT(with("revolute", R"(lower="0" upper="0" effort="500" velocity="0")"),
               ElementsAre(HasSubstr("m1, joint to_arm cannot move: its limits are both 0 rad")));
-  EXPECT_THAT(with("prismatic", R"(lower="0" upper="8" effort="500" velocity="1")"), IsEmpty());
+  EXPECT_THAT(with("prismatic", R"(lower="0" upper="8" effort="5000" velocity="1")"), IsEmpty());
+}
+
+TEST(MachineDoubts, ACentreOfMassFarBesideTheLinkIsTold) {
+  const auto at = [](const std::string& xyz) {
+    std::string base = Base();
+    return DoubtsWith(base.insert(base.find("<mass"), "<origin xyz=\"" + xyz + "\"/>"));
+  };
+  EXPECT_THAT(at("85 0 10"), ElementsAre(HasSubstr("its centre of mass lies 8")));
+  EXPECT_THAT(at("1.5 0 -0.6"), IsEmpty());  // a counterweight below what is drawn
 }
 
 TEST(MachineDoubts, WhatBearsOnNothingFalls) {

@@ -14,6 +14,7 @@
 #include "core/config/listed_folder.h"
 #include "core/config/plain_name.h"
 #include "core/error.h"
+#include "core/units.h"
 #include "physics/description/machine_reading.h"
 #include "physics/description/urdf_form.h"
 #include "physics/description/urdf_lines.h"
@@ -264,6 +265,20 @@ MachineParts PartsOf(const urdf::ModelInterface& model, const UrdfLines& lines,
   return parts;
 }
 
+/// The rotations beyond a turn below `element`, with their lines: "45 (line 12)".
+void FindLongTurns(const tinyxml2::XMLElement& element, std::vector<std::string>* found) {
+  if (const char* rpy = element.Attribute("rpy")) {
+    std::istringstream angles(rpy);
+    for (double angle_rad = 0; angles >> angle_rad;) {
+      if (std::abs(angle_rad) <= 2 * kPi) continue;
+      found->push_back(fmt::format("{:g} (line {})", angle_rad, element.GetLineNum()));
+    }
+  }
+  for (const auto* e = element.FirstChildElement(); e; e = e->NextSiblingElement()) {
+    FindLongTurns(*e, found);
+  }
+}
+
 }  // namespace
 
 std::optional<MachineParts> ReadUrdfParts(const ConfigMap& config, AbsentMeshes absent) {
@@ -289,6 +304,13 @@ std::optional<MachineParts> ReadUrdfParts(const ConfigMap& config, AbsentMeshes 
   MachineParts parts = PartsOf(*model, LinesOf(robot, file), config, &meshes);
   if (const std::string left_out = LeftOutOf(*model, robot); !left_out.empty()) {
     parts.remarks.push_back(fmt::format("{}: {} left out", shown, left_out));
+  }
+  std::vector<std::string> turns;
+  FindLongTurns(robot, &turns);
+  if (!turns.empty()) {
+    parts.remarks.push_back(fmt::format(
+        "warning: {}: rotations beyond a turn, rpy of {}: in degrees? URDF takes radians", shown,
+        fmt::join(turns, ", ")));
   }
   ReadUrdfDrives(config, file, robot, &parts);
   LayOver(config, &parts);

@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <string_view>
+
+#include "core/units.h"
+#include "sim/machine_doubts.h"
+
+namespace tera {
+namespace {
+
+/// A part of something, as its box in a frame of its own.
+struct Part {
+  std::string_view of;
+  Pose X_WG = Pose::Identity();
+  Vec3 size_m = Vec3::Zero();
+
+  bool Holds(const Vec3& p_W_m) const {
+    const Vec3 p_G_m = X_WG.inverse() * p_W_m;
+    return (p_G_m.cwiseAbs().array() <= 0.5 * size_m.array()).all();
+  }
+};
+
+std::vector<Part> PartsOf(const ScenarioMachine& machine) {
+  const MachinePlacement& placement = machine.placement;
+  const std::vector<Pose> X_WL =
+      ForwardKinematics(placement.model, placement.X_WB, placement.q_rad);
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < placement.model.links.size(); ++i) {
+    for (const CollisionBox& box : placement.model.links[i].collision) {
+      parts.push_back({placement.name, X_WL[i] * box.X_BG, box.size_m});
+    }
+  }
+  return parts;
+}
+
+std::vector<Part> PartsOf(const ScenarioObstacle& obstacle, const TerrainSurface& ground) {
+  const Vec2& xy_m = obstacle.xy_W_m;
+  const double z_m = ground.HeightAt(xy_m.x(), xy_m.y()) + obstacle.height_above_ground_m;
+  const Pose X_WB = MakePose(Vec3(xy_m.x(), xy_m.y(), z_m), 0, 0, obstacle.yaw_rad);
+  std::vector<Part> parts;
+  for (const CollisionBox& box : obstacle.collision) {
+    parts.push_back({obstacle.name, X_WB * box.X_BG, box.size_m});
+  }
+  return parts;
+}
+
+/// Whether the middle of a part of one lies in a part of the other.
+bool AreInOnePlace(const std::vector<Part>& a, const std::vector<Part>& b) {
+  const auto holds = [](const std::vector<Part>& in, const std::vector<Part>& of) {
+    return std::any_of(in.begin(), in.end(), [&](const Part& whole) {
+      return std::any_of(of.begin(), of.end(),
+                         [&](const Part& part) { return whole.Holds(part.X_WG.translation()); });
+    });
+  };
+  return holds(a, b) || holds(b, a);
+}
+
+std::optional<std::string> DoubtOfPlace(std::string_view name, const Vec2& xy_m,
+                                        const TerrainSurface& ground) {
+  const Vec2& low_m = ground.origin_W_m;
+  const Vec2 high_m = low_m + ground.cell_m * Vec2(ground.nx - 1, ground.ny - 1);
+  if ((xy_m.array() >= low_m.array()).all() && (xy_m.array() <= high_m.array()).all()) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "{} is at ({:.4g}, {:.4g}) m, beside the site, which reaches from ({:.4g}, "
+      "{:.4g}) to ({:.4g}, {:.4g})",
+      name, xy_m.x(), xy_m.y(), low_m.x(), low_m.y(), high_m.x(), high_m.y());
+}
+
+std::optional<std::string> DoubtOfSpeed(const ScenarioObstacle& obstacle) {
+  constexpr double kPerson_mps = 12, kAny_mps = 40;
+  const double most_mps = obstacle.label == SemanticClass::kPerson ? kPerson_mps : kAny_mps;
+  for (std::size_t k = 1; k < obstacle.path.size(); ++k) {
+    const PathPoint &from = obstacle.path[k - 1], &to = obstacle.path[k];
+    const double speed_mps = (to.xy_W_m - from.xy_W_m).norm() / (to.t_s - from.t_s);
+    if (!(speed_mps > most_mps)) continue;
+    return fmt::format("{} moves at {:.3g} m/s from {:g} to {:g} s", obstacle.name, speed_mps,
+                       from.t_s, to.t_s);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::string> PlacesInDoubt(const Scenario& scenario) {
+  const TerrainSurface& ground = scenario.site->surface();
+  std::vector<std::string> doubts;
+  const auto add = [&](const std::optional<std::string>& doubt) {
+    if (doubt) doubts.push_back(*doubt);
+  };
+  std::vector<std::vector<Part>> standing;
+  std::vector<std::string_view> names;
+  for (const ScenarioMachine& machine : scenario.machines) {
+    add(DoubtOfPlace(machine.placement.name, machine.placement.X_WB.translation().head<2>(),
+                     ground));
+    standing.push_back(PartsOf(machine));
+    names.push_back(machine.placement.name);
+  }
+  for (const ScenarioObstacle& obstacle : scenario.obstacles) {
+    add(DoubtOfPlace(obstacle.name, obstacle.xy_W_m, ground));
+    add(DoubtOfSpeed(obstacle));
+    standing.push_back(PartsOf(obstacle, ground));
+    names.push_back(obstacle.name);
+  }
+  // Obstacles alone may lie in each other, as bags on a pallet do.
+  for (std::size_t a = 0; a < scenario.machines.size(); ++a) {
+    for (std::size_t b = a + 1; b < standing.size(); ++b) {
+      if (!AreInOnePlace(standing[a], standing[b])) continue;
+      doubts.push_back(fmt::format("{} and {} begin in one place", names[a], names[b]));
+    }
+  }
+  return doubts;
+}
+
+}  // namespace tera
