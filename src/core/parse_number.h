@@ -1,6 +1,7 @@
 #pragma once
 
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <string_view>
 #include <system_error>
@@ -16,6 +17,12 @@ std::optional<T> ParseNumber(std::string_view text) {
   const auto [stop, status] = std::from_chars(text.data(), end, value);
   if (status != std::errc() || stop != end) return std::nullopt;
   return value;
+}
+
+/// The same of a number that is neither NaN nor infinite.
+inline std::optional<double> ParseFinite(std::string_view text) {
+  const auto value = ParseNumber<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 }  // namespace tera

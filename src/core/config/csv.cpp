@@ -3,25 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <string_view>
 
 #include "core/config/fault_text.h"
 #include "core/parse_number.h"
+#include "core/split_text.h"
 
 namespace tera {
 namespace {
-
-std::vector<std::string_view> Split(std::string_view line) {
-  std::vector<std::string_view> fields;
-  for (std::size_t start = 0;;) {
-    const std::size_t comma = line.find(',', start);
-    fields.push_back(line.substr(start, comma - start));
-    if (comma == std::string_view::npos) return fields;
-    start = comma + 1;
-  }
-}
 
 void TrimCarriageReturn(std::string* line) {
   if (!line->empty() && line->back() == '\r') line->pop_back();
@@ -43,14 +33,14 @@ std::vector<std::string> HeaderOf(std::istream& stream, const std::filesystem::p
   }
   TrimCarriageReturn(&line);
   std::vector<std::string> names;
-  for (const std::string_view field : Split(line)) names.emplace_back(field);
+  for (const std::string_view field : PartsOf(line, ',')) names.emplace_back(field);
   return names;
 }
 
 double ParseField(std::string_view text, const std::filesystem::path& file, std::size_t line,
                   const std::string& column) {
-  const auto value = ParseNumber<double>(text);
-  if (!value || !std::isfinite(*value)) {
+  const auto value = ParseFinite(text);
+  if (!value) {
     throw InputError(fmt::format("{}:{}: {}", file.string(), line, column),
                      {FaultKind::kMistyped,
                       fmt::format("'{}' is not a finite number; correct or remove the row", text)});
@@ -81,7 +71,7 @@ std::vector<std::vector<double>> ReadCsvColumns(const std::filesystem::path& fil
   std::string line;
   for (std::size_t number = 2; std::getline(stream, line); ++number) {
     TrimCarriageReturn(&line);
-    const auto fields = Split(line);
+    const auto fields = PartsOf(line, ',');
     if (fields.size() != header.size()) {
       throw InputError(fmt::format("{}:{}", file.string(), number),
                        fault::FieldCount(fields.size(), header.size()));

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace tera {
+
+/// Replaces `parts` by those of a text between separators, empty ones too.
+inline void SplitAt(char separator, std::string_view text, std::vector<std::string_view>* parts) {
+  parts->clear();
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts->push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return;
+    text.remove_prefix(end + 1);
+  }
+}
+
+inline std::vector<std::string_view> PartsOf(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  SplitAt(separator, text, &parts);
+  return parts;
+}
+
+}  // namespace tera
