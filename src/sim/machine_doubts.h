@@ -42,7 +42,8 @@ std::vector<std::string> DoubtsOf(const ScenarioMachine& machine, const SceneMod
 std::vector<std::string> DrivesInDoubt(const MachinePlacement& placement);
 
 /// Doubts about what stands where: machines and obstacles beside the site, a machine in the place
-/// of another or of an obstacle, persons faster than 12 m/s and others faster than 40 m/s.
+/// of another or of an obstacle, persons faster than 12 m/s and others faster than 40 m/s, sensors
+/// below the ground or more than 60 m from their link.
 std::vector<std::string> PlacesInDoubt(const Scenario& scenario);
 
 }  // namespace tera

@@ -70,6 +70,26 @@ std::optional<std::string> DoubtOfPlace(std::string_view name, const Vec2& xy_m,
       name, xy_m.x(), xy_m.y(), low_m.x(), low_m.y(), high_m.x(), high_m.y());
 }
 
+/// Doubts a sensor tens of metres off its link, and one below the ground.
+std::optional<std::string> DoubtOfMount(const MachinePlacement& placement,
+                                        const std::vector<Pose>& X_WL,
+                                        const SensorDescription& sensor,
+                                        const TerrainSurface& ground) {
+  constexpr double kFarthest_m = 60, kDeepest_m = 0.1;
+  const int link = placement.model.LinkIndex(sensor.link);
+  if (link < 0) return std::nullopt;
+  const double apart_m = sensor.X_BS.translation().norm();
+  if (apart_m > kFarthest_m) {
+    return fmt::format("{}, sensor {} sits {:.4g} m from the origin of {}: in mm? need metres",
+                       placement.name, sensor.name, apart_m, sensor.link);
+  }
+  const Vec3 p_W_m = X_WL[static_cast<std::size_t>(link)] * sensor.X_BS.translation();
+  const double depth_m = ground.HeightAt(p_W_m.x(), p_W_m.y()) - p_W_m.z();
+  if (depth_m < kDeepest_m) return std::nullopt;
+  return fmt::format("{}, sensor {} sits {:.2g} m below the ground: z of its mount points up",
+                     placement.name, sensor.name, depth_m);
+}
+
 std::optional<std::string> DoubtOfSpeed(const ScenarioObstacle& obstacle) {
   constexpr double kPerson_mps = 12, kAny_mps = 40;
   const double most_mps = obstacle.label == SemanticClass::kPerson ? kPerson_mps : kAny_mps;
@@ -96,6 +116,11 @@ std::vector<std::string> PlacesInDoubt(const Scenario& scenario) {
   for (const ScenarioMachine& machine : scenario.machines) {
     add(DoubtOfPlace(machine.placement.name, machine.placement.X_WB.translation().head<2>(),
                      ground));
+    const std::vector<Pose> X_WL =
+        ForwardKinematics(machine.placement.model, machine.placement.X_WB, machine.placement.q_rad);
+    for (const SensorDescription& sensor : machine.sensors) {
+      add(DoubtOfMount(machine.placement, X_WL, sensor, ground));
+    }
     standing.push_back(PartsOf(machine));
     names.push_back(machine.placement.name);
   }
