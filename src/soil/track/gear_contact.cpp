@@ -6,23 +6,16 @@
 
 #include "core/check.h"
 #include "core/units.h"
-#include "soil/track/rut.h"
+#include "soil/track/rim.h"
+#include "soil/track/shear.h"
 #include "soil/track/side_faces.h"
 #include "soil/track/terramechanics.h"
 
 namespace tera {
 namespace {
 
-/// Share of critical damping: what a footing as large and heavy as a machine's tracks radiates into
-/// the ground (0.3, Lysmer and Richart 1966), and as much for hysteresis of soil and shoes
-/// (estimate).
-constexpr double kDampingRatio = 0.6;
-constexpr double kLeastUpward = 0.05;       ///< patches facing further up touch no ground
-constexpr double kMostUpward = 0.5;         ///< no patch faces further up in the machine's frame
-constexpr double kShearDampingRatio = 0.7;  ///< of critical, only near rest
-constexpr double kRestSpeed_mps = 0.02;     ///< slip at which shear damping has faded to a half
-constexpr double kLargestShear = 8.0;       ///< |j| is kept below this many K: fully mobilised
-constexpr double kLeastShear_m = 1e-15;     ///< less is no slip, in any direction
+constexpr double kLeastUpward = 0.05;  ///< patches facing further up touch no ground
+constexpr double kMostUpward = 0.5;    ///< no patch faces further up in the machine's frame
 /// Of its depth: the way by which a face that is pushed into soil mobilises 1 - 1/e of its passive
 /// pressure, nearly all at 6 % (Clough and Duncan 1991: 1 % in dense sand, 4 % in loose).
 constexpr double kPassiveShare = 0.02;
@@ -46,52 +39,6 @@ int Neighbour(const RunningGear& gear, std::size_t k, double direction) {
     }
   }
   return best;
-}
-
-/// Stress vector per unit strength for shear displacement j.
-Vec2 Mobilised(const SoilType& soil, const Vec2& j_m) {
-  const double size = j_m.norm();
-  if (size < 1e-12) return Vec2::Zero();
-  return j_m * (ShearMobilisation(soil, size) / size);
-}
-
-/// Shears by `slip_m`. The stress t, a share of the strength along j, has a part along the slip,
-/// which loads further as Janosi says, or, pointing against it, unloads at the initial stiffness,
-/// so that what a shear has cost is not given back; and a part across, which yields to the slip
-/// within K where the strength is used up, so that sliding soil resists where it slides to.
-void ShearFurther(const SoilType& soil, const Vec2& slip_m, Vec2* j_m) {
-  const double size_m = slip_m.norm();
-  if (size_m < kLeastShear_m) return;
-  const double path = size_m / soil.shear_modulus_m;
-  const Vec2 direction = slip_m / size_m;
-  const Vec2 stress = Mobilised(soil, *j_m);
-  double along = stress.dot(direction);
-  const Vec2 across = (stress - along * direction) * std::exp(-stress.squaredNorm() * path);
-  const double unloading = std::min(path, std::max(0.0, -along));
-  along += unloading;
-  along = 1 - (1 - along) * std::exp(-(path - unloading));
-  const Vec2 after = along * direction + across;
-  const double size = after.norm();
-  if (size <= 0) {
-    j_m->setZero();
-    return;
-  }
-  const double most = ShearMobilisation(soil, kLargestShear * soil.shear_modulus_m);
-  *j_m = -soil.shear_modulus_m * std::log1p(-std::min(size, most)) / size * after;
-}
-
-/// Pressure of the ground on a point that is `pen_m` in it and goes further at `into_mps`.
-/// It yields as at a depth of `bearing_m`.
-double DampedPressure_pa(const Plate& plate, double share, double pen_m, double bearing_m,
-                         double into_mps) {
-  const double stiffness_papm = share * plate.rebound_papm();
-  double pressure_pa = stiffness_papm * pen_m;
-  if (!plate.Bears(pressure_pa, bearing_m)) {
-    pressure_pa = BekkerPressure_pa(plate.soil(), plate.width_m(), bearing_m);
-  }
-  const double damping =
-      2 * kDampingRatio * std::sqrt(stiffness_papm * pressure_pa / kStandardGravity_mps2);
-  return pressure_pa + std::clamp(damping * into_mps, -pressure_pa, pressure_pa);
 }
 
 /// Velocity of a patch over the soil at p_W, which gives way as a rolling shoe comes down on it:
@@ -138,13 +85,6 @@ struct GearContact::Step {
   Columns* ground;
 };
 
-/// What the patches do together.
-struct GearContact::Sum {
-  Result result;
-  double weight_n = 0;   ///< normal forces
-  double forward_w = 0;  ///< times the speed forwards at each
-};
-
 /// What the ground under one patch answers.
 struct GearContact::Pressed {
   double normal_n = 0;
@@ -154,9 +94,7 @@ struct GearContact::Pressed {
   Vec3 moving_W = Vec3::Zero();  ///< sum of normal force times velocity of what it presses on
   const SoilType* soil = nullptr;
 
-  double Strength_n() const {
-    return soil->shear_cohesion_pa * area_m2 + normal_n * std::tan(soil->shear_friction_rad);
-  }
+  ShearStrength Strength() const { return {*soil, normal_n, area_m2}; }
 };
 
 GearContact::GearContact(const RunningGear& gear, bool shears, std::vector<SoilType> soils)
@@ -166,9 +104,11 @@ GearContact::GearContact(const RunningGear& gear, bool shears, std::vector<SoilT
       soils_(WithHardSurface(std::move(soils))),
       patches_(gear_.patches.size()),
       plates_(PlatesOf(gear_, soils_)),
-      rolling_(gear_),
       rut_(gear_, soils_) {
+  const GearRims rims = FindRims(gear);
+  for (const Rim& rim : rims.rims) wheels_.emplace_back(rim, gear, shears, soils_);
   for (std::size_t k = 0; k < patches_.size(); ++k) {
+    patches_[k].is_on_wheel = k < rims.has_patch.size() && rims.has_patch[k];
     TERA_CHECK(gear_.patches[k].outward_B.z() < kMostUpward, gear_.name, k);
     patches_[k].upstream = Neighbour(gear_, k, -1);
     patches_[k].downstream = Neighbour(gear_, k, +1);
@@ -210,9 +150,8 @@ GearContact::Pressed GearContact::Bear(std::size_t patch_index, double touching,
       const std::size_t soil = hard ? soils_.size() - 1 : ground.SoilAt(sample.i, sample.j);
       const Plate& plate = plates_[patch_index * soils_.size() + soil];
       const double sinkage_m = pen_m + (hard ? 0 : sample.pressed_m);
-      const double ease = hard ? 1 : rolling_.Ease(patch_index, along_m, sample.pressed_m, pen_m);
       const double v_mps = into_mps + along_m * into_along_radps + across_m * into_across_radps;
-      const double damped_pa = DampedPressure_pa(plate, share, pen_m, ease * sinkage_m, v_mps);
+      const double damped_pa = plate.DampedPressure_pa(share, pen_m, sinkage_m, v_mps);
       result.normal_n += damped_pa * area_m2;
       result.moment_W += damped_pa * area_m2 * q_W;
       if (hard) result.moving_W += damped_pa * area_m2 * obstacle->v_W_mps;
@@ -236,8 +175,6 @@ Vec2 GearContact::Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_
     const double renewed = std::min(1.0, std::abs(step.shoe_mps) * step.dt_s / over_m);
     *j_m -= renewed * (*j_m - j_upstream_m);
     ShearFurther(soil, slip_mps * step.dt_s, j_m);
-    const double limit_m = kLargestShear * soil.shear_modulus_m;
-    if (j_m->norm() > limit_m) *j_m *= limit_m / j_m->norm();
   };
   advance(&patch.j_in_m, kInletShare * length_m);
   advance(&patch.j_out_m, length_m);
@@ -247,16 +184,7 @@ Vec2 GearContact::Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_
   const Vec2 share =
       (Mobilised(soil, patch.j_in_m) + 4 * Mobilised(soil, j_m) + Mobilised(soil, patch.j_out_m)) /
       6;
-  const double strength_n = pressed.Strength_n();
-  const double mass_kg = pressed.normal_n / kStandardGravity_mps2;
-  const double speed = slip_mps.norm() / kRestSpeed_mps;
-  const double stiffness_npm =
-      strength_n / soil.shear_modulus_m * std::exp(-j_m.norm() / soil.shear_modulus_m);
-  const double damping =
-      2 * kShearDampingRatio * std::sqrt(stiffness_npm * mass_kg) / (1 + speed * speed);
-  Vec2 force_n = -strength_n * share - damping * slip_mps;
-  if (force_n.norm() > strength_n) force_n *= strength_n / force_n.norm();
-  return force_n;
+  return ShearForce_n(pressed.Strength(), share, j_m.norm(), slip_mps);
 }
 
 /// Force, across, on the side face of a patch that pushes into the soil beside it: passive pressure
@@ -289,43 +217,52 @@ double GearContact::PushAside_n(std::size_t k, const Footprint& foot, const Step
 GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, double dt_s,
                                      const LowObstacles& obstacles, Columns* ground) {
   const std::vector<Patch> before = patches_;
-  const Step step{body,   gear_.ShoeRadius_m() * rate_radps,
-                  dt_s,   std::exchange(contact_m_, 0.0),
-                  before, ground};
-  Sum sum;
-  rolling_.Advance(forward_mps_ * dt_s, step.shoe_mps * dt_s, step.contact_m, body.X_WB, *ground);
+  const Step step{body, gear_.ShoeRadius_m() * rate_radps, dt_s, contact_m_, before, ground};
+  GearSum sum;
   rut_.Begin(step.shoe_mps * dt_s, ground);
+  for (WheelContact& wheel : wheels_) {
+    sum.Add(wheel.Act(body, step.shoe_mps, dt_s, obstacles, ground, &rut_));
+  }
   for (std::size_t k = 0; k < patches_.size(); ++k) {
-    Pressed pressed;
-    const bool side = SideFaces::IsOne(gear_.patches[k]);
-    const Footprint foot(gear_.patches[k], body.X_WB);
-    if (const double touching = Touching(gear_.patches[k], foot); touching > 0) {
-      if (shears_ && !side) {
-        const Vec3 aside_W_n = PushAside_n(k, foot, step) * foot.across_W;
-        sum.result.wrench.AddForceAt(aside_W_n, foot.p_W_m, body.X_WB.translation());
-      }
-      rut_work_j_ += rut_.Press(k, touching, rolling_, body, dt_s, obstacles, ground);
-      pressed = Bear(k, touching, body, *ground, obstacles);
-    }
-    if (pressed.normal_n > 0) {
-      Carry(k, pressed, step, &sum);
-    } else {
-      patches_[k].Lift();
-    }
+    if (!patches_[k].is_on_wheel) ActOn(k, step, obstacles, &sum);
   }
   rut_.End(body, ground);
   forward_mps_ = sum.weight_n > 0 ? sum.forward_w / sum.weight_n : 0;
-  deepest_m_ = sum.result.sinkage_m;
+  contact_m_ = sum.contact_m;
+  deepest_m_ = sum.sinkage_m;
   if (sum.weight_n <= 0) rut_work_j_ = 0;
+  Result result{sum.wrench, sum.traction_n, sum.sinkage_m, 0, sum.grip_n};
   if (sum.weight_n > 0 && std::abs(step.shoe_mps) > kSlowestShoe_mps) {
-    sum.result.slip = std::clamp(1 - forward_mps_ / step.shoe_mps, -1.0, 1.0);
+    result.slip = std::clamp(1 - forward_mps_ / step.shoe_mps, -1.0, 1.0);
   }
-  if (shears_) sum.result.wrench.force_W_n += PayBack(body.v_WB_mps, dt_s);
-  return sum.result;
+  if (shears_) result.wrench.force_W_n += PayBack(body.v_WB_mps, dt_s);
+  return result;
+}
+
+/// One patch of a track.
+void GearContact::ActOn(std::size_t k, const Step& step, const LowObstacles& obstacles,
+                        GearSum* sum) {
+  const BodyState& body = step.body;
+  const bool side = SideFaces::IsOne(gear_.patches[k]);
+  const Footprint foot(gear_.patches[k], body.X_WB);
+  Pressed pressed;
+  if (const double touching = Touching(gear_.patches[k], foot); touching > 0) {
+    if (shears_ && !side) {
+      const Vec3 aside_W_n = PushAside_n(k, foot, step) * foot.across_W;
+      sum->wrench.AddForceAt(aside_W_n, foot.p_W_m, body.X_WB.translation());
+    }
+    rut_work_j_ += rut_.Press(k, touching, body, step.dt_s, obstacles, step.ground);
+    pressed = Bear(k, touching, body, *step.ground, obstacles);
+  }
+  if (pressed.normal_n > 0) {
+    Carry(k, pressed, step, sum);
+  } else {
+    patches_[k].Lift();
+  }
 }
 
 /// One patch that bears: its forces, and the soil that its shoes carry away.
-void GearContact::Carry(std::size_t k, const Pressed& pressed, const Step& step, Sum* sum) {
+void GearContact::Carry(std::size_t k, const Pressed& pressed, const Step& step, GearSum* sum) {
   const BodyState& body = step.body;
   const ContactPatch& patch = gear_.patches[k];
   const Footprint foot(patch, body.X_WB);
@@ -334,25 +271,23 @@ void GearContact::Carry(std::size_t k, const Pressed& pressed, const Step& step,
   const Vec3 v_W =
       body.v_WB_mps + body.w_WB_radps.cross(p_W - origin_W) - pressed.moving_W / pressed.normal_n;
   const bool side = SideFaces::IsOne(patch);
-  if (!side) contact_m_ += patch.length_m;
+  if (!side) sum->contact_m += patch.length_m;
   Vec2 shear_n = Vec2::Zero();
   if (shears_) {
-    const bool rigid = side || rolling_.OnWheel(k);
-    const Vec3 over_soil_W = rigid ? v_W : OverSoil_mps(foot, body, v_W);
+    const Vec3 over_soil_W = side ? v_W : OverSoil_mps(foot, body, v_W);
     const Vec2 slip_mps(over_soil_W.dot(foot.along_W) + step.shoe_mps,
                         over_soil_W.dot(foot.across_W));
     shear_n = Shear(k, pressed, slip_mps, step);
-    if (step.contact_m > 0 && !rigid) {
+    if (step.contact_m > 0 && !side) {
       rut_.Slip(k, slip_mps.x() * step.dt_s, pressed.sinkage_m, step.contact_m, body, step.ground);
     }
   }
-  Result& result = sum->result;
-  result.grip_n += pressed.Strength_n();
-  result.wrench.AddForceAt(
+  sum->grip_n += pressed.Strength().force_n();
+  sum->wrench.AddForceAt(
       -pressed.normal_n * foot.n_W + shear_n.x() * foot.along_W + shear_n.y() * foot.across_W, p_W,
       origin_W);
-  result.traction_n -= shear_n.x();
-  if (!side) result.sinkage_m = std::max(result.sinkage_m, pressed.sinkage_m);
+  sum->traction_n -= shear_n.x();
+  if (!side) sum->sinkage_m = std::max(sum->sinkage_m, pressed.sinkage_m);
   sum->forward_w += pressed.normal_n * v_W.dot(body.X_WB.linear().col(0));
   sum->weight_n += pressed.normal_n;
 }

@@ -4,10 +4,11 @@
 
 #include "core/types/ground_tools.h"
 #include "soil/columns/columns.h"
+#include "soil/track/gear_result.h"
 #include "soil/track/low_obstacles.h"
 #include "soil/track/plate.h"
-#include "soil/track/rolling.h"
 #include "soil/track/rut.h"
+#include "soil/track/wheel_contact.h"
 
 namespace tera {
 
@@ -15,28 +16,24 @@ namespace tera {
 ///
 /// Frames  W; patches as in ContactPatch, in the frame B of the gear's link.
 /// Model   Normal: points fixed to each patch bear elastically, p = s k_e pen, at most Bekker's
-///         pressure at their sinkage, eased under wheels as in Rolling; s has peaks under road
-///         wheels and the mean 1. The rut below is Rut's. Damping is a fraction of critical for the
-///         mass that the pressure carries, against motion along the machine's vertical, and the
-///         ground never pulls. Tangential: each patch has a shear displacement j, carried along by
-///         the moving shoes: dj/dt = v_slip - v_shoe (j - j_upstream) / length; it is zero where a
-///         shoe meets the ground. Slip is over the soil, which gives way as a rolling shoe comes
-///         down on it, half-way between the patch's normal and the machine's down, so that raised
-///         patches that roll shear nothing. Stress (c + p tan phi)(1 - exp(-|j|/K)) along j: a
-///         spring at rest, the closed-form thrust at steady slip. Slip against j unloads at the
-///         initial stiffness, so that shearing back and forth dissipates; stress across the slip
-///         yields to it within K where the strength is used up, so that sliding soil resists
-///         against the slip. Under wheels slip is over soil at rest, so that j is Wong and Reece's.
-///         Sides: the sunk side face that is pushed into soil meets passive pressure, mobilised by
-///         the way by which a place beside the gear is pushed. When the machine leans so far that
-///         a track's side faces down, it bears as its shoes do, see SideFaces.
-///         Resistance: work done on the rut by moving on, rather than by moving down, is paid back
-///         as a drag over a short distance.
-///         Gear that does not shear the ground is carried alone: no shear force, no drag.
-///         An obstacle low enough for the gear to climb bears it as pavement does, moves under it
-///         with its own velocity, and keeps it off the ground below.
-/// Omits   shear on the sides of grousers, tyre flexibility, tension of the track.
-/// Source  Bekker 1969; Janosi and Hanamoto 1961; Wills 1963; Wong and Reece 1967; side faces:
+///         pressure at their sinkage; s has peaks under road wheels and the mean 1. The rut below
+///         is Rut's. Damping is a fraction of critical for the mass that the pressure carries,
+///         against motion along the machine's vertical, and the ground never pulls. Tangential:
+///         each patch has a shear displacement j, carried along by the moving shoes: dj/dt = v_slip
+///         - v_shoe (j - j_upstream) / length; it is zero where a shoe meets the ground. Slip is
+///         over the soil, which gives way as a rolling shoe comes down on it, half-way between the
+///         patch's normal and the machine's down, so that raised patches that roll shear nothing.
+///         Stress (c + p tan phi)(1 - exp(-|j|/K)) along j, see shear.h: a spring at rest, the
+///         closed-form thrust at steady slip. Wheels: WheelContact. Sides: the sunk side face that
+///         is pushed into soil meets passive pressure, mobilised by the way by which a place beside
+///         the gear is pushed. When the machine leans so far that a track's side faces down, it
+///         bears as its shoes do, see SideFaces. Resistance: work done on the rut by moving on,
+///         rather than by moving down, is paid back as a drag over a short distance. Gear that does
+///         not shear the ground is carried alone: no shear force, no drag. An obstacle low enough
+///         for the gear to climb bears it as pavement does, moves under it with its own velocity,
+///         and keeps it off the ground below.
+/// Omits   shear on the sides of grousers, tension of the track.
+/// Source  Bekker 1969; Janosi and Hanamoto 1961; Wills 1963; side faces:
 ///         Hegedus 1960, see FaceResistance_npm.
 class GearContact {
  public:
@@ -60,6 +57,7 @@ class GearContact {
     Vec2 j_out_m = Vec2::Zero();         ///< shear displacement where shoes leave the patch
     double pushed_m = 0;                 ///< by its side face into the soil beside it, across
     bool in_contact = false;
+    bool is_on_wheel = false;
     void Lift() {
       in_contact = false;
       j_in_m.setZero();
@@ -67,11 +65,11 @@ class GearContact {
     }
   };
   struct Step;
-  struct Sum;
   struct Pressed;
+  void ActOn(std::size_t k, const Step& step, const LowObstacles& obstacles, GearSum* sum);
   Pressed Bear(std::size_t patch_index, double touching, const BodyState& body,
                const Columns& ground, const LowObstacles& obstacles) const;
-  void Carry(std::size_t k, const Pressed& pressed, const Step& step, Sum* sum);
+  void Carry(std::size_t k, const Pressed& pressed, const Step& step, GearSum* sum);
   Vec2 Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_mps, const Step& step);
   double PushAside_n(std::size_t k, const Footprint& foot, const Step& step);
   Vec3 PayBack(const Vec3& v_WB_mps, double dt_s);
@@ -82,7 +80,7 @@ class GearContact {
   std::vector<SoilType> soils_;
   std::vector<Patch> patches_;
   std::vector<Plate> plates_;
-  Rolling rolling_;
+  std::vector<WheelContact> wheels_;
   Rut rut_;
   double contact_m_ = 0;    ///< length of the ground under the gear
   double forward_mps_ = 0;  ///< mean speed over the ground where it bears

@@ -22,6 +22,7 @@ class LowObstacles {
   /// Adds an obstacle at W's origin; returns its handle.
   int Add(const RigidObstacle& obstacle);
   void Move(int handle, const BodyState& carrier);
+  bool any() const { return !placed_.empty(); }
 
   /// Upper side of an obstacle.
   struct Top {

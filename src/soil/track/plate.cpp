@@ -3,9 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/units.h"
 #include "soil/track/terramechanics.h"
 
 namespace tera {
+namespace {
+
+/// Share of critical damping: what a footing as large and heavy as a machine's tracks radiates into
+/// the ground (0.3, Lysmer and Richart 1966), and as much for hysteresis of soil and shoes
+/// (estimate).
+constexpr double kDampingRatio = 0.6;
+
+}  // namespace
 
 Plate::Plate(const SoilType& soil, const ContactPatch& patch)
     : soil_(&soil),
@@ -26,6 +35,18 @@ bool Plate::Bears(double pressure_pa, double z_m) const {
   if (pressure_pa < (1 - kSure) * about_pa) return true;
   if (pressure_pa > (1 + kSure) * about_pa) return false;
   return pressure_pa <= BekkerPressure_pa(*soil_, width_m_, z_m);
+}
+
+double Plate::DampedPressure_pa(double share, double pen_m, double bearing_m,
+                                double into_mps) const {
+  const double stiffness_papm = share * rebound_papm_;
+  double pressure_pa = stiffness_papm * pen_m;
+  if (!Bears(pressure_pa, bearing_m)) {
+    pressure_pa = BekkerPressure_pa(*soil_, width_m_, bearing_m);
+  }
+  const double damping =
+      2 * kDampingRatio * std::sqrt(stiffness_papm * pressure_pa / kStandardGravity_mps2);
+  return pressure_pa + std::clamp(damping * into_mps, -pressure_pa, pressure_pa);
 }
 
 double Plate::PlasticSinkage_m(double share, double ease, double pressed_m, double pen_m) const {

@@ -22,8 +22,11 @@ class Plate {
   /// Whether Bekker's pressure at z_m is at least `pressure_pa`. Single precision tells in nearly
   /// all cases.
   bool Bears(double pressure_pa, double z_m) const;
+  /// Pressure of the ground on a point that is `pen_m` in it and goes further at `into_mps`, s k_e
+  /// pen at most Bekker's at a depth of `bearing_m`, damped. `share` is s.
+  double DampedPressure_pa(double share, double pen_m, double bearing_m, double into_mps) const;
   /// Solves s k_e (pen - ds) = p_Bekker(ease (pressed + ds)) for ds by safeguarded Newton steps; 0
-  /// where the ground bears the plate elastically. `share` is s; of `ease` see Rolling.
+  /// where the ground bears the plate elastically. Of `ease` see Rolling.
   double PlasticSinkage_m(double share, double ease, double pressed_m, double pen_m) const;
   /// Work per unit area of pushing soil aside from sinkage `from_m` to `to_m`.
   double BulldozingWork_jpm2(double from_m, double to_m) const;

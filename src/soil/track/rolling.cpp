@@ -3,86 +3,61 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/units.h"
-
 namespace tera {
 namespace {
 
 constexpr double kPeakAtNoSlip = 0.40, kPeakWithSlip = 0.15;  ///< c1, c2
-constexpr double kMostEntry_rad = 80 * kDeg;  ///< no rim enters the ground further up
-constexpr double kLeastEntry_rad = 1e-3;      ///< less is a wheel on what does not yield
-constexpr double kLeastEase = 1e-3;           ///< ground below the axle of a wheel that rolls
-constexpr double kSame = 1e-6;                ///< rounding of places in m and of directions
+constexpr double kDugBySlip = 1.3, kSlipToDig = 0.42;         ///< of g
+constexpr double kDugBySkid = 3.5;
+constexpr double kDugOverBearing = 6;     ///< of f
+constexpr double kGrouserShare = 0.5;     ///< of their height, added to K
+constexpr double kLeastEntry_rad = 1e-3;  ///< less is a wheel on what does not yield
+constexpr double kLeastShare = 1e-3;      ///< ground below the axle of a wheel that rolls
 
 }  // namespace
 
-Rolling::Rolling(const RunningGear& gear) : at_(gear.patches.size()) { FindWheels(gear); }
-
-/// Patches on one circle, in their order along it, have p = axle + radius n each. They are a wheel
-/// if they lie to both sides of straight down.
-void Rolling::FindWheels(const RunningGear& gear) {
-  const auto angle_rad = [&](std::size_t k) {
-    const Vec3& n_B = gear.patches[k].outward_B;
-    return std::atan2(n_B.x(), -n_B.z());
-  };
-  for (std::size_t first = 0, last = 0; first + 1 < gear.patches.size(); first = last + 1) {
-    const ContactPatch& a = gear.patches[first];
-    const ContactPatch& b = gear.patches[first + 1];
-    last = first;
-    const Vec3 turn = b.outward_B - a.outward_B;
-    if (turn.norm() < kSame) continue;
-    const double radius_m = (b.p_B_m - a.p_B_m).dot(turn) / turn.squaredNorm();
-    const Vec3 axle_B_m = a.p_B_m - radius_m * a.outward_B;
-    while (last + 1 < gear.patches.size()) {
-      const ContactPatch& next = gear.patches[last + 1];
-      if ((next.p_B_m - radius_m * next.outward_B - axle_B_m).norm() > kSame) break;
-      ++last;
-    }
-    if (angle_rad(first) * angle_rad(last) >= 0) continue;
-    for (std::size_t k = first; k <= last; ++k) {
-      at_[k] = {static_cast<int>(wheels_.size()), angle_rad(k)};
-    }
-    wheels_.push_back({axle_B_m, radius_m});
-  }
+double Rolling::BearingShare(const SoilType& soil, double grouser_m, double deep_m) const {
+  const double x = slip / kSlipToDig;
+  const double g = -kDugBySlip * std::expm1(-x * x) + kDugBySkid * skid * skid;
+  if (g <= 0 || deep_m <= 0) return 1;
+  const double dug_m = g * (soil.shear_modulus_m + kGrouserShare * grouser_m);
+  const double most = kDugOverBearing * g;
+  return 1 - std::min(dug_m / deep_m, most / (1 + most));
 }
 
-void Rolling::Advance(double forward_m, double shoe_m, double contact_m, const Pose& X_WB,
-                      const Columns& ground) {
-  if (contact_m <= 0 || wheels_.empty()) return;
-  const double length_m = contact_m / wheels_.size();
-  slipped_ =
-      (slipped_ * length_m + std::abs(forward_m - shoe_m)) / (length_m + std::abs(forward_m));
-  for (Wheel& wheel : wheels_) {
-    wheel.rolled = std::clamp(wheel.rolled + shoe_m / length_m, -1.0, 1.0);
-    const double side = wheel.rolled < 0 ? -1 : 1;
-    // The rim enters where it meets ground as high as a column beyond where it did before.
-    const double ahead_m = wheel.radius_m * std::sin(wheel.entry_rad) + ground.cell_m();
-    const Vec3 axle_W = X_WB * wheel.axle_B_m;
-    Vec3 q_W = axle_W + side * ahead_m * X_WB.linear().col(0);
-    q_W.z() = ground.SampleAt(q_W.x(), q_W.y()).top_m;
-    const double cosine = (axle_W - q_W).dot(X_WB.linear().col(2)) / wheel.radius_m;
-    wheel.entry_rad = std::acos(std::clamp(cosine, std::cos(kMostEntry_rad), 1.0));
-  }
-}
-
-double Rolling::Ease(std::size_t k, double along_m, double pressed_m, double pen_m) const {
-  if (at_[k].wheel < 0) return 1;
-  const double slip = slipped_ / (1 + slipped_);
-  const double slip_ease = (1 - 0.5 * slip) / (1 + slip);
-  const Wheel& wheel = wheels_[at_[k].wheel];
-  const double entry_rad = wheel.entry_rad;
-  const double theta_rad =
-      (wheel.rolled < 0 ? -1 : 1) * (at_[k].angle_rad - along_m / wheel.radius_m);
+double Rolling::ShareAt(const Place& place, double entry_rad, double bearing_share) const {
+  const double plastic = place.pressed_m / (place.pressed_m + place.pen_m);
+  const double trails = 0.5 * (std::abs(aside) - aside * place.across);
+  const double across_share = 1 - plastic * trails;
+  const double angle_rad = place.angle_rad;
   const double peak_rad = (kPeakAtNoSlip + kPeakWithSlip * slip) * entry_rad;
-  if (theta_rad >= peak_rad || entry_rad < kLeastEntry_rad) return slip_ease;
+  if (angle_rad >= peak_rad || entry_rad < kLeastEntry_rad) return across_share * bearing_share;
   double behind_peak = 0;
-  if (theta_rad > 0) {
-    const double mirrored_rad = entry_rad - theta_rad / peak_rad * (entry_rad - peak_rad);
+  if (angle_rad > 0) {
+    const double mirrored_rad = entry_rad - angle_rad / peak_rad * (entry_rad - peak_rad);
     behind_peak = (std::cos(mirrored_rad) - std::cos(entry_rad)) /
-                  (std::cos(theta_rad) - std::cos(entry_rad));
+                  (std::cos(angle_rad) - std::cos(entry_rad));
   }
-  const double plastic = std::abs(wheel.rolled) * pressed_m / (pressed_m + pen_m);
-  return std::max(kLeastEase, slip_ease * (1 - plastic * (1 - behind_peak)));
+  const double along_share = 1 - std::abs(rolled) * plastic * (1 - behind_peak);
+  return std::max(kLeastShare, across_share * along_share * bearing_share);
+}
+
+void RollingMemory::Advance(double forward_m, double aside_m, double shoe_m, double length_m) {
+  if (length_m <= 0) return;
+  const double way_m = std::hypot(forward_m, aside_m);
+  const bool against = forward_m * shoe_m < 0;  // it turns the other way
+  const double slip_m = against ? -(way_m + std::abs(shoe_m)) : std::abs(shoe_m) - way_m;
+  slipped_ = std::max(-1.0, (slipped_ * length_m + slip_m) / (length_m + way_m));
+  const double moved_m = std::abs(shoe_m) > std::abs(forward_m) ? shoe_m : forward_m;
+  rolled_ = std::clamp(rolled_ + moved_m / length_m, -1.0, 1.0);
+  aside_ = (aside_ * length_m + aside_m) / (length_m + way_m);
+}
+
+Rolling RollingMemory::State() const {
+  return {.slip = slipped_ > 0 ? slipped_ / (1 + slipped_) : 0,
+          .skid = std::max(0.0, -slipped_),
+          .rolled = rolled_,
+          .aside = aside_};
 }
 
 }  // namespace tera

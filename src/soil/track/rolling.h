@@ -1,62 +1,59 @@
 #pragma once
 
-#include <vector>
-
-#include "core/types/ground_tools.h"
-#include "soil/columns/columns.h"
+#include "soil/soil.h"
 
 namespace tera {
 
 /// How much softer ground is under a wheel that rolls and slips than under a plate: it bears what
-/// Bekker's plate would at `ease` times its sinkage, p = p_B(ease z). Under a track, `ease` is 1.
+/// Bekker's plate would at a share of its sinkage, p = p_B(share z).
 ///
-/// Frames  B the frame of the gear's link; W.
-/// Model   A wheel's patches lie on a circle, to both sides of straight down. The stress at theta
-///         from there is greatest at theta_m = (c1 + c2 i) theta_1, theta_1 where the rim enters
-///         the ground, and falls off to nothing below the axle: behind theta_m, ease has the factor
-///         (cos theta' - cos theta_1) / (cos theta - cos theta_1), theta' = theta_1 - theta
-///         (theta_1 - theta_m) / theta_m. It is as much nearer to 1 as the wheel has not rolled
-///         over its contact's length yet, or as its sinkage is elastic. Soil that has flowed back
-///         behind the axle thus bears as what has not been pressed.
-///         Slip sinkage: ease has the factor (1 - i / 2) / (1 + i), i = rho / (1 + rho), where rho
-///         is what the ground under the wheel has been slipped over, as a multiple of the contact's
-///         length. At steady slip i is the slip; under a locked wheel that skids, 1 / 2.
+/// Model   The stress at theta from straight down is greatest at theta_m = (c1 + c2 i) theta_1,
+///         theta_1 where the rim enters the ground, and falls off to nothing below the axle: behind
+///         theta_m the share has the factor (cos theta' - cos theta_1) / (cos theta - cos theta_1),
+///         theta' = theta_1 - theta (theta_1 - theta_m) / theta_m. To the side likewise, the share
+///         falls off from the leading edge to the trailing one, by the sine of the slip angle. Both
+///         are as much nearer to 1 as the wheel has not come over its contact's length yet, or as
+///         its sinkage is elastic.
+///         Slip and skid dig a wheel in: of the sinkage z, what they have dug bears nothing, the
+///         share is 1 - min(d / z, f / (1 + f)). Slip i digs d = g (K + h / 2), g = 1.3 (1 -
+///         exp(-(i / 0.42)^2)), K the soil's shear displacement and h the height of grousers; skid
+///         digs as much with g = 3.5 times the skid squared. Where a plate would hardly sink, it is
+///         bounded by f = 6 g times what bears.
 /// Source  Wong and Reece 1967, J. Terramechanics 4(1): peak and rear of the stress, with c1 = 0.4
 ///         and c2 = 0.15 of the ranges in Ishigami, Miwa, Nagatani and Yoshida 2007, J. Field
-///         Robotics 24(3). Slip sinkage: Lyasko 2010, J. Terramechanics 47. Skid as slip is an
-///         estimate.
-/// Omits   soil that a wheel carries out behind it; slip across it; slip sinkage of tracks, but for
-///         what their grousers carry out, see Rut.
-class Rolling {
- public:
-  explicit Rolling(const RunningGear& gear);
+///         Robotics 24(3). What slip digs: fitted to two single-wheel tests of smooth wheels, Ding
+///         et al. 2011, J. Terramechanics 48(1), and Pavlov and Johnson's data (robomechanics,
+///         3d-terramechanics), whose soils, loads and radii differ threefold; h / 2 to the lugged
+///         wheel of the first. Skid: the second. Sideways: by analogy. See docs/evidence/soil.md.
+struct Rolling {
+  double slip = 0;    ///< i: 1 - v / (r w), 0 to 1, of what the contact has met
+  double skid = 0;    ///< 1 - r w / v, 0 to 1
+  double rolled = 0;  ///< -1 to 1: contact's length, forwards, or further
+  double aside = 0;   ///< -1 to 1: of its way, to the left
 
-  /// Before a step in which the gear goes `forward_m` over ground, its shoes `shoe_m` under it;
-  /// `contact_m` is the length of ground under the whole gear.
-  void Advance(double forward_m, double shoe_m, double contact_m, const Pose& X_WB,
-               const Columns& ground);
-  /// Of a point of patch `k` that is `along_m` (along travel) from its middle and `pen_m` in ground
-  /// that has been pressed in by `pressed_m`.
-  double Ease(std::size_t k, double along_m, double pressed_m, double pen_m) const;
-  /// Whether patch `k` is part of a wheel.
-  bool OnWheel(std::size_t k) const { return at_[k].wheel >= 0; }
+  /// Share of the sinkage that bears under a wheel whose lowest point is `deep_m` deep.
+  double BearingShare(const SoilType& soil, double grouser_m, double deep_m) const;
+  /// A place on its rim, `pen_m` in ground that has been pressed in by `pressed_m`.
+  struct Place {
+    double angle_rad;  ///< from straight down, positive to the side to which it rolls
+    double across;     ///< -1 to 1, from its right edge to its left
+    double pressed_m, pen_m;
+  };
+  /// The same there.
+  double ShareAt(const Place& place, double entry_rad, double bearing_share) const;
+};
+
+/// What a wheel has met of late: averages over the contact's length.
+class RollingMemory {
+ public:
+  /// In a step it goes `forward_m` ahead and `aside_m` to a side, its rim `shoe_m` under it, over a
+  /// contact `length_m` long.
+  void Advance(double forward_m, double aside_m, double shoe_m, double length_m);
+  Rolling State() const;
 
  private:
-  struct Wheel {
-    Vec3 axle_B_m;
-    double radius_m;
-    double entry_rad = 0;  ///< theta_1, on the side to which it rolls
-    double rolled = 0;     ///< -1 to 1: contact's length, forwards, or further
-  };
-  struct Place {
-    int wheel = -1;
-    double angle_rad = 0;  ///< from straight down, positive to the front
-  };
-  void FindWheels(const RunningGear& gear);
-
-  std::vector<Wheel> wheels_;
-  std::vector<Place> at_;  ///< of each patch
-  double slipped_ = 0;     ///< rho
+  double slipped_ = 0;  ///< way of the rim less that of the wheel, over the latter
+  double rolled_ = 0, aside_ = 0;
 };
 
 }  // namespace tera

@@ -69,17 +69,20 @@ struct Rut::Under {
   ColumnId id;
   std::size_t patch;
   const Footprint& foot;
-  Vec3 d_W_m;   ///< from the middle of the patch, on its plane
-  double ease;  ///< see Rolling
-  bool on_wheel;
+  Vec3 d_W_m;                ///< from the middle of the patch, on its plane
   double middle_m, width_m;  ///< across, of what touches of the patch
   double along_m() const { return d_W_m.dot(foot.along_W); }
   double across_m() const { return d_W_m.dot(foot.across_W); }
 };
 
-double Rut::Press(std::size_t patch_index, double touching, const Rolling& rolling,
-                  const BodyState& body, double dt_s, const LowObstacles& obstacles,
-                  Columns* ground) {
+void Rut::Cover(ColumnId k, double low_m, Columns* ground) {
+  ground->MarkRut(k);
+  ground->Block(k, low_m);
+  covered_.push_back(k);
+}
+
+double Rut::Press(std::size_t patch_index, double touching, const BodyState& body, double dt_s,
+                  const LowObstacles& obstacles, Columns* ground) {
   pressed_.clear();
   const ContactPatch& patch = gear_.patches[patch_index];
   const Footprint foot(patch, body.X_WB);
@@ -99,17 +102,12 @@ double Rut::Press(std::size_t patch_index, double touching, const Rolling& rolli
     const auto obstacle = obstacles.TopAt(ground->x_m(i), ground->y_m(j), climb_m);
     if (obstacle && obstacle->z_m > top_m) return;
     if (k == Columns::kNone) k = ground->Touch(i, j);
-    ground->MarkRut(k);
-    ground->Block(k, patch_z_m);
+    Cover(k, patch_z_m, ground);
     pressed_.push_back(k);
-    const double ease =
-        rolling.Ease(patch_index, d_W.dot(foot.along_W), ground->skin(k).pressed_m, pen_m);
-    work_j += Sink({k, patch_index, foot, d_W, ease, rolling.OnWheel(patch_index), middle_m,
-                    touching * patch.width_m},
-                   pen_m, body, dt_s, ground);
+    work_j += Sink({k, patch_index, foot, d_W, middle_m, touching * patch.width_m}, pen_m, body,
+                   dt_s, ground);
   });
   if (!pressed_.empty() && !side) touching_.push_back(patch_index);
-  covered_.insert(covered_.end(), pressed_.begin(), pressed_.end());
   return work_j;
 }
 
@@ -117,37 +115,37 @@ double Rut::Press(std::size_t patch_index, double touching, const Rolling& rolli
 /// patch's pressure does not do.
 double Rut::Sink(const Under& column, double pen_m, const BodyState& body, double dt_s,
                  Columns* ground) {
-  const auto& [k, patch_index, foot, d_W, ease, on_wheel, middle_m, width_m] = column;
+  const auto& [k, patch_index, foot, d_W, middle_m, width_m] = column;
   const ContactPatch& patch = gear_.patches[patch_index];
   const Plate& plate = plates_[patch_index * soils_.size() + ground->soil_at(k)];
   const double was_m = ground->skin(k).pressed_m;
   const double plastic_m =
-      plate.PlasticSinkage_m(PressureShare(patch, column.along_m()), ease, was_m, pen_m);
+      plate.PlasticSinkage_m(PressureShare(patch, column.along_m()), 1, was_m, pen_m);
   if (plastic_m <= 0) return 0;
   const Vec3 v_W =
       body.v_WB_mps + body.w_WB_radps.cross(foot.p_W_m + d_W - body.X_WB.translation());
-  // What sinks where it stands presses soil together; what comes along also pushes it aside. The
-  // stresses under a wheel are measured ones, which hold the latter.
+  // What sinks where it stands presses soil together; what comes along also pushes it aside.
   const double forward = ForwardShare(foot, body, v_W);
   const double moved_on =
       forward * (1 - std::clamp(v_W.dot(foot.n_W) * dt_s / plastic_m, 0.0, 1.0));
   const double came_along =
-      on_wheel ? 0
-               : forward * (1 - std::clamp(v_W.z() * foot.n_W.z() * dt_s / plastic_m, 0.0, 1.0));
+      forward * (1 - std::clamp(v_W.z() * foot.n_W.z() * dt_s / plastic_m, 0.0, 1.0));
   const double is_m = was_m + plastic_m;
-  const double bekker_jpm2 = (BekkerWork_jpm2(plate.soil(), plate.width_m(), ease * is_m) -
-                              BekkerWork_jpm2(plate.soil(), plate.width_m(), ease * was_m)) /
-                             ease;
-  SpoilMix beside;
-  ground->Press(k, plastic_m / -foot.n_W.z(), kInfluenceDepths * patch.width_m, &beside);
-  if (!beside.empty()) {
-    const double from_middle_m = column.across_m() - middle_m;
-    const double out_m = middle_m + std::copysign(0.5 * width_m + ground->cell_m(), from_middle_m);
-    const Vec3 out_W = foot.p_W_m + d_W + (out_m - column.across_m()) * foot.across_W;
-    ground->DepositAt(ground->NearestI(out_W.x()), ground->NearestJ(out_W.y()), beside);
-  }
+  const double bekker_jpm2 = BekkerWork_jpm2(plate.soil(), plate.width_m(), is_m) -
+                             BekkerWork_jpm2(plate.soil(), plate.width_m(), was_m);
+  const double from_middle_m = column.across_m() - middle_m;
+  const double out_m = middle_m + std::copysign(0.5 * width_m + ground->cell_m(), from_middle_m);
+  const Vec3 out_W = foot.p_W_m + d_W + (out_m - column.across_m()) * foot.across_W;
+  Lower(k, plastic_m / -foot.n_W.z(), patch.width_m, out_W.head<2>(), ground);
   return ground->area_m2() *
          (moved_on * bekker_jpm2 + came_along * plate.BulldozingWork_jpm2(was_m, is_m));
+}
+
+void Rut::Lower(ColumnId k, double ds_m, double width_m, const Vec2& out_W_m, Columns* ground) {
+  SpoilMix beside;
+  ground->Press(k, ds_m, kInfluenceDepths * width_m, &beside);
+  if (beside.empty()) return;
+  ground->DepositAt(ground->NearestI(out_W_m.x()), ground->NearestJ(out_W_m.y()), beside);
 }
 
 void Rut::Slip(std::size_t k, double slip_m, double sinkage_m, double contact_m,

@@ -6,7 +6,6 @@
 #include "soil/columns/columns.h"
 #include "soil/track/low_obstacles.h"
 #include "soil/track/plate.h"
-#include "soil/track/rolling.h"
 #include "soil/track/tread.h"
 
 namespace tera {
@@ -31,8 +30,7 @@ struct Footprint {
 ///
 /// Frames  W; patches in the frame B of the gear's link.
 /// Model   Columns under a patch give way plastically to where the patch's elastic pressure, with
-///         its peaks under road wheels, and Bekker's, eased as in Rolling, agree, and remember it
-///         for later passes.
+///         its peaks under road wheels, and Bekker's agree, and remember it for later passes.
 ///         Height becomes density; what would exceed the greatest is put beside the gear. Soil
 ///         between grousers goes with the shoes: where they slip over the ground, a layer as thick
 ///         as they are high, and no thicker than they have sunk in, leaves at the end to which it
@@ -52,8 +50,13 @@ class Rut {
   /// Presses the columns under patch `k` where they cannot bear it and no low obstacle lies on
   /// them; of a side face under the share `touching`, see SideFaces. Returns the work of it that
   /// the patch's pressure does not do, because the gear moves on rather than down.
-  double Press(std::size_t k, double touching, const Rolling& rolling, const BodyState& body,
-               double dt_s, const LowObstacles& obstacles, Columns* ground);
+  double Press(std::size_t k, double touching, const BodyState& body, double dt_s,
+               const LowObstacles& obstacles, Columns* ground);
+  /// The gear stands over a column, from `low_m` upwards.
+  void Cover(ColumnId k, double low_m, Columns* ground);
+  /// Lowers the surface of a column by `ds_m` under gear `width_m` wide. What cannot be pressed
+  /// together is put down at `out_W_m`.
+  void Lower(ColumnId k, double ds_m, double width_m, const Vec2& out_W_m, Columns* ground);
   /// Lets patch `k`, whose columns were just pressed, slip by `slip_m` over them, along travel;
   /// `contact_m` is the length of ground under the whole gear.
   /// Its shoes stand `sinkage_m` deep.

@@ -17,31 +17,32 @@ namespace tera::testing_soil {
 struct RigidWheel {
   double radius_m, width_m, load_n;
   double grouser_m = 0;
+  int patches = 21;
 };
 
 /// The wheel as patches around its lower half, its axle at the link's origin.
 inline RunningGear WheelGear(const RigidWheel& wheel) {
   constexpr double kReach_rad = 80 * kDeg;
-  constexpr int kCount = 21;
+  const int count = wheel.patches;
   RunningGear gear;
   gear.name = "wheel";
   gear.drive_radius_m = wheel.radius_m;
   gear.grouser_m = wheel.grouser_m;
-  for (int k = 0; k < kCount; ++k) {
-    const double angle_rad = kReach_rad * (2 * (k + 0.5) / kCount - 1);
+  for (int k = 0; k < count; ++k) {
+    const double angle_rad = kReach_rad * (2 * (k + 0.5) / count - 1);
     const double s = std::sin(angle_rad), c = std::cos(angle_rad);
     ContactPatch patch;
     patch.outward_B = Vec3(s, 0, -c);
     patch.travel_B = Vec3(-c, 0, -s);
     patch.p_B_m = wheel.radius_m * patch.outward_B;
-    patch.length_m = wheel.radius_m * 2 * kReach_rad / kCount;
+    patch.length_m = wheel.radius_m * 2 * kReach_rad / count;
     patch.width_m = wheel.width_m;
     gear.patches.push_back(patch);
   }
   return gear;
 }
 
-/// Means over the last quarter of a run of 9 radii, in the wheel's frame: x ahead, y to its left.
+/// Means over the last quarter of a run of 12 radii, in the wheel's frame: x ahead, y to its left.
 struct WheelTest {
   double still_m = 0;     ///< sinkage of its lowest point before it starts
   double sinkage_m = 0;   ///< the same as it runs
@@ -50,17 +51,17 @@ struct WheelTest {
   double traction_n = 0;  ///< torque over radius
 };
 
-/// `soil_yaml` is the site's but for size and cells. Straight across, at a slip angle of 90 deg,
-/// the wheel is locked.
-inline WheelTest RunWheel(const RigidWheel& wheel, const std::string& soil_yaml, double slip,
-                          double slip_angle_rad = 0) {
+/// `soil_yaml` is the site's but for size and cells. `rim_over_way` is the rim's speed over that of
+/// the axle along the way.
+inline WheelTest RunWheelAt(const RigidWheel& wheel, const std::string& soil_yaml,
+                            double rim_over_way, double slip_angle_rad = 0) {
   constexpr double kCellsAcross = 12, kLeastCell_m = 0.01;
   const double speed_mps = 0.1 + 0.2 * wheel.radius_m;
   // As it falls freely: in a step by less than the ground rebounds.
   const double sinking_mps = std::max(0.02, 0.08 * wheel.radius_m);
-  const int settle = 2000, run = static_cast<int>(9 * wheel.radius_m / speed_mps / kStep_s);
+  const int settle = 2000, run = static_cast<int>(12 * wheel.radius_m / speed_mps / kStep_s);
   const auto soil =
-      MakeGround(fmt::format("size_m: [{0}, {0}]\ncell_m: {1}\n{2}", 20 * wheel.radius_m,
+      MakeGround(fmt::format("size_m: [{0}, {0}]\ncell_m: {1}\n{2}", 24 * wheel.radius_m,
                              std::max(kLeastCell_m, wheel.width_m / kCellsAcross), soil_yaml));
   GroundTools tools;
   tools.gears.push_back(WheelGear(wheel));
@@ -70,7 +71,7 @@ inline WheelTest RunWheel(const RigidWheel& wheel, const std::string& soil_yaml,
   const Vec3 ahead_W = R_WB.col(0), left_W = R_WB.col(1);
   const Vec3 v_W_mps =
       speed_mps * (std::cos(slip_angle_rad) * ahead_W + std::sin(slip_angle_rad) * left_W);
-  const double rate_radps = v_W_mps.dot(ahead_W) / (1 - slip) / wheel.radius_m;
+  const double rate_radps = rim_over_way * speed_mps / wheel.radius_m;
 
   std::vector<BodyState> links(1);
   links[0].X_WB =
@@ -98,6 +99,12 @@ inline WheelTest RunWheel(const RigidWheel& wheel, const std::string& soil_yaml,
     test.traction_n += reaction.gear_traction_n[0] / measured;
   }
   return test;
+}
+
+/// Straight across, at a slip angle of 90 deg, the wheel is locked.
+inline WheelTest RunWheel(const RigidWheel& wheel, const std::string& soil_yaml, double slip,
+                          double slip_angle_rad = 0) {
+  return RunWheelAt(wheel, soil_yaml, std::cos(slip_angle_rad) / (1 - slip), slip_angle_rad);
 }
 
 }  // namespace tera::testing_soil

@@ -11,13 +11,11 @@
 /// do, with nothing of TERA's ground.
 ///
 /// Model   Normal stress: Wong and Reece 1967, J. Terramechanics 4(1), greatest at (c1 + c2 s) of
-/// the
-///         entry angle, nothing below the axle; c1 = 0.4, c2 = 0.15. Shear: Janosi and Hanamoto,
-///         with j_x = r ((theta_1 - theta) - (1 - s) (sin theta_1 - sin theta)) and j_y = r (1 - s)
-///         (theta_1 - theta) tan beta. Side: shear and Hegedus' bulldozing over the sunk side of
-///         the wheel, before and behind the axle: Ishigami, Miwa, Nagatani and Yoshida 2007, J.
-///         Field Robotics 24(3). Slip sinkage: Lyasko 2010, J. Terramechanics 47, z / z_0 = (1 + s)
-///         / (1 - s / 2).
+///         the entry angle, nothing below the axle; c1 = 0.4, c2 = 0.15. Shear: Janosi and
+///         Hanamoto, with j_x = r ((theta_1 - theta) - (1 - s) (sin theta_1 - sin theta)) and j_y =
+///         r (1 - s) (theta_1 - theta) tan beta. Side: shear and Hegedus' bulldozing over the sunk
+///         side of the wheel, before and behind the axle, times sin beta: Ishigami, Miwa, Nagatani
+///         and Yoshida 2007, J. Field Robotics 24(3). No slip sinkage.
 
 namespace tera::testing_soil {
 
@@ -60,14 +58,12 @@ inline WheelForces StressesFrom(double entry_rad, const RigidWheel& wheel, const
   constexpr int kParts = 400;
   const double r = wheel.radius_m, b = wheel.width_m;
   const double peak_rad = (kC1 + kC2 * slip) * entry_rad;
-  const double deeper = (1 + slip) / (1 - 0.5 * slip);
   const auto depth_m = [&](double a) { return r * (std::cos(a) - std::cos(entry_rad)); };
   WheelForces f{.sinkage_m = depth_m(0)};
   const double da = entry_rad / kParts;
   for (double a = 0.5 * da; a < entry_rad; a += da) {
     const double bears_as = a > peak_rad ? a : entry_rad - a / peak_rad * (entry_rad - peak_rad);
-    const double p_pa =
-        (soil.k_c / b + soil.k_phi) * std::pow(depth_m(bears_as) / deeper, soil.exponent);
+    const double p_pa = (soil.k_c / b + soil.k_phi) * std::pow(depth_m(bears_as), soil.exponent);
     const double j_x_m = r * ((entry_rad - a) - (1 - slip) * (std::sin(entry_rad) - std::sin(a)));
     const double j_y_m = r * (1 - slip) * (entry_rad - a) * std::tan(slip_angle_rad);
     const double strength_pa = soil.cohesion_pa + p_pa * std::tan(soil.friction_rad);
@@ -78,7 +74,7 @@ inline WheelForces StressesFrom(double entry_rad, const RigidWheel& wheel, const
     f.side_n += r * b * da * strength_pa * -std::expm1(-j_y_m / soil.shear_m);
     f.face_n += 2 * HegedusResistance_npm(soil, depth_m(a)) * (r - depth_m(a) * std::cos(a)) * da;
   }
-  if (slip_angle_rad > 0) f.side_n += f.face_n;
+  f.side_n += std::sin(slip_angle_rad) * f.face_n;
   return f;
 }
 
