@@ -65,6 +65,11 @@ class TextCursor {
     while (TakeOneOf(" ")) {
     }
   }
+  void SkipLetters() {
+    while (!rest_.empty() && std::isalpha(static_cast<unsigned char>(rest_.front())) != 0) {
+      rest_.remove_prefix(1);
+    }
+  }
 
  private:
   static bool IsDigit(char c) { return c >= '0' && c <= '9'; }
@@ -75,9 +80,25 @@ std::optional<int> TakeMonthName(TextCursor* text) {
   constexpr std::array<std::string_view, 12> kMonths = {"jan", "feb", "mar", "apr", "may", "jun",
                                                         "jul", "aug", "sep", "oct", "nov", "dec"};
   for (std::size_t m = 0; m < kMonths.size(); ++m) {
-    if (text->TakeWord(kMonths[m])) return static_cast<int>(m) + 1;
+    if (!text->TakeWord(kMonths[m])) continue;
+    text->SkipLetters();
+    return static_cast<int>(m) + 1;
   }
   return std::nullopt;
+}
+
+/// "Sat " or "Sat, ".
+void SkipWeekday(TextCursor* text) {
+  for (const char* day : {"mon", "tue", "wed", "thu", "fri", "sat", "sun"}) {
+    TextCursor after = *text;
+    if (!after.TakeWord(day)) continue;
+    after.SkipLetters();
+    after.TakeOneOf(",");
+    if (!after.TakeOneOf(" ")) continue;
+    after.SkipBlanks();
+    *text = after;
+    return;
+  }
 }
 
 struct TakenDate {
@@ -170,31 +191,66 @@ std::optional<TakenZone> TakeZone(TextCursor* text) {
   return TakenZone{true, is_behind ? -ahead_ns : ahead_ns};
 }
 
+CalendarTime OfParts(TimeNs day_ns, TimeNs clock_ns, const TakenZone& zone) {
+  return {day_ns + clock_ns - zone.ahead_ns, zone.is_there, zone.ahead_ns, true};
+}
+
+/// "Nov 28 22:46:10 2026" or "Nov 28, 2026 22:46:10".
+std::optional<CalendarTime> TakeMonthFirst(TextCursor text) {
+  const auto month = TakeMonthName(&text);
+  if (!month || !text.TakeOneOf(" ")) return std::nullopt;
+  text.SkipBlanks();
+  const auto day = text.TakeNumber(1, 2);
+  text.TakeOneOf(",");
+  if (!day || !text.TakeOneOf(" ")) return std::nullopt;
+  text.SkipBlanks();
+  const bool year_is_last = text.DigitCount() != 4;
+  std::optional<int> year = year_is_last ? std::nullopt : text.TakeDigits(4);
+  text.SkipBlanks();
+  if (!year_is_last && text.at_end()) {
+    const auto day_ns = DayOf(year.value_or(0), *month, *day);
+    return day_ns ? std::optional(CalendarTime{*day_ns, false, 0, false}) : std::nullopt;
+  }
+  const auto clock_ns = TakeClock(&text, false);
+  text.SkipBlanks();
+  const bool is_utc = year_is_last && (text.TakeWord("utc ") || text.TakeWord("gmt "));
+  if (year_is_last) year = text.TakeDigits(4);
+  auto zone = TakeZone(&text);
+  const auto day_ns = DayOf(year.value_or(0), *month, *day);
+  if (!clock_ns || !zone || !day_ns) return std::nullopt;
+  zone->is_there = zone->is_there || is_utc;
+  return OfParts(*day_ns, *clock_ns, *zone);
+}
+
 }  // namespace
 
 std::optional<CalendarTime> CalendarTimeOf(std::string_view text, std::optional<DateOrder> order) {
   TextCursor cursor(text);
+  SkipWeekday(&cursor);
+  if (const auto time = TakeMonthFirst(cursor)) return time;
   const auto date = TakeDate(&cursor, order);
   if (!date || date->needs_order) return std::nullopt;
-  if (cursor.at_end()) return CalendarTime{date->day_ns, false, false};
+  if (cursor.at_end()) return CalendarTime{date->day_ns, false, 0, false};
   if (!cursor.TakeOneOf("Tt _")) return std::nullopt;
   cursor.SkipBlanks();
   const auto clock_ns = TakeClock(&cursor, date->is_compact && cursor.DigitCount() >= 4);
   const auto zone = clock_ns ? TakeZone(&cursor) : std::nullopt;
   if (!zone) return std::nullopt;
-  return CalendarTime{date->day_ns + *clock_ns - zone->ahead_ns, zone->is_there, true};
+  return OfParts(date->day_ns, *clock_ns, *zone);
 }
 
 std::optional<CalendarTime> ClockTimeOf(std::string_view text) {
   TextCursor cursor(text);
-  const auto clock_ns = TakeClock(&cursor, false);
+  constexpr std::size_t kCompactDigits = 6;
+  const auto clock_ns = TakeClock(&cursor, cursor.DigitCount() == kCompactDigits);
   const auto zone = clock_ns ? TakeZone(&cursor) : std::nullopt;
   if (!zone) return std::nullopt;
-  return CalendarTime{*clock_ns - zone->ahead_ns, zone->is_there, true};
+  return OfParts(0, *clock_ns, *zone);
 }
 
 bool NeedsDateOrder(std::string_view text) {
   TextCursor cursor(text);
+  SkipWeekday(&cursor);
   const auto date = TakeDate(&cursor, std::nullopt);
   return date && date->needs_order;
 }

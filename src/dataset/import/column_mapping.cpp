@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kMinute_s = 60.0, kHour_s = 3600.0, kDay_s = 86400.0;
 
+constexpr const char* kDegreesAndMinutes = "ddmm";
+
 constexpr Unit kUnits[] = {
     {"s", Dimension::kTime, 1},
     {"ms", Dimension::kTime, 1e-3},
@@ -29,6 +31,7 @@ constexpr Unit kUnits[] = {
     {"mm", Dimension::kLength, 1e-3},
     {"rad", Dimension::kAngle, 1},
     {"deg", Dimension::kAngle, kDeg},
+    {kDegreesAndMinutes, Dimension::kAngle, kDeg},
     {"m/s", Dimension::kSpeed, 1},
     {"km/h", Dimension::kSpeed, 1000 / kHour_s},
     {"rad/s", Dimension::kRate, 1},
@@ -54,6 +57,7 @@ struct Spelling {
   double scale = 1.0;
 };
 
+constexpr double kDegreesOfGon = 0.9;
 constexpr double kFoot_m = 0.3048, kInch_m = 0.0254, kMile_m = 1609.344, kPsi_Pa = 6894.757293168;
 constexpr double kPoundForce_N = 4.4482216152605;
 
@@ -103,6 +107,11 @@ constexpr Spelling kSpellings[] = {
     {"°", "deg"},
     {"º", "deg"},
     {"grad", "deg"},
+    {"gon", "deg", kDegreesOfGon},
+    {"mgon", "deg", 1e-3 * kDegreesOfGon},
+    {"gon/s", "deg/s", kDegreesOfGon},
+    {"kft", "m", 1e3 * kFoot_m},
+    {"foot", "m", kFoot_m},
     {"radian", "rad"},
     {"radians", "rad"},
     {"mrad", "rad", 1e-3},
@@ -225,8 +234,9 @@ double ReadUnitFactor(const ConfigMap& config, Dimension dimension) {
   for (const Unit& u : kUnits) {
     if (dimension == Dimension::kAny || u.dimension == dimension) fitting.push_back(u.name);
   }
-  config.Fault("unit", fmt::format("'{}' does not fit here, need one of: {}", name,
-                                   fmt::join(fitting, ", ")));
+  config.Fault("unit",
+               {FaultKind::kNoSuchName, fmt::format("'{}' does not fit here, need one of: {}", name,
+                                                    fmt::join(fitting, ", "))});
   return 1.0;
 }
 
@@ -238,7 +248,9 @@ void ColumnMapping::MultiplyBy(double scale) {
 
 std::vector<ColumnTerm> ColumnMapping::Terms() const {
   std::vector<ColumnTerm> terms = further;
-  if (!column.empty()) terms.insert(terms.begin(), ColumnTerm{column, factor});
+  if (!column.empty()) {
+    terms.insert(terms.begin(), ColumnTerm{column, factor, 0, in_minutes, hemisphere});
+  }
   // The whole of a time's unit is counted without rounding.
   for (ColumnTerm& term : terms) {
     const double unit_ns = term.factor * static_cast<double>(kNsPerSecond);
@@ -252,7 +264,28 @@ std::vector<ColumnTerm> ColumnMapping::Terms() const {
 
 MappedColumn::MappedColumn(const RowTable& table, const ColumnMapping& mapping)
     : table_(table), mapping_(mapping), terms_(mapping.Terms()) {
-  for (const ColumnTerm& term : terms_) places_.push_back(table.Column(term.column));
+  for (const ColumnTerm& term : terms_) {
+    places_.push_back(table.Column(term.column));
+    sides_.push_back(term.hemisphere.empty() ? 0 : table.Column(term.hemisphere));
+  }
+}
+
+double MappedColumn::NumberOf(std::size_t row, std::size_t term) const {
+  constexpr double kHundred = 100, kMinutes = 60;
+  double number = table_.Number(row, places_[term]);
+  if (terms_[term].in_minutes) {
+    const double degrees = std::trunc(number / kHundred), minutes = number - degrees * kHundred;
+    if (std::abs(minutes) >= kMinutes) {
+      table_.Fail(row, places_[term], {FaultKind::kOutOfRange, "need minutes below 60, ddmm.mmmm"});
+    }
+    number = degrees + minutes / kMinutes;
+  }
+  if (terms_[term].hemisphere.empty()) return number;
+  const std::string side = LowerCase(std::string(table_.Text(row, sides_[term]).value_or("")));
+  if (side != "n" && side != "e" && side != "s" && side != "w") {
+    table_.Fail(row, sides_[term], {FaultKind::kNoSuchName, "need N, S, E or W"});
+  }
+  return side == "s" || side == "w" ? -number : number;
 }
 
 double MappedColumn::At(std::size_t row) const {
@@ -261,14 +294,16 @@ double MappedColumn::At(std::size_t row) const {
     if (!table_.IsPresent(row, places_[k])) {
       if (mapping_.may_lack) return std::numeric_limits<double>::quiet_NaN();
       table_.Fail(row, places_[k],
-                  fmt::format("which is no number; leave such rows out by valid_if: [{{column: {}, "
-                              "present: true}}]",
-                              terms_[k].column));
+                  {FaultKind::kMissing,
+                   fmt::format("which is no number; leave such rows out by valid_if: [{{column: "
+                               "{}, present: true}}]",
+                               terms_[k].column)});
     }
-    value += terms_[k].factor * table_.Number(row, places_[k]);
+    value += terms_[k].factor * NumberOf(row, k);
   }
   if (!terms_.empty() && (value < mapping_.allowed.min || value > mapping_.allowed.max)) {
-    table_.Fail(row, places_.front(), OutOfRange(value, mapping_.allowed));
+    table_.Fail(row, places_.front(),
+                {FaultKind::kOutOfRange, OutOfRange(value, mapping_.allowed)});
   }
   return value;
 }
@@ -287,14 +322,20 @@ ColumnMapping ReadColumnMapping(const ConfigMap& config, Dimension dimension,
       mapping.offset += part.offset;
       for (const ColumnTerm& term : part.Terms()) mapping.further.push_back(term);
     }
-    if (mapping.further.empty()) config.Fault("sum", "need at least one column");
+    if (mapping.further.empty())
+      config.Fault("sum", {FaultKind::kMissing, "need at least one column"});
     if (mapping.further.empty()) return mapping;
     mapping.column = mapping.further.front().column;
     mapping.factor = mapping.further.front().factor;
+    mapping.in_minutes = mapping.further.front().in_minutes;
+    mapping.hemisphere = mapping.further.front().hemisphere;
     mapping.further.erase(mapping.further.begin());
     return mapping;
   }
   mapping.column = config.Text("column");
+  if (config.Has("hemisphere")) mapping.hemisphere = config.Text("hemisphere");
+  mapping.in_minutes = dimension == Dimension::kAngle && config.Has("unit") &&
+                       config.Text("unit") == kDegreesAndMinutes;
   mapping.factor = ReadUnitFactor(config, dimension) * config.Number("scale", Any(""), 1.0);
   mapping.offset = config.Number("offset", Any(""), 0.0);
   return mapping;

@@ -51,7 +51,9 @@ std::optional<WrittenUnit> UnitOfText(std::string_view text, Dimension dimension
 struct ColumnTerm {
   std::string column;
   double factor = 1.0;
-  TimeNs factor_ns = 0;  ///< of a time in whole nanoseconds, microseconds, ...: one of its unit
+  TimeNs factor_ns = 0;     ///< of a time in whole nanoseconds, microseconds, ...: one of its unit
+  bool in_minutes = false;  ///< 4807.5 is 48 degrees and 7.5 minutes, as NMEA writes angles
+  std::string hemisphere;   ///< the column that says N, S, E or W; empty: none
 };
 
 /// value = field * factor + further fields by their factors + offset, or a constant.
@@ -62,6 +64,8 @@ struct ColumnMapping {
   /// A field without a number is taken as it is, as NaN: the channel knows what to make of it.
   bool may_lack = false;
   std::vector<ColumnTerm> further = {};  ///< of a sum
+  bool in_minutes = false;               ///< as of ColumnTerm
+  std::string hemisphere = {};
 
   /// The same value in other units.
   void MultiplyBy(double scale);
@@ -80,15 +84,18 @@ class MappedColumn {
   double At(std::size_t row) const;
 
  private:
+  /// The field's number in its unit.
+  double NumberOf(std::size_t row, std::size_t term) const;
+
   const RowTable& table_;
   const ColumnMapping& mapping_;
   std::vector<ColumnTerm> terms_;
-  std::vector<std::size_t> places_;
+  std::vector<std::size_t> places_, sides_;  ///< of the terms' columns and of their hemispheres
 };
 
-/// Reads `{column:, unit:, scale:, offset:}`, `{constant:}` or `{sum: [...]}` of such. The offset
-/// is in SI units. An unknown unit, or one of another dimension, is a fault; so is, when rows are
-/// read, a value that is not `allowed`.
+/// Reads `{column:, unit:, scale:, offset:, hemisphere:}`, `{constant:}` or `{sum: [...]}` of such.
+/// The offset is in SI units. An unknown unit, or one of another dimension, is a fault; so is, when
+/// rows are read, a value that is not `allowed`.
 ColumnMapping ReadColumnMapping(const ConfigMap& config, Dimension dimension,
                                 const Range& allowed = {});
 

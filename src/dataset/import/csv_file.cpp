@@ -7,57 +7,10 @@
 
 #include "core/config/spelling.h"
 #include "core/error.h"
-#include "core/parse_number.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/import/foreign_file.h"
 
 namespace tera {
-namespace {
-
-std::vector<std::string_view> Split(std::string_view line) {
-  std::vector<std::string_view> fields;
-  while (true) {
-    const std::size_t comma = line.find(',');
-    fields.push_back(line.substr(0, comma));
-    if (comma == std::string_view::npos) return fields;
-    line.remove_prefix(comma + 1);
-  }
-}
-
-}  // namespace
-
-CsvFile::CsvFile(const std::filesystem::path& path, LastLine last_line)
-    : path_(path), text_(std::make_unique<const std::string>(ReadWholeFile(path))) {
-  if (text_->empty()) {
-    throw InputError(fmt::format("{}:1: the file is empty; need a header line", path_.string()));
-  }
-  std::string_view rest = *text_;
-  for (int line = 1; !rest.empty(); ++line) {
-    const std::size_t end = rest.find('\n');
-    if (end == std::string_view::npos) {
-      if (last_line == LastLine::kIsLeftOutIfCut) break;
-      throw InputError(
-          fmt::format("{}:{}: the last line is cut off; need whole lines, copy or "
-                      "record the file again",
-                      path_.string(), line));
-    }
-    std::string_view row = rest.substr(0, end);
-    rest.remove_prefix(end + 1);
-    if (row.ends_with('\r')) row.remove_suffix(1);
-    const std::vector<std::string_view> fields = Split(row);
-    if (line == 1) {
-      columns_.assign(fields.begin(), fields.end());
-      continue;
-    }
-    if (fields.size() != columns_.size()) {
-      throw InputError(fmt::format("{}:{}: found {} fields, need {} as in the header",
-                                   path_.string(), line, fields.size(), columns_.size()));
-    }
-    AddRow(fields, line);
-  }
-  RequireUniqueColumns();
-}
-
 void CsvFile::AddRow(const std::vector<std::string_view>& fields, int line) {
   if (fields_.empty()) {  // room for all at once: growing would need twice as much
     const auto lines = static_cast<std::size_t>(std::count(text_->begin(), text_->end(), '\n'));
@@ -68,22 +21,13 @@ void CsvFile::AddRow(const std::vector<std::string_view>& fields, int line) {
   for (const std::string_view field : fields) {
     constexpr std::size_t kLongestField = (1 << 24) - 1;
     if (field.size() > kLongestField) {
-      throw InputError(fmt::format("{}:{}: a field of {} bytes; need at most {}", path_.string(),
-                                   line, field.size(), kLongestField));
+      FailAtLine(line, {FaultKind::kOutOfRange, fmt::format("a field of {} bytes; need at most {}",
+                                                            field.size(), kLongestField)});
     }
     const auto begin = field.empty() ? 0 : static_cast<std::uint64_t>(field.data() - text_->data());
     fields_.push_back({begin, field.size()});
   }
   line_of_row_.push_back(line);
-}
-
-void CsvFile::RequireUniqueColumns() const {
-  std::vector<std::string> names = columns_;
-  std::sort(names.begin(), names.end());
-  if (const auto twice = std::adjacent_find(names.begin(), names.end()); twice != names.end()) {
-    throw InputError(
-        fmt::format("{}:1: column '{}' is there twice; rename one", path_.string(), *twice));
-  }
 }
 
 void CsvFile::NameColumns(const std::vector<std::string_view>& names) {
@@ -106,11 +50,19 @@ CsvFile::CsvFile(const std::filesystem::path& path, const CsvForm& form, LeftOut
     : path_(path), numbers_(form.numbers) {
   RefuseForeignFile(path, "a table in text, a bag or another log that is known");
   text_ = std::make_unique<const std::string>(DecodedTable(ReadWholeFile(path)));
+  if (text_->empty()) {
+    throw InputError(path.string(), {FaultKind::kMissing,
+                                     "is empty; need a table with rows, copy or record it again"});
+  }
   ReadRows(*text_, form, left_out);
   if (columns_.empty()) {
-    throw InputError(fmt::format("{}:1: holds no line of {}", path_.string(),
-                                 form.has_header ? "column names" : "numbers"));
+    FailAtLine(1, {FaultKind::kMissing, fmt::format("holds no line of {}",
+                                                    form.has_header ? "column names" : "numbers")});
   }
+}
+
+void CsvFile::FailAtLine(int line, const InputFault& fault) const {
+  throw InputError(fmt::format("{}:{}", path_.string(), line), fault);
 }
 
 void CsvFile::ReadRows(std::string_view rest, const CsvForm& form, LeftOutRows* left_out) {
@@ -134,6 +86,8 @@ void CsvFile::ReadRows(std::string_view rest, const CsvForm& form, LeftOutRows* 
       --unit_lines;
       continue;
     }
+    if (form.last_line > 0 && number > form.last_line) break;
+    if (!is_header && number < form.first_line) continue;
     if (separator == 0) separator = SeparatorOfLine(line);
     std::vector<std::string_view> fields = FieldsOfRecord(line, separator);
     if (is_header) {
@@ -152,11 +106,12 @@ void CsvFile::ReadRows(std::string_view rest, const CsvForm& form, LeftOutRows* 
       AddRow(fields, number);
       continue;
     }
-    const std::string fault = WrongFieldCount(fields.size(), number, is_last);
+    const std::string fault = WrongFieldCount(fields.size(), is_last);
     if (left_out == nullptr) {
-      throw InputError(fault + "; mend it, or leave such rows out by --skip-bad-rows");
+      FailAtLine(number, {FaultKind::kMalformed,
+                          fault + "; mend it, or leave such rows out by --skip-bad-rows"});
     }
-    left_out->Add(fault);
+    left_out->Add(fmt::format("{}:{}: {}", path_.string(), number, fault));
   }
 }
 
@@ -164,10 +119,10 @@ void CsvFile::DropEmptyEnd(std::vector<std::string_view>* fields) const {
   while (fields->size() > columns_.size() && fields->back().empty()) fields->pop_back();
 }
 
-std::string CsvFile::WrongFieldCount(std::size_t found, int line, bool is_last) const {
-  std::string fault = fmt::format(
-      "{}:{}: found {} fields, need {} as in the {}", path_.string(), line, found, columns_.size(),
-      header_line_ > 0 ? fmt::format("header in line {}", header_line_) : "first row");
+std::string CsvFile::WrongFieldCount(std::size_t found, bool is_last) const {
+  std::string fault =
+      fmt::format("found {} fields, need {} as in the {}", found, columns_.size(),
+                  header_line_ > 0 ? fmt::format("header in line {}", header_line_) : "first row");
   if (header_line_ > 0 && found == 2 * columns_.size() && columns_.size() > 1) {
     fault += "; are commas decimal signs and separators at once? then write it with semicolons";
   }
@@ -179,18 +134,21 @@ std::size_t CsvFile::Column(const std::string& name) const {
   if (found != columns_.end()) return static_cast<std::size_t>(found - columns_.begin());
   if (const auto first = std::find(columns_.begin(), columns_.end(), name + "#1");
       first != columns_.end()) {
-    throw InputError(
-        fmt::format("{0}:{1}: column '{2}' is there more than once; name one of them: "
-                    "'{2}#1' is field {3}, '{2}#2' the next of that name",
-                    path_.string(), std::max(header_line_, 1), name, first - columns_.begin() + 1));
+    FailAtLine(std::max(header_line_, 1),
+               {FaultKind::kRepeated,
+                fmt::format("column '{0}' is there more than once; name one of them: '{0}#1' is "
+                            "field {1}, '{0}#2' the next of that name",
+                            name, first - columns_.begin() + 1)});
   }
-  throw InputError(fmt::format("{}:{}: column '{}' is missing{}", path_.string(),
-                               std::max(header_line_, 1), name, DidYouMean(name, columns_)));
+  FailAtLine(std::max(header_line_, 1),
+             {FaultKind::kNoSuchName,
+              fmt::format("column '{}' is missing{}", name, DidYouMean(name, columns_))});
 }
 
-void CsvFile::Fail(std::size_t row, std::size_t column, const std::string& finding) const {
-  throw InputError(fmt::format("{}:{}: column '{}': found '{}', {}", path_.string(),
-                               line_of_row_[row], columns_[column], Field(row, column), finding));
+void CsvFile::Fail(std::size_t row, std::size_t column, const InputFault& fault) const {
+  throw InputError(
+      fmt::format("{}:{}: column '{}'", path_.string(), line_of_row_[row], columns_[column]),
+      {fault.kind, fmt::format("found '{}', {}", Field(row, column), fault.finding)});
 }
 
 std::optional<TimeNs> CsvFile::WholeNanoseconds(std::size_t row, std::size_t column,
@@ -226,23 +184,16 @@ double CsvFile::Number(std::size_t row, std::size_t column) const {
   const std::string_view field = Field(row, column);
   if (field.find(',') != std::string_view::npos && numbers_.decimal == '.') {
     Fail(row, column,
-         "need a finite number; where commas are decimal signs say csv: {decimal: \",\"}, where "
-         "they stand between thousands csv: {thousands: \",\"}");
+         {FaultKind::kMistyped,
+          "need a finite number; where commas are decimal signs say csv: {decimal: \",\"}, where "
+          "they stand between thousands csv: {thousands: \",\"}"});
   }
   if (row == 0 && header_line_ > 0) {
-    Fail(row, column, "need a finite number; where this line holds units say csv: {unit_lines: 1}");
+    Fail(row, column,
+         {FaultKind::kMistyped,
+          "need a finite number; where this line holds units say csv: {unit_lines: 1}"});
   }
-  Fail(row, column, "need a finite number");
-}
-
-TimeNs CsvFile::Time(std::size_t row) const {
-  const auto t_ns = ParseNumber<TimeNs>(Field(row, 0));
-  if (!t_ns) Fail(row, 0, "need a whole number of nanoseconds");
-  const auto before_ns = row > 0 ? ParseNumber<TimeNs>(Field(row - 1, 0)) : std::nullopt;
-  if (before_ns && *t_ns <= *before_ns) {
-    Fail(row, 0, fmt::format("need a later time than that of the row before, {}", *before_ns));
-  }
-  return *t_ns;
+  Fail(row, column, {FaultKind::kMistyped, "need a finite number"});
 }
 
 }  // namespace tera

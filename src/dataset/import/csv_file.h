@@ -21,6 +21,8 @@ struct CsvForm {
   bool has_header = true;  ///< else columns are named by their numbers, from "1" on
   int skipped_lines = 0;   ///< before the header, or before the first row
   int unit_lines = 0;      ///< behind the header, of units and the like; empty ones do not count
+  /// Rows in lines before the first and behind the last are not there; 0: all are.
+  int first_line = 0, last_line = 0;
   NumberForm numbers;
 };
 
@@ -29,16 +31,11 @@ struct CsvForm {
 std::unique_ptr<const RowTable> ReadTextTables(const std::vector<std::filesystem::path>& files,
                                                const CsvForm& form, LeftOutRows* left_out);
 
-/// A table in a text file, in memory: TERA's own, comma-separated with a header line, or a foreign
-/// one. Every fault is an InputError with file:line, what was found and what is needed.
+/// A foreign table in a text file, in memory. Every fault is an InputError with file:line, what was
+/// found and what is needed.
 class CsvFile final : public RowTable {
  public:
-  enum class LastLine { kMustEnd, kIsLeftOutIfCut };
-
-  /// Reads the file. Faults: no header, a column named twice, a row with too few or too many
-  /// fields, and with kMustEnd a last line that was cut off.
-  CsvFile(const std::filesystem::path& path, LastLine last_line);
-  /// Reads a foreign file as DecodedTable does, whose fields may stand in quotes and have blanks
+  /// Reads the file as DecodedTable does, whose fields may stand in quotes and have blanks
   /// around them, which may have empty lines, lines that begin with '#' or '%', separators at the
   /// end of rows and a last line without end. Columns without a name are named by their numbers;
   /// of those of one name the k-th is "NAME#k". Rows with too few or too many fields are a fault,
@@ -53,9 +50,7 @@ class CsvFile final : public RowTable {
 
   std::size_t Column(const std::string& name) const override;
   int Line(std::size_t row) const override { return line_of_row_[row]; }
-  std::size_t Ordinal(std::size_t row) const override {
-    return ordinals_.empty() ? row : ordinals_[row];
-  }
+  std::size_t Ordinal(std::size_t row) const override { return ordinals_[row]; }
   /// How many rows there are with those that were left out.
   std::size_t ordinal_count() const { return ordinal_count_; }
   std::string_view Field(std::size_t row, std::size_t column) const {
@@ -69,8 +64,6 @@ class CsvFile final : public RowTable {
     return NumberOfField(Field(row, column), numbers_);
   }
   double Number(std::size_t row, std::size_t column) const override;
-  /// A whole number of nanoseconds in the first column, greater than that of the row before.
-  TimeNs Time(std::size_t row) const;
   std::optional<TimeNs> Stamp(std::size_t, std::size_t) const override { return std::nullopt; }
   std::optional<TimeNs> WholeNanoseconds(std::size_t row, std::size_t column,
                                          TimeNs unit_ns) const override;
@@ -81,7 +74,7 @@ class CsvFile final : public RowTable {
     return Field(row, column) == Field(row - 1, column);
   }
   [[noreturn]] void Fail(std::size_t row, std::size_t column,
-                         const std::string& finding) const override;
+                         const InputFault& fault) const override;
 
  private:
   /// Where a field is in the text, in half of what a view of it takes: files have 1e8 of them.
@@ -89,12 +82,12 @@ class CsvFile final : public RowTable {
     std::uint64_t begin : 40, bytes : 24;
   };
 
-  void RequireUniqueColumns() const;
   void NameColumns(const std::vector<std::string_view>& names);
   void ReadRows(std::string_view rest, const CsvForm& form, LeftOutRows* left_out);
   /// Without the empty fields that separators at the end of a row make.
   void DropEmptyEnd(std::vector<std::string_view>* fields) const;
-  std::string WrongFieldCount(std::size_t found, int line, bool is_last) const;
+  std::string WrongFieldCount(std::size_t found, bool is_last) const;
+  [[noreturn]] void FailAtLine(int line, const InputFault& fault) const;
   void AddRow(const std::vector<std::string_view>& fields, int line);
 
   std::filesystem::path path_;
@@ -102,7 +95,7 @@ class CsvFile final : public RowTable {
   std::vector<std::string> columns_;
   std::vector<Place> fields_;  ///< row after row
   std::vector<int> line_of_row_;
-  std::vector<std::size_t> ordinals_;  ///< of a foreign file
+  std::vector<std::size_t> ordinals_;
   std::size_t ordinal_count_ = 0;
   NumberForm numbers_;
   int header_line_ = 1;  ///< 0: none

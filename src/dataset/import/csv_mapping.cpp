@@ -82,7 +82,7 @@ bool Holds(const RowTable& table, const RowRule& rule, std::size_t row) {
 }  // namespace
 
 CsvForm ReadCsvForm(const ConfigMap& config) {
-  constexpr double kMostSkipped = 1e6, kMostUnitLines = 100;
+  constexpr double kMostSkipped = 1e6, kMostUnitLines = 100, kMostLine = 2e9;
   CsvForm form;
   const std::string separator =
       config.Choice("separator", {"auto", ",", ";", "|", "tab", "blank"}, "auto");
@@ -95,6 +95,8 @@ CsvForm ReadCsvForm(const ConfigMap& config) {
       static_cast<int>(config.Integer("skip_lines", Between(0, kMostSkipped, ""), 0));
   form.unit_lines =
       static_cast<int>(config.Integer("unit_lines", Between(0, kMostUnitLines, ""), 0));
+  form.first_line = static_cast<int>(config.Integer("first_line", Between(0, kMostLine, ""), 0));
+  form.last_line = static_cast<int>(config.Integer("last_line", Between(0, kMostLine, ""), 0));
   form.numbers.decimal = config.Choice("decimal", {".", ","}, ".").front();
   const std::string thousands =
       config.Choice("thousands", {"none", ",", ".", "'", "blank"}, "none");
@@ -217,9 +219,13 @@ RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top, Unpacked
   if (source.topic && HoldsTransforms(source.topic->type)) ReadTransform(channel, &source);
   const ConfigMap& holder = channel.Has("time") ? channel : top;
   const bool has_stamps = source.topic || !source.log_type.empty();
-  if (source.log_type == kKittiPosesType && !holder.Has("time")) {
-    channel.Fault("time",
-                  "is missing: poses of KITTI's form have no times; need {interval: 0.1, unit: s}");
+  if (source.log_type == kKittiPosesType && channel.Has("times")) {
+    source.pose_times = channel.File("times");
+    source.time.number.column = kLogTimeColumn;
+  } else if (source.log_type == kKittiPosesType && !holder.Has("time")) {
+    channel.Fault("time", {FaultKind::kMissing,
+                           "is missing: poses of KITTI's form have no times; need {interval: 0.1, "
+                           "unit: s}, or times: times.txt"});
   } else if (has_stamps && !HasTimeForStamps(channel, top)) {
     source.time.number.column = OwnTimeColumn(source);
   } else if (!IsTimeToFillIn(holder)) {
@@ -249,18 +255,38 @@ class MappedRows {
                        [&](const RowRule& rule) { return Holds(table_, rule, row); });
   }
 
-  MappedRow At(std::size_t row, const MappedRow* before) const {
+  MappedRow At(std::size_t row, const std::vector<MappedRow>& before) const {
     MappedRow mapped{times_.At(row) - zero_ns_, table_.Place(row), {}};
-    if (before != nullptr && mapped.t_ns <= before->t_ns) {
-      table_.Fail(row, times_.place(),
-                  "need a later time than in the row before; leave such rows out by valid_if or "
-                  "--skip-bad-rows");
+    if (!before.empty() && mapped.t_ns <= before.back().t_ns) {
+      FailGoingBack(row, before.back().t_ns,
+                    before.size() > 1 ? before.back().t_ns - before[before.size() - 2].t_ns : 0);
     }
     for (const MappedColumn& column : columns_) mapped.values.push_back(column.At(row));
     return mapped;
   }
 
  private:
+  /// A time that is no later than that of the row before, by what it seems to come of.
+  void FailGoingBack(std::size_t row, TimeNs before_ns, TimeNs step_ns) const {
+    constexpr TimeNs kManySteps = 10;
+    const TimeNs back_ns = before_ns + zero_ns_ - times_.At(row);
+    std::string remedy = "leave such rows out by valid_if or --skip-bad-rows";
+    if (const auto turn = times_.TurnAt(row, before_ns + zero_ns_, step_ns)) {
+      remedy = fmt::format(
+          "the counter begins anew after {0:.10g}: let it go on by time: {{..., wraps_at: "
+          "{0:.10g}}}",
+          *turn);
+    } else if (table_.Text(row, 0) && step_ns > 0 && back_ns > kManySteps * step_ns) {
+      const int line = table_.Line(row);
+      remedy = fmt::format(
+          "it goes back by {:.6g} s, as where a logger was started anew or a clock was set: import "
+          "what is before it by csv: {{last_line: {}}}, and the rest by csv: {{first_line: {}}}",
+          ToSeconds(back_ns), line - 1, line);
+    }
+    table_.Fail(row, times_.place(),
+                {FaultKind::kInconsistent, "need a later time than in the row before; " + remedy});
+  }
+
   const RowTable& table_;
   const RowSource& source_;
   RowTimes times_;
@@ -293,6 +319,9 @@ std::unique_ptr<const RowTable> TableOf(const RowSource& source,
     std::erase(paths, kLogTimeColumn);
     return ReadUlog(source.file, source.log_topic, paths, left_out);
   }
+  if (!source.pose_times.empty()) {
+    return ReadTrajectoryLog(source.file, source.log_type, left_out, source.pose_times);
+  }
   if (!source.log_type.empty()) {
     return ReadLog(source.file, source.log_type, source.talker, left_out);
   }
@@ -322,7 +351,7 @@ std::vector<MappedRow> ReadRows(const RowSource& source, const std::vector<Colum
   for (std::size_t row = 0; row < table->row_count(); ++row) {
     try {
       if (!reader.IsValid(row)) continue;
-      rows.push_back(reader.At(row, rows.empty() ? nullptr : &rows.back()));
+      rows.push_back(reader.At(row, rows));
     } catch (const InputError& fault) {
       if (left_out == nullptr) throw;
       left_out->Add(fault.what());

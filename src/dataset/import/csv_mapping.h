@@ -38,16 +38,17 @@ struct RowSource {
   std::string log_type;               ///< of a log of known form (foreign_log.h), else empty
   std::string log_topic;              ///< of a ULog
   std::string talker;                 ///< of NMEA, where one is chosen
+  std::filesystem::path pose_times;   ///< of poses in KITTI's form, where a file has them
   RowTime time;
   std::vector<RowRule> rules;
 };
 
-/// Reads `file:`, `topic:`, `parent:` and `child:` of transforms, `form:` of poses, `talker:`,
-/// `csv:`, `time:` and `valid_if:` of a channel; `file`, `talker`, `csv` and `time` default to
-/// those of the mapping's top level. The time of a topic defaults to its header's stamp, or to when
-/// its messages were recorded. The time of a log of known form defaults to its own column `time`.
-/// Where the file is the channel's own, neither takes a time of the top level that is one of text
-/// tables. Looks the topic up in its bag.
+/// Reads `file:`, `topic:`, `parent:` and `child:` of transforms, `form:` and `times:` of poses,
+/// `talker:`, `csv:`, `time:` and `valid_if:` of a channel; `file`, `talker`, `csv` and `time`
+/// default to those of the mapping's top level. The time of a topic defaults to its header's stamp,
+/// or to when its messages were recorded. The time of a log of known form defaults to its own
+/// column `time`. Where the file is the channel's own, neither takes a time of the top level that
+/// is one of text tables. Looks the topic up in its bag.
 RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top, UnpackedFiles* unpacked);
 
 /// How the keys of `csv:` say that a table is written.

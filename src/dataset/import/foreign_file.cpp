@@ -73,7 +73,6 @@ constexpr Magic kMagics[] = {
     {0, "\x4d\x3c\xb2\xa1", "a pcap capture of a network", kPacketRemedy},
     {0, "\xa1\xb2\x3c\x4d", "a pcap capture of a network", kPacketRemedy},
     {0, "\x0a\x0d\x0d\x0a", "a pcapng capture of a network", kPacketRemedy},
-    {0, "LOGG\x90\0"sv, "a BLF log of a CAN bus by Vector", kDecodeCan},
     {0, ";$FILEVERSION=", "a TRC log of a CAN bus by PEAK", kDecodeCan},
     {0, "***BUSMASTER Ver", "a log of a CAN bus by BUSMASTER", kDecodeCan},
     {0, "MDF     ", "an MDF measurement of ASAM (MF4, DAT)", kMdf},
@@ -81,7 +80,6 @@ constexpr Magic kMagics[] = {
     {0, "TDSm", "a TDMS measurement of NI",
      "write it as CSV first: python3 -c \"from nptdms import TdmsFile; "
      "TdmsFile('{0}').as_dataframe(time_index=True).to_csv('{1}.csv')\""},
-    {0, "PAR1\x15", "a Parquet table", kParquet},
     {0, "ARROW1\0"sv, "a Feather table of Arrow", kFeather},
     {0, "FEA1\0"sv, "a Feather table of Arrow", kFeather},
     {0, "\x89HDF\r\n\x1a\n", "an HDF5 file", kHdf},
@@ -139,6 +137,17 @@ constexpr Magic kMagics[] = {
      "ELF",
      "a program", "name a log"},
 };
+
+/// Forms that begin with letters, as tables do too, and go on with a byte that is no text.
+constexpr Magic kLetteredMagics[] = {
+    {0, "LOGG", "a BLF log of a CAN bus by Vector", kDecodeCan},
+    {0, "PAR1", "a Parquet table", kParquet},
+};
+
+bool GoesOnAsText(std::string_view text, std::size_t at) {
+  const auto byte = static_cast<unsigned char>(at < text.size() ? text[at] : '\0');
+  return byte == '\t' || byte == '\n' || byte == '\r' || (byte >= ' ' && byte < 0x7f);
+}
 
 bool HasAt(std::string_view text, std::size_t at, std::string_view part) {
   return text.size() >= at && text.substr(at).starts_with(part);
@@ -259,6 +268,10 @@ std::optional<ForeignFile> KindOf(std::string_view first, const fs::path& name) 
   }
   for (const Magic& magic : kMagics) {
     if (!HasAt(first, magic.at, magic.bytes)) continue;
+    return ForeignFile{magic.name, magic.remedy};
+  }
+  for (const Magic& magic : kLetteredMagics) {
+    if (!first.starts_with(magic.bytes) || GoesOnAsText(first, magic.bytes.size())) continue;
     return ForeignFile{magic.name, magic.remedy};
   }
   return TextKind(first);

@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 #include <limits>
 #include <optional>
 
 #include "core/config/plain_name.h"
+#include "core/config/spelling.h"
 #include "core/error.h"
 #include "dataset/format/recorded_inputs.h"
 #include "dataset/import/bag/bag_source.h"
+#include "dataset/import/foreign_file.h"
 #include "dataset/import/import_run.h"
 #include "dataset/import/logs/foreign_log.h"
 
@@ -100,20 +103,58 @@ std::optional<RecordingEpoch> EpochOf(const Mapping& mapping, const FoundZero& z
   return RecordingEpoch{zero.zero_ns, zero.clock};
 }
 
+/// An epoch that the mapping says must go with its files' times, and dataset.yaml must read it
+/// back.
+void RequireReadableEpoch(const ConfigMap& top, const Mapping& mapping, const FoundZero& zero,
+                          const std::optional<RecordingEpoch>& epoch) {
+  if (!epoch) return;
+  const bool counts_from_1970 = ToSeconds(zero.zero_ns) >= kEpoch_s;
+  const std::string key = mapping.epoch ? "epoch" : "zero";
+  if (mapping.epoch && !top.Map("epoch").Has("since_1970_ns") && !counts_from_1970) {
+    throw InputError(top.Map("epoch").Place("since_1970_ns"),
+                     {FaultKind::kMissing,
+                      "is missing: the files' times do not count from 1970; need when their zero "
+                      "was, since_1970_ns: \"1700000000000000000\""});
+  }
+  if (mapping.epoch && mapping.epoch->since_1970_ns > 0 && counts_from_1970) {
+    throw InputError(top.Map("epoch").Place("since_1970_ns"),
+                     {FaultKind::kInconsistent,
+                      "given beside times that count from 1970 themselves; leave it out"});
+  }
+  try {
+    const Config written = Config::FromText(EpochYaml(*epoch), "epoch");
+    ReadEpoch(written.root());
+    written.Finish();
+  } catch (const InputError&) {
+    throw InputError(
+        top.Place(key),
+        {FaultKind::kOutOfRange,
+         fmt::format(
+             "the recording would begin {:.6g} years after 1970, need 0 to 130: look at the "
+             "unit and the offset of its time",
+             ToSeconds(epoch->since_1970_ns) / (365.25 * 86400))});
+  }
+}
+
 void RequireOwnZero(const std::filesystem::path& mapping, const ImportReport& report,
                     bool starts_at_zero) {
   for (const ImportedChannel& channel : report.channels) {
     if (channel.rows == 0 || std::abs(ToSeconds(channel.first_ns)) < kEpoch_s) continue;
     if (starts_at_zero) {
-      throw InputError(fmt::format(
-          "{}: times of {} begin {:.0f} s after those of the first channel, as those of two clocks "
-          "or of an epoch beside none; give one of them a 'time' with the offset in s",
-          mapping.string(), channel.path, ToSeconds(channel.first_ns)));
+      throw InputError(
+          mapping.string(),
+          {FaultKind::kInconsistent,
+           fmt::format("times of {} begin {:.0f} s after those of the first channel, as those of "
+                       "two clocks or of an epoch beside none; give one of them a 'time' with the "
+                       "offset in s",
+                       channel.path, ToSeconds(channel.first_ns))});
     }
-    throw InputError(fmt::format(
-        "{}: times of {} begin at {:.0f} s, as of an epoch, and a recording's begin near zero; add "
-        "'zero: start' to the mapping, or an offset to its time",
-        mapping.string(), channel.path, ToSeconds(channel.first_ns)));
+    throw InputError(
+        mapping.string(),
+        {FaultKind::kMissing,
+         fmt::format("times of {} begin at {:.0f} s, as of an epoch, and a recording's begin near "
+                     "zero; add 'zero: start' to the mapping, or an offset to its time",
+                     channel.path, ToSeconds(channel.first_ns))});
   }
 }
 
@@ -128,17 +169,30 @@ double DurationOf_s(const ImportReport& report) {
   return last_ns > first_ns ? ToSeconds(last_ns - first_ns) : 0.0;
 }
 
+bool NamesAMachine(const std::filesystem::path& mapping) {
+  std::ifstream stream(mapping);
+  for (std::string line; std::getline(stream, line);) {
+    if (line.starts_with("machine:")) return true;
+  }
+  return false;
+}
+
 /// A log in the place of its mapping is the first mistake of many.
 void RequireNoLog(const std::filesystem::path& mapping) {
-  const std::string ending = mapping.extension().string();
-  const bool is_table = ending == ".csv" || ending == ".tsv";
+  const std::string ending = LowerCase(mapping.extension().string());
+  const bool is_yaml = ending == ".yaml" || ending == ".yml" || ending == ".json";
   std::error_code ignored;
-  if (!std::filesystem::exists(mapping, ignored)) return;
-  if (!is_table && !LooksLikeBag(mapping) && TypeOfLog(mapping).empty()) return;
-  throw InputError(fmt::format(
-      "{0}: is a log; need a mapping, a YAML file that says what the log's columns are: "
-      "`tera import --suggest {0} > mapping.yaml` writes a first one",
-      mapping.string()));
+  if (is_yaml || !std::filesystem::exists(mapping, ignored)) return;
+  const bool is_log = LooksLikeBag(mapping) || !TypeOfLog(mapping).empty();
+  constexpr const char* kNeed = "a mapping, a YAML file that says what the columns of a log are";
+  if (!is_log) RefuseForeignFile(mapping, kNeed);
+  if (!is_log && NamesAMachine(mapping)) return;
+  throw InputError(
+      mapping.string(),
+      {FaultKind::kUnsupported,
+       fmt::format("is no mapping; need {}: `tera import --suggest {} > mapping.yaml` writes a "
+                   "first one",
+                   kNeed, mapping.string())});
 }
 
 }  // namespace
@@ -152,6 +206,7 @@ ImportReport ImportCsv(const std::filesystem::path& mapping_file, const std::fil
   config.Finish();
   const FoundZero zero = mapping.starts_at_zero ? FirstOf(mapping, options) : FoundZero{};
   mapping.info.epoch = EpochOf(mapping, zero);
+  RequireReadableEpoch(config.root(), mapping, zero, mapping.info.epoch);
   const auto run_jobs = [&](DatasetWriter* writer) {
     ImportRun run(options, writer, zero.zero_ns);
     for (const ImportJob& job : mapping.jobs) job(&run);

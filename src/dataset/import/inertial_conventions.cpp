@@ -76,10 +76,14 @@ bool IsNearRatio(double ratio, double expected) {
   return ratio > expected / kNearRatio && ratio < expected * kNearRatio;
 }
 
+TurnRatios RatiosOf(const std::vector<ImuSample>& samples) {
+  const std::vector<Piece> pieces = PiecesOf(samples);
+  return {TurnRatio(pieces, kSeenTurn_rad), TurnRatio(pieces, kSureTurn_rad)};
+}
+
 void JudgeRates(const std::vector<ImuSample>& samples, std::vector<InertialFinding>* findings) {
   constexpr double kDegreesOfRadian = 1 / kDeg;
-  const std::vector<Piece> pieces = PiecesOf(samples);
-  const double seen = TurnRatio(pieces, kSeenTurn_rad), sure = TurnRatio(pieces, kSureTurn_rad);
+  const auto [seen, sure] = RatiosOf(samples);
   if (IsNearRatio(seen, kDegreesOfRadian)) {
     findings->push_back(
         {InertialDoubt::kRatesInDegrees,
@@ -97,6 +101,14 @@ void JudgeRates(const std::vector<ImuSample>& samples, std::vector<InertialFindi
     for (const ImuSample& one : samples) sizes.push_back(one.w_WS_S_radps.norm());
     const double fast_radps = Quantile(std::move(sizes), 1 - kShareOfFast);
     if (fast_radps <= kFastestJoint_radps) return;
+    if (fast_radps * kDeg > kFastestJoint_radps) {
+      findings->push_back({InertialDoubt::kRatesInDegrees,
+                           fmt::format("a tenth of the rates is beyond {:.3g}, faster than any "
+                                       "joint turns in deg/s too: are they counts? give them their "
+                                       "unit and scale",
+                                       fast_radps)});
+      return;
+    }
     findings->push_back(
         {InertialDoubt::kRatesInDegrees,
          fmt::format("a tenth of the rates is beyond {:.3g} rad/s, faster than any joint turns: "
@@ -126,18 +138,55 @@ void JudgeDown(const std::vector<ImuSample>& samples, const Vec3& up_S,
                   median_rad / kDeg)});
 }
 
+std::vector<ImuSample> SamplesOf(std::size_t count,
+                                 const std::function<ImuSample(std::size_t row)>& sample) {
+  std::vector<ImuSample> samples;
+  for (std::size_t i = 0; i < count; ++i) samples.push_back(sample(i));
+  return samples;
+}
+
 }  // namespace
+
+TurnRatios TurnsOverGravity(std::size_t count,
+                            const std::function<ImuSample(std::size_t row)>& sample) {
+  return count == 0 ? TurnRatios{} : RatiosOf(SamplesOf(count, sample));
+}
+
+std::vector<InertialFinding> JudgeUpright(std::size_t count,
+                                          const std::function<ImuSample(std::size_t row)>& sample) {
+  struct Side {
+    const char* axis;
+    Vec3 up;
+    const char* rpy_deg;  ///< that makes it z
+  };
+  const std::vector<ImuSample> samples = SamplesOf(count, sample);
+  for (const Side& side : {Side{"x", Vec3::UnitX(), "[0, -90, 0]"},
+                           {"-x", -Vec3::UnitX(), "[0, 90, 0]"},
+                           {"y", Vec3::UnitY(), "[90, 0, 0]"},
+                           {"-y", -Vec3::UnitY(), "[-90, 0, 0]"}}) {
+    std::vector<double> away_rad;
+    for (const ImuSample& one : samples) {
+      away_rad.push_back(AngleBetweenDirections(one.f_S_mps2, side.up));
+    }
+    if (away_rad.empty() || Quantile(away_rad, 0.5) > kNearDown_rad ||
+        Quantile(away_rad, kMostly) > kMostlyDown_rad) {
+      continue;
+    }
+    return {{InertialDoubt::kOnItsSide,
+             fmt::format("at rest {} points up: give it rpy_deg: {}, turned on about z until x "
+                         "points forward, or a mount; a unit on an upright arm is as it is",
+                         side.axis, side.rpy_deg)}};
+  }
+  return {};
+}
 
 std::vector<InertialFinding> JudgeInertial(std::size_t count,
                                            const std::function<ImuSample(std::size_t row)>& sample,
                                            const Vec3& up_S) {
   if (count == 0) return {};
-  std::vector<ImuSample> samples;
+  const std::vector<ImuSample> samples = SamplesOf(count, sample);
   std::vector<double> sizes_mps2;
-  for (std::size_t i = 0; i < count; ++i) {
-    samples.push_back(sample(i));
-    sizes_mps2.push_back(samples.back().f_S_mps2.norm());
-  }
+  for (const ImuSample& one : samples) sizes_mps2.push_back(one.f_S_mps2.norm());
   const double size_mps2 = Quantile(sizes_mps2, 0.5);
   const bool is_in_g =
       std::abs(size_mps2 - 1) < kAboutOne && Quantile(std::move(sizes_mps2), kTenth) > kHalfOfOne;

@@ -12,6 +12,7 @@ namespace tera {
 /// The ways in which an inertial unit's numbers can differ from docs/reference/dataset.md.
 enum class InertialDoubt {
   kZDown,           ///< its axes are forward, right, down, or it hangs upside down
+  kOnItsSide,       ///< its x or y is upright
   kRatesInDegrees,  ///< rates that are taken as rad/s are in deg/s
   kRatesInRadians,  ///< rates that are taken as deg/s are in rad/s
   kNoGravity        ///< an acceleration from which gravity was taken away
@@ -21,6 +22,21 @@ struct InertialFinding {
   InertialDoubt doubt = InertialDoubt::kZDown;
   std::string text;  ///< what was found, what it may be, and what to do: without an end
 };
+
+/// How far rates turn a unit across the vertical, over how far gravity turns in it; 0 where that
+/// turns too little.
+struct TurnRatios {
+  double seen =
+      0;  ///< in spans of turns of 5 deg and more, which accelerations seem to be at times
+  double sure = 0;  ///< of 20 deg and more, which no acceleration of a machine seems to be
+};
+TurnRatios TurnsOverGravity(std::size_t count,
+                            const std::function<ImuSample(std::size_t row)>& sample);
+
+/// Judges a unit of which it is not known how it is mounted: whether its x or y is upright as z
+/// should be. Units on arms and buckets are so too.
+std::vector<InertialFinding> JudgeUpright(std::size_t count,
+                                          const std::function<ImuSample(std::size_t row)>& sample);
 
 /// Judges `count` samples of an inertial unit by themselves, without poses. `up_S` is where up is
 /// in the unit where its machine stands level and its link is as documented: z, or as its mount

@@ -58,8 +58,8 @@ class JoinedTables final : public RowTable {
     return Text(row, column) == Text(row - 1, column);
   }
   [[noreturn]] void Fail(std::size_t row, std::size_t column,
-                         const std::string& finding) const override {
-    TableOf(&row).Fail(row, column, finding);
+                         const InputFault& fault) const override {
+    TableOf(&row).Fail(row, column, fault);
   }
 
  private:
@@ -80,10 +80,12 @@ class JoinedTables final : public RowTable {
     const auto shown = [](const auto& at, const auto& end) {
       return at == end ? std::string("no column") : fmt::format("column '{}'", *at);
     };
-    throw InputError(fmt::format(
-        "{}: has {} where {} has {}; need files with the same columns in the same order",
-        table.path().string(), shown(b, here.end()), tables_.front().path().string(),
-        shown(a, first.end())));
+    throw InputError(
+        table.path().string(),
+        {FaultKind::kInconsistent,
+         fmt::format("has {} where {} has {}; need files with the same columns in the same order",
+                     shown(b, here.end()), tables_.front().path().string(),
+                     shown(a, first.end()))});
   }
 
   std::vector<CsvFile> tables_;
@@ -95,8 +97,17 @@ class JoinedTables final : public RowTable {
 
 std::unique_ptr<const RowTable> ReadTextTables(const std::vector<std::filesystem::path>& files,
                                                const CsvForm& form, LeftOutRows* left_out) {
-  if (files.size() == 1) return std::make_unique<CsvFile>(files.front(), form, left_out);
-  return std::make_unique<JoinedTables>(files, form, left_out);
+  std::unique_ptr<const RowTable> table;
+  if (files.size() == 1) {
+    table = std::make_unique<CsvFile>(files.front(), form, left_out);
+  } else {
+    table = std::make_unique<JoinedTables>(files, form, left_out);
+  }
+  if (table->row_count() == 0 && (left_out == nullptr || left_out->count == 0)) {
+    throw InputError(files.front().string(),
+                     {FaultKind::kMissing, "has names of columns and no row; need rows"});
+  }
+  return table;
 }
 
 }  // namespace tera

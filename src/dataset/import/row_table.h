@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/error.h"
 #include "core/time.h"
 
 namespace tera {
@@ -35,7 +36,8 @@ class RowTable {
   virtual double Number(std::size_t row, std::size_t column) const = 0;
   /// Of a column that holds times, the time; of others none.
   virtual std::optional<TimeNs> Stamp(std::size_t row, std::size_t column) const = 0;
-  /// Of a field that digits alone make up, in units of so many nanoseconds, the time exactly.
+  /// Of a field that digits make up, with a sign and a point at most, the time in units of so many
+  /// nanoseconds exactly, cut off at a nanosecond; nothing of others and of tables without texts.
   virtual std::optional<TimeNs> WholeNanoseconds(std::size_t, std::size_t, TimeNs) const {
     return std::nullopt;
   }
@@ -48,7 +50,7 @@ class RowTable {
   /// Whether a field is that of the row before, which there must be.
   virtual bool Repeats(std::size_t row, std::size_t column) const = 0;
   [[noreturn]] virtual void Fail(std::size_t row, std::size_t column,
-                                 const std::string& finding) const = 0;
+                                 const InputFault& fault) const = 0;
 };
 
 }  // namespace tera

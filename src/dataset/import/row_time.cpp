@@ -79,7 +79,32 @@ RowTime ReadRowTime(const ConfigMap& time, bool has_stamps) {
     read.week = time.Text("week");
   }
   read.number = ReadColumnMapping(time, Dimension::kTime, allowed);
+  if (const auto wraps_at = time.OptionalNumber("wraps_at", Positive(""))) {
+    read.wraps_at = *wraps_at;
+    if (read.number.column.empty() || !read.number.further.empty() || !read.week.empty()) {
+      time.Fault("wraps_at", "is of a time in one column; leave it out");
+    } else if (*wraps_at * std::abs(read.number.factor) > kFarthest_s) {
+      time.Fault("wraps_at", {FaultKind::kOutOfRange,
+                              fmt::format("{} is beyond any time, need at most {:.3g}", *wraps_at,
+                                          kFarthest_s / std::abs(read.number.factor))});
+    }
+  }
   return read;
+}
+
+std::optional<double> TurnOfCounter(double before, double after, double step) {
+  constexpr double kMostSteps = 2.5, kLeastSteps = 100;
+  constexpr double k16 = 65536, k24 = 16777216, k31 = 2147483648, k32 = 4294967296;
+  for (const double turn :
+       {k16 / 1e6, k16 / 1e3, k16, k24, k31 / 1e6, k31 / 1e3, k31, k32 / 1e6, k32 / 1e3, k32, 60.0,
+        3600.0, 3600e3, 3600e6, 86400.0, 86400e3, 86400e6, 604800.0, 604800e3}) {
+    const double across = turn - before + after;
+    if (step > 0 && turn > kLeastSteps * step && after >= 0 && before < turn && across > 0 &&
+        across < kMostSteps * step) {
+      return turn;
+    }
+  }
+  return std::nullopt;
 }
 
 bool IsTimeToFillIn(const ConfigMap& holder) {
@@ -97,10 +122,27 @@ RowTimes::RowTimes(const RowTable& table, const RowTime& time,
                    const std::function<bool(std::size_t row)>& counts)
     : table_(table), time_(time), number_(table, time.number) {
   for (const std::string& column : time.Columns()) places_.push_back(table.Column(column));
-  if (time.form == RowTime::Form::kClock) CountDays(counts);
+  if (time.form == RowTime::Form::kClock) turn_ns_ = kDayNs;
+  if (time.wraps_at > 0) {
+    const TimeNs unit_ns = number_.terms().front().factor_ns;
+    const bool is_whole = unit_ns > 0 && time.wraps_at == std::round(time.wraps_at);
+    turn_ns_ = is_whole ? unit_ns * static_cast<TimeNs>(time.wraps_at)
+                        : FromSeconds(time.wraps_at * number_.terms().front().factor);
+  }
+  if (turn_ns_ != 0) CountTurns(counts);
 }
 
 TimeNs RowTimes::At(std::size_t row) const {
+  TimeNs t_ns = WithoutTurns(row), turns_ns = 0;
+  if (turns_.empty() || turns_[row] == 0) return t_ns;
+  if (__builtin_mul_overflow(turn_ns_, static_cast<TimeNs>(turns_[row]), &turns_ns) ||
+      __builtin_add_overflow(t_ns, turns_ns, &t_ns)) {
+    table_.Fail(row, place(), {FaultKind::kOutOfRange, "which begins anew too often"});
+  }
+  return t_ns;
+}
+
+TimeNs RowTimes::WithoutTurns(std::size_t row) const {
   switch (time_.form) {
     case RowTime::Form::kInterval:
       return FromSeconds(time_.number.offset +
@@ -108,7 +150,7 @@ TimeNs RowTimes::At(std::size_t row) const {
     case RowTime::Form::kDate:
       return OfDate(row) + time_.offset_ns;
     case RowTime::Form::kClock:
-      return ClockAt(row, places_.front()) + days_[row] * kDayNs + time_.offset_ns;
+      return ClockAt(row, places_.front(), time_.ahead_ns) + time_.offset_ns;
     case RowTime::Form::kGpsWeek:
       return OfGpsWeek(row);
     case RowTime::Form::kNumber:
@@ -123,7 +165,9 @@ TimeNs RowTimes::OfNumber(std::size_t row) const {
   const std::vector<ColumnTerm>& terms = number_.terms();
   if (const auto stamp_ns = table_.Stamp(row, places_.front())) {
     if (terms.front().factor != 1.0) {
-      table_.Fail(row, places_.front(), "which is a time already; leave out its unit and scale");
+      table_.Fail(
+          row, places_.front(),
+          {FaultKind::kInconsistent, "which is a time already; leave out its unit and scale"});
     }
     return *stamp_ns + offset_ns;
   }
@@ -147,14 +191,17 @@ void RowTimes::RefuseTextOfCalendar(std::size_t row, std::size_t place) const {
     return;
   }
   table_.Fail(row, place,
-              "which is of the calendar; say time: {date: NAME} of a date with a time of day, "
-              "{date: NAME, clock: NAME} of two columns, {clock: NAME} of a time of day alone");
+              {FaultKind::kMistyped,
+               "which is of the calendar; say time: {date: NAME} of a date with a time of day, "
+               "{date: NAME, clock: NAME} of two columns, {clock: NAME} of a time of day alone"});
 }
 
 std::string_view RowTimes::TextAt(std::size_t row, std::size_t place, const char* need) const {
   const auto text = table_.Text(row, place);
   if (!text || SaysNothing(*text)) {
-    table_.Fail(row, place, fmt::format("{}, or leave such rows out by --skip-bad-rows", need));
+    table_.Fail(
+        row, place,
+        {FaultKind::kMissing, fmt::format("{}, or leave such rows out by --skip-bad-rows", need)});
   }
   return *text;
 }
@@ -162,23 +209,26 @@ std::string_view RowTimes::TextAt(std::size_t row, std::size_t place, const char
 TimeNs RowTimes::OfDate(std::size_t row) const {
   const std::size_t place = places_.front();
   const auto date = CalendarTimeOf(TextAt(row, place, kNeedDate), time_.order);
-  if (!date) table_.Fail(row, place, kNeedDate);
+  if (!date) table_.Fail(row, place, {FaultKind::kMistyped, kNeedDate});
   if (!time_.clock.empty()) {
-    // The first of two columns may have a midnight of its own.
-    return date->t_ns / kDayNs * kDayNs + ClockAt(row, places_[1]);
+    // The first of two columns may have a midnight of its own, and the zone of both.
+    const TimeNs local_ns = date->t_ns + date->ahead_ns;
+    return local_ns / kDayNs * kDayNs +
+           ClockAt(row, places_[1], date->has_zone ? date->ahead_ns : time_.ahead_ns);
   }
   if (!date->has_clock) {
     table_.Fail(row, place,
-                "which has no time of day; name the column that has it: time: {date: NAME, clock: "
-                "NAME}");
+                {FaultKind::kMissing,
+                 "which has no time of day; name the column that has it: time: {date: NAME, clock: "
+                 "NAME}"});
   }
   return date->t_ns - (date->has_zone ? 0 : time_.ahead_ns);
 }
 
-TimeNs RowTimes::ClockAt(std::size_t row, std::size_t place) const {
+TimeNs RowTimes::ClockAt(std::size_t row, std::size_t place, TimeNs ahead_ns) const {
   const auto clock = ClockTimeOf(TextAt(row, place, kNeedClock));
-  if (!clock) table_.Fail(row, place, kNeedClock);
-  return clock->t_ns - (clock->has_zone ? 0 : time_.ahead_ns);
+  if (!clock) table_.Fail(row, place, {FaultKind::kMistyped, kNeedClock});
+  return clock->t_ns - (clock->has_zone ? 0 : ahead_ns);
 }
 
 TimeNs RowTimes::OfGpsWeek(std::size_t row) const {
@@ -187,29 +237,51 @@ TimeNs RowTimes::OfGpsWeek(std::size_t row) const {
   const double week = table_.Number(row, place);
   if (week < kLeastWeek || week > kMostWeek || week != std::round(week)) {
     table_.Fail(row, place,
-                "need a week since 1980-01-06, 1024 to 8192; a receiver that counts to 1023 alone "
-                "leaves out 1024 or 2048 of them");
+                {FaultKind::kOutOfRange,
+                 "need a week since 1980-01-06, 1024 to 8192; a receiver that counts to 1023 alone "
+                 "leaves out 1024 or 2048 of them"});
   }
   const TimeNs of_week_ns = OfNumber(row);
   if (of_week_ns < 0 || of_week_ns > kWeekNs) {
-    table_.Fail(row, places_.front(), "need a time of the week, 0 to 604800 s");
+    table_.Fail(row, places_.front(),
+                {FaultKind::kOutOfRange, "need a time of the week, 0 to 604800 s"});
   }
   const TimeNs gps_ns = GpsWeek(static_cast<int>(week)) + of_week_ns;
   return gps_ns - GpsAheadOfUtc(gps_ns);
 }
 
-void RowTimes::CountDays(const std::function<bool(std::size_t row)>& counts) {
-  days_.resize(table_.row_count());
-  TimeNs before_ns = 0;
-  std::uint16_t day = 0;
-  for (std::size_t row = 0; row < table_.row_count(); ++row) {
+std::optional<TimeNs> RowTimes::WithinTurn(std::size_t row) const {
+  if (time_.form == RowTime::Form::kClock) {
     const auto clock = ClockTimeOf(table_.Text(row, places_.front()).value_or(""));
-    if (clock && (!counts || counts(row))) {
-      if (before_ns - clock->t_ns > kDayNs / 2) ++day;
-      before_ns = clock->t_ns;
-    }
-    days_[row] = day;
+    return clock ? std::optional(clock->t_ns) : std::nullopt;
   }
+  const auto number = table_.NumberIfAny(row, places_.front());
+  if (!number || *number < 0 || *number > time_.wraps_at) return std::nullopt;
+  return FromSeconds(*number * std::abs(number_.terms().front().factor));
+}
+
+void RowTimes::CountTurns(const std::function<bool(std::size_t row)>& counts) {
+  turns_.resize(table_.row_count());
+  TimeNs before_ns = 0;
+  std::uint32_t turn = 0;
+  for (std::size_t row = 0; row < table_.row_count(); ++row) {
+    const auto t_ns = WithinTurn(row);
+    if (t_ns && (!counts || counts(row))) {
+      if (before_ns - *t_ns > turn_ns_ / 2) ++turn;
+      before_ns = *t_ns;
+    }
+    turns_[row] = turn;
+  }
+}
+
+std::optional<double> RowTimes::TurnAt(std::size_t row, TimeNs before_ns, TimeNs step_ns) const {
+  const auto& terms = number_.terms();
+  const bool is_number = time_.form == RowTime::Form::kNumber && terms.size() == 1;
+  const auto after = is_number ? table_.NumberIfAny(row, places_.front()) : std::nullopt;
+  if (!after || time_.wraps_at > 0 || table_.Stamp(row, places_.front())) return std::nullopt;
+  const double unit_s = std::abs(terms.front().factor);
+  const double back = ToSeconds(before_ns - At(row)) / unit_s;
+  return TurnOfCounter(*after + back, *after, ToSeconds(step_ns) / unit_s);
 }
 
 }  // namespace tera

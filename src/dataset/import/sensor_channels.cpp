@@ -71,17 +71,19 @@ void RequireNumbers(const MappedRow& row, const RowSource& source, const FixRead
   const std::vector<double>& v = row.values;
   if (reading.needs_covariance && v[kCovarianceType] == 0) {
     throw InputError(
-        PlaceOf(source, row.line) +
-        ": has a fix but position_covariance_type 0, which is unknown; need variances, "
-        "for instance columns: {var_e: {constant: 4}, var_n: {constant: 4}, var_u: "
-        "{constant: 9}}");
+        PlaceOf(source, row.line),
+        {FaultKind::kMissing,
+         "has a fix but position_covariance_type 0, which is unknown; need variances, for instance "
+         "columns: {var_e: {constant: 4}, var_n: {constant: 4}, var_u: {constant: 9}}"});
   }
   for (const GnssColumn column : {kLat, kLon, kAlt, kVarE, kVarN, kVarU}) {
     if (!std::isnan(v[column])) continue;
-    throw InputError(PlaceOf(source, row.line) +
-                     ": has a fix, but its position or variance is no number; leave such rows out "
-                     "by valid_if, or give what is missing, for instance columns: {var_e: "
-                     "{constant: 4}, var_n: {constant: 4}, var_u: {constant: 9}}");
+    throw InputError(
+        PlaceOf(source, row.line),
+        {FaultKind::kMissing,
+         "has a fix, but its position or variance is no number; leave such rows out by "
+         "valid_if, or give what is missing, for instance columns: {var_e: {constant: "
+         "4}, var_n: {constant: 4}, var_u: {constant: 9}}"});
   }
 }
 
@@ -91,14 +93,17 @@ void RequireNear(const GnssSample& sample, const std::string& where) {
   constexpr double kFarthest_m = 100e3;
   if (sample.enu_m.norm() <= kFarthest_m) return;
   throw InputError(
-      fmt::format("{}: is {:.0f} km from the mapping's origin, need at most {:.0f} km; an origin "
-                  "of this row is "
-                  "{{lat_deg: {:.7f}, lon_deg: {:.7f}, height_m: {:.3f}}}; if the row is wrong, "
-                  "leave it out by "
-                  "valid_if or --skip-bad-rows",
-                  where, sample.enu_m.norm() / 1e3, kFarthest_m / 1e3, sample.lat_deg,
-                  sample.lon_deg, sample.alt_m));
+      where, {FaultKind::kOutOfRange,
+              fmt::format("is {:.0f} km from the mapping's origin, need at most {:.0f} km; an "
+                          "origin of this row is {{lat_deg: {:.7f}, lon_deg: {:.7f}, height_m: "
+                          "{:.3f}}}; if the row is wrong, leave it out by valid_if or "
+                          "--skip-bad-rows",
+                          sample.enu_m.norm() / 1e3, kFarthest_m / 1e3, sample.lat_deg,
+                          sample.lon_deg, sample.alt_m)});
 }
+
+/// Receivers without a fix write 0, 0, where no machine digs.
+bool IsAtZero(const MappedRow& row) { return row.values[kLat] == 0 && row.values[kLon] == 0; }
 
 GnssSample GnssOf(const MappedRow& row, const RowSource& source, const FixReading& reading,
                   const SiteFrame& site) {
@@ -106,13 +111,19 @@ GnssSample GnssOf(const MappedRow& row, const RowSource& source, const FixReadin
   const double quality = reading.by_status ? QualityOfStatus(v) : v[kFix];
   const auto fix = FixOfQuality(quality);
   if (!fix) {
-    throw InputError(fmt::format("{}: the fix is {}; {}, or leave such rows out by valid_if",
-                                 PlaceOf(source, row.line), v[kFix], kNeedFix));
+    throw InputError(
+        PlaceOf(source, row.line),
+        {FaultKind::kOutOfRange,
+         fmt::format("the fix is {}; {}, or leave such rows out by valid_if", v[kFix], kNeedFix)});
   }
   GnssSample s;
   s.t_ns = s.t_available_ns = row.t_ns;
   s.fix = *fix;
   if (s.fix == GnssFix::kNone) return s;
+  if (IsAtZero(row)) {
+    s.fix = GnssFix::kNone;
+    return s;
+  }
   RequireNumbers(row, source, reading);
   s.lat_deg = v[kLat] / kDeg;
   s.lon_deg = v[kLon] / kDeg;
@@ -128,8 +139,10 @@ Pose PoseOf(const MappedRow& row, const RowSource& source) {
   const Quat q(v[3], v[4], v[5], v[6]);
   if (q.norm() < kMinQuaternionNorm || q.norm() > kMaxQuaternionNorm) {
     throw InputError(
-        fmt::format("{}: the quaternion has norm {}, need 1; leave such rows out by valid_if",
-                    PlaceOf(source, row.line), q.norm()));
+        PlaceOf(source, row.line),
+        {FaultKind::kOutOfRange,
+         fmt::format("the quaternion has norm {}, need 1; leave such rows out by valid_if",
+                     q.norm())});
   }
   return MakePose(Vec3(v[0], v[1], v[2]), q.normalized().toRotationMatrix());
 }
@@ -185,6 +198,11 @@ ImportJob ReadImu(const ConfigMap& config, const ConfigMap& top, Mapping* mappin
          JudgeInertial(rows.size(), sample, sensor.X_LS.linear().transpose() * Vec3::UnitZ())) {
       run->last()->remarks.push_back(one.text);
     }
+    if (sensor.link.empty()) {
+      for (const InertialFinding& one : JudgeUpright(rows.size(), sample)) {
+        run->last()->remarks.push_back(one.text);
+      }
+    }
     DatasetWriter* writer = run->writer();
     if (writer == nullptr) return;
     const ChannelId imu = writer->AddChannel(ImuChannel(folder, SensorText(sensor, source, rows)));
@@ -216,6 +234,12 @@ ImportJob ReadGnss(const ConfigMap& config, const ConfigMap& top, Mapping* mappi
         folder, source, columns, [&](const MappedRow& row) { GnssOf(row, source, reading, site); });
     std::vector<GnssSample> samples;
     for (const MappedRow& row : rows) samples.push_back(GnssOf(row, source, reading, site));
+    const auto at_zero = std::count_if(rows.begin(), rows.end(), IsAtZero);
+    if (at_zero > 0) {
+      run->last()->remarks.push_back(
+          fmt::format("{} row{} at latitude 0, longitude 0: taken as without a fix", at_zero,
+                      at_zero == 1 ? "" : "s"));
+    }
     run->AddMotion(source, MotionOf(samples));
     DatasetWriter* writer = run->writer();
     if (writer == nullptr) return;

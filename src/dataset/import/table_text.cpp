@@ -223,9 +223,7 @@ std::string_view PlainNumberText(std::string_view field, const NumberForm& form,
 
 std::optional<double> NumberOfField(std::string_view field, const NumberForm& form) {
   std::string room;
-  field = PlainNumberText(field, form, &room);
-  const auto value = ParseNumber<double>(field);
-  return value && std::isfinite(*value) ? value : std::nullopt;
+  return ParseFinite(PlainNumberText(field, form, &room));
 }
 
 bool SaysNothing(std::string_view field) {

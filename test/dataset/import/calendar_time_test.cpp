@@ -31,6 +31,21 @@ TEST(CalendarTime, IsReadInTheFormsOfIso8601) {
   EXPECT_EQ(TimeOfText("28.11.2026 12:00:00 AM"), kNovember_ns);
 }
 
+// `date -d TEXT +%s` reads each of them.
+TEST(CalendarTime, MonthsAndWeekdaysMayHaveNames) {
+  for (const std::string text : {"Sat Nov 28 22:46:10 2026", "Sat Nov 28 22:46:10 UTC 2026",
+                                 "Nov 28 2026 22:46:10", "Saturday, November 28, 2026 22:46:10",
+                                 "Sat, 28 Nov 2026 22:46:10 GMT", "28 November 2026 22:46:10",
+                                 "Sun Nov 29 00:46:10 2026 +0200", "Nov 28, 2026 10:46:10 PM"}) {
+    EXPECT_EQ(TimeOfText(text), 1'795'905'970 * kNsPerSecond) << text;
+  }
+  EXPECT_EQ(TimeOfText("Wed May  1 12:34:56.5 2024"), kMay_ns + 500'000'000);
+  EXPECT_FALSE(CalendarTimeOf("Sat Nov 28 22:46:10 2026", {})->has_zone);
+  EXPECT_TRUE(CalendarTimeOf("Sat Nov 28 22:46:10 UTC 2026", {})->has_zone);
+  EXPECT_FALSE(CalendarTimeOf("Sat Nov 31 22:46:10 2026", {}));
+  EXPECT_FALSE(CalendarTimeOf("Sat Nov 28", {}));
+}
+
 TEST(CalendarTime, FractionsOfAnyLengthAreExactToTheNanosecond) {
   EXPECT_EQ(TimeOfText("2024-05-01T12:34:56.7Z"), kMay_ns + 700'000'000);
   EXPECT_EQ(TimeOfText("2024-05-01T12:34:56,020"), kMay_ns + 20'000'000);
@@ -72,6 +87,8 @@ TEST(ClockTime, IsATimeOfDay) {
   EXPECT_EQ(ClockTimeOf("01:00:00 PM")->t_ns, 46'800 * kNsPerSecond);
   // Minutes and seconds are no hours and minutes.
   EXPECT_FALSE(ClockTimeOf("05:23.4"));
+  EXPECT_EQ(ClockTimeOf("123456.50")->t_ns, 45'296'500'000'000);
+  EXPECT_FALSE(ClockTimeOf("123"));
   EXPECT_FALSE(ClockTimeOf("12"));
   EXPECT_EQ(ClockTimeOf("24:00")->t_ns, 86'400 * kNsPerSecond);
   EXPECT_FALSE(ClockTimeOf("24:00:00.001"));

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "dataset/files/checked_file.h"
 #include "own_folder.h"
 
@@ -14,7 +14,6 @@ namespace tera {
 namespace {
 
 using namespace std::string_view_literals;
-using testing::AllOf;
 using testing::HasSubstr;
 
 struct ForeignBeginning {
@@ -62,6 +61,10 @@ const std::vector<ForeignBeginning> kForeignBeginnings = {
     {"can.trc", ";$FILEVERSION=1.1\n;$STARTTIME=41208.4\n", "a TRC log of a CAN bus", "DBC"},
     {"can.trc", ";####\n;   C:\\NewFile.trc\n;\n;   Message Number\n", "a TRC log", "DBC"},
     {"can.blf", "LOGG\x90\0\0\0"sv, "a BLF log of a CAN bus", "DBC"},
+    {"can.blf", "LOGG\xd0\1\0\0"sv, "a BLF log of a CAN bus", "DBC"},
+    {"can.blf", "LOGG", "a BLF log of a CAN bus", "DBC"},
+    {"a.parquet", "PAR1\x19\x04"sv, "a Parquet table", "pandas.read_parquet"},
+    {"a.parquet", "PAR1", "a Parquet table", "pandas.read_parquet"},
     {"can.csv", "timestamp,arbitration_id,extended,remote,error,dlc,data\n",
      "a table of undecoded frames", "DBC"},
 };
@@ -89,10 +92,7 @@ TEST(ForeignFile, IsRefusedWithItsNameAndTheRemedy) {
   const std::filesystem::path file = OwnFolder() / "run.csv";
   WriteWholeFile(file, "(1436509052.249713) vcan0 044#2A366C2BBA\n");
   EXPECT_THAT([&] { RefuseForeignFile(file, "a table in text"); },
-              testing::ThrowsMessage<InputError>(AllOf(
-                  HasSubstr("run.csv: is a log of a CAN bus by candump; need a table in text; "
-                            "decode it"),
-                  HasSubstr("DBC"))));
+              ThrowsFault(FaultKind::kUnsupported, "run.csv"));
   WriteWholeFile(file, "time_s,boom_deg\n0,1\n");
   EXPECT_NO_THROW(RefuseForeignFile(file, "a table in text"));
 }

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "core/config/config.h"
-#include "core/error.h"
+#include "core/faults.h"
 #include "dataset/format/recording.h"
 #include "dataset/format/sample_recording.h"
 
@@ -53,11 +53,13 @@ constexpr char kImu[] =
     "      ay: {column: ay, unit: g}\n      az: {column: az, unit: g, offset: 0.01}\n";
 
 TEST_F(ImportTest, ALogInThePlaceOfItsMappingIsRefusedWithTheWayToOne) {
-  const fs::path log = scratch_.path() / "log.csv";
-  EXPECT_THAT([&] { ImportCsv(log, scratch_.path() / "out"); },
-              testing::ThrowsMessage<InputError>(testing::HasSubstr(
-                  "log.csv: is a log; need a mapping, a YAML file that says what "
-                  "the log's columns are: `tera import --suggest ")));
+  WriteWholeFile(scratch_.path() / "book.xlsx", "PK\x03\x04[Content_Types].xml");
+  WriteWholeFile(scratch_.path() / "can.log", "(1436509052.249713) vcan0 044#2A366C2BBA\n");
+  WriteWholeFile(scratch_.path() / "log.txt", "t;x\n0;1\n");
+  for (const std::string name : {"log.csv", "book.xlsx", "can.log", "log.txt"}) {
+    EXPECT_THAT([&] { ImportCsv(scratch_.path() / name, scratch_.path() / "out"); },
+                ThrowsFault(FaultKind::kUnsupported, name));
+  }
   EXPECT_FALSE(fs::exists(scratch_.path() / "out"));
 }
 
@@ -214,25 +216,21 @@ TEST_F(ImportTest, RejectsAFixThatIsNone) {
           Import(
               Gnss("{constant: 4}", "{column: n, unit: '1', scale: " + std::string(scale) + "}"));
         },
-        ThrowsMessage<InputError>(
-            AllOf(HasSubstr("log.csv:3: the fix is"), HasSubstr("2 differential"))));
+        ThrowsFault(FaultKind::kOutOfRange, "log.csv:3"));
   }
   EXPECT_THAT([&] { Import(Gnss("{constant: 4}", "{constant: 3}")); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("columns.fix.constant: 3 is no fix"),
-                                              HasSubstr("mapping.yaml"))));
+              ThrowsFault(FaultKind::kInconsistent, "columns.fix.constant"));
 }
 
 TEST_F(ImportTest, RejectsPlacesThatAreNotOnEarthAndNegativeVariances) {
   EXPECT_THAT([&] { Import(Gnss("{column: lat,", "{column: rpm,")); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("log.csv:4: column 'rpm': found '120'"),
-                                              HasSubstr("-1.5708 to 1.5708 rad"))));
+              ThrowsFault(FaultKind::kOutOfRange, "log.csv:4: column 'rpm'"));
   EXPECT_THAT([&] { Import(Gnss("{column: lon,", "{column: ms,")); },
-              ThrowsMessage<InputError>(HasSubstr("log.csv:2: column 'ms': found '1000'")));
+              ThrowsFault(FaultKind::kOutOfRange, "log.csv:2: column 'ms'"));
   EXPECT_THAT([&] { Import(Gnss("var_u: {constant: 0.0016}", "var_u: {column: gz, unit: m2}")); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("log.csv:4: column 'gz': found '-90'"),
-                                              HasSubstr("need at least 0 m2"))));
+              ThrowsFault(FaultKind::kOutOfRange, "log.csv:4: column 'gz'"));
   EXPECT_THAT([&] { Import(Gnss("var_u: {constant: 0.0016}", "var_u: {constant: -1}")); },
-              ThrowsMessage<InputError>(HasSubstr("var_u.constant: -1 is out of range")));
+              ThrowsFault(FaultKind::kOutOfRange, "var_u.constant"));
 }
 
 TEST_F(ImportTest, RejectsNamesThatLeaveTheRecording) {
@@ -260,15 +258,14 @@ TEST_F(ImportTest, RejectsNamesThatLeaveTheRecording) {
 
 TEST_F(ImportTest, RejectsTwoChannelsOrTwoJointsOfOneName) {
   EXPECT_THAT([&] { Import(Gnss() + "imus:\n  - name: gnss\n    columns: {}\n"); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("name: 'gnss' is taken by another channel"),
-                                              HasSubstr("mapping.yaml"))));
+              ThrowsFault(FaultKind::kInconsistent, "gnss[0].name"));
   EXPECT_THAT(
       [&] {
         Import(
             "encoders: [{name: e, joints: [{name: j, rate: {column: rpm, unit: rpm}}, "
             "{name: j, rate: {column: rpm, unit: rpm}}]}]\n");
       },
-      ThrowsMessage<InputError>(HasSubstr("joints[1].name: 'j' is named twice")));
+      ThrowsFault(FaultKind::kInconsistent, "joints[1].name"));
 }
 
 TEST_F(ImportTest, ReadsTravelAndSpeedOfAPrismaticJoint) {
@@ -316,17 +313,15 @@ TEST_F(ImportTest, ReadsEachChannelFromItsOwnFileAndTime) {
 TEST_F(ImportTest, RejectsAUnitOfAnotherDimension) {
   EXPECT_THAT(
       [&] { Import("encoders: [{name: e, joints: [{name: j, rate: {column: rpm, unit: m}}]}]\n"); },
-      ThrowsMessage<InputError>(
-          AllOf(HasSubstr("mapping.yaml:6:"), HasSubstr("need one of: rad/s, deg/s, rpm"))));
+      ThrowsFault(FaultKind::kNoSuchName, "joints[0].rate.unit"));
 }
 
 TEST_F(ImportTest, LeavesNothingBehindAfterABadFile) {
-  EXPECT_THAT(
-      [&] { Import("tables: [{name: t, columns: {v: {column: gxx, unit: m}}}]\n"); },
-      ThrowsMessage<InputError>(HasSubstr("log.csv:1: column 'gxx' is missing (did you mean")));
+  EXPECT_THAT([&] { Import("tables: [{name: t, columns: {v: {column: gxx, unit: m}}}]\n"); },
+              ThrowsFault(FaultKind::kNoSuchName, "log.csv:1"));
   EXPECT_THAT([&] { Import("tables: [{name: t, columns: {v: {column: state, unit: m}}}]\n"); },
-              ThrowsMessage<InputError>(HasSubstr("log.csv:2: column 'state': found 'idle'")));
-  EXPECT_THAT([&] { Import(kPose); }, ThrowsMessage<InputError>(HasSubstr("norm 0")));
+              ThrowsFault(FaultKind::kMistyped, "log.csv:2: column 'state'"));
+  EXPECT_THAT([&] { Import(kPose); }, ThrowsFault(FaultKind::kOutOfRange, "log.csv:2"));
   EXPECT_FALSE(fs::exists(scratch_.path() / "out"));
   EXPECT_FALSE(fs::exists(scratch_.path() / "out.incomplete"));
 }
@@ -343,7 +338,7 @@ TEST_F(ImportTest, OverAnIncompleteRecordingSaysThatItMustBeDeletedFirst) {
 TEST_F(ImportTest, RejectsTimesThatDoNotIncrease) {
   WriteWholeFile(scratch_.path() / "log.csv", "ms,v\n1,0\n2,0\n2,0\n");
   EXPECT_THAT([&] { Import("tables: [{name: t, columns: {v: {column: v, unit: m}}}]\n"); },
-              ThrowsMessage<InputError>(HasSubstr("log.csv:4: column 'ms'")));
+              ThrowsFault(FaultKind::kInconsistent, "log.csv:4: column 'ms'"));
 }
 
 TEST(DriveWarthogMapping, ImportsARowBeforeAndAfterTheFirstReferencePose) {

@@ -171,7 +171,7 @@ std::optional<double> TopicTable::NumberIfAny(std::size_t row, std::size_t colum
 
 double TopicTable::Number(std::size_t row, std::size_t column) const {
   const auto number = NumberIfAny(row, column);
-  if (!number) Fail(row, column, "need a finite number");
+  if (!number) Fail(row, column, {FaultKind::kMistyped, "need a finite number"});
   return *number;
 }
 
@@ -187,14 +187,14 @@ bool TopicTable::Repeats(std::size_t row, std::size_t column) const {
   return now == before || (now && before && std::isnan(*now) && std::isnan(*before));
 }
 
-void TopicTable::Fail(std::size_t row, std::size_t column, const std::string& finding) const {
+void TopicTable::Fail(std::size_t row, std::size_t column, const InputFault& fault) const {
   const ColumnOfCells& cells = columns_[column];
   const std::string found = cells.is_stamp       ? fmt::format("{} ns", cells.stamps_ns[row])
                             : cells.numbers[row] ? fmt::format("'{}'", *cells.numbers[row])
                                                  : "no such element";
-  throw InputError(fmt::format("{}: field '{}': found {}, {}",
-                               MessagePlace(bag_, topic_, lines_[row]), cells.path, found,
-                               finding));
+  throw InputError(
+      fmt::format("{}: field '{}'", MessagePlace(bag_, topic_, lines_[row]), cells.path),
+      {fault.kind, fmt::format("found {}, {}", found, fault.finding)});
 }
 
 }  // namespace tera

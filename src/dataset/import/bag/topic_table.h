@@ -48,7 +48,7 @@ class TopicTable final : public RowTable {
   bool IsPresent(std::size_t row, std::size_t column) const override;
   bool Repeats(std::size_t row, std::size_t column) const override;
   [[noreturn]] void Fail(std::size_t row, std::size_t column,
-                         const std::string& finding) const override;
+                         const InputFault& fault) const override;
 
  private:
   class Filler;

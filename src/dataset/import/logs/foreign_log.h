@@ -75,12 +75,15 @@ std::unique_ptr<const RowTable> ReadKittiLog(const std::filesystem::path& timest
 std::string TypeOfTrajectory(std::string_view form);
 /// Poses, one a line. Columns: x, y, z (m), qw, qx, qy, qz. TUM: seconds, x, y, z, qx, qy, qz, qw.
 /// EuRoC: nanoseconds, x, y, z, qw, qx, qy, qz and whatever stands behind. KITTI: the three rows of
-/// rotation and place, without times. Fields are separated by blanks or commas; lines that begin
+/// rotation and place. Fields are separated by blanks or commas; lines that begin
 /// with '#', and a first one that begins with a name, are passed over.
 ///
 /// Source  "File Formats" of the RGB-D SLAM benchmark, TU Munich; Burri et al. 2016 (EuRoC); KITTI
 ///         odometry, devkit.
+/// Poses without times take those of the file `times`, a number of seconds a line, where it is
+/// named.
 std::unique_ptr<const RowTable> ReadTrajectoryLog(const std::filesystem::path& file,
-                                                  const std::string& type, LeftOutRows* left_out);
+                                                  const std::string& type, LeftOutRows* left_out,
+                                                  const std::filesystem::path& times = {});
 
 }  // namespace tera

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,6 +11,7 @@
 #include "dataset/import/logs/foreign_log.h"
 #include "dataset/import/logs/log_time.h"
 #include "dataset/import/logs/nmea_sentence.h"
+#include "dataset/import/logs/nmea_talkers.h"
 #include "dataset/import/logs/number_table.h"
 
 namespace tera {
@@ -80,16 +80,6 @@ std::optional<double> AngleOf(std::string_view text, std::string_view side, std:
   return side == "S" || side == "W" ? -angle_deg : angle_deg;
 }
 
-/// Where a sentence says that its receiver is.
-struct NmeaPosition {
-  TimeNs time_of_day_ns = 0;
-  double quality = 0;  ///< of GGA
-  std::optional<double> lat_deg, lon_deg, msl_m = std::nullopt, altitude_m = std::nullopt;
-  std::optional<double> satellites, hdop;
-
-  bool IsWhole() const { return quality == 0 || (lat_deg && lon_deg && (msl_m || altitude_m)); }
-};
-
 /// The best of what each system has: a letter for each, "RRN".
 std::optional<double> QualityOfModes(std::string_view modes) {
   constexpr std::array<std::pair<char, double>, 9> kModes = {
@@ -109,55 +99,6 @@ std::optional<double> QualityOfGgk(std::string_view text) {
   return kQuality[static_cast<std::size_t>(*told)];
 }
 
-/// Sentences of one kind say of one time and talker the same; those of several talkers, that there
-/// are several receivers.
-class Talkers {
- public:
-  /// Counts a position. False where the same talker says another place of the same time.
-  bool Add(std::string_view kind, std::string_view talker, const NmeaPosition& position) {
-    std::deque<Said>& said = said_[std::string(kind)];
-    ++count_[std::string(talker)];
-    const auto agrees = [&](const Said& s) {
-      return s.position.time_of_day_ns != position.time_of_day_ns || s.talker != talker ||
-             (s.position.lat_deg == position.lat_deg && s.position.lon_deg == position.lon_deg &&
-              s.position.msl_m == position.msl_m);
-    };
-    const bool is_same = std::all_of(said.begin(), said.end(), agrees);
-    for (const Said& s : said) {
-      if (s.talker == talker || s.position.time_of_day_ns != position.time_of_day_ns) continue;
-      rival_[s.talker] = rival_[std::string(talker)] = true;
-    }
-    constexpr std::size_t kRemembered = 32;  // receivers of one recorder are not further apart
-    said.push_back({std::string(talker), position});
-    if (said.size() > kRemembered) said.pop_front();
-    return is_same;
-  }
-
-  /// Those that say of the same times where they are, the one with most positions first.
-  std::vector<std::string> Rivals() const {
-    std::vector<std::string> rivals;
-    for (const auto& [talker, is_rival] : rival_) rivals.push_back(talker);
-    std::stable_sort(rivals.begin(), rivals.end(), [&](const std::string& a, const std::string& b) {
-      return count_.at(a) > count_.at(b);
-    });
-    return rivals;
-  }
-  std::vector<std::string> All() const {
-    std::vector<std::string> all;
-    for (const auto& [talker, count] : count_) all.push_back(talker);
-    return all;
-  }
-
- private:
-  struct Said {
-    std::string talker;
-    NmeaPosition position;
-  };
-  std::map<std::string, std::deque<Said>> said_;  ///< by kind
-  std::map<std::string, int> count_;
-  std::map<std::string, bool> rival_;
-};
-
 class NmeaReader {
  public:
   /// An empty `talker`: all.
@@ -169,13 +110,23 @@ class NmeaReader {
       if (line.empty() || line.front() == '#' || line.front() == '!') continue;
       const auto sentence = SentenceIn(line);
       if (!sentence) {
-        lines_.Fault("is no sentence, which begins with '$'", left_out_);
-      } else if (!sentence->is_sound) {
-        lines_.Fault("its checksum is not that of the sentence", left_out_);
+        if (!first_unsound_) lines_.Fault("is no sentence, which begins with '$'", left_out_);
+      } else if (++sentences_; !sentence->is_sound) {
+        TakeUnsound();
+      } else if (first_unsound_) {
+        throw InputError(*first_unsound_);
       } else if (!Take(FieldsOf(sentence->body, ','))) {
         lines_.Fault("is a sentence without the fields that it must have", left_out_);
       }
     }
+    if (unsound_ > 1 && unsound_ == sentences_) {
+      throw InputError(lines_.file().string(),
+                       {FaultKind::kMalformed,
+                        fmt::format("all {} sentences have checksums that are not their own, as "
+                                    "where a program changed them; need the receiver's own log",
+                                    unsound_)});
+    }
+    if (first_unsound_) throw InputError(*first_unsound_);
     return std::move(epochs_);
   }
 
@@ -190,6 +141,16 @@ class NmeaReader {
   }
 
  private:
+  /// Told when it is known whether all are so.
+  void TakeUnsound() {
+    ++unsound_;
+    try {
+      lines_.Fault("its checksum is not that of the sentence", left_out_);
+    } catch (const InputError& fault) {
+      if (!first_unsound_) first_unsound_ = fault;
+    }
+  }
+
   /// The epoch of a time; a new one where it is another than that of the sentence before.
   Epoch& At(TimeNs time_of_day_ns) {
     if (epochs_.empty() || epochs_.back().time_of_day_ns != time_of_day_ns) {
@@ -216,7 +177,7 @@ class NmeaReader {
     if (kind == "GGA") return TakePosition("GGA", talker, GgaOf(f));
     if (kind == "GNS") return TakePosition("GNS", talker, GnsOf(f));
     if (kind == "GGK") {
-      return TakePosition("GGK", talker, GgkOf(f)) && (is_other || TakeGgkDate(f));
+      return TakePosition("GGK", talker, GgkOf(f)) && TakeGgkDate(f, is_other);
     }
     if (is_other) {
       // The day is the same for all receivers.
@@ -275,18 +236,22 @@ class NmeaReader {
     if (height.starts_with("GHT")) position.msl_m = WholeNumber(height.substr(3));
     return position;
   }
-  /// Month, day and year.
-  bool TakeGgkDate(const Fields& f) {
+  /// Month, day and year of the time that the sentence says; another receiver's day is the same.
+  bool TakeGgkDate(const Fields& f, bool is_other) {
+    if (!is_other && !is_taken_) return true;
     const std::string date(FieldAt(f, 2));
+    const auto time_ns = TimeOf(FieldAt(f, 1));
     if (date.empty()) return true;
     if (date.size() != 6) return false;
     const auto date_ns = DateOf(date.substr(2, 2) + date.substr(0, 2) + date.substr(4));
-    if (date_ns) epochs_.back().date_ns = date_ns;
+    if (date_ns && is_other) others_date_ = {*time_ns, *date_ns};
+    if (date_ns && !is_other) At(*time_ns).date_ns = date_ns;
     return date_ns.has_value();
   }
 
   bool TakePosition(std::string_view kind, std::string_view talker,
                     const std::optional<NmeaPosition>& position) {
+    is_taken_ = false;
     if (!position || !position->IsWhole()) return false;
     const bool agrees = talkers_.Add(kind, talker, *position);
     if (!talker_.empty() && talker != talker_) return true;
@@ -297,6 +262,7 @@ class NmeaReader {
                    left_out_);
       return true;
     }
+    is_taken_ = true;
     Epoch& epoch = At(position->time_of_day_ns);
     if (!epoch.position.empty() && epoch.position != kind) return true;
     epoch.position = kind;
@@ -354,6 +320,9 @@ class NmeaReader {
   std::vector<Epoch> epochs_;
   Talkers talkers_;
   std::map<std::string, int> kinds_;
+  bool is_taken_ = false;  ///< the last position, by its talker and as it agrees with others
+  int sentences_ = 0, unsound_ = 0;
+  std::optional<InputError> first_unsound_;
   std::optional<std::pair<TimeNs, TimeNs>> others_date_;  ///< time of day and date of another's
 };
 
@@ -397,15 +366,18 @@ std::unique_ptr<const RowTable> ReadNmeaLog(const std::filesystem::path& file,
   std::vector<Epoch> epochs = reader.Read();
   const std::vector<std::string> rivals = reader.talkers().Rivals(), all = reader.talkers().All();
   if (talker.empty() && !rivals.empty()) {
-    throw InputError(fmt::format(
-        "{}: the talkers {} say of the same times where they are, as of several receivers; need "
-        "the one to read, for instance 'talker: {}' beside the file",
-        file.string(), fmt::join(rivals, ", "), rivals.front()));
+    throw InputError(file.string(),
+                     {FaultKind::kMissing,
+                      fmt::format("the talkers {} say of the same times where they are, as of "
+                                  "several receivers; need the one to read, for instance 'talker: "
+                                  "{}' beside the file",
+                                  fmt::join(rivals, ", "), rivals.front())});
   }
   if (!talker.empty() && std::find(all.begin(), all.end(), talker) == all.end()) {
-    throw InputError(fmt::format("{}: no position is of the talker '{}'; it has those of {}",
-                                 file.string(), talker,
-                                 all.empty() ? "none" : fmt::format("{}", fmt::join(all, ", "))));
+    throw InputError(file.string(),
+                     {FaultKind::kNoSuchName,
+                      fmt::format("no position is of the talker '{}'; it has those of {}", talker,
+                                  all.empty() ? "none" : fmt::format("{}", fmt::join(all, ", ")))});
   }
   FillDates(&epochs);
   for (const Epoch& epoch : epochs) {

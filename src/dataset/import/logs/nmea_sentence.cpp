@@ -104,7 +104,7 @@ bool BeginsAsNmea(std::string_view bytes) {
     bytes.remove_prefix(is_cut ? bytes.size() : end + 1);
     if (line.empty() || line == "\r" || line.front() == '#') continue;
     const auto sentence = SentenceIn(line);
-    const bool is_one = sentence && sentence->is_sound && IsOfReceiver(sentence->body);
+    const bool is_one = sentence && IsOfReceiver(sentence->body);
     if (is_one || !is_cut) ++(is_one ? sentences : others);
   }
   return sentences > 0 && sentences >= others;

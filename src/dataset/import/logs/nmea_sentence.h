@@ -25,7 +25,7 @@ std::optional<NmeaSentence> SentenceIn(std::string_view line);
 std::size_t BinaryFrameBytes(std::string_view bytes);
 
 /// Whether the beginning of a file is a log of sentences: at least half of its lines, binary frames
-/// left out, hold a sound one of a receiver.
+/// left out, hold one of a receiver, whether its checksum is its own or not.
 bool BeginsAsNmea(std::string_view bytes);
 
 }  // namespace tera

@@ -10,7 +10,9 @@
 #include "core/config/spelling.h"
 #include "core/error.h"
 #include "core/parse_number.h"
+#include "core/split_text.h"
 #include "dataset/files/checked_file.h"
+#include "dataset/import/table_text.h"
 
 namespace tera {
 namespace {
@@ -40,8 +42,9 @@ void NumberTable::AddRow(int line, TimeNs t_ns, const std::vector<Cell>& cells) 
 std::size_t NumberTable::Column(const std::string& name) const {
   const auto found = place_of_.find(name);
   if (found != place_of_.end()) return found->second;
-  throw InputError(
-      fmt::format("{}: has no column '{}'{}", file_.string(), name, DidYouMean(name, names_)));
+  throw InputError(file_.string(),
+                   {FaultKind::kNoSuchName,
+                    fmt::format("has no column '{}'{}", name, DidYouMean(name, names_))});
 }
 
 std::optional<double> NumberTable::NumberIfAny(std::size_t row, std::size_t column) const {
@@ -52,7 +55,7 @@ std::optional<double> NumberTable::NumberIfAny(std::size_t row, std::size_t colu
 
 double NumberTable::Number(std::size_t row, std::size_t column) const {
   const std::optional<double> value = NumberIfAny(row, column);
-  if (!value) Fail(row, column, "need a number");
+  if (!value) Fail(row, column, {FaultKind::kMissing, "need a number"});
   return *value;
 }
 
@@ -68,11 +71,12 @@ bool NumberTable::Repeats(std::size_t row, std::size_t column) const {
   return NumberIfAny(row, column) == NumberIfAny(row - 1, column);
 }
 
-void NumberTable::Fail(std::size_t row, std::size_t column, const std::string& finding) const {
+void NumberTable::Fail(std::size_t row, std::size_t column, const InputFault& fault) const {
   const std::optional<double> value = NumberIfAny(row, column);
-  throw InputError(fmt::format("{}:{}: '{}': found {}, {}", file_.string(), lines_[row],
-                               names_[column], value ? fmt::format("{}", *value) : "nothing",
-                               finding));
+  throw InputError(
+      fmt::format("{}:{}: '{}'", file_.string(), lines_[row], names_[column]),
+      {fault.kind,
+       fmt::format("found {}, {}", value ? fmt::format("{}", *value) : "nothing", fault.finding)});
 }
 
 LogLines::LogLines(const std::filesystem::path& file, FrameBytes frame_bytes)
@@ -109,29 +113,21 @@ bool LogLines::Next(std::string* line) {
 }
 
 void LogLines::Fault(const std::string& finding, LeftOutRows* left_out) const {
-  const std::string fault = fmt::format("{}:{}: {}", file_.string(), number_, finding);
+  const std::string place = fmt::format("{}:{}", file_.string(), number_);
   if (left_out == nullptr) {
-    throw InputError(fault + "; mend it, or leave such lines out by --skip-bad-rows");
+    throw InputError(place, {FaultKind::kMalformed,
+                             finding + "; mend it, or leave such lines out by --skip-bad-rows"});
   }
-  left_out->Add(fault);
+  left_out->Add(place + ": " + finding);
 }
 
 std::optional<double> WholeNumber(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
-  const auto value = ParseNumber<double>(text);
-  return value && std::isfinite(*value) ? value : std::nullopt;
+  return ParseFinite(text);
 }
 
 std::vector<std::string_view> FieldsOf(std::string_view line, char separator) {
-  std::vector<std::string_view> fields;
-  std::size_t begin = 0;
-  for (std::size_t k = 0; k <= line.size(); ++k) {
-    const bool blank = k < line.size() && separator == ' ' && line[k] == '\t';
-    if (k < line.size() && line[k] != separator && !blank) continue;
-    if (separator != ' ' || k > begin) fields.push_back(line.substr(begin, k - begin));
-    begin = k + 1;
-  }
-  return fields;
+  return separator == ' ' ? FieldsOfRecord(line, ' ') : PartsOf(line, separator);
 }
 
 }  // namespace tera

@@ -33,7 +33,7 @@ class NumberTable final : public RowTable {
   bool IsPresent(std::size_t row, std::size_t column) const override;
   bool Repeats(std::size_t row, std::size_t column) const override;
   [[noreturn]] void Fail(std::size_t row, std::size_t column,
-                         const std::string& finding) const override;
+                         const InputFault& fault) const override;
 
  private:
   std::filesystem::path file_;

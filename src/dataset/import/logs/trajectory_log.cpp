@@ -3,10 +3,12 @@
 #include <array>
 #include <charconv>
 
+#include "core/error.h"
 #include "core/motion.h"
 #include "dataset/import/logs/foreign_log.h"
 #include "dataset/import/logs/log_time.h"
 #include "dataset/import/logs/number_table.h"
+#include "dataset/import/table_text.h"
 
 namespace tera {
 namespace {
@@ -16,17 +18,6 @@ constexpr std::size_t kKittiNumbers = 12;
 
 using Numbers = std::vector<double>;
 using PoseNumbers = std::array<double, 7>;  ///< of kPoseColumns
-
-/// A line's fields, without blanks around those that commas separate.
-std::vector<std::string_view> PoseFieldsOf(std::string_view line) {
-  if (line.find(',') == std::string_view::npos) return FieldsOf(line, ' ');
-  std::vector<std::string_view> fields = FieldsOf(line, ',');
-  for (std::string_view& field : fields) {
-    field.remove_prefix(std::min(field.find_first_not_of(" \t"), field.size()));
-    field = field.substr(0, field.find_last_not_of(" \t") + 1);
-  }
-  return fields;
-}
 
 /// Exactly where digits alone make it up, else as far as a double holds it.
 std::optional<TimeNs> PoseTimeOf(std::string_view text, bool in_nanoseconds) {
@@ -59,14 +50,26 @@ class TrajectoryReader {
                    LeftOutRows* left_out)
       : lines_(file), type_(type), left_out_(left_out) {}
 
+  void ReadTimes(const std::filesystem::path& file) {
+    LogLines lines(file);
+    for (std::string line; lines.Next(&line);) {
+      if (line.empty()) continue;
+      const auto t_ns = PoseTimeOf(TrimmedText(line), /*in_nanoseconds=*/false);
+      if (!t_ns) lines.Fault(fmt::format("'{}' is no time in s", line), nullptr);
+      times_.push_back(*t_ns);
+    }
+  }
+
   std::unique_ptr<const RowTable> Read() {
     auto table = std::make_unique<NumberTable>(
         lines_.file(), std::vector<std::string>(kPoseColumns.begin(), kPoseColumns.end()));
     for (std::string line; lines_.Next(&line);) {
-      const std::vector<std::string_view> fields = PoseFieldsOf(line);
+      const std::vector<std::string_view> fields =
+          FieldsOfRecord(line, line.find(',') == std::string::npos ? ' ' : ',');
       if (fields.empty() || fields.front().empty() || fields.front().starts_with('#')) continue;
       if (lines_.number() == 1 && !WholeNumber(fields.front())) continue;  // names of columns
-      TimeNs t_ns = 0;
+      TimeNs t_ns = pose_ < times_.size() ? times_[pose_] : 0;
+      ++pose_;
       if (const auto pose = PoseOf(fields, &t_ns)) {
         std::vector<NumberTable::Cell> cells;
         for (std::size_t k = 0; k < kPoseColumns.size(); ++k) {
@@ -74,6 +77,12 @@ class TrajectoryReader {
         }
         table->AddRow(lines_.number(), t_ns, cells);
       }
+    }
+    if (!times_.empty() && times_.size() != pose_) {
+      throw InputError(
+          lines_.file().string(),
+          {FaultKind::kInconsistent,
+           fmt::format("has {} poses beside {} times; need as many", pose_, times_.size())});
     }
     return table;
   }
@@ -113,6 +122,8 @@ class TrajectoryReader {
   }
 
   LogLines lines_;
+  std::vector<TimeNs> times_;  ///< of the poses, where a file has them
+  std::size_t pose_ = 0;
   const std::string& type_;
   LeftOutRows* left_out_;
 };
@@ -124,8 +135,11 @@ std::string TypeOfTrajectory(std::string_view form) {
 }
 
 std::unique_ptr<const RowTable> ReadTrajectoryLog(const std::filesystem::path& file,
-                                                  const std::string& type, LeftOutRows* left_out) {
-  return TrajectoryReader(file, type, left_out).Read();
+                                                  const std::string& type, LeftOutRows* left_out,
+                                                  const std::filesystem::path& times) {
+  TrajectoryReader reader(file, type, left_out);
+  if (!times.empty()) reader.ReadTimes(times);
+  return reader.Read();
 }
 
 }  // namespace tera

@@ -11,7 +11,10 @@
 #include "core/config/plain_name.h"
 #include "core/motion.h"
 #include "core/units.h"
+#include "dataset/import/angle_wrap.h"
 #include "dataset/import/bag/standard_topics.h"
+#include "dataset/import/suggest/doubted_numbers.h"
+#include "dataset/import/suggest/rate_guess.h"
 
 namespace tera {
 namespace {
@@ -24,6 +27,9 @@ Paths StandardPaths(const BagTopic& topic, const std::vector<const char*>& keys,
   for (const char* key : keys) paths.push_back(above + StandardColumnOf(topic.type, key)->path);
   return paths;
 }
+
+/// A cab, a boom or an arm turns no faster.
+constexpr double kFastBody_radps = 3;
 
 constexpr std::array<const char*, 7> kPoseKeys = {"x", "y", "z", "qw", "qx", "qy", "qz"};
 
@@ -108,20 +114,32 @@ std::string BagChannels::AddImu(const SeenTopic& seen, TakenNames* names) {
   }
   RuleGuesses rules;
   look.AddPresenceRules(paths, &rules);
-  UnitGuess rate = GuessRateUnit({&columns[0], &columns[1], &columns[2]});
-  UnitGuess force = GuessAccelerationUnit({&columns[3], &columns[4], &columns[5]});
-  if (rate.unit == "rad/s") rate.doubt.clear();
+  const std::vector<const NumbersOfColumn*> rates = {&columns[0], &columns[1], &columns[2]};
+  const std::vector<const NumbersOfColumn*> forces = {&columns[3], &columns[4], &columns[5]};
+  UnitGuess rate = GuessRateUnit(rates, {look.times().t_ns, forces});
+  UnitGuess force = GuessAccelerationUnit(forces);
   std::string yaml;
+  // ROS means rad/s and m/s2 where the numbers do not tell otherwise.
+  if (rate.unit == "rad/s") rate.doubt.clear();
+  if (!rate.is_known()) {
+    if (std::max({rates[0]->LargestSize(), rates[1]->LargestSize(), rates[2]->LargestSize()}) >
+        kFastBody_radps) {
+      yaml += "    # guessed: rad/s, as ROS means; " + rate.doubt + "\n";
+    }
+    rate = {"rad/s", 1.0, ""};
+  }
+  if (!force.is_known()) force.unit = "m/s2";
+  yaml += InertialRemarks(look.times().t_ns, rates, rate, forces, force);
   if (rate.unit != "rad/s" || force.unit != "m/s2") {
     if (force.unit != "m/s2") force.doubt = "gravity is not 9.8 long; ROS means m/s2";
-    yaml = "    columns:\n";
+    yaml += "    columns:\n";
     for (std::size_t k = 0; k < keys.size(); ++k) {
       const UnitGuess& unit = k < 3 ? rate : force;
       yaml += fmt::format("      {}: {}{}\n", keys[k], ColumnYaml(paths[k], unit),
                           k % 3 == 0 ? DoubtRemark(unit) : "");
     }
   } else if (!force.doubt.empty()) {
-    yaml = "    # guessed: m/s2; " + force.doubt + "\n";
+    yaml += "    # guessed: m/s2, as ROS means; " + force.doubt + "\n";
   }
   Add("imus", seen, look.times(), rules, yaml, names);
   return "";
@@ -228,17 +246,19 @@ std::string BagChannels::AddJointSet(const SeenTopic& seen, const std::vector<st
       continue;
     }
     is_any = true;
-    const bool in_degrees = angles.LargestSize() > 8 * kPi;
-    is_plain = is_plain && IsPlainName(joints[j]) && (has_angle || has_rate) && !in_degrees &&
-               (has_rate || rates.values.empty()) && (has_angle || angles.values.empty());
-    const UnitGuess unit = {
-        in_degrees ? "deg" : "rad", 1.0,
-        in_degrees ? fmt::format("the largest is {:.4g}", angles.LargestSize()) : ""};
-    explicit_joints += fmt::format(
-        "      - {{name: {}, {}: {}}}{}\n", YamlWord(joint_names.Take(joints[j])),
-        has_angle ? "angle" : "rate",
-        ColumnYaml(paths[2 * j + (has_angle ? 0 : 1)], {has_angle ? unit.unit : "rad/s"}),
-        DoubtRemark(unit));
+    AngleGuess angle = GuessAngle(angles);
+    if (angle.unit.unit != "deg" || angles.LargestSize() <= 8 * kPi) angle.unit = {"rad"};
+    angle.begins_anew =
+        has_angle && BeginsAnew(angles.values, angle.unit.unit == "deg" ? 360 : 2 * kPi);
+    if (angle.unit.unit == "deg") {
+      angle.unit.doubt = fmt::format("the largest is {:.4g}", angles.LargestSize());
+    }
+    is_plain = is_plain && IsPlainName(joints[j]) && angle.unit.unit == "rad" &&
+               !angle.begins_anew && (has_rate || rates.values.empty()) &&
+               (has_angle || angles.values.empty());
+    const std::string name = YamlWord(joint_names.Take(joints[j]));
+    explicit_joints += has_angle ? JointYaml(name, paths[2 * j], angle)
+                                 : JointYaml(name, {paths[2 * j + 1], {"rad/s"}});
   }
   if (!is_any) return "its joints have neither positions nor velocities";
   const bool is_alone = rows == static_cast<std::int64_t>(look.rows());

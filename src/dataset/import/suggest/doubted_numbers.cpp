@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/quantile.h"
 #include "core/units.h"
 #include "dataset/import/angle_wrap.h"
 #include "dataset/import/inertial_conventions.h"
@@ -59,30 +60,48 @@ double ForceFactor(const UnitGuess& unit) {
 
 }  // namespace
 
-AngleGuess GuessAngle(const NumbersOfColumn& angle) {
+AngleGuess GuessAngle(const NumbersOfColumn& angle,
+                      const std::vector<const NumbersOfColumn*>& others) {
   const auto told = ToldUnit(angle, Dimension::kAngle);
   for (const TurnOfUnit& one : TurnsOfUnits(told)) {
     if (!told && !MayBeWithin(one.turn, angle.values)) continue;
     if (BeginsAnew(angle.values, one.turn)) return {one.unit, true};
   }
-  return {GuessAngleUnit({&angle}), false};
+  std::vector<const NumbersOfColumn*> all = {&angle};
+  for (const NumbersOfColumn* other : others) {
+    if (other != &angle && !ToldUnit(*other, Dimension::kAngle)) all.push_back(other);
+  }
+  return {GuessAngleUnit(all), false};
 }
 
-std::string JointYaml(const std::string& joint, const NumbersOfColumn& angle) {
-  const AngleGuess guess = GuessAngle(angle);
-  const std::string column = ColumnYaml(angle.name, guess.unit);
-  if (!guess.begins_anew) {
-    return fmt::format("      - {{name: {}, angle: {}}}{}\n", joint, column,
-                       DoubtRemark(guess.unit));
+std::string JointYaml(const std::string& joint, const std::string& column, const AngleGuess& angle,
+                      const std::optional<RateColumn>& rate) {
+  UnitGuess remark = angle.unit;
+  if (angle.begins_anew) {
+    remark.doubt =
+        "it begins anew after a turn" + (angle.unit.doubt.empty() ? "" : "; " + angle.unit.doubt);
   }
-  return fmt::format(
-      "      - {{name: {}, angle: {}, wrap_deg: 360}}   # guessed: it begins anew after a turn{}\n",
-      joint, column, guess.unit.doubt.empty() ? "" : "; " + guess.unit.doubt);
+  std::string keys = "angle: " + ColumnYaml(column, angle.unit);
+  if (angle.begins_anew) keys += ", wrap_deg: 360";
+  if (rate) keys += ", rate: " + ColumnYaml(rate->column, rate->unit);
+  if (rate && !rate->unit.doubt.empty()) {
+    remark.doubt +=
+        (remark.doubt.empty() ? "" : "; ") + std::string("the rate: ") + rate->unit.doubt;
+    if (!rate->unit.is_known()) remark.unit = kUnknownUnit;
+  }
+  return fmt::format("      - {{name: {}, {}}}{}\n", joint, keys, DoubtRemark(remark));
+}
+
+std::string JointYaml(const std::string& joint, const RateColumn& rate) {
+  return fmt::format("      - {{name: {}, rate: {}}}{}\n", joint,
+                     ColumnYaml(rate.column, rate.unit), DoubtRemark(rate.unit));
 }
 
 std::string InertialRemarks(const std::vector<TimeNs>& t_ns,
                             const std::vector<const NumbersOfColumn*>& rates,
-                            const std::vector<const NumbersOfColumn*>& forces) {
+                            const UnitGuess& rate_unit,
+                            const std::vector<const NumbersOfColumn*>& forces,
+                            const UnitGuess& force_unit) {
   const std::size_t rows = rates[0]->values.size();
   const auto is_whole = [&](const NumbersOfColumn* column) {
     return column->values.size() == rows;
@@ -91,22 +110,28 @@ std::string InertialRemarks(const std::vector<TimeNs>& t_ns,
       !std::all_of(forces.begin(), forces.end(), is_whole)) {
     return "";
   }
-  // Without times, what rates turn a unit by is not known.
-  const bool knows_times = t_ns.size() == rows;
-  const double rate_factor = knows_times ? RateFactor(GuessRateUnit(rates)) : 0;
-  const double force_factor = ForceFactor(GuessAccelerationUnit(forces));
+  // Without times or a unit, what rates turn a unit by is not known.
+  const bool knows_turns = t_ns.size() == rows && rate_unit.is_known();
+  const double rate_factor = knows_turns ? RateFactor(rate_unit) : 0;
   const auto vector = [](const std::vector<const NumbersOfColumn*>& axes, std::size_t row) {
     return Vec3(axes[0]->values[row], axes[1]->values[row], axes[2]->values[row]);
   };
+  double force_factor = ForceFactor(force_unit);
+  if (!force_unit.is_known()) {
+    // Counts of whatever size are judged by their direction.
+    std::vector<double> sizes;
+    for (std::size_t row = 0; row < rows; ++row) sizes.push_back(vector(forces, row).norm());
+    force_factor = std::min(1.0, kStandardGravity_mps2 / std::max(Median(sizes), 1e-9));
+  }
   const auto sample = [&](std::size_t row) {
-    const TimeNs at_ns = knows_times ? t_ns[row] : static_cast<TimeNs>(row);
+    const TimeNs at_ns = t_ns.size() == rows ? t_ns[row] : static_cast<TimeNs>(row);
     return ImuSample{at_ns, at_ns, rate_factor * vector(rates, row),
                      force_factor * vector(forces, row)};
   };
+  std::vector<InertialFinding> findings = JudgeInertial(rows, sample);
+  if (findings.empty()) findings = JudgeUpright(rows, sample);
   std::string remarks;
-  for (const InertialFinding& one : JudgeInertial(rows, sample)) {
-    remarks += "    # guessed: " + one.text + "\n";
-  }
+  for (const InertialFinding& one : findings) remarks += "    # guessed: " + one.text + "\n";
   return remarks;
 }
 

@@ -11,7 +11,6 @@
 #include "core/quantile.h"
 #include "core/units.h"
 #include "dataset/format/dataset_description.h"
-#include "dataset/import/import_options.h"
 
 namespace tera {
 namespace {
@@ -84,13 +83,6 @@ UnitGuess GuessAnyUnit(const NumbersOfColumn& column) {
   return {"1", 1.0, "unit unknown, " + size};
 }
 
-UnitGuess GuessRateUnit(const std::vector<const NumbersOfColumn*>& rates) {
-  if (const auto unit = ToldUnit(*rates.front(), Dimension::kRate)) return *unit;
-  const double largest = LargestOf(rates);
-  const bool is_deg = largest > kFastestJoint_radps;
-  return {is_deg ? "deg/s" : "rad/s", 1.0, fmt::format("the largest is {:.4g}", largest)};
-}
-
 UnitGuess GuessAccelerationUnit(const std::vector<const NumbersOfColumn*>& axes) {
   if (const auto unit = ToldUnit(*axes.front(), Dimension::kAcceleration)) return *unit;
   double squares = 0;
@@ -103,8 +95,11 @@ UnitGuess GuessAccelerationUnit(const std::vector<const NumbersOfColumn*>& axes)
   if (is_about(kStandardGravity_mps2)) return {"m/s2", 1.0, ""};
   if (is_about(1.0)) return {"g", 1.0, ""};
   if (is_about(1e3)) return {"g", 1e-3, ""};
-  return {"m/s2", 1.0,
-          fmt::format("the median vector is {:.4g} long, as gravity is in no unit", length)};
+  constexpr double kLeastCounts = 100;  // of one g
+  std::string doubt =
+      fmt::format("the median vector is {:.4g} long, as gravity is in no unit", length);
+  if (length > kLeastCounts) doubt += fmt::format("; counts of g / {:.4g}?", length);
+  return {kUnknownUnit, 1.0, doubt};
 }
 
 UnitGuess GuessAngleUnit(const std::vector<const NumbersOfColumn*>& angles) {
@@ -112,7 +107,19 @@ UnitGuess GuessAngleUnit(const std::vector<const NumbersOfColumn*>& angles) {
   const double largest = LargestOf(angles);
   // A joint of a slewing machine may turn on, but not by this much.
   if (largest > 8 * kPi) return {"deg", 1.0, ""};
-  return {largest > 2 * kPi ? "deg" : "rad", 1.0, fmt::format("the largest is {:.4g}", largest)};
+  const std::string size = fmt::format("the largest is {:.4g}", largest);
+  if (largest > 2 * kPi) return {"deg", 1.0, size};
+  if (angles.size() > 1 || largest == 0) return {"rad", 1.0, size};
+  return {kUnknownUnit, 1.0, size + ": rad, or deg of a joint that hardly moves"};
+}
+
+bool NamesCounts(std::string_view name) {
+  const std::vector<std::string> words = WordsOfName(name);
+  return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+    constexpr std::array<std::string_view, 8> kCounts = {"raw",  "count", "counts", "adc",
+                                                         "tick", "ticks", "lsb",    "inkremente"};
+    return std::find(kCounts.begin(), kCounts.end(), word) != kCounts.end();
+  });
 }
 
 std::string YamlWord(std::string_view text) {
@@ -155,11 +162,10 @@ std::string StemOfName(std::string_view name) {
   }
   // A single letter is a unit only as a word of its own: "alt_m", and not "heading".
   const std::string_view bare = name.substr(0, name.find_first_of("[("));
-  for (const std::string_view unit : {"_g", "_m", "_kg"}) {
-    if (bare.ends_with(unit) && stem.size() >= unit.size()) {
-      stem.resize(stem.size() - (unit.size() - 1));
-      return stem;
-    }
+  for (const std::string_view text : UnitTextsOf(bare)) {
+    const bool is_plain = text.size() > 1 || text == "m" || text == "g";
+    if (!is_plain || !UnitOfText(text, Dimension::kAny)) continue;
+    return StemOfName(bare.substr(0, bare.size() - text.size()));
   }
   for (const std::string_view unit : {"degps", "radps", "mps2", "dps", "deg", "rad", "rpm"}) {
     if (stem.ends_with(unit) && stem.size() > unit.size()) {
@@ -200,8 +206,9 @@ std::string JointOfWord(std::string_view word) {
 }
 
 std::string JointOfAngle(const NumbersOfColumn& column) {
-  constexpr std::array<std::string_view, 10> kOfAngles = {
-      "angle", "pos", "position", "joint", "winkel", "encoder", "deg", "rad", "degrees", "grad"};
+  constexpr std::array<std::string_view, 11> kOfAngles = {"angle",   "pos",     "position", "joint",
+                                                          "winkel",  "encoder", "deg",      "rad",
+                                                          "degrees", "grad",    "gon"};
   std::vector<std::string> words = WordsOfName(column.name);
   std::erase_if(words, [&](const std::string& word) {
     return std::find(kOfAngles.begin(), kOfAngles.end(), word) != kOfAngles.end();
@@ -216,6 +223,38 @@ std::string JointOfAngle(const NumbersOfColumn& column) {
   const bool has_other_unit = !column.unit.empty() && column.unit != "-" && column.unit != "1";
   const bool is_other = !is_unit_of_angle && (has_other_unit || GuessAnyUnit(column).unit != "1");
   return is_other ? "" : JointOfWord(word);
+}
+
+std::string JointOfRate(const NumbersOfColumn& column) {
+  constexpr std::array<std::string_view, 11> kRates = {"rate",    "velocity",
+                                                       "vel",     "omega",
+                                                       "angvel",  "geschwindigkeit",
+                                                       "speed",   "drehrate",
+                                                       "vitesse", "winkelgeschwindigkeit",
+                                                       "dot"};
+  constexpr std::array<std::string_view, 14> kOthers = {
+      "angular", "joint", "angle", "deg",   "rad",      "s",    "per",
+      "sec",     "degs",  "rads",  "radps", "measured", "meas", "actual"};
+  const auto told = ToldUnit(column, Dimension::kRate);
+  const bool has_other_unit = !column.unit.empty() && column.unit != "-" && column.unit != "1";
+  if (!told && (has_other_unit || GuessAnyUnit(column).unit != "1")) return "";
+  std::string joint;
+  bool is_rate = false;
+  for (const std::string& word : WordsOfName(column.name)) {
+    // A speed may be a cylinder's or a track's, and a share of the fastest.
+    if (word == "speed" && !told) return "";
+    const auto is_in = [&](const auto& words) {
+      return std::find(words.begin(), words.end(), word) != words.end();
+    };
+    if (is_in(kRates)) {
+      is_rate = true;
+    } else if (joint.empty() && !JointOfWord(word).empty()) {
+      joint = JointOfWord(word);
+    } else if (!is_in(kOthers) && !UnitOfText(word, Dimension::kRate)) {
+      return "";
+    }
+  }
+  return is_rate ? joint : "";
 }
 
 std::string PlainNameOf(std::string_view text) {
@@ -270,7 +309,8 @@ std::string ColumnYaml(std::string_view column, const UnitGuess& unit) {
 }
 
 std::string DoubtRemark(const UnitGuess& unit) {
-  return unit.doubt.empty() ? "" : "   # guessed: " + unit.doubt;
+  if (unit.doubt.empty()) return "";
+  return (unit.is_known() ? "   # guessed: " : "   # to fill in: ") + unit.doubt;
 }
 
 }  // namespace tera

@@ -25,11 +25,16 @@ struct NumbersOfColumn {
   double MedianStep() const;
 };
 
+/// The unit that is left to be filled in, which the import refuses.
+inline constexpr const char* kUnknownUnit = "unknown";
+
 /// A unit of the mapping's, and where it is not sure why it is thought so.
 struct UnitGuess {
   std::string unit;
   double scale = 1.0;
-  std::string doubt;  ///< empty: sure
+  std::string doubt;  ///< empty: sure; of a unit to be filled in, what was seen
+
+  bool is_known() const { return unit != kUnknownUnit; }
 };
 
 /// The unit of a column that may be of any dimension, by its line of units, the brackets or the
@@ -37,12 +42,13 @@ struct UnitGuess {
 UnitGuess GuessAnyUnit(const NumbersOfColumn& column);
 /// The unit that a column's line of units or its name tells; none where neither does.
 std::optional<UnitGuess> ToldUnit(const NumbersOfColumn& column, Dimension dimension);
-/// rad/s or deg/s: by the names' ending, else no machine turns at 20 rad/s.
-UnitGuess GuessRateUnit(const std::vector<const NumbersOfColumn*>& rates);
-/// m/s2 or g: by the length of the median vector, which is gravity of a machine.
+/// m/s2 or g: by the length of the median vector, which is gravity of a machine; else unknown.
 UnitGuess GuessAccelerationUnit(const std::vector<const NumbersOfColumn*>& axes);
-/// rad or deg of an angle or a geodetic coordinate.
+/// rad or deg of angles of joints that one logger wrote: deg where one is beyond a turn in rad; of
+/// one joint alone unknown where it is not.
 UnitGuess GuessAngleUnit(const std::vector<const NumbersOfColumn*>& angles);
+/// Whether a name says that its numbers are counts of a sensor: raw, counts, adc, ticks.
+bool NamesCounts(std::string_view name);
 
 /// Times in s beyond count from an epoch.
 inline constexpr double kLeastEpoch_s = 1e8;
@@ -100,6 +106,8 @@ std::string StemOfName(std::string_view name);
 std::string JointOfWord(std::string_view word);
 /// The joint whose angle a column is by its name and its unit; empty: of none.
 std::string JointOfAngle(const NumbersOfColumn& column);
+/// The joint whose rate a column is (boom_rate, arm_velocity [deg/s]); empty: of none.
+std::string JointOfRate(const NumbersOfColumn& column);
 /// A name for a channel or a column: letters, digits and '_'.
 std::string PlainNameOf(std::string_view text);
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "dataset/import/suggest/doubted_numbers.h"
+#include "dataset/import/suggest/rate_guess.h"
 
 namespace tera {
 namespace {
@@ -15,8 +16,9 @@ constexpr std::array<std::string_view, 20> kSignalNames = {
     "signal", "signalname", "name",        "variable", "variablename", "channel",  "field",
     "topic",  "metric",     "tag",         "tagname",  "sensor",       "sensorid", "key",
     "param",  "parameter",  "measurement", "item",     "kanal",        "messgröße"};
-constexpr std::array<std::string_view, 9> kValueNames = {
-    "value", "val", "wert", "messwert", "v", "data", "values", "valeur", "reading"};
+constexpr std::array<std::string_view, 15> kValueNames = {
+    "value",   "val", "wert",   "messwert", "v",   "data",     "values", "valeur",
+    "reading", "raw", "counts", "count",    "adc", "rawvalue", "rohwert"};
 constexpr std::array<std::string_view, 4> kUnitNames = {"unit", "units", "einheit", "unité"};
 
 template <std::size_t n>
@@ -64,12 +66,20 @@ std::string SignalsYaml(const CsvFile& csv, const TableLayout& layout, const Lon
   std::set<std::string> names;
   const std::string signal_column = YamlWord(csv.columns()[form.signal]);
   const std::string value_column = csv.columns()[form.value];
+  std::vector<NumbersOfColumn> all;
   for (const std::string& signal : form.signals) {
     const std::vector<std::size_t> rows = RowsOfSignal(csv, form, signal);
-    NumbersOfColumn numbers = NumbersOf(csv, layout, rows).at(form.value);
+    all.push_back(NumbersOf(csv, layout, rows).at(form.value));
+    all.back().name = signal;
+    if (form.unit) all.back().unit = std::string(csv.Field(rows.front(), *form.unit));
+  }
+  std::vector<const NumbersOfColumn*> angles;
+  for (const NumbersOfColumn& numbers : all) {
+    if (!JointOfAngle(numbers).empty()) angles.push_back(&numbers);
+  }
+  for (const NumbersOfColumn& numbers : all) {
+    const std::string& signal = numbers.name;
     if (numbers.values.empty()) continue;
-    numbers.name = signal;
-    if (form.unit) numbers.unit = std::string(csv.Field(rows.front(), *form.unit));
     std::string name = PlainNameOf(signal);
     if (!names.insert(name).second) name += fmt::format("_{}", names.size() + 1);
     const std::string present =
@@ -79,16 +89,21 @@ std::string SignalsYaml(const CsvFile& csv, const TableLayout& layout, const Lon
     const std::string head =
         fmt::format("  - name: {}\n    valid_if: [{{column: {}, equals: {}}}{}]\n", name,
                     signal_column, YamlWord(signal), present);
-    const std::string joint = JointOfAngle(numbers);
-    const AngleGuess angle =
-        joint.empty() ? AngleGuess{GuessAnyUnit(numbers)} : GuessAngle(numbers);
-    const UnitGuess& unit = angle.unit;
-    const std::string wrap = angle.begins_anew ? ", wrap_deg: 360}" : "}";
-    const std::string column = ColumnYaml(value_column, unit) + (joint.empty() ? "" : wrap);
-    const std::string row =
-        joint.empty() ? fmt::format("    columns:\n      {}: {}", name, column)
-                      : fmt::format("    joints:\n      - {{name: {}, angle: {}", joint, column);
-    (joint.empty() ? tables : encoders) += head + row + DoubtRemark(unit) + "\n";
+    const bool is_count = NamesCounts(value_column) || NamesCounts(signal);
+    const AngleGuess angle = GuessAngle(numbers, angles);
+    const std::string turning = is_count && !angle.begins_anew ? "" : JointOfAngle(numbers);
+    const std::string rated = is_count ? "" : JointOfRate(numbers);
+    if (!turning.empty()) {
+      encoders += head + "    joints:\n" + JointYaml(turning, value_column, angle);
+    } else if (!rated.empty()) {
+      encoders +=
+          head + "    joints:\n" + JointYaml(rated, {value_column, GuessRateUnit({&numbers})});
+    } else {
+      UnitGuess unit = GuessAnyUnit(numbers);
+      if (is_count) unit.doubt = "counts by the name, " + unit.doubt;
+      tables += head + fmt::format("    columns:\n      {}: {}{}\n", name,
+                                   ColumnYaml(value_column, unit), DoubtRemark(unit));
+    }
   }
   return (encoders.empty() ? "" : "encoders:\n" + encoders) +
          (tables.empty() ? "" : "tables:\n" + tables);

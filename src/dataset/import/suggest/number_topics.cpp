@@ -8,6 +8,8 @@
 #include "dataset/import/bag/byte_cursor.h"
 #include "dataset/import/bag/message_schema.h"
 #include "dataset/import/suggest/bag_channels.h"
+#include "dataset/import/suggest/doubted_numbers.h"
+#include "dataset/import/suggest/rate_guess.h"
 #include "dataset/ros/delta_can.h"
 
 // Topics of one number each, and TERA's own messages.
@@ -103,15 +105,17 @@ std::string BagChannels::AddNumber(const SeenTopic& seen, TakenNames* names) {
                      numbers.LargestSize())});
     return "";
   }
-  UnitGuess unit = role == Role::kRate ? GuessRateUnit({&numbers}) : GuessAngleUnit({&numbers});
+  AngleGuess angle = role == Role::kRate ? AngleGuess{} : GuessAngle(numbers);
+  // ROS means rad.
+  if (!angle.unit.is_known()) angle.unit.unit = "rad";
   if (role == Role::kUnknown) {
-    unit.doubt += (unit.doubt.empty() ? "" : "; ") +
-                  std::string("an angle by its joint's name; a lever is a column of commands");
+    angle.unit.doubt +=
+        (angle.unit.doubt.empty() ? "" : "; ") +
+        std::string("an angle by its joint's name; a lever is a column of commands");
   }
   Add("encoders", seen, look.times(), rules,
-      fmt::format("    joints:\n      - {{name: {}, {}: {}}}{}\n", joint,
-                  role == Role::kRate ? "rate" : "angle", ColumnYaml("data", unit),
-                  DoubtRemark(unit)),
+      "    joints:\n" + (role == Role::kRate ? JointYaml(joint, {"data", GuessRateUnit({&numbers})})
+                                             : JointYaml(joint, "data", angle)),
       names);
   return "";
 }

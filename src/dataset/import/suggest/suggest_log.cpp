@@ -53,6 +53,7 @@ std::optional<std::string> OriginOf(const RowTable& table,
     const auto number = [&](int k) {
       return table.Number(row, table.Column(lat_lon_height[static_cast<std::size_t>(k)]));
     };
+    if (number(0) == 0 && number(1) == 0) continue;  // no receiver with a fix is there
     return OriginYaml(number(0), number(1), number(2), "the first row with a fix");
   }
   return std::nullopt;
@@ -75,7 +76,8 @@ TimeSteps TimeStepsOf(const RowTable& table) {
 std::string PosYaml(const fs::path& log, const RowTable& table) {
   const auto origin = OriginOf(table, {"latitude", "longitude", "height"},
                                [&](std::size_t row) { return HasFix(table, row); });
-  if (!origin) throw InputError(log.string() + ": has no row with a fix; need one");
+  if (!origin)
+    throw InputError(log.string(), {FaultKind::kMissing, "has no row with a fix; need one"});
   RuleGuesses rules;
   AddStepRule(TimeStepsOf(table), kLogTimeColumn, &rules);
   return Top(log.stem().string()) + "file: " + YamlWord(log.string()) + "\n" + *origin +
@@ -114,8 +116,9 @@ std::string NmeaYaml(const fs::path& log, const RowTable& table, const NmeaConte
   const auto has_fix = [&](std::size_t row) { return HasFix(table, row); };
   const auto origin = OriginOf(table, {"latitude", "longitude", height}, has_fix);
   if (!origin) {
-    throw InputError(fmt::format("{}: has no GGA, GNS or PTNL,GGK with a fix; it has {}",
-                                 log.string(), contents.kinds.empty() ? "none" : contents.kinds));
+    throw InputError(log.string(), {FaultKind::kMissing,
+                                    fmt::format("has no GGA, GNS or PTNL,GGK with a fix; it has {}",
+                                                contents.kinds.empty() ? "none" : contents.kinds)});
   }
   std::string yaml = Top(log.stem().string()) + "file: " + YamlWord(log.string()) + "\n";
   if (!contents.has_dates) yaml += "# no sentence has a date: times count from 1970-01-01\n";

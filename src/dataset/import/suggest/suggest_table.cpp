@@ -12,14 +12,15 @@
 
 #include "core/error.h"
 #include "dataset/files/checked_file.h"
-#include "dataset/import/bag/bag_source.h"
 #include "dataset/import/csv_mapping.h"
 #include "dataset/import/foreign_file.h"
-#include "dataset/import/logs/foreign_log.h"
 #include "dataset/import/suggest/command_guess.h"
 #include "dataset/import/suggest/doubted_numbers.h"
+#include "dataset/import/suggest/gnss_guess.h"
 #include "dataset/import/suggest/guess.h"
+#include "dataset/import/suggest/joint_guess.h"
 #include "dataset/import/suggest/long_table.h"
+#include "dataset/import/suggest/rate_guess.h"
 #include "dataset/import/suggest/suggest.h"
 #include "dataset/import/suggest/table_layout.h"
 #include "dataset/import/suggest/time_guess.h"
@@ -35,15 +36,19 @@ class TableGuess {
  public:
   TableGuess(const std::filesystem::path& log, const TableLayout& layout)
       : log_(log), layout_(layout), csv_(log, layout.form, &left_out_) {
-    std::vector<std::size_t> rows(csv_.row_count());
-    std::iota(rows.begin(), rows.end(), std::size_t{0});
-    columns_ = NumbersOf(csv_, layout, rows);
-    if (layout.form.has_header) long_ = FindLongForm(csv_, columns_);
-    if (long_) {
-      const std::vector<std::size_t> first = RowsOfSignal(csv_, *long_, long_->signals.front());
-      time_ = GuessTime(csv_, first, NumbersOf(csv_, layout, first), /*has_header=*/true);
-    } else {
-      time_ = GuessTime(csv_, rows, columns_, layout.form.has_header);
+    if (csv_.row_count() == 0) {
+      throw InputError(log.string(),
+                       {FaultKind::kMissing, "has names of columns and no row; need rows"});
+    }
+    Look();
+    if (time_.first_line > 0 || time_.last_line > 0) {
+      layout_.form.first_line = time_.first_line;
+      layout_.form.last_line = time_.last_line;
+      const std::string parts = time_.parts;
+      left_out_ = {};
+      csv_ = CsvFile(log, layout_.form, &left_out_);
+      Look();
+      time_.yaml += parts;
     }
     taken_.insert(time_.columns.begin(), time_.columns.end());
   }
@@ -58,18 +63,32 @@ class TableGuess {
       channels += Gnss();
       channels += Pose();
       channels += Encoders();
-      std::string tables = Commands();
+      std::string tables = MapPosition();
+      tables += Commands();
       tables += Others();
       if (!tables.empty()) channels += "tables:\n" + tables;
     }
     if (channels.empty()) {
-      throw InputError(
-          fmt::format("{}: has no column of numbers beside its time; need one", log_.string()));
+      throw InputError(log_.string(),
+                       {FaultKind::kMissing, "has no column of numbers beside its time; need one"});
     }
     return Top() + channels + Remarks();
   }
 
  private:
+  /// The columns' numbers and the time.
+  void Look() {
+    std::vector<std::size_t> rows(csv_.row_count());
+    std::iota(rows.begin(), rows.end(), std::size_t{0});
+    columns_ = NumbersOf(csv_, layout_, rows);
+    if (layout_.form.has_header) long_ = FindLongForm(csv_, columns_);
+    if (!long_) {
+      time_ = GuessTime(csv_, rows, columns_, layout_.form.has_header);
+      return;
+    }
+    const std::vector<std::size_t> first = RowsOfSignal(csv_, *long_, long_->signals.front());
+    time_ = GuessTime(csv_, first, NumbersOf(csv_, layout_, first), /*has_header=*/true);
+  }
   /// The column of one of these stems that is not taken yet.
   const NumbersOfColumn* Find(const std::vector<std::string>& stems) const {
     for (const std::string& stem : stems) {
@@ -112,8 +131,10 @@ class TableGuess {
     return yaml;
   }
   /// The channel's `valid_if`, where a row may repeat its time or lack one of the columns.
-  std::string Rules(const ColumnList& columns, std::string_view indent = "    ") const {
+  std::string Rules(const ColumnList& columns, std::string_view indent = "    ",
+                    const std::string& more = "") const {
     std::vector<std::string> rules;
+    if (!more.empty()) rules.push_back(more);
     if (!time_.rule.empty()) rules.push_back(time_.rule);
     std::set<std::size_t> gaps;
     for (const NumbersOfColumn* column : columns) {
@@ -149,7 +170,7 @@ class TableGuess {
         "# A first mapping by 'tera import --suggest': look at what is marked as guessed.\n"
         "name: {}\nmachine: machine   # guessed: name the machine's folder\nfile: {}\n",
         PlainNameOf(log_.stem().string()), YamlWord(log_.string()));
-    return yaml + layout_.yaml + time_.yaml + origin_;
+    return yaml + layout_.Yaml() + time_.yaml + origin_;
   }
 
   std::string Imu() {
@@ -166,38 +187,59 @@ class TableGuess {
     ColumnList all = rates;
     all.insert(all.end(), forces.begin(), forces.end());
     Take(all);
-    return "imus:\n  - name: imu\n" + Rules(all) + InertialRemarks(time_.t_ns, rates, forces) +
-           "    columns:\n" + Columns(rates, {"wx", "wy", "wz"}, GuessRateUnit(rates)) +
-           Columns(forces, {"ax", "ay", "az"}, GuessAccelerationUnit(forces));
+    TurnWitness witness{time_.t_ns, forces};
+    for (const char* angle : {"roll", "pitch", "yaw"}) {
+      witness.angles.push_back(Find({angle, std::string("imu") + angle}));
+    }
+    const UnitGuess rate = GuessRateUnit(rates, witness), force = GuessAccelerationUnit(forces);
+    return "imus:\n  - name: imu\n" + Rules(all) +
+           InertialRemarks(time_.t_ns, rates, rate, forces, force) + "    columns:\n" +
+           Columns(rates, {"wx", "wy", "wz"}, rate) + Columns(forces, {"ax", "ay", "az"}, force);
   }
 
   std::string Gnss() {
-    const auto* lat = Find({"lat", "latitude", "gpslat", "gnsslat", "gpslatitude"});
-    const auto* lon =
-        Find({"lon", "lng", "long", "longitude", "gpslon", "gnsslon", "gpslongitude"});
-    const auto* alt = Find({"alt", "altitude", "height", "h", "ellipsoidalheight", "gpsalt"});
-    if (lat == nullptr || lon == nullptr || alt == nullptr) return "";
-    const auto* fix = Find({"fix", "quality", "fixtype", "q", "gpsfix"});
-    ColumnList all = {lat, lon, alt};
-    if (fix != nullptr) all.push_back(fix);
+    PlaceColumns place;
+    place.lat = Find({"lat", "latitude", "gpslat", "gnsslat", "gpslatitude", "late7", "lat1e7",
+                      "latitudee7", "late6", "breite", "breitengrad"});
+    place.lon =
+        Find({"lon", "lng", "long", "longitude", "gpslon", "gnsslon", "gpslongitude", "lone7",
+              "lon1e7", "longitudee7", "lone6", "gpslong", "gpslng", "laenge", "laengengrad"});
+    place.alt = Find({"alt", "altitude", "height", "h", "ellipsoidalheight", "gpsalt", "hoehe",
+                      "gpsaltitude", "gpsheight", "heightellipsoid", "elevation", "altmsl"});
+    if (place.lat == nullptr || place.lon == nullptr || place.alt == nullptr) return "";
+    place.fix = Find(
+        {"fix", "quality", "fixtype", "q", "gpsfix", "gpsquality", "fixquality", "gpsfixtype"});
+    ColumnList all = {place.lat, place.lon, place.alt};
+    if (place.fix != nullptr) all.push_back(place.fix);
+    place.lat_side = SideColumn(csv_, columns_, "NS");
+    place.lon_side = SideColumn(csv_, columns_, "EW");
+    const auto guess = GuessGnss(csv_, place);
+    if (!guess) {
+      remarks_ += "# no row has a fix with a place: no gnss channel\n";
+      return "";
+    }
     Take(all);
-    const UnitGuess angle = GuessAngleUnit({lat, lon}), metres{"m", 1.0, ""};
-    const double to_deg = angle.unit == "rad" ? 57.29577951308232 : 1.0;
-    origin_ = fmt::format(
-        "origin: {{lat_deg: {:.7f}, lon_deg: {:.7f}, height_m: {:.3f}}}   # guessed: the first "
-        "row\n",
-        lat->values.front() * to_deg, lon->values.front() * to_deg, alt->values.front());
-    std::string yaml = "gnss:\n  - name: gnss\n" + Rules(all) + "    columns:\n" +
-                       Columns({lat, lon}, {"lat", "lon"}, angle) + Columns({alt}, {"alt"}, metres);
-    if (fix != nullptr) {
-      yaml += "      fix: " + ColumnYaml(fix->name, {"1"}) + "   # guessed: a quality as of GGA\n";
-    } else {
-      yaml += "      fix: {constant: 1}   # guessed: no column of it\n";
-    }
-    for (const char* key : {"var_e", "var_n", "var_u"}) {
-      yaml += fmt::format("      {}: {{constant: 4}}   # guessed: no column of it\n", key);
-    }
-    return yaml;
+    taken_.insert({place.lat_side, place.lon_side});
+    origin_ = guess->origin;
+    return "gnss:\n  - name: gnss\n" + Rules(all, "    ", guess->rules) + "    columns:\n" +
+           guess->columns;
+  }
+
+  /// Coordinates of a map become a table.
+  std::string MapPosition() {
+    const auto* east = Find({"easting", "eastings", "utmeasting", "utme", "rechtswert", "rechts",
+                             "ostwert", "east", "e", "xutm", "utmx"});
+    const auto* north = Find({"northing", "northings", "utmnorthing", "utmn", "hochwert", "hoch",
+                              "nordwert", "north", "n", "yutm", "utmy"});
+    if (east == nullptr || north == nullptr) return "";
+    constexpr double kFarFromAnySite = 1e4;
+    const bool is_far = std::max(east->LargestSize(), north->LargestSize()) > kFarFromAnySite;
+    if (!is_far && (east->name.size() == 1 || north->name.size() == 1)) return "";
+    const auto* up = Find({"alt", "altitude", "height", "h", "elevation", "up", "hoehe", "z"});
+    ColumnList all = {east, north};
+    if (up != nullptr) all.push_back(up);
+    Take(all);
+    return "  - name: map_position\n" + Rules(all) + MapPositionYaml(all, is_far);
   }
 
   std::string Pose() {
@@ -209,31 +251,28 @@ class TableGuess {
     ColumnList all = place;
     all.insert(all.end(), turn.begin(), turn.end());
     Take(all);
-    return "pose:\n" + Rules(all, "  ") + "  columns:\n" + Columns(place, {"x", "y", "z"}, {"m"}) +
+    return "pose:\n" + Rules(all, "  ") + "  columns:\n" +
+           Columns(place, {"x", "y", "z"}, GuessPlaceUnit(place, time_.t_ns)) +
            Columns(turn, {"qw", "qx", "qy", "qz"}, {"1"});
   }
 
   std::string Encoders() {
-    std::map<const NumbersOfColumn*, std::string> joint_of;
-    ColumnList angles;
-    std::set<std::string> joints;
-    for (const NumbersOfColumn& column : columns_) {
-      const std::string joint =
-          layout_.form.has_header && IsLeft(column) ? JointOfAngle(column) : std::string();
-      if (joint.empty() || !joints.insert(joint).second) continue;
-      joint_of[&column] = joint;
-      angles.push_back(&column);
+    if (!layout_.form.has_header) return "";
+    const JointGuesses guesses = GuessJoints(Left(), time_.t_ns);
+    if (guesses.joints.empty()) return "";
+    Take(guesses.columns);
+    ColumnList columns;
+    std::map<const NumbersOfColumn*, std::string> line_of;
+    for (const auto& [column, yaml] : guesses.joints) {
+      columns.push_back(column);
+      line_of[column] = yaml;
     }
-    if (angles.empty()) return "";
-    Take(angles);
     std::string yaml = "encoders:\n";
-    const std::vector<ColumnList> groups = ByGaps(angles);
+    const std::vector<ColumnList> groups = ByGaps(columns);
     for (std::size_t g = 0; g < groups.size(); ++g) {
       yaml +=
           fmt::format("  - name: {}\n{}    joints:\n", NumberedName("joints", g), Rules(groups[g]));
-      for (const NumbersOfColumn* angle : groups[g]) {
-        yaml += JointYaml(joint_of[angle], *angle);
-      }
+      for (const NumbersOfColumn* column : groups[g]) yaml += line_of[column];
     }
     return yaml;
   }
@@ -290,7 +329,7 @@ class TableGuess {
   }
 
   std::string Remarks() const {
-    std::string yaml;
+    std::string yaml = remarks_;
     for (const NumbersOfColumn& column : columns_) {
       if (!column.values.empty() || taken_.contains(column.name)) continue;
       if (long_ && column.words > 0) continue;
@@ -316,7 +355,7 @@ class TableGuess {
   std::vector<NumbersOfColumn> columns_;
   std::optional<LongForm> long_;
   TimeGuess time_;
-  std::string origin_;
+  std::string origin_, remarks_;
   std::set<std::string> taken_;
   ColumnList with_words_;
 };
@@ -335,31 +374,21 @@ GivenForm FormOf(const std::vector<std::string>& overrides) {
 std::string SuggestForTable(const std::filesystem::path& log,
                             const std::vector<std::string>& overrides) {
   RefuseForeignFile(log, "a table in text, a bag or another log that is known");
-  const auto layout = FindTableLayout(DecodedTable(ReadWholeFile(log)), FormOf(overrides));
+  const std::string text = DecodedTable(ReadWholeFile(log));
+  const auto layout = FindTableLayout(text, FormOf(overrides));
   if (!layout) {
-    throw InputError(fmt::format(
-        "{}: has no column of numbers; need a table, a bag or another log that is known "
-        "(docs/reference/dataset.md, importing)",
-        log.string()));
+    const bool is_empty = text.find_first_not_of(" \t\r\n") == std::string::npos;
+    throw InputError(
+        log.string(),
+        {FaultKind::kMissing,
+         is_empty ? "is empty; need a table with rows, copy or record it again"
+                  : fmt::format("has no {}; need a table, a bag or another log that is known "
+                                "(docs/reference/dataset.md, importing)",
+                                std::count(text.begin(), text.end(), '\n') <= 1
+                                    ? "row behind its first line"
+                                    : "column of numbers")});
   }
   return TableGuess(log, *layout).Yaml();
-}
-
-std::string SuggestMapping(const std::filesystem::path& log,
-                           const std::vector<std::string>& overrides) {
-  const bool is_table =
-      !LooksLikeBag(log) && !std::filesystem::is_directory(log) && TypeOfLog(log).empty();
-  const auto trajectory = is_table && overrides.empty() ? SuggestForTrajectory(log) : std::nullopt;
-  if (trajectory) return *trajectory;
-  if (is_table) return SuggestForTable(log, overrides);
-  if (!overrides.empty()) {
-    throw InputError(fmt::format(
-        "--set {}: beside --suggest it says how a table in text is written (csv.skip_lines=3), and "
-        "{} is none; leave it out",
-        overrides.front(), log.string()));
-  }
-  if (LooksLikeBag(log)) return SuggestForBag(log);
-  return std::filesystem::is_directory(log) ? SuggestForFolder(log) : SuggestForLog(log);
 }
 
 }  // namespace tera

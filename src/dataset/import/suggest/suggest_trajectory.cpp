@@ -11,6 +11,7 @@
 #include "dataset/import/logs/number_table.h"
 #include "dataset/import/suggest/guess.h"
 #include "dataset/import/suggest/suggest.h"
+#include "dataset/import/table_text.h"
 
 // Guesses about a text file of poses without names of its columns.
 
@@ -24,10 +25,10 @@ struct PoseLines {
   std::vector<std::vector<double>> rows;
 };
 
-std::vector<double> NumbersOfLine(std::string line) {
-  std::replace(line.begin(), line.end(), ',', ' ');
+std::vector<double> NumbersOfLine(const std::string& line) {
   std::vector<double> numbers;
-  for (const std::string_view field : FieldsOf(line, ' ')) {
+  for (const std::string_view field :
+       FieldsOfRecord(line, line.find(',') == std::string::npos ? ' ' : ',')) {
     const auto value = WholeNumber(field);
     if (!value) return {};
     numbers.push_back(*value);
@@ -98,7 +99,18 @@ std::string FormYaml(const PoseLines& lines, bool in_nanoseconds) {
   return "form: tum_or_euroc   # fill in: tum (s, qx qy qz qw) or euroc (ns, qw qx qy qz)\n";
 }
 
-std::string KittiPosesYaml(const PoseLines& lines) {
+/// KITTI's times of a file of poses: times.txt beside it, or of its sequence.
+std::filesystem::path TimesBeside(const std::filesystem::path& log) {
+  const std::filesystem::path folder = log.parent_path();
+  std::error_code ignored;
+  for (const std::filesystem::path& times :
+       {folder / "times.txt", folder / "../sequences" / log.stem() / "times.txt"}) {
+    if (std::filesystem::is_regular_file(times, ignored)) return times;
+  }
+  return {};
+}
+
+std::string KittiPosesYaml(const PoseLines& lines, const std::filesystem::path& times) {
   const auto span_m = [&](std::size_t column) {
     const auto [low, high] =
         std::minmax_element(lines.rows.begin(), lines.rows.end(),
@@ -109,10 +121,12 @@ std::string KittiPosesYaml(const PoseLines& lines) {
   constexpr double kFlat = 0.2;
   const double x_m = span_m(3), y_m = span_m(7), z_m = span_m(11);
   const bool is_camera = y_m < kFlat * std::max(x_m, z_m) && y_m < z_m;
-  return std::string(
-             "pose:\n  form: kitti   # three rows of rotation and place\n"
-             "  time: unknown   # to fill in, as {interval: 0.1, unit: s} of KITTI's 10 Hz: the "
-             "file has no times\n") +
+  return "pose:\n  form: kitti   # three rows of rotation and place\n" +
+         (times.empty()
+              ? "  time: unknown   # to fill in, as {interval: 0.1, unit: s} of KITTI's 10 Hz: the "
+                "file has no times\n"
+              : fmt::format("  times: {}   # guessed: beside the poses, a line each\n",
+                            YamlWord(times.string()))) +
          (is_camera
               ? "  world: {rpy_deg: [-90, 0, -90]}   # guessed: of a camera, whose y points down\n"
                 "  body: {rpy_deg: [0, -90, 90]}   # guessed: forward, left and up in the camera\n"
@@ -125,7 +139,8 @@ std::optional<std::string> SuggestForTrajectory(const std::filesystem::path& log
   const auto lines = PoseLinesOf(log);
   if (!lines) return std::nullopt;
   const std::size_t width = lines->rows.front().size();
-  if (width == 12 && AreRotations(*lines)) return TrajectoryTop(log) + KittiPosesYaml(*lines);
+  if (width == 12 && AreRotations(*lines))
+    return TrajectoryTop(log) + KittiPosesYaml(*lines, TimesBeside(log));
   const bool is_euroc_wide = width > 8 && lines->remark.find("q_RS_w") != std::string::npos;
   if ((width != 8 && !is_euroc_wide) || !AreUnitQuaternions(*lines)) return std::nullopt;
   for (std::size_t k = 1; k < lines->rows.size(); ++k) {

@@ -73,7 +73,7 @@ std::string OriginOfGps(const std::filesystem::path& log, const UlogTopic& topic
     for (const std::string& path : paths) {
       v.push_back(table->NumberIfAny(row, table->Column(path)).value_or(0));
     }
-    const bool is_valid = has_fix_type ? v[3] > 2 : v[0] != 0 || v[1] != 0;
+    const bool is_valid = (!has_fix_type || v[3] > 2) && (v[0] != 0 || v[1] != 0);
     if (is_valid) {
       return OriginYaml(v[0] * f.deg, v[1] * f.deg, v[2] * f.m, "the first row with a fix");
     }

@@ -265,7 +265,9 @@ std::string NumbersYaml(const NumberForm& numbers) {
   return yaml;
 }
 
-std::string LayoutYaml(const CsvForm& form, char found_separator) {
+}  // namespace
+
+std::string TableLayout::Yaml() const {
   std::string yaml;
   if (form.separator != found_separator) {
     const std::string sign(1, form.separator);
@@ -276,19 +278,19 @@ std::string LayoutYaml(const CsvForm& form, char found_separator) {
   yaml += NumbersYaml(form.numbers);
   if (form.skipped_lines > 0) yaml += fmt::format(", skip_lines: {}", form.skipped_lines);
   if (form.unit_lines > 0) yaml += fmt::format(", unit_lines: {}", form.unit_lines);
+  if (form.first_line > 0) yaml += fmt::format(", first_line: {}", form.first_line);
+  if (form.last_line > 0) yaml += fmt::format(", last_line: {}", form.last_line);
   if (!form.has_header) yaml += ", header: false";
   if (yaml.empty()) return "";
   return fmt::format("csv: {{{}}}{}\n", yaml.substr(2),
                      form.has_header ? "" : "   # guessed: no line names its columns");
 }
 
-}  // namespace
-
 std::optional<TableLayout> FindTableLayout(std::string_view text, const GivenForm& given) {
   const std::vector<HeadLine> head = HeadOf(text, given.form.skipped_lines);
   const auto reading = BestReading(head, given);
   if (!reading || reading->worth <= 0) return std::nullopt;
-  TableLayout layout{given.form, {}, ""};
+  TableLayout layout{given.form, {}, ','};
   CsvForm& form = layout.form;
   form.separator = reading->separator;
   form.numbers = reading->numbers;
@@ -317,7 +319,7 @@ std::optional<TableLayout> FindTableLayout(std::string_view text, const GivenFor
       layout.units.assign(units.begin(), units.end());
     }
   }
-  layout.yaml = LayoutYaml(form, SeparatorOfLine(head[top].text));
+  layout.found_separator = SeparatorOfLine(head[top].text);
   return layout;
 }
 

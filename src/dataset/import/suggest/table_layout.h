@@ -22,7 +22,10 @@ struct TableLayout {
   CsvForm form;
   /// The texts in the line of units behind the names, column by column; empty: there is none.
   std::vector<std::string> units;
-  std::string yaml;  ///< "csv: {...}\n" with what CsvFile does not find by itself, or nothing
+  char found_separator = ',';  ///< by CsvFile itself
+
+  /// "csv: {...}\n" with what CsvFile does not find by itself, or nothing.
+  std::string Yaml() const;
 };
 
 /// Finds the largest block of rows of one form among the first lines, and the names before it.

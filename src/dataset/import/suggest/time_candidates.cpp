@@ -49,6 +49,12 @@ constexpr Epoch kEpochs[] = {
      "units of 100 ns since the year 1, as .NET has them"},
 };
 
+/// Rows of one log are not hours apart, as a counter's are that happens to be of an epoch's size.
+bool StepsAsALog(const NumbersOfColumn& column, const Epoch& epoch) {
+  constexpr double kLongest_s = 3600;
+  return std::abs(column.MedianStep()) * epoch.scale * FindUnit(epoch.unit)->factor <= kLongest_s;
+}
+
 /// By size; days only where the name says a date or a time, since such numbers are no rarity.
 const Epoch* EpochOf(const NumbersOfColumn& column, bool is_named) {
   if (column.values.empty()) return nullptr;
@@ -59,7 +65,8 @@ const Epoch* EpochOf(const NumbersOfColumn& column, bool is_named) {
     const bool has_fractions = std::any_of(column.values.begin(), column.values.end(),
                                            [](double value) { return value != std::round(value); });
     if (is_days && (!is_named || !has_fractions)) continue;
-    if (first >= epoch.least && first <= epoch.most && last >= epoch.least && last <= epoch.most) {
+    if (first >= epoch.least && first <= epoch.most && last >= epoch.least && last <= epoch.most &&
+        (is_days || StepsAsALog(column, epoch))) {
       return &epoch;
     }
   }
@@ -100,6 +107,16 @@ TimeCandidate OfEpoch(const NumbersOfColumn& column, const Epoch& epoch) {
   return candidate;
 }
 
+/// Whether all numbers may be times of day by their digits, 224610.12, as receivers write them.
+bool AreClockDigits(const NumbersOfColumn& column) {
+  constexpr double kLeast = 10000, kMost = 240000, kPair = 100, kSixty = 60;
+  return column.LargestSize() >= kLeast &&
+         std::all_of(column.values.begin(), column.values.end(), [](double value) {
+           return value >= 0 && value < kMost && std::fmod(value, kPair) < kSixty &&
+                  std::fmod(std::floor(value / kPair), kPair) < kSixty;
+         });
+}
+
 /// A column whose name says time.
 TimeCandidate OfNamed(const NumbersOfColumn& column) {
   if (const Epoch* epoch = EpochOf(column, true)) return OfEpoch(column, *epoch);
@@ -114,6 +131,15 @@ TimeCandidate OfNamed(const NumbersOfColumn& column) {
     return candidate;
   }
   const double step = column.MedianStep();
+  if (AreClockDigits(column)) {
+    candidate.time = fmt::format("{{column: {}, unit: unknown}}", YamlWord(column.name));
+    candidate.remark = fmt::format(
+        "digits of a time of day, hhmmss, are {{clock: {0}}}, or {{date: NAME, clock: {0}}} beside "
+        "a date; a number of seconds has unit: s",
+        YamlWord(column.name));
+    candidate.to_fill_in = true;
+    return candidate;
+  }
   const bool has_fractions = std::any_of(column.values.begin(), column.values.end(),
                                          [](double value) { return value != std::round(value); });
   // The steps of machine loggers; milliseconds of a fast one last too long as seconds.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/error.h"
+#include "core/quantile.h"
 #include "dataset/import/row_time.h"
 #include "dataset/import/suggest/time_candidates.h"
 
@@ -20,6 +21,7 @@ struct SeenTimes {
   std::size_t rows = 0, without = 0, repeats = 0, backs = 0;
   int first_repeat = 0, first_back = 0;  ///< lines
   std::vector<TimeNs> t_ns;              ///< of the rows that have one
+  std::vector<std::size_t> timed;        ///< these rows
   bool goes_on = false;
   bool is_usable() const {
     return goes_on && 10 * without <= rows && 5 * repeats <= rows && 20 * backs <= rows + 20;
@@ -41,6 +43,7 @@ SeenTimes Look(const CsvFile& csv, const std::vector<std::size_t>& rows, const s
       continue;
     }
     seen.t_ns.push_back(*t_ns);
+    seen.timed.push_back(row);
     if (before_ns && *t_ns == *before_ns && seen.repeats++ == 0) seen.first_repeat = csv.Line(row);
     if (before_ns && *t_ns < *before_ns && seen.backs++ == 0) seen.first_back = csv.Line(row);
     seen.goes_on = seen.goes_on || (before_ns && *t_ns > *before_ns);
@@ -53,6 +56,72 @@ SeenTimes Look(const CsvFile& csv, const std::vector<std::size_t>& rows, const s
 struct SeenCandidate : TimeCandidate {
   SeenTimes seen;
 };
+
+/// Rows at which times begin anew: what follows stays before what was for some rows, or to the end.
+std::vector<std::size_t> StartsAnew(const SeenTimes& seen) {
+  constexpr std::size_t kRowsOfStart = 3;
+  std::vector<std::size_t> starts;
+  for (std::size_t k = 1; k < seen.t_ns.size(); ++k) {
+    if (seen.t_ns[k] >= seen.t_ns[k - 1]) continue;
+    const std::size_t end = std::min(k + kRowsOfStart, seen.t_ns.size());
+    const bool stays = std::all_of(seen.t_ns.begin() + static_cast<std::ptrdiff_t>(k),
+                                   seen.t_ns.begin() + static_cast<std::ptrdiff_t>(end),
+                                   [&](TimeNs t_ns) { return t_ns < seen.t_ns[k - 1]; });
+    if (stays && end == k + kRowsOfStart) starts.push_back(k);
+  }
+  return starts;
+}
+
+TimeNs UsualStep(const SeenTimes& seen) {
+  std::vector<TimeNs> steps;
+  for (std::size_t k = 1; k < seen.t_ns.size(); ++k) {
+    if (seen.t_ns[k] > seen.t_ns[k - 1]) steps.push_back(seen.t_ns[k] - seen.t_ns[k - 1]);
+  }
+  return steps.empty() ? 0 : Median(std::move(steps));
+}
+
+/// The number at which a time in one column begins anew each time that it goes back.
+std::optional<double> TurnOf(const CsvFile& csv, const TimeCandidate& candidate,
+                             const SeenTimes& seen) {
+  if (candidate.columns.size() != 1 || seen.backs == 0) return std::nullopt;
+  const Config config = Config::FromText("time: " + candidate.time, "suggested");
+  const RowTime time = ReadRowTime(config.root().Map("time"), /*has_stamps=*/false);
+  const RowTimes times(csv, time);
+  const TimeNs step_ns = UsualStep(seen);
+  std::optional<double> turn;
+  for (std::size_t k = 1; k < seen.t_ns.size(); ++k) {
+    if (seen.t_ns[k] >= seen.t_ns[k - 1]) continue;
+    const auto here = times.TurnAt(seen.timed[k], seen.t_ns[k - 1], step_ns);
+    if (!here || (turn && *here != *turn)) return std::nullopt;
+    turn = here;
+  }
+  return turn;
+}
+
+/// Takes the longest part between the rows at which times begin anew.
+void TakeLongestPart(const CsvFile& csv, const SeenTimes& seen, TimeGuess* guess) {
+  std::vector<std::size_t> starts = StartsAnew(seen);
+  if (starts.empty()) return;
+  starts.insert(starts.begin(), 0);
+  starts.push_back(seen.timed.size());
+  std::size_t longest = 0;
+  for (std::size_t k = 0; k + 1 < starts.size(); ++k) {
+    if (starts[k + 1] - starts[k] > starts[longest + 1] - starts[longest]) longest = k;
+  }
+  const auto line_of = [&](std::size_t k) { return csv.Line(seen.timed[k]); };
+  if (longest > 0) guess->first_line = line_of(starts[longest]);
+  if (starts[longest + 1] < seen.timed.size()) guess->last_line = line_of(starts[longest + 1]) - 1;
+  for (std::size_t k = 1; k + 1 < starts.size(); ++k) {
+    const std::size_t row = starts[k];
+    guess->parts += fmt::format(
+        "# line {} begins anew, {:.6g} s before the row above it, as where a logger was started "
+        "anew or its clock was set\n",
+        line_of(row), ToSeconds(seen.t_ns[row - 1] - seen.t_ns[row]));
+  }
+  guess->parts +=
+      "# csv takes the longest part by first_line and last_line: import each of the others by its "
+      "own\n";
+}
 
 /// `time` of a candidate; what is to be filled in is as if it were one of what is possible.
 std::string PossibleTime(std::string time) {
@@ -133,14 +202,24 @@ TimeGuess GuessTime(const CsvFile& csv, const std::vector<std::size_t>& rows,
   }
   if (best == nullptr) return ToFillIn(rows.size(), columns, candidates);
   TimeGuess guess{.columns = best->columns};
+  SeenTimes best_seen = best->seen;
   if (!best->to_fill_in && best->seen.without == 0) guess.t_ns = best->seen.t_ns;
   const std::string what = best->to_fill_in ? "to fill in: " : "guessed: ";
-  guess.yaml = fmt::format("time: {}{}\n", best->time,
-                           best->remark.empty() ? "" : "   # " + what + best->remark);
+  std::string time = best->time, remark = best->remark;
+  if (const auto turn = best->to_fill_in ? std::nullopt : TurnOf(csv, *best, best->seen)) {
+    time.insert(time.size() - 1, fmt::format(", wraps_at: {:.10g}", *turn));
+    remark += fmt::format("{}it begins anew after {:.10g}, {} time{}", remark.empty() ? "" : "; ",
+                          *turn, best->seen.backs, best->seen.backs == 1 ? "" : "s");
+    best_seen = Look(csv, rows, "time: " + time);
+    if (!guess.t_ns.empty()) guess.t_ns = best_seen.t_ns;
+  }
+  guess.yaml = fmt::format("time: {}{}\n", time, remark.empty() ? "" : "   # " + what + remark);
   if (best->is_absolute || ToSeconds(best->seen.t_ns.front()) > kLeastEpoch_s)
     guess.yaml += "zero: start\n";
-  guess.yaml += RepeatRemarks(best->seen);
-  if (best->seen.repeats > 0) {
+  TakeLongestPart(csv, best_seen, &guess);
+  if (guess.first_line > 0 || guess.last_line > 0) return guess;
+  guess.yaml += RepeatRemarks(best_seen);
+  if (best_seen.repeats > 0) {
     guess.rule = fmt::format("{{column: {}, changes: true}}", YamlWord(best->columns.back()));
   }
   return guess;

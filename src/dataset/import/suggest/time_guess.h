@@ -18,6 +18,10 @@ struct TimeGuess {
   /// The item of `valid_if` that leaves out rows which repeat the time of the row before; empty
   /// where there are none.
   std::string rule;
+  /// The lines of the longest part of a file whose times begin anew in between, as where a logger
+  /// was started anew; 0: from the first, to the last.
+  int first_line = 0, last_line = 0;
+  std::string parts;  ///< remarks on them
 };
 
 /// By names that say time, dates, and sizes of an epoch; never by a column that always increases

@@ -80,12 +80,15 @@ TopicLook::TopicLook(const std::filesystem::path& bag, const BagTopic& topic,
     : table_(bag, topic, WithTimes(paths, stamp), unpacked, &left_out_) {
   times_.stamp = stamp;
   const std::size_t log = paths.size(), own = paths.size() + 1;
+  std::vector<TimeNs> log_times;
   for (std::size_t row = 0; row < table_.row_count(); ++row) {
     const TimeNs log_ns = table_.Stamp(row, log).value_or(0);
     if (row == 0) times_.first_log_ns = log_ns;
     times_.last_log_ns = log_ns;
     times_.log_steps.Add(log_ns);
     const auto own_ns = stamp.empty() ? std::nullopt : table_.Stamp(row, own);
+    log_times.push_back(log_ns);
+    times_.t_ns.push_back(own_ns ? *own_ns : 0);
     if (!own_ns) continue;
     if (*own_ns == 0) {
       ++times_.unfilled;
@@ -102,6 +105,7 @@ TopicLook::TopicLook(const std::filesystem::path& bag, const BagTopic& topic,
                               table_.Stamp(0, own) == TimeNs{0} &&
                               times_.first_own_ns < FromSeconds(kLeastEpoch_s);
   if (begins_at_zero) times_.unfilled = times_.first_own_ns = 0;
+  if (!times_.HasStamps() || times_.unfilled > 0) times_.t_ns = std::move(log_times);
 }
 
 NumbersOfColumn TopicLook::Numbers(std::size_t path) const {

@@ -15,7 +15,8 @@ struct TopicTimes {
   TimeSteps own_steps, log_steps;
   std::int64_t unfilled = 0;  ///< own times of 0
   TimeNs first_own_ns = 0, first_log_ns = 0, last_log_ns = 0;
-  TimeNs ahead_ns = 0;  ///< the first message's time of recording less its own
+  std::vector<TimeNs> t_ns;  ///< of all messages, their own where they go on, else the recorder's
+  TimeNs ahead_ns = 0;       ///< the first message's time of recording less its own
 
   /// Whether their own times go on.
   bool HasStamps() const;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/other_program.h"
-#include "core/error.h"
+#include "core/faults.h"
 #include "core/units.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/format/recording.h"
@@ -259,6 +259,48 @@ TEST_F(NmeaLog, RowsThatAreMostlyBadAreAFaultAlsoWhereTheyMayBeSkipped) {
       ThrowsMessage<InputError>(AllOf(HasSubstr("machine/t.csv: 2 of 3 rows cannot be read"),
                                       HasSubstr("rover.nmea:2: its checksum"))));
   EXPECT_FALSE(fs::exists(Out()));
+}
+
+TEST_F(NmeaLog, ChecksumsThatAreAllWrongAreToldOnceAndWhateverTheName) {
+  std::string log = RmcAt(0) + GgaAt(0) + RmcAt(1) + GgaAt(1);
+  for (std::size_t at = 0; (at = log.find('*', at)) != std::string::npos; ++at) {
+    log[at + 1] = log[at + 1] == '0' ? '1' : '0';
+  }
+  for (const std::string name : {"rover.nmea", "rover.txt"}) {
+    EXPECT_THAT([&] { Suggested(name, log); }, ThrowsFault(FaultKind::kMalformed, name));
+    WriteWholeFile(scratch_.path() / "mapping.yaml",
+                   "name: n\nmachine: machine\nzero: start\nfile: " + name +
+                       "\ntables: [{name: t, columns: {h: {column: msl, unit: m}}}]\n");
+    for (const bool skips : {false, true}) {
+      EXPECT_THAT(
+          [&] { ImportCsv(scratch_.path() / "mapping.yaml", Out(), {.skips_bad_rows = skips}); },
+          ThrowsFault(FaultKind::kMalformed, name));
+    }
+  }
+}
+
+TEST_F(NmeaLog, ADateOfTrimblesStandsWithItsOwnTime) {
+  const auto ggk = [](int k, const std::string& date, double minutes) {
+    return Checked(fmt::format(
+        "PTNL,GGK,12000{}.00,{},48{:07.4f},N,01130.0000,W,3,12,1.5,EHT546.0,M", k, date, minutes));
+  };
+  // The second GGK contradicts the first, and a third is of a receiver that is not read.
+  const std::string log = ggk(0, "050124", 7.5) + ggk(0, "050224", 7.6) + ggk(1, "050124", 7.5);
+  WriteWholeFile(scratch_.path() / "rover.nmea", log);
+  WriteWholeFile(scratch_.path() / "mapping.yaml",
+                 "name: n\nmachine: machine\nzero: start\nfile: rover.nmea\ntables: [{name: t, "
+                 "columns: {h: {column: altitude, unit: m}}}]\n");
+  const ImportReport report =
+      ImportCsv(scratch_.path() / "mapping.yaml", Out(), {.skips_bad_rows = true});
+  EXPECT_EQ(report.channels.at(0).left_out, 1);
+  EXPECT_EQ(report.channels[0].last_ns, kNsPerSecond);
+  // A GGK alone whose place contradicts none, but which another talker is chosen before.
+  WriteWholeFile(scratch_.path() / "rover.nmea", ggk(0, "050124", 7.5) + GgaAt(1) + GgaAt(2));
+  WriteWholeFile(scratch_.path() / "mapping.yaml",
+                 "name: n\nmachine: machine\nzero: start\nfile: rover.nmea\ntalker: GN\ntables: "
+                 "[{name: t, columns: {h: {column: altitude, unit: m}}}]\n");
+  fs::remove_all(Out());
+  EXPECT_EQ(ImportCsv(scratch_.path() / "mapping.yaml", Out()).channels.at(0).rows, 2);
 }
 
 TEST_F(NmeaLog, ATimeOfTextTablesIsNotThatOfALogBesideThem) {

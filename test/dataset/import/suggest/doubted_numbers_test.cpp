@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "dataset/import/suggest/rate_guess.h"
 
 namespace tera {
 namespace {
@@ -58,12 +59,15 @@ TEST(DoubtedNumbers, AnAngleThatGoesOnKeepsItsGuess) {
 }
 
 TEST(DoubtedNumbers, AJointThatBeginsAnewIsMappedSoWithARemark) {
+  const auto yaml = [](const NumbersOfColumn& column) {
+    return JointYaml("slew", column.name, GuessAngle(column));
+  };
   EXPECT_EQ(
-      JointYaml("slew", Slew("slew_deg", 360)),
+      yaml(Slew("slew_deg", 360)),
       "      - {name: slew, angle: {column: slew_deg, unit: deg}, wrap_deg: 360}   # guessed: "
       "it begins anew after a turn\n");
   EXPECT_THAT(
-      JointYaml("slew", Slew("slew", 400)),
+      yaml(Slew("slew", 400)),
       HasSubstr("unit: deg, scale: 0.9}, wrap_deg: 360}   # guessed: it begins anew after a "
                 "turn; one turn is 400"));
 }
@@ -84,7 +88,10 @@ struct Still {
   }
   /// The axis that moves first: its name tells the unit.
   std::string Remarks() const {
-    return InertialRemarks(t_ns, {&wz, &zero, &zero}, {&zero, &zero, &az});
+    const std::vector<const NumbersOfColumn*> rates = {&wz, &zero, &zero};
+    const std::vector<const NumbersOfColumn*> forces = {&zero, &zero, &az};
+    return InertialRemarks(t_ns, rates, GuessRateUnit(rates, {t_ns, forces}), forces,
+                           GuessAccelerationUnit(forces));
   }
 };
 

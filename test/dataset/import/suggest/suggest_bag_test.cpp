@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "core/units.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/format/recording.h"
@@ -344,6 +344,55 @@ TEST_F(SuggestBag, TopicsOfOneNumberAreLeversAnglesOrTablesByTheirNames) {
   EXPECT_NEAR(recording.LoadEncoder("machine/boom_angle_deg").samples[0].q_rad[0], 30 * kDeg, 1e-9);
   EXPECT_EQ(recording.LoadTable("machine/bucket_mass.csv").columns.front(), "mass_kg");
   EXPECT_EQ(recording.LoadTable("machine/arm_pressure.csv").rows[0][0], 7);
+}
+
+TEST_F(SuggestBag, AnglesThatBeginAnewGoOn) {
+  TopicsMcap bag;
+  // 15 deg a message, from 180 deg on, as 0 to 2 pi and 0 to 360.
+  for (int k = 0; k < 30; ++k) {
+    const double angle_deg = (180 + 15 * k) % 360;
+    bag.Message("/joint_states", kJointsName, LogAt(k),
+                JointsMessage(StampAt(k), {"slew", "boom"}, {angle_deg * kDeg, 0.5}, {}));
+    bag.Message("/upper/slew_angle", kFloatName, LogAt(k),
+                Cdr().Add(static_cast<float>(angle_deg)));
+  }
+  Write(bag);
+  const Recording recording = Suggested();
+  for (const char* channel : {"machine/joint_states", "machine/upper_slew_angle"}) {
+    const auto samples = recording.LoadEncoder(channel).samples;
+    ASSERT_EQ(samples.size(), 30u);
+    EXPECT_NEAR(samples[29].q_rad[0] - samples[0].q_rad[0], 29 * 15 * kDeg, 1e-5) << channel;
+  }
+}
+
+TEST_F(SuggestBag, RatesOfAUnitInDegreesAreKnownByGravityAndThoseOfNumbersAreAskedFor) {
+  TopicsMcap bag;
+  // A boom that pitches by 20 deg there and back in 8 s, at 20 Hz.
+  for (int k = 0; k < 400; ++k) {
+    const double w = 2 * kPi / 8, t_s = 0.05 * k, pitch_rad = 20 * kDeg * std::sin(w * t_s);
+    const StampOf stamp{static_cast<std::int32_t>(kEpoch_s + k / 20),
+                        static_cast<std::uint32_t>(k % 20 * 50'000'000)};
+    bag.Message("/imu", kImuName, kFirst_ns + k * 50'000'000LL,
+                Cdr()
+                    .Header(stamp.s, stamp.ns)
+                    .Numbers({0, 0, 0, 1})
+                    .Numbers(kNine)
+                    .Numbers({0, 20 * w * std::cos(w * t_s), 0})
+                    .Numbers(kNine)
+                    .Numbers({-9.81 * std::sin(pitch_rad), 0, 9.81 * std::cos(pitch_rad)})
+                    .Numbers(kNine));
+  }
+  Write(bag);
+  EXPECT_NEAR(Suggested().LoadImu("machine/imu").at(0).w_WS_S_radps.y(), 20 * kDeg * 2 * kPi / 8,
+              1e-6);
+  TopicsMcap numbers;
+  for (int k = 0; k < 9; ++k) {
+    numbers.Message("/boom/velocity", kFloatName, LogAt(k), Cdr().Add(5.f + k));
+  }
+  Write(numbers);
+  WriteWholeFile(scratch_.path() / "mapping.yaml", SuggestMapping(scratch_.path() / "log.mcap"));
+  EXPECT_THAT([&] { ImportCsv(scratch_.path() / "mapping.yaml", "", {.checks_only = true}); },
+              ThrowsFault(FaultKind::kNoSuchName, "joints[0].rate.unit"));
 }
 
 TEST_F(SuggestBag, LeversOfDeltaCanAreCommands) {

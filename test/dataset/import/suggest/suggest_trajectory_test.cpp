@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/format/recording.h"
 #include "dataset/format/sample_recording.h"
@@ -134,6 +134,28 @@ TEST_F(Trajectory, OfKittiIsRowsOfRotationAndPlaceAndNeedsTimes) {
   } catch (const InputError& fault) {
     EXPECT_THAT(fault.what(), HasSubstr("00.txt:1: its numbers are no rotation with a place"));
   }
+}
+
+TEST_F(Trajectory, OfKittiHasTheTimesOfAFileBesideIt) {
+  const std::string rows =
+      "0.28 -0.96 0 1 0.96 0.28 0 2 0 0 1 3\n0.28 -0.96 0 4 0.96 0.28 0 2 0 0 1 3\n";
+  fs::create_directories(scratch_.path() / "sequences/00");
+  fs::create_directories(scratch_.path() / "poses");
+  for (const auto& [poses, times] :
+       {std::pair{"00.txt", "times.txt"}, {"poses/00.txt", "sequences/00/times.txt"}}) {
+    WriteWholeFile(scratch_.path() / times, "0.000000e+00\n1.037359e-01\n");
+    const auto found = Suggested(poses, rows);
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_EQ(found[1].t_ns, 103'735'900);
+    EXPECT_EQ(found[1].X_WB.translation().x(), 4);
+  }
+  WriteWholeFile(scratch_.path() / "times.txt", "0\n1\n2\n");
+  EXPECT_THAT(
+      [&] {
+        Imported(
+            "name: n\nmachine: machine\nfile: 00.txt\npose: {form: kitti, times: times.txt}\n");
+      },
+      ThrowsFault(FaultKind::kInconsistent, "00.txt"));
 }
 
 // A camera that drives along its z and turns left about -y, by its cosine 0.8 and sine 0.6.
