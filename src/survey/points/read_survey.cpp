@@ -70,8 +70,10 @@ std::optional<MapReference> OwnMap(const std::filesystem::path& file, const Poin
     return map;
   } catch (const InputError& fault) {
     if (how.map.empty() && !how.is_local) {
+      const InputFault& first = fault.faults().front();
       throw InputError(
-          fmt::format("{} (tera site takes --map or --local in its place)", fault.what()));
+          first.place,
+          {first.kind, first.finding + " (tera site takes --map or --local in its place)"});
     }
     warnings->push_back(fmt::format("{}; {} counts", fault.what(),
                                     how.is_local ? std::string("--local") : how.map));

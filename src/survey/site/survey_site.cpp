@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.h"
+#include "core/units.h"
 #include "survey/points/outliers.h"
 #include "survey/points/read_survey.h"
 #include "survey/site/cell_size.h"
@@ -64,6 +67,32 @@ void RequireAboutOrigin(const std::filesystem::path& file, const Vec2& middle_m)
                                 middle_m.x(), middle_m.y(), middle_m.norm() / 1000)});
 }
 
+/// Refuses a flat survey that stands upright, as one whose y points up.
+///
+/// Model   the direction in which the points spread least, where they do so to less than a quarter
+///         of any other, lies within 60 deg of z: no ground that machines work on is as steep.
+void RequireUpright(const std::filesystem::path& file, const std::vector<Vec3>& p_m) {
+  constexpr double kFlat = 0.25, kSteepest_rad = 60 * kDeg;
+  Vec3 sum_m = Vec3::Zero();
+  Mat3 squares_m2 = Mat3::Zero();
+  for (const Vec3& p : p_m) sum_m += p, squares_m2 += p * p.transpose();
+  const auto count = static_cast<double>(p_m.size());
+  const Vec3 middle_m = sum_m / count;
+  const Eigen::SelfAdjointEigenSolver<Mat3> spread(squares_m2 / count -
+                                                   middle_m * middle_m.transpose());
+  const Vec3 least = spread.eigenvectors().col(0);
+  const bool is_flat = spread.eigenvalues()[0] < kFlat * kFlat * spread.eigenvalues()[1];
+  if (!is_flat || std::abs(least.z()) > std::cos(kSteepest_rad)) return;
+  throw InputError(
+      file.string(),
+      {FaultKind::kInconsistent,
+       fmt::format(
+           "its points spread least along ({:.2f}, {:.2f}, {:.2f}), so that this is up, and "
+           "not z: does its y point up? turn it, for y up by pdal translate -f "
+           "transformation with the matrix 1 0 0 0 0 0 -1 0 0 1 0 0 0 0 0 1",
+           least.x(), least.y(), least.z())});
+}
+
 std::vector<Vec3> WithoutOutliers(const std::vector<Vec3>& p_m, const OutlierRule& rule) {
   const std::vector<bool> is_outlier = FindOutliers(p_m, rule);
   std::vector<Vec3> kept_m;
@@ -104,6 +133,7 @@ SurveySite MakeSurveySite(const std::filesystem::path& file, const SiteRequest& 
 
   const std::vector<Vec3> p_m = WithoutOutliers(survey.p_m, OutlierRule());
   site.outliers = site.points - static_cast<std::int64_t>(p_m.size());
+  RequireUpright(file, p_m);
   const Vec2 middle_m = base_m.head<2>() + RequireSite(file, p_m);
   if (!site.has_map && request.about_middle) site.middle_m = middle_m;
   if (!site.has_map && !request.about_middle) RequireAboutOrigin(file, middle_m);

@@ -6,7 +6,7 @@
 #include <limits>
 #include <memory>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "own_folder.h"
 #include "soil/site/survey_raster.h"
 #include "survey/survey_files.h"
@@ -179,16 +179,11 @@ TEST(SurveySite, OfARasterHasItsPixelsAndItsGaps) {
 }
 
 TEST(SurveySite, RefusesWhatCannotBecomeASite) {
-  const auto message = [](const std::vector<Vec3>& p_m, std::optional<double> cell_m) {
+  const auto faults = [](const std::vector<Vec3>& p_m, std::optional<double> cell_m) {
     WriteBytes(File("bad.ply"), PlyOf(p_m));
     SiteRequest request;
     request.cell_m = cell_m;
-    try {
-      MakeSurveySite(File("bad.ply"), request);
-    } catch (const InputError& e) {
-      return std::string(e.what());
-    }
-    return std::string("no error");
+    return FaultsIn([&] { MakeSurveySite(File("bad.ply"), request); });
   };
   std::vector<Vec3> grid, wide;
   for (int j = 0; j < 40; ++j) {
@@ -197,13 +192,13 @@ TEST(SurveySite, RefusesWhatCannotBecomeASite) {
       wide.emplace_back(250.0 * i, 250.0 * j, 0);
     }
   }
-  using testing::AllOf;
-  using testing::HasSubstr;
-  EXPECT_THAT(message(grid, 0.05), AllOf(HasSubstr("bad.ply"), HasSubstr("have points, need 25 %"),
-                                         HasSubstr("--cell 0.5")));
-  EXPECT_THAT(message(wide, 0.01), HasSubstr("9750 x 9750 m found, a site has at most 2000 m"));
-  EXPECT_THAT(message({{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}}, 0.1),
-              HasSubstr("a site has at least 1 m"));
+  EXPECT_THAT(faults(grid, 0.05), HasFault(FaultKind::kOutOfRange, "bad.ply"));
+  std::vector<Vec3> y_up;
+  for (const Vec3& p : grid) y_up.emplace_back(p.x(), p.z(), -p.y());
+  EXPECT_THAT(faults(y_up, {}), HasFault(FaultKind::kInconsistent, "bad.ply"));
+  EXPECT_THAT(faults(wide, 0.01), HasFault(FaultKind::kOutOfRange, "bad.ply"));
+  EXPECT_THAT(faults({{0, 0, 0}, {0.1, 0, 0}, {0, 0.1, 0}}, 0.1),
+              HasFault(FaultKind::kOutOfRange, "bad.ply"));
 }
 
 }  // namespace
