@@ -124,10 +124,10 @@ double CurvedSlipForce_n(const CuttingInput& in) {
     if (at_turn_n < least_n) least_n = at_turn_n, turn_rad = turn;
   }
   const double steeper_rad = WhereLeast([&](double steeper) { return force_n(steeper, turn_rad); },
-                                        -kAround_rad, kAround_rad, 6);
+                                        -kAround_rad, kAround_rad, 8);
   turn_rad =
       WhereLeast([&](double turn) { return force_n(steeper_rad, turn); },
-                 std::max(kLeastTurn_rad, turn_rad - kTurnStep_rad), turn_rad + kTurnStep_rad, 5);
+                 std::max(kLeastTurn_rad, turn_rad - kTurnStep_rad), turn_rad + kTurnStep_rad, 7);
   return std::min(least_n, force_n(steeper_rad, turn_rad));
 }
 

@@ -6,21 +6,17 @@
 #include "core/units.h"
 #include "soil/tool/layered_cut.h"
 #include "soil/tool/look_beside.h"
+#include "soil/tool/slip_ahead.h"
 
 namespace tera {
 namespace {
 
 constexpr double kElasticTravel_m = 0.006;  ///< travel over which the force builds up
-constexpr double kWedgeLengthInDepths = 2;  ///< of what an upright blade lifts, in depths
-constexpr double kLeastSpan_m = 0.225;      ///< over which the ground ahead is looked at
 constexpr double kNearAhead_m = 0.075;      ///< where the depth is measured
 constexpr double kLeastLevelMouth = 0.1;    ///< a mouth that looks more up or down than this
 constexpr double kLeastLevel = 1e-6;        ///< no direction below it
-/// Slope of the surface ahead. What is steeper is a step, at whose top or foot the slope ends: the
-/// wedge, which comes out of a plane, would not.
-constexpr double kSteepestSlope_rad = 25 * kDeg;
-constexpr double kDeadLoad = 0.8;          ///< of the capacity: from here soil separates along it
-constexpr double kSlowestEdge_mps = 1e-4;  ///< slower edges keep their elastic travel
+constexpr double kDeadLoad = 0.8;           ///< of the capacity: from here soil separates along it
+constexpr double kSlowestEdge_mps = 1e-4;   ///< slower edges keep their elastic travel
 
 /// Horizontal direction in which the edge cuts: along the ground in the plane of the cross-section,
 /// mouth first. Nothing where that plane lies level.
@@ -32,47 +28,33 @@ std::optional<Vec3> CutDirection(const ShovelShape& shape, const Mat3& R_WB) {
   return travel_W.normalized();
 }
 
-/// The plane that comes nearest to the surface ahead of a point.
-struct Surface {
-  double above_m;  ///< the point, there
-  double slope_rad;
-};
-
-/// By least squares over what the wedge of soil ahead takes up, from `near_m` on. Nothing above the
-/// point where the ground there lies below it.
-Surface SurfaceAhead(const Vec3& p_W, double near_m, const Vec3& travel_W, const Columns& ground) {
-  constexpr int kPlaces = 4;
-  constexpr double kSquares = 20.0 / 36;  // sum of (k / 3 - 1 / 2)^2
-  const auto above_m = [&](double ahead_m) {
-    const Vec2 at = (p_W + ahead_m * travel_W).head<2>();
-    return ground.HeightAt(at.x(), at.y()) - p_W.z();
-  };
-  double sum_m = above_m(near_m), moment_m = -0.5 * sum_m;
-  if (sum_m <= 0) return {0, 0};
-  const double span_m = std::max(kLeastSpan_m, kWedgeLengthInDepths * sum_m);
-  for (int k = 1; k < kPlaces; ++k) {
-    const double part = k / (kPlaces - 1.0);
-    const double at_m = above_m(near_m + part * span_m);
-    sum_m += at_m;
-    moment_m += (part - 0.5) * at_m;
+/// Densities and cohesion of what stands firm at the edge, and of what lies loose on it.
+SoilAhead SoilAheadOf(const CutSoil& cut) {
+  CutLayer firm, loose;
+  for (const CutLayer& layer : cut.layers()) {
+    CutLayer& sum = layer.is_loose ? loose : firm;
+    sum.thickness_m += layer.thickness_m;
+    sum.density_kgpm3 += layer.thickness_m * layer.density_kgpm3;
+    sum.cohesion_pa += layer.thickness_m * layer.cohesion_pa;
   }
-  const double slope = moment_m / kSquares / span_m;
-  const double at_near_m = sum_m / kPlaces - 0.5 * span_m * slope;
-  const double slope_rad = std::clamp(std::atan(slope), -kSteepestSlope_rad, kSteepestSlope_rad);
-  return {at_near_m - near_m * std::tan(slope_rad), slope_rad};
+  const auto density = [&](const CutLayer& sum) {
+    return sum.thickness_m > 0 ? sum.density_kgpm3 / sum.thickness_m : cut.mean.density_kgpm3;
+  };
+  SoilAhead ahead;
+  ahead.firm_density_kgpm3 = density(firm);
+  ahead.loose_density_kgpm3 = density(loose);
+  if (firm.thickness_m > 0) ahead.firm_cohesion_pa = firm.cohesion_pa / firm.thickness_m;
+  return ahead;
 }
 
-/// Slope of what lies under loose soil ahead of a place, over the same length.
-double FirmSlope_rad(const Vec2& at, double depth_m, const Vec3& travel_W, const Columns& ground) {
-  const double span_m = std::max(kLeastSpan_m, kWedgeLengthInDepths * depth_m);
-  const auto firm_m = [&](const Vec2& p) {
-    const int i = std::clamp(ground.NearestI(p.x()), 0, ground.nx() - 1);
-    const int j = std::clamp(ground.NearestJ(p.y()), 0, ground.ny() - 1);
-    const ColumnId k = ground.IdAt(i, j);
-    return ground.TopAt(i, j) - (k == Columns::kNone ? 0 : ground.skin(k).loose_m);
-  };
-  const double rise_m = firm_m(at + span_m * travel_W.head<2>()) - firm_m(at);
-  return std::clamp(std::atan(rise_m / span_m), -kSteepestSlope_rad, kSteepestSlope_rad);
+/// How much less layers of different strength take than soil of their mean, on level ground. Loose
+/// soil on firm soil of the same friction is none: the ground ahead tells where each of them lies.
+double ShareOfLayers(const CuttingInput& in, const CutSoil& soil) {
+  const bool heap_alone = soil.layer_count == 2 && soil.layer[0].is_loose &&
+                          soil.layer[0].friction_rad == soil.layer[1].friction_rad;
+  if (soil.layer_count < 2 || heap_alone) return 1;
+  const double mean_n = Cut(in).draft_n;
+  return mean_n > 0 ? std::min(1.0, CutLayers(in, soil.layers()).draft_n / mean_n) : 1;
 }
 
 /// The friction of a plane of which a share is soil, not steel.
@@ -85,8 +67,10 @@ void RubOnSoil(double share, CutLayer* layer) {
 /// A part of the edge's width, and the ground that it cuts.
 struct CuttingEdge::Strip {
   Vec3 p_B, p_W;
-  double depth_m, slope_rad, firm_slope_rad;
+  GroundAhead ahead;
   CutSoil soil;
+
+  double depth_m() const { return ahead.depth_m(); }
 };
 
 /// Along what soil separates, and what rests on it.
@@ -95,6 +79,7 @@ struct CuttingEdge::Plane {
   double on_soil = 0;           ///< share of it that is carried soil, not steel
   double surcharge_npm = 0;     ///< carried weight for each metre of width
   double surcharge_over_m = 1;  ///< length that this weight covers at least
+  double length_m = 0;          ///< from the edge to where soil rides over it
 };
 
 CuttingEdge::CuttingEdge(const Shovel& shovel, const std::vector<SoilType>& soils)
@@ -112,18 +97,12 @@ std::array<CuttingEdge::Strip, CuttingEdge::kStrips> CuttingEdge::Strips(
     Strip& strip = strips[s];
     strip.p_B = shape.edge_B() + ((s + 0.5) / kStrips - 0.5) * shovel_.width_m * Vec3::UnitY();
     strip.p_W = body.X_WB * strip.p_B;
-    const Surface surface = SurfaceAhead(strip.p_W, near_m, travel_W, *ground);
-    strip.slope_rad = surface.slope_rad;
-    strip.depth_m = std::clamp(surface.above_m, 0.0, shape.radius_m());
-    if (strip.depth_m <= 0) continue;
+    strip.ahead = LookAhead(strip.p_W, near_m, travel_W, *ground);
+    if (strip.depth_m() <= 0) continue;
     const Vec2 near = (strip.p_W + near_m * travel_W).head<2>();
     const int i = std::clamp(ground->NearestI(near.x()), 0, ground->nx() - 1);
     const int j = std::clamp(ground->NearestJ(near.y()), 0, ground->ny() - 1);
     strip.soil = SoilAbove(ground->Touch(i, j), strip.p_W.z(), *ground, soils);
-    strip.firm_slope_rad = strip.slope_rad;
-    if (strip.soil.layer_count > 1 && strip.soil.layer[0].is_loose) {
-      strip.firm_slope_rad = FirmSlope_rad(near, strip.depth_m, travel_W, *ground);
-    }
   }
   return strips;
 }
@@ -132,6 +111,7 @@ CuttingEdge::Plane CuttingEdge::CutPlane(const ShovelShape& shape, const Mat3& R
                                          const Carried& carried) const {
   const Vec3 floor_W = -(R_WB * shape.edge_direction_B());
   Plane plane{.up_W = floor_W};
+  plane.length_m = (shape.top_edge_B() - shape.edge_B()).norm();
   if (shovel_.capacity_m3 <= 0 || carried.mass_kg <= 0) return plane;
   const double fill = carried.volume_m3 / shovel_.capacity_m3;
   plane.on_soil = std::clamp((fill - kDeadLoad) / (1 - kDeadLoad), 0.0, 1.0);
@@ -145,13 +125,11 @@ CuttingEdge::Plane CuttingEdge::CutPlane(const ShovelShape& shape, const Mat3& R
 }
 
 /// Force of the ground that a strip cuts, when it has failed.
-Vec3 CuttingEdge::CuttingForceOn(const Strip& strip, const Vec3& travel_W, const Plane& plane,
-                                 double speed_mps) const {
+CuttingForce CuttingEdge::CutBy(const Strip& strip, const Vec3& travel_W, const Plane& plane,
+                                double speed_mps) const {
   CuttingInput in;
   in.width_m = shovel_.width_m / kStrips;
-  in.depth_m = strip.depth_m;
-  in.slope_rad = strip.slope_rad;
-  in.firm_slope_rad = strip.firm_slope_rad;
+  in.depth_m = strip.depth_m();
   in.rake_rad = std::max(0.0, std::atan2(plane.up_W.z(), -plane.up_W.dot(travel_W)));
   CutSoil soil = strip.soil;
   RubOnSoil(plane.on_soil, &soil.mean);
@@ -159,13 +137,14 @@ Vec3 CuttingEdge::CuttingForceOn(const Strip& strip, const Vec3& travel_W, const
   in = InSoilOf(soil.mean, in);
   in.speed_mps = std::max(0.0, speed_mps);
   in.flank_share = 1.0 / kStrips;
-  CuttingForce cut = CutLayers(in, soil.layers());
-  if (plane.surcharge_npm > 0 && cut.wedge_length_m > 0) {
-    // Carried soil rests on the wedge with the share of its length that lies over it.
-    in.surcharge_pa = plane.surcharge_npm / std::max(cut.wedge_length_m, plane.surcharge_over_m);
-    cut = CutLayers(in, soil.layers());
-  }
-  return -(cut.draft_n * travel_W + cut.vertical_n * Vec3::UnitZ());
+  SoilAhead ahead = SoilAheadOf(soil);
+  ahead.blade_m = plane.length_m;
+  ahead.carried_npm = plane.surcharge_npm;
+  ahead.carried_over_m = plane.surcharge_over_m;
+  CuttingForce force = CutAhead(in, strip.ahead, ahead);
+  const double weaker = ShareOfLayers(in, soil);
+  force.total_n *= weaker, force.draft_n *= weaker, force.vertical_n *= weaker;
+  return force;
 }
 
 /// Resistance of a strip's ground to being pierced along the floor.
@@ -175,8 +154,8 @@ double CuttingEdge::PiercingForceOn_n(const Strip& strip, double sine_down) cons
   const double tooth_area_m2 = shovel_.teeth * shovel_.tooth_width_m * shovel_.tooth_thickness_m;
   const double edge_behind_m =
       shovel_.teeth > 0 ? shovel_.tooth_length_m * std::max(0.0, sine_down) : 0.0;
-  return (tooth_area_m2 * piercing_.Pressure_pa(strip.soil, strip.depth_m) +
-          edge_area_m2 * piercing_.Pressure_pa(strip.soil, strip.depth_m - edge_behind_m)) /
+  return (tooth_area_m2 * piercing_.Pressure_pa(strip.soil, strip.depth_m()) +
+          edge_area_m2 * piercing_.Pressure_pa(strip.soil, strip.depth_m() - edge_behind_m)) /
          kStrips;
 }
 
@@ -199,11 +178,12 @@ double CuttingEdge::DragInside_n(const ShovelShape& shape, const Mat3& R_WB, con
 Wrench CuttingEdge::Act(const ShovelShape& shape, const BodyState& body, const Carried& carried,
                         double dt_s, const std::vector<SoilType>& soils, Columns* ground) {
   Wrench wrench;
+  lifted_W_m_.setZero();
   const Mat3& R_WB = body.X_WB.linear();
   const std::optional<Vec3> travel_W = CutDirection(shape, R_WB);
   if (!travel_W) return wrench;
   const std::array<Strip, kStrips> strips = Strips(shape, body, *travel_W, soils, ground);
-  if (std::none_of(strips.begin(), strips.end(), [](const Strip& s) { return s.depth_m > 0; })) {
+  if (std::none_of(strips.begin(), strips.end(), [](const Strip& s) { return s.depth_m() > 0; })) {
     cut_travel_m_ = pierce_travel_m_ = 0;
     return wrench;
   }
@@ -217,11 +197,13 @@ Wrench CuttingEdge::Act(const ShovelShape& shape, const BodyState& body, const C
   const Plane plane = CutPlane(shape, R_WB, carried);
   const double drag_n = DragInside_n(shape, R_WB, carried, soils[carried.soil]);
   for (const Strip& strip : strips) {
-    if (strip.depth_m <= 0) continue;
+    if (strip.depth_m() <= 0) continue;
     const Vec3 v_strip_W = PointVelocity(body, strip.p_B);
+    const CuttingForce cut = CutBy(strip, *travel_W, plane, v_strip_W.dot(*travel_W));
+    const Vec3 cut_W_n = -(cut.draft_n * *travel_W + cut.vertical_n * Vec3::UnitZ());
+    lifted_W_m_ += cut.wedge_length_m / kStrips * travel_W->head<2>();
     const double pierce_n = PiercingForceOn_n(strip, -cut_dir_W.z()) + drag_n / kStrips;
-    Vec3 force_W_n = cut_share * CuttingForceOn(strip, *travel_W, plane, v_strip_W.dot(*travel_W)) -
-                     pierce_share * pierce_n * cut_dir_W;
+    Vec3 force_W_n = cut_share * cut_W_n - pierce_share * pierce_n * cut_dir_W;
     // The ground never drives the edge on.
     const double power_w = force_W_n.dot(v_strip_W), v2 = v_strip_W.squaredNorm();
     if (power_w > 0 && v2 > kSlowestEdge_mps * kSlowestEdge_mps) {

@@ -29,6 +29,8 @@ constexpr double kFan_rad = 25 * kDeg;    ///< to both sides of the direction of
 constexpr double kParcel_m = 0.001;       ///< soil is spread in parcels at least this thick
 constexpr double kThickest_m = 0.02;      ///< and at most this
 constexpr int kLongestRoll = 60;          ///< columns
+/// Loose shares of what is pushed: it begins to slide as a heap, and does so wholly.
+constexpr double kHalfLoose = 0.5, kNearlyLoose = 0.9;
 // Carried soil.
 constexpr double kSpillTime_s = 0.25;   ///< time constant at which what cannot stay leaves
 constexpr double kStuckClod_m = 0.025;  ///< thickest layer that hangs on the shell: an estimate
@@ -79,16 +81,18 @@ Digging::Bearing Digging::BearingOf(const SoilType& soil) const {
   return {at_surface_pa, BearingPressure_pa(soil, kShellWidth_m, 1) - at_surface_pa};
 }
 
-bool Digging::InFootprint(int i, int j) const {
-  if (i < i0_ || i > i1_ || j < j0_ || j > j1_) return false;
-  return mask_[static_cast<std::size_t>(j - j0_) * (i1_ - i0_ + 1) + (i - i0_)] != 0;
+/// How far behind its face a shell must reach for no soil to slip through between two columns: a
+/// cell, against the level direction of the mouth. In B's x-z plane.
+Vec2 Digging::ShellThickness_B(const BodyState& body, double cell_m) const {
+  Vec3 behind_W = -(body.X_WB.linear() * shape_.mouth_normal_B());
+  behind_W.z() = 0;
+  const Vec3 behind_B = body.X_WB.linear().transpose() * behind_W;
+  const Vec2 in_section(behind_B.x(), behind_B.z());
+  return cell_m / std::max(in_section.norm(), kLeastSpeed_mps) * behind_W.norm() * in_section;
 }
 
-/// Columns in which the shovel stands, and among them those whose soil it overlaps.
-void Digging::FindFootprint(const BodyState& body, Columns* ground) {
-  const std::vector<ColumnId> before = std::exchange(blocked_, {});
-  footprint_.clear();
-  i1_ = i0_ - 1;
+/// The rectangle of columns over which the shovel stands, of which none is marked yet.
+void Digging::FrameMask(const BodyState& body, double behind_m, const Columns& ground) {
   const double half_m = 0.5 * shovel_.width_m;
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Vec2& p : shovel_.profile_B_m) {
@@ -98,23 +102,51 @@ void Digging::FindFootprint(const BodyState& body, Columns* ground) {
       high = high.cwiseMax(p_W);
     }
   }
-  i0_ = std::max(0, ground->NearestI(low.x()));
-  j0_ = std::max(0, ground->NearestJ(low.y()));
-  i1_ = std::min(ground->nx() - 1, ground->NearestI(high.x()));
-  j1_ = std::min(ground->ny() - 1, ground->NearestJ(high.y()));
-  mask_.assign(static_cast<std::size_t>(std::max(0, i1_ - i0_ + 1)) * std::max(0, j1_ - j0_ + 1),
-               0);
-  for (int j = j0_; j <= j1_; ++j) {
-    for (int i = i0_; i <= i1_; ++i) {
+  lowest_m_ = low.z();
+  std::swap(mask_, mask_before_);
+  mask_.i0 = std::max(0, ground.NearestI(low.x() - behind_m));
+  mask_.j0 = std::max(0, ground.NearestJ(low.y() - behind_m));
+  mask_.i1 = std::min(ground.nx() - 1, ground.NearestI(high.x() + behind_m));
+  mask_.j1 = std::min(ground.ny() - 1, ground.NearestJ(high.y() + behind_m));
+  mask_.part.assign(static_cast<std::size_t>(std::max(0, mask_.i1 - mask_.i0 + 1)) *
+                        std::max(0, mask_.j1 - mask_.j0 + 1),
+                    kOutside);
+}
+
+/// Where the shell, but not the shovel's inside, stands over a place.
+std::optional<ShovelShape::Crossing> Digging::CrossingOfShell(const BodyState& body, double x_m,
+                                                              double y_m,
+                                                              const Vec2& behind_B) const {
+  const auto low_m = shape_.LowestOfShell(body.X_WB, x_m, y_m, behind_B);
+  if (!low_m) return std::nullopt;
+  return ShovelShape::Crossing{.low_m = *low_m,
+                               .high_m = *low_m,
+                               .through_mouth = true,
+                               .low_normal_B = shape_.mouth_normal_B()};
+}
+
+/// Columns in which the shovel or its shell stands, and among them those whose soil it overlaps, or
+/// over which its face has passed in this step.
+void Digging::FindFootprint(const BodyState& body, Columns* ground) {
+  const std::vector<ColumnId> before = std::exchange(blocked_, {});
+  footprint_.clear();
+  const Vec2 behind_B = ShellThickness_B(body, ground->cell_m());
+  FrameMask(body, behind_B.norm(), *ground);
+  for (int j = mask_.j0; j <= mask_.j1; ++j) {
+    for (int i = mask_.i0; i <= mask_.i1; ++i) {
       const double top_m = ground->TopAt(i, j);
-      if (top_m + kNear_m <= low.z()) continue;
-      const auto crossing = shape_.VerticalCrossing(body.X_WB, ground->x_m(i), ground->y_m(j));
+      if (top_m + kNear_m <= lowest_m_) continue;
+      const double x_m = ground->x_m(i), y_m = ground->y_m(j);
+      auto crossing = shape_.VerticalCrossing(body.X_WB, x_m, y_m);
+      const Part part = crossing ? kInside : kInShell;
+      if (!crossing) crossing = CrossingOfShell(body, x_m, y_m, behind_B);
       if (!crossing) continue;
-      mask_[static_cast<std::size_t>(j - j0_) * (i1_ - i0_ + 1) + (i - i0_)] = 1;
+      mask_.part[mask_.Index(i, j)] = part;
       const ColumnId k = ground->Touch(i, j);
       ground->Block(k, crossing->low_m);
       blocked_.push_back(k);
-      if (top_m > crossing->low_m) footprint_.push_back({i, j, *crossing});
+      const bool sweeps = part == kInside || mask_before_.At(i, j) == kInside;
+      if (sweeps && top_m > crossing->low_m) footprint_.push_back({i, j, *crossing});
     }
   }
   for (const ColumnId k : before) {
@@ -131,42 +163,62 @@ Vec2 Digging::WayOutFrom(const Swept& swept, const Vec2& direction) const {
   return at;
 }
 
-/// Puts soil outside the footprint in `way_out`, on the columns that rise when a body pushes a
-/// wedge of soil before it: those above a plane that rises from its lowest point at Rankine's
-/// passive angle. From there it rolls down what is steeper than repose, or over a blade.
-void Digging::PutOutside(const BodyState& body, const Swept& swept, const Vec2& way_out,
-                         SpoilMix* spoil, Columns* ground) {
-  // The wedge fans out, or all that one place of the shovel pushes would lie in one line.
-  const double fan_rad = kFan_rad * (2 * Turn(put_, kAcross) - 1);
+/// How far what stands at a place higher than a part of the shovel slides as a heap, from 0, where
+/// half of it is firm soil that breaks, to 1, where nearly all is loose.
+double Digging::SlidesAsHeap(const Place& at, const Swept& swept, const Columns& ground) const {
+  const ColumnId k = ground.IdAt(at.i, at.j);
+  if (k == Columns::kNone) return 0;
+  const Columns::Skin& skin = ground.skin(k);
+  const double over_m = skin.top_m - swept.crossing.low_m;
+  return over_m > 0 ? Clamp01((skin.loose_m / over_m - kHalfLoose) / (kNearlyLoose - kHalfLoose))
+                    : 0;
+}
+
+/// The ground outside the footprint that a part of the shovel moves when it pushes in `way_out`:
+/// of firm soil what stands above a plane that rises from the shovel's lowest point at Rankine's
+/// passive angle, in a fan; of a heap, straight ahead, as far as the edge moves it.
+Digging::Heap Digging::HeapBefore(const BodyState& body, const Swept& swept, const Vec2& way_out,
+                                  const SoilType& soil, const Columns& ground) const {
+  const Vec2 straight = WayOutFrom(swept, way_out);
+  const double slides = SlidesAsHeap(PlaceNear(straight), swept, ground);
+  // Unfanned, all that one place of the shovel pushes would lie in one line.
+  const double fan_rad = (1 - slides) * kFan_rad * (2 * Turn(put_, kAcross) - 1);
   const Vec2 direction(std::cos(fan_rad) * way_out.x() - std::sin(fan_rad) * way_out.y(),
                        std::sin(fan_rad) * way_out.x() + std::cos(fan_rad) * way_out.y());
-  Vec2 out = WayOutFrom(swept, direction);
-  const auto place = [&](std::size_t n) {
-    const Vec2 at = out + static_cast<double>(n) * direction;
-    return Place{Nearest(at.x()), Nearest(at.y())};
-  };
-  const double friction_rad = soils_[spoil->main_soil()].friction_angle_rad;
-  const double repose_rad = soils_[spoil->main_soil()].repose_angle_rad;
-  const double rise_m = std::tan(kPi / 4 - friction_rad / 2) * ground->cell_m();
-  const auto rises = [&](std::size_t n) {
-    const auto [i, j] = place(n);
-    return ground->Contains(i, j) && !InFootprint(i, j) &&
-           swept.crossing.low_m + static_cast<double>(n) * rise_m < ground->TopAt(i, j);
-  };
-  std::size_t wide = 1;
-  if (RidesOver(body, place(0), repose_rad, *ground)) {
-    out = WayOutFrom(swept, -direction);
-  } else {
-    while (wide < kWidestWedge && rises(wide)) ++wide;
+  Heap heap{.out = WayOutFrom(swept, direction), .direction = direction};
+  if (RidesOver(body, heap.At(0), soil.repose_angle_rad, ground)) {
+    heap.out = WayOutFrom(swept, -direction);
+    return heap;
   }
+  const double rise_m = std::tan(kPi / 4 - soil.friction_angle_rad / 2) * ground.cell_m();
+  const auto rises = [&](std::size_t n) {
+    const auto [i, j] = heap.At(n);
+    return ground.Contains(i, j) && !InFootprint(i, j) &&
+           swept.crossing.low_m + static_cast<double>(n) * rise_m < ground.TopAt(i, j);
+  };
+  while (heap.columns < kWidestWedge && rises(heap.columns)) ++heap.columns;
+  const auto wedge = static_cast<double>(heap.columns);
+  const double moved = edge_.lifted_W_m().dot(way_out) / ground.cell_m();
+  heap.columns = std::min(kWidestWedge,
+                          static_cast<std::size_t>(wedge + slides * std::max(0.0, moved - wedge)));
+  return heap;
+}
+
+/// Puts soil outside the footprint in `way_out`, on the columns that move there. From there it
+/// rolls down what is steeper than repose, or over a blade.
+void Digging::PutOutside(const BodyState& body, const Swept& swept, const Vec2& way_out,
+                         SpoilMix* spoil, Columns* ground) {
+  const SoilType& soil = soils_[spoil->main_soil()];
+  const Heap heap = HeapBefore(body, swept, way_out, soil, *ground);
   // In parcels that are worth the trouble, which take turns over the columns.
   const double thickness_m = spoil->volume_m3() / ground->area_m2();
-  const std::size_t parcels =
-      std::clamp<std::size_t>(static_cast<std::size_t>(thickness_m / kParcel_m), 1,
-                              std::max(wide, static_cast<std::size_t>(thickness_m / kThickest_m)));
+  const std::size_t parcels = std::clamp<std::size_t>(
+      static_cast<std::size_t>(thickness_m / kParcel_m), 1,
+      std::max(heap.columns, static_cast<std::size_t>(thickness_m / kThickest_m)));
   for (std::size_t p = 0; p < parcels; ++p) {
     const double turn = Turn(++put_, kAlong);
-    Place rest = place(static_cast<std::size_t>(turn * static_cast<double>(wide)));
+    Place rest = heap.At(static_cast<std::size_t>(turn * static_cast<double>(heap.columns)));
+    const double repose_rad = soil.repose_angle_rad;
     for (int k = 0; k < kLongestRoll && RollsOn(repose_rad, *ground, &rest); ++k) continue;
     ground->DepositAt(rest.i, rest.j, spoil->Take(1.0 / static_cast<double>(parcels - p)));
   }

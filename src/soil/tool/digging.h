@@ -19,8 +19,9 @@ namespace tera {
 /// Model   Geometry: no soil stays above the lowest point of the shovel's cross-section in any
 ///         column. What comes in through the mouth is carried (a bucket) until it is heaped full;
 ///         the rest, and what a blade, the back of a bucket or its shell meets, is put outside in
-///         the direction of motion, over the columns that a passive wedge lifts: up from the
-///         shovel's lowest point at 45 deg - phi/2, from where it rolls down to repose. What would
+///         the direction of motion, over the columns that move with it, from where it rolls down to
+///         repose: a heap that the edge slides goes along as it lies, else a passive wedge rises
+///         from the shovel's lowest point at 45 deg - phi/2 and fans out. What would
 ///         stand before a blade higher than at repose down from its top edge rides up and over it.
 ///         Carried soil beyond what stands heaped at the angle of repose under the present apparent
 ///         gravity leaves over the lower lip at a finite rate, as clods that fall, over the cutting
@@ -30,9 +31,10 @@ namespace tera {
 ///         shell's underside, which rests on the ground: elastic up to the bearing pressure, then
 ///         it presses the ground aside; Coulomb friction along it. What lies over the ground below
 ///         the lowest of the surfaces on the shovel's four sides is its surcharge. So does the soil
-///         in a full bucket whose mouth looks down.
-/// Omits   flow inside the bucket, sticky soil that is shaken off, soil that slips through a blade
-///         thinner than a cell where it stands diagonally to the grid.
+///         in a full bucket whose mouth looks down. The shell is a cell thick towards its back, so
+///         that no soil slips through it between two columns; where a thin one's face has passed
+///         over a column in a step, it has cut there.
+/// Omits   flow inside the bucket, sticky soil that is shaken off.
 /// Source  Rankine 1857 (passive wedge); Terzaghi 1943 (bearing).
 class Digging {
  public:
@@ -52,6 +54,10 @@ class Digging {
     int i, j;
     ShovelShape::Crossing crossing;
   };
+  Vec2 ShellThickness_B(const BodyState& body, double cell_m) const;
+  void FrameMask(const BodyState& body, double behind_m, const Columns& ground);
+  std::optional<ShovelShape::Crossing> CrossingOfShell(const BodyState& body, double x_m,
+                                                       double y_m, const Vec2& behind_B) const;
   void FindFootprint(const BodyState& body, Columns* ground);
   void CutFootprint(const BodyState& body, double dt_s, Columns* ground, Wrench* wrench);
   bool PressShell(const BodyState& body, const Swept& swept, double dt_s, bool may_enter,
@@ -59,6 +65,19 @@ class Digging {
   double LowestBeside_m(const BodyState& body, const Columns& ground) const;
   using Place = Columns::Place;
   Vec2 WayOutFrom(const Swept& swept, const Vec2& direction) const;
+  static Place PlaceNear(const Vec2& columns) {
+    return {static_cast<int>(std::lround(columns.x())), static_cast<int>(std::lround(columns.y()))};
+  }
+  /// Columns in a row that move together.
+  struct Heap {
+    Vec2 out, direction;  ///< the first, and where the others are, in columns
+    std::size_t columns = 1;
+
+    Place At(std::size_t n) const { return PlaceNear(out + static_cast<double>(n) * direction); }
+  };
+  double SlidesAsHeap(const Place& at, const Swept& swept, const Columns& ground) const;
+  Heap HeapBefore(const BodyState& body, const Swept& swept, const Vec2& way_out,
+                  const SoilType& soil, const Columns& ground) const;
   void PutOutside(const BodyState& body, const Swept& swept, const Vec2& way_out, SpoilMix* spoil,
                   Columns* ground);
   bool RidesOver(const BodyState& body, const Place& at, double repose_rad,
@@ -74,7 +93,7 @@ class Digging {
   };
   Gap NextGap(bool over_the_edge);
   void FilterApparentGravity(const BodyState& body, double dt_s);
-  bool InFootprint(int i, int j) const;
+  bool InFootprint(int i, int j) const { return mask_.At(i, j) != kOutside; }
 
   Shovel shovel_;
   ShovelShape shape_;
@@ -88,6 +107,7 @@ class Digging {
   Bearing BearingOf(const SoilType& soil) const;
   std::vector<Bearing> bearing_, bearing_loose_;  ///< of each soil, under the shell
   double beside_m_ = 0;                           ///< lowest surface on the shovel's four sides
+  double lowest_m_ = 0;                           ///< z of the shovel's lowest point
   double heaped_m3_ = 0;
   SpoilMix carried_;
   double spilling_m3_ = 0;  ///< of it that should have left, less than a clod
@@ -96,8 +116,20 @@ class Digging {
   Vec3 up_W_mps2_ = kStandardGravity_mps2 * Vec3::UnitZ();  ///< against apparent gravity, smoothed
   std::size_t put_ = 0;                                     ///< parcels put outside so far
   std::vector<Swept> footprint_;
-  int i0_ = 0, i1_ = -1, j0_ = 0, j1_ = -1;
-  std::vector<std::uint8_t> mask_;
+  enum Part : std::uint8_t { kOutside, kInShell, kInside };
+  /// In which part of the shovel the columns of a rectangle stand.
+  struct Mask {
+    int i0 = 0, i1 = -1, j0 = 0, j1 = -1;
+    std::vector<Part> part;
+
+    Part At(int i, int j) const {
+      return i < i0 || i > i1 || j < j0 || j > j1 ? kOutside : part[Index(i, j)];
+    }
+    std::size_t Index(int i, int j) const {
+      return static_cast<std::size_t>(j - j0) * (i1 - i0 + 1) + (i - i0);
+    }
+  };
+  Mask mask_, mask_before_;        ///< in this step, in the last
   std::vector<ColumnId> blocked_;  ///< columns of the ground that this shovel blocks
 };
 

@@ -14,9 +14,6 @@ constexpr double kMargin_rad = 0.5 * kDeg;  ///< kept from the ends of the range
 constexpr double kLeastRake_rad = 5 * kDeg;
 /// A wedge has at least this range of angles; without room for a wedge its equilibrium has a pole.
 constexpr double kLeastRange_rad = 10 * kDeg;
-/// Friction on an upright face up to which a plane slip surface is near enough, in parts of the
-/// soil's: blades, at half of it, have been measured against the plane's equation.
-constexpr double kPlaneUpTo = 0.58;
 constexpr int kSections = 20;  ///< 90 deg * 0.618^20 is 0.006 deg
 
 double Cot(double a) { return 1 / std::tan(a); }
@@ -90,11 +87,7 @@ CuttingFactors CuttingFactorsAt(const CuttingInput& in, double wedge_rad) {
   return n;
 }
 
-namespace {
-
-/// A face that leans forwards traps soil beneath it, which moves on with it: an upright face, with
-/// the friction that turns the force as far, of soil on soil at most.
-CuttingInput Upright(CuttingInput in) {
+CuttingInput AsUpright(CuttingInput in) {
   const double leans_rad = in.rake_rad - kPi / 2;
   if (leans_rad <= 0) return in;
   in.rake_rad = kPi / 2;
@@ -103,39 +96,56 @@ CuttingInput Upright(CuttingInput in) {
   return in;
 }
 
-/// The steepest rake, below the one asked for, at which a plane slip surface serves.
-double PlaneRake_rad(const CuttingInput& in, double least_rad, double flattest_wedge_rad) {
-  const double room_rad = kPi - in.tool_friction_rad - in.friction_rad - kMargin_rad -
-                          flattest_wedge_rad - kLeastRange_rad;
-  const double valid_rad = kPi / 2 + kPlaneUpTo * in.friction_rad - in.tool_friction_rad;
-  return std::clamp(std::min(room_rad, valid_rad), least_rad, std::max(least_rad, in.rake_rad));
+namespace {
+
+/// A blade comes out of falling ground behind its edge where it is steeper than the ground.
+double LeastRake_rad(const CuttingInput& in) {
+  return kLeastRake_rad + std::max(0.0, -in.slope_rad);
+}
+
+double FlattestWedge_rad(const CuttingInput& in) {
+  return std::max(in.slope_rad, -in.friction_rad) + 4 * kMargin_rad;
+}
+
+/// The steepest rake at which a plane slip surface has room below the pole of its equilibrium.
+double RakeWithRoom_rad(const CuttingInput& in) {
+  return kPi - in.tool_friction_rad - in.friction_rad - kMargin_rad - FlattestWedge_rad(in) -
+         kLeastRange_rad;
 }
 
 }  // namespace
 
-CuttingForce Cut(const CuttingInput& input) {
+CuttingForce PlaneCut(const CuttingInput& input) {
   CuttingForce result;
   if (input.depth_m <= 0) return result;
-  CuttingInput in = Upright(input);
-  // A blade comes out of falling ground behind its edge where it is steeper than the ground.
-  const double least_rad = kLeastRake_rad + std::max(0.0, -in.slope_rad);
-  in.rake_rad = std::max(in.rake_rad, least_rad);
-  const double low_rad = std::max(in.slope_rad, -in.friction_rad) + 4 * kMargin_rad;
-  CuttingInput plane = in;
-  plane.rake_rad = PlaneRake_rad(in, least_rad, low_rad);
+  CuttingInput in = AsUpright(input);
+  in.rake_rad = std::max(in.rake_rad, LeastRake_rad(in));
+  const double contact_rad = in.rake_rad + in.tool_friction_rad;
+  in.rake_rad = std::min(in.rake_rad, std::max(LeastRake_rad(in), RakeWithRoom_rad(in)));
+  const double low_rad = FlattestWedge_rad(in);
   const double leans_to = kPi - in.tool_friction_rad - in.friction_rad - kMargin_rad;
   const double high_rad =
-      std::max(low_rad + kMargin_rad, std::min(kPi / 2 - kMargin_rad, leans_to - plane.rake_rad));
-  const Wedges wedges(plane);
+      std::max(low_rad + kMargin_rad, std::min(kPi / 2 - kMargin_rad, leans_to - in.rake_rad));
+  const Wedges wedges(in);
   result.wedge_rad = WhereLeast([&](double wedge_rad) { return wedges.ForceAt_n(wedge_rad); },
                                 low_rad, high_rad, kSections);
   result.wedge_length_m = in.depth_m * wedges.Ahead(std::tan(result.wedge_rad));
   result.total_n = std::max(0.0, wedges.ForceAt_n(result.wedge_rad));
-  if (plane.rake_rad < in.rake_rad) {
-    // Where friction is so steep that no spiral turns about a pole, the plane's force stands.
-    const double curved_n = CurvedSlipForce_n(in);
-    if (std::isfinite(curved_n)) result.total_n = std::max(result.total_n, curved_n);
-  }
+  result.draft_n = result.total_n * std::sin(contact_rad);
+  result.vertical_n = result.total_n * std::cos(contact_rad);
+  return result;
+}
+
+CuttingForce Cut(const CuttingInput& input) {
+  CuttingForce result = PlaneCut(input);
+  if (input.depth_m <= 0) return result;
+  CuttingInput in = AsUpright(input);
+  in.rake_rad = std::max(in.rake_rad, LeastRake_rad(in));
+  const double curved_n = std::max(0.0, CurvedSlipForce_n(in));
+  // Where friction is so steep that no spiral turns about a pole, the plane's force stands.
+  if (!std::isfinite(curved_n)) return result;
+  const bool has_room = in.rake_rad <= RakeWithRoom_rad(in);
+  result.total_n = has_room ? std::min(result.total_n, curved_n) : curved_n;
   result.draft_n = result.total_n * std::sin(in.rake_rad + in.tool_friction_rad);
   result.vertical_n = result.total_n * std::cos(in.rake_rad + in.tool_friction_rad);
   return result;

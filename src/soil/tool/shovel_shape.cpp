@@ -121,35 +121,68 @@ ShovelShape::LevelExtent ShovelShape::ExtentAcross(const Vec3& up_B) const {
   return extent;
 }
 
+/// An upright line through a place: p_B(z) = o_B + z u_B, z in W.
+struct ShovelShape::Upright {
+  Vec3 o_B, u_B;
+  double from_m = -std::numeric_limits<double>::infinity();  ///< z between the side walls
+  double to_m = std::numeric_limits<double>::infinity();
+
+  Upright(const Pose& X_WB, double x_m, double y_m, double half_width_m) {
+    const Mat3 R_BW = X_WB.linear().transpose();
+    u_B = R_BW.col(2);
+    o_B = R_BW * (Vec3(x_m, y_m, 0) - X_WB.translation());
+    if (std::abs(u_B.y()) < kTiny) {
+      if (std::abs(o_B.y()) > half_width_m) to_m = -to_m;
+    } else {
+      const double za = (-half_width_m - o_B.y()) / u_B.y();
+      const double zb = (half_width_m - o_B.y()) / u_B.y();
+      from_m = std::min(za, zb), to_m = std::max(za, zb);
+    }
+  }
+  bool is_beside() const { return to_m < from_m; }
+  /// z where it crosses a line from `a` along `d` in B's x-z plane, if it does.
+  std::optional<double> Crosses_m(const Vec2& a, const Vec2& d) const {
+    const Vec2 u(u_B.x(), u_B.z());
+    const double denominator = Cross(u, d);
+    if (std::abs(denominator) < kTiny) return std::nullopt;
+    const Vec2 to = a - Vec2(o_B.x(), o_B.z());
+    const double s = Cross(to, u) / denominator;
+    if (s < 0 || s > 1) return std::nullopt;
+    return Cross(to, d) / denominator;
+  }
+};
+
+std::optional<double> ShovelShape::LowestOfShell(const Pose& X_WB, double x_m, double y_m,
+                                                 const Vec2& behind_B) const {
+  const Upright line(X_WB, x_m, y_m, half_width_m_);
+  if (line.is_beside()) return std::nullopt;
+  double low_m = std::numeric_limits<double>::infinity();
+  const auto take = [&](const Vec2& a, const Vec2& d) {
+    low_m = std::min(low_m, line.Crosses_m(a, d).value_or(low_m));
+  };
+  for (const Vec2& p : profile_) take(p, behind_B);
+  for (std::size_t k = 0; k + 1 < profile_.size(); ++k) {
+    take(profile_[k], profile_[k + 1] - profile_[k]);
+    take(profile_[k] + behind_B, profile_[k + 1] - profile_[k]);
+  }
+  low_m = std::max(low_m, line.from_m);
+  return low_m < line.to_m ? std::optional(low_m) : std::nullopt;
+}
+
 std::optional<ShovelShape::Crossing> ShovelShape::VerticalCrossing(const Pose& X_WB, double x_m,
                                                                    double y_m) const {
-  // The line p_B(z) = o_B + z u_B, z in W.
-  const Mat3 R_BW = X_WB.linear().transpose();
-  const Vec3 u_B = R_BW.col(2);
-  const Vec3 o_B = R_BW * (Vec3(x_m, y_m, 0) - X_WB.translation());
-  double z0 = -std::numeric_limits<double>::infinity();
-  double z1 = std::numeric_limits<double>::infinity();
-  if (std::abs(u_B.y()) < kTiny) {
-    if (std::abs(o_B.y()) > half_width_m_) return std::nullopt;
-  } else {
-    const double za = (-half_width_m_ - o_B.y()) / u_B.y();
-    const double zb = (half_width_m_ - o_B.y()) / u_B.y();
-    z0 = std::min(za, zb), z1 = std::max(za, zb);
-  }
-  const Vec2 o(o_B.x(), o_B.z()), u(u_B.x(), u_B.z());
+  const Upright line(X_WB, x_m, y_m, half_width_m_);
+  if (line.is_beside()) return std::nullopt;
+  const double z0 = line.from_m, z1 = line.to_m;
+  const Vec3& u_B = line.u_B;
   Crossing crossing;
   double low = std::numeric_limits<double>::infinity(), high = -low;
   std::size_t low_segment = 0;
   for (std::size_t k = 0; k < segments_.size(); ++k) {
-    const Vec2 d = segments_[k].b - segments_[k].a;
-    const double denominator = Cross(u, d);
-    if (std::abs(denominator) < kTiny) continue;
-    const Vec2 to = segments_[k].a - o;
-    const double s = Cross(to, u) / denominator;
-    if (s < 0 || s > 1) continue;
-    const double z = Cross(to, d) / denominator;
-    if (z < low) low = z, low_segment = k;
-    high = std::max(high, z);
+    const std::optional<double> z = line.Crosses_m(segments_[k].a, segments_[k].b - segments_[k].a);
+    if (!z) continue;
+    if (*z < low) low = *z, low_segment = k;
+    high = std::max(high, *z);
   }
   if (!(high > low)) return std::nullopt;
   crossing.low_m = std::max(low, z0);

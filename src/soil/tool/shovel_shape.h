@@ -26,6 +26,11 @@ class ShovelShape {
   };
   std::optional<Crossing> VerticalCrossing(const Pose& X_WB, double x_m, double y_m) const;
 
+  /// Lowest z in W of the shell over a place, where the shell is as thick as `behind_B`, a vector
+  /// in B's x-z plane, reaches from it. Nothing where no shell is.
+  std::optional<double> LowestOfShell(const Pose& X_WB, double x_m, double y_m,
+                                      const Vec2& behind_B) const;
+
   /// What the shovel holds when gravity's up direction is `up_B`.
   struct Hold {
     double volume_m3 = 0;         ///< at most, heaped at `repose_rad`
@@ -65,6 +70,7 @@ class ShovelShape {
   LevelExtent ExtentAcross(const Vec3& up_B) const;
 
  private:
+  struct Upright;
   struct Heap;
   Heap FullestHeap(const Vec3& up_B, double repose_rad) const;
 

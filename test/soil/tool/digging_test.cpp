@@ -335,10 +335,11 @@ TEST(Digging, TheWindrowBeforeABladeResistsByTheFrictionOfItsWeight) {
 
 /// A plate 0.3 m wide and 0.6 m long without a thin edge's piercing, driven 2 m with its edge 0.2 m
 /// deep: its draft over the last half metre, the heap that it has then over the wedge of the
-/// earthmoving equation, the equation's draft with that heap as an even surcharge, and, of a plate
-/// that does not lean forwards, that of trial wedges in the ground as it lies.
+/// earthmoving equation, the equation's draft with that heap as an even surcharge, that at the
+/// depth of the whole plate, and, of a plate that does not lean forwards, that of trial wedges in
+/// the ground as it lies.
 struct PlateRun {
-  double draft_n = 0, heap_m = 0, equation_n = 0, wedges_n = 0;
+  double draft_n = 0, heap_m = 0, equation_n = 0, wedges_n = 0, deep_n = 0;
 };
 PlateRun RunPlate(const std::string& soil_name, double rake_deg) {
   const SoilType type = Shipped(soil_name);
@@ -383,6 +384,10 @@ PlateRun RunPlate(const std::string& soil_name, double rake_deg) {
     in.surcharge_pa = std::max(0.0, run.heap_m) * type.bank_density_kgpm3 / type.swell * 9.81;
   }
   run.equation_n = Cut(in).draft_n;
+  CuttingInput deep = in;
+  deep.surcharge_pa = 0;
+  deep.depth_m = 0.2 + 0.6 * std::sin(in.rake_rad);
+  run.deep_n = Cut(deep).draft_n;
   if (rake_deg <= 90) {
     const TrialWedges wedges(type, in.rake_rad, 0.2, 0.6);
     for (int k = 0; k < 5; ++k) {
@@ -405,33 +410,115 @@ void Quote(const std::string& soil_name, double rake_deg, const PlateRun& run) {
       fmt::format("{:.0f} {:.0f} {:.0f}", run.draft_n, run.equation_n, run.wedges_n));
 }
 
-TEST(Digging, APlateMeetsTheEarthmovingEquationAtEveryRake) {
-  // The draft grows with the rake, and is the equation's at equal surcharge. The equation spreads
-  // the heap evenly, over the blade too; the edge sees it as a slope that falls ahead, and so do
-  // trial wedges in the ground as it lies.
-  struct Bounds {
-    const char* soil;
-    double equation, wedges;
-  };
-  for (const auto& [soil, within, wedges_within] :
-       {Bounds{"dirt", 0.2, 0.25}, Bounds{"sand", 0.3, 0.1}}) {
+TEST(Digging, APlateMeetsTrialWedgesAtEveryRake) {
+  // The draft grows with the rake, and where soil rides over the plate it is the earthmoving
+  // equation's. Of steeper plates, before which a heap lies, it is that of trial wedges in the
+  // ground as it lies, or as much less as spirals and sliding take.
+  for (const char* soil : {"dirt", "sand"}) {
     double last_n = 0;
     for (const double rake_deg : {30.0, 45.0, 60.0, 75.0, 90.0}) {
       const PlateRun run = RunPlate(soil, rake_deg);
       EXPECT_GT(run.draft_n, last_n) << soil << ' ' << rake_deg;
-      EXPECT_NEAR(run.draft_n / run.equation_n, 1, rake_deg < 60 ? 0.1 : within)
-          << soil << ' ' << rake_deg;
-      EXPECT_NEAR(run.draft_n / run.wedges_n, 1, rake_deg < 60 ? 0.01 : wedges_within)
-          << soil << ' ' << rake_deg;
+      if (rake_deg < 60) {
+        EXPECT_NEAR(run.draft_n / run.equation_n, 1, 0.1) << soil << ' ' << rake_deg;
+      }
+      EXPECT_LT(run.draft_n, 1.1 * run.wedges_n) << soil << ' ' << rake_deg;
+      EXPECT_GT(run.draft_n, 0.75 * run.wedges_n) << soil << ' ' << rake_deg;
       last_n = run.draft_n;
       Quote(soil, rake_deg, run);
     }
-    // What leans forwards meets at most what soil meets on soil, half as much again for its heap.
+    // What leans forwards meets what soil meets on soil: no less than with its heap spread evenly,
+    // no more than where the heap is as firm as the ground and as high as the plate everywhere.
     for (const double rake_deg : {105.0, 120.0}) {
       const PlateRun run = RunPlate(soil, rake_deg);
-      EXPECT_NEAR(run.draft_n / run.equation_n, 1.2, 0.3) << soil << ' ' << rake_deg;
+      EXPECT_GT(run.draft_n, run.equation_n) << soil << ' ' << rake_deg;
+      EXPECT_LT(run.draft_n, run.deep_n) << soil << ' ' << rake_deg;
       Quote(soil, rake_deg, run);
     }
+  }
+}
+
+TEST(Digging, AnUprightPlateLetsNoHeapThrough) {
+  // A cone of 0.5 m radius, a plate 1.5 m wide that moves 1.2 m through it, thinner than a cell or
+  // thicker, whichever way it faces. What comes behind it within its width does so around its ends.
+  for (const double cell_m : {0.05, 0.1}) {
+    for (const double thick_m : {0.01, 0.06}) {
+      for (const double yaw_rad : {0.0, 0.5, 45 * kDeg}) {
+        auto soil =
+            MakeGround(fmt::format("size_m: [6, 6]\ncell_m: {}\nsoil: dirt\n"
+                                   "piles: [{{xy_m: [{}, {}], height_m: 0.4, soil: dirt}}]\n",
+                                   cell_m, 0.6 * std::cos(yaw_rad), 0.6 * std::sin(yaw_rad)));
+        Shovel plate;
+        plate.profile_B_m = {{0, 0}, {0, 0.6}, {thick_m, 0.6}};
+        plate.width_m = 1.5;
+        GroundTools tools;
+        tools.shovels = {plate};
+        const int machine = soil->AddMachine(tools);
+        const auto behind_m3 = [&](double x_m) {
+          const TerrainSurface& ground = soil->surface();
+          double m3 = 0;
+          for (int j = 0; j < ground.ny; ++j) {
+            for (int i = 0; i < ground.nx; ++i) {
+              const Vec2 p(ground.x_m(i), ground.y_m(j));
+              const Vec2 ahead(std::cos(yaw_rad), std::sin(yaw_rad));
+              const double across_m = ahead.x() * p.y() - ahead.y() * p.x();
+              if (p.dot(ahead) > x_m || std::abs(across_m) > 0.75) continue;
+              m3 += std::max(0.0, static_cast<double>(ground.height_m(i, j))) * cell_m * cell_m;
+            }
+          }
+          return m3;
+        };
+        const double heap_m3 = behind_m3(10);
+        RunBucket(soil.get(), machine,
+                  BucketPath({{0, {-0.2, 0.013, 0.002}, 0}, {6, {1.0, 0.013, 0.002}, 0}}, yaw_rad),
+                  [](double, const BodyState&, const SoilReaction&) {});
+        EXPECT_LT(behind_m3(0.95) / heap_m3, 0.04) << cell_m << ' ' << thick_m << ' ' << yaw_rad;
+      }
+    }
+  }
+}
+
+TEST(Digging, ABladeLosesAboutAsMuchOfItsLoadAsIsMeasured) {
+  // The blade of config/machines/dozer.yaml fills itself over 12 m, 0.1 m deep, and pushes on over
+  // the ground. Dozers lose 2.5 to 7 % of their load a metre (Alekseeva, Artemev, Bromberg,
+  // Voitsekhovskii and Ulyanov 1972, Machines for Earthmoving Work, from memory).
+  for (const char* name : {"dirt", "sand"}) {
+    auto soil = MakeGround(std::string("size_m: [24, 10]\nsoil: ") + name);
+    Shovel blade;
+    blade.profile_B_m = {{0.42, -0.42}, {0.30, -0.25}, {0.22, -0.02},
+                         {0.22, 0.22},  {0.28, 0.45},  {0.40, 0.68}};
+    blade.width_m = 3.045;
+    GroundTools tools;
+    tools.shovels = {blade};
+    const int machine = soil->AddMachine(tools);
+    const auto load_m3 = [&](double x_m) {
+      const TerrainSurface& ground = soil->surface();
+      double m3 = 0;
+      for (int j = 0; j < ground.ny; ++j) {
+        for (int i = 0; i < ground.nx; ++i) {
+          if (ground.x_m(i) < x_m + 0.22 || std::abs(ground.y_m(j)) > 0.5 * blade.width_m) continue;
+          m3 += std::max(0.0, static_cast<double>(ground.height_m(i, j))) * 0.05 * 0.05;
+        }
+      }
+      return m3;
+    };
+    double full_m3 = 0, later_m3 = 0;
+    RunBucket(soil.get(), machine,
+              BucketPath({{0, {-10, 0, 0.32}, 0},
+                          {12, {2, 0, 0.32}, 0},
+                          {12.5, {2.5, 0, 0.422}, 0},
+                          {15.5, {5.5, 0, 0.422}, 0}}),
+              [&](double t_s, const BodyState& body, const SoilReaction&) {
+                if (std::abs(t_s - 13.5) < 1e-6) full_m3 = load_m3(body.X_WB.translation().x());
+                if (std::abs(t_s - 15.5) < 0.003) later_m3 = load_m3(body.X_WB.translation().x());
+              });
+    const double rated_m3 = 0.8 * blade.width_m * 1.1 * 1.1;  // SAE J1265
+    const double lost_per_m = 1 - std::sqrt(later_m3 / full_m3);
+    RecordProperty(fmt::format("{}_load_of_rated_and_lost_per_m", name),
+                   fmt::format("{:.2f} {:.3f}", full_m3 / rated_m3, lost_per_m));
+    EXPECT_GT(full_m3, 0.6 * rated_m3) << name;
+    EXPECT_LT(full_m3, 1.2 * rated_m3) << name;
+    EXPECT_LT(lost_per_m, 0.08) << name;
   }
 }
 

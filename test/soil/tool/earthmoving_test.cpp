@@ -53,7 +53,7 @@ TEST(Earthmoving, WorkedTableOverRakeAngle) {
     in.density_kgpm3 = 1800;
     in.friction_rad = 35 * kDeg;
     in.tool_friction_rad = 20 * kDeg;
-    EXPECT_NEAR(Cut(in).total_n / expected_n, 1, 0.005) << rake_deg;
+    EXPECT_NEAR(PlaneCut(in).total_n / expected_n, 1, 0.005) << rake_deg;
   }
 }
 
@@ -94,7 +94,8 @@ TEST(Earthmoving, ASmoothUprightBladeOnASlopeMeetsCoulombsPassivePressure) {
   for (const auto& [slope_deg, k_p] : table) {
     CuttingInput in = UprightFrictionless(30);
     in.slope_rad = slope_deg * kDeg;
-    EXPECT_NEAR(Cut(in).total_n / (k_p / 2 * 1600 * kStandardGravity_mps2), 1, 0.002) << slope_deg;
+    EXPECT_NEAR(PlaneCut(in).total_n / (k_p / 2 * 1600 * kStandardGravity_mps2), 1, 0.002)
+        << slope_deg;
   }
 }
 
@@ -120,7 +121,7 @@ TEST(Earthmoving, SlopesAreLuengos) {
     in.tool_friction_rad = in.friction_rad / 2;
     in.rake_rad = c.rake_deg * kDeg;
     in.slope_rad = c.slope_deg * kDeg;
-    EXPECT_NEAR(Cut(in).total_n / c.expected_n, 1, 0.002) << c.rake_deg << ' ' << c.slope_deg;
+    EXPECT_NEAR(PlaneCut(in).total_n / c.expected_n, 1, 0.002) << c.rake_deg << ' ' << c.slope_deg;
   }
 }
 

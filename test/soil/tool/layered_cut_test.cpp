@@ -63,7 +63,8 @@ TEST(LayeredCut, InOneSoilItIsTheEarthmovingEquation) {
 
 // A border that parts nothing: each of the parts is cut under the weight of those above, with the
 // flanks' shear of its own depth, and together they are the whole. Each has its own best angle,
-// which makes a difference where cohesion and weight would have different ones.
+// which makes a difference where cohesion and weight would have different ones, and its own spiral,
+// which takes up to 5 % less than one through all parts.
 TEST(LayeredCut, PartsOfOneSoilAddUpToTheWhole) {
   for (const double cohesion_pa : {0.0, 3000.0}) {
     const std::vector<CutLayer> parts = {Soil(0.12, 35, cohesion_pa), Soil(0.10, 35, cohesion_pa),
@@ -71,7 +72,8 @@ TEST(LayeredCut, PartsOfOneSoilAddUpToTheWhole) {
     for (const double rake_deg : {30, 45, 60, 90}) {
       SCOPED_TRACE(testing::Message() << cohesion_pa << " Pa, " << rake_deg << " deg");
       const CuttingInput in = Mean(parts, Blade(rake_deg));
-      EXPECT_NEAR(CutLayers(in, parts).draft_n / Cut(in).draft_n, 1, 0.02);
+      const double of_whole = CutLayers(in, parts).draft_n / Cut(in).draft_n;
+      EXPECT_NEAR(of_whole, 1, rake_deg < 90 ? 0.02 : 0.05);
     }
   }
 }

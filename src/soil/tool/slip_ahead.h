@@ -1,0 +1,36 @@
+#pragma once
+
+#include "soil/tool/cutting_input.h"
+#include "soil/tool/earthmoving.h"
+#include "soil/tool/ground_ahead.h"
+
+namespace tera {
+
+/// What lies ahead of a blade, besides what CuttingInput says of its mean.
+struct SoilAhead {
+  double firm_density_kgpm3 = 0, loose_density_kgpm3 = 0;
+  double firm_cohesion_pa = 0;  ///< loose soil has none
+  double blade_m = 0;           ///< the blade's length, from edge to top
+  double carried_npm = 0;       ///< weight for each metre of width that rests on what is lifted
+  double carried_over_m = 1;    ///< length that it covers at least
+};
+
+/// The force that a blade needs to move the soil that is there: the least over slip surfaces
+/// through the ground as it lies ahead.
+///
+/// Frames  x ahead of the edge, heights above it.
+/// Model   Soil fails where that takes least. Tried are
+///         - planes from the edge to where they first come out of the ground;
+///         - logarithmic spirals from the edge to there, which bulge below those planes, by the
+///           equation of moments of CurvedSlip;
+///         - planes from the edge to the top of what stands firm, on which the loose soil beyond
+///           slides as far as it is cheaper than to push Rankine's wedge up through it.
+///         Weight, cohesion of what stands firm and shear on the flanks are summed up over upright
+///         slices between slip surface and ground, on the blade as far as it reaches. So a heap
+///         takes no more than sliding it, and a slope no more than there is of it.
+/// Omits   slopes across the travel, of several strata of firm soil all but the mean (CutLayers).
+/// Source  Coulomb 1776 (trial wedges); Terzaghi 1943, ch. 7 (spirals); NAVFAC DM 7.01, 1986, ch. 7
+///         (a block on a weak seam and the wedge that resists it).
+CuttingForce CutAhead(const CuttingInput& in, const GroundAhead& ground, const SoilAhead& soil);
+
+}  // namespace tera
