@@ -145,6 +145,17 @@ std::vector<ImuSample> SamplesOf(std::size_t count,
   return samples;
 }
 
+std::vector<double> SizesOf(const std::vector<ImuSample>& samples) {
+  std::vector<double> sizes_mps2;
+  for (const ImuSample& one : samples) sizes_mps2.push_back(one.f_S_mps2.norm());
+  return sizes_mps2;
+}
+
+bool IsInG(const std::vector<ImuSample>& samples) {
+  return !samples.empty() && std::abs(Quantile(SizesOf(samples), 0.5) - 1) < kAboutOne &&
+         Quantile(SizesOf(samples), kTenth) > kHalfOfOne;
+}
+
 }  // namespace
 
 TurnRatios TurnsOverGravity(std::size_t count,
@@ -152,14 +163,20 @@ TurnRatios TurnsOverGravity(std::size_t count,
   return count == 0 ? TurnRatios{} : RatiosOf(SamplesOf(count, sample));
 }
 
-std::vector<InertialFinding> JudgeUpright(std::size_t count,
-                                          const std::function<ImuSample(std::size_t row)>& sample) {
+std::vector<InertialFinding> JudgeLogged(std::size_t count,
+                                         const std::function<ImuSample(std::size_t row)>& sample,
+                                         bool knows_mount) {
   struct Side {
     const char* axis;
     Vec3 up;
     const char* rpy_deg;  ///< that makes it z
   };
   const std::vector<ImuSample> samples = SamplesOf(count, sample);
+  if (IsInG(samples)) {
+    return {{InertialDoubt::kInG,
+             "the acceleration is about 1 m/s2 at all times: is it in g? give it unit: g"}};
+  }
+  if (knows_mount) return {};
   for (const Side& side : {Side{"x", Vec3::UnitX(), "[0, -90, 0]"},
                            {"-x", -Vec3::UnitX(), "[0, 90, 0]"},
                            {"y", Vec3::UnitY(), "[90, 0, 0]"},
@@ -185,13 +202,9 @@ std::vector<InertialFinding> JudgeInertial(std::size_t count,
                                            const Vec3& up_S) {
   if (count == 0) return {};
   const std::vector<ImuSample> samples = SamplesOf(count, sample);
-  std::vector<double> sizes_mps2;
-  for (const ImuSample& one : samples) sizes_mps2.push_back(one.f_S_mps2.norm());
-  const double size_mps2 = Quantile(sizes_mps2, 0.5);
-  const bool is_in_g =
-      std::abs(size_mps2 - 1) < kAboutOne && Quantile(std::move(sizes_mps2), kTenth) > kHalfOfOne;
+  const double size_mps2 = Quantile(SizesOf(samples), 0.5);
   if (size_mps2 < kMostGravityFree * kStandardGravity_mps2) {
-    if (is_in_g) return {};
+    if (IsInG(samples)) return {};
     return {{InertialDoubt::kNoGravity,
              fmt::format("the acceleration is {:.2g} m/s2 in the median: was gravity taken away "
                          "from it? need what the accelerometer measures, {:.2f} m/s2 at rest",

@@ -15,6 +15,7 @@ enum class InertialDoubt {
   kOnItsSide,       ///< its x or y is upright
   kRatesInDegrees,  ///< rates that are taken as rad/s are in deg/s
   kRatesInRadians,  ///< rates that are taken as deg/s are in rad/s
+  kInG,             ///< an acceleration in g that is taken as m/s2
   kNoGravity        ///< an acceleration from which gravity was taken away
 };
 
@@ -33,10 +34,12 @@ struct TurnRatios {
 TurnRatios TurnsOverGravity(std::size_t count,
                             const std::function<ImuSample(std::size_t row)>& sample);
 
-/// Judges a unit of which it is not known how it is mounted: whether its x or y is upright as z
-/// should be. Units on arms and buckets are so too.
-std::vector<InertialFinding> JudgeUpright(std::size_t count,
-                                          const std::function<ImuSample(std::size_t row)>& sample);
+/// Judges a unit as a logger wrote it: whether its acceleration is about 1 at all times, as gravity
+/// is in g, and where its mount is not known whether its x or y is upright as z should be. Units on
+/// arms and buckets are so too.
+std::vector<InertialFinding> JudgeLogged(std::size_t count,
+                                         const std::function<ImuSample(std::size_t row)>& sample,
+                                         bool knows_mount);
 
 /// Judges `count` samples of an inertial unit by themselves, without poses. `up_S` is where up is
 /// in the unit where its machine stands level and its link is as documented: z, or as its mount

@@ -198,10 +198,8 @@ ImportJob ReadImu(const ConfigMap& config, const ConfigMap& top, Mapping* mappin
          JudgeInertial(rows.size(), sample, sensor.X_LS.linear().transpose() * Vec3::UnitZ())) {
       run->last()->remarks.push_back(one.text);
     }
-    if (sensor.link.empty()) {
-      for (const InertialFinding& one : JudgeUpright(rows.size(), sample)) {
-        run->last()->remarks.push_back(one.text);
-      }
+    for (const InertialFinding& one : JudgeLogged(rows.size(), sample, !sensor.link.empty())) {
+      run->last()->remarks.push_back(one.text);
     }
     DatasetWriter* writer = run->writer();
     if (writer == nullptr) return;

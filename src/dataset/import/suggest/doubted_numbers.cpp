@@ -129,7 +129,7 @@ std::string InertialRemarks(const std::vector<TimeNs>& t_ns,
                      force_factor * vector(forces, row)};
   };
   std::vector<InertialFinding> findings = JudgeInertial(rows, sample);
-  if (findings.empty()) findings = JudgeUpright(rows, sample);
+  if (findings.empty()) findings = JudgeLogged(rows, sample, /*knows_mount=*/false);
   std::string remarks;
   for (const InertialFinding& one : findings) remarks += "    # guessed: " + one.text + "\n";
   return remarks;

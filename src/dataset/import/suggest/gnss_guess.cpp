@@ -106,7 +106,9 @@ UnitGuess GuessGeodeticUnit(const NumbersOfColumn& lat, const NumbersOfColumn& l
   }
   if (fits(1)) return {"deg", 1.0, ""};
   const std::string size = fmt::format("up to {:.10g} and {:.10g}", most_lat, most_lon);
-  if (fits(0.01) && AreDegreesAndMinutes(lat) && AreDegreesAndMinutes(lon)) {
+  // A latitude beyond 90 alone may be a longitude.
+  const bool beyond_degrees = std::max(most_lat, most_lon) > kMostLon_deg;
+  if (beyond_degrees && fits(0.01) && AreDegreesAndMinutes(lat) && AreDegreesAndMinutes(lon)) {
     return {"ddmm", 1.0, "degrees and minutes, " + size};
   }
   if (AreWholeNumbers(lat) && AreWholeNumbers(lon) && fits(1e-7)) {
@@ -160,7 +162,12 @@ std::optional<GnssGuess> GuessGnss(const CsvFile& csv, const PlaceColumns& colum
   line("lat", WithSide(ColumnYaml(columns.lat->name, angle), columns.lat_side), DoubtRemark(angle));
   line("lon", WithSide(ColumnYaml(columns.lon->name, angle), columns.lon_side), "");
   line("alt", ColumnYaml(columns.alt->name, height), DoubtRemark(height));
-  if (columns.fix == nullptr) {
+  if (!columns.fix_words.empty()) {
+    line("fix", "{constant: unknown}",
+         fmt::format("   # to fill in: '{0}' has words; 1 for rows that valid_if: [{{column: {0}, "
+                     "equals: WORD}}] takes",
+                     PlainNameOf(columns.fix_words)));
+  } else if (columns.fix == nullptr) {
     line("fix", "{constant: 1}", "   # guessed: no column of it");
   } else if (has_types) {
     guess.rules = fmt::format("{{column: {}, above: 2}}", YamlWord(columns.fix->name));

@@ -14,6 +14,7 @@ namespace tera {
 struct PlaceColumns {
   const NumbersOfColumn *lat = nullptr, *lon = nullptr, *alt = nullptr, *fix = nullptr;
   std::string lat_side, lon_side;  ///< columns of N and S, of E and W; empty: none
+  std::string fix_words;           ///< the column that says in words what the fix is
 };
 
 /// Names of the columns that hold nothing but N and S, or E and W.

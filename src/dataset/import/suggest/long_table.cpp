@@ -1,6 +1,7 @@
 #include "dataset/import/suggest/long_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,9 @@ constexpr std::array<std::string_view, 15> kValueNames = {
     "value",   "val", "wert",   "messwert", "v",   "data",     "values", "valeur",
     "reading", "raw", "counts", "count",    "adc", "rawvalue", "rohwert"};
 constexpr std::array<std::string_view, 4> kUnitNames = {"unit", "units", "einheit", "unité"};
+
+/// The unit of a signal whose rows have several.
+constexpr std::string_view kChangingUnit = "-?-";
 
 template <std::size_t n>
 bool IsNamed(const std::string& stem, const std::array<std::string_view, n>& names) {
@@ -52,6 +56,24 @@ std::optional<LongForm> FindLongForm(const CsvFile& csv,
   return seen.size() <= kMostSignals ? std::optional(form) : std::nullopt;
 }
 
+std::optional<SourceGuess> FindSources(const std::vector<NumbersOfColumn>& columns) {
+  constexpr std::size_t kMostSources = 8;
+  for (const NumbersOfColumn& column : columns) {
+    const std::vector<std::string> words = WordsOfName(column.name);
+    const bool names_id = std::any_of(words.begin(), words.end(), [](const std::string& word) {
+      return word == "id" || word == "sensor" || word == "device" || word == "node";
+    });
+    const std::set<double> ids(column.values.begin(), column.values.end());
+    if (!names_id || ids.size() < 2 || ids.size() > kMostSources) continue;
+    return SourceGuess{
+        column.name, fmt::format("{{column: {}, equals: {}}}", YamlWord(column.name), *ids.begin()),
+        fmt::format("# rows are of several sources, by '{}' {}: valid_if takes the first\n",
+                    PlainNameOf(column.name), fmt::join(ids, ", ")),
+        *ids.begin()};
+  }
+  return std::nullopt;
+}
+
 std::vector<std::size_t> RowsOfSignal(const CsvFile& csv, const LongForm& form,
                                       const std::string& signal) {
   std::vector<std::size_t> rows;
@@ -71,7 +93,12 @@ std::string SignalsYaml(const CsvFile& csv, const TableLayout& layout, const Lon
     const std::vector<std::size_t> rows = RowsOfSignal(csv, form, signal);
     all.push_back(NumbersOf(csv, layout, rows).at(form.value));
     all.back().name = signal;
-    if (form.unit) all.back().unit = std::string(csv.Field(rows.front(), *form.unit));
+    if (!form.unit) continue;
+    const std::string_view unit = csv.Field(rows.front(), *form.unit);
+    const bool is_one = std::all_of(rows.begin(), rows.end(), [&](std::size_t row) {
+      return csv.Field(row, *form.unit) == unit;
+    });
+    all.back().unit = is_one ? unit : kChangingUnit;
   }
   std::vector<const NumbersOfColumn*> angles;
   for (const NumbersOfColumn& numbers : all) {
@@ -100,6 +127,7 @@ std::string SignalsYaml(const CsvFile& csv, const TableLayout& layout, const Lon
           head + "    joints:\n" + JointYaml(rated, {value_column, GuessRateUnit({&numbers})});
     } else {
       UnitGuess unit = GuessAnyUnit(numbers);
+      if (numbers.unit == kChangingUnit) unit = {kUnknownUnit, 1.0, "its unit changes"};
       if (is_count) unit.doubt = "counts by the name, " + unit.doubt;
       tables += head + fmt::format("    columns:\n      {}: {}{}\n", name,
                                    ColumnYaml(value_column, unit), DoubtRemark(unit));

@@ -17,6 +17,14 @@ struct LongForm {
   std::vector<std::string> signals;  ///< their names, in the order in which they come
 };
 
+/// The rows of one of several sensors that take turns in a table.
+struct SourceGuess {
+  std::string column, rule, remark;  ///< that numbers them; an item of `valid_if`; a line
+  double first = 0;                  ///< its number
+};
+/// By a column that is named as an id and has a few numbers.
+std::optional<SourceGuess> FindSources(const std::vector<NumbersOfColumn>& columns);
+
 /// By the names of the columns (signal, name, channel, ...; value, reading, ...) and what they
 /// hold.
 std::optional<LongForm> FindLongForm(const CsvFile& csv,

@@ -12,7 +12,6 @@
 
 #include "core/error.h"
 #include "dataset/files/checked_file.h"
-#include "dataset/import/csv_mapping.h"
 #include "dataset/import/foreign_file.h"
 #include "dataset/import/suggest/command_guess.h"
 #include "dataset/import/suggest/doubted_numbers.h"
@@ -82,6 +81,15 @@ class TableGuess {
     std::iota(rows.begin(), rows.end(), std::size_t{0});
     columns_ = NumbersOf(csv_, layout_, rows);
     if (layout_.form.has_header) long_ = FindLongForm(csv_, columns_);
+    if (const auto sources = long_ ? std::nullopt : FindSources(columns_)) {
+      std::erase_if(rows, [&](std::size_t row) {
+        return csv_.NumberIfAny(row, csv_.Column(sources->column)) != sources->first;
+      });
+      columns_ = NumbersOf(csv_, layout_, rows);
+      taken_ = {sources->column};
+      source_rule_ = sources->rule;
+      remarks_ = sources->remark;
+    }
     if (!long_) {
       time_ = GuessTime(csv_, rows, columns_, layout_.form.has_header);
       return;
@@ -135,6 +143,7 @@ class TableGuess {
                     const std::string& more = "") const {
     std::vector<std::string> rules;
     if (!more.empty()) rules.push_back(more);
+    if (!source_rule_.empty()) rules.push_back(source_rule_);
     if (!time_.rule.empty()) rules.push_back(time_.rule);
     std::set<std::size_t> gaps;
     for (const NumbersOfColumn* column : columns) {
@@ -207,8 +216,14 @@ class TableGuess {
     place.alt = Find({"alt", "altitude", "height", "h", "ellipsoidalheight", "gpsalt", "hoehe",
                       "gpsaltitude", "gpsheight", "heightellipsoid", "elevation", "altmsl"});
     if (place.lat == nullptr || place.lon == nullptr || place.alt == nullptr) return "";
-    place.fix = Find(
-        {"fix", "quality", "fixtype", "q", "gpsfix", "gpsquality", "fixquality", "gpsfixtype"});
+    const std::vector<std::string> fixes = {"fix",    "quality",    "fixtype",    "q",
+                                            "gpsfix", "gpsquality", "fixquality", "gpsfixtype"};
+    place.fix = Find(fixes);
+    for (const NumbersOfColumn& column : columns_) {
+      const bool is_fix =
+          std::find(fixes.begin(), fixes.end(), StemOfName(column.name)) != fixes.end();
+      if (is_fix && column.values.empty() && column.words > 0) place.fix_words = column.name;
+    }
     ColumnList all = {place.lat, place.lon, place.alt};
     if (place.fix != nullptr) all.push_back(place.fix);
     place.lat_side = SideColumn(csv_, columns_, "NS");
@@ -219,7 +234,7 @@ class TableGuess {
       return "";
     }
     Take(all);
-    taken_.insert({place.lat_side, place.lon_side});
+    taken_.insert({place.lat_side, place.lon_side, place.fix_words});
     origin_ = guess->origin;
     return "gnss:\n  - name: gnss\n" + Rules(all, "    ", guess->rules) + "    columns:\n" +
            guess->columns;
@@ -355,19 +370,10 @@ class TableGuess {
   std::vector<NumbersOfColumn> columns_;
   std::optional<LongForm> long_;
   TimeGuess time_;
-  std::string origin_, remarks_;
+  std::string origin_, remarks_, source_rule_;
   std::set<std::string> taken_;
   ColumnList with_words_;
 };
-
-GivenForm FormOf(const std::vector<std::string>& overrides) {
-  const Config config = Config::FromText("csv: {}\n", "--suggest", overrides);
-  const ConfigMap csv = config.root().Map("csv");
-  GivenForm given{ReadCsvForm(csv), {}};
-  for (const std::string& key : csv.Keys()) given.keys.insert(key);
-  config.Finish();
-  return given;
-}
 
 }  // namespace
 
@@ -375,7 +381,7 @@ std::string SuggestForTable(const std::filesystem::path& log,
                             const std::vector<std::string>& overrides) {
   RefuseForeignFile(log, "a table in text, a bag or another log that is known");
   const std::string text = DecodedTable(ReadWholeFile(log));
-  const auto layout = FindTableLayout(text, FormOf(overrides));
+  const auto layout = FindTableLayout(text, GivenFormOf(overrides));
   if (!layout) {
     const bool is_empty = text.find_first_not_of(" \t\r\n") == std::string::npos;
     throw InputError(

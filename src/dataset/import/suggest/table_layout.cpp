@@ -9,6 +9,7 @@
 
 #include "dataset/import/calendar_time.h"
 #include "dataset/import/column_mapping.h"
+#include "dataset/import/csv_mapping.h"
 #include "dataset/import/suggest/guess.h"
 #include "dataset/import/table_text.h"
 
@@ -343,6 +344,15 @@ std::vector<NumbersOfColumn> NumbersOf(const CsvFile& csv, const TableLayout& la
     columns.push_back(std::move(numbers));
   }
   return columns;
+}
+
+GivenForm GivenFormOf(const std::vector<std::string>& overrides) {
+  const Config config = Config::FromText("csv: {}\n", "--suggest", overrides);
+  const ConfigMap csv = config.root().Map("csv");
+  GivenForm given{ReadCsvForm(csv), {}};
+  for (const std::string& key : csv.Keys()) given.keys.insert(key);
+  config.Finish();
+  return given;
 }
 
 }  // namespace tera

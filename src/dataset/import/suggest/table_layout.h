@@ -17,6 +17,9 @@ struct GivenForm {
   std::set<std::string> keys;  ///< which of them are there
 };
 
+/// By key.path=value texts of `csv:`; others are a fault.
+GivenForm GivenFormOf(const std::vector<std::string>& overrides);
+
 /// How a foreign table is written.
 struct TableLayout {
   CsvForm form;

@@ -75,6 +75,18 @@ TEST_F(SuggestedPlace, WholeNumbersAreTenMillionthsOfADegreeWhereNothingElseFits
               HasFault(FaultKind::kNoSuchName, "columns.lat.unit"));
 }
 
+TEST_F(SuggestedPlace, ALatitudeBeyondNinetyIsNoDegreesAndMinutes) {
+  EXPECT_THAT(Refusal(Rows("lat,lon,alt", [](int) { return "139.7,35.6,40"; })),
+              HasFault(FaultKind::kNoSuchName, "columns.lat.unit"));
+}
+
+TEST_F(SuggestedPlace, FixesInWordsAreToBeFilledIn) {
+  EXPECT_THAT(
+      Refusal(Rows("lat,lon,alt,fix",
+                   [](int k) { return fmt::format("48.1,11.5,500,{}", k < 3 ? "NO" : "RTK"); })),
+      HasFaultAt("columns.fix.constant"));
+}
+
 TEST_F(SuggestedPlace, TypesOfFixesAreNoQualities) {
   const auto fixes = Fixes(Rows("lat,lon,alt,fix_type", [](int k) {
     return fmt::format("{},11.5,500,{}", k < 4 ? 48.3 : 48.1, k < 4 ? 2 : 3);

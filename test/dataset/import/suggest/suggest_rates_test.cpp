@@ -138,7 +138,29 @@ TEST_F(SuggestedTable, AnglesOfOneLoggerHaveOneUnit) {
               1e-12);
 }
 
+TEST_F(SuggestedTable, RowsOfSeveralSensorsAreToldApart) {
+  std::string log = "time_s,imu_id,gx_dps,gy_dps,gz_dps,ax_g,ay_g,az_g\n";
+  for (int k = 0; k < 40; ++k) {
+    for (const int id : {3, 5}) log += fmt::format("{:.2f},{},0,0,{},0,0,1\n", 0.02 * k, id, id);
+  }
+  const auto imu = Imported(log).LoadImu("machine/imu");
+  ASSERT_EQ(imu.size(), 40u);
+  for (const ImuSample& one : imu) EXPECT_NEAR(one.w_WS_S_radps.z(), 3 * kDeg, 1e-9);
+}
+
+TEST_F(SuggestedTable, AnAccelerationInGThatIsNamedInMetresIsTold) {
+  Suggest(Log("time_s,wx_radps,wy_radps,wz_radps,ax_mps2,ay_mps2,az_mps2", 50,
+              [](double) { return std::vector<double>{0, 0, 0.01, 0, 0, 1}; }));
+  EXPECT_THAT(yaml_, HasSubstr("unit: g\n    columns:"));
+}
+
 // --- Long tables.
+
+TEST_F(SuggestedTable, AUnitThatChangesWithinASignalIsToBeFilledIn) {
+  EXPECT_THAT(Refusal("time_s,signal,value,unit\n0.00,boom,20,deg\n0.02,boom,0.35,rad\n"
+                      "0.04,boom,20.2,deg\n"),
+              HasFault(FaultKind::kNoSuchName, "columns.boom.unit"));
+}
 
 TEST_F(SuggestedTable, CountsOfALongTableAreNoAngles) {
   std::string log = "time_s,signal,raw\n";
