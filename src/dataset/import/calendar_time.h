@@ -30,7 +30,8 @@ struct CalendarTime {
 ///         or '-' and the year last, day and month are told apart by `order` alone.
 std::optional<CalendarTime> CalendarTimeOf(std::string_view text, std::optional<DateOrder> order);
 
-/// A time of day, 9:34:56.789, 12:34 or 123456.789, as ns since midnight, with a zone as of CalendarTimeOf.
+/// A time of day, 9:34:56.789, 12:34 or 123456.789, as ns since midnight, with a zone as of
+/// CalendarTimeOf.
 std::optional<CalendarTime> ClockTimeOf(std::string_view text);
 
 /// Whether a text is a date with '/' or '-' and the year last, whose order has to be said.
