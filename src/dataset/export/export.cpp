@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <set>
 #include <system_error>
 
@@ -93,7 +92,7 @@ void RequirePlainPaths(const Recording& recording) {
     if (!plain || !seen.insert(channel.path).second) {
       throw InputError(
           (recording.directory() / "dataset.yaml").string(),
-          {FaultKind::kRepeated,
+          {plain ? FaultKind::kRepeated : FaultKind::kMalformed,
            fmt::format(
                "the channel '{}' {}; need paths within the recording, each once", channel.path,
                plain ? "is there twice" : "is no path of a folder or file below the recording")});

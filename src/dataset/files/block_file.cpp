@@ -22,6 +22,12 @@ constexpr std::uint64_t kMostStream_bytes = 1u << 30;  ///< a longer one is a da
 /// No frame holds more for each of its bytes: blocks of 128 KiB take 4 bytes at least.
 constexpr std::uint64_t kMostOfAByte_bytes = 1u << 15;
 
+[[noreturn]] void FailReading(const std::filesystem::path& path, int error_number) {
+  throw InputError(path.string(),
+                   {FaultKind::kUnreadable, fmt::format("cannot be read: {}; need a readable file",
+                                                        std::strerror(error_number))});
+}
+
 std::string NumberBytes(std::size_t number) {
   TERA_CHECK(number <= kMostStream_bytes, number);
   const auto n = static_cast<std::uint32_t>(number);
@@ -70,10 +76,10 @@ void BlockFileWriter::Commit() {
 
 BlockFileReader::BlockFileReader(const std::filesystem::path& path)
     : path_(path), stream_(path, std::ios::binary) {
-  if (!stream_) FailFile(path, "cannot be read", errno);
+  if (!stream_) FailReading(path, errno);
   std::error_code error;
   left_ = std::filesystem::file_size(path, error);
-  if (error) FailFile(path, "cannot be read", error.value());
+  if (error) FailReading(path, error.value());
   if (left_ < kMagic.size() || Read(kMagic.size()) != kMagic) {
     Fail("is no file of compressed blocks of version 1, or is damaged");
   }
@@ -108,7 +114,7 @@ std::string BlockFileReader::Read(std::uint64_t bytes) {
   if (bytes > left_) Fail("is cut short");
   std::string read(bytes, '\0');
   stream_.read(read.data(), static_cast<std::streamsize>(bytes));
-  if (!stream_) FailFile(path_, "cannot be read", errno);
+  if (!stream_) FailReading(path_, errno);
   left_ -= bytes;
   return read;
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "core/config/portable_name.h"
 #include "core/error.h"
 #include "dataset/files/file_digest.h"
@@ -23,21 +25,19 @@ std::string Shown(std::int64_t bytes, const std::string& sha256) {
   return fmt::format("{} bytes with SHA-256 {}...", bytes, sha256.substr(0, kShownDigits));
 }
 
-bool IsFile(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored);
-}
-
 /// What is wrong with the file at `path`, or nothing.
-std::string FindingOf(const RecordedInput& input, const fs::path& path) {
-  if (!IsFile(path)) {
-    return fmt::format("is missing; need the file that was recorded, {}",
-                       Shown(input.bytes, input.sha256));
+std::optional<InputFault> FaultOf(const RecordedInput& input, const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) {
+    return InputFault(FaultKind::kUnreadable,
+                      fmt::format("is missing; need the file that was recorded, {}",
+                                  Shown(input.bytes, input.sha256)));
   }
   const FileDigest now = DigestOf(path);
-  if (now.bytes == input.bytes && now.sha256 == input.sha256) return "";
-  return fmt::format("is another file than was recorded: found {}, need {}",
-                     Shown(now.bytes, now.sha256), Shown(input.bytes, input.sha256));
+  if (now.bytes == input.bytes && now.sha256 == input.sha256) return std::nullopt;
+  return InputFault(FaultKind::kInconsistent,
+                    fmt::format("is another file than was recorded: found {}, need {}",
+                                Shown(now.bytes, now.sha256), Shown(input.bytes, input.sha256)));
 }
 
 }  // namespace
@@ -76,14 +76,14 @@ std::vector<InputFile> RequireInputs(const std::vector<RecordedInput>& inputs,
   for (const RecordedInput& input : inputs) {
     const fs::path path = PlaceOfInput(input.name, moved);
     files.push_back({input.name, path});
-    const std::string finding = FindingOf(input, path);
-    if (finding.empty()) continue;
+    const std::optional<InputFault> fault = FaultOf(input, path);
+    if (!fault) continue;
     const bool elsewhere = path != PlaceOfInput(input.name, {});
-    faults.emplace_back(
-        FaultKind::kUnreadable,
-        fmt::format("{}{} {}; {}", input.name,
-                    elsewhere ? fmt::format(" (now {})", path.string()) : "", finding, remedy),
-        input.place);
+    faults.emplace_back(fault->kind,
+                        fmt::format("{}{} {}; {}", input.name,
+                                    elsewhere ? fmt::format(" (now {})", path.string()) : "",
+                                    fault->finding, remedy),
+                        input.place);
   }
   if (!faults.empty()) throw InputError(std::move(faults));
   return files;

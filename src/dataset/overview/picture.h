@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "core/types/label_channels.h"
 #include "core/types/measurement.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "dataset/format/png.h"
 #include "dataset/format/sample_recording.h"
 #include "dataset/overview/overview.h"
@@ -14,6 +14,7 @@
 namespace tera {
 namespace {
 
+using enum FaultKind;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 namespace fs = std::filesystem;
@@ -105,7 +106,7 @@ TEST(Compare, NeedsAMachineInCommon) {
     writer.Finish();
   }
   EXPECT_THAT([&] { Compare(scratch.path() / "a", scratch.path() / "b"); },
-              ThrowsMessage<InputError>(HasSubstr("need one name in common")));
+              ThrowsFault(kNoSuchName, "b"));
 }
 
 TEST(Compare, ComparesTheChannelsOfAMachineThatHasNoPoses) {

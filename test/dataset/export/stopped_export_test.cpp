@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "dataset/export/export.h"
 #include "dataset/export/frames_recording.h"
 #include "dataset/export/webdataset/tar_writer.h"
@@ -17,7 +17,7 @@
 namespace tera {
 namespace {
 
-using testing::AllOf;
+using enum FaultKind;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
@@ -28,13 +28,13 @@ class StoppedExport : public testing::Test {
   fs::path out() const { return scratch_.path() / "out"; }
   fs::path half() const { return scratch_.path() / "out.incomplete"; }
 
-  std::string FaultOf(const ExportOptions& options) {
+  std::vector<InputFault> FaultOf(const ExportOptions& options) {
     try {
       Export(run(), out(), options);
     } catch (const InputError& e) {
-      return e.what();
+      return e.faults();
     }
-    return "no fault";
+    return {};
   }
   /// A stopped export of these options that has left this file.
   void LeaveHalf(const ExportOptions& options, const std::string& name) {
@@ -52,11 +52,11 @@ class StoppedExport : public testing::Test {
     options.resume = true;
     const std::string bytes = ReadWholeFile(run() / damaged);
     WriteWholeFile(run() / damaged, bytes.substr(0, bytes.size() / 2));
-    EXPECT_THAT(FaultOf(options), HasSubstr(damaged));
+    EXPECT_THAT(FaultOf(options), HasFaultAt(damaged));
     EXPECT_FALSE(fs::exists(out()));
     ExportOptions without = options;
     without.resume = false;
-    EXPECT_THAT(FaultOf(without), HasSubstr("go on with it by the same command and --resume"));
+    EXPECT_THAT(FaultOf(without), HasFault(kUnwritable, "out.incomplete"));
 
     const auto old = fs::file_time_type::clock::now() - std::chrono::hours(1);
     for (const auto& [name, content] : AllFiles(half())) fs::last_write_time(half() / name, old);
@@ -137,7 +137,7 @@ TEST_F(StoppedExport, OfWebdatasetWritesAnewWhatHoldsNoSamples) {
 TEST_F(StoppedExport, OfOneFileBeginsAgain) {
   ExportOptions options = {.format = ExportFormat::kTum};
   LeaveHalf(options, "half.tum.part");
-  EXPECT_THAT(FaultOf(options), HasSubstr("go on with it by the same command and --resume"));
+  EXPECT_THAT(FaultOf(options), HasFault(kUnwritable, "out.incomplete"));
   options.resume = true;
   Export(run(), out(), options);
   const auto files = AllFiles(out());
@@ -149,21 +149,20 @@ TEST_F(StoppedExport, OfOtherOptionsOrAnotherDatasetIsLeftAsItIs) {
   ExportOptions options = {.format = ExportFormat::kCoco, .resume = true};
   LeaveHalf(options, "mine.png");
   options.start_utc_ns = 5;
-  EXPECT_THAT(FaultOf(options), AllOf(HasSubstr("out.incomplete: is of another export"),
-                                      HasSubstr("delete it to start afresh")));
+  EXPECT_THAT(FaultOf(options), HasFault(kInconsistent, "out.incomplete"));
   options.start_utc_ns.reset();
   WriteWholeFile(run() / "digger/front/data.csv",
                  ReadWholeFile(run() / "digger/front/data.csv") + "900000000,900000000.png\n");
-  EXPECT_THAT(FaultOf(options), HasSubstr("is of another export"));
+  EXPECT_THAT(FaultOf(options), HasFault(kInconsistent, "out.incomplete"));
   fs::remove(half() / "INCOMPLETE.export");
-  EXPECT_THAT(FaultOf(options), HasSubstr("holds no export that was stopped"));
+  EXPECT_THAT(FaultOf(options), HasFault(kUnwritable, "out.incomplete"));
   EXPECT_EQ(ReadWholeFile(half() / "mine.png"), "half");
 }
 
 TEST_F(StoppedExport, ThatHasNothingWholeLeavesNothing) {
   WriteWholeFile(run() / "digger/front/rgb/50000000.png", "half");
   const ExportOptions options = {.format = ExportFormat::kCoco, .resume = true};
-  EXPECT_THAT(FaultOf(options), HasSubstr("50000000.png"));
+  EXPECT_THAT(FaultOf(options), HasFaultAt("50000000.png"));
   EXPECT_FALSE(fs::exists(half()));
 }
 

@@ -8,13 +8,13 @@
 #include <fstream>
 #include <random>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "dataset/format/sample_recording.h"
 
 namespace tera {
 namespace {
 
-using testing::HasSubstr;
+using enum FaultKind;
 namespace fs = std::filesystem;
 
 constexpr char kMagic[] = "TERA blocks 1\n";
@@ -79,7 +79,7 @@ class BlockFile : public testing::Test {
     try {
       return ReadBack();
     } catch (const InputError& fault) {
-      EXPECT_THAT(fault.what(), HasSubstr(path().string()));
+      EXPECT_THAT(fault.faults(), HasFaultAt(path().string()));
       return std::nullopt;
     }
   }
@@ -183,14 +183,13 @@ TEST_F(BlockFile, AnotherBeginningIsNamed) {
 TEST_F(BlockFile, AFileThatIsNoneIsNamed) {
   const auto read = [](const fs::path& file) { BlockFileReader reader(file); };
   for (const fs::path& file : {scratch_.path() / "absent.blocks", scratch_.path()}) {
-    EXPECT_THAT([&] { read(file); }, testing::ThrowsMessage<InputError>(HasSubstr(file.string())));
+    EXPECT_THAT([&] { read(file); }, ThrowsFault(kUnreadable, file.string()));
   }
 }
 
 TEST_F(BlockFile, AFileThatCannotBeWrittenIsNamed) {
   const fs::path nowhere = scratch_.path() / "absent" / "some.blocks";
-  EXPECT_THAT([&] { BlockFileWriter(nowhere, "header"); },
-              testing::ThrowsMessage<InputError>(HasSubstr("some.blocks")));
+  EXPECT_THAT([&] { BlockFileWriter(nowhere, "header"); }, ThrowsFault(kUnwritable, "some.blocks"));
 }
 
 /// A frame of RFC 8878 with a content size in 8 bytes and one block of a run of `run` bytes.

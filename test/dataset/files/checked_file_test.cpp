@@ -3,15 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "dataset/format/sample_recording.h"
 
 namespace tera {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+using enum FaultKind;
 namespace fs = std::filesystem;
 
 TEST(CheckedFile, ReportsAFullDevice) {
@@ -20,9 +18,7 @@ TEST(CheckedFile, ReportsAFullDevice) {
   fs::create_symlink("/dev/full", scratch.path() / "data.csv.part");
   CheckedFile file(scratch.path() / "data.csv");
   file.Append("1,2,3\n");
-  EXPECT_THAT([&] { file.Commit(); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("data.csv: cannot be written"),
-                                              HasSubstr("free space on that disk"))));
+  EXPECT_THAT([&] { file.Commit(); }, ThrowsFault(kUnwritable, "data.csv"));
   EXPECT_FALSE(fs::exists(scratch.path() / "data.csv"));
 }
 

@@ -3,15 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "dataset/files/checked_file.h"
 #include "own_folder.h"
 
 namespace tera {
 namespace {
 
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+using enum FaultKind;
 namespace fs = std::filesystem;
 
 TEST(WholeFolder, AppearsWhenItIsWhole) {
@@ -39,7 +38,7 @@ TEST(WholeFolder, KeepsWhatAnotherRunHasLeft) {
   fs::create_directory(beside);
   WriteWholeFile(beside / "page.html", "mine");
   EXPECT_THAT([] { WholeFolder folder(OwnFolder() / "stopped"); },
-              ThrowsMessage<InputError>(HasSubstr("stopped.incomplete: holds what a run")));
+              ThrowsFault(kUnwritable, "stopped.incomplete"));
   EXPECT_EQ(ReadWholeFile(beside / "page.html"), "mine");
 }
 
@@ -61,7 +60,7 @@ TEST(WholeFolder, GoesOnWithWhatAnotherRunHasLeftAndClearsItWhereAsked) {
 TEST(WholeFolder, IsOfOneRunAtATime) {
   WholeFolder first(OwnFolder() / "once");
   EXPECT_THAT([] { WholeFolder second(OwnFolder() / "once"); },
-              ThrowsMessage<InputError>(HasSubstr("another run is writing it")));
+              ThrowsFault(kUnwritable, "once.incomplete"));
   WriteWholeFile(first.temporary() / "page.html", "first");
   first.Commit();
   EXPECT_EQ(ReadWholeFile(OwnFolder() / "once/page.html"), "first");
@@ -73,8 +72,7 @@ TEST(WholeFolder, TakesTheNameOfAnEmptyFolderAndOfNoOther) {
   EXPECT_TRUE(fs::exists(OwnFolder() / "empty"));
   fs::create_directory(OwnFolder() / "full");
   WriteWholeFile(OwnFolder() / "full/diary.txt", "mine");
-  EXPECT_THAT([] { WholeFolder(OwnFolder() / "full").Commit(); },
-              ThrowsMessage<InputError>(HasSubstr("cannot be given its name")));
+  EXPECT_THAT([] { WholeFolder(OwnFolder() / "full").Commit(); }, ThrowsFault(kUnwritable));
   EXPECT_EQ(ReadWholeFile(OwnFolder() / "full/diary.txt"), "mine");
   EXPECT_FALSE(fs::exists(OwnFolder() / "full.incomplete"));
 }

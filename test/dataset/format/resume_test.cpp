@@ -4,14 +4,14 @@
 
 #include <fstream>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "dataset/format/sample_recording.h"
 
 namespace tera {
 namespace {
 
+using enum FaultKind;
 using testing::HasSubstr;
-using testing::ThrowsMessage;
 namespace fs = std::filesystem;
 
 WriterOptions Resume() {
@@ -26,9 +26,9 @@ TEST(DatasetWriter, ASecondWriterOfTheSameRecordingIsRefusedWhileTheFirstRuns) {
   {
     DatasetWriter first(folder, SampleInfo(), {});
     EXPECT_THAT([&] { DatasetWriter second(folder, SampleInfo(), Resume()); },
-                ThrowsMessage<InputError>(HasSubstr("another run is writing it")));
+                ThrowsFault(kUnwritable, "run.incomplete"));
     EXPECT_THAT([&] { DatasetWriter second(folder, SampleInfo(), {}); },
-                ThrowsMessage<InputError>(HasSubstr("another run is writing it")));
+                ThrowsFault(kUnwritable, "run.incomplete"));
   }
   EXPECT_NO_THROW(DatasetWriter(folder, SampleInfo(), Resume()).Discard());
 }
@@ -39,7 +39,7 @@ TEST(DatasetWriter, AWholeRecordingIsNotNamedWhileItsWriterHoldsIt) {
   DatasetWriter first(folder, SampleInfo(), {});
   std::ofstream(first.incomplete_directory() / "dataset.yaml") << "all is written";
   EXPECT_THAT([&] { DatasetWriter::FinishWhole(folder, SampleInfo()); },
-              ThrowsMessage<InputError>(HasSubstr("another run is writing it")));
+              ThrowsFault(kUnwritable, "run.incomplete"));
   EXPECT_FALSE(fs::exists(folder));
 }
 
@@ -140,11 +140,11 @@ TEST(DatasetWriter, WillNotResumeAnotherScenarioOrSeed) {
   DatasetInfo other_seed = SampleInfo();
   other_seed.seed = 8;
   EXPECT_THAT([&] { DatasetWriter(scratch.path() / "run", other_seed, Resume()); },
-              ThrowsMessage<InputError>(HasSubstr("another scenario, seed or version")));
+              ThrowsFault(kInconsistent, "run.incomplete/INCOMPLETE.txt"));
   DatasetInfo other_scenario = SampleInfo();
   other_scenario.resolved_scenario_yaml += "duration_s: 3\n";
   EXPECT_THAT([&] { DatasetWriter(scratch.path() / "run", other_scenario, Resume()); },
-              ThrowsMessage<InputError>(HasSubstr("scenario.yaml")));
+              ThrowsFault(kInconsistent, "scenario.yaml"));
 }
 
 TEST(DatasetWriter, ARecordingThatLacksOnlyItsNameGetsIt) {
@@ -171,7 +171,7 @@ TEST(DatasetWriter, ARecordingOfAnotherScenarioIsNotNamed) {
   DatasetInfo other = SampleInfo();
   other.resolved_scenario_yaml += "duration_s: 3\n";
   EXPECT_THAT([&] { DatasetWriter::FinishWhole(scratch.path() / "run", other); },
-              ThrowsMessage<InputError>(HasSubstr("scenario.yaml")));
+              ThrowsFault(kInconsistent, "scenario.yaml"));
 }
 
 TEST(DatasetWriter, ARecordingThatIsNotWholeIsNotNamed) {

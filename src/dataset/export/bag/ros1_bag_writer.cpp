@@ -1,7 +1,5 @@
 #include "dataset/export/bag/ros1_bag_writer.h"
 
-#include <algorithm>
-
 #include "core/check.h"
 #include "dataset/export/bag/little_endian.h"
 #include "dataset/ros/message_definitions.h"

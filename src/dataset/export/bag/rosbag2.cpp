@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <string>
 
 #include "dataset/export/bag/bag_metadata.h"

@@ -150,11 +150,12 @@ class KittiExport {
     if (moved.translation().norm() <= kSteadyWithin_m && turned_rad <= kSteadyWithin_rad) return;
     throw InputError(
         job_.recording.directory().string(),
-        fmt::format("{} and {} move against each other, by {:.3f} m and {:.2f} deg until {} ns, "
-                    "and KITTI's layout '{}' has one calibration for all frames; need both on one "
-                    "link, by --camera and --lidar, or --layout object,depth",
-                    rig_.camera, rig_.lidar.path, moved.translation().norm(), turned_rad / kDeg,
-                    frame.times.picture_ns, steady_->name));
+        {FaultKind::kUnsupported,
+         fmt::format("{} and {} move against each other, by {:.3f} m and {:.2f} deg until {} ns, "
+                     "and KITTI's layout '{}' has one calibration for all frames; need both on one "
+                     "link, by --camera and --lidar, or --layout object,depth",
+                     rig_.camera, rig_.lidar.path, moved.translation().norm(), turned_rad / kDeg,
+                     frame.times.picture_ns, steady_->name)});
   }
 
   std::vector<fs::path> FilesOf(int number) const {
@@ -240,10 +241,12 @@ void ExportKitti(ExportJob* job) {
   }
   frames.Finish();
   if (!any) {
-    throw InputError(job->recording.directory().string(),
-                     fmt::format("{} took no picture during a scan of {}; need two that ran at the "
-                                 "same time, by --camera and --lidar",
-                                 rig.camera, rig.lidar.path));
+    throw InputError(
+        job->recording.directory().string(),
+        {FaultKind::kMissing,
+         fmt::format("{} took no picture during a scan of {}; need two that ran at the "
+                     "same time, by --camera and --lidar",
+                     rig.camera, rig.lidar.path)});
   }
   kitti.Commit();
 }

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/error.h"
 
@@ -38,10 +37,11 @@ CameraLens LensOf(const ExportJob& job, const std::string& camera) {
   }
   if (!Rectifier::Takes(*sheet.lens)) {
     throw InputError(SheetOf(job, camera),
-                     fmt::format("its lens is of the law {}, which sees what no pinhole does, and "
-                                 "KITTI's pictures are those of a pinhole; need a camera whose "
-                                 "lens is brown_conrady or rational, by --camera",
-                                 sheet.lens->law));
+                     {FaultKind::kUnsupported,
+                      fmt::format("its lens is of the law {}, which sees what no pinhole does, and "
+                                  "KITTI's pictures are those of a pinhole; need a camera whose "
+                                  "lens is brown_conrady or rational, by --camera",
+                                  sheet.lens->law)});
   }
   return *sheet.lens;
 }

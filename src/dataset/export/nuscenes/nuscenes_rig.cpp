@@ -51,8 +51,9 @@ void RequireChannelsApart(const NuScenesRig& rig) {
     if (is_new) continue;
     throw InputError(
         sensor.path,
-        fmt::format("would be nuScenes' channel {}, as {}; rename one of the two folders",
-                    sensor.channel, other->second));
+        {FaultKind::kRepeated,
+         fmt::format("would be nuScenes' channel {}, as {}; rename one of the two folders",
+                     sensor.channel, other->second)});
   }
 }
 

@@ -46,9 +46,10 @@ const InstanceTable::Entry& InstanceTable::Of(std::uint16_t instance, const fs::
   if (found == entries_.end()) {
     throw InputError(
         file.string(),
-        fmt::format(
-            "names the instance {}, which dataset.yaml does not list; need it among `instances`",
-            instance));
+        {FaultKind::kNoSuchName,
+         fmt::format(
+             "names the instance {}, which dataset.yaml does not list; need it among `instances`",
+             instance)});
   }
   return found->second;
 }

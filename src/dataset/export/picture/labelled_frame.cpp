@@ -22,11 +22,6 @@ namespace {
 
 constexpr std::string_view kPngStart("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR", 16);
 
-bool IsThere(const fs::path& file) {
-  std::error_code ignored;
-  return fs::is_regular_file(file, ignored);
-}
-
 [[noreturn]] void FailPng(const fs::path& file) {
   throw InputError(file.string(),
                    {FaultKind::kMalformed, "not a whole PNG; need one, write the file again"});
@@ -58,6 +53,11 @@ void RequireKnownClasses(const Image<std::uint8_t>& semantic, const fs::path& fi
 }
 
 }  // namespace
+
+bool IsThere(const fs::path& file) {
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored);
+}
 
 fs::path FrameFile(const Recording& recording, const std::string& camera, std::string_view kind,
                    TimeNs t_ns) {

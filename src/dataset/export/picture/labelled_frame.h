@@ -17,6 +17,8 @@ struct LabelledFrame {
   std::vector<ObjectBox> boxes;   ///< empty where none were recorded
 };
 
+bool IsThere(const std::filesystem::path& file);
+
 /// "camera/kind/<t_ns>.png"; boxes end in .json.
 std::filesystem::path FrameFile(const Recording& recording, const std::string& camera,
                                 std::string_view kind, TimeNs t_ns);

@@ -9,7 +9,6 @@
 #include <memory>
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/error.h"
@@ -134,8 +133,9 @@ RosTopics::TopicId RosTopics::AddTopic(const std::string& name, const TopicQuali
   if (!names_.insert(topic.name).second) {
     throw InputError(
         job_->recording.directory().string(),
-        fmt::format("two channels would be the ROS topic {}; rename one of them in the recording",
-                    topic.name));
+        {FaultKind::kRepeated,
+         fmt::format("two channels would be the ROS topic {}; rename one of them in the recording",
+                     topic.name)});
   }
   topics_.push_back(topic);
   return bag_->AddTopic(topic);

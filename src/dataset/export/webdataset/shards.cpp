@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <system_error>
 
 #include "core/parse_number.h"
 #include "dataset/export/sensor_names.h"

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,11 +19,6 @@
 namespace tera {
 namespace fs = std::filesystem;
 namespace {
-
-bool IsThere(const fs::path& file) {
-  std::error_code ignored;
-  return fs::is_regular_file(file, ignored);
-}
 
 /// The list that a file of boxes holds.
 OrderedJson BoxesIn(const fs::path& file) {

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "core/units.h"
 #include "dataset/export/export.h"
 #include "dataset/files/checked_file.h"
@@ -16,6 +16,7 @@
 namespace tera {
 namespace {
 
+using enum FaultKind;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -96,14 +97,15 @@ class KittiTest : public testing::Test {
             .camera = camera,
             .joint_trees = Tree});
   }
-  std::string FaultOf(std::vector<KittiLayout> layouts, const std::string& camera = "") {
+  std::vector<InputFault> FaultOf(std::vector<KittiLayout> layouts,
+                                  const std::string& camera = "") {
     try {
       To(std::move(layouts), camera);
     } catch (const InputError& e) {
       EXPECT_FALSE(fs::exists(out()) || fs::exists(out().string() + ".incomplete"));
-      return e.what();
+      return e.faults();
     }
-    return "no fault";
+    return {};
   }
   void Edit(const std::string& file, const std::string& from, const std::string& to) {
     std::string text = ReadWholeFile(recording() / file);
@@ -172,12 +174,7 @@ TEST_F(KittiTest, DepthIsIn256thsOfAMetre) {
 }
 
 TEST_F(KittiTest, SensorsThatMoveAgainstEachOtherHaveNoOneCalibration) {
-  EXPECT_THAT(FaultOf({KittiLayout::kTracking}, "digger/boom"),
-              AllOf(HasSubstr("digger/boom and digger/lidar move against each other, by "),
-                    HasSubstr(" m and 4.58 deg until 120000000 ns"),  // 0.08 rad
-
-                    HasSubstr("'tracking' has one calibration"),
-                    HasSubstr("need both on one link, by --camera and --lidar")));
+  EXPECT_THAT(FaultOf({KittiLayout::kTracking}, "digger/boom"), HasFault(kUnsupported, "run"));
   To({KittiLayout::kObject}, "digger/boom");
   EXPECT_NE(Written("object/training/calib/000000.txt"),
             Written("object/training/calib/000001.txt"));
@@ -185,38 +182,32 @@ TEST_F(KittiTest, SensorsThatMoveAgainstEachOtherHaveNoOneCalibration) {
 
 TEST_F(KittiTest, WhatALayoutNeedsAndTheCameraLacksIsNamed) {
   fs::remove_all(recording() / "digger/front/depth");
-  EXPECT_THAT(FaultOf({}), AllOf(HasSubstr("front/depth/40000000.png: is not there"),
-                                 HasSubstr("layout 'depth' has it"), HasSubstr("by --layout")));
+  EXPECT_THAT(FaultOf({}), HasFault(kUnreadable, "front/depth/40000000.png"));
   fs::remove_all(recording() / "digger/front/boxes");
-  EXPECT_THAT(FaultOf({KittiLayout::kObject}),
-              HasSubstr("front/boxes/40000000.json: is not there"));
+  EXPECT_THAT(FaultOf({KittiLayout::kObject}), HasFault(kUnreadable, "front/boxes/40000000.json"));
 }
 
 TEST_F(KittiTest, AFisheyeIsRefused) {
   Edit("digger/front/sensor.yaml", "model:\n", "model:\n  lens: kannala_brandt\n");
-  EXPECT_THAT(FaultOf({}), AllOf(HasSubstr("digger/front/sensor.yaml: its lens is of the law "
-                                           "kannala_brandt"),
-                                 HasSubstr("by --camera")));
+  EXPECT_THAT(FaultOf({}), HasFault(kUnsupported, "digger/front/sensor.yaml"));
 }
 
 TEST_F(KittiTest, ASensorOfWhichTooLittleIsKnownIsRefused) {
-  EXPECT_THAT(FaultOf({}, "digger/rear"),
-              HasSubstr("has no camera 'digger/rear'; need one of digger/front, digger/boom"));
+  EXPECT_THAT(FaultOf({}, "digger/rear"), HasFault(kNoSuchName));
   Edit("digger/lidar/sensor.yaml", "rate_hz: 10\n", "");
-  EXPECT_THAT(FaultOf({}), HasSubstr("digger/lidar/sensor.yaml: has no rate"));
+  EXPECT_THAT(FaultOf({}), HasFault(kMissing, "digger/lidar/sensor.yaml"));
   Edit("digger/front/sensor.yaml", kLens, "");
-  EXPECT_THAT(FaultOf({}), HasSubstr("digger/front/sensor.yaml: has no lens"));
+  EXPECT_THAT(FaultOf({}), HasFault(kMissing, "digger/front/sensor.yaml"));
 }
 
 TEST_F(KittiTest, SensorsThatNeverRanTogetherHaveNoFrames) {
   WriteWholeFile(recording() / "digger/lidar/data.csv", "t_ns,filename\n200000000,200000000.pcd\n");
-  EXPECT_THAT(FaultOf({}), HasSubstr("digger/front took no picture during a scan of digger/lidar"));
+  EXPECT_THAT(FaultOf({}), HasFault(kMissing, "run"));
 }
 
 TEST_F(KittiTest, APictureOfAnotherSizeThanTheLensIsNamed) {
   Edit("digger/front/sensor.yaml", "width_px: 4", "width_px: 5");
-  EXPECT_THAT(FaultOf({KittiLayout::kRaw}),
-              HasSubstr("rgb/40000000.png: is of 4 x 3 pixels; need 5 x 3, as sensor.yaml says"));
+  EXPECT_THAT(FaultOf({KittiLayout::kRaw}), HasFault(kInconsistent, "rgb/40000000.png"));
 }
 
 TEST_F(KittiTest, SemanticKittisLabelsAreInstanceAndClassInOneNumber) {

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "core/units.h"
 #include "dataset/export/export.h"
 #include "dataset/files/checked_file.h"
@@ -16,8 +16,8 @@
 namespace tera {
 namespace {
 
+using enum FaultKind;
 using nlohmann::json;
-using testing::HasSubstr;
 namespace fs = std::filesystem;
 
 constexpr TimeNs kNuscenesMs = 1'000'000;
@@ -137,14 +137,14 @@ class NuscenesTest : public testing::Test {
     }
     return rows;
   }
-  std::string Fault() {
+  std::vector<InputFault> Fault() {
     try {
       To();
     } catch (const InputError& e) {
       EXPECT_FALSE(fs::exists(out()) || fs::exists(out().string() + ".incomplete"));
-      return e.what();
+      return e.faults();
     }
-    return "no fault";
+    return {};
   }
   void Edit(const std::string& file, const std::string& from, const std::string& to) {
     std::string text = ReadWholeFile(recording() / file);
@@ -266,17 +266,16 @@ TEST_F(NuscenesTest, AFisheyeIsLeftOut) {
 TEST_F(NuscenesTest, WhatCannotBeExportedIsNamed) {
   Edit("dataset.yaml", "path: \"digger/boom_eye\"", "path: \"digger/FRONT\"");
   fs::rename(recording() / "digger/boom_eye", recording() / "digger/FRONT");
-  EXPECT_THAT(Fault(), HasSubstr("digger/FRONT: would be nuScenes' channel CAM_FRONT, as "
-                                 "digger/front; rename one of the two"));
+  EXPECT_THAT(Fault(), HasFault(kRepeated, "digger/FRONT"));
   fs::remove_all(recording() / "digger/FRONT/rgb");
   Edit("digger/front/sensor.yaml", "width_px: 4", "width_px: 40");
-  EXPECT_THAT(Fault(), HasSubstr("rgb/0.png: is of 4 x 3 pixels; need 40 x 3"));
+  EXPECT_THAT(Fault(), HasFault(kInconsistent, "rgb/0.png"));
   Edit("digger/front/sensor.yaml", "width_px: 40", "width_px: 4");
   Edit("digger/front/boxes/0.json", "\"p_CO_m\"", "\"p_CO\"");
-  EXPECT_THAT(Fault(), HasSubstr("boxes/0.json: not a file of boxes"));
+  EXPECT_THAT(Fault(), HasFault(kMalformed, "boxes/0.json"));
   fs::remove(recording() / "truth/digger/pose.csv");
   Edit("dataset.yaml", "  - {path: \"truth/digger/pose.csv\", type: pose}\n", "");
-  EXPECT_THAT(Fault(), HasSubstr("there is no truth/digger/pose.csv"));
+  EXPECT_THAT(Fault(), HasFault(kMissing));
 }
 
 TEST_F(NuscenesTest, WithoutPicturesAndScansThereIsNothing) {
@@ -284,7 +283,7 @@ TEST_F(NuscenesTest, WithoutPicturesAndScansThereIsNothing) {
     fs::remove_all(recording() / "digger" / sensor / "rgb");
   }
   WriteWholeFile(recording() / "digger/roof/data.csv", "t_ns,filename\n");
-  EXPECT_THAT(Fault(), HasSubstr("of which the format 'nuscenes' consists"));
+  EXPECT_THAT(Fault(), HasFault(kMissing));
 }
 
 }  // namespace
