@@ -19,7 +19,7 @@ constexpr double kMaskBin = 0.05, kMostMask = 600;
 constexpr double kDark = 0.01;  ///< of full scale: keeps single digital numbers in the dark small
 
 template <typename T>
-cv::Mat View(const Image<T>& image) {
+cv::Mat MatrixOf(const Image<T>& image) {
   return {image.height_px, image.width_px, CV_MAKETYPE(cv::DataType<T>::depth, image.channels),
           const_cast<T*>(image.data.data())};
 }
@@ -32,7 +32,7 @@ double LinearOf(double srgb) {
 cv::Mat Amplitudes(const Image<float>& luminance) {
   const int side = std::min(luminance.width_px, luminance.height_px);
   cv::Mat square;
-  View(luminance)(
+  MatrixOf(luminance)(
       cv::Rect((luminance.width_px - side) / 2, (luminance.height_px - side) / 2, side, side))
       .convertTo(square, CV_64F);
   cv::Mat window;
@@ -55,7 +55,7 @@ struct Maps {
 
 Maps::Maps(const Image<std::uint8_t>& rgb) {
   const Image<float> grey = Luminance(rgb);
-  const cv::Mat dn = View(grey);
+  const cv::Mat dn = MatrixOf(grey);
   const cv::Size window(kWindow_px, kWindow_px);
   cv::Mat mean, square;
   cv::GaussianBlur(dn, mean, window, kWindowSigma_px);
@@ -66,13 +66,13 @@ Maps::Maps(const Image<std::uint8_t>& rgb) {
 
   cv::Mat table(1, 256, CV_32F), linear, channels[3];
   for (int k = 0; k < 256; ++k) table.at<float>(k) = static_cast<float>(LinearOf(k / 255.0));
-  cv::LUT(View(rgb), table, linear);
+  cv::LUT(MatrixOf(rgb), table, linear);
   cv::split(linear, channels);
   const cv::Mat light = 0.2126 * channels[0] + 0.7152 * channels[1] + 0.0722 * channels[2];
   cv::log(light + kDark, log_luminance);
 
   cv::Mat scaled, lab;
-  View(rgb).convertTo(scaled, CV_32F, 1 / 255.0);
+  MatrixOf(rgb).convertTo(scaled, CV_32F, 1 / 255.0);
   cv::cvtColor(scaled, lab, cv::COLOR_RGB2Lab);
   cv::split(lab, channels);
   cv::magnitude(channels[1], channels[2], chroma);
@@ -216,14 +216,14 @@ void AddPicture(const Image<std::uint8_t>& rgb, const Image<std::uint8_t>& seman
   if (semantic.empty()) return;
   TERA_CHECK(semantic.width_px == rgb.width_px && semantic.height_px == rgb.height_px);
   for (std::size_t c = 0; c < of_class->size(); ++c) {
-    const cv::Mat is_class = View(semantic) == static_cast<double>(c);
+    const cv::Mat is_class = MatrixOf(semantic) == static_cast<double>(c);
     if (cv::countNonZero(is_class) > 0) AddPixels(maps, Within(is_class), &(*of_class)[c]);
   }
 }
 
 double Colourfulness(const Image<std::uint8_t>& rgb) {
   cv::Mat channels[3], numbers;
-  View(rgb).convertTo(numbers, CV_32F);
+  MatrixOf(rgb).convertTo(numbers, CV_32F);
   cv::split(numbers, channels);
   cv::Scalar mean_rg, spread_rg, mean_yb, spread_yb;
   cv::meanStdDev(channels[0] - channels[1], mean_rg, spread_rg);

@@ -11,12 +11,12 @@ constexpr double kLeastAutocorrelation = 0.05;
 constexpr std::size_t kMostLags = 100;
 constexpr std::size_t kFewestResiduals = 20;
 
-struct Location {
+struct RobustLocation {
   double mean = 0, sigma = 0;
 };
 
-Location LocationOf(const ChannelResiduals& residuals, double least, double start) {
-  Location at{0, std::max(start, least)};
+RobustLocation LocationOf(const ChannelResiduals& residuals, double least, double start) {
+  RobustLocation at{0, std::max(start, least)};
   for (int i = 0; i < kScaleIterations; ++i) {
     double square = 0, sum = 0, weights = 0, count = 0;
     for (const auto& segment : residuals.by_segment) {
@@ -31,7 +31,7 @@ Location LocationOf(const ChannelResiduals& residuals, double least, double star
   return at;
 }
 
-double InflationOf(const ChannelResiduals& residuals, const Location& at) {
+double InflationOf(const ChannelResiduals& residuals, const RobustLocation& at) {
   double inflation = 1, variance = 0;
   for (std::size_t lag = 0; lag <= kMostLags; ++lag) {
     double product = 0;
@@ -60,7 +60,7 @@ void EstimateNoise(const std::vector<ChannelResiduals>& residuals,
                    std::vector<NoiseChannel>* noise) {
   for (std::size_t c = 0; c < noise->size(); ++c) {
     NoiseChannel& channel = (*noise)[c];
-    const Location at = LocationOf(residuals[c], channel.least, channel.sigma);
+    const RobustLocation at = LocationOf(residuals[c], channel.least, channel.sigma);
     channel.sigma = at.sigma;
     channel.inflation = InflationOf(residuals[c], at);
   }

@@ -23,7 +23,7 @@ double ViscosityRatio(double oil_degc) {
 /// Near a dead centre a cylinder counts as if it could do this share of its rated effort.
 constexpr double kWeakest = 0.1;
 
-OverTravel AtLeast(double least, OverTravel table) {
+OverTravel NotBelow(double least, OverTravel table) {
   for (double& value : table.values) value = std::max(value, least);
   return table;
 }
@@ -52,8 +52,8 @@ LoadFrictionParameters LoadFrictionOf(const Effects& effects, const ActuatorEffo
     if (stall_nm > 0) {
       parameters.stall_positive_nm.values = parameters.stall_negative_nm.values = {stall_nm};
     } else if (effort.rated_nm > 0) {
-      parameters.stall_positive_nm = AtLeast(kWeakest * effort.rated_nm, effort.positive_nm);
-      parameters.stall_negative_nm = AtLeast(kWeakest * effort.rated_nm, effort.negative_nm);
+      parameters.stall_positive_nm = NotBelow(kWeakest * effort.rated_nm, effort.positive_nm);
+      parameters.stall_negative_nm = NotBelow(kWeakest * effort.rated_nm, effort.negative_nm);
     }
     parameters.droop_response_s = (*droop)["response_s"];
   }
@@ -81,7 +81,7 @@ LoadFrictionParameters LoadFrictionOf(const Effects& effects, const ActuatorEffo
     const double drift_radps = (*sag)["drift_radps"] / ViscosityRatio((*sag)["oil_degc"]);
     if (effort.rated_nm > 0 && drift_radps > 0) {
       const auto drift = [&](const OverTravel& against_nm) {
-        OverTravel table = AtLeast(kWeakest * effort.rated_nm, against_nm);
+        OverTravel table = NotBelow(kWeakest * effort.rated_nm, against_nm);
         for (double& e_nm : table.values) e_nm = drift_radps * effort.rated_nm / (e_nm * e_nm);
         return table;
       };

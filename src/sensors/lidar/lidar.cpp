@@ -21,7 +21,7 @@ double Spin(const LidarModel& model) { return (model.clockwise ? -2.0 : 2.0) * k
 
 /// Where the columns of one revolution stand in time and angle: column c begins at a fraction
 /// c / columns of it.
-struct Sweep {
+struct SweptScan {
   const LidarModel& model;
   TimeNs start_ns, end_ns;
 
@@ -111,7 +111,7 @@ struct Lidar::Block {
 };
 
 void Lidar::Aim(std::int64_t k, int begin, int end, const PoseTrack& X_WS, Block* block) const {
-  const Sweep sweep{model_, clock_.Due(k), clock_.Due(k + 1)};
+  const SweptScan sweep{model_, clock_.Due(k), clock_.Due(k + 1)};
   const double span_ns = static_cast<double>(sweep.end_ns - sweep.start_ns);
   block->rays.clear();
   block->d_S.clear();

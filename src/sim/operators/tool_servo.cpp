@@ -28,8 +28,8 @@ bool Carries(const MachineModel& model, int joint, int link) {
 }
 
 /// Motion of the frame's origin `p_W_m` for a unit rate of `joint`, in B.
-Twist Column(const MachineModel& model, const MachineState& state, int joint, const Vec3& p_W_m,
-             const Mat3& R_WB) {
+Twist JacobianColumn(const MachineModel& model, const MachineState& state, int joint,
+                     const Vec3& p_W_m, const Mat3& R_WB) {
   const Joint& j = model.joints[joint];
   const Pose X_WJ = state.links[j.parent].X_WB * j.X_PJ;
   const Vec3 axis_W = X_WJ.linear() * j.axis_J;
@@ -62,7 +62,7 @@ std::vector<double> ToolRates(const MachineModel& model, const MachineState& sta
     const bool driven = j.max_rate_positive_radps > 0 && j.max_rate_negative_radps > 0;
     if (!driven || !Carries(model, joints[k], frame.link)) continue;
     jacobian.col(static_cast<int>(k)) =
-        Column(model, state, joints[k], X_WF.translation(), state.links[0].X_WB.linear());
+        JacobianColumn(model, state, joints[k], X_WF.translation(), state.links[0].X_WB.linear());
   }
   if (!target.R_BF) jacobian.bottomRows<3>().setZero();
   const Eigen::Matrix<double, 6, 6> damped =

@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-constexpr int kRounds = 9, kCoarseRounds = 4;
+constexpr int kFineRounds = 9, kCoarseRounds = 4;
 constexpr int kTurnsAlone = 3;           ///< from this level on, the mount's place and ranges stay
 constexpr double kFirstScaleRatio = 2;   ///< of the scale to begin with to the robust one
 constexpr double kNarrowing = 0.4;       ///< of the scale, from one round to the next
@@ -155,7 +155,7 @@ RegistrationFit FitAllFree(const RegistrationBlock& block, const std::vector<Sca
   double wide = 0;
   NormalEquations equations;
   CalibrationJacobian derivatives;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kFineRounds; ++round) {
     const auto residuals = block.residuals(points, block.Under(fit.terms), 0);
     if (round == 0) wide = std::max(scale, kFirstScaleRatio * ScaleOf(residuals));
     const double now = std::max(scale, wide * std::pow(kNarrowing, round));
