@@ -23,7 +23,8 @@ void RequireOthers(const DiagnoseArguments& arguments) {
       std::error_code none;
       if (!std::filesystem::equivalent(further, searched, none)) continue;
       throw InputError("--held-out " + further.string(),
-                       "is the recording that is searched; need one that nothing is fitted to");
+                       {FaultKind::kRepeated,
+                        "is the recording that is searched; need one that nothing is fitted to"});
     }
   }
 }

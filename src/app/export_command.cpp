@@ -161,7 +161,8 @@ void RequireNoIdleOption(const CLI::App& command, const ExportOptions& options) 
   const auto require = [&](const std::string& option, bool is_used, const std::string& of) {
     if (command.count(option) == 0 || is_used) return;
     throw InputError(option,
-                     fmt::format("does nothing here, it is of {}; leave it out or use that", of));
+                     {FaultKind::kUnknown,
+                      fmt::format("does nothing here, it is of {}; leave it out or use that", of)});
   };
   const bool bag = IsBag(options.format);
   const bool ros2 = options.format == ExportFormat::kRosbag2;

@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "app/commands.h"
 #include "core/error.h"

@@ -12,8 +12,10 @@ void AddProveCommand(CLI::App* app) {
   command->set_help_flag("");          // --help is answered as all else is
   command->callback([] {
     throw tera::InputError(
-        "tera prove: is a program of its own; run tera-prove with the same options, of the package "
-        "tera-prove or of the build's target of that name");
+        "tera prove",
+        {tera::FaultKind::kUnsupported,
+         "is a program of its own; run tera-prove with the same options, of the package "
+         "tera-prove or of the build's target of that name"});
   });
 }
 

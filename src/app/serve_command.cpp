@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/about/version.h"
 #include "app/arguments/argument_checks.h"

@@ -1,6 +1,5 @@
 #include "app/viewed_stage.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -133,8 +132,10 @@ Stage StageOf(const Scenario& scenario) {
 Stage StageOfRecording(const std::filesystem::path& recording,
                        const std::vector<std::string>& moved) {
   if (!Recording(recording).info().simulated) {
-    throw InputError(recording.string(),
-                     "is a real recording, of which no scenario says what its machine looks like");
+    throw InputError(
+        recording.string(),
+        {FaultKind::kUnsupported,
+         "is a real recording, of which no scenario says what its machine looks like"});
   }
   return StageOf(LoadRecordedScenario(recording, {}, moved).scenario);
 }

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -45,9 +44,10 @@ void RequireOnSite(const Zone& zone, const TerrainGrid& site) {
   }
   if ((to_m.array() > low_m.array()).all() && (from_m.array() < high_m.array()).all()) return;
   throw InputError(zone.place,
-                   fmt::format("'{}' lies beside the site, which reaches from x {} to {} m and y "
-                               "{} to {} m; need a place on it",
-                               zone.name, low_m.x(), high_m.x(), low_m.y(), high_m.y()));
+                   {FaultKind::kOutOfRange,
+                    fmt::format("'{}' lies beside the site, which reaches from x {} to {} m and y "
+                                "{} to {} m; need a place on it",
+                                zone.name, low_m.x(), high_m.x(), low_m.y(), high_m.y())});
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "ros2/from_machine.h"
 
-#include <variant>
-
 #include "ros2/names.h"
 #include "sensors/camera/camera.h"
 

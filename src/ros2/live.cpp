@@ -17,10 +17,11 @@ namespace {
 
 void RequireRate(double rate_hz, double physics_rate_hz) {
   if (rate_hz <= physics_rate_hz) return;
-  throw InputError(
-      fmt::format("--rate {} Hz is beyond the scenario's physics_rate_hz {}; need a "
-                  "lower rate, or a faster physics",
-                  rate_hz, physics_rate_hz));
+  throw InputError("--rate",
+                   {FaultKind::kOutOfRange,
+                    fmt::format("{} Hz is beyond the scenario's physics_rate_hz {}; need a "
+                                "lower rate, or a faster physics",
+                                rate_hz, physics_rate_hz)});
 }
 
 /// The end of a run that may have none.

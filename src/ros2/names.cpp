@@ -56,9 +56,10 @@ void RequireDistinct(const ScenarioMachine& machine) {
     if ((!sensor.link.empty() && !frames.insert(sensor.name).second) ||
         (camera && !frames.insert(sensor.name + kOpticalEnding).second)) {
       throw InputError(
-          fmt::format("sensor '{}' of machine '{}' and a link or sensor of that name would be "
-                      "one frame; need another name for the sensor",
-                      sensor.name, machine.placement.name));
+          "", {FaultKind::kRepeated,
+               fmt::format("sensor '{}' of machine '{}' and a link or sensor of that name would be "
+                           "one frame; need another name for the sensor",
+                           sensor.name, machine.placement.name)});
     }
     if (!topics.insert(TopicOf(sensor)).second) {
       throw InputError(

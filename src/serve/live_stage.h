@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <string>
 
 #include "serve/scenario_source.h"
 #include "serve/server.h"

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <string>
 
 #include "dataset/files/checked_file.h"
 

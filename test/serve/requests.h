@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "serve/session.h"
 
 /// Requests of a session, numbered by the test itself.

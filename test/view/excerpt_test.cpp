@@ -5,12 +5,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "view/small_recording.h"
 
 namespace tera {
 namespace {
 
+using enum FaultKind;
 using nlohmann::json;
 
 constexpr char kPage[] = "<body><!--pack--><script>draw</script></body>";
@@ -68,12 +69,7 @@ TEST(Excerpt, IsNoLargerThanAskedFor) {
   EXPECT_LE(excerpt.html.size(), 5'000'000u);
   EXPECT_EQ(excerpt.words,
             "An excerpt: 2 of 4 frames (every second), at most 2000 rows of each table");
-  try {
-    MakeExcerpt({viewed}, kPage, 1'000'000);
-    FAIL();
-  } catch (const InputError& e) {
-    EXPECT_THAT(e.what(), testing::HasSubstr("--size: 1 MB are too few"));
-  }
+  EXPECT_THAT([&] { MakeExcerpt({viewed}, kPage, 1'000'000); }, ThrowsFault(kOutOfRange, "--size"));
 }
 
 TEST(Excerpt, TakesNoFileFromOutsideTheFolder) {

@@ -3,19 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "view/small_recording.h"
 
 namespace tera {
 namespace {
 
-std::string Refusal(const std::vector<std::filesystem::path>& places) {
-  try {
-    ReadPage(places);
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "";
+using enum FaultKind;
+std::vector<InputFault> Refusal(const std::vector<std::filesystem::path>& places) {
+  return FaultsIn([&] { ReadPage(places); });
 }
 
 TEST(ViewPage, IsTheFirstThatIsThere) {
@@ -26,15 +22,15 @@ TEST(ViewPage, IsTheFirstThatIsThere) {
 
 TEST(ViewPage, SaysWhatTheBuildLacked) {
   WriteFileAt(OwnFolder() / "bare" / "missing.txt", "esbuild is not installed\n");
-  EXPECT_EQ(Refusal({OwnFolder() / "none" / "a.html", OwnFolder() / "bare" / "a.html"}),
-            "tera view: its page was not built: esbuild is not installed");
-  EXPECT_THAT(Refusal({OwnFolder() / "none" / "a.html"}), testing::HasSubstr("tera_view_page"));
+  const auto bare = Refusal({OwnFolder() / "none" / "a.html", OwnFolder() / "bare" / "a.html"});
+  ASSERT_THAT(bare, HasOnlyFault(kUnsupported, "tera view"));
+  EXPECT_THAT(bare[0].finding, testing::HasSubstr("esbuild is not installed"));
+  EXPECT_THAT(Refusal({OwnFolder() / "none" / "a.html"}), HasFault(kUnsupported, "tera view"));
 }
 
 TEST(ViewPage, MustBeItsOwn) {
   WriteFileAt(OwnFolder() / "other" / "a.html", "<p>something else</p>");
-  EXPECT_THAT(Refusal({OwnFolder() / "other" / "a.html"}),
-              testing::HasSubstr("is not the page of tera view"));
+  EXPECT_THAT(Refusal({OwnFolder() / "other" / "a.html"}), HasFault(kMalformed));
 }
 
 }  // namespace

@@ -5,12 +5,13 @@
 
 #include <filesystem>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "view/small_recording.h"
 
 namespace tera {
 namespace {
 
+using enum FaultKind;
 namespace fs = std::filesystem;
 
 class ServedFolderOfThree : public testing::Test {
@@ -61,12 +62,7 @@ TEST_F(ServedFolderOfThree, IsFoundThroughALinkToItself) {
 
 TEST_F(ServedFolderOfThree, IsNeededToBeThere) {
   for (const char* name : {"none", "outside.txt"}) {
-    try {
-      const ServedFolder folder(base_ / name);
-      FAIL() << name;
-    } catch (const InputError& e) {
-      EXPECT_THAT(e.what(), testing::HasSubstr("is no folder; need"));
-    }
+    EXPECT_THAT([&] { const ServedFolder folder(base_ / name); }, ThrowsFault(kUnreadable, name));
   }
 }
 

@@ -8,7 +8,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "view/small_recording.h"
 
 // What comes back over a plain socket, byte by byte, so that no client tidies a path before it is
@@ -17,6 +17,7 @@
 namespace tera {
 namespace {
 
+using enum FaultKind;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -140,12 +141,7 @@ TEST_F(ServerOfASmallRecording, SaysWhyASceneIsNotKnown) {
 }
 
 TEST_F(ServerOfASmallRecording, RefusesAPortThatIsTaken) {
-  try {
-    const ViewServer second({}, "", server_.port());
-    FAIL();
-  } catch (const InputError& e) {
-    EXPECT_THAT(e.what(), HasSubstr("cannot be bound"));
-  }
+  EXPECT_THAT([&] { const ViewServer second({}, "", server_.port()); }, ThrowsFault(kUnwritable));
 }
 
 }  // namespace

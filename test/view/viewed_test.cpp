@@ -5,22 +5,18 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/error.h"
+#include "core/faults.h"
 #include "view/small_recording.h"
 
 namespace tera {
 namespace {
 
+using enum FaultKind;
 using nlohmann::json;
 using testing::HasSubstr;
 
-std::string Refusal(const std::filesystem::path& path) {
-  try {
-    OpenViewed(path);
-  } catch (const InputError& e) {
-    return e.what();
-  }
-  return "";
+std::vector<InputFault> Refusal(const std::filesystem::path& path) {
+  return FaultsIn([&] { OpenViewed(path); });
 }
 
 TEST(Viewed, TellsOfADatasetWhatThePageNeeds) {
@@ -88,18 +84,18 @@ TEST(Viewed, TellsOfADiagnosisWhatItFoundAndItsFiles) {
 TEST(Viewed, RefusesWhatIsNeither) {
   const std::filesystem::path empty = OwnFolder() / "empty", broken = OwnFolder() / "broken";
   std::filesystem::create_directories(empty);
-  EXPECT_THAT(Refusal(empty), HasSubstr("holds neither dataset.yaml nor diagnosis.json; need"));
-  EXPECT_THAT(Refusal(OwnFolder() / "none"), HasSubstr("is no folder; need"));
+  EXPECT_THAT(Refusal(empty), HasFault(kMalformed, "empty"));
+  EXPECT_THAT(Refusal(OwnFolder() / "none"), HasFault(kUnreadable, "none"));
   WriteFileAt(broken / "diagnosis.json", R"({"findings": [)");
-  EXPECT_THAT(Refusal(broken), HasSubstr("is no JSON with `verdict` and `findings`; need"));
+  EXPECT_THAT(Refusal(broken), HasFault(kMalformed, "broken/diagnosis.json"));
   WriteFileAt(broken / "diagnosis.json", R"([1, 2])");
-  EXPECT_THAT(Refusal(broken), HasSubstr("is no JSON with `verdict` and `findings`; need"));
+  EXPECT_THAT(Refusal(broken), HasFault(kMalformed, "broken/diagnosis.json"));
 }
 
 TEST(Viewed, SaysHowToFinishARunThatWasStopped) {
   const std::filesystem::path stopped = OwnFolder() / "run.incomplete";
   WriteFileAt(stopped / "INCOMPLETE.txt", "finish it");
-  EXPECT_THAT(Refusal(stopped), HasSubstr("--resume"));
+  EXPECT_THAT(Refusal(stopped), HasFault(kMalformed, "run.incomplete"));
 }
 
 TEST(Viewed, TakesNoMoreDatasetsThanStandSideBySide) {

@@ -47,13 +47,6 @@ class EyeMasking {
   /// Adds a moment; `X_WB` is the pose of the eye's link, `machine` the number of the studied one.
   void Add(const Pose& X_WH, const Pose& X_WB, std::size_t machine, const Sighting& sighting);
 
-  /// Of one moment, counterclockwise along each line.
-  const std::vector<Masking>& OnCircle(std::size_t moment) const {
-    return circle_.maskings.at(moment);
-  }
-  const std::vector<Masking>& OnRectangle(std::size_t moment) const {
-    return rectangle_.maskings.at(moment);
-  }
   /// "eye/circle/widest_masking_m" and "masked_share", the same of "eye/rectangle"; where the study
   /// has a limit, also "exceeds_limit", 1 where the widest masking is wider.
   std::vector<Figure> Figures() const;
@@ -62,7 +55,7 @@ class EyeMasking {
 
  private:
   struct Record {
-    std::vector<std::vector<Masking>> maskings;     ///< of each moment
+    std::vector<std::vector<Masking>> maskings;     ///< of each moment, counterclockwise
     std::vector<double> masked_share, share_error;  ///< of each
   };
 

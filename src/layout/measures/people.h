@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "layout/layout.h"
@@ -43,15 +42,6 @@ class PersonRange {
   const Posture& posture() const { return posture_; }
   /// Distances that are tried: every metre from 1 m on.
   std::vector<double> Distances_m() const;
-  /// The distances at which she is detected in a direction, or in all directions of a quarter: the
-  /// nearest, the farthest, and how many metres of them, which are fewer than from the one to the
-  /// other where she is not detected in between. Where she is at none, `from_m` is a metre beyond
-  /// the farthest that is tried, and the others are 0.
-  struct Reach {
-    double from_m = 0, to_m = 0, over_m = 0;
-  };
-  /// Of each direction, moment by moment.
-  const std::vector<std::vector<Reach>>& OfDirections() const { return directions_; }
   /// "person/POSTURE/detected_from_m_ahead", "_left", "_behind", "_right", "detected_to_m_*" and
   /// "detected_over_m_*": Reach of what is detected in every direction of that quarter, so that the
   /// worst direction decides. "person/POSTURE/detected_within_12m": share of the places tried.
@@ -63,6 +53,13 @@ class PersonRange {
   std::vector<PolarMap> Maps() const;
 
  private:
+  /// The distances at which she is detected in a direction, or in all directions of a quarter: the
+  /// nearest, the farthest, and how many metres of them, which are fewer than from the one to the
+  /// other where she is not detected in between. Where she is at none, `from_m` is a metre beyond
+  /// the farthest that is tried, and the others are 0.
+  struct Reach {
+    double from_m = 0, to_m = 0, over_m = 0;
+  };
   /// What the viewers of a layout have of her at places, each place alone.
   struct Had {
     std::vector<bool> enough;    ///< one of them has as much as the study asks
@@ -79,6 +76,7 @@ class PersonRange {
   PersonStudy study_;
   double reflectance_;
   std::vector<BodyPatch> patches_;
+  /// Of each direction, moment by moment.
   std::vector<std::vector<Reach>> directions_ = std::vector<std::vector<Reach>>(kSectors);
   std::vector<std::vector<Reach>> quarters_;    ///< as kQuarters; of each moment
   std::vector<double> had_place_, had_enough_;  ///< moments of each place, by sector and step

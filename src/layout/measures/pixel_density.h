@@ -36,18 +36,14 @@ class PixelDensity {
   /// machine (LeaveOutHull).
   void Add(const PolarPlaces& places, const Layout& layout, const Sighting& sighting);
 
-  /// The farthest place, in this direction of PolarGrid, at which the density is at least the
-  /// purpose's, whether it is nearer or not; 0 where it is nowhere; of each moment.
-  const std::vector<double>& Farthest_m(std::size_t purpose, int sector) const {
-    return farthest_m_[purpose][sector];
-  }
   /// "pixels/PURPOSE/share_to_12m": of the area of places within 12 m;
   /// "pixels/PURPOSE/mean_to_m_ahead", "_left", "_behind", "_right": the mean over the directions
   /// of that quarter.
   std::vector<Figure> Figures() const;
   /// "pixels/1.5 m": the density, as a mean over the moments.
   PolarMap Map() const;
-  /// "pixels/PURPOSE": the farthest distance by direction, of each purpose.
+  /// "pixels/PURPOSE": of each purpose the farthest place, by direction of PolarGrid, at which the
+  /// density is at least the purpose's, whether it is nearer or not; 0 where it is nowhere.
   std::vector<PolarCurve> Curves() const;
 
  private:

@@ -118,11 +118,12 @@ void Appraisal::RequireRoom(std::int64_t most_bytes) const {
   if (all_bytes <= static_cast<double>(most_bytes)) return;
   throw InputError(
       PlaceOr(search_.place, "moments"),
-      fmt::format("{} of this cycle take {:.2g} GB of memory, of which {:.2g} GB may be used; need "
-                  "about {:.0f}, or a smaller site",
-                  search_.moments, all_bytes / kBytesPerGB,
-                  static_cast<double>(most_bytes) / kBytesPerGB,
-                  std::floor(static_cast<double>(most_bytes) / all_bytes * search_.moments)));
+      {FaultKind::kOutOfRange,
+       fmt::format(
+           "{} of this cycle take {:.2g} GB of memory, of which {:.2g} GB may be used; need "
+           "about {:.0f}, or a smaller site",
+           search_.moments, all_bytes / kBytesPerGB, static_cast<double>(most_bytes) / kBytesPerGB,
+           std::floor(static_cast<double>(most_bytes) / all_bytes * search_.moments))});
 }
 
 void Appraisal::RequirePlaces() const {

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "layout/optimise/found_layout.h"
 #include "layout/optimise/search.h"

@@ -29,7 +29,8 @@ json FigureJson(const Figure& f) {
 FigureId ReadId(const json& from) {
   const std::string name = from.at("name");
   if (const auto id = FigureIdOf(name)) return *id;
-  throw InputError(fmt::format("'{}' is no figure, map or curve that is known", name));
+  throw InputError("", {FaultKind::kNoSuchName,
+                        fmt::format("'{}' is no figure, map or curve that is known", name)});
 }
 
 Figure ReadFigure(const json& from) {
@@ -74,7 +75,8 @@ PolarCurve ReadCurve(const json& from) {
 
 LayoutReport FromJson(const json& from) {
   if (from.at("format") != kFormat) {
-    throw InputError(fmt::format("is of format {}, need {}", from.at("format").dump(), kFormat));
+    throw InputError("", {FaultKind::kUnsupported, fmt::format("is of format {}, need {}",
+                                                               from.at("format").dump(), kFormat)});
   }
   LayoutReport report;
   report.name = from.at("name");

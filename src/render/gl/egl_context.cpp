@@ -6,7 +6,6 @@
 
 #include <cstring>
 #include <mutex>
-#include <optional>
 #include <vector>
 
 #include "core/check.h"

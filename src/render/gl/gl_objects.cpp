@@ -3,8 +3,9 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
-#include <sstream>
 #include <string_view>
 
 #include "core/check.h"
@@ -79,6 +80,10 @@ GlObject MakeVertexArray() {
 GlObject MakeQuery() {
   return Named([](GLsizei n, GLuint* id) { glCreateQueries(GL_SAMPLES_PASSED, n, id); },
                [](unsigned id) { glDeleteQueries(1, &id); });
+}
+
+std::uint8_t Unorm8(double value) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255.0));
 }
 
 GlObject MakeTexture(unsigned format, int width, int height, Filter filter, Wrap wrap, int levels) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -41,6 +42,9 @@ class GlObject {
 GlObject MakeBuffer(std::size_t bytes, const void* data);
 GlObject MakeVertexArray();
 GlObject MakeQuery();
+
+/// 0 to 1 as a byte of OpenGL's normalised formats.
+std::uint8_t Unorm8(double value);
 
 enum class Filter { kNearest, kLinear, kMipmapped, kShadow };
 enum class Wrap { kClamp, kRepeat };

@@ -20,10 +20,6 @@ constexpr float kUndisturbedDetail = 0.45f;  // of the relief of loose soil
 constexpr int kTexelsOfAWindow = 4096;       // that take as long as one more window
 constexpr double kSnowSmooths = 0.8;         // of the ground's relief
 
-std::uint8_t Unorm8(double value) {
-  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255.0));
-}
-
 std::uint8_t Snorm8(double value) {
   return static_cast<std::uint8_t>(
       static_cast<std::int8_t>(std::lround(std::clamp(value, -1.0, 1.0) * 127.0)));

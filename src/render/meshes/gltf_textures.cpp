@@ -34,9 +34,9 @@ std::array<Use, 5> UsesOf(const tinygltf::Material& material) {
 }
 
 [[noreturn]] void Refuse(const std::filesystem::path& file, const tinygltf::Material& material,
-                         const std::string& finding) {
-  throw InputError(file.string(), {FaultKind::kMalformed,
-                                   fmt::format("material '{}' {}", material.name, finding)});
+                         const InputFault& fault) {
+  throw InputError(file.string(),
+                   {fault.kind, fmt::format("material '{}' {}", material.name, fault.finding)});
 }
 
 std::string NameOf(const tinygltf::Image& image, int index) {
@@ -56,8 +56,9 @@ Texture Decode(const std::filesystem::path& file, const tinygltf::Material& mate
   const std::string name = NameOf(kept, index);
   if (kept.image.empty()) {
     Refuse(file, material,
-           fmt::format("needs the picture '{}', which is missing; put it beside the file, or {}",
-                       name, kRemedy));
+           {FaultKind::kMalformed,
+            fmt::format("needs the picture '{}', which is missing; put it beside the file, or {}",
+                        name, kRemedy)});
   }
   tinygltf::Image image;
   std::string error, warning;
@@ -65,9 +66,10 @@ Texture Decode(const std::filesystem::path& file, const tinygltf::Material& mate
                                           static_cast<int>(kept.image.size()), nullptr);
   if (!ok || image.image.empty() || image.bits != 8 || image.component != kChannels) {
     Refuse(file, material,
-           fmt::format("has '{}', {} bytes that are no picture of 8 bits a channel; need PNG or "
-                       "JPEG: {}",
-                       name, kept.image.size(), kRemedy));
+           {FaultKind::kMalformed,
+            fmt::format("has '{}', {} bytes that are no picture of 8 bits a channel; need PNG or "
+                        "JPEG: {}",
+                        name, kept.image.size(), kRemedy)});
   }
   Texture texture;
   texture.width_px = image.width;
@@ -81,12 +83,14 @@ std::shared_ptr<const Texture> Read(const std::filesystem::path& file, const tin
                                     Textures* known) {
   if (index < 0) return nullptr;
   if (index >= static_cast<int>(model.textures.size())) {
-    Refuse(file, material, fmt::format("names texture {}, which does not exist", index));
+    Refuse(file, material,
+           {FaultKind::kNoSuchName, fmt::format("names texture {}, which does not exist", index)});
   }
   const int source = model.textures[index].source;
   if (source < 0 || source >= static_cast<int>(model.images.size())) {
     Refuse(file, material,
-           fmt::format("has texture {} without a PNG or JPEG picture; {}", index, kRemedy));
+           {FaultKind::kMalformed,
+            fmt::format("has texture {} without a PNG or JPEG picture; {}", index, kRemedy)});
   }
   const std::string name = fmt::format("{}#texture{}", file.string(), index);
   std::shared_ptr<const Texture>& entry = (*known)[name];
@@ -116,14 +120,16 @@ std::optional<int> UvSetOf(const std::filesystem::path& file, const tinygltf::Ma
     if (use.texture < 0) continue;
     if (use.extensions->contains("KHR_texture_transform")) {
       Refuse(file, material,
-             "moves a texture by KHR_texture_transform, which is not drawn; apply it to the "
-             "coordinates and export again");
+             {FaultKind::kUnsupported,
+              "moves a texture by KHR_texture_transform, which is not drawn; apply it to the "
+              "coordinates and export again"});
     }
     if (set && *set != use.uv_set) {
       Refuse(file, material,
-             fmt::format("has textures on coordinates {} and {}; need one set of coordinates for "
-                         "all textures of a material",
-                         *set, use.uv_set));
+             {FaultKind::kUnsupported,
+              fmt::format("has textures on coordinates {} and {}; need one set of coordinates for "
+                          "all textures of a material",
+                          *set, use.uv_set)});
     }
     set = use.uv_set;
   }

@@ -1,6 +1,5 @@
 #include "render/meshes/grain_shape.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace tera {

@@ -237,10 +237,11 @@ struct Reader {
     const std::string name = fmt::format("TEXCOORD_{}", UvSetOf(file, material).value_or(0));
     const auto uv = primitive.attributes.find(name);
     if (uv == primitive.attributes.end()) {
-      RefuseGltf(file,
-                 fmt::format("has triangles of material '{}', which has textures, without {}; "
-                             "export it again with texture coordinates",
-                             material.name, name));
+      throw InputError(
+          file.string(),
+          {FaultKind::kMissing, fmt::format("has triangles of material '{}', which has textures, "
+                                            "without {}; export it again with texture coordinates",
+                                            material.name, name)});
     }
     const Accessor uvs(file, model, uv->second);
     for (std::size_t i = 0; i < uvs.count(); ++i) part->uvs.push_back(uvs.Uv(i));

@@ -2,8 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <map>
-#include <memory>
 #include <string>
 #include <vector>
 

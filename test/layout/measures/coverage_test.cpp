@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 
 #include "layout/looked_at_site.h"
 #include "sensors/lidar/lidar_view.h"

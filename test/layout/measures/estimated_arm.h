@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "core/random.h"

@@ -12,6 +12,7 @@
 namespace tera {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -62,22 +63,25 @@ double UmbraOnCircle_m(double ahead_m, double breadth_m, double spacing_m) {
   return 2 * LeftEnd({ahead_m, 0.5 * breadth_m}, spacing_m, on_circle, 0, 1).y();
 }
 
+double WidestOnCircle_m(const EyeMasking& masking) {
+  return FigureOf(masking.Figures(), "eye/circle/widest_masking_m").at[0];
+}
+
 TEST(EyeMasking, OfOneLightIsThePlatesShadow) {
-  const EyeMasking masking = Masked(Yard(Plate(2, 0.6)), Eye(0));
-  ASSERT_EQ(masking.OnCircle(0).size(), 1u);
-  const Masking& found = masking.OnCircle(0)[0];
-  EXPECT_NEAR(found.width_m, 2 * 12 * std::sin(std::atan(0.3 / 2)), kTolerance_m);
-  EXPECT_THAT(found.by, ElementsAre("digger/mast"));
-  // The middle of the shadow is 12 m ahead of the eye, which is beside the origin of H.
-  EXPECT_NEAR(found.azimuth_rad, std::atan2(kEye_m.y(), kEye_m.x() + 12), 1e-3);
+  EyeStudy eye = Eye(0);
+  eye.most_masking_m = 1;
+  const EyeMasking masking = Masked(Yard(Plate(2, 0.6)), eye);
+  EXPECT_NEAR(WidestOnCircle_m(masking), 2 * 12 * std::sin(std::atan(0.3 / 2)), kTolerance_m);
+  // The middle of the shadow is 12 m ahead of the eye, which is beside the origin of H: 0.47 deg.
+  EXPECT_THAT(masking.Warnings(), Contains(testing::AllOf(HasSubstr("circle, digger/mast masks"),
+                                                          HasSubstr("at azimuth 0 deg"))));
 }
 
 TEST(EyeMasking, OfTwoLightsIsTheUmbra) {
   for (const double spacing_m : {0.065, 0.205, 0.405}) {
     const Yard yard(Plate(2, 0.6));
     const EyeMasking masking = Masked(yard, Eye(spacing_m));
-    ASSERT_EQ(masking.OnCircle(0).size(), 1u);
-    const double width_m = masking.OnCircle(0)[0].width_m;
+    const double width_m = WidestOnCircle_m(masking);
     EXPECT_NEAR(width_m, UmbraOnCircle_m(2, 0.6, spacing_m), kTolerance_m);
     // By similar triangles, as Directive 2008/2/EC has it for tractors, were the circle's chord as
     // far away as the circle: it is nearer by 12 m (1 - cos 8.5 deg) = 0.13 m at most, which makes
@@ -91,11 +95,9 @@ TEST(EyeMasking, OfTwoLightsIsTheUmbra) {
 
 TEST(EyeMasking, APoleNarrowerThanTheSpacingMasksNothing) {
   const Yard yard(Plate(2, 0.1));
-  EXPECT_THAT(Masked(yard, Eye(0.205)).OnCircle(0), IsEmpty());
-  EXPECT_EQ(FigureOf(Masked(yard, Eye(0.205)).Figures(), "eye/circle/widest_masking_m").at[0], 0);
-  const EyeMasking narrow = Masked(yard, Eye(0.065));
-  ASSERT_EQ(narrow.OnCircle(0).size(), 1u);
-  EXPECT_NEAR(narrow.OnCircle(0)[0].width_m, UmbraOnCircle_m(2, 0.1, 0.065), kTolerance_m);
+  EXPECT_EQ(WidestOnCircle_m(Masked(yard, Eye(0.205))), 0);
+  EXPECT_NEAR(WidestOnCircle_m(Masked(yard, Eye(0.065))), UmbraOnCircle_m(2, 0.1, 0.065),
+              kTolerance_m);
 }
 
 TEST(EyeMasking, OnTheRectangleAMaskingIsAsLongAsItHidesOfIt) {
@@ -106,10 +108,10 @@ TEST(EyeMasking, OnTheRectangleAMaskingIsAsLongAsItHidesOfIt) {
   const double spacing_m = 0.205;
   const Yard yard(Plate(1.2, 0.6));
   const EyeMasking masking = Masked(yard, Eye(spacing_m));
-  ASSERT_EQ(masking.OnRectangle(0).size(), 1u);
   const auto on_front = [&](double y_m) { return Vec2(front_m, y_m); };
   const double width_m = 2 * LeftEnd({1.2, 0.3}, spacing_m, on_front, 0, 1).y();
-  EXPECT_NEAR(masking.OnRectangle(0)[0].width_m, width_m, kTolerance_m);
+  EXPECT_NEAR(FigureOf(masking.Figures(), "eye/rectangle/widest_masking_m").at[0], width_m,
+              kTolerance_m);
   // Around a rectangle that is turned, the bounding one is |cos| and |sin| of both sides.
   const double length_m = 2.5, breadth_m = 1.6;
   const double around_m =
@@ -122,7 +124,7 @@ TEST(EyeMasking, WhatIsNotTheMachineMasksNothing) {
   const Yard yard(Plate(2, 0.1),
                   "obstacles:\n  - {name: rock1, preset: tera:config/obstacles/container.yaml, "
                   "xy_m: [4, 5], yaw_deg: 20}\n");
-  EXPECT_THAT(Masked(yard, Eye(0.205)).OnCircle(0), IsEmpty());
+  EXPECT_EQ(WidestOnCircle_m(Masked(yard, Eye(0.205))), 0);
 }
 
 TEST(EyeMasking, IsHeldAgainstTheStudysLimitAndNoOther) {

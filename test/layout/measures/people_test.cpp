@@ -45,7 +45,7 @@ bool IsDetected(const LookedAtSite& site, const Posture& posture, const Layout& 
   study.farthest_m = distance_m;
   PersonRange range(posture, study, 0.2);
   range.Add(X_WH(), HullOf(site), layout, site.sighting(), site.ground());
-  return range.OfDirections().at(static_cast<std::size_t>(2 * sector)).at(0).to_m >= distance_m;
+  return range.Curve().mean.at(static_cast<std::size_t>(2 * sector)) >= distance_m;
 }
 
 /// The most points or pixels of which as many are expected on her, by halving.
@@ -150,8 +150,7 @@ TEST(PersonRange, ExpectsAsManyPixelsAsAPictureHas) {
       study.farthest_m = where.distance_m;
       PersonRange range(where.posture, study, 0.2);
       range.Add(X_WH(), HullOf(site), LayoutOf({viewer}), site.sighting(), site.ground());
-      if (range.OfDirections().at(static_cast<std::size_t>(2 * where.sector)).at(0).to_m >=
-          where.distance_m) {
+      if (range.Curve().mean.at(static_cast<std::size_t>(2 * where.sector)) >= where.distance_m) {
         low = needed;
       }
     }
@@ -204,7 +203,7 @@ TEST(PersonRange, EndsWhereALidarReachesNoFarther) {
   const Layout layout = LayoutOf({ViewerAt("lidar", {0, 0, 0.9}, ReachingField(6))});
   for (const auto& [reflectance, reached_m] : {std::pair{0.1, 6.0}, {0.4, 12.0}, {1.6, 24.0}}) {
     const PersonRange range = RangeOf(site, layout, reflectance);
-    for (const auto& reach : range.OfDirections()) EXPECT_EQ(reach.at(0).to_m, reached_m);
+    EXPECT_THAT(range.Curve().mean, ::testing::Each(reached_m));
   }
 }
 
@@ -216,11 +215,11 @@ TEST(PersonRange, DistancesCountFromTheHullOfTheMachine) {
   const LookedAtSite site({.parts = {{"undercarriage", {-1, -0.8, 0.1}, {1.5, 0.8, 1}}}});
   const Layout layout = LayoutOf({ViewerAt("lidar", {0, 0, 2.2}, ReachingField(6.1))});
   const PersonRange range = RangeOf(site, layout);
-  EXPECT_EQ(range.OfDirections().at(0).at(0).to_m, 4);
+  EXPECT_EQ(range.Curve().mean.at(0), 4);
   // Behind, 1 m: at 5 m the front is at 5.85 m, of whose top the range is below 5.9 m; at 6 m not.
-  EXPECT_EQ(range.OfDirections().at(18).at(0).to_m, 5);
+  EXPECT_EQ(range.Curve().mean.at(36), 5);
   // To the left, 0.8 m: 5.65 m at 5 m, 6.65 m at 6 m.
-  EXPECT_EQ(range.OfDirections().at(9).at(0).to_m, 5);
+  EXPECT_EQ(range.Curve().mean.at(18), 5);
 }
 
 TEST(PersonRange, AWallEndsItInItsDirectionAlone) {
@@ -228,8 +227,8 @@ TEST(PersonRange, AWallEndsItInItsDirectionAlone) {
   const PersonRange range =
       RangeOf(site, LayoutOf({ViewerAt("lidar", {0, 0, 2}, ReachingField(99))}));
   EXPECT_EQ(range.Distances_m().size(), 24u);
-  EXPECT_EQ(range.OfDirections().at(0).at(0).to_m, 4);
-  EXPECT_EQ(range.OfDirections().at(18).at(0).to_m, 24);
+  EXPECT_EQ(range.Curve().mean.at(0), 4);
+  EXPECT_EQ(range.Curve().mean.at(18), 24);
   const auto figures = range.Figures();
   const auto at = [&](const std::string& name) {
     return FigureOf(figures, "person/standing/" + name).at.at(0);
@@ -247,7 +246,7 @@ TEST(PersonRange, AWallEndsItInItsDirectionAlone) {
 TEST(PersonRange, WithoutAViewerSheIsDetectedNowhere) {
   const LookedAtSite site({});
   const PersonRange range = RangeOf(site, LayoutOf({}));
-  for (const auto& reach : range.OfDirections()) EXPECT_EQ(reach.at(0).to_m, 0);
+  EXPECT_THAT(range.Curve().mean, ::testing::Each(0));
   for (const Figure& figure : range.Figures()) {
     // A metre beyond the farthest that is tried.
     const bool is_nearest = figure.id.measure == Measure::kDetectedFrom;
@@ -262,17 +261,13 @@ TEST(PersonRange, FromWhereOnSheIsDetectedIsToldToo) {
   ViewField field = ReachingField(99);
   field.per_steradian = [](const Vec3& d) { return d.head<2>().norm() > 0.9 ? 1e9 : 0.0; };
   const PersonRange range = RangeOf(site, LayoutOf({ViewerAt("lidar", {0, 0, 4.5}, field)}));
-  for (const auto& reach : range.OfDirections()) {
-    EXPECT_EQ(reach.at(0).from_m, 6);
-    EXPECT_EQ(reach.at(0).to_m, 24);
-    EXPECT_EQ(reach.at(0).over_m, 19);
-  }
   const auto figures = range.Figures();
   EXPECT_EQ(FigureOf(figures, "person/standing/detected_from_m_behind").at.at(0), 6);
+  EXPECT_EQ(FigureOf(figures, "person/standing/detected_over_m_behind").at.at(0), 19);
   EXPECT_EQ(FigureOf(figures, "person/standing/detected_to_m_behind").at.at(0), 24);
   const PolarCurve curve = range.Curve();
-  EXPECT_EQ(curve.worst_from.at(3), 6);
-  EXPECT_EQ(curve.worst.at(3), 24);
+  EXPECT_THAT(curve.worst_from, ::testing::Each(6));
+  EXPECT_THAT(curve.worst, ::testing::Each(24));
   const PolarMap map = range.Maps().at(0);
   EXPECT_EQ(NameOf(map.id), "detected/standing");
   EXPECT_EQ(map.value.at(4), 0);  // ahead, 5 m
@@ -286,10 +281,14 @@ TEST(PersonRange, AGapIsMissingFromTheMetresAtWhichSheIsDetected) {
   const LookedAtSite site({.boxes = {{"fence1", {5.3, -9, 0}, {5.31, 9, 3}}}});
   const PersonRange range =
       RangeOf(site, LayoutOf({ViewerAt("lidar", {0, 0, 4.5}, ReachingField(99))}));
-  const PersonRange::Reach ahead = range.OfDirections().at(0).at(0);
-  EXPECT_EQ(ahead.from_m, 1);
-  EXPECT_EQ(ahead.to_m, 24);
-  EXPECT_EQ(ahead.over_m, 24 - 4);
+  const PolarMap map = range.Maps().at(0);
+  for (int at_m = 1; at_m <= 24; ++at_m) {
+    EXPECT_EQ(map.value.at(static_cast<std::size_t>(at_m - 1)), at_m < 6 || at_m > 9) << at_m;
+  }
+  EXPECT_EQ(range.Curve().worst_from.at(0), 1);
+  EXPECT_EQ(range.Curve().worst.at(0), 24);
+  // Of the quarter's directions, 45 deg aside she is hidden to 9.7 m / cos(45 deg) = 13.7 m.
+  EXPECT_EQ(FigureOf(range.Figures(), "person/standing/detected_over_m_ahead").at.at(0), 24 - 8);
 }
 
 TEST(PersonRange, OfAQuarterTheDistancesAtWhichAllItsDirectionsDetectHerCount) {

@@ -34,7 +34,7 @@ TEST(PixelDensity, FallsWithDistanceThroughTheStandardsPurposes) {
   const std::vector<double> farthest_m = {23.5, 15.5, 7.5, 3.5};
   for (std::size_t purpose = 0; purpose < farthest_m.size(); ++purpose) {
     for (int sector = 0; sector < 72; ++sector) {
-      EXPECT_EQ(density.Farthest_m(purpose, sector).at(0), farthest_m[purpose]);
+      EXPECT_EQ(density.Curves().at(purpose).mean.at(sector), farthest_m[purpose]);
     }
   }
   const std::vector<Figure> figures = density.Figures();
@@ -70,8 +70,8 @@ TEST(PixelDensity, IsDrawnByDirection) {
 TEST(PixelDensity, EndsAtWhatStandsInTheWay) {
   const Yard yard({Vec3(2.8, -3, -1), Vec3(2.9, 3, 3)});  // a plate across, in the mast's frame
   const PixelDensity density = DensityOf(yard, Camera(yard, [](const Vec3&) { return true; }));
-  EXPECT_EQ(density.Farthest_m(0, 0).at(0), 2.5);
-  EXPECT_EQ(density.Farthest_m(0, 36).at(0), 23.5);
+  EXPECT_EQ(density.Curves().at(0).mean.at(0), 2.5);
+  EXPECT_EQ(density.Curves().at(0).mean.at(36), 23.5);
 }
 
 TEST(PixelDensity, IsNoneOfALidar) {

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <set>
 
 #include "core/faults.h"
 #include "core/units.h"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "core/types/measurement.h"
 #include "render/gl/passes/full_screen.h"

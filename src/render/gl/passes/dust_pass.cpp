@@ -2,9 +2,6 @@
 
 #include <epoxy/gl.h>
 
-#include <cmath>
-#include <memory>
-
 #include "render/air/sun_through_dust.h"
 
 namespace tera {

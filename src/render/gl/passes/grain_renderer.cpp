@@ -3,7 +3,6 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 

@@ -21,11 +21,14 @@ constexpr double kFaceTurn_rad = 5 * kDeg;
 void RequireRays(const CameraIntrinsics& camera) {
   const auto pixel_px = camera.PixelWithoutRay();
   if (!pixel_px) return;
-  throw InputError(fmt::format(
-      "camera distortion k1 {} k2 {} p1 {} p2 {} k3 {} has no ray for pixel ({}, {}); need "
-      "coefficients under which every pixel of the {} x {} picture sees its own direction",
-      camera.k1, camera.k2, camera.p1, camera.p2, camera.k3, pixel_px->x(), pixel_px->y(),
-      camera.width_px, camera.height_px));
+  throw InputError(
+      "",
+      {FaultKind::kOutOfRange,
+       fmt::format(
+           "camera distortion k1 {} k2 {} p1 {} p2 {} k3 {} has no ray for pixel ({}, {}); need "
+           "coefficients under which every pixel of the {} x {} picture sees its own direction",
+           camera.k1, camera.k2, camera.p1, camera.p2, camera.k3, pixel_px->x(), pixel_px->y(),
+           camera.width_px, camera.height_px)});
 }
 
 /// The point of depth 1 that each pixel sees, row by row.

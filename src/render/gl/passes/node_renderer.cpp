@@ -25,10 +25,6 @@ struct NodeInstance {
   std::uint32_t label;
 };
 
-std::uint8_t Unorm8(double value) {
-  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255.0));
-}
-
 void AppendVertices(const MeshPart& part, std::vector<Vertex>* vertices) {
   const Material& m = part.material;
   for (std::size_t i = 0; i < part.positions_m.size(); ++i) {

@@ -2,8 +2,6 @@
 
 #include <epoxy/gl.h>
 
-#include <cmath>
-
 #include "render/gl/passes/wear_noise.h"
 #include "render/ground/soil_colour.h"
 

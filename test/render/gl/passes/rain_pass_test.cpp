@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "core/units.h"
 #include "render/air/rain.h"
 #include "render/gl/rasterizer.h"
