@@ -28,35 +28,6 @@ std::optional<Vec3> CutDirection(const ShovelShape& shape, const Mat3& R_WB) {
   return travel_W.normalized();
 }
 
-/// Densities and cohesion of what stands firm at the edge, and of what lies loose on it.
-SoilAhead SoilAheadOf(const CutSoil& cut) {
-  CutLayer firm, loose;
-  for (const CutLayer& layer : cut.layers()) {
-    CutLayer& sum = layer.is_loose ? loose : firm;
-    sum.thickness_m += layer.thickness_m;
-    sum.density_kgpm3 += layer.thickness_m * layer.density_kgpm3;
-    sum.cohesion_pa += layer.thickness_m * layer.cohesion_pa;
-  }
-  const auto density = [&](const CutLayer& sum) {
-    return sum.thickness_m > 0 ? sum.density_kgpm3 / sum.thickness_m : cut.mean.density_kgpm3;
-  };
-  SoilAhead ahead;
-  ahead.firm_density_kgpm3 = density(firm);
-  ahead.loose_density_kgpm3 = density(loose);
-  if (firm.thickness_m > 0) ahead.firm_cohesion_pa = firm.cohesion_pa / firm.thickness_m;
-  return ahead;
-}
-
-/// How much less layers of different strength take than soil of their mean, on level ground. Loose
-/// soil on firm soil of the same friction is none: the ground ahead tells where each of them lies.
-double ShareOfLayers(const CuttingInput& in, const CutSoil& soil) {
-  const bool heap_alone = soil.layer_count == 2 && soil.layer[0].is_loose &&
-                          soil.layer[0].friction_rad == soil.layer[1].friction_rad;
-  if (soil.layer_count < 2 || heap_alone) return 1;
-  const double mean_n = Cut(in).draft_n;
-  return mean_n > 0 ? std::min(1.0, CutLayers(in, soil.layers()).draft_n / mean_n) : 1;
-}
-
 /// The friction of a plane of which a share is soil, not steel.
 void RubOnSoil(double share, CutLayer* layer) {
   layer->tool_friction_rad += share * (layer->friction_rad - layer->tool_friction_rad);
@@ -134,17 +105,13 @@ CuttingForce CuttingEdge::CutBy(const Strip& strip, const Vec3& travel_W, const 
   CutSoil soil = strip.soil;
   RubOnSoil(plane.on_soil, &soil.mean);
   for (CutLayer& layer : soil.layer) RubOnSoil(plane.on_soil, &layer);
-  in = InSoilOf(soil.mean, in);
   in.speed_mps = std::max(0.0, speed_mps);
   in.flank_share = 1.0 / kStrips;
-  SoilAhead ahead = SoilAheadOf(soil);
+  SoilAhead ahead;
   ahead.blade_m = plane.length_m;
   ahead.carried_npm = plane.surcharge_npm;
   ahead.carried_over_m = plane.surcharge_over_m;
-  CuttingForce force = CutAhead(in, strip.ahead, ahead);
-  const double weaker = ShareOfLayers(in, soil);
-  force.total_n *= weaker, force.draft_n *= weaker, force.vertical_n *= weaker;
-  return force;
+  return CutLayersAhead(in, strip.ahead, soil, ahead);
 }
 
 /// Resistance of a strip's ground to being pierced along the floor.

@@ -127,10 +127,12 @@ std::optional<ShovelShape::Crossing> Digging::CrossingOfShell(const BodyState& b
 
 /// Columns in which the shovel or its shell stands, and among them those whose soil it overlaps, or
 /// over which its face has passed in this step.
-void Digging::FindFootprint(const BodyState& body, Columns* ground) {
+void Digging::FindFootprint(const BodyState& body, double dt_s, Columns* ground) {
   const std::vector<ColumnId> before = std::exchange(blocked_, {});
   footprint_.clear();
   const Vec2 behind_B = ShellThickness_B(body, ground->cell_m());
+  const Vec3 v_B = body.X_WB.linear().transpose() * PointVelocity(body, shape_.edge_B());
+  const Vec2 came_B = -dt_s * Vec2(v_B.x(), v_B.z());
   FrameMask(body, behind_B.norm(), *ground);
   for (int j = mask_.j0; j <= mask_.j1; ++j) {
     for (int i = mask_.i0; i <= mask_.i1; ++i) {
@@ -142,6 +144,8 @@ void Digging::FindFootprint(const BodyState& body, Columns* ground) {
       if (!crossing) crossing = CrossingOfShell(body, x_m, y_m, behind_B);
       if (!crossing) continue;
       mask_.part[mask_.Index(i, j)] = part;
+      const auto cut_m = shape_.HeightOfPassedEdge(body.X_WB, x_m, y_m, came_B);
+      crossing->low_m = std::min(crossing->low_m, cut_m.value_or(crossing->low_m));
       const ColumnId k = ground->Touch(i, j);
       ground->Block(k, crossing->low_m);
       blocked_.push_back(k);
@@ -438,7 +442,7 @@ void Digging::Spill(const BodyState& body, double dt_s, Columns* ground, Grains*
 Digging::Result Digging::Act(const BodyState& body, double dt_s, Columns* ground, Grains* grains) {
   Result result;
   FilterApparentGravity(body, dt_s);
-  FindFootprint(body, ground);
+  FindFootprint(body, dt_s, ground);
   result.wrench =
       edge_.Act(shape_, body, {carried_.mass_kg(), carried_.volume_m3(), carried_.main_soil()},
                 dt_s, soils_, ground);

@@ -58,7 +58,7 @@ class Digging {
   void FrameMask(const BodyState& body, double behind_m, const Columns& ground);
   std::optional<ShovelShape::Crossing> CrossingOfShell(const BodyState& body, double x_m,
                                                        double y_m, const Vec2& behind_B) const;
-  void FindFootprint(const BodyState& body, Columns* ground);
+  void FindFootprint(const BodyState& body, double dt_s, Columns* ground);
   void CutFootprint(const BodyState& body, double dt_s, Columns* ground, Wrench* wrench);
   bool PressShell(const BodyState& body, const Swept& swept, double dt_s, bool may_enter,
                   Columns* ground, double* keep_m, Wrench* wrench) const;

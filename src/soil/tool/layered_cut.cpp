@@ -155,4 +155,46 @@ CuttingForce CutLayers(const CuttingInput& mean, std::span<const CutLayer> layer
   return least;
 }
 
+namespace {
+
+/// Densities and cohesion of what stands firm at the edge, and of what lies loose on it.
+SoilAhead WithSoilOf(const CutSoil& cut, SoilAhead ahead) {
+  CutLayer firm, loose;
+  for (const CutLayer& layer : cut.layers()) {
+    CutLayer& sum = layer.is_loose ? loose : firm;
+    sum.thickness_m += layer.thickness_m;
+    sum.density_kgpm3 += layer.thickness_m * layer.density_kgpm3;
+    sum.cohesion_pa += layer.thickness_m * layer.cohesion_pa;
+  }
+  const auto density = [&](const CutLayer& sum) {
+    return sum.thickness_m > 0 ? sum.density_kgpm3 / sum.thickness_m : cut.mean.density_kgpm3;
+  };
+  ahead.firm_density_kgpm3 = density(firm);
+  ahead.loose_density_kgpm3 = density(loose);
+  if (firm.thickness_m > 0) ahead.firm_cohesion_pa = firm.cohesion_pa / firm.thickness_m;
+  return ahead;
+}
+
+/// How much less layers of different strength take than soil of their mean, on level ground. Loose
+/// soil on firm soil of the same friction is none: the ground ahead tells where each of them lies.
+double ShareOfLayers(const CuttingInput& in, const CutSoil& soil) {
+  const bool heap_alone = soil.layer_count == 2 && soil.layer[0].is_loose &&
+                          soil.layer[0].friction_rad == soil.layer[1].friction_rad;
+  if (soil.layer_count < 2 || heap_alone) return 1;
+  const double mean_n = Cut(in).draft_n;
+  return mean_n > 0 ? std::min(1.0, CutLayers(in, soil.layers()).draft_n / mean_n) : 1;
+}
+
+}  // namespace
+
+CuttingForce CutLayersAhead(const CuttingInput& blade, const GroundAhead& ground,
+                            const CutSoil& soil, const SoilAhead& ahead) {
+  CuttingInput in = InSoilOf(soil.mean, blade);
+  in.depth_m = ground.depth_m();
+  CuttingForce force = CutAhead(in, ground, WithSoilOf(soil, ahead));
+  const double share = ShareOfLayers(in, soil);
+  force.total_n *= share, force.draft_n *= share, force.vertical_n *= share;
+  return force;
+}
+
 }  // namespace tera

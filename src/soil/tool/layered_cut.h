@@ -5,6 +5,7 @@
 #include "soil/tool/cut_soil.h"
 #include "soil/tool/cutting_input.h"
 #include "soil/tool/earthmoving.h"
+#include "soil/tool/slip_ahead.h"
 
 namespace tera {
 
@@ -31,6 +32,12 @@ namespace tera {
 ///         1996, Foundation Analysis and Design, ch. 11 (layered backfill); NAVFAC DM 7.01, 1986,
 ///         ch. 7 (a central block on a weak seam and its resisting wedge).
 CuttingForce CutLayers(const CuttingInput& mean, std::span<const CutLayer> layers);
+
+/// The force to move the ground that lies ahead (CutAhead), less where its layers are weaker than
+/// soil of their mean, in the share that they are so on level ground. Of `blade` soil and depth are
+/// taken from the others, of `ahead` what lies on the blade alone counts.
+CuttingForce CutLayersAhead(const CuttingInput& blade, const GroundAhead& ground,
+                            const CutSoil& soil, const SoilAhead& ahead);
 
 /// The blade's input with the soil of a layer.
 CuttingInput InSoilOf(const CutLayer& layer, CuttingInput in);

@@ -169,6 +169,12 @@ std::optional<double> ShovelShape::LowestOfShell(const Pose& X_WB, double x_m, d
   return low_m < line.to_m ? std::optional(low_m) : std::nullopt;
 }
 
+std::optional<double> ShovelShape::HeightOfPassedEdge(const Pose& X_WB, double x_m, double y_m,
+                                                      const Vec2& came_B) const {
+  const Upright line(X_WB, x_m, y_m, half_width_m_);
+  return line.is_beside() ? std::nullopt : line.Crosses_m(profile_[0], came_B);
+}
+
 std::optional<ShovelShape::Crossing> ShovelShape::VerticalCrossing(const Pose& X_WB, double x_m,
                                                                    double y_m) const {
   const Upright line(X_WB, x_m, y_m, half_width_m_);

@@ -31,6 +31,11 @@ class ShovelShape {
   std::optional<double> LowestOfShell(const Pose& X_WB, double x_m, double y_m,
                                       const Vec2& behind_B) const;
 
+  /// z in W of the edge where it has passed over a place, on its way from `came_B` behind it in B's
+  /// x-z plane.
+  std::optional<double> HeightOfPassedEdge(const Pose& X_WB, double x_m, double y_m,
+                                           const Vec2& came_B) const;
+
   /// What the shovel holds when gravity's up direction is `up_B`.
   struct Hold {
     double volume_m3 = 0;         ///< at most, heaped at `repose_rad`

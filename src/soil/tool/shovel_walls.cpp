@@ -44,14 +44,14 @@ struct Beside {
   }
 };
 
-/// Force for a strip of a wall to push soil, static but for its speed.
-CuttingInput PlateIn(const CutSoil& soil, double width_m, double rake_rad, double speed_mps) {
+/// A strip of a wall that pushes soil, static but for its speed.
+CuttingInput PlateOf(double width_m, double rake_rad, double speed_mps) {
   CuttingInput in;
   in.width_m = width_m;
   in.rake_rad = rake_rad;
   in.speed_mps = std::max(0.0, speed_mps);
   in.flank_share = 1.0 / kStrips;
-  return InSoilOf(soil.mean, in);
+  return in;
 }
 
 }  // namespace
@@ -142,15 +142,17 @@ void ShovelWalls::Push(const std::vector<Strip>& strips, const Vec3& normal_B,
     const Vec3 p_B =  // passive pressure acts on the lower third
         strip.low_B + std::min(1.0, beside.depth_m / height_m) / 3 * (strip.high_B - strip.low_B);
     const Vec3 v_strip_W = PointVelocity(body, p_B);
-    const auto push_down_to = [&](double z_m, double depth_m) {
-      if (depth_m <= 0) return CuttingForce{};
-      const CutSoil soil = beside.SoilAbove(z_m, soils, ground);
-      CuttingInput in = PlateIn(soil, strip.width_m, rake_rad, v_strip_W.dot(out_W));
-      in.depth_m = depth_m;
-      return CutLayers(in, soil.layers());
+    const CuttingInput plate = PlateOf(strip.width_m, rake_rad, v_strip_W.dot(out_W));
+    const double beside_m = LookBeside_m(kBesideWall_m, ground->cell_m());
+    const auto push_down_to = [&](double up_m) {
+      const Vec3 p_W = low_W + up_m * Vec3::UnitZ();
+      const GroundAhead ahead = LookAhead(p_W, beside_m, out_W, *ground);
+      if (ahead.depth_m() <= 0) return CuttingForce{};
+      const CutSoil soil = beside.SoilAbove(p_W.z(), soils, ground);
+      return CutLayersAhead(plate, ahead, soil, {.blade_m = height_m});
     };
-    const CuttingForce all = push_down_to(low_W.z(), beside.depth_m);
-    const CuttingForce above = push_down_to(high_W.z(), beside.depth_m - height_m);
+    const CuttingForce all = push_down_to(0);
+    const CuttingForce above = beside.depth_m > height_m ? push_down_to(height_m) : CuttingForce{};
     // What lies above may be the stronger: it holds nothing back below it.
     if (all.draft_n <= above.draft_n) continue;
     const Vec3 force_W_n = -(all.draft_n - above.draft_n) * out_W -

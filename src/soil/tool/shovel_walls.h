@@ -15,13 +15,13 @@ namespace tera {
 /// Frames  W; B frame of the shovel's link.
 /// Model   The side walls, and the part of the back that is too steep to rest on the ground, push
 ///         soil before them as plates do: in upright strips, each against the passive pressure of
-///         the earthmoving equation between its lowest and its highest point. Along the mouth's
-///         normal the rim of a bucket, the side walls' edges and the top edge, is pushed in like a
-///         cutting edge of the same thickness (Piercing). All builds up over a few millimetres of
-///         travel, holds at rest, fades as a wall moves on along soil that it has not pressed, and
-///         drives no strip on.
-/// Omits   friction along the walls, side cutters, the slope of the ground beside.
-/// Source  see earthmoving.h.
+///         the ground that lies beside (CutAhead) between its lowest and its highest point. Along
+///         the mouth's normal the rim of a bucket, the side walls' edges and the top edge, is
+///         pushed in like a cutting edge of the same thickness (Piercing). All builds up over a few
+///         millimetres of travel, holds at rest, fades as a wall moves on along soil that it has
+///         not pressed, and drives no strip on.
+/// Omits   friction along the walls, side cutters.
+/// Source  see slip_ahead.h.
 class ShovelWalls {
  public:
   /// `soils` are those of the ground, as the machine meets them.

@@ -478,6 +478,57 @@ TEST(Digging, AnUprightPlateLetsNoHeapThrough) {
   }
 }
 
+TEST(Digging, ABermTakesNoMoreThanSlidingAllOfIt) {
+  // A blade of some rake pushes a berm over firm ground until it has moved it all. Its weight W
+  // slides at W sin(phi) / sin(rake + delta + phi) along the blade's force, which leans by the rake
+  // and the blade's friction.
+  struct Push {
+    double high_m, rake_deg, width_m, blade_m;
+  };
+  for (const char* name : {"sand", "dirt"}) {
+    for (const Push& push : {Push{0.3, 30, 1, 0.6}, Push{0.3, 90, 1, 0.6}, Push{0.9, 60, 3, 1.1}}) {
+      const SoilType soil_type = Shipped(name);
+      auto soil = MakeGround(
+          fmt::format("size_m: [8, 8]\nsoil: {}\n"
+                      "piles: [{{xy_m: [1.5, -3], to_m: [1.5, 3], height_m: {}, soil: {}}}]\n",
+                      name, push.high_m, name));
+      const double lean_rad = (90 - push.rake_deg) * kDeg;
+      const Vec2 top = push.blade_m * Vec2(-std::sin(lean_rad), std::cos(lean_rad));
+      Shovel blade;
+      blade.profile_B_m = {{0, 0}, top, top + Vec2(0.06, 0)};
+      blade.width_m = push.width_m;
+      blade.edge_thickness_m = 1e-9;
+      GroundTools tools;
+      tools.shovels = {blade};
+      const int machine = soil->AddMachine(tools);
+      double section_m2 = 0;
+      for (double x_m = 0; x_m < 3; x_m += 0.01) {
+        section_m2 += 0.01 * std::max(0.0, soil->surface().HeightAt(x_m, 0));
+      }
+      double most_n = 0;
+      RunBucket(soil.get(), machine,
+                BucketPath({{0, {-0.6, 0.013, 0.005}, 0}, {15, {2.4, 0.013, 0.005}, 0}}),
+                [&](double, const BodyState&, const SoilReaction& reaction) {
+                  most_n = std::max(most_n, -reaction.link_wrench[0].force_W_n.x());
+                });
+      const double weight_n = section_m2 * push.width_m * soil_type.bank_density_kgpm3 /
+                              soil_type.swell * kStandardGravity_mps2;
+      const double phi = soil_type.friction_angle_rad;
+      const double contact = push.rake_deg * kDeg + soil_type.soil_tool_friction_rad;
+      const double slides_n =
+          weight_n * std::sin(phi) * std::sin(contact) / std::sin(contact + phi);
+      RecordProperty(
+          fmt::format("{}_{:.1f}_{:.0f}_deg_most_and_sliding_n", name, push.high_m, push.rake_deg),
+          fmt::format("{:.0f} {:.0f}", most_n, slides_n));
+      // A flat blade lifts as it slides, but not what has come before it over level ground. Slumped
+      // flanks beyond the blade's ends add up to a fifth.
+      EXPECT_LT(most_n, 1.25 * std::max(slides_n, weight_n * std::tan(phi)))
+          << name << ' ' << push.high_m << ' ' << push.rake_deg;
+      EXPECT_GT(most_n, 0.6 * slides_n) << name << ' ' << push.high_m << ' ' << push.rake_deg;
+    }
+  }
+}
+
 TEST(Digging, ABladeLosesAboutAsMuchOfItsLoadAsIsMeasured) {
   // The blade of config/machines/dozer.yaml fills itself over 12 m, 0.1 m deep, and pushes on over
   // the ground. Dozers lose 2.5 to 7 % of their load a metre (Alekseeva, Artemev, Bromberg,

@@ -58,13 +58,14 @@ constexpr double kWeight_npm3 = 1600 * kStandardGravity_mps2;
 
 // K_p by the linear program of test/judges/blade_limit.py, which finds the least upper bound over
 // patterns of slip lines between the points of a grid: a little high, as grids are coarse. A plane
-// slip surface has 26.6 and 65 on the last two slopes.
+// slip surface has 11.8, 26.6 and 65 on the last three slopes.
 TEST(SlipAhead, SlopesHaveThePassivePressureOfALimitAnalysis) {
   struct Row {
     double phi_deg, delta_deg, slope_deg, k_p;
   };
-  for (const Row& row : {Row{30, 0, 0, 3.003}, Row{30, 0, 20, 5.133}, Row{30, 15, 0, 4.658},
-                         Row{30, 15, 20, 8.801}, Row{40, 20, 0, 9.847}, Row{40, 20, 20, 23.551}}) {
+  for (const Row& row : {Row{30, 0, 0, 3.00}, Row{30, 0, 10, 3.99}, Row{30, 0, 20, 5.13},
+                         Row{30, 15, 0, 4.66}, Row{30, 15, 10, 6.56}, Row{30, 15, 20, 8.80},
+                         Row{40, 20, 0, 9.85}, Row{40, 20, 10, 15.44}, Row{40, 20, 20, 23.55}}) {
     const GroundAhead ground = GroundAhead::Plane(1, row.slope_deg * kDeg, 0, 10);
     EXPECT_NEAR(Upright(ground, row.phi_deg, row.delta_deg).total_n / (kWeight_npm3 / 2) / row.k_p,
                 0.98, 0.025)
@@ -112,6 +113,22 @@ TEST(SlipAhead, AHeapBeforeAThinCutSlides) {
   const double draft_n = Upright(heap, 40, 20, 2100).draft_n;
   EXPECT_GT(draft_n, 0.8 * weight_n * std::tan(40 * kDeg));
   EXPECT_LT(draft_n, 2.5 * weight_n * std::tan(40 * kDeg));
+}
+
+// Drafts of the same program, in N/m: a berm of 0.6 m at 35 deg, the blade 0.3 m deep in its near
+// flank; heaps at 35 deg of 0.5 m on a cut of 3 cm and of 0.25 m on one of 0.2 m, with 2100 Pa of
+// cohesion below them and without.
+TEST(SlipAhead, BermsAndHeapsHaveTheDraftOfALimitAnalysis) {
+  const double t = std::tan(35 * kDeg);
+  const std::vector<Corner> berm = {{0, 0.3}, {0.3 / t, 0.6}, {0.85 / t, 0.05}};
+  const auto heap = [&](double depth_m, double heap_m) {
+    return Between({{0, depth_m + heap_m}, {heap_m / t, depth_m}, {2.5, depth_m}}, depth_m);
+  };
+  EXPECT_NEAR(Upright(Between(berm, 0.6), 40, 0).draft_n / 5990, 1, 0.1);
+  EXPECT_NEAR(Upright(Between(berm, 0.6), 40, 20).draft_n / 8804, 1, 0.1);
+  EXPECT_NEAR(Upright(heap(0.03, 0.5), 40, 20, 2100).draft_n / 5515, 1, 0.1);
+  EXPECT_NEAR(Upright(heap(0.2, 0.25), 40, 20, 2100).draft_n / 8628, 1, 0.12);
+  EXPECT_NEAR(Upright(heap(0.2, 0.25), 40, 20).draft_n / 4701, 1, 0.1);
 }
 
 TEST(SlipAhead, LevelGroundIsTheEarthmovingEquationsAtFlatRakes) {
