@@ -37,17 +37,6 @@ std::array<double, GroundAhead::kPlaces> PlacesAhead_m(double near_m, double dep
 
 }  // namespace
 
-GroundAhead GroundAhead::Plane(double depth_m, double slope_rad, double loose_m, double reach_m) {
-  GroundAhead ahead;
-  for (int k = 0; k < kPlaces; ++k) {
-    const double part = k / (kPlaces - 1.0);
-    ahead.x_m[k] = reach_m * part * part;
-    ahead.top_m[k] = depth_m + std::tan(slope_rad) * ahead.x_m[k];
-    ahead.firm_m[k] = ahead.top_m[k] - loose_m;
-  }
-  return ahead;
-}
-
 GroundAhead LookAhead(const Vec3& p_W, double near_m, const Vec3& travel_W, const Columns& ground) {
   GroundAhead ahead;
   const auto look = [&](int k) {

@@ -18,8 +18,6 @@ struct GroundAhead {
   std::array<double, kPlaces> x_m{}, top_m{}, firm_m{};
 
   double depth_m() const { return top_m[0]; }
-  /// Level ground, or a slope, of which the upper `loose_m` lie loose; `depth_m` above the edge.
-  static GroundAhead Plane(double depth_m, double slope_rad, double loose_m, double reach_m);
 };
 
 /// As it lies from `near_m` ahead of a point on; no farther up than the surface there where that

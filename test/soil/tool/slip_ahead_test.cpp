@@ -27,6 +27,18 @@ CuttingForce Upright(const GroundAhead& ground, double phi_deg, double delta_deg
   return CutAhead(in, ground, soil);
 }
 
+/// A slope, of which the upper `loose_m` lie loose.
+GroundAhead Slope(double depth_m, double slope_rad, double loose_m, double reach_m) {
+  GroundAhead ground;
+  for (int k = 0; k < GroundAhead::kPlaces; ++k) {
+    const double part = k / (GroundAhead::kPlaces - 1.0);
+    ground.x_m[k] = reach_m * part * part;
+    ground.top_m[k] = depth_m + std::tan(slope_rad) * ground.x_m[k];
+    ground.firm_m[k] = ground.top_m[k] - loose_m;
+  }
+  return ground;
+}
+
 struct Corner {
   double x_m, z_m;
 };
@@ -66,7 +78,7 @@ TEST(SlipAhead, SlopesHaveThePassivePressureOfALimitAnalysis) {
   for (const Row& row : {Row{30, 0, 0, 3.00}, Row{30, 0, 10, 3.99}, Row{30, 0, 20, 5.13},
                          Row{30, 15, 0, 4.66}, Row{30, 15, 10, 6.56}, Row{30, 15, 20, 8.80},
                          Row{40, 20, 0, 9.85}, Row{40, 20, 10, 15.44}, Row{40, 20, 20, 23.55}}) {
-    const GroundAhead ground = GroundAhead::Plane(1, row.slope_deg * kDeg, 0, 10);
+    const GroundAhead ground = Slope(1, row.slope_deg * kDeg, 0, 10);
     EXPECT_NEAR(Upright(ground, row.phi_deg, row.delta_deg).total_n / (kWeight_npm3 / 2) / row.k_p,
                 0.98, 0.025)
         << row.phi_deg << ' ' << row.delta_deg << ' ' << row.slope_deg;
@@ -77,8 +89,7 @@ TEST(SlipAhead, SlopesHaveThePassivePressureOfALimitAnalysis) {
 // that rises by 10 and 20 deg, as their tables are quoted: about 10, 16 and 27.
 TEST(SlipAhead, RisingGroundIsNotTheEndlessPlanes) {
   const auto k_p = [](double slope_deg) {
-    return Upright(GroundAhead::Plane(1, slope_deg * kDeg, 0, 10), 40, 20).total_n /
-           (kWeight_npm3 / 2);
+    return Upright(Slope(1, slope_deg * kDeg, 0, 10), 40, 20).total_n / (kWeight_npm3 / 2);
   };
   EXPECT_NEAR(k_p(0) / 10, 1, 0.05);
   EXPECT_NEAR(k_p(10) / 16, 1, 0.1);
@@ -148,7 +159,7 @@ TEST(SlipAhead, LevelGroundIsTheEarthmovingEquationsAtFlatRakes) {
   soil.blade_m = 10;
   for (double rake_deg = 15; rake_deg <= 70; rake_deg += 5) {
     in.rake_rad = rake_deg * kDeg;
-    const GroundAhead ground = GroundAhead::Plane(in.depth_m, 0, 0, 3);
+    const GroundAhead ground = Slope(in.depth_m, 0, 0, 3);
     EXPECT_NEAR(CutAhead(in, ground, soil).draft_n / PlaneCut(in).draft_n, 1, 0.01) << rake_deg;
   }
 }
@@ -163,7 +174,7 @@ TEST(SlipAhead, IsSteadyOverRakeFrictionAndSlope) {
   soil.blade_m = 1;
   in.depth_m = 0.3;
   for (const double slope_deg : {-20.0, 0.0, 20.0, 35.0}) {
-    const GroundAhead ground = GroundAhead::Plane(in.depth_m, slope_deg * kDeg, 0.1, 3);
+    const GroundAhead ground = Slope(in.depth_m, slope_deg * kDeg, 0.1, 3);
     for (const double phi_deg : {15.0, 32.0, 44.0}) {
       in.friction_rad = phi_deg * kDeg;
       in.tool_friction_rad = 0.6 * in.friction_rad;
