@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "soil/block_fixture.h"
 #include "soil/flow/avalanche.h"
 #include "soil/flow/grains.h"
-#include "soil/block_fixture.h"
 #include "soil/soil_fixture.h"
 
 namespace tera {
