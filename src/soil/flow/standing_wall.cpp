@@ -12,6 +12,8 @@ namespace {
 
 constexpr int kLookDown = 12;  ///< columns over which a bank's height is measured
 constexpr double kLeastOverhang_m = 2e-4;
+/// What is lower under gear is a matter of bearing, which Bekker's pressure has.
+constexpr double kLeastLoaded_m = 0.3;
 constexpr double kLeastWedge_m = 0.1;    ///< soil that stands no higher crumbles
 constexpr double kBreakSpeed_mps = 1.0;  ///< at which it does
 constexpr double kVeneer_m = 0.05;       ///< more loose soil than this covers what would crumble
@@ -96,7 +98,9 @@ void SlideOff(const StandingWalls::Failure& failure, Columns* ground,
       const double plane_m = toe_m + failure.slip.HeightAt(failure.run_m + behind_m + half_m);
       if (plane_m >= failure.top_m || plane_m >= ground->TopAt(i, j)) continue;
       const ColumnId k = ground->Touch(i, j);
-      if (ground->IsPropped(k)) continue;
+      const bool holds =
+          failure.drop_m >= kLeastLoaded_m ? ground->IsPropped(k) : ground->IsBlocked(k);
+      if (holds) continue;
       const double top_m = ground->skin(k).top_m;
       const double way_m = (failure.run_m + behind_m) / down_W.head<2>().norm();
       broken->push_back({{},
@@ -183,7 +187,9 @@ std::optional<StandingWalls::Failure> StandingWalls::FailureAt(ColumnId k,
                                                                const Columns& ground) const {
   if (!IsEdge(k, ground) || ground.IsPropped(k)) return std::nullopt;
   std::optional<Failure> failure = FailureOfTop(k, ground);
-  return failure ? failure : FailureOfLayers(k, ground);
+  if (!failure) failure = FailureOfLayers(k, ground);
+  const bool is_low = failure && (failure->slip.count == 0 || failure->drop_m < kLeastLoaded_m);
+  return is_low && ground.IsBlocked(k) ? std::nullopt : failure;
 }
 
 /// Whether the uppermost soil stands by itself.
@@ -202,7 +208,7 @@ std::optional<StandingWalls::Failure> StandingWalls::FailureOfTop(ColumnId k,
              const double plane_rad = 0.5 * (face_rad + soil.friction_angle_rad);
              if (drop_m <= limit.tan_stand * m * step_m) return;  // however high or loaded
              const double load_pa =
-                 limit.upright_m <= kLeastWedge_m
+                 limit.upright_m <= kLeastWedge_m || drop_m < kLeastLoaded_m
                      ? 0
                      : Surcharge_pa(k, out, drop_m / std::tan(plane_rad) - run_m, ground);
              const double loaded_m =

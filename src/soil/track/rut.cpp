@@ -111,6 +111,11 @@ double Rut::Press(std::size_t patch_index, double touching, const BodyState& bod
   return work_j;
 }
 
+double HeavesAt_m(double across_m, double width_m) {
+  const double inside_m = 0.5 * width_m - std::abs(across_m);
+  return std::copysign(0.5 * width_m + 2 * inside_m, across_m);
+}
+
 /// Where soil goes that leaves a column: beside the gear, on the nearer side; before a side face
 /// that faces down, on the side to which it faces.
 Vec2 Rut::OutsideOf(const Under& column, double cell_m) const {
@@ -121,7 +126,8 @@ Vec2 Rut::OutsideOf(const Under& column, double cell_m) const {
     return p_W_m.head<2>() - (column.width_m * foot.n_W.z() - cell_m) * out_W;
   }
   const double from_middle_m = column.across_m() - column.middle_m;
-  const double out_m = std::copysign(0.5 * column.width_m + cell_m, from_middle_m) - from_middle_m;
+  const double out_m = HeavesAt_m(from_middle_m, column.width_m) +
+                       std::copysign(cell_m, from_middle_m) - from_middle_m;
   return (p_W_m + out_m * foot.across_W).head<2>();
 }
 

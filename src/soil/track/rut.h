@@ -26,6 +26,10 @@ struct Footprint {
   Vec3 across_W;  ///< right-handed with n_W and along_W
 };
 
+/// Where soil heaves that leaves a place `across_m` from the middle of gear `width_m` wide: over as
+/// much ground beside it, the innermost farthest out, as a bearing failure's wedges do.
+double HeavesAt_m(double across_m, double width_m);
+
 /// What running gear does to the columns under it: it presses a rut and carries soil away.
 ///
 /// Frames  W; patches in the frame B of the gear's link.

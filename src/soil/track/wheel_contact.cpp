@@ -90,7 +90,8 @@ void WheelContact::PressRut(const BodyState& body, const LowObstacles& obstacles
 void WheelContact::Sink(ColumnId k, const Rim::Over& rim, double down, const Vec3& left_W,
                         Columns* ground, Rut* rut) const {
   const auto [i, j] = ground->PlaceOf(k);
-  const double out_m = std::copysign(0.5 * rim_.width_m + ground->cell_m(), rim.across_m);
+  const double out_m =
+      HeavesAt_m(rim.across_m, rim_.width_m) + std::copysign(ground->cell_m(), rim.across_m);
   const Vec2 out_W_m =
       Vec2(ground->x_m(i), ground->y_m(j)) + (out_m - rim.across_m) * left_W.head<2>();
   double pen_m = ground->skin(k).top_m - rim.z_m;
