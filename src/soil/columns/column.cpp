@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kThinnest_m = 1e-9;  ///< thinner layers are gone
 constexpr double kMostAtOnce = 0.5;   ///< of the layers' thickness is pressed in at once
-constexpr double kFirmDepth_m = 0.3;  ///< of the plate to which the moduli belong
 
 /// A share of a layer as soil on the move. The layer may be so little soil that it has mass but no
 /// thickness.
@@ -108,19 +107,14 @@ void ReachDown(const ColumnMaterial& m, double influence_m, Column* c) {
   }
 }
 
-/// Makes the layers thinner, each by its share, and takes out what exceeds the density that they
-/// had, or to which the pressure presses them.
-void Compact(const ColumnMaterial& m, double ds_m, double pressure_pa, Column* c,
-             SpoilMix* beside) {
+/// Makes the layers thinner, each by its share, and takes out what exceeds the greatest density.
+void Compact(const ColumnMaterial& m, double ds_m, Column* c, SpoilMix* beside) {
   const double share = 1 - ds_m / Layers_m(*c);
   for (int n = 0; n < c->layer_count; ++n) {
     SoilLayer& layer = c->layers[n];
     const SoilType& soil = m.soils[layer.soil];
-    const double most_kgpm3 =
-        std::min(soil.max_density_kgpm3,
-                 std::max(layer.density_kgpm3(), PressedDensity_kgpm3(soil, pressure_pa)));
     layer.thickness_m *= share;
-    const double excess_kgpm2 = layer.kgpm2 - layer.thickness_m * most_kgpm3;
+    const double excess_kgpm2 = layer.kgpm2 - layer.thickness_m * soil.max_density_kgpm3;
     if (excess_kgpm2 <= 0) continue;
     layer.kgpm2 -= excess_kgpm2;
     const double mass_kg = excess_kgpm2 * m.area_m2;
@@ -178,30 +172,17 @@ void DepositOn(const ColumnMaterial& m, const Spoil& spoil, Column* c) {
   c->top_m = c->bank_m + Layers_m(*c);
 }
 
-void PressColumn(const ColumnMaterial& m, const Pressing& pressing, Column* c, SpoilMix* beside) {
-  c->pressed_m += pressing.ds_m;
-  double rest_m = SettleLoose(m, pressing.ds_m, c);
+void PressColumn(const ColumnMaterial& m, double ds_m, double influence_m, Column* c,
+                 SpoilMix* beside) {
+  c->pressed_m += ds_m;
+  double rest_m = SettleLoose(m, ds_m, c);
   while (rest_m > 0) {
-    ReachDown(m, pressing.influence_m, c);
+    ReachDown(m, influence_m, c);
     const double step_m = std::min(rest_m, kMostAtOnce * Layers_m(*c));
-    Compact(m, step_m, pressing.pressure_pa, c, beside);
+    Compact(m, step_m, c, beside);
     rest_m -= step_m;
   }
   c->top_m = c->bank_m + Layers_m(*c);
-}
-
-double FirmnessOf(const Column& c, const std::vector<SoilType>& soils) {
-  double left_m = kFirmDepth_m, share_m = 0;
-  for (int n = c.layer_count - 1; n >= 0 && left_m > 0; --n) {
-    const SoilLayer& layer = c.layers[n];
-    const double depth_m = std::min(left_m, layer.thickness_m);
-    if (layer.thickness_m > kThinnest_m) {
-      share_m +=
-          depth_m * std::min(1.0, layer.density_kgpm3() / soils[layer.soil].bank_density_kgpm3);
-    }
-    left_m -= depth_m;
-  }
-  return FirmnessAt((share_m + left_m) / kFirmDepth_m);
 }
 
 }  // namespace tera

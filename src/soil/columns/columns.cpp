@@ -119,7 +119,6 @@ void Columns::RefreshSkin(ColumnId k) {
   skin.pressed_m = c.pressed_m;
   skin.soil = c.layer_count > 0 ? c.top_layer()->soil : BankOf(k).soil;
   skin.is_loose = c.is_loose();
-  skin.firmness = static_cast<float>(FirmnessOf(c, soils_));
 }
 
 Columns::Place Columns::PlaceOf(ColumnId k) const {
@@ -145,11 +144,10 @@ Columns::Sample Columns::SampleAt(double x, double y) const {
   const int i = std::min(static_cast<int>(gx), nx() - 2);
   const int j = std::min(static_cast<int>(gy), ny() - 2);
   const double u = gx - i, v = gy - j;
-  Sample sample{0, 0, 0, u < 0.5 ? i : i + 1, v < 0.5 ? j : j + 1};
+  Sample sample{0, 0, u < 0.5 ? i : i + 1, v < 0.5 ? j : j + 1};
   const auto add = [&sample](const Skin& skin, double share) {
     sample.top_m += share * skin.top_m;
     sample.pressed_m += share * skin.pressed_m;
-    sample.firmness += share * static_cast<double>(skin.firmness);
   };
   const ColumnId k = IdAt(i, j);
   if (k != kNone) {  // most often all four stand in one chunk
@@ -304,9 +302,9 @@ void Columns::DepositAt(int i, int j, const Spoil& spoil) {
   }
 }
 
-void Columns::Press(ColumnId k, const Pressing& pressing, SpoilMix* beside) {
+void Columns::Press(ColumnId k, double ds_m, double influence_m, SpoilMix* beside) {
   Column& c = Get(k);
-  PressColumn(MaterialOf(c), pressing, &c, beside);
+  PressColumn(MaterialOf(c), ds_m, influence_m, &c, beside);
   Changed(k);
   ShowRut(k, kRutOfContact + (1 - kRutOfContact) * c.pressed_m / kRutShown_m);
 }
@@ -325,17 +323,6 @@ void Columns::Break(ColumnId k, double thickness_m) {
 }
 
 void Columns::MarkRut(ColumnId k) { ShowRut(k, kRutOfContact); }
-
-void Columns::Load(const std::vector<ColumnId>& columns, double pressure_pa) {
-  if (columns.empty() || pressure_pa <= 0) return;
-  Box box{nx(), ny(), -1, -1};
-  for (const ColumnId k : columns) {
-    SkinOf(k).load_pa = static_cast<float>(pressure_pa);
-    const auto [i, j] = PlaceOf(k);
-    box = {std::min(box.i0, i), std::min(box.j0, j), std::max(box.i1, i), std::max(box.j1, j)};
-  }
-  if (std::find(loaded_.begin(), loaded_.end(), box) == loaded_.end()) loaded_.push_back(box);
-}
 
 void Columns::Unblock(ColumnId k) {
   Release(k);

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "core/types/terrain_surface.h"
@@ -51,8 +50,7 @@ class Columns {
   /// Surface between the columns, bilinear; the nearest border's outside the site.
   struct Sample {
     double top_m, pressed_m;
-    double firmness;  ///< see FirmnessOf
-    int i, j;         ///< a column beside
+    int i, j;  ///< a column beside
   };
   Sample SampleAt(double x_m, double y_m) const;
   /// Upward unit normal of the surface there, over two cells.
@@ -83,8 +81,6 @@ class Columns {
   struct Skin {
     double top_m = 0, loose_m = 0, pressed_m = 0;  ///< as in Column
     float blocked_m = kOpen_m;                     ///< lowest point of a tool in it
-    float firmness = 1;                            ///< see FirmnessOf
-    float load_pa = 0;                             ///< of gear that stands on it
     std::uint8_t soil = 0;                         ///< at the surface
     std::uint8_t rut = 0;                          ///< as shown
     bool is_loose = false;                         ///< as in Column
@@ -158,8 +154,9 @@ class Columns {
   /// Deposit by place; beyond the site's border it leaves the ledger's ground for its outside.
   void DepositAt(int i, int j, const SpoilMix& spoil);
   void DepositAt(int i, int j, const Spoil& spoil);
-  /// Presses the surface down: see PressColumn.
-  void Press(ColumnId k, const Pressing& pressing, SpoilMix* beside);
+  /// Presses the surface down by `ds_m`: loose soil at the surface gives way first, then the upper
+  /// `influence_m` become denser. What exceeds the greatest density is added to `beside`.
+  void Press(ColumnId k, double ds_m, double influence_m, SpoilMix* beside);
   /// Takes the upper `thickness_m` away and adds it to `cut`. What was pressed into the surface
   /// stays so in the one below.
   void Scrape(ColumnId k, double thickness_m, SpoilMix* cut);
@@ -184,19 +181,7 @@ class Columns {
   void Block(ColumnId k, double low_m) { SkinOf(k).blocked_m = static_cast<float>(low_m); }
   bool IsBlocked(ColumnId k) const { return skin(k).blocked_m < kOpen_m; }
   /// The tool may have left: unless it blocks the column again, Unblock is due.
-  void Release(ColumnId k) {
-    SkinOf(k).blocked_m = kOpen_m;
-    SkinOf(k).load_pa = 0;
-  }
-  /// Gear presses on the columns that it blocks, which are no support for a bank then.
-  void Load(const std::vector<ColumnId>& columns, double pressure_pa);
-  bool IsPropped(ColumnId k) const { return IsBlocked(k) && skin(k).load_pa == 0; }
-  /// Columns around what has been loaded since the last call.
-  struct Box {
-    int i0, j0, i1, j1;
-    bool operator==(const Box&) const = default;
-  };
-  std::vector<Box> TakeLoaded() { return std::exchange(loaded_, {}); }
+  void Release(ColumnId k) { SkinOf(k).blocked_m = kOpen_m; }
   void Unblock(ColumnId k);
 
   /// Shows soil in the air.
@@ -249,7 +234,6 @@ class Columns {
   double area_m2_ = 0;
   double outside_kg_ = 0;
   std::vector<ColumnId> changed_;
-  std::vector<Box> loaded_;
   struct Arrival {
     ColumnId to;
     Spoil spoil;

@@ -136,30 +136,22 @@ GearContact::Pressed GearContact::Bear(std::size_t patch_index, double touching,
   const double into_along_radps = body.w_WB_radps.cross(foot.along_W).dot(into_W);
   const double into_across_radps = body.w_WB_radps.cross(foot.across_W).dot(into_W);
   const double climb_m = ClimbHeight_m(gear_);
-  // Columns beside the gear, where soil stands that it has shoved there, do not bear its edge.
-  const double within_m = SideFaces::IsOne(patch)
-                              ? patch.width_m
-                              : std::max(0.0, 0.5 * patch.width_m - ground.cell_m());
   for (int a = 0; a < n_along; ++a) {
     const double along_m = ((a + 0.5) / n_along - 0.5) * patch.length_m;
     const double share = PressureShare(patch, along_m);
     for (int b = 0; b < n_across; ++b) {
       const double across_m = middle_m + ((b + 0.5) / n_across - 0.5) * touching * patch.width_m;
       const Vec3 q_W = foot.p_W_m + along_m * foot.along_W + across_m * foot.across_W;
-      const Vec3 look_W =
-          q_W + (std::clamp(across_m, -within_m, within_m) - across_m) * foot.across_W;
-      const Columns::Sample sample = ground.SampleAt(look_W.x(), look_W.y());
+      const Columns::Sample sample = ground.SampleAt(q_W.x(), q_W.y());
       const auto obstacle = obstacles.TopAt(q_W.x(), q_W.y(), climb_m);
       const bool hard = obstacle && obstacle->z_m > sample.top_m;
-      const double pen_m =
-          ((hard ? obstacle->z_m : sample.top_m) - (hard ? q_W : look_W).z()) * -foot.n_W.z();
+      const double pen_m = ((hard ? obstacle->z_m : sample.top_m) - q_W.z()) * -foot.n_W.z();
       if (pen_m <= 0) continue;
       const std::size_t soil = hard ? soils_.size() - 1 : ground.SoilAt(sample.i, sample.j);
       const Plate& plate = plates_[patch_index * soils_.size() + soil];
       const double sinkage_m = pen_m + (hard ? 0 : sample.pressed_m);
       const double v_mps = into_mps + along_m * into_along_radps + across_m * into_across_radps;
-      const double firmness = hard ? 1 : sample.firmness;
-      const double damped_pa = firmness * plate.DampedPressure_pa(share, pen_m, sinkage_m, v_mps);
+      const double damped_pa = plate.DampedPressure_pa(share, pen_m, sinkage_m, v_mps);
       result.normal_n += damped_pa * area_m2;
       result.moment_W += damped_pa * area_m2 * q_W;
       if (hard) result.moving_W += damped_pa * area_m2 * obstacle->v_W_mps;
@@ -187,7 +179,6 @@ Vec2 GearContact::Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_
   advance(&patch.j_in_m, kInletShare * length_m);
   advance(&patch.j_out_m, length_m);
   patch.in_contact = true;
-  patch.shear_modulus_m = soil.shear_modulus_m;
   const Vec2 j_m = 0.5 * (patch.j_in_m + patch.j_out_m);
   // Mean over the patch between its inlet and its outlet, by Simpson's rule.
   const Vec2 share =
@@ -235,7 +226,7 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
   for (std::size_t k = 0; k < patches_.size(); ++k) {
     if (!patches_[k].is_on_wheel) ActOn(k, step, obstacles, &sum);
   }
-  rut_.End(body, sum.weight_n, ground);
+  rut_.End(body, ground);
   forward_mps_ = sum.weight_n > 0 ? sum.forward_w / sum.weight_n : 0;
   contact_m_ = sum.contact_m;
   deepest_m_ = sum.sinkage_m;
@@ -266,8 +257,7 @@ void GearContact::ActOn(std::size_t k, const Step& step, const LowObstacles& obs
   if (pressed.normal_n > 0) {
     Carry(k, pressed, step, sum);
   } else {
-    const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(foot.p_W_m - body.X_WB.translation());
-    patches_[k].Lift((v_W.head<2>().norm() + std::abs(step.shoe_mps)) * step.dt_s);
+    patches_[k].Lift();
   }
 }
 

@@ -111,43 +111,19 @@ double Rut::Press(std::size_t patch_index, double touching, const BodyState& bod
   return work_j;
 }
 
-double HeavesAt_m(double across_m, double width_m) {
-  const double inside_m = 0.5 * width_m - std::abs(across_m);
-  return std::copysign(0.5 * width_m + 2 * inside_m, across_m);
-}
-
-/// Where soil goes that leaves a column: beside the gear, on the nearer side; before a side face
-/// that faces down, on the side to which it faces.
-Vec2 Rut::OutsideOf(const Under& column, double cell_m) const {
-  const Footprint& foot = column.foot;
-  const Vec3 p_W_m = foot.p_W_m + column.d_W_m;
-  if (SideFaces::IsOne(gear_.patches[column.patch])) {
-    const Vec2 out_W = foot.n_W.head<2>().normalized();
-    return p_W_m.head<2>() - (column.width_m * foot.n_W.z() - cell_m) * out_W;
-  }
-  const double from_middle_m = column.across_m() - column.middle_m;
-  const double out_m = HeavesAt_m(from_middle_m, column.width_m) +
-                       std::copysign(cell_m, from_middle_m) - from_middle_m;
-  return (p_W_m + out_m * foot.across_W).head<2>();
-}
-
 /// Lets a column give way to a patch that has come `pen_m` into it. Returns the work that the
 /// patch's pressure does not do.
 double Rut::Sink(const Under& column, double pen_m, const BodyState& body, double dt_s,
                  Columns* ground) {
-  const ColumnId k = column.id;
-  const std::size_t patch_index = column.patch;
-  const Footprint& foot = column.foot;
-  const Vec3& d_W = column.d_W_m;
+  const auto& [k, patch_index, foot, d_W, middle_m, width_m] = column;
   const ContactPatch& patch = gear_.patches[patch_index];
   const Plate& plate = plates_[patch_index * soils_.size() + ground->soil_at(k)];
-  const Vec3 v_W =
-      body.v_WB_mps + body.w_WB_radps.cross(foot.p_W_m + d_W - body.X_WB.translation());
-  const Vec2 out_W = OutsideOf(column, ground->cell_m());
   const double was_m = ground->skin(k).pressed_m;
   const double plastic_m =
       plate.PlasticSinkage_m(PressureShare(patch, column.along_m()), 1, was_m, pen_m);
   if (plastic_m <= 0) return 0;
+  const Vec3 v_W =
+      body.v_WB_mps + body.w_WB_radps.cross(foot.p_W_m + d_W - body.X_WB.translation());
   // What sinks where it stands presses soil together; what comes along also pushes it aside.
   const double forward = ForwardShare(foot, body, v_W);
   const double moved_on =
@@ -155,30 +131,21 @@ double Rut::Sink(const Under& column, double pen_m, const BodyState& body, doubl
   const double came_along =
       forward * (1 - std::clamp(v_W.z() * foot.n_W.z() * dt_s / plastic_m, 0.0, 1.0));
   const double is_m = was_m + plastic_m;
-  const double firmness = static_cast<double>(ground->skin(k).firmness);
   const double bekker_jpm2 = BekkerWork_jpm2(plate.soil(), plate.width_m(), is_m) -
                              BekkerWork_jpm2(plate.soil(), plate.width_m(), was_m);
-  const double pressure_pa = firmness * BekkerPressure_pa(plate.soil(), plate.width_m(), is_m);
-  Lower(k, {plastic_m / -foot.n_W.z(), kInfluenceDepths * patch.width_m, pressure_pa}, out_W,
-        ground);
-  return firmness * ground->area_m2() *
+  const double from_middle_m = column.across_m() - middle_m;
+  const double out_m = middle_m + std::copysign(0.5 * width_m + ground->cell_m(), from_middle_m);
+  const Vec3 out_W = foot.p_W_m + d_W + (out_m - column.across_m()) * foot.across_W;
+  Lower(k, plastic_m / -foot.n_W.z(), patch.width_m, out_W.head<2>(), ground);
+  return ground->area_m2() *
          (moved_on * bekker_jpm2 + came_along * plate.BulldozingWork_jpm2(was_m, is_m));
 }
 
-void Rut::Lower(ColumnId k, const Pressing& pressing, const Vec2& out_W_m, Columns* ground) {
+void Rut::Lower(ColumnId k, double ds_m, double width_m, const Vec2& out_W_m, Columns* ground) {
   SpoilMix beside;
-  ground->Press(k, pressing, &beside);
+  ground->Press(k, ds_m, kInfluenceDepths * width_m, &beside);
   if (beside.empty()) return;
   ground->DepositAt(ground->NearestI(out_W_m.x()), ground->NearestJ(out_W_m.y()), beside);
-}
-
-double Rut::Shove(ColumnId k, double thickness_m, const Vec2& out_W_m, Columns* ground) {
-  const double shoved_m = std::min(thickness_m, ground->skin(k).loose_m);
-  if (shoved_m < kScraped_m) return 0;
-  SpoilMix shoved;
-  ground->TakeLoose(k, shoved_m, &shoved);
-  ground->DepositAt(ground->NearestI(out_W_m.x()), ground->NearestJ(out_W_m.y()), shoved);
-  return shoved_m;
 }
 
 void Rut::Slip(std::size_t k, double slip_m, double sinkage_m, double contact_m,
@@ -215,8 +182,7 @@ void Rut::ThrowOut(double direction, const BodyState& body, const SpoilMix& thro
   }
 }
 
-void Rut::End(const BodyState& body, double weight_n, Columns* ground) {
-  ground->Load(covered_, weight_n / (static_cast<double>(covered_.size()) * ground->area_m2()));
+void Rut::End(const BodyState& body, Columns* ground) {
   std::vector<ColumnId> free;
   for (const ColumnId k : was_covered_) {
     if (!ground->IsBlocked(k)) free.push_back(k);

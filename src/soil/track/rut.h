@@ -26,17 +26,12 @@ struct Footprint {
   Vec3 across_W;  ///< right-handed with n_W and along_W
 };
 
-/// Where soil heaves that leaves a place `across_m` from the middle of gear `width_m` wide: over as
-/// much ground beside it, the innermost farthest out, as a bearing failure's wedges do.
-double HeavesAt_m(double across_m, double width_m);
-
 /// What running gear does to the columns under it: it presses a rut and carries soil away.
 ///
 /// Frames  W; patches in the frame B of the gear's link.
 /// Model   Columns under a patch give way plastically to where the patch's elastic pressure, with
 ///         its peaks under road wheels, and Bekker's agree, and remember it for later passes.
-///         Height becomes density, as far as the pressure presses soil together; the rest is
-///         shoved beside the gear. Soil
+///         Height becomes density; what would exceed the greatest is put beside the gear. Soil
 ///         between grousers goes with the shoes: where they slip over the ground, a layer as thick
 ///         as they are high, and no thicker than they have sunk in, leaves at the end to which it
 ///         is carried, and the gear sinks by as much, evenly over its contact: h i / (1 - i) in a
@@ -59,24 +54,19 @@ class Rut {
                const LowObstacles& obstacles, Columns* ground);
   /// The gear stands over a column, from `low_m` upwards.
   void Cover(ColumnId k, double low_m, Columns* ground);
-  /// Presses a column's surface under gear that comes along; what cannot be pressed together is
-  /// shoved to `out_W_m`.
-  void Lower(ColumnId k, const Pressing& pressing, const Vec2& out_W_m, Columns* ground);
-  /// Shoves loose soil, up to `thickness_m` of it, before a gear's side to `out_W_m`; returns how
-  /// thick it was.
-  double Shove(ColumnId k, double thickness_m, const Vec2& out_W_m, Columns* ground);
+  /// Lowers the surface of a column by `ds_m` under gear `width_m` wide. What cannot be pressed
+  /// together is put down at `out_W_m`.
+  void Lower(ColumnId k, double ds_m, double width_m, const Vec2& out_W_m, Columns* ground);
   /// Lets patch `k`, whose columns were just pressed, slip by `slip_m` over them, along travel;
   /// `contact_m` is the length of ground under the whole gear.
   /// Its shoes stand `sinkage_m` deep.
   void Slip(std::size_t k, double slip_m, double sinkage_m, double contact_m, const BodyState& body,
             Columns* ground);
-  /// After a step's patches, which carry `weight_n`: it loads the columns below, and soil may slide
-  /// again into those that the gear has left.
-  void End(const BodyState& body, double weight_n, Columns* ground);
+  /// After a step's patches: soil may slide again into columns that the gear has left.
+  void End(const BodyState& body, Columns* ground);
 
  private:
   struct Under;
-  Vec2 OutsideOf(const Under& column, double cell_m) const;
   double Sink(const Under& column, double pen_m, const BodyState& body, double dt_s,
               Columns* ground);
   void ThrowOut(double direction, const BodyState& body, const SpoilMix& thrown, Columns* ground);

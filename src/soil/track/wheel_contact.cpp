@@ -21,7 +21,6 @@ constexpr double kSlowest_mps = 1e-6;
 /// A place where the rim is in the ground.
 struct WheelContact::Sample {
   double pen_m, sinkage_m;  ///< upright
-  double firmness;
   std::size_t soil;
   Vec3 moving_W_mps;
   bool hard;
@@ -81,39 +80,22 @@ void WheelContact::PressRut(const BodyState& body, const LowObstacles& obstacles
       if (obstacle && obstacle->z_m > ground->TopAt(i, j)) continue;
       const ColumnId k = ground->Touch(i, j);
       rut->Cover(k, rim->z_m, ground);
-      Sink(k, *rim, -at.n_W.z(), left_W, ground, rut);
+      const std::size_t strip = StripAt(rim->across_m);
+      const Plate& plate = plates_[ground->soil_at(k)];
+      const double entry_rad = entry_rad_[strip];
+      const double share = rolling_.BearingShare(plate.soil(), grouser_m_,
+                                                 rim_.radius_m * (1 - std::cos(entry_rad)));
+      const double pressed_m = ground->skin(k).pressed_m;
+      const double bears = rolling_.ShareAt(
+          {side() * rim->angle_rad, 2 * rim->across_m / rim_.width_m, pressed_m, pen_m}, entry_rad,
+          share);
+      const double plastic_m = plate.PlasticSinkage_m(-at.n_W.z(), bears, pressed_m, pen_m);
+      if (plastic_m <= 0) continue;
+      const double out_m = std::copysign(0.5 * rim_.width_m + ground->cell_m(), rim->across_m);
+      rut->Lower(k, plastic_m, rim_.width_m,
+                 (at.p_W_m + (out_m - rim->across_m) * left_W).head<2>(), ground);
     }
   }
-}
-
-/// Lets a column give way to the rim over it, whose normal faces `down`.
-void WheelContact::Sink(ColumnId k, const Rim::Over& rim, double down, const Vec3& left_W,
-                        Columns* ground, Rut* rut) const {
-  const auto [i, j] = ground->PlaceOf(k);
-  const double out_m =
-      HeavesAt_m(rim.across_m, rim_.width_m) + std::copysign(ground->cell_m(), rim.across_m);
-  const Vec2 out_W_m =
-      Vec2(ground->x_m(i), ground->y_m(j)) + (out_m - rim.across_m) * left_W.head<2>();
-  double pen_m = ground->skin(k).top_m - rim.z_m;
-  if (rim.across_m * aside_mps_ > 0) {
-    const double aside =
-        aside_mps_ * aside_mps_ / (aside_mps_ * aside_mps_ + forward_mps_ * forward_mps_);
-    pen_m -= rut->Shove(k, aside * pen_m, out_W_m, ground);
-  }
-  const Plate& plate = plates_[ground->soil_at(k)];
-  const double entry_rad = entry_rad_[StripAt(rim.across_m)];
-  const double share =
-      rolling_.BearingShare(plate.soil(), grouser_m_, rim_.radius_m * (1 - std::cos(entry_rad)));
-  const double pressed_m = ground->skin(k).pressed_m;
-  const double bears =
-      rolling_.ShareAt({side() * rim.angle_rad, 2 * rim.across_m / rim_.width_m, pressed_m, pen_m},
-                       entry_rad, share);
-  const double plastic_m = plate.PlasticSinkage_m(down, bears, pressed_m, pen_m);
-  if (plastic_m <= 0) return;
-  const double pressure_pa =
-      static_cast<double>(ground->skin(k).firmness) *
-      BekkerPressure_pa(plate.soil(), plate.width_m(), bears * (pressed_m + plastic_m));
-  rut->Lower(k, {plastic_m, rim_.width_m, pressure_pa}, out_W_m, ground);
 }
 
 /// Where the rim enters ground as high as a column beyond the foremost place at which it is in it.
@@ -137,12 +119,9 @@ std::optional<WheelContact::Sample> WheelContact::SampleAt(const Rim::Point& at,
   const bool hard = obstacle && obstacle->z_m > sample.top_m;
   const double pen_m = (hard ? obstacle->z_m : sample.top_m) - at.p_W_m.z();
   if (pen_m <= 0) return std::nullopt;
-  return Sample{pen_m,
-                pen_m + (hard ? 0 : sample.pressed_m),
-                hard ? 1 : sample.firmness,
+  return Sample{pen_m, pen_m + (hard ? 0 : sample.pressed_m),
                 hard ? soils_.size() - 1 : ground.SoilAt(sample.i, sample.j),
-                hard ? obstacle->v_W_mps : Vec3(Vec3::Zero()),
-                hard};
+                hard ? obstacle->v_W_mps : Vec3(Vec3::Zero()), hard};
 }
 
 /// Normal stress along a line across the rim.
@@ -175,7 +154,6 @@ WheelContact::Node WheelContact::Bear(double angle_rad, const BodyState& body,
     }
     const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(at.p_W_m - body.X_WB.translation());
     const double damped_pa =
-        sample->firmness *
         plate.DampedPressure_pa(down, sample->pen_m, bears * sample->sinkage_m, v_W.dot(into_W));
     node.normal_n += damped_pa * area_m2;
     node.moment_W += damped_pa * area_m2 * at.p_W_m;

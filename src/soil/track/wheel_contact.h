@@ -45,8 +45,6 @@ class WheelContact {
   struct Sample;
   void PressRut(const BodyState& body, const LowObstacles& obstacles, Columns* ground,
                 Rut* rut) const;
-  void Sink(ColumnId k, const Rim::Over& rim, double down, const Vec3& left_W, Columns* ground,
-            Rut* rut) const;
   double FindEntry_rad(double front_rad, double across_m, const BodyState& body,
                        const Columns& ground) const;
   std::optional<Sample> SampleAt(const Rim::Point& at, const Columns& ground,

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "soil/block_fixture.h"
 #include "soil/flow/avalanche.h"
 #include "soil/flow/grains.h"
 #include "soil/soil_fixture.h"
@@ -382,32 +381,6 @@ TEST(StandingWall, SandOverClaySlumpsAndTheClayBelowStands) {
   EXPECT_NEAR(wall.EdgeTop_m(), -0.3, 0.05);
   EXPECT_GE(wall.EdgeTop_m(), -0.3 - 1e-9);
   EXPECT_EQ(wall.ground.TopAt(40, 60), 0);
-}
-
-/// Height of the crust 0.25 m behind the rim of a pit in clay, 0.9 m deep with upright walls, after
-/// two seconds; a block on tracks that stand across the rim, half of them over it, or nothing.
-double CrustUnderTracks_m(bool loaded) {
-  // It stands up to 4 c / (rho g) tan(45 deg + phi / 2) - 2 q / (rho g): 1.19 m less 4.7 m under
-  // half of the tracks' ground, 82 kPa.
-  Block block(
-      "size_m: [8, 6]\nsoil: clay\n"
-      "pits: [{outline_m: [[0.01, -2], [3, -2], [3, 2], [0.01, 2]], depth_m: 0.9}]\n",
-      Vec2(0, 0));
-  if (!loaded) block.links[0].X_WB.translation().z() = 5;
-  for (int k = 0; k < 1000; ++k) {
-    if (loaded) {
-      block.ActAndSinkGently();
-    } else {
-      block.Act();
-    }
-  }
-  EXPECT_NEAR(block.soil->ledger().total_kg(), 0, 1e-9);
-  return block.soil->surface().HeightAt(-0.25, 0.5 * kGauge_m);
-}
-
-TEST(StandingWall, AMachineOnTheRimOfABankBringsDownWhatStandsWithoutIt) {
-  EXPECT_NEAR(CrustUnderTracks_m(false), 0, 1e-6);
-  EXPECT_LT(CrustUnderTracks_m(true), -0.2);
 }
 
 }  // namespace

@@ -4,8 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include "soil/block_fixture.h"
 #include "soil/track/terramechanics.h"
@@ -178,37 +176,6 @@ TEST(GearContact, ShearingBackAndForthDissipates) {
   EXPECT_NEAR(push(-0.865 * 0.018), 0.579, 0.03);
 }
 
-TEST(GearContact, ShoesThatLiftOffAndComeDownInTheirPrintsAreStillSheared) {
-  // Locked tracks pushed on by 2 K, K = 18 mm: 1 - e^-2 of the strength. Lifted straight up and set
-  // down again they meet the soil that stayed between the ribs; set down 10 K farther on, fresh
-  // one.
-  for (const double aside_m : {0.0, 0.18}) {
-    Block block("size_m: [12, 4]\nsoil: sand\n", Vec2(0.1, 0), 0);
-    block.Stand(2000);
-    const auto move = [&](const Vec3& by_m, int steps) {
-      for (int k = 0; k < steps; ++k) {
-        block.links[0].v_WB_mps = by_m / (steps * kStep_s);
-        block.Act();
-        block.links[0].X_WB.translation() += kStep_s * block.links[0].v_WB_mps;
-      }
-      block.links[0].v_WB_mps.setZero();
-    };
-    for (int k = 0; k < 9000; ++k) {
-      block.links[0].v_WB_mps.x() = 0.002;
-      block.ActAndSinkGently();
-    }
-    block.links[0].v_WB_mps.x() = 0;
-    move(Vec3(0, 0, 0.1), 500);
-    move(Vec3(aside_m, 0, 0), 500);
-    move(Vec3(0, 0, -0.1), 500);
-    Vec3 force_n;
-    for (int k = 0; k < 1000; ++k) force_n = block.ActAndSinkGently();
-    const double strength_n =
-        kMass_kg * kStandardGravity_mps2 * std::tan(28 * kDeg) + 2 * kWidth_m * kLength_m * 1040;
-    EXPECT_NEAR(force_n.x() / strength_n, aside_m > 0 ? 0 : -0.865, 0.05) << aside_m;
-  }
-}
-
 TEST(GearContact, SandThatIsPressedAsideDoesNotComeBackUnderTheTrack) {
   // A machine twice as heavy presses the sand beyond its greatest density, so that some of it goes
   // aside. Driving on costs the work of the rut, once: Bekker's compaction resistance.
@@ -243,81 +210,10 @@ TEST(GearContact, SecondPassSinksOnlyFromWhereTheFirstHasPressed) {
   const double second_m = block.Rut_m(0);
   block.mass_kg *= 2;
   block.Stand();
-  double third_m = 0;  // under the block: behind it sand comes down from both ridges
-  block.Drive(5, 1.0, 0, [&](const Vec3&) { third_m = -block.links[0].X_WB.translation().z(); });
-  const double rebound_m = 2 * (kDepth_m - DrySandSinkage_m(1));
+  block.Drive(5, 1.0, 0, kNothing);
   EXPECT_NEAR(first_m / DrySandSinkage_m(1), 1, 0.05);
   EXPECT_NEAR(second_m / first_m, 1, 0.02);
-  EXPECT_NEAR((third_m - rebound_m) / DrySandSinkage_m(2), 1, 0.05);
-}
-
-/// Volumes of the ground below and above its level.
-std::pair<double, double> LoweredAndRaised_m3(const TerrainSurface& ground) {
-  double lowered_m3 = 0, raised_m3 = 0;
-  for (int j = 0; j < ground.ny; ++j) {
-    for (int i = 0; i < ground.nx; ++i) {
-      const double m3 = ground.at(i, j).height_m * ground.cell_m * ground.cell_m;
-      (m3 < 0 ? lowered_m3 : raised_m3) += std::abs(m3);
-    }
-  }
-  return {lowered_m3, raised_m3};
-}
-
-TEST(GearContact, ATurnOnTheSpotShovesSandAsideRatherThanPressingItTogether) {
-  // Sheared sand keeps its volume but for what the pressure presses together: a void ratio of 0.81
-  // loses 0.05 log10(1 + 41 kPa / 10 kPa) = 0.035, 2 % of the 0.3 m below, 6 mm of some 3 cm.
-  Block block("size_m: [8, 8]\nsoil: sand\n", Vec2(0, 0), 0, {.nose_m = 0.25});
-  block.Stand();
-  const double rate_radps = 0.4, shoe_mps = rate_radps * kGauge_m / 2;
-  block.motion.gear_rate_radps = {-shoe_mps / 0.25, shoe_mps / 0.25};
-  block.links[0].w_WB_radps.z() = rate_radps;
-  for (int k = 0; k < 4000; ++k) {
-    block.ActAndSinkGently();
-    block.links[0].X_WB.linear() =
-        RotationFromRpy(0, 0, rate_radps * kStep_s) * block.links[0].X_WB.linear();
-  }
-  const auto [lowered_m3, raised_m3] = LoweredAndRaised_m3(block.soil->surface());
-  EXPECT_GT(lowered_m3, 0.03);
-  EXPECT_GT(raised_m3 / lowered_m3, 0.6);
-  EXPECT_LT(raised_m3 / lowered_m3, 1);
-  EXPECT_NEAR(block.soil->ledger().total_kg(), 0, 1e-9);
-  RecordProperty("lowered_m3", fmt::format("{:.3f}", lowered_m3));
-  RecordProperty("raised_m3", fmt::format("{:.3f}", raised_m3));
-}
-
-TEST(GearContact, FreshFillRutsDeeperThanFirmGroundAndBecomesDenser) {
-  // Dug dirt of 1340 kg/m^3, 0.6 m deep, and as it lies, 1474: the modulus is (1340 / 1474)^12.4 =
-  // 0.31 of the firm one's, so that without getting denser the rut were 0.31^(-1 / 0.7) = 5.4 times
-  // as deep.
-  const auto rut = [](bool fill) {
-    Columns ground = LevelColumns(Shipped("dirt"), 0.05, 121);
-    for (int j = 0; fill && j < ground.ny(); ++j) {
-      for (int i = 0; i < ground.nx(); ++i) ground.Break(ground.Touch(i, j), 0.6);
-    }
-    const double level_m = ground.HeightAt(0, 0);
-    GearContact track(FlatTrack(0, kLength_m, kWidth_m, kPatches), true, ground.soils());
-    BodyState body;
-    body.X_WB = MakePose(Vec3(-2, 0, level_m + 0.001), 0, 0, 0);
-    const double mass_kg = 1750;
-    for (int k = 0; k < 2000; ++k) {
-      const auto result = track.Act(body, 1.0 / 0.25, kStep_s, LowObstacles(), &ground);
-      body.v_WB_mps.x() = 1;
-      body.v_WB_mps.z() +=
-          kStep_s * (result.wrench.force_W_n.z() / mass_kg - kStandardGravity_mps2);
-      body.X_WB.translation() += kStep_s * body.v_WB_mps;
-    }
-    const Column& column = ground.at(ground.IdAt(ground.NearestI(0), ground.NearestJ(0)));
-    return std::pair(level_m - ground.HeightAt(0, 0), column.top_layer()->density_kgpm3());
-  };
-  const auto [firm_m, firm_kgpm3] = rut(false);
-  const auto [fill_m, fill_kgpm3] = rut(true);
-  EXPECT_GT(fill_m / firm_m, 2);
-  EXPECT_LT(fill_m / firm_m, 5.4);
-  EXPECT_GT(fill_kgpm3, 1355);
-  EXPECT_LT(fill_kgpm3, firm_kgpm3);
-  RecordProperty("firm_rut_mm", fmt::format("{:.1f}", 1e3 * firm_m));
-  RecordProperty("fill_rut_mm", fmt::format("{:.1f}", 1e3 * fill_m));
-  RecordProperty("fill_kgpm3", fmt::format("{:.0f}", fill_kgpm3));
+  EXPECT_NEAR(block.Rut_m(0) / DrySandSinkage_m(2), 1, 0.05);
 }
 
 TEST(GearContact, GroundReboundsWhenTheLoadIsGone) {
