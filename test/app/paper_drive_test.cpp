@@ -94,7 +94,7 @@ TEST_F(PaperDrive, ThreeCausesGiveTheLengthsAndTheErrorOfThePaper) {
     const Compared compared = Read(Run({"compare", cause, "sim"}).out);
     EXPECT_NEAR(compared.reference_m, 57.39, 0.05);
     EXPECT_NEAR(compared.compared_m, 50.47, 0.05);
-    EXPECT_NEAR(compared.aligned_m, 1.376, 0.03);
+    EXPECT_NEAR(compared.aligned_m, 1.376, 0.02);
   }
 }
 
