@@ -76,7 +76,7 @@ class PersonRange {
   PersonStudy study_;
   double reflectance_;
   std::vector<BodyPatch> patches_;
-  /// Of each direction, moment by moment.
+  /// One of each direction, moment by moment.
   std::vector<std::vector<Reach>> directions_ = std::vector<std::vector<Reach>>(kSectors);
   std::vector<std::vector<Reach>> quarters_;    ///< as kQuarters; of each moment
   std::vector<double> had_place_, had_enough_;  ///< moments of each place, by sector and step

@@ -143,7 +143,7 @@ void RequireMarkedGaps(const std::filesystem::path& file, GDALRasterBand* band,
     return of.gap_m > (number == 0 ? kHighestCliffOverSea_m : kHighestWall_m) &&
            StandsForNoHeight(number, band) && of.gap_m > WidestGap_m(height_m, of.height_m);
   };
-  // Of two heights alone, the one that files hold for none, else the rarer.
+  // Between two heights alone: the one that files hold for none, else the rarer.
   const bool high_stands = StandsForNoHeight(stored(high.height_m), band),
              low_stands = StandsForNoHeight(stored(low.height_m), band);
   const bool is_high_first = high_stands != low_stands ? high_stands : high.pixels < low.pixels;

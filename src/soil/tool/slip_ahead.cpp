@@ -23,7 +23,7 @@ constexpr double kLeastMotion = 1e-9;
 
 double CrossProduct(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// What stands between a slip plane and the ground, for each metre of width.
+/// The soil between a slip plane and the ground, for each metre of width.
 struct Lifted {
   double end_m = 0;       ///< where it ends ahead
   double slope = 0;       ///< of the plane

@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// What shows how far a thing turns beside its rates. All columns have as many numbers as there
+/// Columns that show how far a thing turns beside its rates. All have as many numbers as there
 /// are times; where they do not, they show nothing.
 struct TurnWitness {
   std::vector<TimeNs> t_ns;
