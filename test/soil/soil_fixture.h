@@ -74,6 +74,13 @@ inline Shovel CompactBucket() {
   return bucket;
 }
 
+/// A machine with that bucket alone.
+inline int AddCompactBucket(Soil* soil) {
+  GroundTools tools;
+  tools.shovels = {CompactBucket()};
+  return soil->AddMachine(tools);
+}
+
 /// Its blade, in the blade's frame.
 inline Shovel CompactBlade() {
   Shovel blade;

@@ -22,15 +22,6 @@ constexpr double kShellDampingRatio = 0.2;  ///< of critical for the mass that t
 constexpr double kSlideSpeed_mps = 0.10;    ///< shell friction is proportional to speed below it
 constexpr double kBeside_m = 0.1;           ///< where the ground beside the shovel is looked at
 constexpr double kNear_m = 0.3;             ///< a shovel this close to the ground holds soil back
-constexpr double kLeastSpeed_mps = 1e-4;    ///< no direction below it
-// Soil pushed aside.
-constexpr std::size_t kWidestWedge = 60;  ///< columns
-constexpr double kFan_rad = 25 * kDeg;    ///< to both sides of the direction of motion
-constexpr double kParcel_m = 0.001;       ///< soil is spread in parcels at least this thick
-constexpr double kThickest_m = 0.02;      ///< and at most this
-constexpr int kLongestRoll = 60;          ///< columns
-/// Loose shares of what is pushed: it begins to slide as a heap, and does so wholly.
-constexpr double kHalfLoose = 0.5, kNearlyLoose = 0.9;
 // Carried soil.
 constexpr double kSpillTime_s = 0.25;   ///< time constant at which what cannot stay leaves
 constexpr double kStuckClod_m = 0.025;  ///< thickest layer that hangs on the shell: an estimate
@@ -40,26 +31,14 @@ constexpr double kMouthDown = -0.7;     ///< z of a mouth that looks down
 constexpr double kGravityTime_s = 0.2;  ///< over which apparent gravity is smoothed
 constexpr double kMostGravity_mps2 = 3 * kStandardGravity_mps2;  ///< more is a knock
 
-/// The n-th multiple of a ratio, without its whole part: with these two ratios, numbers that fill a
-/// square evenly, however many there are (Roberts 2018, the sequence R2).
-constexpr double kAcross = 0.7548776662466927, kAlong = 0.5698402909980532;
-double Turn(std::size_t n, double ratio) {
-  const double at = ratio * static_cast<double>(n);
-  return at - std::floor(at);
-}
-
 double Clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
 
-/// The column nearest to a place in columns.
-int Nearest(double columns) { return static_cast<int>(std::lround(columns)); }
+}  // namespace
 
-/// A level unit vector below a direction.
-Vec2 Level(const Vec3& v_W) {
+Vec2 Digging::Level(const Vec3& v_W) {
   const Vec2 level = v_W.head<2>();
   return level.norm() > kLeastSpeed_mps ? Vec2(level.normalized()) : Vec2(Vec2::UnitX());
 }
-
-}  // namespace
 
 Digging::Digging(const Shovel& shovel, std::vector<SoilType> soils)
     : shovel_(shovel),
@@ -159,106 +138,6 @@ void Digging::FindFootprint(const BodyState& body, double dt_s, Columns* ground)
   }
 }
 
-/// Where one comes out of the footprint from a column of it, in columns.
-Vec2 Digging::WayOutFrom(const Swept& swept, const Vec2& direction) const {
-  constexpr double kStep = 0.7;  // in columns: skips none
-  Vec2 at(swept.i, swept.j);
-  while (InFootprint(Nearest(at.x()), Nearest(at.y()))) at += kStep * direction;
-  return at;
-}
-
-/// How far what stands at a place higher than a part of the shovel slides as a heap, from 0, where
-/// half of it is firm soil that breaks, to 1, where nearly all is loose.
-double Digging::SlidesAsHeap(const Place& at, const Swept& swept, const Columns& ground) const {
-  const ColumnId k = ground.IdAt(at.i, at.j);
-  if (k == Columns::kNone) return 0;
-  const Columns::Skin& skin = ground.skin(k);
-  const double over_m = skin.top_m - swept.crossing.low_m;
-  return over_m > 0 ? Clamp01((skin.loose_m / over_m - kHalfLoose) / (kNearlyLoose - kHalfLoose))
-                    : 0;
-}
-
-/// The ground outside the footprint that a part of the shovel moves when it pushes in `way_out`:
-/// of firm soil what stands above a plane that rises from the shovel's lowest point at Rankine's
-/// passive angle, in a fan; of a heap, straight ahead, as far as the edge moves it.
-Digging::Heap Digging::HeapBefore(const BodyState& body, const Swept& swept, const Vec2& way_out,
-                                  const SoilType& soil, const Columns& ground) const {
-  const Vec2 straight = WayOutFrom(swept, way_out);
-  const double slides = SlidesAsHeap(PlaceNear(straight), swept, ground);
-  // Unfanned, all that one place of the shovel pushes would lie in one line.
-  const double fan_rad = (1 - slides) * kFan_rad * (2 * Turn(put_, kAcross) - 1);
-  const Vec2 direction(std::cos(fan_rad) * way_out.x() - std::sin(fan_rad) * way_out.y(),
-                       std::sin(fan_rad) * way_out.x() + std::cos(fan_rad) * way_out.y());
-  Heap heap{.out = WayOutFrom(swept, direction), .direction = direction};
-  if (RidesOver(body, heap.At(0), soil.repose_angle_rad, ground)) {
-    heap.out = WayOutFrom(swept, -direction);
-    return heap;
-  }
-  const double rise_m = std::tan(kPi / 4 - soil.friction_angle_rad / 2) * ground.cell_m();
-  const auto rises = [&](std::size_t n) {
-    const auto [i, j] = heap.At(n);
-    return ground.Contains(i, j) && !InFootprint(i, j) &&
-           swept.crossing.low_m + static_cast<double>(n) * rise_m < ground.TopAt(i, j);
-  };
-  while (heap.columns < kWidestWedge && rises(heap.columns)) ++heap.columns;
-  const auto wedge = static_cast<double>(heap.columns);
-  const double moved = edge_.lifted_W_m().dot(way_out) / ground.cell_m();
-  heap.columns = std::min(kWidestWedge,
-                          static_cast<std::size_t>(wedge + slides * std::max(0.0, moved - wedge)));
-  return heap;
-}
-
-/// Puts soil outside the footprint in `way_out`, on the columns that move there. From there it
-/// rolls down what is steeper than repose, or over a blade.
-void Digging::PutOutside(const BodyState& body, const Swept& swept, const Vec2& way_out,
-                         SpoilMix* spoil, Columns* ground) {
-  const SoilType& soil = soils_[spoil->main_soil()];
-  const Heap heap = HeapBefore(body, swept, way_out, soil, *ground);
-  // In parcels that are worth the trouble, which take turns over the columns.
-  const double thickness_m = spoil->volume_m3() / ground->area_m2();
-  const std::size_t parcels = std::clamp<std::size_t>(
-      static_cast<std::size_t>(thickness_m / kParcel_m), 1,
-      std::max(heap.columns, static_cast<std::size_t>(thickness_m / kThickest_m)));
-  for (std::size_t p = 0; p < parcels; ++p) {
-    const double turn = Turn(++put_, kAlong);
-    Place rest = heap.At(static_cast<std::size_t>(turn * static_cast<double>(heap.columns)));
-    const double repose_rad = soil.repose_angle_rad;
-    for (int k = 0; k < kLongestRoll && RollsOn(repose_rad, *ground, &rest); ++k) continue;
-    ground->DepositAt(rest.i, rest.j, spoil->Take(1.0 / static_cast<double>(parcels - p)));
-  }
-}
-
-/// Whether soil that comes to a place before a blade rides up and over it: where what lies there
-/// already reaches as high as a heap that falls at repose from the blade's top edge, but not over
-/// that edge, as a bank does.
-bool Digging::RidesOver(const BodyState& body, const Place& at, double repose_rad,
-                        const Columns& ground) const {
-  if (shovel_.capacity_m3 > 0 || !ground.Contains(at.i, at.j)) return false;
-  const Vec3 top_W = body.X_WB * shape_.top_edge_B();
-  const Vec2 from_top(ground.x_m(at.i) - top_W.x(), ground.y_m(at.j) - top_W.y());
-  const double ahead_m = from_top.dot(Level(body.X_WB.linear() * shape_.mouth_normal_B()));
-  const double over_top_m = ground.TopAt(at.i, at.j) - top_W.z();
-  return over_top_m < 0 && over_top_m > -std::max(0.0, ahead_m) * std::tan(repose_rad);
-}
-
-/// Whether soil put on a column rolls on, and to which of those around: the steepest way down that
-/// the shovel does not bar.
-bool Digging::RollsOn(double repose_rad, const Columns& ground, Place* at) const {
-  if (!ground.Contains(at->i, at->j)) return false;
-  const double top_m = ground.TopAt(at->i, at->j);
-  double steepest = std::tan(repose_rad) * ground.cell_m();
-  const Place from = *at;
-  for (int dj = -1; dj <= 1; ++dj) {
-    for (int di = -1; di <= 1; ++di) {
-      const Place to{from.i + di, from.j + dj};
-      if ((di == 0 && dj == 0) || !ground.Contains(to.i, to.j) || InFootprint(to.i, to.j)) continue;
-      const double fall = (top_m - ground.TopAt(to.i, to.j)) / std::hypot(di, dj);
-      if (fall > steepest) steepest = fall, *at = to;
-    }
-  }
-  return at->i != from.i || at->j != from.j;
-}
-
 /// The ground on the side of the shovel where it lies lowest, which is where it gives way.
 double Digging::LowestBeside_m(const BodyState& body, const Columns& ground) const {
   constexpr std::array<double, 3> kAt = {-0.4, 0.0, 0.4};  // along a side, of its length
@@ -319,19 +198,6 @@ bool Digging::PressShell(const BodyState& body, const Swept& swept, double dt_s,
       -std::tan(friction_rad) * normal_n * slide_W / std::max(slide_W.norm(), kSlideSpeed_mps);
   wrench->AddForceAt(-normal_n * n_W + friction_W, p_W, body.X_WB.translation());
   return true;
-}
-
-/// Where soil goes that a part of the shovel pushes: ahead of it, or, pressed down, to the nearer
-/// side.
-Vec2 Digging::WayOut(const BodyState& body, const Vec3& p_W, const Vec3& v_W) const {
-  const Vec2 ahead = v_W.head<2>();
-  if (ahead.norm() >= 0.5 * std::abs(v_W.z()) && ahead.norm() >= kLeastSpeed_mps) {
-    return ahead.normalized();
-  }
-  const Mat3& R_WB = body.X_WB.linear();
-  const double y_B = (R_WB.transpose() * (p_W - body.X_WB.translation())).y();
-  const Vec2 side = (y_B >= 0 ? 1.0 : -1.0) * R_WB.col(1).head<2>();
-  return Level({side.x(), side.y(), 0});
 }
 
 void Digging::CutFootprint(const BodyState& body, double dt_s, Columns* ground, Wrench* wrench) {

@@ -54,6 +54,9 @@ class Digging {
     int i, j;
     ShovelShape::Crossing crossing;
   };
+  static constexpr double kLeastSpeed_mps = 1e-4;  ///< no direction below it
+  /// A level unit vector below a direction.
+  static Vec2 Level(const Vec3& v_W);
   Vec2 ShellThickness_B(const BodyState& body, double cell_m) const;
   void FrameMask(const BodyState& body, double behind_m, const Columns& ground);
   std::optional<ShovelShape::Crossing> CrossingOfShell(const BodyState& body, double x_m,

@@ -1,9 +1,8 @@
-#include "soil/tool/ground_ahead.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/units.h"
+#include "soil/tool/slip_ahead.h"
 
 namespace tera {
 namespace {
