@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kThinnest_m = 1e-9;  ///< thinner layers are gone
 constexpr double kMostAtOnce = 0.5;   ///< of the layers' thickness is pressed in at once
+constexpr double kFirmDepth_m = 0.3;  ///< of the plate to which the moduli belong
 
 /// A share of a layer as soil on the move. The layer may be so little soil that it has mass but no
 /// thickness.
@@ -183,6 +184,20 @@ void PressColumn(const ColumnMaterial& m, double ds_m, double influence_m, Colum
     rest_m -= step_m;
   }
   c->top_m = c->bank_m + Layers_m(*c);
+}
+
+double FirmnessOf(const Column& c, const std::vector<SoilType>& soils) {
+  double left_m = kFirmDepth_m, share_m = 0;
+  for (int n = c.layer_count - 1; n >= 0 && left_m > 0; --n) {
+    const SoilLayer& layer = c.layers[n];
+    const double depth_m = std::min(left_m, layer.thickness_m);
+    if (layer.thickness_m > kThinnest_m) {
+      share_m +=
+          depth_m * std::min(1.0, layer.density_kgpm3() / soils[layer.soil].bank_density_kgpm3);
+    }
+    left_m -= depth_m;
+  }
+  return FirmnessAt((share_m + left_m) / kFirmDepth_m);
 }
 
 }  // namespace tera

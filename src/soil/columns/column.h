@@ -69,4 +69,7 @@ void DepositOn(const ColumnMaterial& material, const Spoil& spoil, Column* colum
 void PressColumn(const ColumnMaterial& material, double ds_m, double influence_m, Column* column,
                  SpoilMix* beside);
 
+/// Firmness (FirmnessAt) of a column's uppermost 0.3 m, as wide as Terzaghi's plate.
+double FirmnessOf(const Column& column, const std::vector<SoilType>& soils);
+
 }  // namespace tera

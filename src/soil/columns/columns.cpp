@@ -119,6 +119,7 @@ void Columns::RefreshSkin(ColumnId k) {
   skin.pressed_m = c.pressed_m;
   skin.soil = c.layer_count > 0 ? c.top_layer()->soil : BankOf(k).soil;
   skin.is_loose = c.is_loose();
+  skin.firmness = static_cast<float>(FirmnessOf(c, soils_));
 }
 
 Columns::Place Columns::PlaceOf(ColumnId k) const {
@@ -144,10 +145,11 @@ Columns::Sample Columns::SampleAt(double x, double y) const {
   const int i = std::min(static_cast<int>(gx), nx() - 2);
   const int j = std::min(static_cast<int>(gy), ny() - 2);
   const double u = gx - i, v = gy - j;
-  Sample sample{0, 0, u < 0.5 ? i : i + 1, v < 0.5 ? j : j + 1};
+  Sample sample{0, 0, 0, u < 0.5 ? i : i + 1, v < 0.5 ? j : j + 1};
   const auto add = [&sample](const Skin& skin, double share) {
     sample.top_m += share * skin.top_m;
     sample.pressed_m += share * skin.pressed_m;
+    sample.firmness += share * static_cast<double>(skin.firmness);
   };
   const ColumnId k = IdAt(i, j);
   if (k != kNone) {  // most often all four stand in one chunk

@@ -50,7 +50,8 @@ class Columns {
   /// Surface between the columns, bilinear; the nearest border's outside the site.
   struct Sample {
     double top_m, pressed_m;
-    int i, j;  ///< a column beside
+    double firmness;  ///< see FirmnessOf
+    int i, j;         ///< a column beside
   };
   Sample SampleAt(double x_m, double y_m) const;
   /// Upward unit normal of the surface there, over two cells.
@@ -81,6 +82,7 @@ class Columns {
   struct Skin {
     double top_m = 0, loose_m = 0, pressed_m = 0;  ///< as in Column
     float blocked_m = kOpen_m;                     ///< lowest point of a tool in it
+    float firmness = 1;                            ///< see FirmnessOf
     std::uint8_t soil = 0;                         ///< at the surface
     std::uint8_t rut = 0;                          ///< as shown
     bool is_loose = false;                         ///< as in Column

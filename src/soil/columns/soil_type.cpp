@@ -14,6 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double kSteepest_deg = 89.0;   ///< angles of a soil stay short of vertical
+constexpr double kFirmnessPower = 12.4;  ///< ln(160 / 13) / ln(1.75 / 1.43)
 constexpr double kLocalShear = 2.0 / 3;  ///< Terzaghi's reduction of cohesion and tan(phi)
 
 fs::path SoilFolder() { return DataRoot() / "config" / "soils"; }
@@ -85,6 +86,10 @@ SoilType ScaledByFooting(const SoilType& soil, const Footing& footing) {
   scaled.k_c_npm_n1 *= footing.stiffness;
   scaled.k_phi_npm_n2 *= footing.stiffness;
   return scaled;
+}
+
+double FirmnessAt(double density_share) {
+  return density_share < 1 ? std::pow(density_share, kFirmnessPower) : 1;
 }
 
 BearingFactors LocalShear(double friction_angle_rad) {

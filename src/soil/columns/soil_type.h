@@ -26,6 +26,12 @@ inline double LooseDensity_kgpm3(const SoilType& soil) {
   return soil.bank_density_kgpm3 / soil.swell;
 }
 
+/// Bearing modulus of soil of `density_share` of its undisturbed density over that which it has
+/// there, at most 1: its 12.4th power. Terzaghi's moduli of subgrade reaction of loose and dense
+/// sand (Geotechnique 5, 1955: 13 and 160 MN/m^3) over their densities (Terzaghi and Peck 1967,
+/// table 6.3: 1.43 and 1.75 t/m^3).
+double FirmnessAt(double density_share);
+
 /// Bearing factors of a strip footing for local shear (soil that compresses before it fails: two
 /// thirds of tan phi): Reissner's N_q, Prandtl's N_c and Vesic's N_gamma.
 /// Source: Terzaghi 1943; Das, Principles of Foundation Engineering, ch. 3.

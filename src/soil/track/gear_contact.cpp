@@ -151,7 +151,8 @@ GearContact::Pressed GearContact::Bear(std::size_t patch_index, double touching,
       const Plate& plate = plates_[patch_index * soils_.size() + soil];
       const double sinkage_m = pen_m + (hard ? 0 : sample.pressed_m);
       const double v_mps = into_mps + along_m * into_along_radps + across_m * into_across_radps;
-      const double damped_pa = plate.DampedPressure_pa(share, pen_m, sinkage_m, v_mps);
+      const double firmness = hard ? 1 : sample.firmness;
+      const double damped_pa = firmness * plate.DampedPressure_pa(share, pen_m, sinkage_m, v_mps);
       result.normal_n += damped_pa * area_m2;
       result.moment_W += damped_pa * area_m2 * q_W;
       if (hard) result.moving_W += damped_pa * area_m2 * obstacle->v_W_mps;

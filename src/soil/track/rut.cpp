@@ -131,13 +131,14 @@ double Rut::Sink(const Under& column, double pen_m, const BodyState& body, doubl
   const double came_along =
       forward * (1 - std::clamp(v_W.z() * foot.n_W.z() * dt_s / plastic_m, 0.0, 1.0));
   const double is_m = was_m + plastic_m;
+  const double firmness = static_cast<double>(ground->skin(k).firmness);
   const double bekker_jpm2 = BekkerWork_jpm2(plate.soil(), plate.width_m(), is_m) -
                              BekkerWork_jpm2(plate.soil(), plate.width_m(), was_m);
   const double from_middle_m = column.across_m() - middle_m;
   const double out_m = middle_m + std::copysign(0.5 * width_m + ground->cell_m(), from_middle_m);
   const Vec3 out_W = foot.p_W_m + d_W + (out_m - column.across_m()) * foot.across_W;
   Lower(k, plastic_m / -foot.n_W.z(), patch.width_m, out_W.head<2>(), ground);
-  return ground->area_m2() *
+  return firmness * ground->area_m2() *
          (moved_on * bekker_jpm2 + came_along * plate.BulldozingWork_jpm2(was_m, is_m));
 }
 

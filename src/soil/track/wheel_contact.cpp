@@ -21,6 +21,7 @@ constexpr double kSlowest_mps = 1e-6;
 /// A place where the rim is in the ground.
 struct WheelContact::Sample {
   double pen_m, sinkage_m;  ///< upright
+  double firmness;
   std::size_t soil;
   Vec3 moving_W_mps;
   bool hard;
@@ -119,7 +120,7 @@ std::optional<WheelContact::Sample> WheelContact::SampleAt(const Rim::Point& at,
   const bool hard = obstacle && obstacle->z_m > sample.top_m;
   const double pen_m = (hard ? obstacle->z_m : sample.top_m) - at.p_W_m.z();
   if (pen_m <= 0) return std::nullopt;
-  return Sample{pen_m, pen_m + (hard ? 0 : sample.pressed_m),
+  return Sample{pen_m, pen_m + (hard ? 0 : sample.pressed_m), hard ? 1 : sample.firmness,
                 hard ? soils_.size() - 1 : ground.SoilAt(sample.i, sample.j),
                 hard ? obstacle->v_W_mps : Vec3(Vec3::Zero()), hard};
 }
@@ -154,6 +155,7 @@ WheelContact::Node WheelContact::Bear(double angle_rad, const BodyState& body,
     }
     const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(at.p_W_m - body.X_WB.translation());
     const double damped_pa =
+        sample->firmness *
         plate.DampedPressure_pa(down, sample->pen_m, bears * sample->sinkage_m, v_W.dot(into_W));
     node.normal_n += damped_pa * area_m2;
     node.moment_W += damped_pa * area_m2 * at.p_W_m;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace tera {
@@ -107,6 +108,15 @@ TEST_F(ColumnTest, LooseSoilGivesWayBeforeTheBankBelow) {
   EXPECT_NEAR(column_.top_layer()->density_kgpm3(), 1300 * 0.3 / 0.25, 1e-6);
   EXPECT_TRUE(beside.empty());
   EXPECT_NEAR(Gain_kgpm2(), 0.2 * 1040, 1e-9);
+}
+
+TEST_F(ColumnTest, DumpedSoilIsAsFirmAsItsDensityOverADepthOfThreeTenths) {
+  // Terzaghi's 12.4th power of the mean of what lies there over what it has undisturbed.
+  EXPECT_EQ(FirmnessOf(column_, soils_), 1);
+  Deposit(0.15, 1040, 0);
+  EXPECT_NEAR(FirmnessOf(column_, soils_), std::pow(0.5 * (0.8 + 1), 12.4), 1e-9);
+  Deposit(0.35, 1040, 0);
+  EXPECT_NEAR(FirmnessOf(column_, soils_), std::pow(0.8, 12.4), 1e-9);
 }
 
 TEST_F(ColumnTest, PressedDeeperThanItsLayersItKeepsEveryKilogram) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "soil/block_fixture.h"
 #include "soil/track/terramechanics.h"
@@ -214,6 +216,63 @@ TEST(GearContact, SecondPassSinksOnlyFromWhereTheFirstHasPressed) {
   EXPECT_NEAR(first_m / DrySandSinkage_m(1), 1, 0.05);
   EXPECT_NEAR(second_m / first_m, 1, 0.02);
   EXPECT_NEAR(block.Rut_m(0) / DrySandSinkage_m(2), 1, 0.05);
+}
+
+/// A track of the block with half of its weight on dirt, which drives along x over its origin:
+/// depth of its rut there, and the density of the uppermost soil.
+struct FillTest {
+  Columns ground = LevelColumns(Shipped("dirt"), 0.05, 121);
+  double level_m = 0;
+
+  explicit FillTest(bool is_fill) {
+    for (int j = 0; is_fill && j < ground.ny(); ++j) {
+      for (int i = 0; i < ground.nx(); ++i) ground.Break(ground.Touch(i, j), 0.6);
+    }
+    level_m = ground.HeightAt(0, 0);
+  }
+  void Pass(double mass_kg) {
+    GearContact track(FlatTrack(0, kLength_m, kWidth_m, kPatches), true, ground.soils());
+    BodyState body;
+    body.X_WB = MakePose(Vec3(-2, 0, level_m + 0.001), 0, 0, 0);
+    for (int k = 0; k < 2000; ++k) {
+      const auto result = track.Act(body, 1.0 / 0.25, kStep_s, LowObstacles(), &ground);
+      body.v_WB_mps.x() = 1;
+      body.v_WB_mps.z() +=
+          kStep_s * (result.wrench.force_W_n.z() / mass_kg - kStandardGravity_mps2);
+      body.X_WB.translation() += kStep_s * body.v_WB_mps;
+    }
+  }
+  double Rut_m() const { return level_m - ground.HeightAt(0, 0); }
+  const Column& Middle() const { return ground.at(ground.IdAt(60, 60)); }
+};
+
+TEST(GearContact, FreshFillRutsDeeperThanFirmGroundAndBecomesDenser) {
+  // Dug dirt of 1340 kg/m3, 0.6 m deep, and as it lies, 1474: the modulus is (1340 / 1474)^12.4 =
+  // 0.31 of the firm one's, so that without getting denser the rut were 0.31^(-1 / 0.7) = 5.4 times
+  // as deep.
+  FillTest firm(false), fill(true);
+  firm.Pass(1750);
+  fill.Pass(1750);
+  EXPECT_GT(fill.Rut_m() / firm.Rut_m(), 2);
+  EXPECT_LT(fill.Rut_m() / firm.Rut_m(), 5.4);
+  const double fill_kgpm3 = fill.Middle().top_layer()->density_kgpm3();
+  EXPECT_GT(fill_kgpm3, 1355);
+  EXPECT_LT(fill_kgpm3, 1474);
+  RecordProperty("firm_rut_mm", fmt::format("{:.1f}", 1e3 * firm.Rut_m()));
+  RecordProperty("fill_rut_mm", fmt::format("{:.1f}", 1e3 * fill.Rut_m()));
+  RecordProperty("fill_kgpm3", fmt::format("{:.0f}", fill_kgpm3));
+}
+
+TEST(GearContact, TampedFillBearsWhatRutsFreshFill) {
+  // A machine three times as heavy tamps it first: its rut holds the light one without sinking.
+  FillTest fresh(true), tamped(true);
+  fresh.Pass(1750);
+  tamped.Pass(3 * 1750);
+  const double tamped_m = tamped.Rut_m();
+  const double firmness = FirmnessOf(tamped.Middle(), tamped.ground.soils());
+  EXPECT_GT(firmness, 1.2 * FirmnessOf(fresh.Middle(), fresh.ground.soils()));
+  tamped.Pass(1750);
+  EXPECT_LT(tamped.Rut_m() - tamped_m, 0.1 * fresh.Rut_m());
 }
 
 TEST(GearContact, GroundReboundsWhenTheLoadIsGone) {
