@@ -180,6 +180,7 @@ Vec2 GearContact::Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_
   advance(&patch.j_in_m, kInletShare * length_m);
   advance(&patch.j_out_m, length_m);
   patch.in_contact = true;
+  patch.shear_modulus_m = soil.shear_modulus_m;
   const Vec2 j_m = 0.5 * (patch.j_in_m + patch.j_out_m);
   // Mean over the patch between its inlet and its outlet, by Simpson's rule.
   const Vec2 share =
@@ -258,7 +259,8 @@ void GearContact::ActOn(std::size_t k, const Step& step, const LowObstacles& obs
   if (pressed.normal_n > 0) {
     Carry(k, pressed, step, sum);
   } else {
-    patches_[k].Lift();
+    const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(foot.p_W_m - body.X_WB.translation());
+    patches_[k].Lift((v_W.head<2>().norm() + std::abs(step.shoe_mps)) * step.dt_s);
   }
 }
 

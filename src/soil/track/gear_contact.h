@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "core/types/ground_tools.h"
@@ -58,10 +59,13 @@ class GearContact {
     double pushed_m = 0;                 ///< by its side face into the soil beside it, across
     bool in_contact = false;
     bool is_on_wheel = false;
-    void Lift() {
+    double shear_modulus_m = 0;  ///< of the soil that it last stood on
+    /// Off the ground it keeps the soil between its ribs, and their shear, until it has moved on.
+    void Lift(double moved_m) {
       in_contact = false;
-      j_in_m.setZero();
-      j_out_m.setZero();
+      const double kept = shear_modulus_m > 0 ? std::exp(-moved_m / shear_modulus_m) : 0;
+      j_in_m *= kept;
+      j_out_m *= kept;
     }
   };
   struct Step;

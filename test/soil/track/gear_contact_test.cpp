@@ -178,6 +178,37 @@ TEST(GearContact, ShearingBackAndForthDissipates) {
   EXPECT_NEAR(push(-0.865 * 0.018), 0.579, 0.03);
 }
 
+TEST(GearContact, ShoesThatLiftOffAndComeDownInTheirPrintsAreStillSheared) {
+  // Locked tracks pushed on by 2 K, K = 18 mm: 1 - e^-2 of the strength. Lifted straight up and set
+  // down again they meet the soil that stayed between the ribs; set down 10 K farther on, fresh
+  // one.
+  for (const double aside_m : {0.0, 0.18}) {
+    Block block("size_m: [12, 4]\nsoil: sand\n", Vec2(0.1, 0), 0);
+    block.Stand(2000);
+    const auto move = [&](const Vec3& by_m, int steps) {
+      for (int k = 0; k < steps; ++k) {
+        block.links[0].v_WB_mps = by_m / (steps * kStep_s);
+        block.Act();
+        block.links[0].X_WB.translation() += kStep_s * block.links[0].v_WB_mps;
+      }
+      block.links[0].v_WB_mps.setZero();
+    };
+    for (int k = 0; k < 9000; ++k) {
+      block.links[0].v_WB_mps.x() = 0.002;
+      block.ActAndSinkGently();
+    }
+    block.links[0].v_WB_mps.x() = 0;
+    move(Vec3(0, 0, 0.1), 500);
+    move(Vec3(aside_m, 0, 0), 500);
+    move(Vec3(0, 0, -0.1), 500);
+    Vec3 force_n;
+    for (int k = 0; k < 1000; ++k) force_n = block.ActAndSinkGently();
+    const double strength_n =
+        kMass_kg * kStandardGravity_mps2 * std::tan(28 * kDeg) + 2 * kWidth_m * kLength_m * 1040;
+    EXPECT_NEAR(force_n.x() / strength_n, aside_m > 0 ? 0 : -0.865, 0.05) << aside_m;
+  }
+}
+
 TEST(GearContact, SandThatIsPressedAsideDoesNotComeBackUnderTheTrack) {
   // A machine twice as heavy presses the sand beyond its greatest density, so that some of it goes
   // aside. Driving on costs the work of the rut, once: Bekker's compaction resistance.
