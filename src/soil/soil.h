@@ -40,8 +40,9 @@ struct SoilType {
   double sinkage_exponent = 1;
   double shear_friction_rad = 0;
   double shear_cohesion_pa = 0;
-  double shear_modulus_m = 0;  ///< K
-  double moisture = 0;         ///< degree of saturation, 0..1
+  double shear_modulus_m = 0;       ///< K
+  double compression_index = 0.05;  ///< C_c: void ratio lost for each tenfold pressure
+  double moisture = 0;              ///< degree of saturation, 0..1
   // Appearance.
   Vec3 albedo = Vec3(0.3, 0.22, 0.15);  ///< linear RGB when dry
   double grain_size_m = 0.01;           ///< of visible detail, and of the flow's inertial number

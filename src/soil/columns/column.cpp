@@ -108,14 +108,19 @@ void ReachDown(const ColumnMaterial& m, double influence_m, Column* c) {
   }
 }
 
-/// Makes the layers thinner, each by its share, and takes out what exceeds the greatest density.
-void Compact(const ColumnMaterial& m, double ds_m, Column* c, SpoilMix* beside) {
+/// Makes the layers thinner, each by its share, and takes out what exceeds the density that they
+/// had, or to which the pressure presses them.
+void Compact(const ColumnMaterial& m, double ds_m, double pressure_pa, Column* c,
+             SpoilMix* beside) {
   const double share = 1 - ds_m / Layers_m(*c);
   for (int n = 0; n < c->layer_count; ++n) {
     SoilLayer& layer = c->layers[n];
     const SoilType& soil = m.soils[layer.soil];
+    const double most_kgpm3 =
+        std::min(soil.max_density_kgpm3,
+                 std::max(layer.density_kgpm3(), PressedDensity_kgpm3(soil, pressure_pa)));
     layer.thickness_m *= share;
-    const double excess_kgpm2 = layer.kgpm2 - layer.thickness_m * soil.max_density_kgpm3;
+    const double excess_kgpm2 = layer.kgpm2 - layer.thickness_m * most_kgpm3;
     if (excess_kgpm2 <= 0) continue;
     layer.kgpm2 -= excess_kgpm2;
     const double mass_kg = excess_kgpm2 * m.area_m2;
@@ -173,14 +178,13 @@ void DepositOn(const ColumnMaterial& m, const Spoil& spoil, Column* c) {
   c->top_m = c->bank_m + Layers_m(*c);
 }
 
-void PressColumn(const ColumnMaterial& m, double ds_m, double influence_m, Column* c,
-                 SpoilMix* beside) {
-  c->pressed_m += ds_m;
-  double rest_m = SettleLoose(m, ds_m, c);
+void PressColumn(const ColumnMaterial& m, const Pressing& pressing, Column* c, SpoilMix* beside) {
+  c->pressed_m += pressing.ds_m;
+  double rest_m = SettleLoose(m, pressing.ds_m, c);
   while (rest_m > 0) {
-    ReachDown(m, influence_m, c);
+    ReachDown(m, pressing.influence_m, c);
     const double step_m = std::min(rest_m, kMostAtOnce * Layers_m(*c));
-    Compact(m, step_m, c, beside);
+    Compact(m, step_m, pressing.pressure_pa, c, beside);
     rest_m -= step_m;
   }
   c->top_m = c->bank_m + Layers_m(*c);

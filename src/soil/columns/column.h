@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "soil/columns/spoil.h"
@@ -63,10 +64,17 @@ void CutColumn(const ColumnMaterial& material, double z_m, Column* column, Spoil
 /// Puts loose soil on top.
 void DepositOn(const ColumnMaterial& material, const Spoil& spoil, Column* column);
 
-/// Presses the surface down by `ds_m`: loose soil at the surface gives way first, until it is as
-/// dense as bank soil and stands like it; then the upper `influence_m` become denser. What exceeds
-/// the greatest density is added to `beside`.
-void PressColumn(const ColumnMaterial& material, double ds_m, double influence_m, Column* column,
+/// A pressing of a column's surface.
+struct Pressing {
+  double ds_m;         ///< by which the surface gives way
+  double influence_m;  ///< depth of the soil that may become denser
+  double pressure_pa = std::numeric_limits<double>::infinity();
+};
+
+/// Loose soil at the surface gives way first, until it is as dense as bank soil and stands like it;
+/// then the upper soil becomes denser. What exceeds the density to which the pressure presses it is
+/// shoved away, added to `beside`.
+void PressColumn(const ColumnMaterial& material, const Pressing& pressing, Column* column,
                  SpoilMix* beside);
 
 /// Firmness (FirmnessAt) of a column's uppermost 0.3 m, as wide as Terzaghi's plate.

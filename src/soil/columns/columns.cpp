@@ -304,9 +304,9 @@ void Columns::DepositAt(int i, int j, const Spoil& spoil) {
   }
 }
 
-void Columns::Press(ColumnId k, double ds_m, double influence_m, SpoilMix* beside) {
+void Columns::Press(ColumnId k, const Pressing& pressing, SpoilMix* beside) {
   Column& c = Get(k);
-  PressColumn(MaterialOf(c), ds_m, influence_m, &c, beside);
+  PressColumn(MaterialOf(c), pressing, &c, beside);
   Changed(k);
   ShowRut(k, kRutOfContact + (1 - kRutOfContact) * c.pressed_m / kRutShown_m);
 }

@@ -156,9 +156,8 @@ class Columns {
   /// Deposit by place; beyond the site's border it leaves the ledger's ground for its outside.
   void DepositAt(int i, int j, const SpoilMix& spoil);
   void DepositAt(int i, int j, const Spoil& spoil);
-  /// Presses the surface down by `ds_m`: loose soil at the surface gives way first, then the upper
-  /// `influence_m` become denser. What exceeds the greatest density is added to `beside`.
-  void Press(ColumnId k, double ds_m, double influence_m, SpoilMix* beside);
+  /// Presses the surface down: see PressColumn.
+  void Press(ColumnId k, const Pressing& pressing, SpoilMix* beside);
   /// Takes the upper `thickness_m` away and adds it to `cut`. What was pressed into the surface
   /// stays so in the one below.
   void Scrape(ColumnId k, double thickness_m, SpoilMix* cut);

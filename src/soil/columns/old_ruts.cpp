@@ -49,7 +49,7 @@ void PressColumn(const RutPlan& ruts, int i, int j, Columns* ground) {
   const double share = ShareOfDepth(std::abs(at.left_m - middle_m), ruts.size.width_m);
   if (share <= 0) return;
   SpoilMix squeezed;
-  ground->Press(ground->Touch(i, j), share * ruts.depth_m, ruts.size.width_m, &squeezed);
+  ground->Press(ground->Touch(i, j), {share * ruts.depth_m, ruts.size.width_m}, &squeezed);
   if (squeezed.empty()) return;
   const double edge_m =
       std::copysign(0.5 * ruts.size.width_m + ground->cell_m(), at.left_m - middle_m);

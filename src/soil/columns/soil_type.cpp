@@ -13,7 +13,9 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kSteepest_deg = 89.0;   ///< angles of a soil stay short of vertical
+constexpr double kSteepest_deg = 89.0;  ///< angles of a soil stay short of vertical
+constexpr double kSolids_kgpm3 = 2650, kWater_kgpm3 = 1000;
+constexpr double kBorne_pa = 10e3;       ///< pressure that undisturbed soil near the surface knows
 constexpr double kFirmnessPower = 12.4;  ///< ln(160 / 13) / ln(1.75 / 1.43)
 constexpr double kLocalShear = 2.0 / 3;  ///< Terzaghi's reduction of cohesion and tan(phi)
 
@@ -50,6 +52,8 @@ SoilType ReadSoilType(const ConfigMap& config) {
       kDeg * config.Number("shear_friction_deg", angle, soil.friction_angle_rad / kDeg);
   soil.shear_cohesion_pa = config.Number("shear_cohesion_pa", AtLeast(0, "Pa"), soil.cohesion_pa);
   soil.shear_modulus_m = config.Number("shear_modulus_m", Between(1e-4, 0.5, "m"));
+  soil.compression_index =
+      config.Number("compression_index", Between(0, 1, "(void ratio)"), soil.compression_index);
   soil.moisture = config.Number("moisture", Between(0, 1, "(degree of saturation)"));
   soil.albedo = config.Vector3("albedo", Between(0, 1, ""), soil.albedo);
   soil.grain_size_m = config.Number("grain_size_m", Between(1e-5, 1, "m"), soil.grain_size_m);
@@ -86,6 +90,19 @@ SoilType ScaledByFooting(const SoilType& soil, const Footing& footing) {
   scaled.k_c_npm_n1 *= footing.stiffness;
   scaled.k_phi_npm_n2 *= footing.stiffness;
   return scaled;
+}
+
+double PressedDensity_kgpm3(const SoilType& soil, double pressure_pa) {
+  constexpr double kLeastVoids = 1e-3;  // a description may have none
+  if (!std::isfinite(pressure_pa)) return soil.max_density_kgpm3;
+  const double bank_kgpm3 = soil.bank_density_kgpm3;
+  const double water_kgpm3 = soil.moisture * kWater_kgpm3;
+  const double voids = std::max(
+      kLeastVoids, (kSolids_kgpm3 - bank_kgpm3) / std::max(kLeastVoids, bank_kgpm3 - water_kgpm3));
+  const double lost =
+      soil.compression_index * std::log10(1 + std::max(0.0, pressure_pa) / kBorne_pa);
+  const double pressed_kgpm3 = bank_kgpm3 * (1 + voids) / (1 + std::max(0.0, voids - lost));
+  return std::min(soil.max_density_kgpm3, pressed_kgpm3);
 }
 
 double FirmnessAt(double density_share) {

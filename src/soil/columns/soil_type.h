@@ -26,6 +26,12 @@ inline double LooseDensity_kgpm3(const SoilType& soil) {
   return soil.bank_density_kgpm3 / soil.swell;
 }
 
+/// Density to which `pressure_pa` presses undisturbed soil together. Its void ratio is e - C_c
+/// log10(1 + p / p_0), p_0 = 10 kPa what the upper half metre of a site has borne (an estimate); it
+/// is never more than the greatest. Source: Terzaghi 1943; Das, Principles of Geotechnical
+/// Engineering, ch. 11.
+double PressedDensity_kgpm3(const SoilType& soil, double pressure_pa);
+
 /// Bearing modulus of soil of `density_share` of its undisturbed density over that which it has
 /// there, at most 1: its 12.4th power. Terzaghi's moduli of subgrade reaction of loose and dense
 /// sand (Geotechnique 5, 1955: 13 and 160 MN/m^3) over their densities (Terzaghi and Peck 1967,

@@ -7,7 +7,6 @@
 #include "core/check.h"
 #include "core/units.h"
 #include "soil/track/rim.h"
-#include "soil/track/shear.h"
 #include "soil/track/side_faces.h"
 #include "soil/track/terramechanics.h"
 
@@ -208,7 +207,7 @@ double GearContact::PushAside_n(std::size_t k, const Footprint& foot, const Step
   const double wedge_m = deepest_m_ * std::tan(45 * kDeg + 0.5 * soil.shear_friction_rad);
   const double out_m = 0.5 * shape.width_m + step.ground->cell_m() + wedge_m;
   const Vec3 out_W = foot.p_W_m + std::copysign(out_m, pushed_m) * foot.across_W;
-  const double depth_m = step.ground->SampleAt(out_W.x(), out_W.y()).top_m - out_W.z();
+  const double depth_m = DepthBeside_m(soil, out_W, *step.ground);
   if (depth_m <= 0) return 0;
   const double share = -std::expm1(-std::abs(pushed_m) / (kPassiveShare * depth_m));
   const double steep = has_sides_ ? 1 - SideFaces::Bearing(std::abs(foot.across_W.z())) : 1;

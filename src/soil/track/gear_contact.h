@@ -5,7 +5,6 @@
 
 #include "core/types/ground_tools.h"
 #include "soil/columns/columns.h"
-#include "soil/track/gear_result.h"
 #include "soil/track/low_obstacles.h"
 #include "soil/track/plate.h"
 #include "soil/track/rut.h"
@@ -24,11 +23,11 @@ namespace tera {
 ///         - v_shoe (j - j_upstream) / length; it is zero where a shoe meets the ground. Slip is
 ///         over the soil, which gives way as a rolling shoe comes down on it, half-way between the
 ///         patch's normal and the machine's down, so that raised patches that roll shear nothing.
-///         Stress (c + p tan phi)(1 - exp(-|j|/K)) along j, see shear.h: a spring at rest, the
-///         closed-form thrust at steady slip. Wheels: WheelContact. Sides: the sunk side face that
-///         is pushed into soil meets passive pressure, mobilised by the way by which a place beside
-///         the gear is pushed. When the machine leans so far that a track's side faces down, it
-///         bears as its shoes do, see SideFaces. Resistance: work done on the rut by moving on,
+///         Stress (c + p tan phi)(1 - exp(-|j|/K)) along j, see terramechanics.h: a spring at rest,
+///         the closed-form thrust at steady slip. Wheels: WheelContact. Sides: the sunk side face
+///         that is pushed into soil meets passive pressure, mobilised by the way by which a place
+///         beside the gear is pushed. When the machine leans so far that a track's side faces down,
+///         it bears as its shoes do, see SideFaces. Resistance: work done on the rut by moving on,
 ///         rather than by moving down, is paid back as a drag over a short distance. Gear that does
 ///         not shear the ground is carried alone: no shear force, no drag. An obstacle low enough
 ///         for the gear to climb bears it as pavement does, moves under it with its own velocity,

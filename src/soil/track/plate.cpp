@@ -20,6 +20,7 @@ Plate::Plate(const SoilType& soil, const ContactPatch& patch)
     : soil_(&soil),
       width_m_(PlateWidth_m(patch)),
       rebound_papm_(Rebound_papm(soil, width_m_)),
+      heave_reach_m_(HeaveReach_m(soil, width_m_)),
       modulus_npm_n2_(static_cast<float>(BekkerPressure_pa(soil, width_m_, 1))),
       exponent_(static_cast<float>(soil.sinkage_exponent)) {
   const double one_npm = BulldozingResistance_n(soil, 1, 1);

@@ -19,6 +19,8 @@ class Plate {
   const SoilType& soil() const { return *soil_; }
   double width_m() const { return width_m_; }
   double rebound_papm() const { return rebound_papm_; }
+  /// How far beside it soil heaves, see HeaveReach_m.
+  double heave_reach_m() const { return heave_reach_m_; }
   /// Whether Bekker's pressure at z_m is at least `pressure_pa`. Single precision tells in nearly
   /// all cases.
   bool Bears(double pressure_pa, double z_m) const;
@@ -35,6 +37,7 @@ class Plate {
   const SoilType* soil_;
   double width_m_;
   double rebound_papm_;  ///< k_e
+  double heave_reach_m_;
   float modulus_npm_n2_, exponent_;
   double pushed_npm2_, pushed_npm3_;  ///< bulldozing resistance over width: its terms in z and z^2
 };

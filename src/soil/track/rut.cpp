@@ -11,7 +11,9 @@ namespace tera {
 namespace {
 
 constexpr double kInfluenceDepths = 1.0;  ///< crust thickness over patch width
-constexpr double kScraped_m = 5e-4;       ///< soil is carried away in layers this thick
+/// Multiples of it, less their whole parts, fill 0 to 1 evenly, however many there are.
+constexpr double kGolden = 0.6180339887498949;
+constexpr double kScraped_m = 5e-4;  ///< soil is carried away in layers this thick
 
 /// Calls visit(i, j, d_W) for each column under a patch, d_W from the patch's middle, on its plane.
 template <typename Visit>
@@ -111,11 +113,29 @@ double Rut::Press(std::size_t patch_index, double touching, const BodyState& bod
   return work_j;
 }
 
+/// Where soil goes that leaves a column: beside the gear, on the nearer side; before a side face
+/// that faces down, on the side to which it faces.
+Rut::Beside Rut::BesideOf(const Under& column, const Plate& plate, double cell_m) const {
+  const Footprint& foot = column.foot;
+  const Vec2 p_W_m = (foot.p_W_m + column.d_W_m).head<2>();
+  if (SideFaces::IsOne(gear_.patches[column.patch])) {
+    const Vec2 out_W = foot.n_W.head<2>().normalized();
+    return {p_W_m + (cell_m - column.width_m * foot.n_W.z()) * out_W, out_W, plate.heave_reach_m()};
+  }
+  const double from_middle_m = column.across_m() - column.middle_m;
+  const double out_m = 0.5 * column.width_m + cell_m - std::abs(from_middle_m);
+  const Vec2 out_W = std::copysign(1.0, from_middle_m) * foot.across_W.head<2>().normalized();
+  return {p_W_m + out_m * out_W, out_W, plate.heave_reach_m()};
+}
+
 /// Lets a column give way to a patch that has come `pen_m` into it. Returns the work that the
 /// patch's pressure does not do.
 double Rut::Sink(const Under& column, double pen_m, const BodyState& body, double dt_s,
                  Columns* ground) {
-  const auto& [k, patch_index, foot, d_W, middle_m, width_m] = column;
+  const ColumnId k = column.id;
+  const std::size_t patch_index = column.patch;
+  const Footprint& foot = column.foot;
+  const Vec3& d_W = column.d_W_m;
   const ContactPatch& patch = gear_.patches[patch_index];
   const Plate& plate = plates_[patch_index * soils_.size() + ground->soil_at(k)];
   const double was_m = ground->skin(k).pressed_m;
@@ -134,19 +154,21 @@ double Rut::Sink(const Under& column, double pen_m, const BodyState& body, doubl
   const double firmness = static_cast<double>(ground->skin(k).firmness);
   const double bekker_jpm2 = BekkerWork_jpm2(plate.soil(), plate.width_m(), is_m) -
                              BekkerWork_jpm2(plate.soil(), plate.width_m(), was_m);
-  const double from_middle_m = column.across_m() - middle_m;
-  const double out_m = middle_m + std::copysign(0.5 * width_m + ground->cell_m(), from_middle_m);
-  const Vec3 out_W = foot.p_W_m + d_W + (out_m - column.across_m()) * foot.across_W;
-  Lower(k, plastic_m / -foot.n_W.z(), patch.width_m, out_W.head<2>(), ground);
+  const double pressure_pa = firmness * BekkerPressure_pa(plate.soil(), plate.width_m(), is_m);
+  Lower(k, {plastic_m / -foot.n_W.z(), kInfluenceDepths * patch.width_m, pressure_pa},
+        BesideOf(column, plate, ground->cell_m()), ground);
   return firmness * ground->area_m2() *
          (moved_on * bekker_jpm2 + came_along * plate.BulldozingWork_jpm2(was_m, is_m));
 }
 
-void Rut::Lower(ColumnId k, double ds_m, double width_m, const Vec2& out_W_m, Columns* ground) {
-  SpoilMix beside;
-  ground->Press(k, ds_m, kInfluenceDepths * width_m, &beside);
-  if (beside.empty()) return;
-  ground->DepositAt(ground->NearestI(out_W_m.x()), ground->NearestJ(out_W_m.y()), beside);
+void Rut::Lower(ColumnId k, const Pressing& pressing, const Beside& beside, Columns* ground) {
+  SpoilMix heaves;
+  ground->Press(k, pressing, &heaves);
+  if (heaves.empty()) return;
+  const double share = kGolden * heaved_++;
+  const double out = 1 - std::sqrt(share - std::floor(share));
+  const Vec2 p_W_m = beside.edge_W_m + out * beside.reach_m * beside.out_W;
+  ground->DepositAt(ground->NearestI(p_W_m.x()), ground->NearestJ(p_W_m.y()), heaves);
 }
 
 void Rut::Slip(std::size_t k, double slip_m, double sinkage_m, double contact_m,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/types/ground_tools.h"
@@ -31,7 +32,9 @@ struct Footprint {
 /// Frames  W; patches in the frame B of the gear's link.
 /// Model   Columns under a patch give way plastically to where the patch's elastic pressure, with
 ///         its peaks under road wheels, and Bekker's agree, and remember it for later passes.
-///         Height becomes density; what would exceed the greatest is put beside the gear. Soil
+///         Height becomes density, as far as the pressure presses soil together. The rest heaves
+///         beside the gear, most at its edge and none from where Prandtl's slip surface comes out,
+///         in parcels whose places follow the golden section. Soil
 ///         between grousers goes with the shoes: where they slip over the ground, a layer as thick
 ///         as they are high, and no thicker than they have sunk in, leaves at the end to which it
 ///         is carried, and the gear sinks by as much, evenly over its contact: h i / (1 - i) in a
@@ -54,9 +57,14 @@ class Rut {
                const LowObstacles& obstacles, Columns* ground);
   /// The gear stands over a column, from `low_m` upwards.
   void Cover(ColumnId k, double low_m, Columns* ground);
-  /// Lowers the surface of a column by `ds_m` under gear `width_m` wide. What cannot be pressed
-  /// together is put down at `out_W_m`.
-  void Lower(ColumnId k, double ds_m, double width_m, const Vec2& out_W_m, Columns* ground);
+  /// Ground beside a gear's edge in which soil heaves.
+  struct Beside {
+    Vec2 edge_W_m;   ///< of its first column
+    Vec2 out_W;      ///< away from the gear, of length 1
+    double reach_m;  ///< from there
+  };
+  /// Presses a column's surface; what is not pressed together heaves.
+  void Lower(ColumnId k, const Pressing& pressing, const Beside& beside, Columns* ground);
   /// Lets patch `k`, whose columns were just pressed, slip by `slip_m` over them, along travel;
   /// `contact_m` is the length of ground under the whole gear.
   /// Its shoes stand `sinkage_m` deep.
@@ -67,6 +75,7 @@ class Rut {
 
  private:
   struct Under;
+  Beside BesideOf(const Under& column, const Plate& plate, double cell_m) const;
   double Sink(const Under& column, double pen_m, const BodyState& body, double dt_s,
               Columns* ground);
   void ThrowOut(double direction, const BodyState& body, const SpoilMix& thrown, Columns* ground);
@@ -76,6 +85,7 @@ class Rut {
   std::vector<Plate> plates_;
   Tread tread_;
   std::vector<double> scrape_m_;   ///< of each patch: still to be carried away, signed as its slip
+  std::uint32_t heaved_ = 0;       ///< parcels so far
   std::vector<ColumnId> pressed_;  ///< columns under the patch just pressed
   std::vector<std::size_t> touching_, was_touching_;  ///< patches on the ground
   std::vector<ColumnId> covered_, was_covered_;       ///< columns under the gear

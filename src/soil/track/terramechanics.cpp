@@ -13,6 +13,11 @@ constexpr double kPoisson = 0.3;
 constexpr double kLongestPatch = 4;  ///< times its length counts of a patch's width
 constexpr double kShape = 0.88;  ///< rigid square plate, Das, Principles of Foundation Engineering
 
+constexpr double kShearDampingRatio = 0.7;  ///< of critical, only near rest
+constexpr double kRestSpeed_mps = 0.02;     ///< slip at which shear damping has faded to a half
+constexpr double kLargestShear = 8.0;       ///< |j| is kept below this many K: fully mobilised
+constexpr double kLeastShear_m = 1e-15;     ///< less is no slip, in any direction
+
 double Modulus_npm_n2(const SoilType& soil, double width_m) {
   return soil.k_c_npm_n1 / width_m + soil.k_phi_npm_n2;
 }
@@ -60,6 +65,10 @@ double BulldozingResistance_n(const SoilType& soil, double width_m, double z_m) 
                     0.5 * weight_npm3 * z_m * z_m * k_pgamma);
 }
 
+double HeaveReach_m(const SoilType& soil, double width_m) {
+  return width_m * std::sqrt(LocalShear(soil.shear_friction_rad).n_q);
+}
+
 double FaceResistance_npm(const SoilType& soil, double depth_m) {
   if (depth_m <= 0) return 0;
   const double cot = std::tan(45 * kDeg + 0.5 * soil.shear_friction_rad);  // of X, tan of X + phi
@@ -67,6 +76,63 @@ double FaceResistance_npm(const SoilType& soil, double depth_m) {
   const double weight_npm3 = soil.bank_density_kgpm3 * kStandardGravity_mps2;
   return 2 * cot *
          (soil.shear_cohesion_pa * depth_m + 0.5 * weight_npm3 * depth_m * depth_m * cot * heaped);
+}
+
+double FaceDepth_m(const SoilType& soil, double depth_m, double loose_m) {
+  const double cot = std::tan(45 * kDeg + 0.5 * soil.shear_friction_rad);  // of X
+  const double heaped = 0.5 * cot * std::tan(soil.shear_friction_rad);
+  return std::max(depth_m - loose_m, depth_m / (1 + heaped));
+}
+
+Vec2 Mobilised(const SoilType& soil, const Vec2& j_m) {
+  const double size = j_m.norm();
+  if (size < 1e-12) return Vec2::Zero();
+  return j_m * (ShearMobilisation(soil, size) / size);
+}
+
+/// The stress has a part along the slip, which loads further as Janosi says, or, pointing against
+/// it, unloads at the initial stiffness; and a part across, which yields to the slip.
+void ShearFurther(const SoilType& soil, const Vec2& slip_m, Vec2* j_m) {
+  const double size_m = slip_m.norm();
+  const double limit_m = kLargestShear * soil.shear_modulus_m;
+  if (size_m < kLeastShear_m) {
+    if (j_m->norm() > limit_m) *j_m *= limit_m / j_m->norm();
+    return;
+  }
+  const double path = size_m / soil.shear_modulus_m;
+  const Vec2 direction = slip_m / size_m;
+  const Vec2 stress = Mobilised(soil, *j_m);
+  double along = stress.dot(direction);
+  const Vec2 across = (stress - along * direction) * std::exp(-stress.squaredNorm() * path);
+  const double unloading = std::min(path, std::max(0.0, -along));
+  along += unloading;
+  along = 1 - (1 - along) * std::exp(-(path - unloading));
+  const Vec2 after = along * direction + across;
+  const double size = after.norm();
+  if (size <= 0) {
+    j_m->setZero();
+    return;
+  }
+  const double most = ShearMobilisation(soil, limit_m);
+  *j_m = -soil.shear_modulus_m * std::log1p(-std::min(size, most)) / size * after;
+}
+
+double ShearStrength::force_n() const {
+  return soil.shear_cohesion_pa * area_m2 + normal_n * std::tan(soil.shear_friction_rad);
+}
+
+Vec2 ShearForce_n(const ShearStrength& strength, const Vec2& mobilised, double j_m,
+                  const Vec2& slip_mps) {
+  const double most_n = strength.force_n();
+  const double mass_kg = strength.normal_n / kStandardGravity_mps2;
+  const double speed = slip_mps.norm() / kRestSpeed_mps;
+  const double k_m = strength.soil.shear_modulus_m;
+  const double stiffness_npm = most_n / k_m * std::exp(-j_m / k_m);
+  const double damping =
+      2 * kShearDampingRatio * std::sqrt(stiffness_npm * mass_kg) / (1 + speed * speed);
+  Vec2 force_n = -most_n * mobilised - damping * slip_mps;
+  if (force_n.norm() > most_n) force_n *= most_n / force_n.norm();
+  return force_n;
 }
 
 }  // namespace tera

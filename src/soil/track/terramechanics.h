@@ -35,10 +35,47 @@ double PressureShare(const ContactPatch& patch, double along_m);
 /// phi. Source: Bekker 1960, Off-the-Road Locomotion; Wong 2008, ch. 2.
 double BulldozingResistance_n(const SoilType& soil, double width_m, double z_m);
 
+/// How far beside a strip of width `width_m` soil heaves that it does not press together: to where
+/// Prandtl's slip surface comes out, b sqrt(N_q), of local shear. Source: Prandtl 1920; Terzaghi
+/// 1943.
+double HeaveReach_m(const SoilType& soil, double width_m);
+
 /// Resistance, per unit length, against an upright face that stands `depth_m` deep and pushes soil
 /// before it: (cot X + tan(X + phi)) (c h + rho g h^2 / 2 (cot X + cot^2 X tan phi)), X = 45 deg -
 /// phi / 2 the slip plane's angle, the last term the soil that has heaped up on it.
 /// Source  Hegedus 1960, as in Ishigami, Miwa, Nagatani and Yoshida 2007, J. Field Robotics 24(3).
 double FaceResistance_npm(const SoilType& soil, double depth_m);
+
+/// Depth for FaceResistance_npm of a face that stands `depth_m` below ground of which `loose_m`
+/// lies loose: the soil that has heaped up on the wedge, h / 2 cot X tan phi high on average,
+/// counts once.
+double FaceDepth_m(const SoilType& soil, double depth_m, double loose_m);
+
+/// Shear of the ground under running gear.
+///
+/// Model   A shear displacement j, along and across the shoes' travel, mobilises the share 1 -
+///         exp(-|j| / K) of the strength, along j. Slip against j unloads at the initial stiffness,
+///         so that what a shear has cost is not given back; slip across j turns the stress its way
+///         within K where the strength is used up, so that sliding soil resists where it slides to.
+/// Source  Janosi and Hanamoto 1961.
+
+/// Stress per unit strength at shear displacement `j_m`.
+Vec2 Mobilised(const SoilType& soil, const Vec2& j_m);
+
+/// Shears on by `slip_m`; j grows no further than fully mobilised.
+void ShearFurther(const SoilType& soil, const Vec2& slip_m, Vec2* j_m);
+
+/// What the ground has to give where it is sheared.
+struct ShearStrength {
+  const SoilType& soil;
+  double normal_n, area_m2;
+
+  double force_n() const;
+};
+
+/// Force on gear whose stress is the share `mobilised` of the strength and whose shear displacement
+/// is about `j_m`, with damping that fades as it slips.
+Vec2 ShearForce_n(const ShearStrength& strength, const Vec2& mobilised, double j_m,
+                  const Vec2& slip_mps);
 
 }  // namespace tera

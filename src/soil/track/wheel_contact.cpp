@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "core/units.h"
-#include "soil/track/shear.h"
 #include "soil/track/terramechanics.h"
 
 namespace tera {
@@ -35,6 +34,12 @@ struct WheelContact::Node {
   std::size_t soil = 0;
   double sinkage_m = 0;
 };
+
+double DepthBeside_m(const SoilType& soil, const Vec3& p_W_m, const Columns& ground) {
+  const double depth_m = ground.HeightAt(p_W_m.x(), p_W_m.y()) - p_W_m.z();
+  const ColumnId k = ground.IdAt(ground.NearestI(p_W_m.x()), ground.NearestJ(p_W_m.y()));
+  return FaceDepth_m(soil, depth_m, k == Columns::kNone ? 0 : ground.skin(k).loose_m);
+}
 
 WheelContact::WheelContact(const Rim& rim, const RunningGear& gear, bool shears,
                            const std::vector<SoilType>& soils)
@@ -81,22 +86,33 @@ void WheelContact::PressRut(const BodyState& body, const LowObstacles& obstacles
       if (obstacle && obstacle->z_m > ground->TopAt(i, j)) continue;
       const ColumnId k = ground->Touch(i, j);
       rut->Cover(k, rim->z_m, ground);
-      const std::size_t strip = StripAt(rim->across_m);
-      const Plate& plate = plates_[ground->soil_at(k)];
-      const double entry_rad = entry_rad_[strip];
-      const double share = rolling_.BearingShare(plate.soil(), grouser_m_,
-                                                 rim_.radius_m * (1 - std::cos(entry_rad)));
-      const double pressed_m = ground->skin(k).pressed_m;
-      const double bears = rolling_.ShareAt(
-          {side() * rim->angle_rad, 2 * rim->across_m / rim_.width_m, pressed_m, pen_m}, entry_rad,
-          share);
-      const double plastic_m = plate.PlasticSinkage_m(-at.n_W.z(), bears, pressed_m, pen_m);
-      if (plastic_m <= 0) continue;
-      const double out_m = std::copysign(0.5 * rim_.width_m + ground->cell_m(), rim->across_m);
-      rut->Lower(k, plastic_m, rim_.width_m,
-                 (at.p_W_m + (out_m - rim->across_m) * left_W).head<2>(), ground);
+      Sink(k, *rim, -at.n_W.z(), left_W.head<2>(), ground, rut);
     }
   }
+}
+
+/// Lets a column give way to the rim over it, whose normal faces `down`.
+void WheelContact::Sink(ColumnId k, const Rim::Over& rim, double down, const Vec2& left_W,
+                        Columns* ground, Rut* rut) const {
+  const Plate& plate = plates_[ground->soil_at(k)];
+  const double entry_rad = entry_rad_[StripAt(rim.across_m)];
+  const double share =
+      rolling_.BearingShare(plate.soil(), grouser_m_, rim_.radius_m * (1 - std::cos(entry_rad)));
+  const double pen_m = ground->skin(k).top_m - rim.z_m, pressed_m = ground->skin(k).pressed_m;
+  const double bears =
+      rolling_.ShareAt({side() * rim.angle_rad, 2 * rim.across_m / rim_.width_m, pressed_m, pen_m},
+                       entry_rad, share);
+  const double plastic_m = plate.PlasticSinkage_m(down, bears, pressed_m, pen_m);
+  if (plastic_m <= 0) return;
+  const double pressure_pa =
+      static_cast<double>(ground->skin(k).firmness) *
+      BekkerPressure_pa(plate.soil(), plate.width_m(), bears * (pressed_m + plastic_m));
+  const auto [i, j] = ground->PlaceOf(k);
+  const double out_m = 0.5 * rim_.width_m + ground->cell_m() - std::abs(rim.across_m);
+  const Vec2 out_W = std::copysign(1.0, rim.across_m) * left_W.normalized();
+  const Vec2 edge_W_m = Vec2(ground->x_m(i), ground->y_m(j)) + out_m * out_W;
+  rut->Lower(k, {plastic_m, rim_.width_m, pressure_pa}, {edge_W_m, out_W, plate.heave_reach_m()},
+             ground);
 }
 
 /// Where the rim enters ground as high as a column beyond the foremost place at which it is in it.
@@ -120,9 +136,12 @@ std::optional<WheelContact::Sample> WheelContact::SampleAt(const Rim::Point& at,
   const bool hard = obstacle && obstacle->z_m > sample.top_m;
   const double pen_m = (hard ? obstacle->z_m : sample.top_m) - at.p_W_m.z();
   if (pen_m <= 0) return std::nullopt;
-  return Sample{pen_m, pen_m + (hard ? 0 : sample.pressed_m), hard ? 1 : sample.firmness,
+  return Sample{pen_m,
+                pen_m + (hard ? 0 : sample.pressed_m),
+                hard ? 1 : sample.firmness,
                 hard ? soils_.size() - 1 : ground.SoilAt(sample.i, sample.j),
-                hard ? obstacle->v_W_mps : Vec3(Vec3::Zero()), hard};
+                hard ? obstacle->v_W_mps : Vec3(Vec3::Zero()),
+                hard};
 }
 
 /// Normal stress along a line across the rim.
@@ -218,7 +237,8 @@ void WheelContact::PushAside(const BodyState& body, double dt_s, const Columns& 
     const SoilType& soil = soils_[ground.SoilAt(below.i, below.j)];
     const double wedge_m = deepest_m_ * std::tan(45 * kDeg + 0.5 * soil.shear_friction_rad);
     const Vec3 out_W = at.p_W_m + std::copysign(ground.cell_m() + wedge_m, share) * left_W;
-    const double depth_m = ground.HeightAt(out_W.x(), out_W.y()) - at.p_W_m.z();
+    const Vec3 foot_W_m(out_W.x(), out_W.y(), at.p_W_m.z());
+    const double depth_m = DepthBeside_m(soil, foot_W_m, ground);
     if (depth_m <= 0) continue;
     const double chord_m = rim_.radius_m * step_rad_ * -at.n_W.z();
     sum->wrench.AddForceAt(-share * chord_m * FaceResistance_npm(soil, depth_m) * left_W, at.p_W_m,

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "core/motion.h"
 #include "core/types/ground_tools.h"
 #include "soil/columns/columns.h"
-#include "soil/track/gear_result.h"
 #include "soil/track/low_obstacles.h"
 #include "soil/track/plate.h"
 #include "soil/track/rim.h"
@@ -14,6 +15,31 @@
 #include "soil/track/rut.h"
 
 namespace tera {
+
+/// What the parts of a gear on the ground do together.
+struct GearSum {
+  Wrench wrench;          ///< about the link's origin
+  double traction_n = 0;  ///< shear along the machine's forward travel
+  double sinkage_m = 0;   ///< of the lowest
+  double grip_n = 0;      ///< shear strength of the ground below
+  double weight_n = 0;    ///< normal forces
+  double forward_w = 0;   ///< times the speed ahead at each
+  double contact_m = 0;   ///< length of the ground under it
+
+  void Add(const GearSum& other) {
+    wrench.force_W_n += other.wrench.force_W_n;
+    wrench.torque_W_nm += other.wrench.torque_W_nm;
+    traction_n += other.traction_n;
+    sinkage_m = std::max(sinkage_m, other.sinkage_m);
+    grip_n += other.grip_n;
+    weight_n += other.weight_n;
+    forward_w += other.forward_w;
+    contact_m += other.contact_m;
+  }
+};
+
+/// Depth of a face's lower edge, at p_W_m, below the ground there, for FaceResistance_npm.
+double DepthBeside_m(const SoilType& soil, const Vec3& p_W_m, const Columns& ground);
 
 /// A rigid wheel on the ground.
 ///
@@ -45,6 +71,8 @@ class WheelContact {
   struct Sample;
   void PressRut(const BodyState& body, const LowObstacles& obstacles, Columns* ground,
                 Rut* rut) const;
+  void Sink(ColumnId k, const Rim::Over& rim, double down, const Vec2& left_W, Columns* ground,
+            Rut* rut) const;
   double FindEntry_rad(double front_rad, double across_m, const BodyState& body,
                        const Columns& ground) const;
   std::optional<Sample> SampleAt(const Rim::Point& at, const Columns& ground,

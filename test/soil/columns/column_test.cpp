@@ -97,17 +97,28 @@ TEST_F(ColumnTest, AFullColumnJoinsLayersAndKeepsTheirMassAndHeight) {
 TEST_F(ColumnTest, LooseSoilGivesWayBeforeTheBankBelow) {
   Deposit(0.2, 1300 / 1.25, 0);
   SpoilMix beside;
-  PressColumn(material_, 0.03, 0.3, &column_, &beside);
+  PressColumn(material_, {0.03, 0.3}, &column_, &beside);
   EXPECT_TRUE(column_.top_layer()->loose);
   EXPECT_NEAR(column_.top_layer()->density_kgpm3(), 0.2 * 1040 / 0.17, 1e-9);
   EXPECT_EQ(column_.bank_m, 2.0);
   // At 0.16 m it is as dense as bank soil and stands; 5 cm more compact the upper 0.3 m to 0.25.
-  PressColumn(material_, 0.06, 0.3, &column_, &beside);
+  PressColumn(material_, {0.06, 0.3}, &column_, &beside);
   EXPECT_FALSE(column_.top_layer()->loose);
   EXPECT_NEAR(column_.top_m, 2.2 - 0.09, 1e-12);
   EXPECT_NEAR(column_.top_layer()->density_kgpm3(), 1300 * 0.3 / 0.25, 1e-6);
   EXPECT_TRUE(beside.empty());
   EXPECT_NEAR(Gain_kgpm2(), 0.2 * 1040, 1e-9);
+}
+
+TEST_F(ColumnTest, WhatThePressureDoesNotPressTogetherIsShovedAside) {
+  // Grains of 2650 kg/m^3: a void ratio of 1.0385 loses 0.2 for the tenfold of 10 kPa, 1441.4
+  // kg/m^3. The upper 0.3 m become 0.24 m of that.
+  soils_[0].compression_index = 0.2;
+  SpoilMix beside;
+  PressColumn(material_, {0.06, 0.3, 90e3}, &column_, &beside);
+  EXPECT_NEAR(column_.top_layer()->density_kgpm3(), 1441.4, 0.1);
+  EXPECT_NEAR(beside.mass_kg(), (0.3 * 1300 - 0.24 * 1441.4) * kArea_m2, 1e-3);
+  EXPECT_NEAR(Gain_kgpm2() * kArea_m2 + beside.mass_kg(), 0, 1e-9);
 }
 
 TEST_F(ColumnTest, DumpedSoilIsAsFirmAsItsDensityOverADepthOfThreeTenths) {
@@ -121,7 +132,7 @@ TEST_F(ColumnTest, DumpedSoilIsAsFirmAsItsDensityOverADepthOfThreeTenths) {
 
 TEST_F(ColumnTest, PressedDeeperThanItsLayersItKeepsEveryKilogram) {
   SpoilMix beside;
-  PressColumn(material_, 0.8, 0.3, &column_, &beside);
+  PressColumn(material_, {0.8, 0.3}, &column_, &beside);
   EXPECT_NEAR(column_.top_m, 1.2, 1e-9);
   EXPECT_NEAR(Gain_kgpm2() * kArea_m2 + beside.mass_kg(), 0, 1e-9);
   EXPECT_LE(column_.top_layer()->density_kgpm3(), 1900 + 1e-6);

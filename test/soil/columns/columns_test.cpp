@@ -45,7 +45,7 @@ TEST(Columns, PressingTurnsVolumeIntoDensity) {
   Columns ground = SmallSite();
   const ColumnId k = ground.Touch(5, 5);
   SpoilMix beside;
-  ground.Press(k, 0.05, 0.3, &beside);
+  ground.Press(k, {0.05, 0.3}, &beside);
   EXPECT_TRUE(beside.empty());  // 1474 * 0.30 / 0.25 = 1769 is below 2000 kg/m^3
   EXPECT_NEAR(ground.at(k).top_m, 0.95, 1e-12);
   EXPECT_NEAR(ground.at(k).top_layer()->density_kgpm3(), 1474 * 0.30 / 0.25, 1e-6);
@@ -55,7 +55,7 @@ TEST(Columns, PressingTurnsVolumeIntoDensity) {
 TEST(Columns, WhatExceedsTheGreatestDensityGoesBeside) {
   Columns ground = SmallSite();
   SpoilMix beside;
-  ground.Press(ground.Touch(5, 5), 0.15, 0.3, &beside);
+  ground.Press(ground.Touch(5, 5), {0.15, 0.3}, &beside);
   // 0.15 m of crust can hold 0.15 * 2000 of the 0.3 * 1474 kg/m^2.
   EXPECT_NEAR(beside.mass_kg(), (0.3 * 1474 - 0.15 * 2000) * 0.0025, 1e-9);
   EXPECT_NEAR(ground.GroundGain().net_kg, -beside.mass_kg(), 1e-12);
@@ -65,7 +65,7 @@ TEST(Columns, CuttingThroughCrustGivesItsMassBack) {
   Columns ground = SmallSite();
   const ColumnId k = ground.Touch(50, 7);
   SpoilMix beside;
-  ground.Press(k, 0.05, 0.3, &beside);
+  ground.Press(k, {0.05, 0.3}, &beside);
   EXPECT_NEAR(CutOne(&ground, k, 0.6).mass_kg, 0.4 * 1474 * 0.0025, 1e-9);
 }
 

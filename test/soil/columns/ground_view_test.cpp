@@ -102,7 +102,7 @@ TEST(GroundView, CubesOfAnySizeHoldAllMass) {
     for (int i = 40; i < 60; ++i) ground.Cut(ground.Touch(i, j), -0.3 + 0.001 * i, &cut);
   }
   for (int i = 70; i < 90; ++i) ground.DepositAt(i, 50, cut.Take(0.005));
-  for (int i = 10; i < 20; ++i) ground.Press(ground.Touch(i, 10), 0.04, 0.3, &beside);
+  for (int i = 10; i < 20; ++i) ground.Press(ground.Touch(i, 10), {0.04, 0.3}, &beside);
   for (const int columns : {1, 3, 8}) {
     const SoilVoxels voxels = CutIntoCubes(ground, {.low_W_m = Vec3(-3.025, -2.025, low_m),
                                                     .high_W_m = Vec3(3.025, 2.025, 2.0),
@@ -114,7 +114,7 @@ TEST(GroundView, CubesOfAnySizeHoldAllMass) {
 TEST(GroundView, CompactionShowsUnderAPressedPlateAlone) {
   Columns ground = TopsoilOverSand();
   SpoilMix beside;
-  ground.Press(ground.Touch(60, 40), 0.06, 0.3, &beside);
+  ground.Press(ground.Touch(60, 40), {0.06, 0.3}, &beside);
   ASSERT_TRUE(beside.empty());
   const auto pressed = SampleBelow(ground, 0, 0, 0.1), below = SampleBelow(ground, 0, 0, 0.25);
   const auto next_to_it = SampleBelow(ground, 0.05, 0, 0.1);

@@ -150,7 +150,7 @@ TEST(GearContact, DrivingLeavesTwoRutsAndLosesNoMass) {
   const TerrainSurface& ground = block.soil->surface();
   EXPECT_LT(ground.HeightAt(0, kGauge_m / 2), -0.02);
   EXPECT_LT(ground.HeightAt(0, -kGauge_m / 2), -0.02);
-  EXPECT_NEAR(ground.HeightAt(0, 0), 0, 1e-6);
+  EXPECT_NEAR(ground.HeightAt(0, 1.6), 0, 1e-6);  // farther from both than soil heaves
   EXPECT_GT(ground.at(ground.nx / 2, (ground.ny - 1) / 2 + 12).cover.rut, 200);
   const MassLedger ledger = block.soil->ledger();
   EXPECT_NEAR(ledger.total_kg(), 0, 1e-9);
@@ -243,10 +243,80 @@ TEST(GearContact, SecondPassSinksOnlyFromWhereTheFirstHasPressed) {
   const double second_m = block.Rut_m(0);
   block.mass_kg *= 2;
   block.Stand();
-  block.Drive(5, 1.0, 0, kNothing);
+  double third_m = 0;  // under the block: behind it sand comes down from both ridges
+  block.Drive(5, 1.0, 0, [&](const Vec3&) { third_m = -block.links[0].X_WB.translation().z(); });
+  const double rebound_m = 2 * (kDepth_m - DrySandSinkage_m(1));
   EXPECT_NEAR(first_m / DrySandSinkage_m(1), 1, 0.05);
   EXPECT_NEAR(second_m / first_m, 1, 0.02);
-  EXPECT_NEAR(block.Rut_m(0) / DrySandSinkage_m(2), 1, 0.05);
+  EXPECT_NEAR((third_m - rebound_m) / DrySandSinkage_m(2), 1, 0.05);
+}
+
+/// Volumes of the ground below and above its level.
+std::pair<double, double> LoweredAndRaised_m3(const TerrainSurface& ground) {
+  double lowered_m3 = 0, raised_m3 = 0;
+  for (int j = 0; j < ground.ny; ++j) {
+    for (int i = 0; i < ground.nx; ++i) {
+      const double m3 = ground.at(i, j).height_m * ground.cell_m * ground.cell_m;
+      (m3 < 0 ? lowered_m3 : raised_m3) += std::abs(m3);
+    }
+  }
+  return {lowered_m3, raised_m3};
+}
+
+TEST(GearContact, ATurnOnTheSpotShovesSandAsideRatherThanPressingItTogether) {
+  // Sheared sand keeps its volume but for what the pressure presses together: a void ratio of 0.81
+  // loses 0.05 log10(1 + 41 kPa / 10 kPa) = 0.035, 2 % of the 0.3 m below, 6 mm of some 3 cm.
+  Block block("size_m: [8, 8]\nsoil: sand\n", Vec2(0, 0), 0, {.nose_m = 0.25});
+  block.Stand();
+  const double rate_radps = 0.4, shoe_mps = rate_radps * kGauge_m / 2;
+  block.motion.gear_rate_radps = {-shoe_mps / 0.25, shoe_mps / 0.25};
+  block.links[0].w_WB_radps.z() = rate_radps;
+  for (int k = 0; k < 4000; ++k) {
+    block.ActAndSinkGently();
+    block.links[0].X_WB.linear() =
+        RotationFromRpy(0, 0, rate_radps * kStep_s) * block.links[0].X_WB.linear();
+  }
+  const TerrainSurface& ground = block.soil->surface();
+  const auto [lowered_m3, raised_m3] = LoweredAndRaised_m3(ground);
+  EXPECT_GT(lowered_m3, 0.03);
+  EXPECT_GT(raised_m3 / lowered_m3, 0.6);
+  EXPECT_LT(raised_m3 / lowered_m3, 1);
+  EXPECT_NEAR(block.soil->ledger().total_kg(), 0, 1e-9);
+  // Between the tracks, where sand heaves from both all the way round, and in the berm outside.
+  double mound_m = 0, berm_m = 0;
+  for (int j = 0; j < ground.ny; ++j) {
+    for (int i = 0; i < ground.nx; ++i) {
+      const bool is_outside = Vec2(ground.x_m(i), ground.y_m(j)).norm() > 0.8;
+      double& highest_m = is_outside ? berm_m : mound_m;
+      highest_m = std::max<double>(highest_m, ground.at(i, j).height_m);
+    }
+  }
+  EXPECT_GT(berm_m, 0.02);
+  EXPECT_LT(berm_m, 0.08);
+  EXPECT_LT(mound_m, 0.12);
+  RecordProperty("lowered_m3", fmt::format("{:.3f}", lowered_m3));
+  RecordProperty("raised_m3", fmt::format("{:.3f}", raised_m3));
+  RecordProperty("mound_and_berm_cm", fmt::format("{:.1f} {:.1f}", 100 * mound_m, 100 * berm_m));
+}
+
+TEST(GearContact, SandHeavesBesideATrackAsFarAsPrandtlsSlipSurfaceReaches) {
+  // N_q of local shear, tan phi' = 2/3 tan 28 deg, is 6.1 (Das, table 3.1, at 19.5 deg): it comes
+  // out sqrt(6.1) b = 0.74 m beside. Heave falls off evenly to there: what one half of the rut has
+  // lost but for the 2 % that are pressed together, over half of the way.
+  Block block("size_m: [12, 8]\nsoil: sand\n", Vec2(-3, 0));
+  block.Stand();
+  block.Drive(6, 1.0, 0, kNothing);
+  const TerrainSurface& ground = block.soil->surface();
+  const auto mean_m = [&](double out_m) {  // outside the left track, along its way
+    double sum_m = 0;
+    for (int n = 0; n < 40; ++n) sum_m += ground.HeightAt(-1 + 0.05 * n, 0.75 + out_m) / 40;
+    return sum_m;
+  };
+  const double edge_m = 0.5 * kWidth_m * (block.Rut_m(0) - 0.006) / (0.5 * 0.74);
+  EXPECT_NEAR(mean_m(0.17) / edge_m, 0.83, 0.2);
+  EXPECT_NEAR(mean_m(0.37) / edge_m, 0.57, 0.15);
+  EXPECT_NEAR(mean_m(0.57) / edge_m, 0.30, 0.12);
+  EXPECT_EQ(mean_m(0.95), 0);
 }
 
 /// A track of the block with half of its weight on dirt, which drives along x over its origin:
@@ -369,7 +439,8 @@ TEST(GearContact, ThrustUnderRoadWheelsFollowsItsClosedForm) {
 TEST(GearContact, TurningOnTheSpotIsResistedByFrictionAcrossTheTracks) {
   // Tracks roll as fast as they turn, so that the ground slides under them sideways alone:
   // M = (W tan phi + A c) L / 4. Shear needs some way to build up and to turn round in the
-  // middle, so K is small here; the width adds some.
+  // middle, so K is small here; the width adds some. The ends, which shove sand out of their way,
+  // stand in a deeper ring than the middle and carry less.
   Block block(
       "size_m: [8, 8]\nsoil: s\n"
       "custom_soils: [{preset: tera:config/soils/sand.yaml, name: s, shear_modulus_m: 0.004}]\n",
@@ -391,7 +462,7 @@ TEST(GearContact, TurningOnTheSpotIsResistedByFrictionAcrossTheTracks) {
   }
   const double weight_n = kMass_kg * kStandardGravity_mps2;
   const double strength_n = std::tan(28 * kDeg) * weight_n + 2 * kWidth_m * kLength_m * 1040;
-  EXPECT_NEAR(moment_nm / count / (-strength_n * kLength_m / 4), 1, 0.10);
+  EXPECT_NEAR(moment_nm / count / (-strength_n * kLength_m / 4), 1, 0.15);
 }
 
 TEST(GearContact, GrousersOfASpinningTrackDigIn) {

@@ -87,6 +87,7 @@ class LeaningTrack {
   static SoilType Yielding(double max_density_kgpm3) {
     SoilType soil = SandOf30Deg();
     soil.max_density_kgpm3 = max_density_kgpm3;
+    soil.compression_index = 10;  // is pressed together, not aside
     soil.young_modulus_pa = 20e6;
     soil.k_phi_npm_n2 = kYield_pa;
     soil.sinkage_exponent = 1e-3;
