@@ -326,6 +326,17 @@ void Columns::Break(ColumnId k, double thickness_m) {
 
 void Columns::MarkRut(ColumnId k) { ShowRut(k, kRutOfContact); }
 
+void Columns::Load(const std::vector<ColumnId>& columns, double pressure_pa) {
+  if (columns.empty() || pressure_pa <= 0) return;
+  Box box{nx(), ny(), -1, -1};
+  for (const ColumnId k : columns) {
+    SkinOf(k).load_pa = static_cast<float>(pressure_pa);
+    const auto [i, j] = PlaceOf(k);
+    box = {std::min(box.i0, i), std::min(box.j0, j), std::max(box.i1, i), std::max(box.j1, j)};
+  }
+  if (std::find(loaded_.begin(), loaded_.end(), box) == loaded_.end()) loaded_.push_back(box);
+}
+
 void Columns::Unblock(ColumnId k) {
   Release(k);
   Changed(k);  // what was held back may now slide

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/types/terrain_surface.h"
@@ -83,6 +84,7 @@ class Columns {
     double top_m = 0, loose_m = 0, pressed_m = 0;  ///< as in Column
     float blocked_m = kOpen_m;                     ///< lowest point of a tool in it
     float firmness = 1;                            ///< see FirmnessOf
+    float load_pa = 0;                             ///< of gear that stands on it
     std::uint8_t soil = 0;                         ///< at the surface
     std::uint8_t rut = 0;                          ///< as shown
     bool is_loose = false;                         ///< as in Column
@@ -182,7 +184,19 @@ class Columns {
   void Block(ColumnId k, double low_m) { SkinOf(k).blocked_m = static_cast<float>(low_m); }
   bool IsBlocked(ColumnId k) const { return skin(k).blocked_m < kOpen_m; }
   /// The tool may have left: unless it blocks the column again, Unblock is due.
-  void Release(ColumnId k) { SkinOf(k).blocked_m = kOpen_m; }
+  void Release(ColumnId k) {
+    SkinOf(k).blocked_m = kOpen_m;
+    SkinOf(k).load_pa = 0;
+  }
+  /// Gear presses on the columns that it blocks, which are no support for a bank then.
+  void Load(const std::vector<ColumnId>& columns, double pressure_pa);
+  bool IsPropped(ColumnId k) const { return IsBlocked(k) && skin(k).load_pa == 0; }
+  /// Columns around what has been loaded since the last call.
+  struct Box {
+    int i0, j0, i1, j1;
+    bool operator==(const Box&) const = default;
+  };
+  std::vector<Box> TakeLoaded() { return std::exchange(loaded_, {}); }
   void Unblock(ColumnId k);
 
   /// Shows soil in the air.
@@ -235,6 +249,7 @@ class Columns {
   double area_m2_ = 0;
   double outside_kg_ = 0;
   std::vector<ColumnId> changed_;
+  std::vector<Box> loaded_;
   struct Arrival {
     ColumnId to;
     Spoil spoil;

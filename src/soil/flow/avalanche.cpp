@@ -18,10 +18,11 @@ constexpr double kSkinShare = 0.3, kDeepShare = 0.6;
 /// Rise of friction with the inertial number where that is small: (mu_2 - mu_s) / I_0 of Jop,
 /// Forterre and Pouliquen's beads, (0.643 - 0.382) / 0.279.
 constexpr double kInertialFriction = 0.93;
-constexpr double kBagnold = 2.5;            ///< shear rate at the bed over mean speed by thickness
-constexpr double kCreep_mps = 0.005;        ///< slower flows come to rest where none would start
-constexpr double kTrickle_m2ps = 2e-5;      ///< so do flows of less volume for each metre of width
-constexpr double kStep_s = 0.008;           ///< flow is slow beside tools, which need shorter steps
+constexpr double kBagnold = 2.5;        ///< shear rate at the bed over mean speed by thickness
+constexpr double kCreep_mps = 0.005;    ///< slower flows come to rest where none would start
+constexpr double kTrickle_m2ps = 2e-5;  ///< so do flows of less volume for each metre of width
+constexpr double kStep_s = 0.008;       ///< flow is slow beside tools, which need shorter steps
+constexpr int kStepsPerLoad = 12;       ///< banks under gear are looked at every tenth of a second
 constexpr double kLongestStep_cells = 0.5;  ///< soil moves no farther in a step
 /// Share of the start angle's slope below which, along both axes, no column starts to flow.
 constexpr double kGentle = 0.65;
@@ -226,6 +227,14 @@ void Avalanche::FailWalls(double dt_s, Columns* ground, Grains* grains) {
   std::vector<StandingWalls::Failure> failures;
   for (const ColumnId k : visited_) {
     if (const auto failure = walls_.FailureAt(k, *ground)) failures.push_back(*failure);
+  }
+  if (++steps_ % kStepsPerLoad == 0) {
+    ColumnSet seen;
+    StandingWalls::ForLoaded(ground, [&](ColumnId k) {
+      if (is_visited_.Contains(k) || seen.Contains(k)) return;
+      seen.Add(k);
+      if (const auto failure = walls_.FailureAt(k, *ground)) failures.push_back(*failure);
+    });
   }
   walls_.Fail(failures, dt_s, ground, grains);
 }

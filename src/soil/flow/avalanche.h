@@ -87,6 +87,7 @@ class Avalanche {
   void MoveSoil(double dt_s, Columns* ground);
 
   double pending_s_ = 0;  ///< passed since the last visit
+  int steps_ = 0;
   StandingWalls walls_;
   std::vector<Friction> friction_;  ///< one for each soil
   ColumnSet active_;                ///< to be visited at the next step

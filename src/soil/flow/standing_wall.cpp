@@ -12,6 +12,8 @@ namespace {
 
 constexpr int kLookDown = 12;  ///< columns over which a bank's height is measured
 constexpr double kLeastOverhang_m = 2e-4;
+/// What is lower under gear is a matter of bearing, which Bekker's pressure has.
+constexpr double kLeastLoaded_m = 0.3;
 constexpr double kLeastWedge_m = 0.1;    ///< soil that stands no higher crumbles
 constexpr double kBreakSpeed_mps = 1.0;  ///< at which it does
 constexpr double kVeneer_m = 0.05;       ///< more loose soil than this covers what would crumble
@@ -96,7 +98,9 @@ void SlideOff(const StandingWalls::Failure& failure, Columns* ground,
       const double plane_m = toe_m + failure.slip.HeightAt(failure.run_m + behind_m + half_m);
       if (plane_m >= failure.top_m || plane_m >= ground->TopAt(i, j)) continue;
       const ColumnId k = ground->Touch(i, j);
-      if (ground->IsBlocked(k)) continue;
+      const bool holds =
+          failure.drop_m >= kLeastLoaded_m ? ground->IsPropped(k) : ground->IsBlocked(k);
+      if (holds) continue;
       const double top_m = ground->skin(k).top_m;
       const double way_m = (failure.run_m + behind_m) / down_W.head<2>().norm();
       broken->push_back({{},
@@ -107,6 +111,20 @@ void SlideOff(const StandingWalls::Failure& failure, Columns* ground,
       ground->Cut(k, plane_m, &broken->back().soil);
     }
   }
+}
+
+/// Mean pressure of gear on the surface of the wedge behind an edge, `length_m` to where its slip
+/// surface comes out.
+double Surcharge_pa(ColumnId k, const Direction& out, double length_m, const Columns& ground) {
+  const auto [i, j] = ground.PlaceOf(k);
+  const double step_m = out.distance * ground.cell_m();
+  const int count = std::max(1, static_cast<int>(std::lround(length_m / step_m)));
+  double sum_pa = 0;
+  for (int m = 0; m < count && ground.Contains(i - m * out.di, j - m * out.dj); ++m) {
+    const ColumnId behind = ground.IdAt(i - m * out.di, j - m * out.dj);
+    if (behind != Columns::kNone) sum_pa += static_cast<double>(ground.skin(behind).load_pa);
+  }
+  return sum_pa / count;
 }
 
 }  // namespace
@@ -144,13 +162,14 @@ bool StandingWalls::IsEdge(ColumnId k, const Columns& ground) const {
   });
 }
 
-/// Calls `take(m, step_m, fall_m, edge_fall_m)` for the columns on which one looks down from the
-/// top of a bank, m columns of step_m away, on each side on which it falls off more than
+/// Calls `take(out, m, step_m, fall_m, edge_fall_m)` for the columns on which one looks down from
+/// the top of a bank, m columns of step_m away, on each side on which it falls off more than
 /// `tan_edge`.
 template <typename Take>
 void ForFalls(ColumnId k, double top_m, double tan_edge, const Columns& ground, Take take) {
   const auto [i, j] = ground.PlaceOf(k);
-  for (const auto& [di, dj, distance] : kDirections) {
+  for (const Direction& out : kDirections) {
+    const auto& [di, dj, distance] = out;
     const double step_m = distance * ground.cell_m();
     double edge_fall_m = 0;  // to the neighbour on that side
     for (int m = 1; m <= kLookDown && ground.Contains(i + m * di, j + m * dj); ++m) {
@@ -159,16 +178,18 @@ void ForFalls(ColumnId k, double top_m, double tan_edge, const Columns& ground, 
       const double fall_m = top_m - ground.TopAt(i + m * di, j + m * dj);
       if (m == 1) edge_fall_m = fall_m;
       if (edge_fall_m <= tan_edge * step_m) break;  // no edge on this side
-      take(m, step_m, fall_m, edge_fall_m);
+      take(out, m, step_m, fall_m, edge_fall_m);
     }
   }
 }
 
 std::optional<StandingWalls::Failure> StandingWalls::FailureAt(ColumnId k,
                                                                const Columns& ground) const {
-  if (!IsEdge(k, ground) || ground.IsBlocked(k)) return std::nullopt;
+  if (!IsEdge(k, ground) || ground.IsPropped(k)) return std::nullopt;
   std::optional<Failure> failure = FailureOfTop(k, ground);
-  return failure ? failure : FailureOfLayers(k, ground);
+  if (!failure) failure = FailureOfLayers(k, ground);
+  const bool is_low = failure && (failure->slip.count == 0 || failure->drop_m < kLeastLoaded_m);
+  return is_low && ground.IsBlocked(k) ? std::nullopt : failure;
 }
 
 /// Whether the uppermost soil stands by itself.
@@ -180,13 +201,22 @@ std::optional<StandingWalls::Failure> StandingWalls::FailureOfTop(ColumnId k,
   std::optional<Failure> worst;
   double worst_edge_m = 0;
   ForFalls(k, bank.top_m, limit.tan_stand, ground,
-           [&](int m, double step_m, double fall_m, double edge_fall_m) {
+           [&](const Direction& out, int m, double step_m, double fall_m, double edge_fall_m) {
              const double drop_m = std::min(bank.thickness_m, fall_m);
              const double run_m = (m - 1) * step_m;
+             const double face_rad = std::atan2(drop_m, run_m);
+             const double plane_rad = 0.5 * (face_rad + soil.friction_angle_rad);
+             if (drop_m <= limit.tan_stand * m * step_m) return;  // however high or loaded
+             const double load_pa =
+                 limit.upright_m <= kLeastWedge_m || drop_m < kLeastLoaded_m
+                     ? 0
+                     : Surcharge_pa(k, out, drop_m / std::tan(plane_rad) - run_m, ground);
+             const double loaded_m =
+                 drop_m + 2 * load_pa / (soil.bank_density_kgpm3 * kStandardGravity_mps2);
              const double stands_m = std::max(limit.upright_m, limit.tan_stand * m * step_m);
-             const double overhang_m = drop_m - stands_m;
+             const double overhang_m = loaded_m - stands_m;
              if (overhang_m <= (worst ? worst->overhang_m : kLeastOverhang_m)) return;
-             if (drop_m <= CulmannHeight_m(soil, std::atan2(drop_m, run_m))) return;
+             if (loaded_m <= CulmannHeight_m(soil, face_rad)) return;
              worst = {k, bank.soil, bank.top_m, drop_m, run_m, overhang_m, Vec2::Zero(), {}};
              worst_edge_m = edge_fall_m;
            });
@@ -225,7 +255,7 @@ std::optional<StandingWalls::Failure> StandingWalls::FailureOfLayers(ColumnId k,
     worst_edge_m = edge_fall_m;
   };
   ForFalls(k, bank.top_m, least_tan_stand_, ground,
-           [&](int m, double step_m, double fall_m, double edge_fall_m) {
+           [&](const Direction&, int m, double step_m, double fall_m, double edge_fall_m) {
              // As high a bank that is less steep is the safer.
              if (m == 1) seen_m = 0;
              if (fall_m <= std::max(bank.thickness_m, seen_m + kDeeper_m)) return;

@@ -25,9 +25,11 @@ double CulmannHeight_m(const SoilType& soil, double slope_rad);
 ///         that is too high loses the wedge above the plane through its toe at half the sum of
 ///         slope and friction angle: it becomes clods where it stood, which slide down the plane.
 ///         One with no or little cohesion crumbles at the surface into loose soil, down to the
-///         slope of internal friction. Where the uppermost soil stands, and others lie below it,
-///         the surface through them on which the bank is the least safe counts (LayeredBanks).
-/// Omits   surcharge behind the edge, water in cracks, undercut banks.
+///         slope of internal friction. Gear that stands on the wedge loads it: q for each square
+///         metre of its surface counts as 2 q / (rho g) of height. Where the uppermost soil stands,
+///         and others lie below it, the surface through them on which the bank is the least safe
+///         counts (LayeredBanks).
+/// Omits   heaps behind the edge as surcharge, water in cracks, undercut banks.
 class StandingWalls {
  public:
   struct Failure {
@@ -44,11 +46,28 @@ class StandingWalls {
   explicit StandingWalls(const std::vector<SoilType>& soils);
   /// Whether the top of a column is the edge of a bank that cannot stand.
   std::optional<Failure> FailureAt(ColumnId k, const Columns& ground) const;
+  /// Calls visit(k) for columns within reach of gear that has been on the ground since the last
+  /// call: their banks may fail though nothing there has changed.
+  template <typename Visit>
+  static void ForLoaded(Columns* ground, Visit visit) {
+    const int reach = static_cast<int>(kLoadReach_m / ground->cell_m());
+    for (const Columns::Box& box : ground->TakeLoaded()) {
+      for (int j = std::max(0, box.j0 - reach); j <= std::min(ground->ny() - 1, box.j1 + reach);
+           ++j) {
+        for (int i = std::max(0, box.i0 - reach); i <= std::min(ground->nx() - 1, box.i1 + reach);
+             ++i) {
+          const ColumnId k = ground->IdAt(i, j);
+          if (k != Columns::kNone) visit(k);
+        }
+      }
+    }
+  }
   /// Lets banks fail for `dt_s`, wedges all at once, in clods as large as there is room for.
   void Fail(const std::vector<Failure>& failures, double dt_s, Columns* ground,
             Grains* grains) const;
 
  private:
+  static constexpr double kLoadReach_m = 1.0;  ///< from gear to the edge of a bank that it loads
   struct Limit {
     double tan_stand;  ///< of the slope that stands at any height
     double upright_m;  ///< critical height of an upright wall

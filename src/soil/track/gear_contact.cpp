@@ -227,7 +227,7 @@ GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, d
   for (std::size_t k = 0; k < patches_.size(); ++k) {
     if (!patches_[k].is_on_wheel) ActOn(k, step, obstacles, &sum);
   }
-  rut_.End(body, ground);
+  rut_.End(body, sum.weight_n, ground);
   forward_mps_ = sum.weight_n > 0 ? sum.forward_w / sum.weight_n : 0;
   contact_m_ = sum.contact_m;
   deepest_m_ = sum.sinkage_m;

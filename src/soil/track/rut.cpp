@@ -205,7 +205,8 @@ void Rut::ThrowOut(double direction, const BodyState& body, const SpoilMix& thro
   }
 }
 
-void Rut::End(const BodyState& body, Columns* ground) {
+void Rut::End(const BodyState& body, double weight_n, Columns* ground) {
+  ground->Load(covered_, weight_n / (static_cast<double>(covered_.size()) * ground->area_m2()));
   std::vector<ColumnId> free;
   for (const ColumnId k : was_covered_) {
     if (!ground->IsBlocked(k)) free.push_back(k);

@@ -70,8 +70,9 @@ class Rut {
   /// Its shoes stand `sinkage_m` deep.
   void Slip(std::size_t k, double slip_m, double sinkage_m, double contact_m, const BodyState& body,
             Columns* ground);
-  /// After a step's patches: soil may slide again into columns that the gear has left.
-  void End(const BodyState& body, Columns* ground);
+  /// After a step's patches, which carry `weight_n`: it loads the columns below, and soil may slide
+  /// again into those that the gear has left.
+  void End(const BodyState& body, double weight_n, Columns* ground);
 
  private:
   struct Under;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "soil/block_fixture.h"
 #include "soil/flow/avalanche.h"
 #include "soil/flow/grains.h"
 #include "soil/soil_fixture.h"
@@ -381,6 +382,48 @@ TEST(StandingWall, SandOverClaySlumpsAndTheClayBelowStands) {
   EXPECT_NEAR(wall.EdgeTop_m(), -0.3, 0.05);
   EXPECT_GE(wall.EdgeTop_m(), -0.3 - 1e-9);
   EXPECT_EQ(wall.ground.TopAt(40, 60), 0);
+}
+
+/// Height of the crust a quarter of a metre behind the rim of a pit in clay, 0.9 m deep with
+/// upright walls, after two seconds; a block on tracks whose middle stands `behind_m` behind the
+/// rim.
+double CrustUnderTracks_m(double behind_m, bool loaded = true) {
+  // It stands up to 4 c / (rho g) tan(45 deg + phi / 2) - 2 q / (rho g): 1.19 m less 4.7 m under
+  // half of the tracks' ground, 82 kPa.
+  Block block(
+      "size_m: [12, 6]\nsoil: clay\n"
+      "pits: [{outline_m: [[0.01, -2], [3, -2], [3, 2], [0.01, 2]], depth_m: 0.9}]\n",
+      Vec2(-behind_m, 0));
+  if (!loaded) block.links[0].X_WB.translation().z() = 5;
+  for (int k = 0; k < 1000; ++k) {
+    if (loaded) {
+      block.ActAndSinkGently();
+    } else {
+      block.Act();
+    }
+  }
+  EXPECT_NEAR(block.soil->ledger().total_kg(), 0, 1e-9);
+  return block.soil->surface().HeightAt(-0.25, 0.5 * kGauge_m);
+}
+
+TEST(StandingWall, AMachineOnTheRimOfABankBringsDownWhatStandsWithoutIt) {
+  EXPECT_NEAR(CrustUnderTracks_m(0, false), 0, 1e-6);
+  EXPECT_LT(CrustUnderTracks_m(0), -0.2);
+  // Culmann's wedge is 0.9 m / tan 51.5 deg = 0.72 m wide. Tracks whose front end stands 1.2 m
+  // behind the rim load none of it.
+  EXPECT_NEAR(CrustUnderTracks_m(1.2 + 0.5 * kLength_m), 0, 0.02);
+}
+
+TEST(StandingWall, AHeapAtReposeUnderAMachineIsNoBank) {
+  // A mound of loam, 1 m high, at repose: a track sinks into its summit, and nothing slides off as
+  // a wedge.
+  Block block("size_m: [12, 6]\nsoil: dirt\npiles: [{xy_m: [0, 0.6], height_m: 1, soil: dirt}]\n",
+              Vec2(0, 0));
+  block.links[0].X_WB.translation().z() = 1;
+  for (int k = 0; k < 1000; ++k) {
+    block.ActAndSinkGently();
+    ASSERT_EQ(block.soil->ledger().grains_kg, 0) << k;
+  }
 }
 
 }  // namespace
