@@ -65,43 +65,44 @@ void Record(const std::string& name, double here, double there) {
   testing::Test::RecordProperty(name, fmt::format("{:.3f} expected {:.3f}", here, there));
 }
 
-/// At no slip: sinkage within 20 %, drawbar pull within a quarter of the load.
+/// Of a measurement, or of another model.
+struct Reference {
+  double slip, sinkage_m, drawbar_n;
+};
+
+void RecordWheel(const std::string& name, const RigidWheel& wheel, const WheelTest& test,
+                 const Reference& reference) {
+  Record(name + "sinkage_mm", 1e3 * test.sinkage_m, 1e3 * reference.sinkage_m);
+  Record(name + "drawbar_over_load", test.drawbar_n / wheel.load_n,
+         reference.drawbar_n / wheel.load_n);
+}
+
+/// Sinkage within 20 %, drawbar pull within a quarter of the load.
+void ExpectNear(const RigidWheel& wheel, const WheelSoil& soil, const Reference& reference) {
+  const WheelTest test = RunWheel(wheel, soil.Yaml(), reference.slip);
+  const std::string name = fmt::format("slip_{:.0f}_", 100 * reference.slip);
+  EXPECT_NEAR(test.sinkage_m / reference.sinkage_m, 1, 0.20) << name;
+  EXPECT_NEAR(test.drawbar_n / wheel.load_n, reference.drawbar_n / wheel.load_n, 0.25) << name;
+  RecordWheel(name, wheel, test, reference);
+}
+
 void ExpectWongReece(const RigidWheel& wheel, const WheelSoil& soil) {
-  const WheelTest test = RunWheel(wheel, soil.Yaml(), 0);
-  const WheelForces expected = WongReece(wheel, soil, 0);
-  EXPECT_NEAR(test.sinkage_m / expected.sinkage_m, 1, 0.20);
-  EXPECT_NEAR(test.drawbar_n / wheel.load_n, expected.drawbar_n / wheel.load_n, 0.25);
-  Record("sinkage_mm", 1e3 * test.sinkage_m, 1e3 * expected.sinkage_m);
-  Record("drawbar_over_load", test.drawbar_n / wheel.load_n, expected.drawbar_n / wheel.load_n);
+  const WheelForces forces = WongReece(wheel, soil, 0);
+  ExpectNear(wheel, soil, {0, forces.sinkage_m, forces.drawbar_n});
 }
 
 TEST(Wheel, SmallOneSinksAndDragsAsWongAndReeceSay) { ExpectWongReece(kRoverWheel, kSimulant); }
 
 TEST(Wheel, LargeOneSinksAndDragsAsWongAndReeceSay) { ExpectWongReece(kLargeWheel, kSand); }
 
-struct Measured {
-  double slip, sinkage_m, drawbar_n;
-};
-
-void ExpectMeasured(const RigidWheel& wheel, const WheelSoil& soil, const Measured& measured) {
-  const WheelTest test = RunWheel(wheel, soil.Yaml(), measured.slip);
-  EXPECT_NEAR(test.sinkage_m / measured.sinkage_m, 1, 0.20) << "slip " << measured.slip;
-  EXPECT_NEAR(test.drawbar_n / wheel.load_n, measured.drawbar_n / wheel.load_n, 0.25)
-      << "slip " << measured.slip;
-  const std::string name = fmt::format("slip_{:.0f}_", 100 * measured.slip);
-  Record(name + "sinkage_mm", 1e3 * test.sinkage_m, 1e3 * measured.sinkage_m);
-  Record(name + "drawbar_over_load", test.drawbar_n / wheel.load_n,
-         measured.drawbar_n / wheel.load_n);
-}
-
 TEST(Wheel, SmoothOneSinksAndPullsWithSlipAsDingMeasured) {
-  for (const Measured& measured : std::vector<Measured>{{0.0, 0.005, -6.5},
-                                                        {0.1, 0.0055, 11},
-                                                        {0.2, 0.0075, 14.5},
-                                                        {0.3, 0.010, 15},
-                                                        {0.4, 0.0125, 15},
-                                                        {0.6, 0.0175, 15}}) {
-    ExpectMeasured(kDingWheel, kDingSoil, measured);
+  for (const Reference& measured : std::vector<Reference>{{0.0, 0.005, -6.5},
+                                                          {0.1, 0.0055, 11},
+                                                          {0.2, 0.0075, 14.5},
+                                                          {0.3, 0.010, 15},
+                                                          {0.4, 0.0125, 15},
+                                                          {0.6, 0.0175, 15}}) {
+    ExpectNear(kDingWheel, kDingSoil, measured);
   }
 }
 
@@ -109,13 +110,14 @@ TEST(Wheel, LuggedOneSinksAndPullsWithSlipAsDingMeasured) {
   // At a slip of 0.6 27 mm were measured, where 21 are met.
   RigidWheel wheel = kDingWheel;
   wheel.grouser_m = 0.010;
-  for (const Measured& measured : std::vector<Measured>{{0.0, 0.0045, -6.5},
-                                                        {0.1, 0.005, 14},
-                                                        {0.2, 0.0075, 20},
-                                                        {0.3, 0.0105, 22},
-                                                        {0.4, 0.014, 23}}) {
-    ExpectMeasured(wheel, kDingSoil, measured);
+  for (const Reference& measured : std::vector<Reference>{{0.0, 0.0045, -6.5},
+                                                          {0.1, 0.005, 14},
+                                                          {0.2, 0.0075, 20},
+                                                          {0.3, 0.0105, 22},
+                                                          {0.4, 0.014, 23}}) {
+    ExpectNear(wheel, kDingSoil, measured);
   }
+  RecordWheel("slip_60_", wheel, RunWheel(wheel, kDingSoil.Yaml(), 0.6), {0.6, 0.027, 25});
 }
 
 TEST(Wheel, SinksWithSlipAndSkidAsPavlovMeasured) {
@@ -124,8 +126,10 @@ TEST(Wheel, SinksWithSlipAndSkidAsPavlovMeasured) {
     const WheelTest test = RunWheelAt(kPavlovWheel, kPavlovSoil.Yaml(), rim_over_way);
     EXPECT_NEAR(test.sinkage_m / sinkage_m, 1, 0.20) << "rim over way " << rim_over_way;
     EXPECT_EQ(test.drawbar_n > 0, rim_over_way > 1) << "rim over way " << rim_over_way;
-    Record(fmt::format("rim_{:.1f}_over_way_sinkage_mm", rim_over_way), 1e3 * test.sinkage_m,
-           1e3 * sinkage_m);
+    const std::string name = fmt::format("rim_{:.1f}_over_way_", rim_over_way);
+    Record(name + "sinkage_mm", 1e3 * test.sinkage_m, 1e3 * sinkage_m);
+    RecordProperty(name + "drawbar_over_load",
+                   fmt::format("{:.2f}", test.drawbar_n / kPavlovWheel.load_n));
   }
 }
 
@@ -189,6 +193,7 @@ TEST(Wheel, StraightAcrossMeetsTheStrengthBelowAndThePassivePressureBeside) {
   const double face_n = chord_m * (2.0 / 3 * cohesion_npm + 8.0 / 15 * weight_npm);
   EXPECT_NEAR(test.side_n / (strength_n + face_n), 1, 0.15);
   EXPECT_GT(test.side_n, strength_n);
+  Record("side_n", test.side_n, strength_n + face_n);
 }
 
 }  // namespace
