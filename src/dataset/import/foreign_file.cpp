@@ -40,8 +40,9 @@ constexpr const char* kJson =
     "write it as CSV first: python3 -c \"import pandas; pandas.read_json('{0}').to_csv('{1}.csv', "
     "index=False)\"";
 constexpr const char* kPacketRemedy =
-    "for a lidar's packets write PCD, PLY or LAS files with its maker's program first; for fields "
-    "of packets make a table: tshark -r {0} -T fields -E header=y -E separator=, -e "
+    "a mapping's lidars read the packets of an Ouster, a Velodyne or a Hesai "
+    "(docs/reference/dataset.md, \"Importing scans of lidars\"); for fields of packets make a "
+    "table: tshark -r {0} -T fields -E header=y -E separator=, -e "
     "frame.time_epoch -e FIELD > {1}.csv";
 constexpr const char* kSpreadsheet =
     "write its sheet as CSV first: libreoffice --headless --convert-to csv {0}";

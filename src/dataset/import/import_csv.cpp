@@ -16,6 +16,7 @@
 #include "dataset/import/foreign_file.h"
 #include "dataset/import/import_run.h"
 #include "dataset/import/logs/foreign_log.h"
+#include "dataset/import/scans/lidar_channel.h"
 
 namespace tera {
 namespace {
@@ -33,12 +34,10 @@ Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options, Unpacked
   }
   for (const char* shared : {"file", "time", "csv", "talker"})
     top.Has(shared);  // if each channel has its own
-  for (const char* key : {"lidars", "cameras"}) {
-    if (!top.Has(key)) continue;
-    top.Fault(
-        key,
-        "scans and pictures of logs do not come in by a mapping; need them written into the "
-        "recording's folders (docs/reference/dataset.md, recordings with scans and pictures)");
+  if (top.Has("cameras")) {
+    top.Fault("cameras",
+              "pictures of logs do not come in by a mapping; need them written into the "
+              "recording's folders (docs/reference/dataset.md, recordings with pictures)");
   }
   mapping.starts_at_zero = top.Choice("zero", {"start", "as_written"}, "as_written") == "start";
   mapping.epoch = ReadEpoch(top, /*may_count_from_1970=*/true);
@@ -64,12 +63,17 @@ Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options, Unpacked
   for (const ConfigMap& item : top.List("tables")) {
     mapping.jobs.push_back(ReadTable(item, top, &mapping));
   }
+  for (const ConfigMap& item : top.List("lidars")) {
+    mapping.jobs.push_back(ReadLidar(item, top, &mapping));
+  }
   if (const auto pose = top.OptionalMap("pose")) {
     mapping.jobs.push_back(ReadPose(*pose, top, &mapping));
   }
   if (mapping.jobs.empty()) {
-    top.Fault("",
-              "imports nothing, need at least one of imus, gyros, gnss, encoders, tables and pose");
+    top.Fault(
+        "",
+        "imports nothing, need at least one of imus, gyros, gnss, encoders, tables, lidars and "
+        "pose");
   }
   return mapping;
 }

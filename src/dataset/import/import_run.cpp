@@ -16,15 +16,19 @@
 namespace tera {
 namespace {
 
-void Describe(const std::vector<MappedRow>& rows, ImportedChannel* channel) {
-  channel->rows = static_cast<std::int64_t>(rows.size());
-  if (rows.empty()) return;
-  channel->first_ns = rows.front().t_ns;
-  channel->last_ns = rows.back().t_ns;
+std::vector<TimeNs> TimesOf(const std::vector<MappedRow>& rows) {
+  std::vector<TimeNs> t_ns;
+  for (const MappedRow& row : rows) t_ns.push_back(row.t_ns);
+  return t_ns;
+}
+
+void Describe(const std::vector<TimeNs>& t_ns, ImportedChannel* channel) {
+  channel->rows = static_cast<std::int64_t>(t_ns.size());
+  if (t_ns.empty()) return;
+  channel->first_ns = t_ns.front();
+  channel->last_ns = t_ns.back();
   std::vector<TimeNs> intervals_ns;
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    intervals_ns.push_back(rows[i].t_ns - rows[i - 1].t_ns);
-  }
+  for (std::size_t i = 1; i < t_ns.size(); ++i) intervals_ns.push_back(t_ns[i] - t_ns[i - 1]);
   if (intervals_ns.empty()) return;
   channel->longest_gap_ns = *std::max_element(intervals_ns.begin(), intervals_ns.end());
   channel->interval_ns = Median(intervals_ns);
@@ -86,9 +90,20 @@ std::vector<MappedRow> ImportRun::Read(const std::string& path, const RowSource&
   }
   channel.left_out = left_out.count;
   channel.first_fault = left_out.first;
-  Describe(rows, &channel);
+  Describe(TimesOf(rows), &channel);
   report_.channels.push_back(channel);
   return rows;
+}
+
+ImportedChannel* ImportRun::AddFrames(const std::string& path, const std::string& file,
+                                      const std::vector<TimeNs>& t_ns,
+                                      const LeftOutRows& left_out) {
+  ImportedChannel channel{
+      .path = path, .file = file, .left_out = left_out.count, .first_fault = left_out.first};
+  Describe(t_ns, &channel);
+  clocks_.insert(ClockScale::kUnknown);
+  report_.channels.push_back(channel);
+  return last();
 }
 
 void ImportRun::AddMotion(const RowSource& source, std::vector<MotionSeries> series) {

@@ -13,6 +13,7 @@
 #include "dataset/format/writer.h"
 #include "dataset/import/csv_mapping.h"
 #include "dataset/import/import_options.h"
+#include "dataset/import/left_out_rows.h"
 
 namespace tera {
 
@@ -29,6 +30,9 @@ class ImportRun {
   std::vector<MappedRow> Read(const std::string& path, const RowSource& source,
                               const std::vector<ColumnMapping>& columns,
                               const RowCheck& check = nullptr);
+  /// Tells of a channel of frames that were read elsewhere, by their times in the recording.
+  ImportedChannel* AddFrames(const std::string& path, const std::string& file,
+                             const std::vector<TimeNs>& t_ns, const LeftOutRows& left_out);
   /// The channel that Read told of last.
   ImportedChannel* last() { return &report_.channels.back(); }
   /// What the channel that Read told of last tells of motions, for the comparison of clocks.
@@ -36,6 +40,8 @@ class ImportRun {
   /// None where nothing is to be written.
   DatasetWriter* writer() const { return writer_; }
   const ImportOptions& options() const { return options_; }
+  /// The recording's zero in the files' times.
+  TimeNs zero_ns() const { return zero_ns_; }
   /// The time scale of all clocks that were read, where they are known to share one.
   ClockScale Clock() const;
   /// With the clocks compared.

@@ -6,6 +6,7 @@
 #include "core/error.h"
 #include "dataset/import/bag/bag_source.h"
 #include "dataset/import/logs/foreign_log.h"
+#include "dataset/import/scans/capture_file.h"
 
 namespace tera {
 namespace {
@@ -29,6 +30,7 @@ void RefusePoints(const std::filesystem::path& log) {
 
 std::string SuggestMapping(const std::filesystem::path& log,
                            const std::vector<std::string>& overrides) {
+  if (LooksLikeCapture(log) && overrides.empty()) return SuggestForCapture(log);
   const bool is_table =
       !LooksLikeBag(log) && !std::filesystem::is_directory(log) && TypeOfLog(log).empty();
   const auto trajectory = is_table && overrides.empty() ? SuggestForTrajectory(log) : std::nullopt;

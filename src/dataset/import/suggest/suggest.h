@@ -17,6 +17,8 @@ std::string SuggestMapping(const std::filesystem::path& log,
 
 // The mapping of each kind of log.
 std::string SuggestForBag(const std::filesystem::path& log);
+/// The mapping of a capture of a network, by the ports that lidars send to.
+std::string SuggestForCapture(const std::filesystem::path& log);
 std::string SuggestForTable(const std::filesystem::path& log,
                             const std::vector<std::string>& overrides);
 /// The mapping of a log of PX4, by its topics.

@@ -14,6 +14,8 @@
 #include "dataset/import/bag/byte_cursor.h"
 #include "dataset/import/bag/message_schema.h"
 #include "dataset/import/bag/standard_topics.h"
+#include "dataset/import/scans/packet_topic.h"
+#include "dataset/import/scans/point_topic.h"
 #include "dataset/import/suggest/bag_channels.h"
 #include "dataset/import/suggest/suggest.h"
 
@@ -88,7 +90,10 @@ class BagGuess {
         "name: {}\nmachine: {}   # guessed: name the machine's folder\nfile: {}\n",
         PlainNameOf(NameOfLog()), Machine(), YamlWord(log_.string()));
     if (!damage_.empty()) yaml += "# damaged, needs --skip-bad-rows: " + OneLine(damage_) + "\n";
-    yaml += channels_.Yaml();
+    const std::string channels = channels_.Yaml();
+    if (lidars_at_epoch_ && !channels.starts_with("zero: start")) yaml += "zero: start\n";
+    yaml += channels;
+    if (!lidars_.empty()) yaml += "lidars:\n" + lidars_;
     if (!others_.empty()) yaml += "# Not mapped:\n" + others_;
     return yaml;
   }
@@ -145,6 +150,7 @@ class BagGuess {
   /// Why a topic makes no channel; "-" where nothing is to be said of it.
   std::string Add(const SeenTopic& seen) {
     const std::string& type = seen.topic.type;
+    if (type == kPointCloudType || HoldsPackets(type)) return AddLidar(seen);
     try {
       SchemaOf(seen.topic);
     } catch (const BadBytes& bad) {
@@ -161,14 +167,32 @@ class BagGuess {
       return pose_ != nullptr ? "the pose is that of " + pose_->topic.name
                               : "a pose of a part, or one that cannot be read";
     }
-    if (type.starts_with("sensor_msgs/PointCloud") || type.ends_with("Image") ||
-        type.ends_with("Scan") || type.ends_with("CustomMsg") || type.ends_with("Packets")) {
-      return "scans and pictures do not come in by a mapping: docs/reference/dataset.md, "
-             "recordings "
-             "with scans and pictures";
+    if (type.ends_with("Image")) {
+      return "pictures do not come in by a mapping: docs/reference/dataset.md, recordings with "
+             "pictures";
+    }
+    if (type.ends_with("Scan") || type.ends_with("CustomMsg") || type.ends_with("Packets")) {
+      return "scans of this type do not come in by a mapping: docs/reference/dataset.md, importing "
+             "scans of lidars";
     }
     if (type == "sensor_msgs/Joy") return "levers may be columns \"axes[0]\" of a table commands";
     return "-";
+  }
+
+  /// An entry of `lidars`, with what the topic's type leaves open.
+  std::string AddLidar(const SeenTopic& seen) {
+    const std::string& type = seen.topic.type;
+    std::string rest;
+    if (type == kVelodyneType) rest = ", unit: unknown}   # need vlp16 or vlp32c";
+    if (type == kPandarType) rest = ", unit: qt64}   # guessed: the only one that is read";
+    if (type == kPointCloudType) rest = "}";
+    if (rest.empty()) rest = ", metadata: unknown}   # need the JSON that the sensor itself gave";
+    constexpr TimeNs kEpoch_ns = 100'000'000 * kNsPerSecond;
+    lidars_at_epoch_ = lidars_at_epoch_ || seen.first_ns > kEpoch_ns;
+    lidars_ +=
+        fmt::format("  - {{name: {}, topic: {}{}\n", names_.Take(PlainNameOf(seen.topic.name)),
+                    YamlWord(seen.topic.name), rest);
+    return "";
   }
 
   std::filesystem::path log_;
@@ -178,7 +202,8 @@ class BagGuess {
   std::string damage_;
   const SeenTopic* pose_ = nullptr;
   TakenNames names_;
-  std::string others_;
+  std::string others_, lidars_;
+  bool lidars_at_epoch_ = false;  ///< their times count from 1970
 };
 
 }  // namespace

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/motion.h"
+
+namespace tera {
+
+/// How a pixel lies in a packet of one profile. Places are bytes from the pixel's first.
+struct OusterPixel {
+  std::size_t bytes = 0;
+  std::uint32_t range_mask = 0;
+  double range_step_m = 0.001;
+  struct Return {
+    std::size_t range_at = 0, reflectivity_at = 0;
+  };
+  std::vector<Return> returns;  ///< the stronger first
+};
+
+/// What the metadata of an Ouster say.
+///
+/// Source  Ouster Firmware User Manual, "Sensor metadata", "Lidar data" and "Coordinate frames".
+struct OusterSheet {
+  std::string product;  ///< "OS-1-128"
+  std::string profile;  ///< "RNG15_RFL8_NIR8"; "LEGACY" has no header
+  bool is_legacy = false, is_fusa = false;
+  OusterPixel pixel;
+  int columns_per_packet = 16, columns_per_frame = 1024, beams = 0;
+  int first_column = 0, last_column = 0;  ///< of the window that the unit sends
+  double rate_hz = 10;
+  int port = 7502;
+  std::vector<double> altitude_rad, azimuth_rad;  ///< of beams
+  double beam_x_m = 0, beam_z_m = 0;              ///< of the beams' origin in the lidar's frame
+  Pose X_SL = Pose::Identity();                   ///< lidar's frame in the sensor's
+
+  std::size_t column_bytes() const;
+  std::size_t packet_bytes() const;
+};
+
+/// Reads the metadata as the sensor's HTTP interface and Ouster's programs write them, old and new
+/// form. Throws InputError for what is missing, contradicts itself or is a profile not known.
+OusterSheet ReadOusterSheet(const std::filesystem::path& file);
+
+}  // namespace tera

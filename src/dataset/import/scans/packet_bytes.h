@@ -1,0 +1,26 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+
+#include "core/check.h"
+
+namespace tera {
+
+static_assert(std::endian::native == std::endian::little, "packets of lidars are little-endian");
+
+/// The little-endian number at a place of a packet whose length is known to suffice.
+template <typename T>
+T PacketNumber(std::string_view bytes, std::size_t at) {
+  TERA_CHECK(at + sizeof(T) <= bytes.size(), at, bytes.size());
+  T value;
+  std::memcpy(&value, bytes.data() + at, sizeof(T));
+  return value;
+}
+
+/// Of calibrated reflectivities in 8 bits.
+inline constexpr float kFullReflectivity = 255.0F;
+
+}  // namespace tera

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string_view>
+
+#include "dataset/import/bag/bag_source.h"
+#include "dataset/import/scans/point_records.h"
+
+namespace tera {
+
+inline constexpr std::string_view kPointCloudType = "sensor_msgs/PointCloud2";
+
+/// The scan of one sensor_msgs/PointCloud2. Its stamp is the header's, or `log_ns` where
+/// `by_log_time`. BadBytes where the message is not as its type says.
+UnitScan ReadPointCloudMessage(const BagTopic& topic, const BagMessage& message,
+                               const std::string& place, const PointForm& form, bool by_log_time);
+
+}  // namespace tera
