@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/machine_doubts.h"
 
@@ -117,6 +118,52 @@ std::optional<std::string> DoubtOfGauge(const MachineModel& model) {
                      model.gauge_m, apart_m);
 }
 
+double LowestOf_m(const RunningGear& gear) {
+  double low_m = std::numeric_limits<double>::infinity();
+  for (const ContactPatch& patch : gear.patches) low_m = std::min(low_m, patch.p_B_m.z());
+  return low_m;
+}
+
+/// Doubts running gear over which the box of its own link reaches down.
+std::optional<std::string> DoubtOfClearance(const MachineModel& model, const RunningGear& gear) {
+  const Link& link = model.links[static_cast<std::size_t>(gear.link)];
+  double below_m = 0;
+  for (const CollisionBox& part : link.collision) {
+    const Mat3 R = part.X_BG.linear().cwiseAbs();
+    const double bottom_m = part.X_BG.translation().z() - 0.5 * R.row(2).dot(part.size_m);
+    below_m = std::max(below_m, LowestOf_m(gear) - bottom_m);
+  }
+  constexpr double kRim_m = 0.05;  // lugs and grousers that a box holds and patches do not
+  if (below_m <= kRim_m) return std::nullopt;
+  return fmt::format(", {} ends {:.2g} m above the bottom of {}, which would drag: z points up",
+                     gear.name, below_m, link.name);
+}
+
+/// Doubts a drive without end about a lying axis that turns most of the machine, as a slew whose
+/// axis is y does.
+std::optional<std::string> DoubtOfSlew(const Joint& joint, const Pose& X_WP, double share) {
+  constexpr double kMostOfIt = 0.5, kLying = 0.5;  // cosine of the axis to the vertical
+  const bool goes_round = joint.type == JointType::kContinuous && joint.max_effort_nm > 0;
+  const Vec3 axis_W = X_WP.linear() * joint.X_PJ.linear() * joint.axis_J;
+  if (!goes_round || share < kMostOfIt || std::abs(axis_W.z()) > kLying) return std::nullopt;
+  return fmt::format(
+      ", joint {} turns {:.0f} % of the machine's mass about a lying axis, all the way round: a "
+      "slew's axis is z",
+      joint.name, 100 * share);
+}
+
+/// Doubts a profile that begins at its top: nearer to the pin of a bucket, higher on a blade.
+std::optional<std::string> DoubtOfEdge(const Shovel& shovel, const Pose& X_WL) {
+  if (shovel.profile_B_m.size() < 2) return std::nullopt;
+  const Vec2 &edge = shovel.profile_B_m.front(), &top = shovel.profile_B_m.back();
+  const auto height_m = [&](const Vec2& p) { return (X_WL * Vec3(p.x(), 0, p.y())).z(); };
+  const bool holds = shovel.capacity_m3 > 0;
+  if (holds ? edge.norm() >= top.norm() : height_m(edge) <= height_m(top)) return std::nullopt;
+  return fmt::format(
+      ", shovel {} has its edge {} the other end of its profile_m: the profile begins at the edge",
+      shovel.name, holds ? "nearer to its pin than" : "above");
+}
+
 std::optional<std::string> DoubtOfShovel(const Shovel& shovel) {
   constexpr double kMostRatio = 10;  // of a blade, before which soil lies
   Eigen::AlignedBox2d box;
@@ -144,14 +191,21 @@ std::vector<std::string> DrivesInDoubt(const MachinePlacement& placement) {
     const Joint& joint = model.joints[j];
     if (joint.following) continue;
     add(DoubtOfRate(joint));
-    add(DoubtOfHolding(joint, X_WL[static_cast<std::size_t>(joint.parent)], hanging[j + 1]));
+    const Pose& X_WP = X_WL[static_cast<std::size_t>(joint.parent)];
+    add(DoubtOfHolding(joint, X_WP, hanging[j + 1]));
+    const double all_kg = hanging.front().mass_kg;
+    if (all_kg > 0) add(DoubtOfSlew(joint, X_WP, hanging[j + 1].mass_kg / all_kg));
   }
   for (const Lever& lever : model.levers) add(DoubtOfLever(model, lever));
   for (std::size_t g = 0; g < model.ground_tools.gears.size(); ++g) {
     add(DoubtOfGear(model.ground_tools.gears[g], model.gear_drives[g]));
+    add(DoubtOfClearance(model, model.ground_tools.gears[g]));
   }
   add(DoubtOfGauge(model));
-  for (const Shovel& shovel : model.ground_tools.shovels) add(DoubtOfShovel(shovel));
+  for (const Shovel& shovel : model.ground_tools.shovels) {
+    add(DoubtOfShovel(shovel));
+    add(DoubtOfEdge(shovel, X_WL[static_cast<std::size_t>(shovel.link)]));
+  }
   return doubts;
 }
 

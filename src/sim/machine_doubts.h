@@ -35,15 +35,18 @@ std::vector<std::string> DoubtsOf(const ScenarioMachine& machine, const SceneMod
 /// Doubts about how the machine is driven, part of DoubtsOf.
 ///
 /// Model   No revolute joint goes its whole way in a fifth of a second. A joint holds against
-/// gravity
-///         what hangs on it at the start. A lever's joint or gear has a rate and an effort. Running
-///         gear goes at most 30 m/s, "left" of it to the left, and lies about its gauge apart. A
-///         shovel holds at most ten times what its profile and width enclose.
+///         gravity what hangs on it at the start. No driven joint without limits turns half of the
+///         mass about an axis that lies. A lever's joint or gear has a rate and an effort. Running
+///         gear goes at most 30 m/s, "left" of it to the left, lies about its gauge apart and
+///         reaches below the boxes of its link. A shovel holds at most ten times what its profile
+///         and width enclose. The edge of one that holds soil is its profile's far end from the
+///         pin, that of another the lower end.
 std::vector<std::string> DrivesInDoubt(const MachinePlacement& placement);
 
 /// Doubts about what stands where: machines and obstacles beside the site, a machine in the place
 /// of another or of an obstacle, persons faster than 12 m/s and others faster than 40 m/s, sensors
-/// below the ground or more than 60 m from their link.
+/// below the ground or more than 60 m from their link, and mounts whose angles in degrees are
+/// quarters of pi.
 std::vector<std::string> PlacesInDoubt(const Scenario& scenario);
 
 }  // namespace tera

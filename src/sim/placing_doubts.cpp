@@ -90,6 +90,21 @@ std::optional<std::string> DoubtOfMount(const MachinePlacement& placement,
                      placement.name, sensor.name, depth_m);
 }
 
+/// Doubts angles that are pi/4, pi/2, ... in degrees, to the three digits that hands write.
+std::optional<std::string> DoubtOfAngles(const MachinePlacement& placement,
+                                         const SensorDescription& sensor) {
+  constexpr double kThreeDigits = 1e-3;
+  const Vec3 rpy_rad = RpyFromRotation(sensor.X_BS.linear());
+  for (const double angle_rad : rpy_rad) {
+    const double quarters = std::abs(angle_rad) / kDeg / (kPi / 4);
+    if (quarters < 0.5 || quarters > 8.5) continue;
+    if (std::abs(quarters - std::round(quarters)) > kThreeDigits * quarters) continue;
+    return fmt::format("{}, sensor {} is turned by {:.5g} deg: in radians? rpy_deg takes degrees",
+                       placement.name, sensor.name, std::abs(angle_rad) / kDeg);
+  }
+  return std::nullopt;
+}
+
 std::optional<std::string> DoubtOfSpeed(const ScenarioObstacle& obstacle) {
   constexpr double kPerson_mps = 12, kAny_mps = 40;
   const double most_mps = obstacle.label == SemanticClass::kPerson ? kPerson_mps : kAny_mps;
@@ -120,6 +135,7 @@ std::vector<std::string> PlacesInDoubt(const Scenario& scenario) {
         ForwardKinematics(machine.placement.model, machine.placement.X_WB, machine.placement.q_rad);
     for (const SensorDescription& sensor : machine.sensors) {
       add(DoubtOfMount(machine.placement, X_WL, sensor, ground));
+      add(DoubtOfAngles(machine.placement, sensor));
     }
     standing.push_back(PartsOf(machine));
     names.push_back(machine.placement.name);

@@ -87,6 +87,25 @@ TEST(DriveDoubts, NameRunningGearOfAnotherUnitOrSide) {
               ElementsAre(HasSubstr("gauge_m is 800 m, and its running gear lies 0.8 m apart")));
 }
 
+// The undercarriage's box ends 0.2 m above the ground, on which tracks of 0.19 m about z = 0.19
+// stand.
+TEST(DriveDoubts, NameTracksAboveTheChassis) {
+  EXPECT_THAT(OfYaml("[0, 0.40, 0.19]", "[0, 0.40, 0.59]"),
+              ElementsAre(HasSubstr("left_track ends 0.2 m above the bottom of base_link")));
+}
+
+TEST(DriveDoubts, NameASlewAboutALyingAxis) {
+  EXPECT_THAT(OfUrdf(R"(<origin xyz="0 0 0.45"/><axis xyz="0 0 1"/>)",
+                     R"(<origin xyz="0 0 0.45"/><axis xyz="0 1 0"/>)"),
+              Contains(HasSubstr("joint slew turns")));
+}
+
+TEST(DriveDoubts, NameAProfileFromItsTop) {
+  EXPECT_THAT(OfYaml("[[0.55, 0.0], [0.42, 0.24], [0.14, 0.26], [0.06, -0.02]]",
+                     "[[0.06, -0.02], [0.14, 0.26], [0.42, 0.24], [0.55, 0.0]]"),
+              ElementsAre(HasSubstr("shovel bucket has its edge nearer to its pin")));
+}
+
 TEST(DriveDoubts, NameACapacityInLitres) {
   EXPECT_THAT(OfYaml("capacity_m3: 0.04", "capacity_m3: 40"),
               ElementsAre(HasSubstr("shovel bucket holds 40 m3")));

@@ -31,15 +31,15 @@ TEST(PlacingDoubts, AreNoneOfMachinesAndObstaclesThatStandApart) {
   EXPECT_THAT(DoubtsAt("[0, 0]", Truck("[2, 9]")), IsEmpty());
 }
 
-TEST(PlacingDoubts, NameASensorInMillimetresAndOneBelowTheGround) {
-  const auto mounted = [](const std::string& xyz_m) {
+TEST(PlacingDoubts, NameASensorInMillimetresInRadiansAndBelowTheGround) {
+  const auto mounted = [](const std::string& mount) {
     const Config config = Config::FromText(
         "name: t\nduration_s: 2\nterrain: {size_m: [30, 30], cell_m: 0.2, soil: dirt}\nmachines:\n"
         "  - name: digger1\n    machine: tera:config/machines/tb235.yaml\n    operator: {type: "
         "idle}\n"
         "    rig: {sensors: [{name: eye, preset: tera:config/sensors/os1_64.yaml, link: upper, "
         "xyz_m: " +
-            xyz_m + "}]}\n",
+            mount + "}]}\n",
         "s.yaml");
     const Scenario scenario = ReadScenario(config.root());
     config.Finish();
@@ -48,6 +48,11 @@ TEST(PlacingDoubts, NameASensorInMillimetresAndOneBelowTheGround) {
   EXPECT_THAT(mounted("[0.3, 0, 1.9]"), IsEmpty());
   EXPECT_THAT(mounted("[300, 0, 1900]"), ElementsAre(HasSubstr("sensor eye sits 1924 m from")));
   EXPECT_THAT(mounted("[0, 0, -1.9]"), ElementsAre(HasSubstr("sensor eye sits")));
+  EXPECT_THAT(mounted("[0.3, 0, 1.9], rpy_deg: [0, 0, 90]"), IsEmpty());
+  EXPECT_THAT(mounted("[0.3, 0, 1.9], rpy_deg: [0, 0.785, 0]"),
+              ElementsAre(HasSubstr("sensor eye is turned by 0.785 deg: in radians?")));
+  EXPECT_THAT(mounted("[0.3, 0, 1.9], rpy_deg: [0, 0, -1.5708]"),
+              ElementsAre(HasSubstr("in radians?")));
 }
 
 TEST(PlacingDoubts, NameWhatStandsBesideTheSite) {

@@ -187,6 +187,33 @@ std::string LettersOf(std::string_view name) {
   return letters;
 }
 
+/// Hours, minutes and seconds in columns of their own; the hours may be absent.
+std::optional<TimeCandidate> OfClockParts(const std::vector<NumbersOfColumn>& columns) {
+  constexpr double kSixty = 60, kHours = 24;
+  const auto find = [&](std::initializer_list<std::string_view> names, double below) {
+    return std::find_if(columns.begin(), columns.end(), [&](const NumbersOfColumn& column) {
+      const auto fits = [&](double value) { return value >= 0 && value < below; };
+      return IsAmong(LettersOf(column.name), names) && !column.values.empty() &&
+             std::all_of(column.values.begin(), column.values.end(), fits);
+    });
+  };
+  const auto hours = find({"hh", "hr", "hour", "hours", "stunde", "heure"}, kHours);
+  const auto minutes = find({"min", "mins", "minute", "minutes"}, kSixty);
+  const auto seconds = find({"sec", "secs", "second", "seconds", "sekunde"}, kSixty);
+  if (minutes == columns.end() || seconds == columns.end()) return std::nullopt;
+  TimeCandidate candidate{.is_absolute = true};
+  std::string parts;
+  const auto add = [&](const NumbersOfColumn& column, const char* unit) {
+    parts += (parts.empty() ? "" : ", ") + ColumnYaml(column.name, {unit, 1.0, ""});
+    candidate.columns.push_back(column.name);
+  };
+  if (hours != columns.end()) add(*hours, "h");
+  add(*minutes, "min");
+  add(*seconds, "s");
+  candidate.time = "{sum: [" + parts + "]}";
+  return candidate;
+}
+
 std::optional<TimeCandidate> OfGpsWeek(const std::vector<NumbersOfColumn>& columns) {
   const auto find = [&](std::initializer_list<std::string_view> names) {
     return std::find_if(columns.begin(), columns.end(), [&](const NumbersOfColumn& column) {
@@ -319,6 +346,7 @@ std::vector<TimeCandidate> FindTimeCandidates(const CsvFile& csv,
   if (has_header) {
     if (auto stamps = OfSecondsAndNanoseconds(columns)) candidates.push_back(std::move(*stamps));
     if (auto gps = OfGpsWeek(columns)) candidates.push_back(std::move(*gps));
+    if (auto parts = OfClockParts(columns)) candidates.push_back(std::move(*parts));
   }
   for (TimeCandidate& candidate : CalendarCandidates(csv, rows, columns)) {
     candidates.push_back(std::move(candidate));

@@ -141,6 +141,12 @@ TEST_F(SuggestedTable, StampsOfTwoColumnsAreOneTime) {
              "2312,304518.02,20.2\n"));
 }
 
+TEST_F(SuggestedTable, HoursMinutesAndSecondsInColumnsOfTheirOwnAreOneTime) {
+  ExpectFiftyHertz(
+      Joints("hour,minute,sec,boom_deg\n9,59,59.98,20\n10,0,0,20.1\n10,0,0.02,20.2\n"));
+  ExpectFiftyHertz(Joints("Minute,Sec,boom_deg\n3,59.98,20\n4,0,20.1\n4,0.02,20.2\n"));
+}
+
 TEST_F(SuggestedTable, MillisecondsOfAFastLoggerAreNoSeconds) {
   EXPECT_THAT(Refusal("t,boom\n0.000,20\n0.001,20.1\n0.002,20.2\n"),
               HasFault(FaultKind::kNoSuchName, "time.unit"));
