@@ -11,8 +11,9 @@
 
 namespace tera {
 
-/// Signs of the axes of an inertial unit whose readings come with the wrong ones, `axis_flip`.
-Vec3 AxisSigns(const Effects& effects);
+/// Signs of the axes of an inertial unit, rates then forces; -1 where `axis_flip` has the axis, or
+/// the axis of that triad alone.
+Eigen::Matrix<double, 6, 1> AxisSigns(const Effects& effects);
 
 /// What lies between the measurement of an inertial unit's own model and the one it reports
 /// (src/sensors/README.md).
@@ -23,7 +24,7 @@ class ImuSlots {
 
  private:
   bool ideal_;
-  Vec3 axis_signs_;
+  Eigen::Matrix<double, 6, 1> axis_signs_;
   ImuErrors errors_;
   LowPass filter_;
   ReportClock clock_;
