@@ -100,10 +100,8 @@ void AddDirections(CandidateList* out) {
             {0, 0, -90},
             {0, 0, 180},
             {180, 0, 0}});
-  std::vector<std::vector<double>> flips = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0},
-                                            {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
-  for (auto& axes : flips) axes.resize(9);  // those of either triad alone are found beforehand
-  out->Add("axis_flip", {}, std::move(flips));
+  out->Add("axis_flip", {},
+           {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}});
 }
 
 void AddPlace(CandidateList* out) {

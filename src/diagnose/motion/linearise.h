@@ -15,7 +15,6 @@ struct LinearisedObservation {
 
   int rows = 0;
   Eigen::Matrix<double, 6, 1> residual, sigma;
-  Eigen::Matrix<double, 6, 1> unfollowed;  ///< variance of what splines cannot follow there
   int noise = kNoParameter;  ///< the first noise channel; without one `sigma` holds
   Eigen::Matrix<double, 6, Eigen::Dynamic> by_state;
   int parameters = 0;
@@ -24,18 +23,9 @@ struct LinearisedObservation {
   SplineWeights weights;
 };
 
-/// The motion of one segment and the parameters as they are in it.
-struct SegmentMotion {
-  Eigen::MatrixXd coefficients;  ///< one row each, one column for each number
-  /// Which numbers move, as far as it stands out of their noise: a row for each four coefficients,
-  /// 1 where they do, else 0.
-  Eigen::ArrayXXd moving;
-  Eigen::MatrixXd jumps;         ///< JumpsOf the coefficients; empty: none
-  Eigen::VectorXd wandered;  ///< the parameters of the segment less those of all
-};
-
-/// By how much the third derivative of each number jumps at each knot between two spans.
-Eigen::MatrixXd JumpsOf(const UniformSpline& spline, const Eigen::MatrixXd& coefficients);
+/// Which derivatives of the motion stand out of their noise: rows are blocks of four coefficients,
+/// columns the first, second and third derivative of each number; 1 where they do, else 0.
+using MovingNumbers = Eigen::ArrayXXd;
 
 /// Fills `out`; false where the motion does not cover the time of the observation.
 ///
@@ -45,14 +35,10 @@ Eigen::MatrixXd JumpsOf(const UniformSpline& spline, const Eigen::MatrixXd& coef
 ///         Derivatives by parameters are those of a motion that rests where it does not stand out
 ///         of its noise: a motion that follows the noise of a sensor would else seem to excite its
 ///         scale, place and delay, which then give way to the noise (errors in variables).
-///         What a spline with knots h apart cannot follow of a number: with jumps J of its third
-///         derivative at the ends of a span or beside them, 5/384 h^3 J of its value, h^2 J / 24 of its rate, and of the mean of its
-///         acceleration over a time T twice that over T, 3/8 h J at most. Where a joint is stopped
-///         within a step that is as much as the stop itself.
 /// Omits   products of motions that change within an observation; filters, which count as delays.
-/// Source  Hall and Meyer 1976, "Optimal error bounds for cubic spline interpolation".
 bool Linearise(const MotionProblem& problem, const UniformSpline& spline,
-               const SegmentMotion& motion, const Eigen::VectorXd& parameters,
-               const Observation& observation, LinearisedObservation* out);
+               const Eigen::MatrixXd& coefficients, const Eigen::VectorXd& parameters,
+               const MovingNumbers& moving, const Observation& observation,
+               LinearisedObservation* out);
 
 }  // namespace tera

@@ -21,7 +21,7 @@ constexpr double kSettled = 0.02;  ///< change of parameters over what is small
 /// One segment linearised about a motion.
 struct LinearisedSegment {
   ParameterQuadratic quadratic;  ///< over changes of the segment's own parameters
-  NormalEquations equations;
+  MotionStep step;
   std::vector<std::vector<double>> residuals;  ///< by noise channel
 };
 
@@ -33,21 +33,19 @@ struct RowWeights {
     Eigen::Matrix<double, 6, 1> weight = rows.sigma.cwiseProduct(rows.sigma).cwiseInverse();
     for (int i = 0; rows.noise >= 0 && i < rows.rows; ++i) {
       const NoiseChannel& channel = noise[static_cast<std::size_t>(rows.noise + i)];
-      const double sigma = robust ? channel.sigma : channel.at_first,
-                   variance = sigma * sigma + rows.unfollowed[i];
-      weight[i] = robust ? ErrorWeight(rows.residual[i], std::sqrt(variance)) /
-                               (channel.inflation * sigma * sigma + rows.unfollowed[i])
-                         : 1 / variance;
+      const double sigma = robust ? channel.sigma : channel.at_first;
+      weight[i] =
+          (robust ? ErrorWeight(rows.residual[i], sigma) / channel.inflation : 1) / (sigma * sigma);
     }
     return weight;
   }
 };
 
-void AddMotionPriors(const MotionSegment& segment, const Eigen::MatrixXd& now, bool robust,
+void AddMotionPriors(const MotionSegment& segment, const Eigen::MatrixXd& now,
                      NormalEquations* equations) {
   const double h = segment.spline.step_s, cube = h * h * h;
   for (int number = 0; number < now.cols(); ++number) {
-    const double usual = cube * (number < 3 ? kJerk_mps3 : kJerk_radps3);
+    const double jerk = number < 3 ? kJerk_mps3 : kJerk_radps3;
     const double away = number < 3              ? kPlace_m
                         : number == kYaw        ? kYaw_rad
                         : number < kBaseNumbers ? kLean_rad
@@ -58,8 +56,7 @@ void AddMotionPriors(const MotionSegment& segment, const Eigen::MatrixXd& now, b
       if (i + 4 > now.rows()) continue;
       const double third =
           now(i + 3, number) - 3 * now(i + 2, number) + 3 * now(i + 1, number) - now(i, number);
-      equations->AddPrior(i, number, {-1, 3, -3, 1}, -third,
-                          (robust ? ErrorWeight(third, usual) : 1) / (usual * usual));
+      equations->AddPrior(i, number, {-1, 3, -3, 1}, -third, 1 / std::pow(jerk * cube, 2));
     }
   }
 }
@@ -80,57 +77,66 @@ ParameterQuadratic WithoutCommonDelay(const ParameterQuadratic& q, const std::ve
   if (all <= 0) return q;
   const Eigen::MatrixXd apart =
       Eigen::MatrixXd::Identity(count, count) - common * (share / all).transpose();
-  return {apart.transpose() * q.information * apart, apart.transpose() * q.score, q.doubt};
+  return {apart.transpose() * q.information * apart, apart.transpose() * q.score};
 }
 
 LinearisedSegment LineariseSegment(const MotionProblem& problem, std::size_t s,
                                    const MotionEstimate& at, const RowWeights& weights) {
   const MotionSegment& segment = problem.segments[s];
-  const SegmentMotion& motion = at.motion[s];
-  const Eigen::VectorXd parameters = at.parameters + motion.wandered;
+  const Eigen::MatrixXd& coefficients = at.motion[s].coefficients;
+  const Eigen::VectorXd parameters = at.parameters + at.motion[s].wandered;
+  NormalEquations equations(segment.spline.coefficients, problem.numbers(), problem.parameters);
+  AddMotionPriors(segment, coefficients, &equations);
   LinearisedSegment linear;
-  NormalEquations& equations = linear.equations;
-  equations = NormalEquations(segment.spline.coefficients, problem.numbers(), problem.parameters);
-  AddMotionPriors(segment, motion.coefficients, weights.robust, &equations);
   linear.residuals.resize(problem.noise.size());
   LinearisedObservation rows;
   for (const Observation& observation : segment.observations) {
-    if (!Linearise(problem, segment.spline, motion, parameters, observation, &rows)) continue;
-    for (int i = 0; rows.noise >= 0 && i < rows.rows; ++i) {
-      const auto channel = static_cast<std::size_t>(rows.noise + i);
-      // Below the noise it is noise itself.
-      const bool is_followed = rows.unfollowed[i] < std::pow(at.noise[channel].sigma, 2);
-      if (is_followed) rows.unfollowed[i] = 0;
-      if (is_followed) linear.residuals[channel].push_back(rows.residual[i]);
-    }
+    if (!Linearise(problem, segment.spline, coefficients, parameters, at.motion[s].moving,
+                   observation, &rows))
+      continue;
     equations.Add(rows, weights.Of(rows, at.noise));
+    for (int i = 0; rows.noise >= 0 && i < rows.rows; ++i) {
+      linear.residuals[static_cast<std::size_t>(rows.noise + i)].push_back(rows.residual[i]);
+    }
   }
-  linear.quadratic = WithoutCommonDelay(equations.Reduce(), problem.delays);
+  linear.quadratic = WithoutCommonDelay(equations.Reduce(&linear.step), problem.delays);
   return linear;
 }
 
 /// Which numbers move, by the power of their rates over three blocks; all their derivatives count
 /// there, as half of them would make no direction of descent.
-Eigen::ArrayXXd MovingOf(const UniformSpline& spline, const Eigen::MatrixXd& coefficients,
-                         const std::vector<Eigen::MatrixXd>& covariance) {
+MovingNumbers MovingOf(const UniformSpline& spline, const Eigen::MatrixXd& coefficients,
+                       const std::vector<Eigen::MatrixXd>& covariance) {
   const auto blocks = static_cast<Eigen::Index>(covariance.size());
   const Eigen::Index numbers = coefficients.cols();
-  const Eigen::RowVector4d weights = spline.At(0.5 * spline.step_s).by_derivative.row(1).head<4>();
-  Eigen::ArrayXXd power(blocks, numbers), error(blocks, numbers);
+  const Eigen::Matrix<double, 4, 4> weights =
+      spline.At(0.5 * spline.step_s).by_derivative.leftCols<4>();
+  Eigen::ArrayXXd power(blocks, 3 * numbers), error(blocks, 3 * numbers);
   for (Eigen::Index b = 0; b < blocks; ++b) {
     for (Eigen::Index n = 0; n < numbers; ++n) {
-      const auto four = Eigen::seqN(n, 4, numbers);
-      const Eigen::Matrix4d own = covariance[static_cast<std::size_t>(b)](four, four);
-      power(b, n) = std::pow(weights.dot(coefficients.block<4, 1>(4 * b, n)), 2);
-      error(b, n) = weights * own * weights.transpose();
+      const Eigen::Vector4d own = coefficients.block<4, 1>(4 * b, n);
+      Eigen::Matrix4d spread;
+      for (Eigen::Index i = 0; i < 4; ++i) {
+        for (Eigen::Index j = 0; j < 4; ++j) {
+          spread(i, j) = covariance[static_cast<std::size_t>(b)](i * numbers + n, j * numbers + n);
+        }
+      }
+      for (Eigen::Index k = 0; k < 3; ++k) {
+        const Eigen::RowVector4d w = weights.row(k + 1);
+        power(b, 3 * n + k) = std::pow(w.dot(own), 2);
+        error(b, 3 * n + k) = w * spread * w.transpose();
+      }
     }
   }
-  Eigen::ArrayXXd moving(blocks, numbers);
+  MovingNumbers moving(blocks, 3 * numbers);
   for (Eigen::Index b = 0; b < blocks; ++b) {
     const Eigen::Index first = std::max<Eigen::Index>(0, b - 1),
                        count = std::min(blocks, b + 2) - first;
-    moving.row(b) = (power.middleRows(first, count).colwise().mean() > kStandsOut * error.row(b))
-                        .cast<double>();
+    const Eigen::ArrayXXd mean = power.middleRows(first, count).colwise().mean();
+    for (Eigen::Index n = 0; n < numbers; ++n) {
+      const bool moves = mean(3 * n) > kStandsOut * error(b, 3 * n);
+      moving.block(b, 3 * n, 1, 3).setConstant(moves ? 1 : 0);
+    }
   }
   return moving;
 }
@@ -161,7 +167,6 @@ class Wandering {
     left.information = q.information - across.transpose() * stiffness.solve(across);
     const Eigen::VectorXd own = q.score(which_);
     left.score = q.score - across.transpose() * stiffness.solve(own);
-    left.doubt = q.doubt;
     return left;
   }
 
@@ -216,16 +221,15 @@ double Move(const MotionProblem& problem, const std::vector<LinearisedSegment>& 
     SegmentMotion& motion = estimate->motion[s];
     const Eigen::VectorXd wandered = wandering.Best(own[s], estimate->parameters);
     const Eigen::VectorXd change = estimate->parameters + wandered - before - motion.wandered;
-    const Eigen::VectorXd step = linear[s].equations.MotionStep(change);
+    const Eigen::VectorXd step = linear[s].step.without - linear[s].step.by_parameter * change;
     const Eigen::Index numbers = motion.coefficients.cols();
     for (Eigen::Index i = 0; i < motion.coefficients.rows(); ++i) {
       motion.coefficients.row(i) += step.segment(i * numbers, numbers).transpose();
     }
     motion.wandered = wandered;
     if (gates) {
-      const UniformSpline& spline = problem.segments[s].spline;
-      motion.moving = MovingOf(spline, motion.coefficients, linear[s].equations.Covariance());
-      motion.jumps = JumpsOf(spline, motion.coefficients);
+      motion.moving =
+          MovingOf(problem.segments[s].spline, motion.coefficients, linear[s].step.covariance);
     }
   }
   return before.size() == 0
@@ -246,8 +250,8 @@ MotionEstimate StartingEstimate(const MotionProblem& problem, const ParameterPri
   start.noise = problem.noise;
   for (const MotionSegment& segment : problem.segments) {
     start.motion.push_back(
-        {segment.start, Eigen::ArrayXXd::Ones(segment.spline.coefficients / 4, problem.numbers()),
-         {}, Eigen::VectorXd::Zero(problem.parameters)});
+        {segment.start, MovingNumbers::Ones(segment.spline.coefficients / 4, 3 * problem.numbers()),
+         Eigen::VectorXd::Zero(problem.parameters)});
   }
   return start;
 }

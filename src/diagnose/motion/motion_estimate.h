@@ -15,15 +15,20 @@ struct ParameterPrior {
   Eigen::VectorXd small = sigma;                    ///< changes far below are none
 };
 
+/// The motion of one segment and the parameters as they are in it.
+struct SegmentMotion {
+  Eigen::MatrixXd coefficients;  ///< one row each, one column for each number
+  MovingNumbers moving;
+  Eigen::VectorXd wandered;  ///< the parameters of the segment less those of all
+};
+
 struct MotionEstimate {
   std::vector<SegmentMotion> motion;
   Eigen::VectorXd parameters;
   std::vector<NoiseChannel> noise;
   /// Of each segment over the parameters of all, its own wandering integrated out.
   std::vector<ParameterQuadratic> quadratics;
-  /// One for each noise channel, of what the motion follows: what is not seen for its splines says
-  /// nothing of noise.
-  std::vector<ChannelResiduals> residuals;
+  std::vector<ChannelResiduals> residuals;  ///< one for each noise channel
   int iterations = 0;
   bool converged = false;
 };
@@ -40,13 +45,11 @@ MotionEstimate StartingEstimate(const MotionProblem& problem, const ParameterPri
 /// Motion and parameters together, from `start` on.
 ///
 /// Model   Gauss-Newton; rows are weighted as Student's t has it, from the third iteration of a
-///         first estimate on, and by the variance of their channel, inflated as its errors follow
-///         each other, with what the splines cannot follow (Linearise) added. Each segment's motion is eliminated
+///         first estimate on, and by their channel's inflation. Each segment's motion is eliminated
 ///         (NormalEquations), its own wandering of the parameters integrated out, and the sum of
 ///         what is left with the prior is least within the bounds. That all channels are late
-///         alike, nothing tells but the prior. A prior on the third derivatives of the motion carries it
-///         over lost rows, Student's t as well, for joints are stopped at once; another on its place
-///         holds what nothing measures.
+///         alike, nothing tells but the prior. A weak prior on the third derivatives of the motion
+///         carries it over lost rows, another on its place holds what nothing measures.
 MotionEstimate EstimateMotion(const MotionProblem& problem, const ParameterPrior& prior,
                               MotionEstimate start, const EstimateOptions& options = {});
 

@@ -12,8 +12,7 @@ NormalEquations::NormalEquations(int coefficients, int numbers, int parameters)
       pair_(static_cast<std::size_t>(blocks_), Eigen::MatrixXd::Zero(2 * block_, 2 * block_)),
       right_(Eigen::MatrixXd::Zero(blocks_ * block_, parameters + 1)),
       information_(Eigen::MatrixXd::Zero(parameters, parameters)),
-      score_(Eigen::VectorXd::Zero(parameters)),
-      doubt_(Eigen::VectorXd::Zero(parameters)) {}
+      score_(Eigen::VectorXd::Zero(parameters)) {}
 
 void NormalEquations::Add(const LinearisedObservation& rows,
                           const Eigen::Matrix<double, 6, 1>& weight) {
@@ -38,13 +37,10 @@ void NormalEquations::Add(const LinearisedObservation& rows,
   const Eigen::MatrixXd WP = weight.head(rows.rows).asDiagonal() * P;
   const Eigen::MatrixXd coupling = WJ.transpose() * P, square = P.transpose() * WP;
   const Eigen::VectorXd pull = WP.transpose() * residual;
-  const Eigen::VectorXd doubt =
-      WP.cwiseAbs().transpose() * rows.unfollowed.head(rows.rows).cwiseSqrt();
   for (int a = 0; a < rows.parameters; ++a) {
     const int place = rows.parameter[static_cast<std::size_t>(a)];
     right.col(place) += coupling.col(a);
     score_[place] += pull[a];
-    doubt_[place] += doubt[a];
     for (int b = 0; b < rows.parameters; ++b) {
       information_(place, rows.parameter[static_cast<std::size_t>(b)]) += square(a, b);
     }
@@ -65,55 +61,44 @@ void NormalEquations::AddPrior(int first, int number, const std::vector<double>&
   }
 }
 
-ParameterQuadratic NormalEquations::Reduce() {
+ParameterQuadratic NormalEquations::Reduce(MotionStep* step) const {
+  std::vector<Eigen::LLT<Eigen::MatrixXd>> factors(static_cast<std::size_t>(blocks_));
+  Eigen::MatrixXd solution = right_;
+  const auto rows = [&](int k) { return solution.middleRows(k * block_, block_); };
   Eigen::MatrixXd square;
   for (int k = 0; k < blocks_; ++k) {
     const auto b = static_cast<std::size_t>(k);
-    auto rows = right_.middleRows(k * block_, block_);
     square = pair_[b].topLeftCorner(block_, block_);
     if (k > 0) {
+      const auto below = pair_[b - 1].bottomLeftCorner(block_, block_);
       square += pair_[b - 1].bottomRightCorner(block_, block_);
-      square.noalias() -= below_[b - 1] * below_[b - 1].transpose();
-      rows.noalias() -= below_[b - 1] * right_.middleRows((k - 1) * block_, block_);
+      square.noalias() -= below * factors[b - 1].solve(below.transpose());
+      const Eigen::MatrixXd carried = factors[b - 1].solve(rows(k - 1));
+      rows(k).noalias() -= below * carried;
     }
-    factor_.push_back(square.llt().matrixL());
-    factor_[b].triangularView<Eigen::Lower>().solveInPlace(rows);
-    below_.push_back(pair_[b].bottomLeftCorner(block_, block_));
-    factor_[b].transpose().triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(below_[b]);
+    factors[b].compute(square);
   }
-  pair_.clear();
-  const auto coupling = right_.leftCols(parameters_);
-  information_.selfadjointView<Eigen::Lower>().rankUpdate(coupling.transpose(), -1);
-  return {Eigen::MatrixXd(information_.selfadjointView<Eigen::Lower>()),
-          score_ - coupling.transpose() * right_.col(parameters_), doubt_};
-}
-
-Eigen::VectorXd NormalEquations::MotionStep(const Eigen::VectorXd& change) const {
-  Eigen::VectorXd step = right_.col(parameters_) - right_.leftCols(parameters_) * change;
+  step->covariance.resize(static_cast<std::size_t>(blocks_));
   for (int k = blocks_ - 1; k >= 0; --k) {
     const auto b = static_cast<std::size_t>(k);
-    auto rows = step.segment(k * block_, block_);
     if (k + 1 < blocks_) {
-      rows.noalias() -= below_[b].transpose() * step.segment((k + 1) * block_, block_);
+      rows(k).noalias() -= pair_[b].bottomLeftCorner(block_, block_).transpose() * rows(k + 1);
     }
-    factor_[b].transpose().triangularView<Eigen::Upper>().solveInPlace(rows);
+    factors[b].solveInPlace(rows(k));
+    Eigen::MatrixXd& covariance = step->covariance[b];
+    covariance = factors[b].solve(Eigen::MatrixXd::Identity(block_, block_));
+    if (k + 1 == blocks_) continue;
+    const Eigen::MatrixXd gain = pair_[b].bottomLeftCorner(block_, block_) * covariance;
+    covariance += gain.transpose() * step->covariance[b + 1] * gain;
   }
-  return step;
-}
-
-std::vector<Eigen::MatrixXd> NormalEquations::Covariance() const {
-  std::vector<Eigen::MatrixXd> covariance(static_cast<std::size_t>(blocks_));
-  for (auto b = covariance.size(); b-- > 0;) {
-    const Eigen::MatrixXd transposed = factor_[b].transpose();
-    const auto upper = transposed.triangularView<Eigen::Upper>();
-    Eigen::MatrixXd middle = Eigen::MatrixXd::Identity(block_, block_);
-    if (b + 1 < covariance.size()) {
-      middle.noalias() += below_[b].transpose() * covariance[b + 1] * below_[b];
-    }
-    upper.solveInPlace(middle);
-    covariance[b] = upper.solve(middle.transpose());
-  }
-  return covariance;
+  const auto coupling = right_.leftCols(parameters_);
+  ParameterQuadratic reduced;
+  step->without = solution.col(parameters_);
+  step->by_parameter = solution.leftCols(parameters_);
+  reduced.information = information_ - coupling.transpose() * step->by_parameter;
+  reduced.information = 0.5 * (reduced.information + reduced.information.transpose()).eval();
+  reduced.score = score_ - coupling.transpose() * step->without;
+  return reduced;
 }
 
 }  // namespace tera

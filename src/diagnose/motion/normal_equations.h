@@ -12,11 +12,17 @@ namespace tera {
 struct ParameterQuadratic {
   Eigen::MatrixXd information;
   Eigen::VectorXd score;
-  /// By how much each score may be off in all for what the motion's splines cannot follow, which
-  /// errs the same way wherever a joint is stopped; empty: not at all.
-  Eigen::VectorXd doubt = {};
 
   double At(const Eigen::VectorXd& p) const { return p.dot(0.5 * (information * p) - score); }
+};
+
+/// The motion's best changes: `without` where the parameters stay, less `by_parameter` times
+/// theirs.
+struct MotionStep {
+  Eigen::VectorXd without;
+  Eigen::MatrixXd by_parameter;
+  /// The covariance of the coefficients of each block, without that of the parameters.
+  std::vector<Eigen::MatrixXd> covariance;
 };
 
 /// Normal equations of the coefficients of one segment's motion and the parameters.
@@ -26,7 +32,7 @@ struct ParameterQuadratic {
 class NormalEquations {
  public:
   /// As many coefficients as a multiple of four.
-  explicit NormalEquations(int coefficients = 0, int numbers = 0, int parameters = 0);
+  NormalEquations(int coefficients, int numbers, int parameters);
 
   /// Adds rows with weights (inverse variances), one for each of the observation's.
   void Add(const LinearisedObservation& rows, const Eigen::Matrix<double, 6, 1>& weight);
@@ -34,23 +40,15 @@ class NormalEquations {
   void AddPrior(int first, int number, const std::vector<double>& pattern, double residual,
                 double weight);
 
-  /// Eliminates the motion. What is left for the parameters, as changes from where the rows were
-  /// linearised; nothing can be added from then on.
-  ParameterQuadratic Reduce();
-  /// The motion's best changes where the parameters change by so much; Reduce comes before.
-  Eigen::VectorXd MotionStep(const Eigen::VectorXd& change) const;
-  /// The covariance of the coefficients of each block, without that of the parameters; Reduce comes
-  /// before.
-  std::vector<Eigen::MatrixXd> Covariance() const;
+  /// What is left for the parameters, as changes from where the rows were linearised.
+  ParameterQuadratic Reduce(MotionStep* step) const;
 
  private:
   int block_, blocks_, numbers_, parameters_;
-  std::vector<Eigen::MatrixXd> pair_;  ///< of a block and the next one, until they are factors
-  /// The lower Cholesky factor of each block, and what of it stands below.
-  std::vector<Eigen::MatrixXd> factor_, below_;
-  Eigen::MatrixXd right_;  ///< coupling to the parameters, then the gradient; eliminated forwards
+  std::vector<Eigen::MatrixXd> pair_;  ///< of a block and the next one
+  Eigen::MatrixXd right_;              ///< coupling to the parameters, then the gradient
   Eigen::MatrixXd information_;
-  Eigen::VectorXd score_, doubt_;
+  Eigen::VectorXd score_;
 };
 
 }  // namespace tera

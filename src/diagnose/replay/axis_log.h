@@ -18,8 +18,7 @@ struct MeasuredRate {
   std::vector<TimeNs> t_ns;
   std::vector<double> at_step;  ///< times in steps of the log
   std::vector<double> rate_radps;
-  /// Whether the joint was clear of its end stops, or pushed away from the one that it was at.
-  std::vector<bool> is_free;
+  std::vector<bool> is_free;  ///< whether the joint was clear of its end stops
 };
 
 /// Levers of one machine and the measured motion of its axes on even steps, over which the chain of

@@ -11,9 +11,8 @@
 
 namespace tera {
 
-/// Signs of the axes of an inertial unit, rates then forces; -1 where `axis_flip` has the axis, or
-/// the axis of that triad alone.
-Eigen::Matrix<double, 6, 1> AxisSigns(const Effects& effects);
+/// Signs of the axes of an inertial unit whose readings come with the wrong ones, `axis_flip`.
+Vec3 AxisSigns(const Effects& effects);
 
 /// What lies between the measurement of an inertial unit's own model and the one it reports
 /// (src/sensors/README.md).
@@ -24,7 +23,7 @@ class ImuSlots {
 
  private:
   bool ideal_;
-  Eigen::Matrix<double, 6, 1> axis_signs_;
+  Vec3 axis_signs_;
   ImuErrors errors_;
   LowPass filter_;
   ReportClock clock_;

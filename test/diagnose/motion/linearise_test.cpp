@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/QR>
-#include <cmath>
 #include <string>
 
 #include "core/units.h"
@@ -226,7 +224,7 @@ TEST(Linearise, PredictsPosesInAMapThatIsTurnedAboutItsPivotAndShifted) {
 TEST(Linearise, PredictsAnInertialUnitByTheMotionOfItsTrueFrame) {
   MadeProblem made(13);
   UnitChannel& unit = made.problem.imus[0];
-  unit.signs.setOnes();
+  unit.signs = Vec3::Ones();
   made.parameters.setZero();
   const Vec3 turn(0.1, -0.2, 0.3), shift(0.2, 0.1, -0.3);
   made.parameters.segment<3>(unit.mount) = turn;
@@ -320,58 +318,6 @@ TEST(Linearise, OfAMotionThatRestsHasNoDerivativesByWhatOnlyMotionExcites) {
   EXPECT_LT(by.col(unit.late).norm(), 1e-12);
   EXPECT_GT(by.middleCols(unit.bias, 6).norm(), 2);
   EXPECT_GT(by.middleCols(unit.mount, 3).norm(), 9) << "gravity stays";
-}
-
-/// A unit two metres before the axis of a base that turns as `yaw_rad` has it, by the spline that
-/// fits that best.
-struct TurningUnit {
-  MotionProblem problem;
-  UniformSpline spline = {.step_s = 0.05, .coefficients = 44};
-  SegmentMotion motion;
-
-  template <typename Yaw>
-  explicit TurningUnit(const Yaw& yaw_rad) {
-    problem.imus.resize(1);
-    problem.imus[0].X_LS = MakePose({2, 0, 0});
-    Eigen::MatrixXd by = Eigen::MatrixXd::Zero(401, spline.coefficients);
-    Eigen::VectorXd wanted(401);
-    for (int k = 0; k <= 400; ++k) {
-      const double t = spline.end_s() * k / 400;
-      const SplineWeights at = spline.At(t);
-      by.block<1, 4>(k, at.first) = at.by_derivative.row(0).head<4>();
-      wanted[k] = yaw_rad(t);
-    }
-    motion.coefficients = Eigen::MatrixXd::Zero(spline.coefficients, kBaseNumbers);
-    motion.coefficients.col(kYaw) = by.colPivHouseholderQr().solve(wanted);
-    motion.moving = Eigen::ArrayXXd::Ones(11, kBaseNumbers);
-    motion.jumps = JumpsOf(spline, motion.coefficients);
-  }
-  LinearisedObservation From(double from_s) const {
-    LinearisedObservation rows;
-    const Observation seen = {.kind = kImu, .from_s = from_s, .to_s = from_s + 0.05};
-    EXPECT_TRUE(Linearise(problem, spline, motion, Eigen::VectorXd(), seen, &rows));
-    return rows;
-  }
-};
-
-// A turn at 0.7 rad/s that ends at once: in the mean over the 0.05 s in which it does the unit is
-// driven across by 2 m x 0.7 rad/s / 0.05 s, before and after not at all.
-TEST(Linearise, KnowsHowLittleSplinesFollowAStop) {
-  const TurningUnit unit([](double t) { return -0.7 * std::max(0.0, 1.03 - t); });
-  for (const double from_s : {0.9, 0.95, 1.0, 1.05, 1.1}) {
-    const LinearisedObservation rows = unit.From(from_s);
-    const double expected_mps2 = from_s == 1.0 ? -2 * 0.7 / 0.05 : 0;
-    EXPECT_LT(std::abs(-rows.residual[4] - expected_mps2), 2 * std::sqrt(rows.unfollowed[4]));
-    EXPECT_GT(std::sqrt(rows.unfollowed[4]), 0.05 * 2 * 0.7 / 0.05) << from_s;
-  }
-  EXPECT_LT(unit.From(0.3).unfollowed[4], 0.01 * unit.From(1.0).unfollowed[4]) << "long before";
-}
-
-TEST(Linearise, KnowsThatSplinesFollowASwayOfHalfAHertz) {
-  const TurningUnit unit([](double t) { return 0.2 * std::sin(kPi * t); });
-  for (const double from_s : {0.3, 0.62, 1.0}) {
-    EXPECT_LT(unit.From(from_s).unfollowed.maxCoeff(), 0.02 * 0.02) << from_s;
-  }
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/check.h"
-#include "diagnose/search/fit/structure_fit.h"
 
 namespace tera {
 namespace {
@@ -53,7 +52,6 @@ ReplayBlock PrefixOf(const ReplayBlock& block, std::size_t samples) {
   prefix.first_ns = block.first_ns;
   prefix.slides = block.slides;
   prefix.candidates = block.candidates;
-  prefix.read_whole = block.read_whole;
   for (const Channel& channel : block.channels) {
     prefix.channels.push_back(First(channel, samples));
   }
@@ -77,11 +75,10 @@ SearchResult CarryToWhole(SearchResult search, const ReplayBlock& prefix,
   };
   for (Term& term : search.found.terms) {
     move(&term.candidate);
-    std::erase_if(term.held, [&](std::size_t held) {
-      if (!DefaultOf(*term.candidate, held)) return false;  // another number does the same
+    for (const std::size_t held : term.held) {
       term.values[held] = term.candidate->starts.front()[held];
-      return true;
-    });
+    }
+    term.held.clear();
   }
   for (TermEvidence& evidence : search.evidence) {
     for (const Candidate*& rival : evidence.rivals) move(&rival);
