@@ -27,8 +27,8 @@ std::string Date(TimeNs utc_ns) {
   return fmt::format("{:02}{:02}{:02}", t.day, t.month, t.year % 100);
 }
 
-/// Degrees and minutes with seven decimals, 0.2 mm, and the hemisphere. Counted in whole units, so
-/// that minutes never round to 60.
+/// Degrees and minutes with seven decimals, 0.2 mm, and the hemisphere. Integer arithmetic, so that
+/// minutes never round to 60.
 std::string Angle(double angle_deg, int degree_digits, char positive, char negative) {
   constexpr std::int64_t kUnitsPerMinute = 10'000'000, kUnitsPerDegree = 60 * kUnitsPerMinute;
   const std::int64_t units = std::llround(std::abs(angle_deg) * kUnitsPerDegree);
