@@ -9,7 +9,8 @@
 namespace tera {
 namespace {
 
-constexpr double kBeyond = 1.5;  ///< of the sensor's reach, so that what it cannot see is known
+constexpr double kBeyond =
+    1.5;  ///< factor on the sensor's range, so that surfaces beyond it are known
 
 }  // namespace
 
