@@ -39,7 +39,7 @@ class Workers {
 
   std::mutex mutex_;
   std::condition_variable loop_begins_, loop_ends_;
-  const RangeWork* work_ = nullptr;  ///< of the current loop
+  const RangeWork* work_ = nullptr;  ///< work of the current loop
   std::size_t next_ = 0, count_ = 0, step_ = 1;
   int busy_ = 0;  ///< threads that work on a range
   bool stopping_ = false;

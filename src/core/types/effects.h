@@ -36,7 +36,7 @@ std::string_view NameOf(Slot slot);
 /// name and the whole machine's motion by `base`. One axis of an encoder set has both names:
 /// `encoders/boom`. Other sensor kinds define their own targets.
 struct EffectTarget {
-  std::string_view name;  ///< as in messages: "an imu", "a track or wheel set"
+  std::string_view name;  ///< name in messages: "an imu", "a track or wheel set"
 
   bool operator==(const EffectTarget&) const = default;
 

@@ -34,7 +34,7 @@ enum class SemanticClass : std::uint8_t {
 
 struct SemanticClassInfo {
   SemanticClass label;
-  std::string_view name;            ///< as in YAML and dataset.yaml
+  std::string_view name;            ///< name in YAML and dataset.yaml
   std::array<std::uint8_t, 3> rgb;  ///< colour in overview images
 };
 

@@ -14,7 +14,7 @@ class ConfigMap;
 struct LearnedVariable {
   enum class Kind { kLever, kLeverWay, kPosition, kLoad, kRate, kTime };
 
-  std::string name;  ///< as in YAML and reports: "lever/arm", "position/boom", "rate", "time"
+  std::string name;  ///< name in YAML and reports: "lever/arm", "position/boom", "rate", "time"
   std::string unit;
   Kind kind = Kind::kLever;
   std::size_t axis = 0;  ///< index of the lever's axis: joints first, then gears

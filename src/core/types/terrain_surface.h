@@ -123,7 +123,7 @@ class TerrainSurface : public TerrainGrid {
   std::vector<float> base_height_m_;
   std::vector<Cover> tile_cover_;
   std::vector<std::uint32_t> version_;
-  std::vector<std::int32_t> block_of_;  ///< of each tile; -1 while undisturbed
+  std::vector<std::int32_t> block_of_;  ///< one per tile; -1 while undisturbed
   std::deque<Block> blocks_;            ///< 100 MB on a large site; growth moves no block
   std::vector<Grain> grains_;
 };

@@ -10,7 +10,7 @@ namespace tera {
 
 /// Allowed deviation of one mechanism parameter from its value in the scenario.
 struct Tolerance {
-  std::string target;  ///< as in YAML: "boom", "imu_boom", "encoders/boom", "base"
+  std::string target;  ///< name in YAML: "boom", "imu_boom", "encoders/boom", "base"
   const Mechanism* mechanism = nullptr;
   std::size_t parameter = 0;  ///< index among the mechanism's parameters
   double half_width = 0;      ///< 95 % bound, in the parameter's unit

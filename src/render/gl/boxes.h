@@ -25,8 +25,8 @@ class Silhouettes {
  private:
   /// Unit of drawing: an instance without parts, or a whole.
   struct Object {
-    std::uint16_t whole = 0;           ///< of a part; 0 otherwise
-    std::vector<std::uint16_t> parts;  ///< of a whole
+    std::uint16_t whole = 0;           ///< whole that contains this part; 0: none
+    std::vector<std::uint16_t> parts;  ///< parts of a whole
     std::vector<int> bodies;           ///< bodies that move its nodes and its parts' nodes
     bool changes_shape = false;
   };

@@ -120,7 +120,7 @@ class NodeRenderer {
   std::vector<GpuMesh> meshes_;
   std::vector<GpuShape> shapes_;
   GlObject instances_;
-  GpuBuffers constant_;  ///< of the constant meshes
+  GpuBuffers constant_;  ///< buffers of the constant meshes
   std::vector<Placed> placed_opaque_, placed_glass_;
   mutable std::int64_t triangles_drawn_ = 0;
 };
