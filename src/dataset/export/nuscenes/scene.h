@@ -56,7 +56,7 @@ class NuScenesScene {
   };
   using WrittenFrames = InOrder<WrittenFrame>;
   void WriteFrame(std::size_t sensor, std::size_t frame, WrittenFrames* frames);
-  /// Queues the files of a frame, whose names are already in the tables.
+  /// Queues the files of a frame, and adds the labels of a key scan to their table.
   void GiveFiles(std::size_t sensor, TimeNs t_ns, const std::string& file,
                  const std::string& key_token, WrittenFrames* frames);
   WrittenFrame WriteFiles(WrittenFrame frame) const;
