@@ -59,7 +59,7 @@ struct UnitFit {
 
 std::optional<UnitFit> FindUnit(const std::vector<Vec3>& a_m, const std::vector<Vec3>& b_m,
                                 const RegistrationRequest& request, const Registration& found) {
-  constexpr double kMostRatio = 20;  // of the sizes of a scan and its survey
+  constexpr double kMostRatio = 20;  // largest ratio between the sizes of a scan and its survey
   const double a_size_m = SizeOf(a_m), b_size_m = SizeOf(b_m);
   const auto are_alike = [](double one_m, double other_m) {
     return one_m < kMostRatio * other_m && other_m < kMostRatio * one_m;

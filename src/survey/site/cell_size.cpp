@@ -13,7 +13,7 @@ namespace tera {
 namespace {
 
 constexpr std::array<double, 7> kSizes_m = {0.05, 0.1, 0.2, 0.25, 0.5, 1.0, 2.0};
-constexpr double kMostCells = 2.5e7;  ///< of an elevation raster that a scenario can read
+constexpr double kMostCells = 2.5e7;  ///< largest elevation raster that a scenario can read
 constexpr double kGoodShare = 0.5, kLeastShare = 0.25;
 
 /// Number of squares of this size that hold points.
