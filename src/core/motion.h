@@ -5,10 +5,10 @@
 
 #include "core/time.h"
 
-/// Rigid poses and motions in monogram notation. `X_AB` is the pose of frame B in A: `p_A = X_AB *
-/// p_B`. `R_AB` is its rotation and `p_AB` its translation. `v_WB` is the velocity of B's origin in
-/// W; `w_WB` is the angular velocity of B in W. Both are expressed in W; a trailing `_B` means
-/// "expressed in B".
+/// Rigid poses and motions in monogram notation. `X_AB` is the pose of frame B in A:
+/// `p_A = X_AB * p_B`. `R_AB` is its rotation and `p_AB` its translation. `v_WB` is the velocity of
+/// B's origin in W; `w_WB` is the angular velocity of B in W. Both are expressed in W; a trailing
+/// `_B` means "expressed in B".
 
 namespace tera {
 
@@ -51,7 +51,7 @@ struct BodyState {
 /// Velocity in W of the body-fixed point at `p_B_m`.
 Vec3 PointVelocity(const BodyState& body, const Vec3& p_B_m);
 
-/// Motion of a frame S fixed to body B at X_BS, by rigid-body kinematics
+/// Motion of a frame S fixed to body B at X_BS, by rigid-body kinematics:
 /// (v + w x r, a + alpha x r + w x (w x r)).
 BodyState MotionOfFixedFrame(const BodyState& body, const Pose& X_BS);
 

@@ -45,8 +45,7 @@ struct SceneInstance {
   SemanticClass label = SemanticClass::kSky;
   int body = -1;  ///< body whose frame carries the box
   Vec3 box_min_B_m = Vec3::Zero(), box_max_B_m = Vec3::Zero();
-  int shape =
-      -1;  ///< index of a shape that supplies the box; box_min/max_B_m then bound the shape's place
+  int shape = -1;            ///< shape that supplies the box, in place of the members above
   double capacity_m3 = 0;    ///< heaped capacity for the load that the shape shows
   std::uint16_t parent = 0;  ///< the whole that contains this part; 0: no parent
   bool is_whole = false;     ///< its box encloses its parts at each instant
@@ -58,8 +57,7 @@ struct SceneKeypoint {
   std::uint16_t instance = 0;
   int body = 0;
   Vec3 p_B_m = Vec3::Zero();
-  double radius_m =
-      0;  ///< depth below the object's surface down to which the point counts as visible
+  double radius_m = 0;  ///< visible down to this depth below the object's surface
 };
 
 /// Appearance of a soil, indexed by TerrainSurface::Cover::soil.

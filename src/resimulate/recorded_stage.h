@@ -21,8 +21,7 @@ class RecordedStage {
   /// Ground and loads at one time. Equal grounds share an object.
   struct Moment {
     std::shared_ptr<const TerrainSurface> ground;
-    std::vector<std::vector<SoilReaction::Load>>
-        loads;  ///< one list per machine, one entry per shovel
+    std::vector<std::vector<SoilReaction::Load>> loads;  ///< by machine and shovel
   };
 
   /// Keeps references. `machines` has one entry per machine of the scenario; `start_ns` is the

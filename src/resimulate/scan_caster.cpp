@@ -9,8 +9,7 @@
 namespace tera {
 namespace {
 
-constexpr double kBeyond =
-    1.5;  ///< factor on the sensor's range, so that surfaces beyond it are known
+constexpr double kBeyond = 1.5;  ///< factor on the range, to know surfaces beyond it
 
 }  // namespace
 

@@ -8,8 +8,8 @@ namespace tera {
 /// Combined effect of a sensor's mechanisms on its mount, ranges and clock.
 ///
 /// Frames  B link, T true sensor.
-/// Model   X_BT of sensors/slots/true_mount.h; reported range (depth for a depth camera) =
-///         range_factor * true range + range_bias_m; time stamp = true time + clock_offset_s.
+/// Model   X_BT of sensors/slots/true_mount.h; reported range (depth for a depth camera)
+///         = range_factor * true range + range_bias_m; time stamp = true time + clock_offset_s.
 /// Omits   effects that vary between points or scans: outliers, quantisation, drift, jitter.
 struct SensorCalibration {
   Pose X_BT = Pose::Identity();

@@ -19,8 +19,8 @@ Odometry OdometryMessage(TimeNs t_ns, const ScenarioMachine& machine, const Mach
 JointState JointStateMessage(TimeNs t_ns, const ScenarioMachine& machine,
                              const MachineState& state);
 
-/// Strokes (m), rates and forces (N, positive for extension) of all cylinders. Parallel cylinders
-/// share an entry. Names are the machine description's.
+/// Stroke (m), rate and force (N, positive for extension) of each cylinder. Values of parallel
+/// cylinders refer to a single one of them. Names are the machine description's.
 JointState CylindersMessage(TimeNs t_ns, const ScenarioMachine& machine, const MachineState& state);
 
 /// Moving frames: the root in the world, unless fixed, and the child of each movable joint in its

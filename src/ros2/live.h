@@ -28,9 +28,8 @@ struct LiveRosReport {
   double simulated_s = 0, wall_s = 0;
   std::int64_t published = 0, dropped = 0;
   std::int64_t levers_received = 0, levers_refused = 0;
-  std::int64_t levers_unasked =
-      0;                      ///< in lockstep: messages with another stamp, or repeated answers
-  std::int64_t timeouts = 0;  ///< missing answers in lockstep
+  std::int64_t levers_unasked = 0;  ///< in lockstep: another stamp, or a repeated answer
+  std::int64_t timeouts = 0;        ///< missing answers in lockstep
 };
 
 /// Runs a scenario for ROS 2 until its duration or `stop`. Throws InputError for invalid ROS names,

@@ -17,8 +17,8 @@ namespace tera {
 /// `rotation` are {x, y, z} or, as in the paper, [x, y, z]; `noise` may be [mean, std].
 ///
 /// Frames  input: Unity's axes, x right, y up, z forward, left-handed; `rotation` in degrees about
-///         z, then x, then y. Output: x forward, y left, z up. A vector (x, y, z) becomes (z, -x,
-///         y); a rotation is conjugated with this map.
+///         z, then x, then y. Output: x forward, y left, z up. A vector (x, y, z) becomes
+///         (z, -x, y); a rotation is conjugated with this map.
 /// Model   CHASSIS (also spelt CHASIS) is the link `upper`, which carries the cab; BOOM, ARM and
 ///         BUCKET are the links of those names. A sensor's name is the last part of its topic, or
 ///         its id without a topic. `noise` becomes a constant bias `mean` and white noise `std` on

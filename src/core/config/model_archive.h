@@ -11,8 +11,8 @@
 
 namespace tera {
 
-/// Reads a model from a mapping, or writes it as YAML, with one description of its keys. `void
-/// Serialize(ModelArchive*, M*)` visits the keys of a model M in YAML order.
+/// Reads a model from a mapping, or writes it as YAML, with one description of its keys.
+/// `void Serialize(ModelArchive*, M*)` visits the keys of a model M in YAML order.
 ///
 /// Model   A YAML value times `unit` is the member's value: a key in degrees has the unit kDeg for
 ///         a member in radians. An absent key leaves its member unchanged. The mapping receives the

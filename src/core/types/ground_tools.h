@@ -48,10 +48,9 @@ struct ContactPatch {
 struct RunningGear {
   std::string name;
   int link = 0;
-  double drive_radius_m =
-      0;                  ///< sprocket pitch radius or rolling radius of the machine description
-  double shoe_ratio = 1;  ///< surface travel relative to travel of the drive radius
-  double grouser_m = 0;   ///< height of the grousers (lugs), which hold soil
+  double drive_radius_m = 0;   ///< sprocket pitch radius or rolling radius, as described
+  double shoe_ratio = 1;       ///< surface travel relative to travel of the drive radius
+  double grouser_m = 0;        ///< height of the grousers (lugs), which hold soil
   double grouser_pitch_m = 0;  ///< grouser spacing along travel; 0: grousers leave no print
   std::vector<ContactPatch> patches;
 

@@ -22,10 +22,10 @@ struct LearnedVariable {
 
 /// A learned residual of a rate that no mechanism explains, tabulated over one variable.
 ///
-/// Model   c(x) is piecewise linear between knots. Beyond the first and last knot it falls linearly
-///         to 0 over a distance of the adjacent interval, and stays 0, since no data support it. c
-///         is added to the rate, or scales it as a share. The band states the uncertainty and does
-///         not affect the simulation; an absent bound equals the value.
+/// Model   c(x) is piecewise linear between knots. Beyond the end knots it falls linearly to 0 over
+///         the length of the adjacent interval, and stays 0, since no data support it. The rate
+///         gains c, or c times itself for a share. The band states the uncertainty and does not
+///         affect the simulation; an absent bound equals the value.
 struct LearnedEffect {
   LearnedVariable variable;
   bool is_share = false;

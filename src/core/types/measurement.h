@@ -147,9 +147,8 @@ struct CarriedLoad {
   std::string name;
   std::int64_t visible_px = 0;
   double volume_m3 = 0, mass_kg = 0;
-  double fill = 0;  ///< volume over the shovel's heaped capacity
-  std::optional<double>
-      released_kgps;  ///< loss rate since the previous image; none in the first image
+  double fill = 0;                      ///< volume over the shovel's heaped capacity
+  std::optional<double> released_kgps;  ///< loss rate since the previous image, if any
 };
 
 /// One exposure. All images share one pixel grid; images that the camera does not produce are
@@ -166,9 +165,8 @@ struct CameraFrame {
   /// Flow from this image's pixels to the previous image, and from the previous image's pixels to
   /// this image. 3 channels, PixelOfFlow; all 0 in the first image.
   Image<std::uint16_t> flow_to_previous, flow_to_this;
-  Image<std::uint16_t>
-      scene_flow_to_previous;        ///< all 0 in the first image; 3 channels, PixelOfShift
-  Image<std::uint8_t> ground_soil;   ///< PixelOfSoil
+  Image<std::uint16_t> scene_flow_to_previous;  ///< first image: 0; 3 channels, PixelOfShift
+  Image<std::uint8_t> ground_soil;              ///< PixelOfSoil
   Image<std::uint8_t> ground_state;  ///< looseness, moisture and rut as in TerrainSurface::Cover
   Image<std::uint16_t> ground_change, ground_age;  ///< PixelOfRise, PixelOfAge
   Image<std::uint16_t> dust_optical_depth;         ///< PixelOfOpticalDepth

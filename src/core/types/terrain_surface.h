@@ -91,8 +91,8 @@ class TerrainSurface : public TerrainGrid {
   void SetGrains(std::vector<Grain> grains) { grains_ = std::move(grains); }
 
   void Set(int i, int j, const Vertex& vertex);
-  /// Copies the tiles of `other` whose versions differ. Both objects must represent the same
-  /// ground, possibly at different times.
+  /// Becomes equal to `other`. Copies only the tiles whose versions differ if both represent the
+  /// same initial ground, otherwise all tiles.
   void Follow(const TerrainSurface& other);
   /// Allocates the vertices of tile (a, b) and of its border.
   void Refine(int a, int b);

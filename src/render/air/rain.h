@@ -4,8 +4,8 @@ namespace tera {
 
 /// Falling rain with a drop size distribution.
 ///
-/// Model   N(D) = N0 exp(-L D) drops per m^3 and per metre of diameter, N0 = 8000 / (m^3 mm), L =
-///         4.1 R^-0.21 / mm with R in mm/h. The extinction cross-section is twice a drop's
+/// Model   N(D) = N0 exp(-L D) drops per m^3 and per metre of diameter, N0 = 8000 / (m^3 mm),
+///         L = 4.1 R^-0.21 / mm with R in mm/h. The extinction cross-section is twice a drop's
 ///         geometric cross-section. The fall speed is 9.65 - 10.3 exp(-0.6 D / mm) m/s.
 /// Omits   drops below 0.1 mm, oblate drops, gusts.
 /// Source  Marshall and Palmer 1948, "The distribution of raindrops with size"; Atlas, Srivastava

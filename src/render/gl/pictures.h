@@ -9,10 +9,9 @@ struct Pictures {
   int width_px = 0, height_px = 0;
   bool linear = false;
   GlObject albedo, normal, label, depth;  ///< visible surfaces
-  GlObject open,
-      open_blurred;        ///< sky fraction that near surfaces leave visible, at half resolution
-  GlObject radiance;       ///< linear, exposed
-  GlObject toned, colour;  ///< input and output of the edge filter
+  GlObject open, open_blurred;            ///< visible sky fraction, at half resolution
+  GlObject radiance;                      ///< linear, exposed
+  GlObject toned, colour;                 ///< input and output of the edge filter
   GlObject geometry_target, open_target, open_blurred_target, sky_target, glass_label_target,
       tone_target, colour_target;
 

@@ -15,9 +15,8 @@ constexpr std::array<double, 20> kRings_m = {
     45, 60, 80,  110, 150, 220, 320, 500, 850, Surroundings::kReach_m};
 constexpr double kSkirt_m = 0.5;
 constexpr int kStepsPerSide = 50, kAround = 4 * kStepsPerSide;
-constexpr float kTrodden =
-    0.75f;  // albedo of the ground near the site, as a fraction of the dry soil's
-constexpr double kHills_m = 9.0;  // greatest height of the far hills
+constexpr float kTrodden = 0.75f;  // albedo of the ground near the site over the dry soil's
+constexpr double kHills_m = 9.0;   // greatest height of the far hills
 constexpr double kHillsBegin_m = 60.0, kHillsFull_m = 500.0;
 constexpr double kTrees_m = 11.0;  // height of the tree belt
 constexpr double kTreesAt_m = 320.0, kTreesWidth_m = 60.0;

@@ -56,8 +56,7 @@ class TerrainRenderer {
   Workers* workers_;
   TerrainGrid grid_;
   std::vector<Tile> tiles_;
-  std::vector<TilePool>
-      pools_;  ///< pool of refined tiles, followed by the pool of undisturbed tiles
+  std::vector<TilePool> pools_;  ///< for refined tiles, then for undisturbed tiles
   GlObject detail_;
   GroundTextures textures_;
   Apron apron_;

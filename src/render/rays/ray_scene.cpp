@@ -160,8 +160,7 @@ void RayScene::Impl::UpdateShape(Body* body, const Shapes& now) {
   shape.X_BG = {node.X_BG};
   shape.scale = {node.scale};
   shape.scene = NewScene(device.get());
-  AttachParts(device.get(), mesh->parts, 0, false,
-              &shape);  // freshly dug soil has its own moisture
+  AttachParts(device.get(), mesh->parts, 0, false, &shape);  // fresh soil has its own moisture
   rtcCommitScene(shape.scene.get());
   rtcSetGeometryInstancedScene(body->geometry.get(), shape.scene.get());
   shapes[body->shape] = std::move(shape);

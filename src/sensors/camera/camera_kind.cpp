@@ -167,7 +167,7 @@ void CheckCameraEffects(const ConfigMap& effects, const MachineModel&,
   }
 }
 
-/// Reports exposures that overlap the next image's exposure or read-out.
+/// Reports exposure and read-out times longer than the image interval.
 void CheckExposure(const ConfigMap& config, const CameraModel& model, double rate_hz) {
   if (!model.image_sensor || !(rate_hz > 0)) return;
   const ConfigMap sensor = config.Map("image_sensor");

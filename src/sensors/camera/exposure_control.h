@@ -48,10 +48,10 @@ struct Metered {
 
 /// Automatic exposure and white balance of one camera, image by image.
 ///
-/// Model   H is the product of exposure and gain of image j. Image j + delay has H (target /
-///         signal)^rate, as exposure up to its longest, then as gain. The balance moves likewise
-///         towards equal means of red, green and blue (grey world). The first `delay` images keep
-///         the initial settings.
+/// Model   H is the product of exposure and gain of image j. Image j + delay has
+///         H (target / signal)^rate, as exposure up to its longest, then as gain. The balance moves
+///         likewise towards equal means of red, green and blue (grey world). The first `delay`
+///         images keep the initial settings.
 /// Omits   weights within the zone, histograms, hysteresis; flicker avoidance.
 /// Source  grey world: Buchsbaum 1980, "A spatial processor model for object colour perception".
 class ExposureControl {

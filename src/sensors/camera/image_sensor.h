@@ -22,8 +22,7 @@ enum class ColourFilter { kRggb, kBggr, kGrbg, kGbrg };
 struct ImageSensorModel {
   double exposure_s = 0.002, f_number = 4, transmission = 0.9;
   double pixel_um = 3.45;
-  Vec3 quantum_efficiency =
-      Vec3(0.5, 0.6, 0.5);  ///< for red, green and blue light, including the filter
+  Vec3 quantum_efficiency = Vec3(0.5, 0.6, 0.5);  ///< red, green, blue; with the filter
   double full_well_e = 10500, read_noise_e = 2.3;
   double dark_current_eps = 1;  ///< electrons per second and pixel at dark_temperature_degc
   double temperature_degc = 35, dark_temperature_degc = 25, dark_doubling_k = 8;
@@ -61,10 +60,11 @@ inline constexpr double kPhotonsPerLuxSecond = 6.02214076e23 * 1e-6 / 54;
 ///         shading. Angular lenses use the relative illumination of angular_lens.h for v. Each
 ///         colour value has the illuminance of a white of that value; each colour has a third of
 ///         daylight's photons. Electrons are Poisson counts of QE times photons (PRNU) plus dark
-///         current, at most the full well. Then y = K (electrons + DSNU + row + read noise) +
-///         black, rounded, within the range. Dark current doubles per dark_doubling_k. The image is
-///         a bilinear, edge-aware demosaic in sRGB with daylight white balance. Poisson counts are
-///         exact below 20; above, they are rounded normal values.
+///         current, at most the full well. Then
+///         y = K (electrons + DSNU + row + read noise) + black, rounded, within the range. Dark
+///         current doubles per dark_doubling_k. The image is a bilinear, edge-aware demosaic in
+///         sRGB with daylight white balance. Poisson counts are exact below 20; above, they are
+///         rounded normal values.
 /// Omits   spectra; crosstalk, lag, blooming, correlated double sampling; highlight compression by
 ///         a tone curve; lens aberrations.
 /// Source  EMVA 1288 release 4.0, linear model, eqs. (1) to (15); cos^4: Kingslake 1992, "Optics in

@@ -20,8 +20,7 @@ class LoadLabels {
   void Fill(const SceneModel& model, const SceneState& state, CameraFrame* frame);
 
  private:
-  std::vector<double>
-      before_kg_;  ///< mass of each shovel at the previous image; empty: no previous image
+  std::vector<double> before_kg_;  ///< mass per shovel at the previous image; empty: none
   TimeNs before_ns_ = 0;
 };
 

@@ -24,8 +24,8 @@ void Serialize(ModelArchive* archive, EncoderModel* model);
 ///
 /// Frames  angles and rates about each joint's own axis, from its zero; metres for prismatic
 ///         joints.
-/// Model   angle q + N(0, sigma^2), rounded to the nearest multiple of the resolution; rate qd +
-///         N(0, sigma_rate^2), measured independently of the rounded angles.
+/// Model   angle q + N(0, sigma^2), rounded to the nearest multiple of the resolution; rate
+///         qd + N(0, sigma_rate^2), measured independently of the rounded angles.
 /// Omits   backlash, eccentricity, single-turn wrap. (Zero offset: AxisErrors.)
 /// Source  rounding: uniform error of variance resolution^2 / 12 (Bennett 1948, "Spectra of
 ///         quantized signals") for motion across many steps.

@@ -31,10 +31,10 @@ Vec3 MultipathError(const Effects& effects, const RaisedBoom& boom);
 
 /// Periods without integer ambiguities, `float_jump`.
 ///
-/// Model   a receiver loses its fix at the rate 1 / `interval_s` and recovers it at the rate 1 /
-///         `duration_s`. Without the fix, each axis has an offset drawn from N(0, size^2), constant
-///         over the period. The receiver then reports "RTK float" and a variance that includes
-///         size^2.
+/// Model   a receiver loses its fix at the rate 1 / `interval_s` and recovers it at the rate
+///         1 / `duration_s`. Without the fix, each axis has an offset drawn from N(0, size^2),
+///         constant over the period. The receiver then reports "RTK float" and a variance that
+///         includes size^2.
 /// Source  two-state Markov process; sizes of float solutions 0.1 to 0.5 m.
 class FloatJumps {
  public:
@@ -60,7 +60,7 @@ class FloatJumps {
 class GnssErrors {
  public:
   GnssErrors(const Effects& effects, std::uint64_t seed, const std::string& stream_name);
-  /// Signal of sample `k`; calls follow the sample times. Both functions change only `enu_m`. The
+  /// Signal of sample `k`; calls follow the sample times. Both functions change `enu_m`. The
   /// caller updates latitude, longitude and height.
   void Sense(std::int64_t k, const RaisedBoom& boom, GnssSample* sample);
   void ReadOut(std::int64_t k, GnssSample* sample) const;

@@ -46,10 +46,10 @@ inline constexpr EffectTarget kInclinometerTarget{"an inclinometer"};
 ///         rotation, it is the sensor's pitch.
 /// Model   f = mean specific force over the sample's interval + vibration, w = mean angular rate
 ///         about y. Vibration of rms a adds a n_x + k a^2 along x and a n_z along z, n standard
-///         normal. f and w pass the same first-order low pass with time constant tau. Then tilt =
-///         atan2(-f_x, f_z) + bias + noise, rounded to the resolution, and rate = w + rate bias +
-///         rate noise. The tilt therefore lags by tau. An acceleration a_x of the link for longer
-///         than tau reads as a tilt of -atan(a_x / g).
+///         normal. f and w pass the same first-order low pass with time constant tau. Then
+///         tilt = atan2(-f_x, f_z) + bias + noise, rounded to the resolution, and
+///         rate = w + rate bias + rate noise. The tilt therefore lags by tau. An acceleration a_x
+///         of the link for longer than tau reads as a tilt of -atan(a_x / g).
 /// Omits   fusion of both elements, which would remove much of that error; cross-axis sensitivity;
 ///         rotation about x, except that it shortens f in the x-z plane.
 /// Source  Luczak, Oleksiuk, Bodnicki 2006, "Sensing tilt with MEMS accelerometers", IEEE Sensors

@@ -15,9 +15,9 @@ namespace tera {
 ///
 /// Model   a surface's relative power is the Lidar's times exp(-2 tau), where tau is the optical
 ///         depth of dust and rain in front of it. Dust of extinction s back-scatters like a surface
-///         of reflectance pi (s / S) (c t / 2) exp(-2 tau). S is its lidar ratio; c t / 2 =
-///         kPulse_m is the depth of air that one pulse covers. A drop of diameter D in the beam
-///         returns as pi (pi D^2 / 2 S) / A, with the lidar ratio of drops and the beam's
+///         of reflectance pi (s / S) (c t / 2) exp(-2 tau). S is its lidar ratio;
+///         c t / 2 = kPulse_m is the depth of air that one pulse covers. A drop of diameter D in
+///         the beam returns as pi (pi D^2 / 2 S) / A, with the lidar ratio of drops and the beam's
 ///         cross-section A. Detectable drops follow a Poisson process along the ray. The strongest
 ///         detectable echo of surface, dust and drop is the return.
 /// Omits   multiple scattering, forward-scattered light that still arrives, overlap of beam and

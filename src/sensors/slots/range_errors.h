@@ -8,8 +8,8 @@
 
 namespace tera {
 
-/// Effect of `scale` and `range_bias` on a true distance r of a lidar or depth camera: factor r +
-/// bias_m.
+/// Effect of `scale` and `range_bias` on a true distance r of a lidar or depth camera:
+/// factor r + bias_m.
 struct RangeScaling {
   double factor = 1;
   double bias_m = 0;

@@ -12,8 +12,7 @@ constexpr int kNearSide_px = 1536, kFarSide_px = 1024;
 constexpr double kNearRadius_m = 9.0;
 constexpr double kSnap_m = 4.0;  // grid of the near image's centre, so that it seldom moves
 constexpr double kMargin_m = 0.5;
-constexpr std::size_t kKept =
-    6;  ///< cached images of static nodes; a rig has cameras at few places
+constexpr std::size_t kKept = 6;  ///< cached static images; a rig has cameras at few places
 constexpr int kWidth_px = kNearSide_px + kFarSide_px,
               kHeight_px = std::max(kNearSide_px, kFarSide_px);
 
@@ -132,13 +131,12 @@ void ShadowMap::Draw(const GlObject& framebuffer, const NodeRenderer& nodes, boo
   };
   // Seen from the sun, a shadow coincides with its node. The coarse image therefore omits nodes
   // that lie completely in the fine image. Nodes outside the fine image cast no shadow within it.
-  const auto gap_m =
-      [&](const Vec3& centre_W_m) {  // signed distance inside the fine image's border
-        const Vec2 p_L = (R_LW_ * centre_W_m).head<2>();
-        const Vec2 low = p_L - near_.box_L_m.min().head<2>(),
-                   high = near_.box_L_m.max().head<2>() - p_L;
-        return std::min(low.minCoeff(), high.minCoeff());
-      };
+  const auto gap_m = [&](const Vec3& centre_W_m) {  // distance inside the fine image's border
+    const Vec2 p_L = (R_LW_ * centre_W_m).head<2>();
+    const Vec2 low = p_L - near_.box_L_m.min().head<2>(),
+               high = near_.box_L_m.max().head<2>() - p_L;
+    return std::min(low.minCoeff(), high.minCoeff());
+  };
   // The images contain each node's whole extent along the light, so the near plane cuts none.
   const auto is_whole = [](const SceneNode&, const Vec3&, double) { return true; };
   AimAt(near_);

@@ -17,10 +17,10 @@ namespace tera {
 ///         over it, as part of the scenery. Towards the horizon, the airlight follows from the
 ///         fog's visibility. Rayleigh and aerosol extinction at the sun's air mass determine its
 ///         colour, scaled to the given illuminance. A cloud cover c turns the fraction c of the sky
-///         with the highest noise into cloud. Its luminance varies with elevation h as (1 + 2 sin
-///         h) / 3 of the zenith's (CIE overcast sky). Its scale gives level ground 1 - 0.75 c^3.4
-///         of the clear sky's illuminance. The sun's light is scaled by 1 - c, the mean over time.
-///         A given sky illuminance scales the clear sky.
+///         with the highest noise into cloud. Its luminance varies with elevation h as
+///         (1 + 2 sin h) / 3 of the zenith's (CIE overcast sky). Its scale gives level ground
+///         1 - 0.75 c^3.4 of the clear sky's illuminance. The sun's light is scaled by 1 - c, the
+///         mean over time. A given sky illuminance scales the clear sky.
 /// Omits   twilight colours (below kMinSunHeight_rad the sky keeps its pattern and colour at that
 ///         elevation), ozone, shadows of single clouds.
 /// Source  Preetham, Shirley, Smits 1999, "A practical analytic model for daylight", appendix;

@@ -108,8 +108,8 @@ int DiscKernels::ReachOf(int number) {
 DiscKernels::DiscKernels(double most_radius_px) {
   for (int number = 0; number <= NumberOf(most_radius_px); ++number) {
     const int side = ReachOf(number) + 1;
-    // A pixel's light comes from its whole area, of variance 1 / 12 per axis; a disc has radius^2 /
-    // 4.
+    // A pixel's light comes from its whole area, of variance 1 / 12 per axis; a disc has
+    // radius^2 / 4.
     const double radius_px = std::sqrt(
         std::max(double(number * number) / (kStepsPerPixel * kStepsPerPixel) - 1.0 / 3, 0.0));
     std::vector<float> quarter(static_cast<std::size_t>(side) * side, 0);

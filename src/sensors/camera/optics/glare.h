@@ -44,10 +44,9 @@ class PictureGlare {
 
  private:
   GlareModel model_;
-  int coarser_, width_, height_;      ///< size of the coarser image
-  int padded_width_, padded_height_;  ///< size for its transform
-  std::vector<float> spectrum_,
-      covered_;  ///< spectrum of the kernel; sum of the kernel over the image, per pixel
+  int coarser_, width_, height_;           ///< size of the coarser image
+  int padded_width_, padded_height_;       ///< size for its transform
+  std::vector<float> spectrum_, covered_;  ///< kernel's spectrum; its sum over the image
 };
 
 /// Adds the scattered light of a small bright source at `to_source_C`. The source illuminates a

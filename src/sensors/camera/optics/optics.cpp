@@ -10,9 +10,8 @@ namespace tera {
 namespace {
 
 constexpr double kSunRadius_rad = 0.2665 * kDeg;
-constexpr double kSunDrawn_rad =
-    0.45 * kDeg;                         // radius of its disc in the image, including the soft edge
-constexpr float kBesideSun_cdpm2 = 2e4;  // upper bound of sky luminance near the sun
+constexpr double kSunDrawn_rad = 0.45 * kDeg;  // radius in the image, including the soft edge
+constexpr float kBesideSun_cdpm2 = 2e4;        // upper bound of sky luminance near the sun
 
 /// A pinhole whose field is the sun's disc.
 CameraIntrinsics SunFinder() {

@@ -10,9 +10,8 @@
 namespace tera {
 namespace {
 
-constexpr double kSpeckSpread = 0.6,
-                 kDropSpread = 0.45;  // standard deviation of the logarithm of sizes
-constexpr double kSlopeAtRim = 0.8;   // slope of a drop's rim: its radius over its sphere's radius
+constexpr double kSpeckSpread = 0.6, kDropSpread = 0.45;  // deviation of the logarithm of sizes
+constexpr double kSlopeAtRim = 0.8;  // slope of a drop's rim: its radius over its sphere's radius
 constexpr double kMostDisc_px = 400;
 
 cv::Mat View(const Image<float>& picture) {

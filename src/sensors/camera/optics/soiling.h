@@ -13,13 +13,13 @@ namespace tera {
 ///
 /// Frames  positions on the glass are in image pixels: a position x mm off the axis covers the
 ///         pixel at f x / distance from the principal point. Angular lenses stand behind a dome.
-/// Model   matter on the glass is far out of focus: its image is spread over a disc of diameter A /
-///         distance, A the pupil's. A film's density varies by smooth noise about its mean. A speck
-///         is a patch with an uneven rim that absorbs most of the light. The film scatters the
-///         fraction kScattered of the light it removes, a speck kSpeckScattered. Scattered light
-///         comes uniformly from the whole image, and from the sun as through a diffuse sheet. A
-///         drop is a spherical cap of water that deflects rays by (n - 1) times its slope: it shows
-///         the scene small and upside down. The camera's stream supplies positions, sizes
+/// Model   matter on the glass is far out of focus: its image is spread over a disc of diameter
+///         A / distance, A the pupil's. A film's density varies by smooth noise about its mean. A
+///         speck is a patch with an uneven rim that absorbs most of the light. The film scatters
+///         the fraction kScattered of the light it removes, a speck kSpeckScattered. Scattered
+///         light comes uniformly from the whole image, and from the sun as through a diffuse sheet.
+///         A drop is a spherical cap of water that deflects rays by (n - 1) times its slope: it
+///         shows the scene small and upside down. The camera's stream supplies positions, sizes
 ///         (log-normal) and shapes; they are constant.
 /// Omits   colours of dirt; dispersion and reflections of drops; running drops; rays through a drop
 ///         that would deflect by more than its slope allows.

@@ -48,12 +48,12 @@ Phasor LightOver(const std::vector<LitPatch>& others, const LitPatch& at, double
 /// Depth by time of flight.
 ///
 /// Frames  eye and light source coincide in C; depth as in CameraIntrinsics.
-/// Model   each pixel adds the phasors of its parts, rho cos(theta) / r^2 at the phase 4 pi f r /
-///         c. Distances therefore mix at edges ("flying pixels"). Multipath adds the light that
-///         patches of a coarse grid reflect onto the pixel's surface, delayed by its longer path.
-///         Corners therefore appear too far and rounded. Distance is c phase / (4 pi f), modulo the
-///         ambiguity range. Both components of a phasor have noise. Reflectance is luminance times
-///         pi over illuminance, from scene light.
+/// Model   each pixel adds the phasors of its parts, rho cos(theta) / r^2 at the phase
+///         4 pi f r / c. Distances therefore mix at edges ("flying pixels"). Multipath adds the
+///         light that patches of a coarse grid reflect onto the pixel's surface, delayed by its
+///         longer path. Corners therefore appear too far and rounded. Distance is c phase / (4 pi
+///         f), modulo the ambiguity range. Both components of a phasor have noise. Reflectance is
+///         luminance times pi over illuminance, from scene light.
 /// Omits   light after several bounces, mirrors, scattering in the lens, the distance between eye
 ///         and lamp, motion within a measurement, background light, wiggling of the correlation.
 /// Source  Hansard, Lee, Choi and Horaud 2012, "Time-of-flight cameras: principles, methods and
