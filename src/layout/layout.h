@@ -26,7 +26,7 @@ std::vector<std::string> FlatWarnings(const Layout& layout);
 struct Expense {
   double cost = 0;  ///< in the rig file's own currency
   double power_w = 0;
-  double data_mbyteps = 0;  ///< of raw pictures and scans
+  double data_mbyteps = 0;  ///< data rate of raw pictures and scans
   /// Number of sensors, and number with a cost and with a power above 0.
   int sensors = 0, priced = 0, powered = 0;
 };

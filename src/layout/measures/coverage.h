@@ -35,8 +35,8 @@ class ZoneCoverage {
   bool HadPlaces() const;
   /// Figures of the zone.
   std::vector<Figure> Figures() const;
-  /// Causes of the blind places: shares over all moments that sum to 1, by the name of the
-  /// occluding part, or "out of view" or "too far or too sparse".
+  /// Causes of the blind places: shares over all moments that sum to 1. A cause is the name of the
+  /// occluding part, "out of view", or "too far or too sparse".
   std::map<std::string, double> Causes() const;
   /// For each pair of viewers: the places that both see, as a share of those that either sees.
   /// Extrinsic calibration of the two needs overlap.

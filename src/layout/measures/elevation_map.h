@@ -41,7 +41,7 @@ class ElevationMap {
     Vec3 p_W_m, normal_W;
     double area_m2;         ///< from above
     double points = 0;      ///< expected number on it
-    double weight_pm2 = 0;  ///< of the mean of their heights: the inverse variance
+    double weight_pm2 = 0;  ///< inverse variance of the mean of their heights
   };
   std::vector<Cell> CellsOn(const TerrainSurface& ground, const Pose& X_WH) const;
   void Count(const std::vector<Cell>& cells);

@@ -17,7 +17,7 @@ namespace tera {
 namespace {
 
 constexpr double kEyeStep_m = 0.05;  ///< between the places tested first
-constexpr int kHalvings = 6;         ///< of a step, to refine the ends of a masking
+constexpr int kHalvings = 6;         ///< bisections of a step, to refine the ends of a masking
 constexpr int kHullSectors = 360;
 
 /// 1 sigma of a masking's width: both ends are uniform in the last half step.

@@ -15,7 +15,7 @@ int LinkOfEye(const EyeStudy& eye, const MachineModel& machine);
 
 /// A stretch of a line on the ground that the machine hides from an eye.
 struct Masking {
-  double azimuth_rad = 0;  ///< of its middle, about the origin of H
+  double azimuth_rad = 0;  ///< azimuth of its middle, about the origin of H
   double width_m = 0;
   std::vector<std::string> by;  ///< occluding parts of the machine, largest share first
 };

@@ -63,7 +63,7 @@ class PersonRange {
   /// Samples of the viewers of a layout on a person at each place.
   struct Had {
     std::vector<bool> enough;    ///< one viewer has as many as the study requires
-    std::vector<double> points;  ///< of all lidars together, on the body
+    std::vector<double> points;  ///< points of all lidars together, on the body
   };
   Had HadOf(const std::vector<PersonPlace>& places, const Layout& layout,
             const Sighting& sighting) const;

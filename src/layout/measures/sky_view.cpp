@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-constexpr double kFarthest_m = 300;  ///< of objects that can hide the sky
+constexpr double kFarthest_m = 300;  ///< range of objects that can hide the sky
 constexpr double kSkySector_rad = 2 * kPi / SkyGrid::kSectors;
 
 /// Sines of the lowest and highest elevation of a ring above the mask.

@@ -59,7 +59,7 @@ class SkyView {
   struct Direction {
     std::size_t cell = 0;
     Vec3 d_A = Vec3::UnitZ();
-    double share = 0;  ///< of the sky's solid angle
+    double share = 0;  ///< share of the sky's solid angle
   };
   struct Antenna {
     std::string name;

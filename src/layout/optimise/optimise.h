@@ -11,7 +11,8 @@ namespace tera {
 
 struct OptimiseProgress {
   int generation = 0, generations = 0;
-  double hypervolume = 0;  ///< of the current front, over the corner of the first layouts
+  double hypervolume =
+      0;  ///< hypervolume of the current front, over the corner of the first layouts
 };
 
 struct OptimiseOptions {

@@ -65,7 +65,8 @@ struct LayoutSearch {
   Limits limits;
   std::vector<Objective> objectives;
   std::string place;  ///< position of its numbers in the file, for messages
-  int moments = 12;   ///< of the cycle, evenly spread, at which candidates are evaluated
+  int moments =
+      12;  ///< number of evenly spread moments of the cycle at which candidates are evaluated
   int population = 48, generations = 40;
   SearchStart start = SearchStart::kGreedy;
   std::uint64_t seed = 1;

@@ -11,7 +11,7 @@ namespace tera {
 
 /// State of a search after a generation. A resumed search reaches the same end.
 struct SearchState {
-  std::string search_sha256;  ///< of the files that define the search
+  std::string search_sha256;  ///< digest of the files that define the search
   int generation = 0;         ///< number of finished generations
   std::vector<Genes> genes;   ///< one per layout of the population
   std::vector<std::vector<double>> fitness;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array<std::uint8_t, 3> kNothing = {205, 208, 212}, kPaper = {255, 255, 255},
                                       kNotAtAll = {72, 78, 86};
-constexpr double kRadius = 185, kMiddle = 230;         ///< of a figure, in its own units
+constexpr double kRadius = 185, kMiddle = 230;         ///< figure geometry, in its own units
 constexpr double kLabelled_m = 6, kLabelled_deg = 30;  ///< between drawn rings and directions
 
 /// Position in a figure of a direction and a distance from the middle: ahead is up, left is left.

@@ -11,7 +11,7 @@ namespace tera {
 /// A sensor whose mount lies inside the machine's own mesh.
 struct BuriedMount {
   std::string viewer;
-  std::string part;    ///< of the machine, by its scene name: "excavator1/boom"
+  std::string part;    ///< machine part, by its scene name: "excavator1/boom"
   double depth_m = 0;  ///< from the mount to the nearest surface of that part
 };
 

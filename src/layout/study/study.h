@@ -40,7 +40,7 @@ struct EyeStudy {
   double spacing_m = 0.205;   ///< between the two light filaments
   double circle_m = 12;       ///< radius of the visibility test circle about the eye
   double rectangle_m = 1;     ///< distance of the rectangular boundary from the machine's sides
-  double height_m = 0;        ///< of both lines above the ground
+  double height_m = 0;        ///< height of both lines above the ground
   std::optional<double> most_masking_m;  ///< widest masking that the study allows
   std::string place = "study: eye";      ///< its position in the file, for messages
 };
@@ -68,11 +68,11 @@ struct InformationStudy {
 struct LayoutStudy {
   std::string machine;     ///< empty: the scenario's first
   std::string upper;       ///< link whose heading maps follow; empty: the root's first child
-  double rate_hz = 5;      ///< of the evaluated moments
-  double radius_m = 12;    ///< of the volume around the machine, an upright cylinder
-  double height_m = 2;     ///< of that volume, above the ground below the root's origin
+  double rate_hz = 5;      ///< rate of the evaluated moments
+  double radius_m = 12;    ///< radius of the volume around the machine, an upright cylinder
+  double height_m = 2;     ///< height of that volume, above the ground below the root's origin
   int points = 6000;       ///< in each zone and in the volume
-  std::uint64_t seed = 1;  ///< of those points
+  std::uint64_t seed = 1;  ///< seed of those points
   std::vector<double> map_heights_m = {0, 0.9, 1.5, 1.7};
   std::vector<Zone> zones;
   SeenFrom seen;

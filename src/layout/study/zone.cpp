@@ -117,7 +117,7 @@ Eigen::Array3i CellsOf(const Vec3& extent_m, double wanted) {
   std::array<int, 3> axes = {0, 1, 2};  // the thinnest first
   std::sort(axes.begin(), axes.end(), [&](int a, int b) { return extent_m[a] < extent_m[b]; });
   Eigen::Array3i cells;
-  double left_m3 = extent_m.prod();  // of the remaining axes: a volume, an area, a length
+  double left_m3 = extent_m.prod();  // size over the remaining axes: a volume, an area, a length
   for (int a = 0; a < 3; ++a) {
     const double edge_m = std::pow(left_m3 / wanted, 1.0 / (3 - a));
     cells[axes[a]] = std::max(1, static_cast<int>(std::lround(extent_m[axes[a]] / edge_m)));
