@@ -14,8 +14,8 @@ namespace tera {
 struct LinkSize {
   std::string name;
   double mass_kg = 0;
-  Vec3 size_m = Vec3::Zero();  ///< of the box along its axes around its visuals, collision shapes,
-                               ///< tools and running gear; zero without any of these
+  Vec3 size_m = Vec3::Zero();  ///< box along its axes around its visuals, collision shapes, tools
+                               ///< and running gear; zero without any of these
 };
 
 /// One entry per link of the machine, in their order. `scene` has the link meshes.
@@ -41,9 +41,9 @@ std::vector<std::string> DoubtsOf(const ScenarioMachine& machine, const SceneMod
 ///         width enclose.
 std::vector<std::string> DrivesInDoubt(const MachinePlacement& placement);
 
-/// Doubts about positions: machines and obstacles off the site, a machine that overlaps another or
-/// an obstacle, persons faster than 12 m/s and others faster than 40 m/s, sensors below the ground
-/// or more than 60 m from their link.
+/// Doubts about positions. Machines and obstacles are off the site, or a machine overlaps another
+/// or an obstacle. Persons are faster than 12 m/s, other obstacles faster than 40 m/s. Sensors are
+/// below the ground or more than 60 m from their link.
 std::vector<std::string> PlacesInDoubt(const Scenario& scenario);
 
 }  // namespace tera

@@ -25,7 +25,7 @@ class MotionSource {
   struct Step {
     TimeNs to_ns = 0;
     double dt_s = 0;
-    const std::vector<SoilReaction>& reactions;  ///< of the ground on each machine
+    const std::vector<SoilReaction>& reactions;  ///< ground reaction on each machine
   };
   /// Moves the machines of `world` by one step from `world->t_ns`. Obstacles are already at the
   /// step's end.

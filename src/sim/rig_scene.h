@@ -59,10 +59,10 @@ class RigScene : public SensedScene {
   std::unique_ptr<RayScene> ray_scene_;
   const Instant *before_ = nullptr, *after_ = nullptr;
   const TerrainSurface* ground_ = nullptr;
-  mutable Shapes shapes_;  ///< of the step, if known
+  mutable Shapes shapes_;  ///< shapes in the step, if known
   mutable bool shapes_known_ = false;
   mutable GroundCopies ground_copies_;
-  mutable std::optional<KeptScene> kept_;                ///< of the step, once requested
+  mutable std::optional<KeptScene> kept_;                ///< copy in the step, once requested
   mutable std::shared_ptr<const DustVolume> dust_copy_;  ///< the latest
   bool keeps_past_ = false;
   std::deque<Moment> history_;

@@ -38,7 +38,7 @@ struct DustGrid {
   std::size_t index(int i, int j, int k) const {
     return (static_cast<std::size_t>(k) * ny + j) * nx + i;
   }
-  double HeightAbove(const Vec3& p_W_m) const;  ///< of a point over its column's base
+  double HeightAbove(const Vec3& p_W_m) const;  ///< height of a point over its column's base
 };
 
 /// Dust in the air: emission, advection, diffusion and settling.

@@ -14,10 +14,10 @@ constexpr double kTonne_kg = 1000;
 constexpr double kCutBall_m = 0.6, kGearBall_m = 0.7;
 // Falling soil pushes air outwards along the ground, so the ball grows with the fall.
 constexpr double kFallBall_m = 0.5, kFallBallGrows = 0.35;
-constexpr double kGearRise_m = 0.25;  ///< of the ball's middle behind a track
+constexpr double kGearRise_m = 0.25;  ///< height of the ball's middle behind a track
 constexpr double kLeastFall_m = 0.1;  ///< a clod with a shorter fall raises no dust
-constexpr double kMostStep_m = 1.0;   ///< of a clod between two calls
-constexpr std::uint8_t kLoose = 128;  ///< of a cover's looseness
+constexpr double kMostStep_m = 1.0;   ///< largest motion of a clod between two calls
+constexpr std::uint8_t kLoose = 128;  ///< least looseness of a cover
 constexpr double kGramsPerKg = 1000;
 
 DustMass Times(const DustMass& mass, double factor) {

@@ -8,7 +8,7 @@ namespace {
 
 /// A joint that does not follow beyond this lever is held by its load, not by a dead zone.
 constexpr double kLargestAdaptingLever = 0.5;
-constexpr double kLargestWidth = 0.5;  // of the lever: a valve with a wider dead zone is broken
+constexpr double kLargestWidth = 0.5;  // lever share; a valve with a wider dead zone is broken
 
 }  // namespace
 

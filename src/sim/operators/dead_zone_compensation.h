@@ -14,7 +14,7 @@ struct DeadZoneAdaptation {
   /// A joint that moves back by more than this ratio has overshot, and the width stays.
   double rebound_ratio = std::numeric_limits<double>::infinity();
   double wait_s = 0.4;    ///< time for a joint to accelerate
-  double rate_1ps = 0.5;  ///< of the width, in shares of full lever
+  double rate_1ps = 0.5;  ///< rate of the width, in shares of full lever
 };
 
 /// Adaptive inverse of the dead zone between a lever and the rate of its joint. It learns the

@@ -25,7 +25,7 @@ struct DigPlan {
   double dump_reach_m = 3.8;
   double dump_height_m = 1.3;   ///< height of the tip above the ground while swinging and dumping
   double clear_dump_rad = 0;    ///< slew angle from the dump place before the tip is lowered
-  double servo_gain_1ps = 4.0;  ///< of all joints, see ServoLever
+  double servo_gain_1ps = 4.0;  ///< gain of all joints, see ServoLever
   double slew_braking_radps2 = 0;  ///< deceleration at which the slew stops; 0: at once
   double patience_s = 4.0;         ///< longest duration of a phase
   int cycles = 0;                  ///< 0: endless

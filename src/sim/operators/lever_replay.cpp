@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kFirstRowLine = 2;  ///< of the file, below its header
+constexpr std::size_t kFirstRowLine = 2;  ///< line in the file, below its header
 
 /// Columns of `file`; none after a reported fault.
 std::vector<std::string> HeaderOf(const ConfigMap& config, const std::filesystem::path& file) {

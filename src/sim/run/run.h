@@ -25,9 +25,9 @@ class Run {
       const EglOptions& egl, int threads, MeasurementSink* sink);
 
   void Step();
-  /// Takes one more step but writes only the data at its start: the final state, whose rates
-  /// average those before and after it, the levers in force, inertial samples, and unfinished
-  /// pictures. A run's output is thus a prefix of a longer run's. No step may follow.
+  /// Takes one more step but writes only the data at its start: the final state, the levers in
+  /// force, inertial samples, and unfinished pictures. The final state's rates average those before
+  /// and after it. A run's output is thus a prefix of a longer run's. No step may follow.
   void Finish();
 
   const Simulation& simulation() const { return simulation_; }

@@ -12,7 +12,7 @@ namespace tera {
 
 /// A target of mechanisms on a machine, by its name in YAML.
 struct NamedTarget {
-  std::string name;  ///< of a joint, running gear, pump, sensor or axis, "encoders/boom"; "base"
+  std::string name;  ///< joint, running gear, pump, sensor or axis, "encoders/boom"; "base"
   EffectTarget kind;
   std::span<const Mechanism> library;  ///< library of its mechanisms
 };

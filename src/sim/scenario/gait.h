@@ -27,7 +27,7 @@ struct ObstacleLimb {
 /// Omits   arms and legs that swing sideways, feet that follow uneven ground, turning.
 struct Gait {
   double stride_m = 1;
-  std::vector<double> rise_m;  ///< of the body above its place
+  std::vector<double> rise_m;  ///< rise of the body above its place
   std::vector<ObstacleLimb> limbs;
 
   bool empty() const { return limbs.empty(); }

@@ -11,7 +11,8 @@ namespace tera {
 
 /// Frames  W.
 struct HaulRoad {
-  Vec2 begin_m = Vec2::Zero(), bend_m = Vec2::Zero(), end_m = Vec2::Zero();  ///< of its middle line
+  Vec2 begin_m = Vec2::Zero(), bend_m = Vec2::Zero(),
+       end_m = Vec2::Zero();  ///< points of its middle line
   double width_m = 1;
 };
 

@@ -20,7 +20,7 @@
 namespace tera {
 namespace {
 
-constexpr int kMostDraws = 1000;  ///< of a place that keeps its distance from all others
+constexpr int kMostDraws = 1000;  ///< tries for a place that keeps its distance from all others
 constexpr std::array<std::string_view, 5> kKinds = {"key", "together", "keys", "places", "site"};
 constexpr std::array<std::string_view, 5> kOfKey = {"uniform", "log_uniform", "normal", "integer",
                                                     "choice"};

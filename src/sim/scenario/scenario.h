@@ -29,7 +29,7 @@ struct ScenarioMachine {
   OperatorPlan driver;
   std::vector<SensorDescription> sensors;
   Tolerances tolerances;  ///< the owner's tolerances, in addition to the fixed ones
-  Wear wear;              ///< of all its parts
+  Wear wear;              ///< wear of all its parts
 };
 
 /// A point of a moving obstacle's path.

@@ -18,7 +18,7 @@ constexpr GroundRaster kAllRasters[] = {GroundRaster::kHeight, GroundRaster::kCh
 constexpr GroundRaster kDefaultRasters[] = {GroundRaster::kHeight, GroundRaster::kChange,
                                             GroundRaster::kDensity, GroundRaster::kSoilClass};
 constexpr int kDefaultPixels = 4001;  ///< to a side; pixel_m allows a larger raster
-constexpr double kMostCubes = 5e6;    ///< of one box: 145 MB
+constexpr double kMostCubes = 5e6;    ///< cubes in one box: 145 MB
 constexpr double kShortest_s = 0.01, kLongestInterval_s = 1e6;
 
 /// A length in cells of the site, which must be a whole number.

@@ -64,7 +64,7 @@ class TerrainPacker {
 
   std::array<std::string, static_cast<std::size_t>(TerrainStream::kCount)> streams_;
   GrainFlights flights_;
-  std::vector<std::uint16_t> numbers_;  ///< of the grains of the previous step
+  std::vector<std::uint16_t> numbers_;  ///< grain numbers of the previous step
 };
 
 /// Unpacks changes of the ground.

@@ -46,7 +46,7 @@ class StatePlayback {
   BlockFileReader file_;
   PackedSeries series_;
   TerrainUnpacker terrain_;
-  std::vector<double> rows_;  ///< of the current block
+  std::vector<double> rows_;  ///< rows in the current block
   std::size_t columns_, count_ = 0, next_ = 0;
   std::int64_t step_ = 0;
   Instant previous_, state_;
