@@ -42,7 +42,7 @@ void PrintPages(const std::vector<std::filesystem::path>& pages) {
 
 void ReportOne(const Scenario& scenario, const DiagnoseArguments& arguments, StageClock* clock) {
   const Recording recording(arguments.recordings.front());
-  ReportFolder report(arguments.out);  // an unwritable folder fails ahead of the search
+  ReportFolder report(arguments.out);  // an unwritable folder fails before the search
   DiagnoseProgress bar(clock);
   const std::vector<Diagnosis> diagnoses = DiagnoseRecording(
       scenario, recording, arguments.task,

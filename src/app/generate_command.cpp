@@ -22,7 +22,7 @@ struct GenerateArguments {
   RunOptions run;
 };
 
-/// Runs ahead of the scenario's reader, because a changed file may make the scenario unreadable.
+/// Runs before the scenario is read, because a changed file may make the scenario unreadable.
 void RequireInputsOfStopped(const std::filesystem::path& out) {
   const std::filesystem::path stopped = IncompleteOf(out);
   RequireInputs(LoadInputs(stopped), {},

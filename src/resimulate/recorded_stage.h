@@ -14,7 +14,7 @@ namespace tera {
 /// Site of a scenario under the recorded motion of its machines: the tools work the simulated
 /// ground along their measured poses. Recorded ground is not used.
 ///
-/// Model   a Simulation whose machines move as recorded, from `settle_s` ahead of the first time.
+/// Model   a Simulation whose machines move as recorded, from `settle_s` before the first time.
 /// Omits   forces: machines follow their recorded poses independent of the ground.
 class RecordedStage {
  public:

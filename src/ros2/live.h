@@ -19,7 +19,7 @@ struct LiveRosOptions {
   double duration_s = std::numeric_limits<double>::infinity();
   LiveOptions live;
   std::function<void()> started;                ///< called when the run is ready to start
-  std::function<bool()> stop;                   ///< queried ahead of each tick
+  std::function<bool()> stop;                   ///< queried before each tick
   std::function<void(const std::string&)> log;  ///< receives messages for the user
   Wall wall;                                    ///< clock of Pace::kReal
 };

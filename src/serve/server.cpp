@@ -30,7 +30,7 @@ std::string Endpoint(const std::string& address, int port) {
   return fmt::format(fmt::runtime(bare_ipv6 ? "[{}]:{}" : "{}:{}"), address, port);
 }
 
-/// Rejects a call ahead of its first message.
+/// Rejects a call before its first message.
 class RefusedStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer> {
  public:
   explicit RefusedStream(const grpc::Status& status) { Finish(status); }

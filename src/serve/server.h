@@ -21,7 +21,7 @@ struct ServerOptions {
 /// are in proto/tera/v1/simulation.proto.
 ///
 /// Model   a separate thread serves the sessions in sequence. Each session has its own stage, which
-///         is destroyed ahead of the client's end-of-session notice. A second concurrent client is
+///         is destroyed before the client's end-of-session notice. A second concurrent client is
 ///         refused at once. A client's death ends its session, even within a step.
 class Server {
  public:

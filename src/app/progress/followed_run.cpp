@@ -12,8 +12,8 @@
 namespace tera {
 namespace {
 
-/// During its lifetime, Ctrl-C and SIGTERM write `text` to standard error ahead of program end. The
-/// text states how to resume the stopped run. Only a single instance may exist.
+/// During its lifetime, Ctrl-C and SIGTERM write `text` to standard error and then end the program.
+/// The text states how to resume the stopped run. Only a single instance may exist.
 class StopMessage {
  public:
   explicit StopMessage(const std::string& text);

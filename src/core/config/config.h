@@ -41,7 +41,7 @@ class Config {
     std::string path, yaml, place;
   };
   /// Lays values over all layers except the overrides; the last value of a key wins. Call this
-  /// function ahead of any read of these keys. A path that does not have the form `a.b[2].c` is a
+  /// function before any read of these keys. A path that does not have the form `a.b[2].c` is a
   /// fault.
   void LayOver(const std::vector<GivenValue>& values);
   /// Removes the values read at a root key from the resolved document.

@@ -14,7 +14,7 @@ namespace tera {
 /// Frames  W world, C camera (x right, y down, z forward).
 /// Model   drops of Rain's size distribution in periodic boxes, larger drops in larger boxes. Each
 ///         drop falls at constant velocity with the wind at 2 m above ground. It leaves a streak
-///         along its path, from half an exposure ahead of the image's time to half an exposure
+///         along its path, from half an exposure before the image's time to half an exposure
 ///         after. A streak covers pi/4 d^2 / (w l) of the light of each pixel it crosses. d is the
 ///         drop's diameter, l the streak's length and w its width in the image, at least
 ///         kLeastWidth_px.

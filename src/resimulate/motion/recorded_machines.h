@@ -10,7 +10,7 @@ namespace tera {
 
 /// Machines that move as recorded, independent of the ground.
 ///
-/// Model   ahead of the run's start they stand at their initial poses. The simulated ground
+/// Model   before the run's start they stand at their initial poses. The simulated ground
 ///         determines the load of their shovels.
 /// Omits   forces, levers, cylinders.
 class RecordedMachines : public MotionSource {

@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// Measured axes of an encoder, joints ahead of gears, as indices into the machine's lists.
+/// Measured axes of an encoder, joints before gears, as indices into the machine's lists.
 struct EncodedAxes {
   std::vector<int> joints, gears;
   std::vector<std::string> unknown;  ///< names absent from the machine

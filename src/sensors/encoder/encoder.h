@@ -13,7 +13,7 @@ namespace tera {
 struct EncoderModel {
   std::vector<std::string> joints;  ///< joint or gear names; empty: all movable joints
   double resolution_rad = 0;        ///< 0: no quantisation
-  double noise_rad = 0;             ///< 1 sigma, ahead of quantisation
+  double noise_rad = 0;             ///< 1 sigma, before quantisation
   double rate_noise_radps = 0;
   double resolution_m = 0, noise_m = 0, rate_noise_mps = 0;  ///< for prismatic joints
 };
