@@ -14,7 +14,7 @@ struct ChannelDifference {
   std::string column;   ///< "wx_radps", "boom_rad"
   std::size_t count = 0;
   double rmse = 0;  ///< in the column's unit
-  double mean = 0;  ///< of b - a
+  double mean = 0;  ///< mean of b - a
 };
 
 /// Trajectories of a machine or of one of its antennas, with the errors under each alignment.

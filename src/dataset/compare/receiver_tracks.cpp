@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kOfOneSite_m = 100e3;  ///< between the origins of recordings of one site
 constexpr double kSamePlace_m =
-    0.01;  ///< of an antenna on its link, the accuracy of a tape measure
+    0.01;  ///< antenna mounts this close are equal, at the accuracy of a tape measure
 
 /// A receiver's fixes, and its mounting if known.
 struct Antenna {

@@ -7,9 +7,9 @@
 
 namespace tera {
 
-/// Sentences on possible causes of a difference between two tracks of one body other than the
-/// measurement. `b` may have the size of `a` in another unit, its times may differ as GPS time, UTC
-/// and TAI do, or its coordinates may be those of a map.
+/// Sentences on causes, other than the measurement, of a difference between two tracks of one body.
+/// `b` may have the size of `a` in another unit. Its times may differ as GPS time, UTC and TAI do.
+/// Its coordinates may be those of a map.
 ///
 /// Model   units: the scale of Umeyama's similarity, if the residual is below a twentieth of a's
 ///         size. Times: a shift that leaves less than a third of the error, and less than shifts of

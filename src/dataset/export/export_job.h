@@ -22,7 +22,7 @@ struct ExportJob {
   std::string name;                     ///< final name of the folder
   const ExportOptions& options;
   std::int64_t records = 0;   ///< read so far
-  std::int64_t messages = 0;  ///< of a bag, written so far
+  std::int64_t messages = 0;  ///< written to a bag so far
   AbsentPictures absent = {};
   FrameLog* whole_frames = nullptr;  ///< for formats that resume by frames
   bool frames_written = false;       ///< some complete frames exist

@@ -130,7 +130,7 @@ struct ExportOptions {
   /// formats that need a date: these use the recording's epoch, or kDefaultStart_ns without one.
   std::optional<TimeNs> start_utc_ns;
   BagStorage storage = BagStorage::kMcap;
-  BagCompression compression = BagCompression::kZstd;  ///< of MCAP's chunks
+  BagCompression compression = BagCompression::kZstd;  ///< compression of MCAP's chunks
   BagImages images = BagImages::kRaw;
   std::vector<KittiLayout> kitti_layouts;         ///< empty: all
   std::string camera, lidar;                      ///< paths, for formats with one; empty: the first

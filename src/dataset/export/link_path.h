@@ -11,7 +11,7 @@ namespace tera {
 /// A joint between a machine's root and a link, and its column in a table of positions.
 struct PathStep {
   JointTree::Joint joint;
-  std::size_t column = 0;  ///< of a movable joint
+  std::size_t column = 0;  ///< index, for a movable joint
 };
 
 /// The joints from the root to a link. If there is no path, or the table lacks a joint's position,

@@ -24,7 +24,7 @@ struct ChannelInfo {
   std::string type;  ///< as in dataset.yaml
   ChannelForm form = ChannelForm::kRows;
   std::optional<std::string> sensor_yaml;  ///< text of SensorYaml; none for tables
-  std::vector<std::string> columns;        ///< of rows, without t_ns
+  std::vector<std::string> columns;        ///< row columns without t_ns
 };
 
 // Channels of sensors.

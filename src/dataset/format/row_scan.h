@@ -32,8 +32,8 @@ class RowScan {
  public:
   using OnFault = std::function<void(RowFault fault, int line, const std::string& what)>;
 
-  /// Refuses faults. Throws InputError with file and line if the file cannot be read, if its first
-  /// line is no header or repeats a column, and in Next for a faulty row.
+  /// Refuses faults. Throws InputError with file and line if the file cannot be read, and if its
+  /// first line is no header or repeats a column. Next throws for a faulty row.
   explicit RowScan(const std::filesystem::path& file);
   /// Reports faulty rows and skips them.
   RowScan(const std::filesystem::path& file, OnFault on_fault);

@@ -99,7 +99,7 @@ void RemoveParts(const fs::path& root) {
 struct Channel {
   ChannelDescription description;
   ChannelForm form = ChannelForm::kRows;
-  std::size_t columns = 0;  ///< of rows, without t_ns
+  std::size_t columns = 0;  ///< row columns without t_ns
   std::unique_ptr<CheckedFile> csv;
   TimeNs last_ns = 0;
   bool any_rows = false;

@@ -34,9 +34,9 @@ struct RowSource {
   std::optional<BagTopic> topic;  ///< topic, if the file is a bag
   /// Path of the transform in a topic with many: "transforms[odom>base_link]."
   std::string element;
-  UnpackedFiles* unpacked = nullptr;  ///< of the import, for bags
+  UnpackedFiles* unpacked = nullptr;  ///< the import's unpacked bags
   std::string log_type;               ///< for a log of known form (foreign_log.h), else empty
-  std::string log_topic;              ///< of a ULog
+  std::string log_topic;              ///< topic in a ULog
   std::string talker;                 ///< selected NMEA talker, or empty
   std::filesystem::path pose_times;   ///< file with the times of poses in KITTI's form, if any
   RowTime time;

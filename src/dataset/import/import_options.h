@@ -56,7 +56,7 @@ struct ImportedChannel {
 struct ImportReport {
   std::vector<ImportedChannel> channels;
   TimeNs zero_ns = 0;                   ///< the recording's zero in the files' times
-  std::optional<RecordingEpoch> epoch;  ///< of the recording
+  std::optional<RecordingEpoch> epoch;  ///< epoch of the recording
   std::vector<ClockDifference> clocks;  ///< reported, never corrected
 };
 

@@ -84,7 +84,7 @@ class RowTimes {
   const RowTable& table_;
   const RowTime& time_;
   MappedColumn number_;
-  std::vector<std::size_t> places_;   ///< of the columns of `time_`
+  std::vector<std::size_t> places_;   ///< indices of the columns of `time_`
   TimeNs turn_ns_ = 0;                ///< period of wrapping times; 0: no wrap
   std::vector<std::uint32_t> turns_;  ///< periods since the first row
 };

@@ -283,7 +283,7 @@ struct TablePart {
 };
 
 /// The merged rows of all parts: one at each time of any part, with the latest values of the
-/// others, from the first time at which every part has a value.
+/// others. The first row is at the time when every part has a value.
 std::vector<MappedRow> HeldTogether(const std::vector<TablePart>& parts,
                                     const std::vector<std::vector<MappedRow>>& rows,
                                     std::size_t width) {

@@ -164,7 +164,8 @@ Chart TrajectoryChart(const Recording& recording) {
     if (Extent(curve.x) + Extent(curve.y) > kStill_m) chart.curves.push_back(std::move(curve));
   };
   for (const std::string& file : recording.ChannelsOf(kPoseChannel)) {
-    if (std::filesystem::path(file).filename() != "pose.csv") continue;  // of links and sensors
+    if (std::filesystem::path(file).filename() != "pose.csv")
+      continue;  // poses of links and sensors
     add(std::filesystem::path(file).parent_path().filename(), recording.LoadPose(file).poses,
         [](const TruthPose& pose) -> Vec3 { return pose.X_WB.translation(); });
   }

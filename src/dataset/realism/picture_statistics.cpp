@@ -14,7 +14,8 @@ constexpr double kWindowSigma_px = 7.0 / 6;
 constexpr double kLeastShape = 0.2, kMostShape = 10;
 constexpr double kFirstRing = 4;
 constexpr int kRingsPerOctave = 4;
-constexpr double kMaskNorm = 6, kQuartile = 0.6745;  ///< of L; of a normal distribution
+constexpr double kMaskNorm = 6,
+                 kQuartile = 0.6745;  ///< norm of L; quartile of a normal distribution
 constexpr double kMaskBin = 0.05, kMostMask = 600;
 constexpr double kDark =
     0.01;  ///< share of full scale; limits the effect of single digital numbers in the dark

@@ -107,7 +107,7 @@ struct Image {
   Header header;
   std::uint32_t height_px = 0, width_px = 0;
   std::string encoding;
-  std::uint32_t step_bytes = 0;  ///< of a row
+  std::uint32_t step_bytes = 0;  ///< row length
   std::vector<std::uint8_t> data;
 };
 

@@ -14,7 +14,7 @@ namespace tera {
 struct MapPoint {
   Vec3 p_m = Vec3::Zero();   ///< in the map's frame
   float intensity = 0;       ///< 0 to 1
-  TimeNs t_ns = 0;           ///< of its own ray, converted by Stamp
+  TimeNs t_ns = 0;           ///< time of its own ray, converted by Stamp
   std::uint16_t sensor = 0;  ///< index of the lidar in dataset.yaml
   std::uint16_t ring = 0;
   std::uint16_t instance = 0;

@@ -26,7 +26,7 @@ struct KittiLabel {
   std::uint16_t instance = 0;
   std::string type;
   double truncated = 0;   ///< share, 0 to 1
-  double visibility = 1;  ///< of the part inside the picture
+  double visibility = 1;  ///< visible share of the part inside the picture
   PixelBounds bounds;
   double height_m = 0, width_m = 0, length_m = 0;
   Vec3 location_C_m = Vec3::Zero();

@@ -19,7 +19,7 @@ Pose OpticalAxesInSensor();
 /// The exported lidar with its poses and its mounting.
 struct KittiLidar {
   std::string path;
-  TimeNs period_ns = 0;  ///< of a scan
+  TimeNs period_ns = 0;  ///< duration of a scan
   Pose X_PS;             ///< in the link that carries it
   SensorPoses poses;
 };

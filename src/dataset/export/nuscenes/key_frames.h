@@ -9,7 +9,7 @@
 namespace tera {
 
 /// Times of full annotation: the first frame of a sensor, then each first frame that is `period_ns`
-/// later than the last, with a tolerance of a millisecond for jitter.
+/// later than the last. A millisecond of jitter is allowed.
 std::vector<TimeNs> SampleTimes(const std::vector<TimeNs>& frames_ns, TimeNs period_ns);
 
 /// A frame's sample, and whether the frame is its key frame.

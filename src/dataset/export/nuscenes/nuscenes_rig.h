@@ -21,7 +21,7 @@ struct NuScenesSensor {
   bool has_boxes = false;          ///< for a camera
   TimeNs delay_ns = 0;             ///< for a scan: from its first ray to its middle
   std::vector<TimeNs> t_ns;        ///< times of its frames, for scans their middle
-  SensorPoses poses;               ///< of its own frame S
+  SensorPoses poses;               ///< poses of its own frame S
   Pose X_SF = Pose::Identity();
 
   bool is_camera() const { return lens.has_value(); }

@@ -35,7 +35,7 @@ class NuScenesScene {
  private:
   struct Mount {
     Pose X_BF = Pose::Identity();
-    std::int64_t count = 0;  ///< of the sensor's rows
+    std::int64_t count = 0;  ///< number of the sensor's rows
   };
 
   std::int64_t sample_count() const { return static_cast<std::int64_t>(samples_ns_.size()); }

@@ -22,7 +22,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr SampleClock kClock = {100.0, 0};  ///< of /clock
+constexpr SampleClock kClock = {100.0, 0};  ///< rate of /clock
 
 }  // namespace
 

@@ -27,7 +27,7 @@ struct SensorArchives {
     std::int64_t samples = 0, bytes = 0;
   };
   std::string sensor, name;          ///< "excavator1/front", "excavator1_front"
-  std::vector<std::string> endings;  ///< of its samples' parts, "rgb.png"
+  std::vector<std::string> endings;  ///< endings of its samples' parts, "rgb.png"
   std::vector<Archive> archives;
 };
 

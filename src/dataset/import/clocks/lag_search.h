@@ -26,7 +26,7 @@ class SmoothSeries {
 
 struct CoarseLag {
   double lag_s = 0;
-  double from_s = 0, length_s = 0;  ///< of the compared segment of the first series
+  double from_s = 0, length_s = 0;  ///< compared segment of the first series
   double correlation = 0;
   double width_s = 0;     ///< half height width of the correlation's peak
   bool opposite = false;  ///< the series have opposite signs

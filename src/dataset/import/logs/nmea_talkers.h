@@ -16,7 +16,7 @@ namespace tera {
 /// A receiver's position in a sentence.
 struct NmeaPosition {
   TimeNs time_of_day_ns = 0;
-  double quality = 0;  ///< of GGA
+  double quality = 0;  ///< GGA's quality
   std::optional<double> lat_deg, lon_deg, msl_m = std::nullopt, altitude_m = std::nullopt;
   std::optional<double> satellites, hdop;
 

@@ -122,7 +122,7 @@ class TrajectoryReader {
   }
 
   LogLines lines_;
-  std::vector<TimeNs> times_;  ///< of the poses, if a file has them
+  std::vector<TimeNs> times_;  ///< pose times, if a file has them
   std::size_t pose_ = 0;
   const std::string& type_;
   LeftOutRows* left_out_;

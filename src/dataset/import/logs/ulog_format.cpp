@@ -12,8 +12,9 @@ namespace tera {
 namespace {
 
 constexpr int kDeepest = 16;
-constexpr std::size_t kLongestPath = 512;  // of a field; each array element has its own path
-constexpr std::size_t kMostBytes = 65536;  // of a message
+constexpr std::size_t kLongestPath =
+    512;  // length of a field's path; each array element has its own
+constexpr std::size_t kMostBytes = 65536;  // size of a message
 
 struct BasicType {
   std::string_view name;

@@ -15,7 +15,7 @@ namespace tera {
 /// Numbers of a column, for guesses.
 struct NumbersOfColumn {
   std::string name;
-  std::vector<double> values;  ///< of the fields with a number
+  std::vector<double> values;  ///< values in fields with a number
   std::string unit;            ///< as written in the table next to the name; empty: none
   std::size_t missing = 0;     ///< empty fields
   std::size_t words = 0;       ///< non-empty fields without a number

@@ -16,8 +16,8 @@ struct TurnWitness {
   std::vector<const NumbersOfColumn*> angles = {};
 };
 
-/// rad/s or deg/s: from a column's unit or name, from the turn of gravity or an angle, or from
-/// magnitudes that no machine has in rad/s; else unknown, with the observation.
+/// rad/s or deg/s, from the first of: a column's unit or name; the turn of gravity or of an angle;
+/// magnitudes that no machine has in rad/s. Otherwise unknown, with the observation.
 ///
 /// Model   rates with a tenth above 20 are not rad/s, and above 1146 not deg/s either.
 UnitGuess GuessRateUnit(const std::vector<const NumbersOfColumn*>& rates,

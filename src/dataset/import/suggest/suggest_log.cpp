@@ -168,7 +168,7 @@ std::string KittiYaml(const fs::path& timestamps, const RowTable& table) {
 
 struct EurocFile {
   fs::path file;
-  std::string name;                  ///< of its folder
+  std::string name;                  ///< name of its folder
   std::vector<std::string> columns;  ///< in its first line after the '#'
 
   bool Has(const std::string& column) const {

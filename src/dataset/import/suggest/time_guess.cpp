@@ -20,7 +20,7 @@ namespace {
 struct SeenTimes {
   std::size_t rows = 0, without = 0, repeats = 0, backs = 0;
   int first_repeat = 0, first_back = 0;  ///< lines
-  std::vector<TimeNs> t_ns;              ///< of the rows with a time
+  std::vector<TimeNs> t_ns;              ///< times in rows with a time
   std::vector<std::size_t> timed;        ///< these rows
   bool goes_on = false;
   bool is_usable() const {

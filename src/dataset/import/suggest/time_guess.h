@@ -13,8 +13,8 @@ struct TimeGuess {
   /// "time: {column: t, unit: s}\n" with its companions. For an unknown time, a `time:` placeholder
   /// that the import refuses, with a remark on the observations.
   std::string yaml;
-  std::vector<std::string> columns;  ///< of the time
-  std::vector<TimeNs> t_ns;          ///< of the rows; empty unless all are known
+  std::vector<std::string> columns;  ///< columns with the time
+  std::vector<TimeNs> t_ns;          ///< row times; empty unless all are known
   /// The `valid_if` item that excludes rows with a repeated time; empty without any.
   std::string rule;
   /// Lines of the longest part of a file with restarting times, as from a restarted logger; 0: from

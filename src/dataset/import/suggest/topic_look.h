@@ -15,7 +15,7 @@ struct TopicTimes {
   TimeSteps own_steps, log_steps;
   std::int64_t unfilled = 0;  ///< own times of 0
   TimeNs first_own_ns = 0, first_log_ns = 0, last_log_ns = 0;
-  std::vector<TimeNs> t_ns;  ///< of all messages: their own if usable, else the recorder's
+  std::vector<TimeNs> t_ns;  ///< times of all messages: their own if usable, else the recorder's
   TimeNs ahead_ns = 0;       ///< recording time minus own time of the first message
 
   /// Whether their own times are usable.

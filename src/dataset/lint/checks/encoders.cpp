@@ -26,7 +26,7 @@ constexpr double kTruthTolerance_rad = 10 * kDeg, kTruthTolerance_m = 0.1;
 
 /// One joint of an encoder's table.
 struct Joint {
-  std::string column;  ///< of its position
+  std::string column;  ///< position column
   std::size_t position = 0, rate = 0;
   bool linear = false;
 };

@@ -34,7 +34,7 @@ struct FlowAgreement {
 struct FlowView {
   Image<std::uint16_t> flow, distance, instance;
   Image<std::uint8_t> semantic;
-  Pose X_PreviousNow;  ///< of the camera's frame S
+  Pose X_PreviousNow;  ///< in the camera's frame S
 
   bool IsGround(int x, int y) const {
     return instance.at(x, y) == 0 &&

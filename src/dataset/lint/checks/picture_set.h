@@ -15,7 +15,7 @@ namespace tera {
 struct PictureSet {
   std::string camera;
   FrameRow row;
-  bool is_first = false;  ///< of its camera
+  bool is_first = false;  ///< first frame of its camera
   CameraFrame frame;      ///< without depth_m
   Image<std::uint16_t> depth_mm;
   bool has_boxes = false;  ///< frame.boxes has the file's boxes

@@ -26,7 +26,7 @@ void CheckNear(LintJob* job, const std::string& channel, int line, const Vec3& p
 
 /// Known poses of a sensor.
 struct SensorPoses {
-  std::vector<PoseRow> poses;  ///< of the sensor; of its machine if `of_root`
+  std::vector<PoseRow> poses;  ///< sensor poses; machine poses if `of_root`
   bool of_root = false;        ///< the mount is unknown, or joints lie between it and the root
 };
 

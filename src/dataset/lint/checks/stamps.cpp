@@ -18,8 +18,8 @@ constexpr double kRateTolerance = 0.05;
 /// A table without a stated rate is regular if this share of its intervals is within
 /// kRegularTolerance of the median. Other tables are written on changes.
 constexpr double kRegularShare = 0.9, kRegularTolerance = 0.1;
-/// Allowed margin of a channel at both ends of the recording, in periods (the first row of a mean
-/// is one period late), and for a real recording as a share of its length.
+/// Allowed margin of a channel at both ends of the recording, in periods; the first row of a mean
+/// is one period late. For a real recording it is a share of its length.
 constexpr double kSparePeriods = 2, kSpareShare = 0.1;
 /// Fewer intervals give no rate.
 constexpr std::size_t kFewestIntervals = 4;
