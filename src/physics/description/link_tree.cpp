@@ -302,8 +302,7 @@ bool OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineMo
   const std::vector<int> parent_joint = ParentJoints(parts, index);
   if (FaultCount(config) > faults_before) return false;
   const auto unnamed = [](const JointPart& p) { return p.parent.empty() || p.child.empty(); };
-  if (std::any_of(parts.joints.begin(), parts.joints.end(), unnamed))
-    return false;  // already reported
+  if (std::any_of(parts.joints.begin(), parts.joints.end(), unnamed)) return false;  // reported
   const int root = FindRoot(parts, parent_joint, config);
   if (root < 0) return false;
 
