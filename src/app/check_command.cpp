@@ -20,10 +20,10 @@
 namespace tera {
 namespace {
 
-/// Tenths of a degree, without a zero's minus sign.
+/// Rounds to tenths of a degree and removes a zero's minus sign.
 double Tenths(double angle_deg) { return std::round(10 * angle_deg) / 10 + 0.0; }
 
-/// In whole kilogrammes where that says something.
+/// Mass in whole kilogrammes from 100 kg.
 std::string ShownMass(double mass_kg) {
   return mass_kg < 100 ? fmt::format("{:.3g}", mass_kg) : fmt::format("{:.0f}", mass_kg);
 }
@@ -53,7 +53,7 @@ void PrintMachine(const ScenarioMachine& machine) {
   }
 }
 
-/// Mass and size of the links beside each other, and what the reader of the machine remarked.
+/// Prints mass and size of each link, with the remarks of the machine's reader.
 void PrintLinks(const ScenarioMachine& machine, const SceneModel& scene) {
   fmt::print("  {:<24} {:>10}  {}\n", "link", "mass kg", "size m");
   for (const LinkSize& link : SizesOf(machine, scene)) {
@@ -74,7 +74,7 @@ void PrintDoubts(const ScenarioMachine& machine, const SceneModel& scene) {
 
 constexpr int kMostTiles = 400;
 
-/// Reads each of the episodes, and says what was drawn; `visit` sees each.
+/// Loads each episode, prints its draws and passes it to `visit`.
 template <typename Visit>
 void ForEpisodes(ScenarioOptions options, int count, const Visit& visit) {
   for (int episode = 0; episode < count; ++episode) {
@@ -88,7 +88,7 @@ void ForEpisodes(ScenarioOptions options, int count, const Visit& visit) {
   }
 }
 
-/// Reads and draws each of the episodes, on one sheet.
+/// Loads and draws all episodes on one sheet.
 void WriteSheet(const ScenarioOptions& options, int count, const std::string& file) {
   PreparePng();
   EpisodeSheet sheet;

@@ -2,8 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
-/// The commands of `tera`, one file each. Each adds itself to the command line; what it does runs
-/// as the subcommand's callback. Bad input leaves as InputError.
+/// The commands of `tera`, one file each. Each function adds its command to the command line; the
+/// subcommand's callback executes it. Bad input throws InputError.
 
 namespace tera {
 
@@ -24,7 +24,7 @@ void AddReplayCommand(CLI::App* app);
 void AddResenseCommand(CLI::App* app);
 void AddRos2Command(CLI::App* app);
 void AddServeCommand(CLI::App* app);
-/// `app` is the whole program, of whose commands these two speak.
+/// `app` is the whole program, which these two commands describe.
 void AddCompletionCommand(CLI::App* app);
 void AddManualCommand(CLI::App* app);
 void AddSiteCommand(CLI::App* app);

@@ -16,7 +16,7 @@
 namespace tera {
 namespace {
 
-/// That none of the further recordings is one that is searched.
+/// Throws if a held-out recording is also searched.
 void RequireOthers(const DiagnoseArguments& arguments) {
   for (const std::filesystem::path& further : arguments.task.held_out) {
     for (const std::filesystem::path& searched : arguments.recordings) {
@@ -42,7 +42,7 @@ void PrintPages(const std::vector<std::filesystem::path>& pages) {
 
 void ReportOne(const Scenario& scenario, const DiagnoseArguments& arguments, StageClock* clock) {
   const Recording recording(arguments.recordings.front());
-  ReportFolder report(arguments.out);  // one that cannot be written is not worth a search
+  ReportFolder report(arguments.out);  // an unwritable folder fails before the search
   DiagnoseProgress bar(clock);
   const std::vector<Diagnosis> diagnoses = DiagnoseRecording(
       scenario, recording, arguments.task,

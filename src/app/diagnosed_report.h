@@ -9,18 +9,18 @@
 
 namespace tera {
 
-/// What is to be diagnosed by what, and where the report goes.
+/// Inputs and output folder of a diagnosis.
 struct DiagnoseArguments {
   ScenarioOptions scenario;
   std::vector<std::filesystem::path> recordings;  ///< at least one
   std::filesystem::path out;
-  std::optional<std::filesystem::path> library;  ///< of candidates
+  std::optional<std::filesystem::path> library;  ///< library of candidates
   DiagnosisTask task = {.threads = HostOptions().threads};
-  bool profile = false;  ///< tell where the time went
+  bool profile = false;  ///< report the time of each stage
 };
 
-/// Writes the report of a diagnosis, or of one of each recording and of what they say together, and
-/// prints its sentences, its progress on standard error. Throws InputError.
+/// Writes the report of a diagnosis and prints its sentences, with progress on standard error.
+/// Several recordings yield one report each and a joint report. Throws InputError.
 void ReportDiagnosis(DiagnoseArguments arguments);
 
 }  // namespace tera

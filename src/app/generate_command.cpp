@@ -22,7 +22,7 @@ struct GenerateArguments {
   RunOptions run;
 };
 
-/// Before the scenario is read, which a changed file may make unreadable.
+/// Runs before the scenario is read, because a changed file may make the scenario unreadable.
 void RequireInputsOfStopped(const std::filesystem::path& out) {
   const std::filesystem::path stopped = IncompleteOf(out);
   RequireInputs(LoadInputs(stopped), {},

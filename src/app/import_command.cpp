@@ -67,7 +67,7 @@ void PrintNotes(const ImportedChannel& channel) {
   for (const std::string& remark : channel.remarks) fmt::print("  {}\n", remark);
 }
 
-/// How clocks differ, and what a mapping would say of it.
+/// Prints clock differences and the mapping entries that would correct them.
 void PrintClocks(const ImportReport& report) {
   for (const ClockDifference& d : report.clocks) {
     fmt::print(

@@ -28,7 +28,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kSearchLine_s = 30;  ///< between lines of progress where nobody sees a bar
+constexpr double kSearchLine_s = 30;  ///< between progress lines without a terminal
 
 struct EvaluateArguments {
   fs::path cycle, study, out;
@@ -93,14 +93,14 @@ struct CompareArguments {
   fs::path out;
 };
 
-/// The folder of a report, of which its layout.json may be named too.
+/// Folder of a report; `report` may also be its layout.json.
 fs::path FolderOf(const fs::path& report) {
   const fs::path plain = report.lexically_normal();
   const fs::path folder = plain.filename() == "layout.json" ? plain.parent_path() : plain;
   return folder.has_filename() ? folder : folder.parent_path();
 }
 
-/// Reads the reports. Those of one name are called by their folders.
+/// Reads the reports. Reports of equal name get the names of their folders.
 std::vector<LayoutReport> ReadReports(const std::vector<fs::path>& files) {
   std::vector<LayoutReport> reports;
   std::map<std::string, int> named;
@@ -160,7 +160,7 @@ void AddCompare(CLI::App* app) {
           "Two or more: folders of single layouts that `tera layout evaluate` wrote, or their "
           "layout.json, of one cycle; the others are held against the first")
       ->required()
-      ->expected(-2);  // two or more
+      ->expected(-2);  // at least two
   command->add_option("--out", arguments->out, "Folder of the comparison; new or empty")
       ->required();
   command->callback([arguments] { RunCompare(*arguments); });

@@ -3,8 +3,7 @@
 #include "app/commands.h"
 #include "core/error.h"
 
-// Commands of a program that was built for the quickstart alone, without the libraries that they
-// call.
+// Commands of a build for the quickstart alone, without the libraries that they call.
 
 namespace tera {
 namespace {

@@ -19,7 +19,7 @@ namespace tera {
 namespace {
 
 constexpr int kFound = 1;
-/// Of frames that are left out.
+/// Upper bound of the frame stride.
 constexpr int kMostSpread = 1'000'000;
 
 struct LintArguments {
@@ -36,8 +36,7 @@ void WriteFiles(const LintArguments& arguments, const LintReport& report) {
   }
 }
 
-/// Hashes say that a dataset is what it was when it was found right: of a wrong one none are
-/// written.
+/// Hashes certify a dataset without errors, so a faulty dataset gets none.
 void WriteHashes(const LintArguments& arguments, bool found_errors) {
   if (found_errors) {
     fmt::print("{}: not written, since there are errors\n", kFrameHashesName);
@@ -46,7 +45,7 @@ void WriteHashes(const LintArguments& arguments, bool found_errors) {
   fmt::print("{}: {} files\n", kFrameHashesName, WriteFrameHashes(arguments.dataset));
 }
 
-/// Reads the heights of a dataset's ground for the lint.
+/// Options with a reader of the dataset's ground heights.
 LintOptions LintOptionsOf(const LintArguments& arguments) {
   const ReadGround read = ReaderOfGround(Recording(arguments.dataset).info());
   const auto lowest_m = [read](const std::filesystem::path& raster) {

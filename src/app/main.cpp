@@ -5,11 +5,11 @@
 
 namespace {
 
-/// A program of its own, for its plants are simulators that nobody needs who does not mark TERA.
+/// Refers to the separate program tera-prove, whose simulators serve only the evaluation of TERA.
 void AddProveCommand(CLI::App* app) {
   CLI::App* command = app->add_subcommand("prove", "Is the program tera-prove");
-  command->group("")->allow_extras();  // neither in the help nor among the manual pages
-  command->set_help_flag("");          // --help is answered as all else is
+  command->group("")->allow_extras();  // hidden from help and manual pages
+  command->set_help_flag("");          // --help gets the same answer
   command->callback([] {
     throw tera::InputError(
         "tera prove",

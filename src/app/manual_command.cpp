@@ -14,7 +14,7 @@
 #include "dataset/files/checked_file.h"
 #include "dataset/files/whole_folder.h"
 
-// What the program says of its own command line: manual pages, and completion in shells.
+// Commands for manual pages and shell completion.
 
 namespace tera {
 namespace {

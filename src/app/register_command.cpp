@@ -19,7 +19,7 @@
 namespace tera {
 namespace {
 
-// Exit statuses of a registration that gives no whole pose.
+// Exit statuses of a registration without a complete pose.
 constexpr int kNoOverlap = 3, kNotConverged = 4, kOpen = 5;
 
 struct RegisterArguments {

@@ -28,8 +28,8 @@ struct Ros2Arguments {
   ros::LiveRosOptions options;
 };
 
-/// While it lives, the first Ctrl-C and the first SIGTERM are requests to end; a second of the same
-/// kind ends the program.
+/// Turns the first Ctrl-C and the first SIGTERM into stop requests during its lifetime. A second
+/// signal of the same kind ends the program.
 class StopRequest {
  public:
   StopRequest() {
@@ -56,7 +56,7 @@ std::string_view Environment(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// The domain that ROS 2 would choose: ROS_DOMAIN_ID, else 0.
+/// ROS 2's default domain: ROS_DOMAIN_ID, otherwise 0.
 int DomainOfEnvironment() {
   const std::string_view text = Environment("ROS_DOMAIN_ID");
   if (text.empty()) return 0;
@@ -106,7 +106,7 @@ void RunRos2(const Ros2Arguments& arguments) {
                              loaded.resolved_yaml, options));
 }
 
-/// How simulated time and that of the wall go together.
+/// Adds the options that relate simulated time to wall time.
 void AddPaceOptions(CLI::App* command, ros::LiveRosOptions* options) {
   command
       ->add_option("--pace", options->pace,

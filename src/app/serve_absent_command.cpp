@@ -1,7 +1,7 @@
 #include "app/commands.h"
 #include "core/error.h"
 
-// `tera serve` of a program that was built without gRPC.
+// `tera serve` of a build without gRPC.
 
 namespace tera {
 

@@ -25,7 +25,7 @@ struct SiteArguments {
   SiteRequest request;
 };
 
-/// A scenario's name from that of a file: what is no letter, digit, _ or - becomes _.
+/// A scenario's name from a file name; other characters than letters, digits, _ and - become _.
 std::string ScenarioName(const fs::path& file) {
   std::string name = file.stem().string();
   for (char& c : name) {

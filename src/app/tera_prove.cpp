@@ -17,8 +17,7 @@
 #include "dataset/files/checked_file.h"
 #include "diagnose/report/files/write_report.h"
 
-// The program `tera-prove`: recordings of other simulators, and marks for what the diagnosis says
-// of them.
+// The program `tera-prove`: generates recordings of other simulators and scores their diagnoses.
 
 namespace tera {
 namespace {

@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-constexpr double kObstacle_hz = 10;  ///< at which poses of what moves are kept
+constexpr double kObstacle_hz = 10;  ///< rate of the poses of moving objects
 
 std::vector<float> Flat(const std::vector<Eigen::Vector3f>& points) {
   std::vector<float> numbers;
@@ -88,7 +88,7 @@ StageMachine StageMachineOf(const MachinePlacement& placement, int first_body) {
   return machine;
 }
 
-/// Its bodies: itself, its wheels, its limbs.
+/// Adds an obstacle's bodies: trunk, wheels and limbs.
 void AddObstacle(const Scenario& scenario, const ScenarioObstacle& obstacle, Stage* stage) {
   const std::size_t bodies = 1 + obstacle.wheels.size() + obstacle.gait.limbs.size();
   std::vector<StageObstacle> staged;

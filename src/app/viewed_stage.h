@@ -8,9 +8,8 @@
 
 namespace tera {
 
-/// Machines and things of the scene that a simulated recording was made in. `moved` as of
-/// LoadRecordedScenario. Throws InputError where the recording is a real one, or where its scenario
-/// or one of its files cannot be read.
+/// Machines and objects of the scene of a simulated recording. `moved` as in LoadRecordedScenario.
+/// Throws InputError for a real recording, and for an unreadable scenario or file.
 Stage StageOfRecording(const std::filesystem::path& recording,
                        const std::vector<std::string>& moved);
 

@@ -5,9 +5,8 @@
 
 namespace tera {
 
-/// Begins `work` on a thread of its own while the caller goes on; get() of what is returned waits
-/// for its result, or throws on what it threw. Where the computer gives no thread, get() does the
-/// work.
+/// Starts `work` on its own thread. get() on the returned future waits for the result or rethrows
+/// the exception. If the system provides no thread, get() runs the work in the calling thread.
 template <typename Work>
 auto Beside(Work work) {
   return std::async(std::launch::async | std::launch::deferred, std::move(work));

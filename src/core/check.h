@@ -4,8 +4,8 @@
 
 #include <string>
 
-/// `TERA_CHECK(condition, values...)`: our own invariants, armed in every build. A failure is a bug
-/// in TERA, never bad input; it throws InternalError with the condition, the values and the place.
+/// `TERA_CHECK(condition, values...)` checks internal invariants in every build. A failure is a bug
+/// in TERA, never bad input. It throws InternalError with the condition, the values and the place.
 
 namespace tera {
 

@@ -12,7 +12,7 @@ std::string MessageOf(const std::vector<InputFault>& faults) {
   return message;
 }
 
-/// The place of a fault that has one already goes on within the other.
+/// Prepends `place`. An existing place of the fault follows after a colon.
 InputFault At(std::string place, InputFault fault) {
   if (!fault.place.empty()) place += ": " + fault.place;
   fault.place = std::move(place);

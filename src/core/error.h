@@ -5,62 +5,61 @@
 #include <utility>
 #include <vector>
 
-/// The three kinds of error, and no fourth: InputError (bad input from outside), InternalError (our
-/// own bug, see check.h), and "no measurement", which is data and never an exception.
+/// Errors have three kinds. InputError reports bad external input; InternalError reports a bug in
+/// TERA (check.h). "No measurement" is data and never an exception.
 
 namespace tera {
 
 enum class FaultKind {
-  kMissing,       ///< a key, column, file's part or option that must be there
-  kUnknown,       ///< a key, column or option that means nothing there
-  kNoSuchName,    ///< a value that names a thing, or one of a choice, that does not exist
-  kRepeated,      ///< a key, a name or a value that stands twice
-  kMistyped,      ///< a value of another type or shape than needed
-  kOutOfRange,    ///< a number beyond its bounds
-  kInconsistent,  ///< contradicts another value, or the other file
-  kMalformed,    ///< a file or a text that is not as its format says: cut off, damaged, another one
-  kUnreadable,   ///< a file or folder that is not there or cannot be read
-  kUnwritable,   ///< a place that nothing can be written to
-  kUnsupported,  ///< well formed, but not for this program, its build, or this computer
+  kMissing,       ///< a required key, column, part of a file or option is absent
+  kUnknown,       ///< a key, column or option that this place does not define
+  kNoSuchName,    ///< the named object or choice does not exist
+  kRepeated,      ///< a key, name or value occurs twice
+  kMistyped,      ///< the value has the wrong type or shape
+  kOutOfRange,    ///< a number exceeds its bounds
+  kInconsistent,  ///< a value contradicts another value or another file
+  kMalformed,     ///< a file or text violates its format: truncated, damaged or another format
+  kUnreadable,    ///< a file or folder is absent or unreadable
+  kUnwritable,    ///< a place that cannot be written
+  kUnsupported,   ///< well-formed, but unsupported by this program, build or computer
 };
 
-/// One fault of the input. Its kind and place tell programs what is wrong; the finding is
-/// for people.
+/// One input fault. Programs read the kind and the place; people read the finding.
 struct InputFault {
   FaultKind kind = FaultKind::kInconsistent;
-  std::string finding;  ///< what was found, what is needed, and the remedy
-  std::string place;    ///< file:line:column and key path, or a file, or an option; may be empty
+  std::string finding;  ///< found value, needed value and remedy
+  std::string place;    ///< file:line:column and key path, a file or an option; may be empty
 
   InputFault(FaultKind kind, std::string finding, std::string place = "")
       : kind(kind), finding(std::move(finding)), place(std::move(place)) {}
-  // A finding alone, of values that contradict each other.
+  // A finding without a place, for values that contradict each other.
   InputFault(std::string finding) : finding(std::move(finding)) {}  // NOLINT(*-explicit-*)
   InputFault(const char* finding) : finding(finding) {}             // NOLINT(*-explicit-*)
 
-  /// "place: finding", as people read it.
+  /// "place: finding", the text that people read.
   std::string Message() const;
   bool operator==(const InputFault&) const = default;
 };
 
-/// Bad input from outside: scenario, asset, recording, driver, disk. The message is complete, a
-/// line for each fault: where, what was found, what is needed, and the remedy. Caught once, in
-/// main, which prints it and exits with status 2.
+/// Bad external input: scenario, asset, recording, driver or disk. The message has one line per
+/// fault with place, found value, needed value and remedy. Only main catches this error; it prints
+/// the message and exits with status 2.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(const std::string& message) : InputError(std::vector<InputFault>{message}) {}
   InputError(std::string place, InputFault fault);
-  /// At least one fault.
+  /// Needs at least one fault.
   explicit InputError(std::vector<InputFault> faults);
 
   const std::vector<InputFault>& faults() const { return faults_; }
-  /// All of it as one finding, to be told at the place that names the faulty thing.
+  /// All faults as one finding. The caller adds the place that names the faulty object.
   InputFault AsFinding() const { return {faults_.front().kind, what()}; }
 
  private:
   std::vector<InputFault> faults_;
 };
 
-/// A broken invariant of TERA itself.
+/// A violated invariant of TERA.
 class InternalError : public std::logic_error {
  public:
   explicit InternalError(const std::string& message) : std::logic_error(message) {}

@@ -5,7 +5,7 @@
 
 namespace tera {
 
-/// The text with the characters that HTML and SVG reserve as entities.
+/// Replaces the characters that HTML and SVG reserve by entities.
 inline std::string Escaped(std::string_view text) {
   std::string html;
   for (const char c : text) {

@@ -11,13 +11,14 @@
 
 namespace tera {
 
-/// Whether the calling thread shares the jobs of an InParallel with others.
+/// True in a thread that shares the jobs of an InParallel call with other threads.
 inline thread_local bool shares_jobs = false;
 
-/// Threads of calls under way that have no job left, while others still work.
+/// Number of threads in running InParallel calls that have no job left while other threads still
+/// work.
 inline std::atomic<int> spare_threads = 0;
 
-/// Some of the spare threads, for as long as it lives.
+/// Borrows up to `most` spare threads for the lifetime of the object.
 class BorrowedThreads {
  public:
   explicit BorrowedThreads(std::size_t most) {
@@ -35,9 +36,9 @@ class BorrowedThreads {
   std::size_t count_ = 0;
 };
 
-/// Results in the order of jobs, whatever the number of threads. Of jobs that throw, the exception
-/// of the first is thrown on. A job's own jobs run on its thread and on those that the calls around
-/// it have no job for any more.
+/// Runs `jobs` jobs and returns their results in job order, independent of the number of threads.
+/// If jobs throw, the first job's exception propagates. A nested call runs on its own thread and on
+/// spare threads of the enclosing calls.
 template <typename Result>
 std::vector<Result> InParallel(std::size_t jobs, int threads,
                                const std::function<Result(std::size_t)>& job) {
@@ -52,7 +53,7 @@ std::vector<Result> InParallel(std::size_t jobs, int threads,
     } catch (...) {
       const std::lock_guard lock(mutex);
       if (k < first_failed) failure = std::current_exception(), first_failed = k;
-      next = jobs;  // those before it have begun
+      next = jobs;  // all earlier jobs have started
     }
   };
   const bool is_shared = shares_jobs;

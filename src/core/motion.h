@@ -5,14 +5,14 @@
 
 #include "core/time.h"
 
-/// Rigid poses and motions, in the monogram notation used throughout:
-/// `X_AB` is the pose of frame B in A, `p_A = X_AB * p_B`; `R_AB` its rotation, `p_AB` its
-/// translation; `v_WB` the velocity of B's origin in W, expressed in W; `w_WB` the angular velocity
-/// of B in W, expressed in W (a trailing `_B` says "expressed in B" instead).
+/// Rigid poses and motions in monogram notation. `X_AB` is the pose of frame B in A:
+/// `p_A = X_AB * p_B`. `R_AB` is its rotation and `p_AB` its translation. `v_WB` is the velocity of
+/// B's origin in W; `w_WB` is the angular velocity of B in W. Both are expressed in W; a trailing
+/// `_B` means "expressed in B".
 
 namespace tera {
 
-/// How far from 1 the length of a stored quaternion may be: what rounding to text explains.
+/// Allowed deviation of a stored quaternion's norm from 1; rounding to text stays within it.
 inline constexpr double kQuaternionTolerance = 1e-5;
 
 using Pose = Eigen::Isometry3d;
@@ -31,15 +31,15 @@ Vec3 RpyFromRotation(const Mat3& R);
 Pose MakePose(const Vec3& p_m, double roll_rad = 0, double pitch_rad = 0, double yaw_rad = 0);
 Pose MakePose(const Vec3& p_m, const Mat3& R);
 
-/// Pose a fraction s in [0, 1] of the way from `a` to `b`: linear in translation, slerp in
-/// rotation.
+/// Pose at fraction s in [0, 1] from `a` to `b`: linear translation, slerp rotation.
 Pose Interpolate(const Pose& a, const Pose& b, double s);
 
 /// Motion of a rigid body B at one instant.
 ///
-/// Frames  W world (local ENU), B body; all vectors expressed in W, taken at B's origin.
-/// Model   `a_WB_mps2` and `alpha_WB_radps2` are the accelerations that the last physics step
-///         applied (constant over that step), coordinate accelerations without gravity removed.
+/// Frames  W world (local ENU), B body; all vectors are expressed in W and taken at B's origin.
+/// Model   `a_WB_mps2` and `alpha_WB_radps2` are the accelerations of the last physics step,
+///         constant over that step. They are coordinate accelerations: zero at rest, -g in free
+///         fall.
 struct BodyState {
   Pose X_WB = Pose::Identity();
   Vec3 v_WB_mps = Vec3::Zero();
@@ -51,30 +51,31 @@ struct BodyState {
 /// Velocity in W of the body-fixed point at `p_B_m`.
 Vec3 PointVelocity(const BodyState& body, const Vec3& p_B_m);
 
-/// Motion of a frame S fixed to body B at X_BS, by rigid-body kinematics
+/// Motion of a frame S fixed to body B at X_BS, by rigid-body kinematics:
 /// (v + w x r, a + alpha x r + w x (w x r)).
 BodyState MotionOfFixedFrame(const BodyState& body, const Pose& X_BS);
 
-/// State between two steps: pose by Interpolate, velocities linear, accelerations those of `b`
-/// (they hold over the whole step that ends in `b`).
+/// State between two steps: interpolated pose, linear velocities and the accelerations of `b`. The
+/// accelerations of `b` hold over the whole step that ends in `b`.
 BodyState Interpolate(const BodyState& a, const BodyState& b, double s);
 
-/// Force and torque on a body, expressed in W, the torque about the body frame's origin.
+/// Force and torque on a body, expressed in W. The torque acts about the body frame's origin.
 struct Wrench {
   Vec3 force_W_n = Vec3::Zero();
   Vec3 torque_W_nm = Vec3::Zero();
 
-  /// Adds `force_W_n` acting at `p_W_m` on the body whose frame origin is `origin_W_m`.
+  /// Adds `force_n`, expressed in W, which acts at `p_W_m`. `origin_W_m` is the body frame's
+  /// origin.
   void AddForceAt(const Vec3& force_n, const Vec3& p_W_m, const Vec3& origin_W_m);
 };
 
-/// Poses of one body over time, oldest first, times strictly increasing.
+/// Poses of one body over time, in strictly increasing time order.
 ///
-/// Model   between two samples as Interpolate(Pose, Pose, s); outside the range, the nearest end.
+/// Model   Interpolate(Pose, Pose, s) between two samples; the nearest end outside the range.
 class PoseTrack {
  public:
   void Append(TimeNs t_ns, const Pose& X_WB);
-  /// Forgets samples that no query at or after `t_ns` can need.
+  /// Drops samples that no query at or after `t_ns` needs.
   void DropBefore(TimeNs t_ns);
   Pose At(TimeNs t_ns) const;
   bool empty() const { return samples_.empty(); }

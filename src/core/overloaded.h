@@ -2,7 +2,7 @@
 
 namespace tera {
 
-/// One function object of several lambdas, for std::visit.
+/// Combines several lambdas into one function object for std::visit.
 template <typename... Functions>
 struct Overloaded : Functions... {
   using Functions::operator()...;

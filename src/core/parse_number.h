@@ -8,8 +8,8 @@
 
 namespace tera {
 
-/// The number that a text is, from its first character to its last; nothing where it is none, or
-/// beyond T. NaN and infinities are numbers of a floating-point T.
+/// Parses the whole text as a number. Returns nullopt if the text is no number or exceeds T. A
+/// floating-point T accepts NaN and infinities.
 template <typename T>
 std::optional<T> ParseNumber(std::string_view text) {
   T value = 0;
@@ -19,7 +19,7 @@ std::optional<T> ParseNumber(std::string_view text) {
   return value;
 }
 
-/// The same of a number that is neither NaN nor infinite.
+/// Parses a finite number; rejects NaN and infinities.
 inline std::optional<double> ParseFinite(std::string_view text) {
   const auto value = ParseNumber<double>(text);
   return value && std::isfinite(*value) ? value : std::nullopt;

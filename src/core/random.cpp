@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// Uniform in (0, 1) from 53 of the 64 bits of two words; never 0, never 1.
+/// Uniform in (0, 1) from 53 bits of two words; excludes 0 and 1.
 double UnitOpen(std::uint32_t high, std::uint32_t low) {
   const std::uint64_t bits = ((static_cast<std::uint64_t>(high) << 32) | low) >> 11;
   return (static_cast<double>(bits) + 0.5) * 0x1.0p-53;

@@ -7,11 +7,11 @@
 
 namespace tera {
 
-/// One named source of randomness.
+/// A named random stream.
 ///
-/// Model   Random123 Philox4x32-10. Key: 64-bit hash of (seed, name); counter: (index, lane), so
-///         that draw `index` is a pure function of (seed, name, index, lane): no hidden state, no
-///         order of evaluation, any number of threads, and skipping samples costs nothing.
+/// Model   Random123 Philox4x32-10. Key: 64-bit hash of (seed, name). Counter: (index, lane). Draw
+///         `index` is a pure function of (seed, name, index, lane). The stream has no hidden state,
+///         so evaluation order, thread count and skipped samples do not change a draw.
 /// Omits   cryptographic strength.
 /// Source  Salmon et al. 2011, "Parallel random numbers: as easy as 1, 2, 3".
 ///
@@ -20,7 +20,7 @@ class Stream {
  public:
   Stream(std::uint64_t seed, std::string_view name);
 
-  /// Uniform in (0, 1). `lane` tells apart several draws at one index.
+  /// Uniform in (0, 1). `lane` separates several draws at one index.
   double Uniform(std::uint64_t index, std::uint32_t lane = 0) const;
   /// Standard normal, by Box–Muller from two uniforms of the same counter.
   double Gaussian(std::uint64_t index, std::uint32_t lane = 0) const;

@@ -5,7 +5,7 @@
 
 namespace tera {
 
-/// Replaces `parts` by those of a text between separators, empty ones too.
+/// Replaces `parts` by the parts of `text` between separators, including empty parts.
 inline void SplitAt(char separator, std::string_view text, std::vector<std::string_view>* parts) {
   parts->clear();
   for (;;) {

@@ -9,11 +9,11 @@
 
 namespace tera {
 
-/// Wall-clock seconds of a command and of its stages, in the order in which they ended. For
-/// reports; never for data.
+/// Wall-clock seconds of a command and of its stages, in the order in which the stages end. Reports
+/// use these times; data never do.
 class StageClock {
  public:
-  /// What `work` returns; its time counts for the stage.
+  /// Returns the result of `work` and adds its time to the stage.
   template <typename Work>
   auto Time(const std::string& stage, const Work& work) {
     double wall_s = 0;
@@ -25,9 +25,9 @@ class StageClock {
     return result;
   }
   void Add(const std::string& stage, double wall_s);
-  /// A part of the stage that is added next, of which several may go on at once.
+  /// Adds a part of the next stage that Add records. Parts may run concurrently.
   void AddPart(const std::string& part, double wall_s);
-  /// A line for each stage, for everything else and for all since this began.
+  /// One line per stage, one for the remaining time and one for the total.
   std::string Table() const;
 
  private:
@@ -38,7 +38,7 @@ class StageClock {
     std::vector<std::pair<std::string, double>> parts;
   };
   std::vector<Stage> stages_;
-  std::vector<std::pair<std::string, double>> parts_;  ///< of the next one
+  std::vector<std::pair<std::string, double>> parts_;  ///< parts of the next stage
 };
 
 }  // namespace tera

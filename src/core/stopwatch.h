@@ -4,7 +4,7 @@
 
 namespace tera {
 
-/// Adds the wall-clock seconds of its own lifetime to a sum. For reports; never for data.
+/// Adds the wall-clock seconds of its lifetime to a sum. Reports use these times; data never do.
 class Stopwatch {
  public:
   explicit Stopwatch(double* sum_s) : sum_s_(sum_s), start_(Clock::now()) {}

@@ -16,16 +16,16 @@ namespace {
 
 using Philox = r123::Philox4x32;
 
-/// Stream::Uniform is (b + 1/2) / 2^53 of 53 bits b, rounded to a double: from one half on to an
-/// even b.
+/// Stream::Uniform is (b + 1/2) / 2^53 for 53 bits b, rounded to a double. From 1/2 upwards the
+/// rounding yields an even b.
 std::uint64_t AsRounded(std::uint64_t b) { return b >> 52 != 0 ? b + (b & 1) : b; }
 
 #if defined(__x86_64__)
 
-constexpr std::size_t kLanes = 4;  ///< of 64 bits
+constexpr std::size_t kLanes = 4;  ///< 64-bit lanes
 
-/// Ten rounds of Philox4x32 on four counters `index`, `index` + 1 ..., each word in the lower half
-/// of a lane; what lies in the upper halves never comes down.
+/// Ten rounds of Philox4x32 on the four counters `index` to `index` + 3. Each word occupies the
+/// lower half of a lane. The upper halves never affect the lower halves.
 __attribute__((target("avx2"))) void DrawFour(std::array<std::uint32_t, 2> key, std::uint64_t index,
                                               std::uint64_t* bits) {
   constexpr int kRounds = 10;

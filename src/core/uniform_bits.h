@@ -7,19 +7,19 @@
 
 namespace tera {
 
-/// Many uniform draws of a named stream at once.
+/// Batches of uniform draws of a named stream.
 ///
-/// Model   draw `index` of (seed, name) is floor(2^53 u), u what Stream::Uniform(index) of the same
-///         seed and name gives; several counters go through Philox side by side where the processor
-///         can.
-/// Source  as of Stream.
+/// Model   draw `index` of (seed, name) is floor(2^53 u), where u is the Stream::Uniform(index) of
+///         the same seed and name. Where the processor supports it, Philox processes several
+///         counters in parallel.
+/// Source  see Stream.
 class UniformBits {
  public:
   UniformBits(std::uint64_t seed, std::string_view name);
 
-  /// Draws `first`, `first + 1` and so on.
+  /// Draws `first`, `first + 1`, and so on.
   void Draw(std::uint64_t first, std::span<std::uint64_t> bits) const;
-  /// The same, one counter after the other.
+  /// Scalar version of Draw: processes one counter after another.
   void DrawSingly(std::uint64_t first, std::span<std::uint64_t> bits) const;
 
   static constexpr int kBits = 53;

@@ -6,9 +6,9 @@
 namespace tera {
 namespace {
 
-/// Digits in the place of each 0, everything else as it stands.
+/// A 0 stands for any digit; all other characters are literal.
 constexpr std::string_view kForm = "0000-00-00T00:00:00Z";
-constexpr int kFirstYear = 1970, kLastYear = 2037;  // what seconds of ROS hold
+constexpr int kFirstYear = 1970, kLastYear = 2037;  // range of ROS time in signed 32-bit seconds
 
 }  // namespace
 

@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kRangesPerThread = 2;  ///< so that a thread that comes late holds up few
+constexpr std::size_t kRangesPerThread = 2;  ///< limits the delay that a late thread causes
 
 }  // namespace
 
@@ -15,7 +15,7 @@ Workers::Workers(int threads) {
   try {
     for (int t = 1; t < threads; ++t) others_.emplace_back([this] { Wait(); });
   } catch (const std::system_error&) {
-    // The computer gives no more threads; those that there are do the work of all.
+    // The system provides no more threads; the existing threads do all the work.
   }
 }
 
@@ -55,7 +55,7 @@ void Workers::Wait() {
   }
 }
 
-/// Until none is left; `lock` is open within a range.
+/// Takes ranges until none is left. `lock` is released while a range runs.
 void Workers::TakeRanges(std::unique_lock<std::mutex>* lock) {
   while (next_ < count_) {
     const std::size_t begin = next_, end = std::min(begin + step_, count_);

@@ -32,7 +32,7 @@ std::vector<Vec3> CornersOf(const Zone& zone) {
   return corners;
 }
 
-/// A zone that stands in W must have a part of the site below it.
+/// A zone in W must have a part of the site below it.
 void RequireOnSite(const Zone& zone, const TerrainGrid& site) {
   const Vec2 low_m = site.origin_W_m;
   const Vec2 high_m(site.x_m(site.nx - 1), site.y_m(site.ny - 1));

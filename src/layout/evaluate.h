@@ -12,17 +12,18 @@ namespace tera {
 
 struct EvaluateOptions {
   int threads = 2;
-  bool strict = false;  ///< what MountWarnings tells is an error
+  bool strict = false;  ///< a warning of MountWarnings is an error
   std::function<void(double done_s, double duration_s)> progress;
 };
 
-/// Throws InputError where a zone or the eye of the study names no link of its machine, and where a
-/// zone lies beside the site.
+/// Throws InputError if a zone or the eye of the study names no link of its machine, or if a zone
+/// lies off the site.
 void CheckStudy(const LayoutStudy& study, const Scenario& scenario);
 
-/// Looks at `layouts` over the cycle, all of them at the same moments. What the machine hides from
-/// an eye is the same for all. Throws InputError as CheckStudy does, and where `strict` refuses a
-/// mount.
+/// Evaluates `layouts` over the cycle, all at the same moments. Computes the eye masking once,
+/// since it is the same for all layouts.
+///
+/// Throws  InputError as CheckStudy does, and for a refused mount if `strict` is set.
 std::vector<LayoutReport> Evaluate(const Cycle& cycle, const LayoutStudy& study,
                                    std::vector<Layout> layouts, const EvaluateOptions& options);
 

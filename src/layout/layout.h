@@ -11,42 +11,44 @@
 
 namespace tera {
 
-/// One rig of which is asked what it sees, on the machine of a study.
+/// A rig on the machine of a study, whose view is evaluated.
 struct Layout {
-  std::string name;  ///< of its file, without the ending
+  std::string name;  ///< its file name without the extension
   std::filesystem::path file;
   std::vector<SensorDescription> sensors;
-  std::vector<Viewer> viewers;  ///< its lidars and cameras; X_WS of the moment that is looked at
+  std::vector<Viewer> viewers;  ///< lidars and cameras; X_WS at the current moment
 };
 
-/// Of each of its lidars whose beams all have one elevation, why it counts as seeing nothing.
+/// A warning for each lidar whose beams all have one elevation: it counts as seeing nothing.
 std::vector<std::string> FlatWarnings(const Layout& layout);
 
-/// What a rig takes besides places: sums over its sensors.
+/// Cost, power and data of a rig: sums over its sensors.
 struct Expense {
   double cost = 0;  ///< in the rig file's own currency
   double power_w = 0;
-  double data_mbyteps = 0;  ///< of pictures and scans as measured
-  /// How many sensors there are, and of how many the rig says a cost and a power above 0.
+  double data_mbyteps = 0;  ///< data rate of raw pictures and scans
+  /// Number of sensors, and number with a cost and with a power above 0.
   int sensors = 0, priced = 0, powered = 0;
 };
 Expense ExpenseOf(const Layout& layout);
 
-/// The machine and the links that a study is about, by their numbers.
+/// Indices of the machine and the links of a study.
 struct StudiedMachine {
   std::size_t machine = 0;
   int upper = 0;
 };
-/// Throws InputError where the scenario has no machine or link of these names.
+/// Throws InputError if the scenario has no machine or link with these names.
 StudiedMachine FindMachine(const LayoutStudy& study, const Scenario& scenario);
 
-/// The layout of these sensors on a machine, without a name; it may see nothing.
+/// The layout of these sensors on a machine, without a name. It may have no lidar and no camera.
 Layout LayoutOfSensors(std::vector<SensorDescription> sensors, const MachineModel& model);
 
-/// Reads a rig. Throws InputError where it holds no lidar and no camera, and as scenarios do.
+/// Reads a rig.
+///
+/// Throws  InputError if it has no lidar and no camera, and as scenarios do.
 Layout LoadLayout(const std::filesystem::path& file, const Cycle& cycle, std::size_t machine);
 
-/// Puts the viewers where they are now.
+/// Sets X_WS of the viewers from the machine's state.
 void MoveViewers(const MachineState& machine, Layout* layout);
 
 }  // namespace tera

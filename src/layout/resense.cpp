@@ -43,7 +43,7 @@ std::string RigOverride(const fs::path& dataset, const ResenseRig& rig,
                      fs::absolute(rig.file).lexically_normal().string());
 }
 
-/// What really happened does not depend on who measures it.
+/// The truth does not depend on the rig.
 void TakeOverTruth(const fs::path& dataset, const Scenario& scenario, DatasetWriter* writer) {
   for (const ChannelInfo& info : TruthChannels(scenario)) {
     writer->AddWholeTable(info, dataset / info.path);

@@ -8,18 +8,18 @@
 
 namespace tera {
 
-/// A rig that a recorded scene is to be measured with.
+/// A rig that measures a recorded scene.
 struct ResenseRig {
   std::filesystem::path file;
-  std::string machine;  ///< that carries it; empty: the first one of the scenario
+  std::string machine;  ///< machine that carries it; empty: the first of the scenario
 };
 
-/// Measures the scene of `dataset`, whose state was kept (`tera generate --keep-state`), with
-/// another rig, and writes to `options.out` the dataset that the same run would have given with
-/// that rig, to the byte: neither physics nor soil runs. What really happened is taken over as it
-/// is, the rigs of other machines measure anew.
+/// Measures the scene of `dataset` with another rig. The dataset must have its state (`tera
+/// generate --keep-state`). Writes to `options.out` the dataset that the same run would give with
+/// that rig, byte for byte. Physics and soil do not run. The truth is copied; the rigs of other
+/// machines measure again.
 ///
-/// Throws InputError as LoadRecordedScenario, StatePlayback, DatasetWriter and Rasterizer do.
+/// Throws  InputError as LoadRecordedScenario, StatePlayback, DatasetWriter and Rasterizer do.
 GenerateReport Resense(const std::filesystem::path& dataset, const ResenseRig& rig,
                        const std::vector<std::string>& moved, const GenerateOptions& options);
 

@@ -6,9 +6,9 @@ namespace tera {
 
 /// A spotlight.
 ///
-/// Frames  B the body it is fixed to, or W; L the lamp, its beam along x.
-/// Model   luminous intensity I(a) = I0 (1 - (a / h)^2)^2 at an angle a from the beam, nothing from
-///         the half angle h on; I0 so that all of it is flux_lm. White light of D65.
+/// Frames  B the carrying body, or W; L the lamp, with its beam along x.
+/// Model   luminous intensity I(a) = I0 (1 - (a / h)^2)^2 at angle a from the beam; zero beyond the
+///         half angle h. I0 follows from the total flux flux_lm. Light is white (D65).
 struct Lamp {
   int body = -1;  ///< index into SceneState::X_WB; -1: fixed in W
   Pose X_BL = Pose::Identity();

@@ -17,38 +17,38 @@
 #include "render/meshes/mesh.h"
 #include "render/wear.h"
 
-/// What can be seen: one description for the rasterizer and for the ray scene, so that camera and
-/// lidar look at the same world.
+/// The visible world: one description for the rasterizer and the ray scene, so that camera and
+/// lidar observe the same world.
 
 namespace tera {
 
-/// A mesh shown at a body slot. Several nodes may share a body and an instance.
+/// A mesh attached to a body slot. Several nodes may share a body and an instance.
 struct SceneNode {
-  int mesh = 0;    ///< index into SceneModel::meshes, unless it has a shape
-  int shape = -1;  ///< index into SceneState::shapes, of a mesh that changes
+  int mesh = 0;    ///< index into SceneModel::meshes; unused with a shape
+  int shape = -1;  ///< index into SceneState::shapes, for a deforming mesh; -1: none
   int body = 0;    ///< index into SceneState::X_WB
   Pose X_BG = Pose::Identity();
   double scale = 1.0;
   SemanticClass label = SemanticClass::kStructure;
   std::uint16_t instance = 0;            ///< index into SceneModel::instances
-  std::shared_ptr<const NodeWear> wear;  ///< null: as it left the factory
+  std::shared_ptr<const NodeWear> wear;  ///< null: factory condition
 };
 
 inline constexpr std::size_t kMostLamps = 8;
 
-/// An object that labels tell apart. Instance 0 is "none"; the terrain is instance 0.
+/// A distinct object in the labels. Instance 0 is "none"; the terrain has instance 0.
 ///
-/// Model   A whole has parts, which are instances of their own and name it as their parent. No node
-///         is of a whole: its pixels are those of its parts.
+/// Model   A whole has parts, which are separate instances with the whole as parent. No node
+///         belongs to a whole: its pixels are the pixels of its parts.
 struct SceneInstance {
   std::string name;  ///< "excavator1/bucket", "person1"
   SemanticClass label = SemanticClass::kSky;
   int body = -1;  ///< body whose frame carries the box
   Vec3 box_min_B_m = Vec3::Zero(), box_max_B_m = Vec3::Zero();
-  int shape = -1;            ///< shape whose box is its box; the one above is that of its place
-  double capacity_m3 = 0;    ///< of what its shape shows, heaped
-  std::uint16_t parent = 0;  ///< the whole that this is a part of; 0: of none
-  bool is_whole = false;     ///< its box is found from its parts, whatever they do
+  int shape = -1;            ///< shape that supplies the box, in place of the members above
+  double capacity_m3 = 0;    ///< heaped capacity for the load that the shape shows
+  std::uint16_t parent = 0;  ///< the whole that contains this part; 0: no parent
+  bool is_whole = false;     ///< its box encloses its parts at each instant
 };
 
 /// A named point of an object: a joint of a machine or of a person.
@@ -57,24 +57,24 @@ struct SceneKeypoint {
   std::uint16_t instance = 0;
   int body = 0;
   Vec3 p_B_m = Vec3::Zero();
-  double radius_m = 0;  ///< how deep below the object's surface it may lie and still be seen
+  double radius_m = 0;  ///< visible down to this depth below the object's surface
 };
 
-/// Appearance of a soil, by index as in TerrainSurface::soil.
+/// Appearance of a soil, indexed by TerrainSurface::Cover::soil.
 struct SoilAppearance {
   Vec3 albedo = Vec3(0.3, 0.22, 0.15);
   double grain_size_m = 0.01;
 };
 
-/// Light and air.
+/// Light and atmosphere.
 ///
 /// Frames  W.
-/// Model   sun_illuminance_klx is the illuminance of the sun alone on a plane that faces it (clear
-///         noon: about 90 to 110); turbidity is that of the sky model; exposure_ev100 is the
-///         exposure value at ISO 100, N^2 / t, for which the picture is exposed (sunlit ground:
-///         15). cloud_cover is the share of the sky that clouds cover (Sky); without it thin clouds
-///         lie over a clear sky. sky_illuminance_lx is that of the clear sky on level ground,
-///         without it that of its model: below the horizon the sun lights the sky alone.
+/// Model   sun_illuminance_klx is the direct sun's illuminance on a plane facing it (clear noon:
+///         about 90 to 110). turbidity is the parameter of the sky model. exposure_ev100 is the
+///         image's exposure value at ISO 100, N^2 / t (sunlit ground: 15). cloud_cover is the
+///         clouded fraction of the sky (Sky); without it, thin clouds lie over a clear sky.
+///         sky_illuminance_lx is the clear sky's illuminance on level ground; without it, the sky
+///         model's value applies. A sun below the horizon lights only the sky.
 /// Omits   clouds that shade parts of the site, haze that varies with height near the ground.
 /// Source  ISO 2720 (exposure value); Preetham et al. 1999 (turbidity); Koschmieder 1924 (fog).
 struct Environment {
@@ -88,10 +88,10 @@ struct Environment {
   Weather weather;
 };
 
-/// The constant part.
+/// Constant part of the scene.
 struct SceneModel {
   std::vector<Mesh> meshes;
-  Textures textures;  ///< of meshes
+  Textures textures;  ///< textures of the meshes
   std::vector<SceneNode> nodes;
   std::vector<SceneInstance> instances;  ///< instances[0] is "none"
   std::vector<SceneKeypoint> keypoints;
@@ -102,38 +102,38 @@ struct SceneModel {
   int body_count = 0;
   int shape_count = 0;
 
-  /// Adds a mesh file (or one node of it); the same file and node is loaded once. Returns its
-  /// index.
+  /// Adds a mesh file, or one node of it, and returns its index. Repeated calls with the same file
+  /// and node load it once.
   int AddMesh(const std::filesystem::path& file, const std::string& node);
 };
 
-/// A mesh that changes, as it is now: soil carried in a shovel.
+/// Present state of a deforming mesh: soil carried in a shovel.
 ///
-/// Frames  B of the body that shows it.
+/// Frames  B frame of the body that carries it.
 struct ShapedMesh {
-  std::vector<double> key;  ///< what the mesh follows from: the same numbers, the same mesh
+  std::vector<double> key;  ///< equal keys imply equal meshes
   std::vector<MeshPart> parts;
-  Vec3 box_min_B_m = Vec3::Zero(), box_max_B_m = Vec3::Zero();  ///< of what it shows
-  double volume_m3 = 0, mass_kg = 0;                            ///< of soil
+  Vec3 box_min_B_m = Vec3::Zero(), box_max_B_m = Vec3::Zero();  ///< box around the parts
+  double volume_m3 = 0, mass_kg = 0;                            ///< soil
 };
 
-/// One for each of SceneModel::shape_count; null where there is nothing to be seen. None at all
-/// stands for nothing anywhere.
+/// One entry per shape up to SceneModel::shape_count; null for an invisible shape. An empty vector
+/// means that no shape is visible.
 using Shapes = std::vector<std::shared_ptr<const ShapedMesh>>;
 
 /// The shape of that index, or null.
 const ShapedMesh* ShapeAt(const Shapes& shapes, int index);
-/// Whether both look alike.
+/// True if both look alike.
 bool AreAlike(const ShapedMesh* a, const ShapedMesh* b);
 
-/// The moving part at one instant.
+/// Moving part of the scene at one instant.
 struct SceneState {
   TimeNs t_ns = 0;
-  std::vector<Pose> X_WB;  ///< one for each body
+  std::vector<Pose> X_WB;  ///< one per body
   const TerrainSurface* terrain = nullptr;
   Shapes shapes;
-  const DustVolume* dust = nullptr;  ///< in the air; null where there is none
-  double exposure_s = 0.004;         ///< for which falling drops are seen
+  const DustVolume* dust = nullptr;  ///< airborne dust; null without dust
+  double exposure_s = 0.004;         ///< exposure time of falling drops
 };
 
 }  // namespace tera

@@ -58,7 +58,7 @@ CameraIntrinsics Reduced(const CameraIntrinsics& lens, int times) {
   reduced.height_px = lens.height_px / times;
   reduced.fx_px = lens.fx_px / times;
   reduced.fy_px = lens.fy_px / times;
-  // The centre of the upper left pixel is (0, 0), large or small.
+  // The centre of the upper left pixel is (0, 0) at either size.
   reduced.cx_px = (lens.cx_px + 0.5) / times - 0.5;
   reduced.cy_px = (lens.cy_px + 0.5) / times - 0.5;
   return reduced;

@@ -10,22 +10,20 @@
 
 namespace tera {
 
-/// Renders what a camera would have seen from the recorded trajectory.
+/// Renders a camera's view along the recorded trajectory.
 ///
-/// Frames  W of the recorded poses; B the camera's link; T the camera as a calibration has it;
-///         C optical.
-/// Model   bodies, link and ground at one instant, that of the picture; the simulator's own camera
-///         without noise, `reduced` times smaller in both directions.
-/// Omits   what the simulator's camera omits (sensors/camera/camera.h); what tracks and shovels
-/// look like,
-///         whose pixels are marked as not to be compared.
+/// Frames  W of the recorded poses; B the camera's link; T the calibrated camera; C optical.
+/// Model   bodies, link and ground at the image's instant; the simulator's own camera without
+///         noise, reduced `reduced` times in both directions.
+/// Omits   the omissions of the simulator's camera (sensors/camera/camera.h); appearance of tracks
+///         and shovels, whose pixels are marked as not comparable.
 class PictureCaster {
  public:
-  /// Keeps references to all. Throws InputError where there is no OpenGL.
+  /// Keeps references to all arguments. Throws InputError without OpenGL.
   PictureCaster(const Scenario& scenario, const SceneAssembly& assembly, const RecordedStage& stage,
                 const std::vector<RecordedMotion>& machines);
 
-  /// Motion of the camera's link at the true time of a picture; nothing where it is not known.
+  /// Motion of the camera's link at an image's true time; nullopt if unknown.
   std::optional<BodyState> LinkAt(std::size_t machine, const SensorDescription& sensor,
                                   const ScanCaster::Scan& picture,
                                   const SensorCalibration& calibration) const;
@@ -38,13 +36,13 @@ class PictureCaster {
   const SceneAssembly& assembly_;
   const RecordedStage& stage_;
   const std::vector<RecordedMotion>& machines_;
-  std::vector<Surface> surface_;  ///< of each instance
+  std::vector<Surface> surface_;  ///< one per instance
   Rasterizer rasterizer_;
 };
 
-/// The lens of a picture so many times smaller both ways, each pixel the mean of what it covers.
+/// Lens of an image reduced `times` in both directions; each reduced pixel is a mean.
 CameraIntrinsics Reduced(const CameraIntrinsics& lens, int times);
-/// The brightness of a picture (Rec. 601) from 0 to 1, so many times smaller.
+/// Brightness of an image (Rec. 601) from 0 to 1, reduced `times` in both directions.
 Image<float> ReducedGrey(const Image<std::uint8_t>& rgb, int times);
 
 }  // namespace tera

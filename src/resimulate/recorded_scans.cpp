@@ -8,9 +8,9 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kMostPointsOfScan = 4000;  ///< that are kept of a scan or depth picture
+constexpr std::size_t kMostPointsOfScan = 4000;  ///< kept points per scan or depth image
 
-/// A picture or a scan.
+/// An image or a scan.
 Measurement LoadMeasurement(const Recording& recording, const std::string& channel,
                             ChannelForm form, TimeNs t_ns) {
   TERA_CHECK(form != ChannelForm::kRows, channel);

@@ -8,19 +8,19 @@
 
 namespace tera {
 
-/// Loads one measurement of a sensor that measures ranges (SensorKind::ranging), thinned to some
-/// 4000 points in S as documented. Throws InputError where the file is not as it must be.
+/// Loads one measurement of a ranging sensor (SensorKind::ranging), thinned to about 4000 points in
+/// the documented S. Throws InputError for a malformed file.
 LoadedScan LoadRangeScan(const Recording& recording, const std::string& channel,
                          const SensorDescription& sensor, TimeNs t_ns);
 
-/// The brightness of a recorded picture, or why it cannot be compared with the scenario's sensor.
+/// Brightness of a recorded image, or the obstacle to its comparison with the scenario's sensor.
 struct LoadedPicture {
   Image<float> grey;     ///< 0 to 1
-  std::string obstacle;  ///< empty where there is none
+  std::string obstacle;  ///< reason; empty if comparable
 };
 
-/// Loads the picture of a sensor that takes pictures, `reduced` times smaller in both directions.
-/// Throws InputError where the file is not as it must be.
+/// Loads the image of an imaging sensor, reduced `reduced` times in both directions. Throws
+/// InputError for a malformed file.
 LoadedPicture LoadGreyPicture(const Recording& recording, const std::string& channel,
                               const SensorDescription& sensor, TimeNs t_ns, int reduced);
 

@@ -12,38 +12,36 @@
 
 namespace tera {
 
-/// Whether a sensor measures ranges, as lidars and cameras with depth do.
+/// True if a sensor measures ranges, as do lidars and cameras with depth.
 bool MeasuresRanges(const SensorDescription& sensor);
 
-/// Whether a sensor's pictures are what it is compared by: they are of colour, and it measures no
-/// ranges.
+/// True if the comparison uses a sensor's images: it has colour images and no ranges.
 bool TakesPictures(const SensorDescription& sensor);
 
-/// A sensor of a scenario's machine that sees, and some of its scans or pictures in a recording.
+/// An exteroceptive sensor of a scenario's machine, with some of its recorded scans or images.
 struct RecordedSensor {
   std::size_t machine = 0;
   const SensorDescription* description = nullptr;
-  std::string channel;  ///< "excavator1/lidar_roof", of the recording
+  std::string channel;  ///< channel of the recording, "excavator1/lidar_roof"
   std::vector<ScanCaster::Scan> scans;
-  std::string obstacle;  ///< why nothing can be simulated for it; empty where it can
+  std::string obstacle;  ///< obstacle to its simulation; empty if none
 };
 
-/// Part of a recording, in seconds from the first scan of each sensor on.
+/// Part of a recording, in seconds from each sensor's first scan.
 struct RecordedPart {
   double from_s = 0, to_s = 1e9;
 };
 
-/// The sensors of a scenario that a recording has scans or pictures of: up to 60 scans, or 40
-/// pictures, evenly spread. `names` are those of the machines in the recording. Keeps pointers into
-/// the scenario.
+/// Sensors of a scenario with recorded scans or images: up to 60 scans or 40 images each, evenly
+/// spread. `names` are the machines' names in the recording. Keeps pointers into the scenario.
 std::vector<RecordedSensor> SeeingSensors(const Scenario& scenario,
                                           const std::vector<std::string>& names,
                                           const Recording& recording, const RecordedPart& part);
 
-/// Gives each scan the ground and the loads at its end, working the stage in the order of time.
+/// Sets ground and loads of each scan at its end, by advancing the stage in time order.
 void WorkGround(RecordedStage* stage, std::vector<RecordedSensor>* sensors);
 
-/// Why it is not known where a sensor was; empty where it is.
+/// Reason for an unknown sensor pose; empty if it is known.
 std::string ObstacleTo(const RecordedSensor& sensor, const RecordedMotion& motion,
                        const MachineModel& model);
 

@@ -11,28 +11,28 @@
 
 namespace tera {
 
-/// The site of a scenario as the recorded motion of its machines leaves it: their tools work the
-/// simulated ground where they were measured to be. What was recorded of the ground is not used.
+/// Site of a scenario under the recorded motion of its machines: the tools work the simulated
+/// ground along their measured poses. Recorded ground is not used.
 ///
-/// Model   a Simulation whose machines move as recorded, from `settle_s` before the first time on.
-/// Omits   forces: the machines are where they were, whatever the ground says.
+/// Model   a Simulation whose machines move as recorded, from `settle_s` before the first time.
+/// Omits   forces: machines follow their recorded poses independent of the ground.
 class RecordedStage {
  public:
-  /// Ground and loads at one time. Equal grounds are one.
+  /// Ground and loads at one time. Equal grounds share an object.
   struct Moment {
     std::shared_ptr<const TerrainSurface> ground;
-    std::vector<std::vector<SoilReaction::Load>> loads;  ///< of each machine's shovels
+    std::vector<std::vector<SoilReaction::Load>> loads;  ///< by machine and shovel
   };
 
-  /// Keeps references. `machines` one for each of the scenario's; `start_ns` is when the recording
-  /// begins.
+  /// Keeps references. `machines` has one entry per machine of the scenario; `start_ns` is the
+  /// start of the recording.
   RecordedStage(const Scenario& scenario, const std::vector<RecordedMotion>& machines,
                 TimeNs start_ns);
   RecordedStage(Scenario&&, const std::vector<RecordedMotion>&, TimeNs) = delete;
 
-  /// At `t_ns`, which must not lie before the last.
+  /// Advances to `t_ns`, which must not decrease between calls.
   Moment AdvanceTo(TimeNs t_ns);
-  /// Machines and obstacles at a time near that of the moment.
+  /// Machines and obstacles at a time near the moment's.
   Instant StateAt(TimeNs t_ns, const Moment& moment) const;
 
  private:

@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-constexpr double kBeyond = 1.5;  ///< of the sensor's reach, so that what it cannot see is known
+constexpr double kBeyond = 1.5;  ///< factor on the range, to know surfaces beyond it
 
 }  // namespace
 

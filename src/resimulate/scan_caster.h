@@ -11,16 +11,16 @@
 
 namespace tera {
 
-/// What each instance of the scene is to a comparison. Tracks and what a shovel carries are
-/// not to be compared: nothing measured their shape. Nor are parts of machines of which a joint was
-/// not measured. The ground is instance 0.
+/// Surface class of each instance for a comparison. Tracks and carried soil are not comparable,
+/// because their shape is not measured. Machine parts beyond an unmeasured joint are not comparable
+/// either. The ground is instance 0.
 std::vector<Surface> SurfacesOf(const Scenario& scenario, const SceneAssembly& assembly,
                                 const std::vector<RecordedMotion>& machines);
 
-/// Casts rays of recorded scans in the simulated scene, as seen from the recorded trajectory.
+/// Casts rays of recorded scans in the simulated scene, from the recorded trajectory.
 ///
-/// Model   bodies and link are posed at as many instants of a scan as its kind of sensor says, at
-///         one of a picture; the ground is that of a scan's end.
+/// Model   bodies and link have as many poses per scan as the sensor kind specifies; an image has
+///         one. The ground is the ground at the scan's end.
 class ScanCaster {
  public:
   /// Keeps references to all.
@@ -29,8 +29,8 @@ class ScanCaster {
 
   /// One scan of a sensor of machine `machine`.
   struct Scan {
-    TimeNs t_ns = 0;     ///< as written on it
-    TimeNs span_ns = 0;  ///< of its rays, a revolution; 0: a picture
+    TimeNs t_ns = 0;     ///< recorded time stamp
+    TimeNs span_ns = 0;  ///< duration of its rays, a revolution; 0: an image
     RecordedStage::Moment moment;
   };
   std::vector<SimulatedReturn> Cast(std::size_t machine, const SensorDescription& sensor,
@@ -48,9 +48,9 @@ class ScanCaster {
   const std::vector<RecordedMotion>& machines_;
   int threads_;
   RayScene scene_;
-  std::vector<Surface> surface_;  ///< of each instance
+  std::vector<Surface> surface_;  ///< one per instance
 
-  /// What the scene shows now.
+  /// Present state of the scene.
   TimeNs posed_start_ns_ = 0, posed_span_ns_ = -1;
   const TerrainSurface* posed_ground_ = nullptr;
   std::size_t posed_machine_ = 0;

@@ -5,13 +5,12 @@
 
 namespace tera {
 
-/// What a sensor's effects make of its mount, its ranges and its clock, as one whole.
+/// Combined effect of a sensor's mechanisms on its mount, ranges and clock.
 ///
-/// Frames  B link, T sensor as it is.
-/// Model   X_BT of sensors/slots/true_mount.h; reported range (of a depth camera: depth) =
-///         range_factor * true range + range_bias_m; written time = true time + clock_offset_s.
-/// Omits   effects that differ from one point or one scan to the next: outliers, quantisation,
-///         drift, jitter.
+/// Frames  B link, T true sensor.
+/// Model   X_BT of sensors/slots/true_mount.h; reported range (depth for a depth camera)
+///         = range_factor * true range + range_bias_m; time stamp = true time + clock_offset_s.
+/// Omits   effects that vary between points or scans: outliers, quantisation, drift, jitter.
 struct SensorCalibration {
   Pose X_BT = Pose::Identity();
   double range_factor = 1;

@@ -8,29 +8,29 @@
 
 namespace tera {
 
-/// What a ray or a pixel meets in the simulation.
+/// Surface that a ray or pixel meets in the simulation.
 enum class Surface {
-  kUnknown,  ///< not comparable: nothing tells where the sensor was, or what shape is met
+  kUnknown,  ///< not comparable: unknown sensor pose or unknown shape
   kNothing,
   kGround,
   kObstacle,
   kMachine
 };
 
-/// Whether a measurement of it can be compared.
+/// True if a measurement of the surface is comparable.
 inline bool IsComparable(Surface surface) {
   return surface == Surface::kGround || surface == Surface::kObstacle ||
          surface == Surface::kMachine;
 }
 
-/// What a ray meets in the simulation, and where.
+/// First intersection of a ray with the simulated scene.
 ///
 /// Frames  W; B the sensor's link at the ray's own time.
 struct SimulatedReturn {
   Surface surface = Surface::kUnknown;
-  int object = 0;  ///< tells obstacles and parts of machines apart
+  int object = 0;  ///< distinguishes obstacles and machine parts
   double range_m = 0;
-  Vec3 normal_W = Vec3::Zero();  ///< unit, towards the sensor
+  Vec3 normal_W = Vec3::Zero();  ///< unit vector, towards the sensor
   Pose X_WB = Pose::Identity();
   Vec3 v_WB_mps = Vec3::Zero(), w_WB_radps = Vec3::Zero();
 };
@@ -41,11 +41,11 @@ struct Beam {
   TimeNs since_ns = 0;
 };
 
-/// A simulated picture, pixel by pixel.
+/// A simulated image.
 struct SimulatedPicture {
-  Image<float> grey;            ///< 0 to 1, as stored (sRGB)
-  Image<float> depth_m;         ///< along the optical axis; 0: nothing, as in the sky
-  Image<std::uint8_t> surface;  ///< a Surface: kMachine moves with the camera's link
+  Image<float> grey;            ///< 0 to 1, sRGB-encoded
+  Image<float> depth_m;         ///< along the optical axis; 0: no surface, as in the sky
+  Image<std::uint8_t> surface;  ///< a Surface; kMachine moves with the camera's link
 };
 
 }  // namespace tera

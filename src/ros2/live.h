@@ -13,27 +13,27 @@ namespace tera::ros {
 struct LiveRosOptions {
   Participant::Options dds;
   Pace pace = Pace::kReal;
-  double rate_hz = 100;         ///< of /clock, of the states, and of looking for levers
-  double answer_timeout_s = 5;  ///< in lock-step
-  /// The run ends with the step of the physics that reaches it.
+  double rate_hz = 100;         ///< rate of /clock, of the states, and of lever input
+  double answer_timeout_s = 5;  ///< in lockstep
+  /// The run ends with the physics step that reaches this duration.
   double duration_s = std::numeric_limits<double>::infinity();
   LiveOptions live;
-  std::function<void()> started;                ///< called where nothing hinders the run
-  std::function<bool()> stop;                   ///< asked before each tick
-  std::function<void(const std::string&)> log;  ///< what a user should know meanwhile
-  Wall wall;                                    ///< that Pace::kReal keeps to
+  std::function<void()> started;                ///< called when the run is ready to start
+  std::function<bool()> stop;                   ///< queried before each tick
+  std::function<void(const std::string&)> log;  ///< receives messages for the user
+  Wall wall;                                    ///< clock of Pace::kReal
 };
 
 struct LiveRosReport {
   double simulated_s = 0, wall_s = 0;
   std::int64_t published = 0, dropped = 0;
   std::int64_t levers_received = 0, levers_refused = 0;
-  std::int64_t levers_unasked = 0;  ///< in lock-step: of another time, or not the first
-  std::int64_t timeouts = 0;        ///< answers that did not come in lock-step
+  std::int64_t levers_unasked = 0;  ///< in lockstep: another stamp, or a repeated answer
+  std::int64_t timeouts = 0;        ///< missing answers in lockstep
 };
 
-/// Runs a scenario for ROS 2 until its duration or `stop`. Throws InputError where names are none
-/// of ROS's, the rate is beyond that of the physics, or DDS cannot start.
+/// Runs a scenario for ROS 2 until its duration or `stop`. Throws InputError for invalid ROS names,
+/// for a rate above the physics rate, and if DDS cannot start.
 LiveRosReport RunForRos(std::shared_ptr<const Scenario> scenario, const std::string& resolved_yaml,
                         const LiveRosOptions& options);
 

@@ -9,7 +9,7 @@ namespace {
 
 using WallClock = std::chrono::steady_clock;
 
-/// Between two tries of /clock.
+/// Interval between repetitions of /clock.
 constexpr double kPatience_s = 0.05;
 
 }  // namespace

@@ -14,14 +14,14 @@
 
 namespace tera::ros {
 
-/// How simulated time goes by.
+/// Relation of simulated time to wall time.
 enum class Pace {
-  kReal,     ///< as on the wall, or slower where the simulation is
-  kFast,     ///< as fast as the simulation can
-  kLockstep  ///< as the answers to /clock come
+  kReal,     ///< wall time, or slower if the simulation is slower
+  kFast,     ///< the simulation's maximum speed
+  kLockstep  ///< paced by answers to /clock
 };
 
-/// The clock on the wall, and how to wait for it.
+/// Wall clock and waiting, replaceable for tests.
 struct Wall {
   using Moment = std::chrono::steady_clock::time_point;
   std::function<Moment()> now = std::chrono::steady_clock::now;
@@ -29,8 +29,7 @@ struct Wall {
       &std::this_thread::sleep_until<Moment::clock, Moment::duration>;
 };
 
-/// Holds simulated time to the clock on the wall. What is lost by more than a hiccup is not caught
-/// up with.
+/// Ties simulated time to the wall clock. A delay beyond kHiccup is not recovered.
 class RealTime {
  public:
   using Moment = Wall::Moment;
@@ -38,12 +37,12 @@ class RealTime {
 
   explicit RealTime(Wall wall = {}) : wall_(std::move(wall)), start_(wall_.now()) {}
 
-  /// From `now` on, or from now on, which is `t_ns`.
+  /// Restarts at simulated time `t_ns` and wall time `now`.
   void Restart(TimeNs t_ns, Moment now);
   void Restart(TimeNs t_ns) { Restart(t_ns, wall_.now()); }
-  /// When it is to be `t_ns`; past where time was lost. Begins anew where that was too much.
+  /// Wall time of `t_ns`, which lies in the past after a delay. Restarts after too long a delay.
   Moment Due(TimeNs t_ns, Moment now);
-  /// Until `t_ns`.
+  /// Waits until `t_ns`.
   void WaitFor(TimeNs t_ns);
 
  private:
@@ -52,27 +51,26 @@ class RealTime {
   TimeNs start_ns_ = 0;
 };
 
-/// Waits for the answers to /clock: a good lever message with its stamp for each machine whose
-/// levers somebody publishes; at the start, for a first publisher.
+/// Waits for the answers to /clock. An answer is a valid lever message with the clock's stamp, from
+/// each machine that has a lever publisher. At the start it waits for a first publisher.
 ///
-/// Model   a machine whose answer has not come within the timeout is not waited for again until a
-///         message stamped after that time has come. With nobody to wait for, time goes by as on
-///         the wall.
+/// Model   a machine without an answer within the timeout is awaited again only after a message
+///         with a later stamp. Without awaited machines, time follows the wall clock.
 class Lockstep {
  public:
-  /// What it does while it waits.
+  /// Actions during the wait.
   struct Ways {
     std::function<void()> take_levers;
-    std::function<void(double)> wait_for_levers;  ///< so many seconds at most
-    std::function<void()> repeat_clock;           ///< which is best effort and may have been lost
-    std::function<bool()> stop;                   ///< whether to give up waiting altogether
-    std::function<void(const std::string&)> log;  ///< told of answers that did not come
+    std::function<void(double)> wait_for_levers;  ///< with a maximum number of seconds
+    std::function<void()> repeat_clock;           ///< best effort, so a message may be lost
+    std::function<bool()> stop;                   ///< true ends all waiting
+    std::function<void(const std::string&)> log;  ///< receives missing answers
   };
 
   /// Keeps references to `scenario` and `levers`.
   Lockstep(const Scenario& scenario, const LeverInput* levers, double timeout_s, Ways ways);
 
-  /// Until all have answered to /clock at `now_ns`.
+  /// Waits until all machines have answered to /clock at `now_ns`.
   void WaitForAnswers(TimeNs now_ns);
   std::int64_t timeouts() const { return timeouts_; }
 
@@ -81,7 +79,7 @@ class Lockstep {
   bool AnybodyAwaited() const;
   /// Awaited machines without an answer.
   std::vector<std::size_t> Owing(TimeNs now_ns) const;
-  /// Awaits those again who have been heard of since they were given up.
+  /// Awaits machines again that have sent a later message.
   void Forgive();
   void GiveUp(const std::vector<std::size_t>& owing, TimeNs now_ns);
 
@@ -89,8 +87,8 @@ class Lockstep {
   const LeverInput* levers_;
   double timeout_s_;
   Ways ways_;
-  bool met_ = false;  ///< somebody has been there, or the first wait is over
-  /// For each machine that is not waited for, the time to which no answer came.
+  bool met_ = false;  ///< a publisher has appeared, or the first wait is over
+  /// Time without an answer, for each machine that is not awaited.
   std::vector<std::optional<TimeNs>> given_up_ns_;
   RealTime real_time_;
   std::int64_t timeouts_ = 0;

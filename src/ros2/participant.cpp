@@ -14,7 +14,7 @@ namespace {
 
 using Qos = std::unique_ptr<dds_qos_t, decltype(&dds_delete_qos)>;
 
-/// What all topics of ROS 2 share: CDR of the first version, and no waiting in a write.
+/// Common settings of all ROS 2 topics: CDR version 1, non-blocking writes.
 Qos MakeQos(dds_reliability_kind_t reliability, dds_durability_kind_t durability, int depth) {
   Qos qos(dds_create_qos(), &dds_delete_qos);
   const dds_data_representation_id_t cdr = DDS_DATA_REPRESENTATION_XCDR1;
@@ -46,10 +46,10 @@ Qos QosOf(Delivery delivery) {
 
 constexpr int kLeverDepth = 10;
 
-/// Cyclone's settings, those of CYCLONEDDS_URI over ours. A writer's history is bounded by its
-/// depth alone: a reader that does not acknowledge keeps nothing from the others. The loopback
-/// interface hardly ever says that it can multicast, though it can: participants of this host find
-/// each other by it, and by asking at one port after the other.
+/// Cyclone settings; CYCLONEDDS_URI overrides them. A writer's depth alone bounds its history, so a
+/// reader without acknowledgements delays no other reader. The loopback interface seldom announces
+/// its multicast capability. Participants of this host therefore find each other by multicast and
+/// by successive ports.
 std::string Settings(bool this_host_only) {
   std::string settings =
       "<Internal><Watermarks><WhcHigh>1GB</WhcHigh><WhcHighInit>1GB</WhcHighInit></Watermarks>"
@@ -79,7 +79,7 @@ struct Participant::Impl {
   std::vector<dds_entity_t> readers;
   std::int64_t published = 0, dropped = 0;
 
-  /// Deletes what is in it as well.
+  /// Also deletes the contained entities.
   ~Impl() {
     if (participant > 0) dds_delete(participant);
     if (domain > 0) dds_delete(domain);

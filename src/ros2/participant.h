@@ -9,23 +9,23 @@
 
 namespace tera::ros {
 
-/// How a topic is delivered: ROS 2's quality of service for it.
+/// ROS 2 quality of service of a topic.
 enum class Delivery {
-  kSensorData,  ///< best effort, the last 5: what sensor drivers offer
-  kLarge,       ///< reliable, the last 2: pictures and scans, of which one lost part loses all
+  kSensorData,  ///< best effort, the last 5: usual for sensor drivers
+  kLarge,       ///< reliable, the last 2: images and scans, which lose all data with one lost part
   kState,       ///< reliable, the last 10: ROS 2's default
   kTransforms,  ///< reliable, the last 100: /tf
-  kLatched,     ///< reliable, the last one, also to who comes later: /tf_static
-  kClock        ///< best effort, the last one
+  kLatched,     ///< reliable, the last message, also to late subscribers: /tf_static
+  kClock        ///< best effort, the last message
 };
 
-/// One participant of a DDS domain as ROS 2 sees it: topics under `rt/`, ROS's type names, plain
-/// CDR. None of its calls waits for another participant but WaitForLevers, which has its own limit.
+/// A participant of a DDS domain, compatible with ROS 2: topics under `rt/`, ROS type names, plain
+/// CDR. Only WaitForLevers waits for other participants, with its own limit.
 ///
-/// Model   A reliable writer keeps the last messages of its depth and gives up older ones, whether
-///         they have been received or not.
-/// Omits   ROS's own discovery topic, so that its tools show the topics without a node's name;
-///         parameters, services, actions.
+/// Model   a reliable writer keeps as many messages as its depth. It drops older messages, received
+///         or not.
+/// Omits   ROS's discovery topic, so ROS tools show the topics without a node name; parameters,
+///         services, actions.
 /// Source  ROS 2 design article "Topic and service name mapping to DDS"; rmw_cyclonedds.
 class Participant {
  public:
@@ -35,33 +35,33 @@ class Participant {
   };
   static constexpr int kLargestDomainId = 232;
 
-  /// Reads CYCLONEDDS_URI over its own settings. Throws InputError where DDS cannot start: no such
-  /// network interface, a bad CYCLONEDDS_URI.
+  /// CYCLONEDDS_URI overrides its settings. Throws InputError if DDS cannot start, for example
+  /// without the network interface or with a bad CYCLONEDDS_URI.
   explicit Participant(const Options& options);
   ~Participant();
   Participant(const Participant&) = delete;
   Participant& operator=(const Participant&) = delete;
 
   using WriterId = int;
-  /// `topic` as ROS writes it, "/excavator1/odom".
+  /// `topic` in ROS form, "/excavator1/odom".
   template <typename M>
   WriterId Advertise(const std::string& topic, Delivery delivery) {
     return Advertise(topic, Message(M{}).index(), delivery);
   }
-  /// `message` must be of the type that the topic was advertised with. One that cannot be handed
-  /// over at once is dropped and counted.
+  /// `message` must have the advertised type. A message that cannot be passed on at once is dropped
+  /// and counted.
   void Publish(WriterId writer, const Message& message);
-  /// Whether anybody has asked for the topic.
+  /// True if the topic has a subscriber.
   bool HasReaders(WriterId writer) const;
 
   using ReaderId = int;
-  /// Best effort, so that publishers of any reliability fit.
+  /// Best effort, which matches publishers of any reliability.
   ReaderId SubscribeToLevers(const std::string& topic);
-  /// Whether anybody publishes to it.
+  /// True if the topic has a publisher.
   bool HasLeverWriters(ReaderId reader) const;
-  /// What has come since the last call, oldest first, at most the last 10.
+  /// Messages since the last call, oldest first, at most the last 10.
   std::vector<DeltaCan> TakeLevers(ReaderId reader);
-  /// Waits until lever messages of any reader are waiting. False after `timeout_s`.
+  /// Waits until any reader has lever messages. Returns false after `timeout_s`.
   bool WaitForLevers(double timeout_s);
 
   std::int64_t published() const;

@@ -12,21 +12,20 @@
 
 namespace tera::ros {
 
-/// What the sensors of a run measure, as ROS topics below each machine's name.
+/// Publishes the sensors' measurements as ROS topics below each machine's name.
 ///
-/// Model   a message goes out in the step in which its measurement becomes available (t_available);
-///         its stamp is the time at which it was valid. Pictures and scans that nobody has asked
-///         for are neither measured nor sent.
-///         A sensor whose samples are rows, of a kind without a message of its own, is a
+/// Model   a message is sent in the step in which its measurement becomes available (t_available).
+///         Its stamp is the measurement's time of validity. Images and scans without a subscriber
+///         are neither measured nor sent. A row sensor kind without its own message type uses a
 ///         JointState of its columns (JointStateOfRow).
-/// Omits   tables and poses of the truth: StatePublisher has what ROS knows of them.
+/// Omits   truth tables and poses: StatePublisher covers them as far as ROS has messages.
 class SamplePublisher : public MeasurementSink {
  public:
-  /// Copies what it needs of `scenario`, whose names must be ROS's (RequireRosNames). The
-  /// participant must outlive it.
+  /// Copies the required parts of `scenario`, whose names must be valid in ROS (RequireRosNames).
+  /// The participant must outlive this object.
   SamplePublisher(const Scenario& scenario, Participant* participant);
 
-  /// Sends what has become available by `now_ns`.
+  /// Sends the messages available by `now_ns`.
   void PublishDue(TimeNs now_ns);
 
   ChannelId AddChannel(const ChannelInfo& info) override;
@@ -36,12 +35,12 @@ class SamplePublisher : public MeasurementSink {
   void MarkPresent(ChannelId channel, TimeNs t_ns) override;
 
  private:
-  /// Topics of one sensor, by what they carry ("image", "camera_info"); none for a table.
+  /// Topics of one sensor by content ("image", "camera_info"); empty for a table.
   struct Channel {
     SensorDescription sensor;
     std::string machine, frame_id;
     std::map<std::string, Participant::WriterId> topics;
-    /// For a sensor whose samples are rows, the topic and the message of a row.
+    /// Topic and message of a row, for a row sensor.
     std::string row_topic;
     std::function<Message(const RowSample&)> row_message;
   };
@@ -54,14 +53,14 @@ class SamplePublisher : public MeasurementSink {
   void AddTopic(const std::string& below, Delivery delivery, Channel* channel);
   template <typename M, typename MessageOf>
   void AddRowTopic(const std::string& below, const MessageOf& message_of, Channel* channel);
-  // How the topics of one type of channel are added; those of any other type of rows are the last.
+  // Topic setup for each channel type; AddRows serves all other row types.
   void AddImu(const ChannelInfo& info, Channel* channel);
   void AddGnss(const ChannelInfo& info, Channel* channel);
   void AddCamera(const ChannelInfo& info, Channel* channel);
   void AddLidar(const ChannelInfo& info, Channel* channel);
   void AddRows(const ChannelInfo& info, Channel* channel);
 
-  /// Sends `make()` at `at_ns` where somebody listens to the channel's topic.
+  /// Sends `make()` at `at_ns` if the channel's topic has a subscriber.
   template <typename Make>
   void Send(const Channel& channel, const std::string& topic, TimeNs at_ns, const Make& make);
   void Write(const Channel& channel, const RowSample& row);
@@ -71,7 +70,7 @@ class SamplePublisher : public MeasurementSink {
   Participant* participant_;
   std::map<std::string, SensorDescription> sensors_;  ///< by folder
   std::vector<Channel> channels_;
-  std::multimap<TimeNs, Outgoing> outgoing_;  ///< by the time at which they become available
+  std::multimap<TimeNs, Outgoing> outgoing_;  ///< by time of availability
 };
 
 }  // namespace tera::ros

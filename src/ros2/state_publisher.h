@@ -9,17 +9,17 @@
 
 namespace tera::ros {
 
-/// The time, and what every machine truly does: /clock, /tf, /tf_static, and below each machine
-/// odom, joint_states, cylinders where it has any, and ee_pose and bucket_mass where it has a
-/// shovel that carries.
+/// Publishes time and true machine states: /clock, /tf, /tf_static. Below each machine it publishes
+/// odom, joint_states, cylinders if present, and ee_pose and bucket_mass for a shovel that carries
+/// soil.
 class StatePublisher {
  public:
-  /// Sends /tf_static at once. Keeps references to all but `start`.
+  /// Sends /tf_static at once. Keeps references to all arguments except `start`.
   StatePublisher(const Scenario& scenario, const WorldState& start, Participant* participant);
 
-  /// Everything of one moment, /clock last: who sees it has been sent the rest.
+  /// Publishes one instant, /clock last, so that its receivers already have the other messages.
   void Publish(const WorldState& state);
-  /// /clock alone, once more.
+  /// Repeats /clock alone.
   void RepeatClock();
 
  private:
@@ -32,7 +32,7 @@ class StatePublisher {
   const Scenario& scenario_;
   Participant* participant_;
   Participant::WriterId clock_, tf_;
-  std::vector<Topics> topics_;  ///< of each machine
+  std::vector<Topics> topics_;  ///< one per machine
   TimeNs now_ns_ = 0;
 };
 

@@ -26,7 +26,7 @@ class FieldReader {
     is_whole_ = bytes.size() >= kEncodingBytes && bytes[0] == 0 && (bytes[1] & ~1) == 0;
     is_swapped_ = is_whole_ && bytes[1] == 0;
   }
-  /// All that was asked for was there.
+  /// True if all requested fields were present.
   bool is_whole() const { return is_whole_; }
 
   template <typename T>
@@ -78,7 +78,7 @@ class FieldReader {
   void Fail() { is_whole_ = false; }
 
   std::string_view bytes_;
-  std::size_t at_ = 0;  ///< behind the bytes that name the encoding
+  std::size_t at_ = 0;  ///< offset after the encoding header
   bool is_whole_, is_swapped_;
 };
 
@@ -95,17 +95,17 @@ std::string WireTypeName(std::string_view type) {
   return fmt::format("{}::msg::dds_::{}_", type.substr(0, slash), type.substr(slash + 1));
 }
 
-/// A message that is written: its bytes go over to Cyclone.
+/// A message to write; Cyclone takes over its bytes.
 struct Sample {
   mutable std::string bytes;
 };
 
-/// A message as Cyclone keeps it, or the key of one: no type has one.
+/// A message in Cyclone's form, or the key of a message; no type has a key.
 struct WireData : ddsi_serdata {
   WireData(const ddsi_sertype* type, ddsi_serdata_kind kind, std::string message = {})
       : ddsi_serdata{}, bytes(std::move(message)) {
     ddsi_serdata_init(this, type, kind);
-    // DDSI sends multiples of four bytes; the fourth byte of the encoding counts what was added.
+    // DDSI sends multiples of four bytes; the fourth byte of the encoding counts the padding.
     const std::size_t padding = (4 - bytes.size() % 4) % 4;
     if (padding == 0) return;
     bytes.append(padding, '\0');
@@ -118,12 +118,12 @@ const std::string& BytesOf(const ddsi_serdata* data) {
   return static_cast<const WireData*>(data)->bytes;
 }
 
-/// The data of received bytes; null if they are no message.
+/// Data of received bytes; null for an invalid message.
 ddsi_serdata* Received(const ddsi_sertype* type, ddsi_serdata_kind kind, std::string bytes) {
   static const std::string levers = WireTypeName(DeltaCan::kType);
   if (kind == SDK_DATA && type->type_name == levers && !LeversOf(bytes)) return nullptr;
   auto* data = new WireData(type, kind);
-  data->bytes = std::move(bytes);  // padding and all
+  data->bytes = std::move(bytes);  // including padding
   return data;
 }
 
@@ -195,7 +195,7 @@ constexpr ddsi_serdata_ops kDataOps = {
 #endif
 };
 
-/// Messages are written from Sample and taken as bytes, so that Cyclone never makes one.
+/// Cyclone writes messages from Sample and reads them as bytes, so it never constructs a message.
 constexpr ddsi_sertype_ops kTypeOps = {
     .version = ddsi_sertype_v0,
     .arg = nullptr,
@@ -254,7 +254,7 @@ dds_return_t TakeFromWire(dds_entity_t reader, int most, std::vector<DeltaCan>* 
   const dds_return_t count = dds_takecdr(reader, data.data(), static_cast<std::uint32_t>(most),
                                          infos.data(), DDS_ANY_STATE);
   for (int i = 0; i < count; ++i) {
-    // One without data only says that a publisher has come or gone.
+    // A sample without data only reports a publisher's arrival or departure.
     if (infos[i].valid_data) messages->push_back(*LeversOf(BytesOf(data[i])));
     ddsi_serdata_unref(data[i]);
   }

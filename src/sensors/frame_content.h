@@ -3,20 +3,20 @@
 #include "core/types/label_channels.h"
 #include "render/gl/camera_intrinsics.h"
 
-/// What the pictures or scans of a sensor hold, for whoever announces or reads them.
+/// Content of a sensor's images or scans, for writers and readers.
 
 namespace tera {
 
-/// Of a sensor that takes pictures, all on one pixel grid.
+/// Content of an imaging sensor; all images share one pixel grid.
 struct PictureContent {
   CameraIntrinsics intrinsics;
   bool rgb = true;
   bool depth = false;
-  LabelSet labels = UsualLabels();  ///< with boxes where instance is among them
+  LabelSet labels = UsualLabels();  ///< with boxes if it includes instance
   double depth_min_m = 0.1, depth_max_m = 20.0;
 };
 
-/// Of a sensor that scans: rays of one scan, each of which has a point at most.
+/// Content of a scanning sensor: rays per scan, each with at most one point.
 struct ScanContent {
   int rings = 0, columns = 0;
 };

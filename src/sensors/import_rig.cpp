@@ -18,14 +18,14 @@
 namespace tera {
 namespace {
 
-/// A type of the form; rates are for what the form leaves open: those of the paper's set-up where
+/// A sensor type of the paper's format. Rates fill gaps of the format with the paper's set-up where
 /// it names one.
 struct ForeignType {
   std::string name;
-  std::string head;    ///< of the sensor's item: its preset or type
-  double rate_hz = 0;  ///< 0: as the preset has it
-  enum class Mean { kNone, kConstant, kRangeBias } mean = Mean::kNone;  ///< what a mean becomes
-  std::string (*noise)(double mean, double std) = nullptr;  ///< null: as the preset has it
+  std::string head;    ///< preset or type line of the sensor's item
+  double rate_hz = 0;  ///< 0: rate of the preset
+  enum class Mean { kNone, kConstant, kRangeBias } mean = Mean::kNone;  ///< conversion of a mean
+  std::string (*noise)(double mean, double std) = nullptr;  ///< null: noise of the preset
 };
 
 std::string Thrice(double value) { return fmt::format("[{0}, {0}, {0}]", value); }
@@ -56,8 +56,8 @@ std::string Capitals(std::string_view name) {
   return capitals;
 }
 
-/// The types of the paper, and every other kind of sensor on a link whose samples are rows, by its
-/// own name, as its preset of that name has it.
+/// The paper's types, and every other link-mounted sensor kind with row samples. The latter use the
+/// preset of their own name.
 std::vector<ForeignType> ForeignTypes() {
   using Mean = ForeignType::Mean;
   const std::string presets = "preset: tera:config/sensors/";
@@ -96,8 +96,8 @@ Vec3 FromUnity(const Vec3& v) { return {v.z(), -v.x(), v.y()}; }
 
 Mat3 RotationFromUnityEuler(const Vec3& deg) {
   const Vec3 rad = deg * kDeg;
-  // A left-handed turn by an angle has the same matrix in left-handed axes as a right-handed one
-  // in right-handed axes.
+  // A left-handed rotation in left-handed axes has the same matrix as a right-handed rotation in
+  // right-handed axes.
   const Mat3 R =
       (Eigen::AngleAxisd(rad.y(), Vec3::UnitY()) * Eigen::AngleAxisd(rad.x(), Vec3::UnitX()) *
        Eigen::AngleAxisd(rad.z(), Vec3::UnitZ()))
@@ -115,7 +115,7 @@ struct ForeignSensor {
   Pose X_BS = Pose::Identity();
 };
 
-/// Letters, digits, '_' and '-' of the last part of `topic`.
+/// Last part of `topic`, with other characters than letters, digits, '_' and '-' replaced by '_'.
 std::string NameFrom(const std::string& topic) {
   std::string name = topic.substr(topic.find_last_of('/') + 1);
   for (char& c : name) {
@@ -124,7 +124,7 @@ std::string NameFrom(const std::string& topic) {
   return name;
 }
 
-/// The IMU where the type is not known, which is a fault.
+/// Type of the sensor. An unknown type is a fault and returns the IMU.
 const ForeignType* ReadType(const ConfigMap& config) {
   std::vector<std::string> names;
   const std::string type = config.Text("type");
@@ -138,7 +138,7 @@ const ForeignType* ReadType(const ConfigMap& config) {
   return &Types().front();
 }
 
-/// Three numbers, as [x, y, z] or {x, y, z}; zero where the key is absent.
+/// Three numbers, as [x, y, z] or {x, y, z}; zero if the key is absent.
 Vec3 ReadUnityVector(const ConfigMap& config, std::string_view key, const std::string& unit) {
   if (!config.Has(key) || config.IsList(key)) return config.Vector3(key, Any(unit), Vec3::Zero());
   const ConfigMap map = config.Map(key);
@@ -152,7 +152,7 @@ Pose ReadUnityPose(const ConfigMap& config) {
                   RotationFromUnityEuler(ReadUnityVector(config, "rotation", "deg")));
 }
 
-/// `noise`, as [mean, std] or {mean, std_dev}.
+/// Reads `noise`, as [mean, std] or {mean, std_dev}.
 void ReadNoise(const ConfigMap& config, ForeignSensor* s) {
   if (config.IsList("noise")) {
     const std::vector<double> noise = config.Numbers("noise", Any(""), 2, 2);
@@ -190,7 +190,7 @@ ForeignSensor ReadForeignSensor(const ConfigMap& config) {
   return s;
 }
 
-/// An item of a list of sensors, each line after `indent`.
+/// Item of a sensor list; each line starts with `indent`.
 std::string SensorItem(const ForeignSensor& s, const std::string& indent) {
   const Vec3 p = s.X_BS.translation();
   const Vec3 rpy_deg = RpyFromRotation(s.X_BS.linear()) / kDeg;
@@ -214,7 +214,7 @@ struct ForeignMachine {
   std::vector<ForeignSensor> sensors;
 };
 
-/// `name`: the key of a machine that stands in a mapping, else empty.
+/// `name` is the key of a machine in a mapping; otherwise empty.
 ForeignMachine ReadForeignMachine(const std::string& name, const ConfigMap& config) {
   ForeignMachine machine;
   machine.id = name.empty() ? config.Text("id") : config.Text("id", name);
@@ -238,7 +238,7 @@ ForeignMachine ReadForeignMachine(const std::string& name, const ConfigMap& conf
 
 constexpr std::string_view kMachineKeys[] = {"Excavator", "machines"};
 
-/// The machines of the first of the keys that is there: a list of them, or a mapping by their ids.
+/// Machines of the first present key, as a list or as a mapping by id.
 std::vector<ForeignMachine> ReadForeignMachines(const ConfigMap& root) {
   std::vector<ForeignMachine> machines;
   const auto take = [&](const std::string& name, const ConfigMap& map) {
@@ -267,7 +267,7 @@ std::vector<ForeignMachine> ReadForeignMachines(const ConfigMap& root) {
   return machines;
 }
 
-/// Effects of a machine's sensors in a scenario, which a rig cannot hold; empty without any.
+/// Sensor effects of a machine, which belong to a scenario and not to a rig; empty without effects.
 std::string EffectsOf(const ForeignMachine& machine) {
   std::string text;
   for (const ForeignSensor& s : machine.sensors) {
@@ -278,10 +278,10 @@ std::string EffectsOf(const ForeignMachine& machine) {
   return text.empty() ? text : fmt::format("{}: {{{}}}", machine.id, text);
 }
 
-/// Without the rounding of turns there and back, and without a zero's minus sign.
+/// Removes rounding noise of rotations, and the sign of zero.
 double Tidy(double value) { return std::round(1e9 * value) / 1e9 + 0.0; }
 
-/// Where the machine starts in a scenario, and what of its pose that leaves to the ground.
+/// Start of a machine in a scenario, with a note on pose components that the ground determines.
 std::string StartOf(const ForeignMachine& machine) {
   const Vec3 p_m = machine.X_WB.translation().unaryExpr(&Tidy);
   const Vec3 rpy_deg = (RpyFromRotation(machine.X_WB.linear()) / kDeg).unaryExpr(&Tidy);

@@ -8,39 +8,38 @@
 #include "core/time.h"
 #include "core/types/measurement.h"
 
-/// How a kind of sensor that measures ranges is compared with a scene: what its rays are, and which
-/// points a measurement has.
+/// Comparison of a ranging sensor with a scene: its rays, and the points of a measurement.
 
 namespace tera {
 
 struct SensorDescription;
 
-/// One measured return, in the sensor's frame S at its own time.
+/// One measured return, in the sensor frame S at its own time.
 struct RangePoint {
   Vec3 p_S_m = Vec3::Zero();
-  TimeNs since_ns = 0;  ///< after the scan's t_ns
-  double sigma_m = 0;   ///< of its noise along the ray, as the sensor's model has it
+  TimeNs since_ns = 0;  ///< relative to the scan's t_ns
+  double sigma_m = 0;   ///< modelled noise along the ray
 };
 
 struct RangeScan {
-  TimeNs t_ns = 0;  ///< as written on it
+  TimeNs t_ns = 0;  ///< recorded time stamp
   std::vector<RangePoint> points;
 };
 
-/// A scan of a recording, or why it cannot be compared with the scenario's sensor.
+/// A recorded scan, or the obstacle to its comparison with the scenario's sensor.
 struct LoadedScan {
   RangeScan scan;
-  std::string obstacle;  ///< empty where there is none
+  std::string obstacle;  ///< reason; empty if comparable
 };
 
-/// What a sensor that measures ranges says of itself.
+/// Ranging properties of a sensor.
 struct Ranging {
   double min_range_m = 0, max_range_m = 0;
-  bool is_planar = false;  ///< it reports x of a point in S, not its distance
-  TimeNs span_ns = 0;      ///< of the rays of one measurement; 0: all at one instant
-  int scene_poses = 1;     ///< instants of the span at which the bodies of a scene are posed
-  /// The points of a measurement in S as documented, some `most` of them. Noise is that of the
-  /// sensor's model.
+  bool is_planar = false;  ///< reports x of a point in S instead of its distance
+  TimeNs span_ns = 0;      ///< duration of one measurement's rays; 0: simultaneous
+  int scene_poses = 1;     ///< number of body poses over the duration
+  /// Points of a measurement in the documented S, about `most` of them. The sensor's model supplies
+  /// the noise.
   LoadedScan (*points)(const SensorDescription& sensor, const Measurement& recorded,
                        std::size_t most) = nullptr;
 };

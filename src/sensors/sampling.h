@@ -12,7 +12,7 @@
 #include "physics/description/machine.h"
 #include "render/scene.h"
 
-/// How sensors at work are driven: step by step of the physics, each at its own times.
+/// Drives active sensors through the physics steps, each at its own sample times.
 
 namespace tera {
 
@@ -21,45 +21,45 @@ class SiteFrame;
 class RasterizerPool;
 struct SensorDescription;
 
-/// What the air of a scene carries.
+/// Airborne matter of a scene.
 struct SensedAir {
-  const DustVolume* dust = nullptr;  ///< null: none
+  const DustVolume* dust = nullptr;  ///< null: no dust
   double rain_mmph = 0;
 };
 
-/// What a picture looks at beside poses, as it is at the end of a step.
+/// Inputs of an image other than poses, at the end of a step.
 struct KeptScene {
   std::shared_ptr<const TerrainSurface> ground;
   Shapes shapes;
-  std::shared_ptr<const DustVolume> dust;  ///< null: none
+  std::shared_ptr<const DustVolume> dust;  ///< null: no dust
 };
 
-/// The scene around a rig, for sensors that see it. It is that of the step which is being sampled.
+/// The scene around a rig during the sampled step, for exteroceptive sensors.
 class SensedScene {
  public:
   virtual ~SensedScene() = default;
   /// The ground at the end of the step.
   virtual const TerrainSurface& ground() const = 0;
-  /// What changes its shape, at the end of the step.
+  /// Deforming meshes at the end of the step.
   virtual Shapes ShapesNow() const = 0;
-  /// Poses X_WB of all bodies at the fraction `s` of the way through the step.
+  /// Poses X_WB of all bodies at fraction `s` of the step.
   virtual std::vector<Pose> BodiesBetween(double s) const = 0;
-  /// Poses X_WB of all bodies at a time, which may be as early as the oldest that a sampler needs
-  /// (SensorSampler::SceneNeededSince).
+  /// Poses X_WB of all bodies at a time. The oldest valid time is SensorSampler::SceneNeededSince.
   virtual std::vector<Pose> BodiesAt(TimeNs t_ns) const = 0;
   /// The air at the end of the step.
   virtual SensedAir air() const { return {}; }
-  /// What of it stays as it is for as long as it is held: where rasterizers work beside the run,
-  /// through later steps; else to the end of the step. To be let go by the thread that asked.
+  /// Scene data that stay constant while held. With concurrent rasterizers, the data remain valid
+  /// through later steps, otherwise until the end of the step. The requesting thread must release
+  /// them.
   virtual KeptScene Keep() const;
   virtual RasterizerPool* rasterizers() const = 0;
   virtual RayScene* ray_scene() const = 0;
-  /// Threads that rays may use; no measurement depends on it.
+  /// Threads for rays; measurements do not depend on this number.
   virtual int threads() const = 0;
 };
 
-/// What a sensor may sense of one step: its machine at both ends, and the scene. At the start of a
-/// run both ends are the same.
+/// One step as seen by a sensor: the machine at both ends, and the scene. At the start of a run
+/// both ends are equal.
 struct SensedStep {
   TimeNs t0_ns = 0, t1_ns = 0;
   const MachineState& before;
@@ -67,52 +67,53 @@ struct SensedStep {
   const SiteFrame& site;
   const SensedScene& scene;
 
-  /// How far `t_ns` lies between the ends, 0 to 1.
+  /// Position of `t_ns` between the ends, 0 to 1.
   double FractionAt(TimeNs t_ns) const;
   /// X_WB of a link of the machine at the fraction `s`.
   Pose LinkAt(int link, double s) const;
 };
 
-/// Where a sampler puts what it measures.
+/// Destination of a sampler's measurements.
 struct SensorOutput {
   MeasurementSink* sink;
   ChannelId channel;
 };
 
-/// What a sampler is made from. All but the strings must outlive it only while it is made.
+/// Construction parameters of a sampler. References need to outlive only the construction.
 struct SensorPlace {
   const SensorDescription& sensor;
   const std::vector<SensorDescription>& rig;  ///< all sensors of the machine
   const MachineModel& machine;
-  std::string folder;  ///< "excavator1/imu_boom", of its channel and its random streams
+  std::string folder;  ///< "excavator1/imu_boom", base of its channel and random streams
   std::uint64_t seed;
   SensorOutput output;
 };
 
-/// One sensor at work. Steps follow each other without a gap.
+/// One active sensor. Steps are contiguous.
 class SensorSampler {
  public:
   virtual ~SensorSampler() = default;
-  /// Measures what is due at the start of the run.
+  /// Measures the samples due at the start of the run.
   virtual void SampleStart(const SensedStep& step) { Sample(step); }
-  /// Measures what falls due in the step, its end included.
+  /// Measures the samples due in the step, including its end.
   virtual void Sample(const SensedStep& step) = 0;
-  /// Writes what only the step after the run's last one tells, in which nothing else is measured.
+  /// Writes samples that depend on the step after the run's last step. That step produces no other
+  /// measurements.
   virtual void Finish(const SensedStep&) {}
-  /// Whether it asks where bodies were before the step.
+  /// True if the sampler queries body poses from earlier steps.
   virtual bool LooksBack() const { return false; }
-  /// The oldest time at which the sensor will still ask where bodies were.
+  /// Oldest time at which the sampler may still query body poses.
   virtual TimeNs SceneNeededSince(TimeNs now_ns) const { return now_ns; }
 };
 
-/// A sensor that measures at instants.
+/// A sensor with instantaneous samples.
 class InstantSampler : public SensorSampler {
  public:
   explicit InstantSampler(const SampleClock& clock) : clock_(clock) {}
   void Sample(const SensedStep& step) final;
 
  protected:
-  /// Sample `k`, due at `t_ns` in the step.
+  /// Takes sample `k`, due at `t_ns` within the step.
   virtual void MeasureAt(std::int64_t k, TimeNs t_ns, const SensedStep& step) = 0;
   const SampleClock& clock() const { return clock_; }
 

@@ -13,10 +13,10 @@
 namespace tera {
 namespace {
 
-/// Beyond what any sensor of these kinds puts out, and far from a period of less than a nanosecond.
+/// Exceeds the rate of any real sensor; the period stays far above a nanosecond.
 constexpr double kFastest_hz = 1e5;
 
-/// The name of one of the kinds.
+/// Reads the name of a sensor kind.
 template <std::size_t... kinds>
 std::string ReadType(const ConfigMap& config, std::index_sequence<kinds...>) {
   return ChoiceOfKeys(config, "type", {kSensorKinds[kinds]->name...});

@@ -12,29 +12,29 @@
 #include "sensors/sensor_kind.h"
 #include "sensors/sensor_kinds.h"
 
-/// One sensor as the rig describes it: what it is, where it sits, when it samples.
+/// One sensor of a rig: kind, mounting, sample times and model.
 
 namespace tera {
 
 struct SensorDescription {
   std::string name;  ///< unique on its machine
-  std::string link;  ///< parent link's name; encoders have none
+  std::string link;  ///< parent link's name; empty for encoders
   Pose X_BS = Pose::Identity();
   SampleClock clock;
   TimeNs latency_ns = 0;         ///< t_available - t
-  double cost = 0, power_w = 0;  ///< for layouts; the cost in whatever currency its rig is in
+  double cost = 0, power_w = 0;  ///< for layouts; the cost has the rig's currency
   SensorModel model;
-  Effects effects;  ///< of the machine or the scenario; without them, as the model says
-  /// Effects of single axes of an encoder, by their names, over `effects`.
+  Effects effects;  ///< from the machine or the scenario; empty: ideal model
+  /// Effects of single encoder axes by name; they override `effects`.
   std::map<std::string, Effects> axis_effects;
 };
 
-/// The entry of its kind in the table.
+/// The sensor's kind in the table.
 inline const SensorKind& KindOf(const SensorDescription& sensor) {
   return *kSensorKinds[sensor.model.index()];
 }
 
-/// A kind's entries for a model that Serialize describes in whole.
+/// Reader and writer of a kind whose model Serialize describes completely.
 template <typename Model>
 void ReadModelOf(const ConfigMap& config, SensorDescription* sensor) {
   sensor->model = ReadModel<Model>(config);
@@ -47,29 +47,29 @@ std::string YamlOfModel(const SensorDescription& sensor) {
 /// "imu", "gnss", "camera", "lidar", "encoder" or another name in the table of kinds.
 std::string TypeOf(const SensorDescription& sensor);
 
-/// The true mounting of `sensor`, one of the `sensors` of a machine: its place as documented where
-/// it has no such effect. An antenna may be exchanged with the only other of its machine.
+/// True mounting of `sensor`, one of the `sensors` of a machine; without a geometric effect, the
+/// documented mounting. An antenna may swap with the machine's only other antenna.
 Mounting TrueMounting(const SensorDescription& sensor,
                       const std::vector<SensorDescription>& sensors);
 
-/// Reads one item of a machine's `sensors:` list: name, link, xyz_m, rpy_deg, and the model's keys,
-/// most of which a `preset:` file supplies. Faults go to `config`.
+/// Reads one item of a machine's `sensors:` list: name, link, xyz_m, rpy_deg and the model's keys.
+/// A `preset:` file supplies most keys. `config` receives the faults.
 SensorDescription ReadSensor(const ConfigMap& config);
 
-/// The sensor as YAML for its folder's sensor.yaml: type, parent link, X_parent_sensor (row-major
-/// 4x4 and xyz + quaternion), rate, model parameters.
+/// Sensor as YAML for its folder's sensor.yaml: type, parent link, X_parent_sensor (row-major 4x4
+/// and xyz + quaternion), rate, model parameters.
 std::string SensorYaml(const SensorDescription& sensor);
 
-/// What its pictures hold; null where it takes none.
+/// Content of its images; null for a sensor without images.
 const PictureContent* PicturesOf(const SensorDescription& sensor);
 
-/// How it measures ranges; nothing where it does not.
+/// Ranging properties; nullopt for a sensor without ranges.
 std::optional<Ranging> RangingOf(const SensorDescription& sensor);
 
-/// What it could see if nothing stood in the way; nothing where it does not see.
+/// Unoccluded field of view; nullopt for a sensor without a view.
 std::optional<ViewField> ViewOf(const SensorDescription& sensor);
 
-/// The columns of its samples where they are rows, else none.
+/// Columns of its row samples; empty for other sample forms.
 std::vector<std::string> ColumnsOf(const SensorDescription& sensor, const MachineModel& machine);
 
 }  // namespace tera

@@ -21,7 +21,7 @@ namespace tera {
 
 struct SensorDescription;
 
-/// Where a sensor truly sits, slot `sensor_geometry`.
+/// True mounting of a sensor, slot `sensor_geometry`.
 struct Mounting {
   std::string link;
   Pose X_BT = Pose::Identity();
@@ -30,49 +30,49 @@ struct Mounting {
 /// All sensors of one machine.
 using SensorList = std::vector<SensorDescription>;
 
-/// Everything that TERA knows about one kind of sensor. The rig, the reading of scenarios and of
-/// effects, re-simulation, `tera serve` and `tera ros2` walk the table of kinds (sensor_kinds.h)
-/// and know of none.
+/// Complete definition of one sensor kind. All sensor-independent code iterates over the table of
+/// kinds (sensor_kinds.h): rigs, readers of scenarios and effects, re-simulation, `tera serve` and
+/// `tera ros2`.
 ///
-/// Pointers that may be null say so; without them the kind has nothing of that sort.
+/// A null function pointer, where allowed, means that the kind lacks this feature.
 struct SensorKind {
   std::string_view name;  ///< `type:` in YAML, and of its channel: "imu"
-  EffectTarget target;    ///< of its effects
+  EffectTarget target;    ///< target of its effects
   ChannelForm form = ChannelForm::kRows;
-  bool on_link = true;    ///< sits on a link at X_BS
-  double slowest_hz = 0;  ///< least `rate_hz`; 0: any above it
+  bool on_link = true;    ///< mounted on a link at X_BS
+  double slowest_hz = 0;  ///< lower bound of `rate_hz`; 0: any positive rate
 
-  /// Reads the model's keys into a description whose place and clock are read.
+  /// Reads the model's keys; mounting and clock of the description are already set.
   void (*read)(const ConfigMap& config, SensorDescription* sensor);
-  /// The model's keys as YAML, two blanks before each.
+  /// The model's keys as YAML, indented by two blanks.
   std::string (*model_yaml)(const SensorDescription& sensor);
-  /// Columns of a kind whose samples are rows, units at their ends. May be null.
+  /// Column names with units, for a kind with row samples. May be null.
   std::vector<std::string> (*columns)(const SensorDescription& sensor,
                                       const MachineModel& machine) = nullptr;
-  /// Of a kind that takes pictures: what they hold. May be null.
+  /// Image content, for an imaging kind. May be null.
   const PictureContent* (*pictures)(const SensorDescription& sensor) = nullptr;
-  /// Of a kind that scans: what a scan holds. May be null.
+  /// Scan content, for a scanning kind. May be null.
   ScanContent (*scans)(const SensorDescription& sensor) = nullptr;
-  /// Of a kind that may measure ranges: how, or nothing where this sensor does not. May be null.
+  /// Ranging properties, or nullopt for a sensor of this kind without ranges. May be null.
   std::optional<Ranging> (*ranging)(const SensorDescription& sensor) = nullptr;
-  /// Of a kind that sees: what it could see. May be null.
+  /// Unoccluded field of view. May be null.
   ViewField (*view)(const SensorDescription& sensor) = nullptr;
   std::unique_ptr<SensorSampler> (*sampler)(const SensorPlace& place);
 
-  /// Mechanisms beside those of every kind (sensor_mechanisms.h). May be null.
+  /// Mechanisms in addition to the common ones (sensor_mechanisms.h). May be null.
   std::vector<Mechanism> (*mechanisms)() = nullptr;
-  /// Reports effects that would change nothing of what the sensor measures. `effects` is the
-  /// machine's mapping of targets. May be null.
+  /// Reports effects without influence on the sensor's measurements. `effects` is the machine's
+  /// mapping of targets. May be null.
   void (*check_effects)(const ConfigMap& effects, const MachineModel& machine,
                         const SensorDescription& sensor, const SensorList& rig) = nullptr;
-  /// Where it sits by its effects, if TrueMount does not say it all. May be null.
+  /// True mounting by its effects, if TrueMount does not suffice. May be null.
   Mounting (*true_mounting)(const SensorDescription& sensor, const SensorList& rig) = nullptr;
 
-  /// Axes that have effects of their own beside the sensor's, as `axis_target`. May be null.
+  /// Axes with their own effects, with target `axis_target`. May be null.
   std::vector<EncoderAxis> (*axes)(const SensorDescription& sensor,
                                    const MachineModel& machine) = nullptr;
   EffectTarget axis_target;
-  /// Reports names in the sensor's keys that the machine does not have. May be null.
+  /// Reports names in the sensor's keys that are absent from the machine. May be null.
   void (*check_names)(const ConfigMap& config, const SensorDescription& sensor,
                       const MachineModel& machine) = nullptr;
 };

@@ -11,9 +11,8 @@
 #include "sensors/lidar/lidar.h"
 #include "sensors/sensor_kind.h"
 
-// The shelf: every kind of sensor there is. Each has a folder of its own; here stand its model
-// among the alternatives and, at the same place, its entry in the table (docs/extending.md, "Add a
-// sensor").
+// All sensor kinds. Each kind has its own folder. Its model is an alternative of SensorModel, at
+// the same position as its entry in the table (docs/extending.md, "Add a sensor").
 
 namespace tera {
 

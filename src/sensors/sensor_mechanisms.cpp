@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// Targets: the kinds with one of these forms.
+/// Targets of all sensor kinds with one of these forms.
 std::vector<EffectTarget> TargetsOf(const std::vector<ChannelForm>& forms) {
   std::vector<EffectTarget> targets;
   for (const SensorKind* kind : kSensorKinds) {
@@ -21,14 +21,14 @@ std::vector<EffectTarget> TargetsOf(const std::vector<ChannelForm>& forms) {
   return targets;
 }
 
-/// What all that sees has alike.
+/// Extrinsics error, common to cameras and lidars.
 Mechanism Extrinsic() {
   return {"extrinsic", Slot::kSensorGeometry,
           TargetsOf({ChannelForm::kPictures, ChannelForm::kScans}),
           Joined({ShiftParameters(), TurnParameters()})};
 }
 
-/// A sensor writes one time on each of its measurements, and rows can pass a filter.
+/// Timing errors: each measurement has one time stamp; row samples can pass a filter.
 std::vector<Mechanism> Timing() {
   using enum ChannelForm;
   using enum Slot;

@@ -7,13 +7,13 @@
 
 namespace tera {
 
-/// All mechanisms between a sensor's ideal measurement and what it reports: geometry, static
-/// errors, timing; of each kind its own, and those that several kinds share.
-/// docs/reference/mechanisms.md has the equation and the source of each.
+/// All mechanisms between a sensor's ideal measurement and its report: geometry, static errors and
+/// timing. The list includes kind-specific and common mechanisms. docs/reference/mechanisms.md
+/// gives equation and source of each.
 std::span<const Mechanism> SensorMechanisms();
 
-/// The mechanism of that id that acts on `target`, which must be there: several kinds of sensors
-/// have a "bias", each with numbers of its own.
+/// The existing mechanism `id` that acts on `target`. Several sensor kinds have a "bias" with
+/// different parameters.
 const Mechanism& SensorMechanism(std::string_view id, EffectTarget target);
 
 }  // namespace tera

@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-/// A quaternion is a rotation when its length is 1 to within what a sender rounds.
+/// Norm tolerance of a quaternion, which covers a sender's rounding.
 constexpr double kUnitTolerance = 1e-4;
 
 ControlMessage::ToolPose ToolPoseOf(const v1::ToolPose& pose) {

@@ -11,8 +11,8 @@ namespace tera {
 /// All levers at rest.
 ControlMessage Neutral(const MachineModel& model);
 
-/// What a step's actions ask of each machine, by the machine's index. Throws InputError for a
-/// machine that is not there or is named twice, and for what FaultOf finds.
+/// Commands of a step by machine index. Throws InputError for absent or repeated machines, and for
+/// faults that FaultOf finds.
 std::map<std::size_t, ControlMessage> CommandsOf(const v1::Step& step, const Scenario& scenario);
 
 }  // namespace tera

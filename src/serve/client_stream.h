@@ -11,26 +11,26 @@
 
 namespace tera {
 
-/// A client's call as a stream of byte buffers that one thread reads and writes, waiting for each.
-/// gRPC calls it from its own threads, owns it, and deletes it some time after End.
+/// A client's call as a stream of byte buffers, with blocking reads and writes from a single
+/// thread. gRPC calls it from its own threads, owns it, and deletes it after End.
 class ClientStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer> {
  public:
   enum class Heard {
     kMessage,
-    kEnd,      ///< the client closed its side, died, or sent what gRPC refuses
-    kSilence,  ///< nothing came in time; only End may follow
+    kEnd,      ///< the client closed its side or died, or gRPC rejected its data
+    kSilence,  ///< no message in time; only End may follow
     kStopped   ///< the server stops; only End may follow
   };
-  /// Waits for a message, without end unless `within` is given.
+  /// Waits for a message, indefinitely unless `within` is given.
   Heard Read(grpc::ByteBuffer* buffer, std::optional<std::chrono::milliseconds> within = {});
-  /// False where nobody is there to read.
+  /// Returns false without a reader.
   bool Write(const grpc::ByteBuffer& buffer);
-  /// Ends waiting for messages: the server stops. Any thread.
+  /// Stops waiting for messages, because the server stops. Any thread may call it.
   void Stop();
-  /// Ends the call; the last use of this.
+  /// Ends the call; no use of this object may follow.
   void End(const grpc::Status& status) { Finish(status); }
 
-  /// True once the call is of no use any more: the client died, or the server stops. Any thread.
+  /// True if the client died or the server stops. Any thread may call it.
   bool cancelled() const { return cancelled_; }
 
  private:
@@ -39,14 +39,14 @@ class ClientStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc
   void OnCancel() override { cancelled_ = true; }
   void OnDone() override { delete this; }
   void Done(bool ok);
-  /// For a read. False where none was done in time, or before the server stopped.
+  /// Waits for a read. Returns false after the time limit or a server stop.
   bool Wait(std::optional<std::chrono::milliseconds> within = {});
 
-  grpc::ByteBuffer incoming_;  ///< outlives a read that is left
+  grpc::ByteBuffer incoming_;  ///< outlives an abandoned read
   std::atomic<bool> cancelled_ = false;
   std::mutex mutex_;
   std::condition_variable changed_;
-  bool done_ = false, ok_ = false;  ///< of the read or write under way
+  bool done_ = false, ok_ = false;  ///< state of the current read or write
   bool stopped_ = false;
 };
 

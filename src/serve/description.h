@@ -5,7 +5,7 @@
 
 namespace tera {
 
-/// What a client is told of a scenario.
+/// Description of a scenario for a client.
 v1::Description Describe(const Scenario& scenario);
 
 }  // namespace tera

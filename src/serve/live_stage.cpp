@@ -23,12 +23,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A longer step is a mistyped one.
+/// Upper bound that detects a mistyped step.
 constexpr double kLongestStep_s = 3600;
-/// A command is given again after this much simulated time, well before it would lapse.
+/// Interval in simulated time at which a command is repeated, well below its timeout.
 constexpr double kRepeat_s = 0.5 * RemoteOperator::kTimeout_s;
 
-/// How many physics steps are asked for.
+/// Number of physics steps in a request.
 std::int64_t StepsOf(const v1::Step& step, double rate_hz) {
   double steps = step.physics_steps();
   if (step.has_duration_s()) {
@@ -48,7 +48,7 @@ std::int64_t StepsOf(const v1::Step& step, double rate_hz) {
   return static_cast<std::int64_t>(steps);
 }
 
-/// The first name of its kind that is free, after the last that is not.
+/// The episode folder after the highest existing number.
 fs::path NextEpisode(const fs::path& folder) {
   int last = 0;
   std::error_code none_there;
@@ -120,7 +120,7 @@ class LiveStage : public Stage {
  private:
   using Commands = std::map<std::size_t, ControlMessage>;
 
-  /// False where the session ended meanwhile.
+  /// Returns false if the session ends during the steps.
   bool Run(const Commands& commands, std::int64_t steps) {
     const auto repeat = std::max<std::int64_t>(
         1, static_cast<std::int64_t>(kRepeat_s * run_->scenario().physics_rate_hz));
@@ -162,9 +162,9 @@ class LiveStage : public Stage {
   const StageOptions options_;
   const Server::Log log_;
   const std::function<bool()> ended_;
-  std::unique_ptr<SampleKeeper> keeper_;  ///< outlives the run
+  std::unique_ptr<SampleKeeper> keeper_;  ///< must outlive the run
   std::unique_ptr<LiveRun> run_;
-  std::int64_t steps_ = 0;        ///< of physics, since the start
+  std::int64_t steps_ = 0;        ///< physics steps since the start
   std::set<std::size_t> driven_;  ///< machines that a step has named
 };
 

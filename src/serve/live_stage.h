@@ -11,21 +11,21 @@
 namespace tera {
 
 struct StageOptions {
-  int threads = 2;  ///< for rays and for encoding
+  int threads = 2;  ///< for rays and encoding
   EglOptions egl;
-  /// Folder in which each episode becomes a dataset, episode_0001 and so on, after those there.
+  /// Folder in which each episode becomes a dataset, episode_0001 and so on, numbered after
+  /// existing episodes.
   std::optional<std::filesystem::path> record;
 };
 
-/// What each session of `tera serve` acts on: episodes of a scenario, each a LiveRun of its own.
+/// Stages of `tera serve` sessions: episodes of a scenario, each with its own LiveRun.
 ///
-/// Model   An episode lasts from a Reset to the next or to the session's end, however it comes;
-///         its recording is then finished. An action holds for the whole of its step.
-/// Throws  InputError at once where the folder for recordings cannot be written to; later where the
-///         source does. `log` is told of a recording that cannot be finished
-///         after the session's end.
+/// Model   an episode lasts from a Reset to the next Reset or to the end of the session. Its
+///         recording is then completed in any case. An action holds for the whole of its step.
+/// Throws  InputError at once if the recording folder is not writable; later if the source throws.
 ///
-/// `scenario` is what `source` gives, to be described.
+/// `log` receives recordings that cannot be completed after the session's end. `scenario` is the
+/// source's scenario, for the description.
 Server::MakeStage LiveStages(const Scenario& scenario, ScenarioSource source,
                              const StageOptions& options, Server::Log log);
 

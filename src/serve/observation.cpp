@@ -15,11 +15,11 @@
 namespace tera {
 namespace {
 
-// Larger or finer is a mistyped number.
+// Limits that detect mistyped sizes.
 constexpr double kLargestPatch_m = 200.0;
 constexpr int kMostPatchVertices = 1024;
 
-/// The item of `items` whose `name_of` is `name`.
+/// Index of the item of `items` whose `name_of` equals `name`.
 template <typename Items, typename NameOf>
 std::size_t IndexOf(const Items& items, const NameOf& name_of, const std::string& name,
                     const std::string& what) {
@@ -62,7 +62,7 @@ PatchPlan PlanPatch(const v1::PatchSelection& patch, const Scenario& scenario) {
   return plan;
 }
 
-/// An upper bound of what one sample of the sensor takes in a message.
+/// Upper bound of one sample's size in a message.
 double SampleBytes(const SensorDescription& sensor, const MachineModel& machine) {
   constexpr double kSmall_bytes = 200;  // time stamps, tags
   constexpr double kPoint_bytes = 3 * 4 + 4 + 4 + 2 + 1 + 2;

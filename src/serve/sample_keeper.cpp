@@ -64,7 +64,7 @@ void PutRow(const RowSample& row, v1::SensorSamples* samples) {
   message.mutable_value()->Add(row.values.begin(), row.values.end());
 }
 
-/// Rows of the kinds that have a message of their own; all others go as rows.
+/// Row kinds with their own message type; all others use RowSample.
 using PutSample = void (*)(const RowSample&, v1::SensorSamples*);
 constexpr std::pair<std::string_view, PutSample> kOwnMessages[] = {
     {kImuChannel, PutImu}, {kGnssChannel, PutGnss}, {kEncoderChannel, PutEncoder}};
@@ -76,7 +76,7 @@ PutSample PutOf(std::string_view type) {
   return PutRow;
 }
 
-/// All pictures of a frame have one size.
+/// All images of a frame have one size.
 template <typename T>
 void PutPicture(const Image<T>& picture, std::string* bytes, v1::CameraFrame* message) {
   if (picture.empty()) return;

@@ -10,15 +10,15 @@
 
 namespace tera {
 
-/// Whether samples of a kind of rows have a message of their own; all others go as RowSample.
+/// True if samples of a kind of rows have their own message type; all others use RowSample.
 bool HasOwnMessage(std::string_view kind);
 
-/// Keeps the samples of the sensors that a client asked for, as messages, until they are taken.
+/// Collects the requested sensors' samples as messages.
 class SampleKeeper : public MeasurementSink {
  public:
-  /// From now on, over a step that ends at `end_ns`; what is kept already is forgotten.
+  /// Discards collected samples and collects those of a step that ends at `end_ns`.
   void Keep(const std::vector<SensorPlan>& sensors, TimeNs end_ns);
-  /// Hands over what was kept, in the order of `sensors`.
+  /// Moves the collected samples to `observation`, in the order of `sensors`.
   void Take(v1::Observation* observation);
 
   ChannelId AddChannel(const ChannelInfo& info) override;

@@ -10,19 +10,19 @@
 
 namespace tera {
 
-/// A scenario and the text that gives it again.
+/// A scenario and its reproducing text.
 struct SeededScenario {
   std::shared_ptr<const Scenario> scenario;
   std::string resolved_yaml;
 };
 
-/// The scenario with that seed or, without one, its own.
+/// Returns the scenario with the given seed, or with its own seed.
 using ScenarioSource = std::function<SeededScenario(std::optional<std::uint64_t> seed)>;
 
-/// The source of a scenario as its text `resolved_yaml` has it now, whatever becomes of its file;
-/// messages call it `name`. Episodes of its own seed share one scenario. Another seed makes another
-/// one, which is read from the text: its ground may have another relief. Throws InputError where
-/// the text is at fault.
+/// Source of the scenario in the text `resolved_yaml`, independent of later changes to its file.
+/// Messages call it `name`. Episodes with its own seed share one scenario. Another seed creates
+/// another scenario from the text, because its terrain may differ. Throws InputError for faulty
+/// text.
 ScenarioSource SourceOf(const std::string& resolved_yaml, const std::string& name);
 
 }  // namespace tera

@@ -19,18 +19,18 @@
 namespace tera {
 namespace {
 
-// A client whose machine or network vanished without a word is missed after the two together.
+// The server detects a vanished client or network after the sum of both times.
 constexpr int kAskAfter_ms = 30'000, kAnswerWithin_ms = 30'000;
 
 constexpr std::chrono::seconds kFarewell{2};
 
-/// One address and port as a URI wants it: IPv6 in brackets.
+/// Address and port as in a URI: IPv6 in brackets.
 std::string Endpoint(const std::string& address, int port) {
   const bool bare_ipv6 = address.find(':') != std::string::npos && !address.starts_with("[");
   return fmt::format(fmt::runtime(bare_ipv6 ? "[{}]:{}" : "{}:{}"), address, port);
 }
 
-/// Refuses a call before its first message.
+/// Rejects a call before its first message.
 class RefusedStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer> {
  public:
   explicit RefusedStream(const grpc::Status& status) { Finish(status); }
@@ -48,14 +48,14 @@ using Reactor = grpc::ServerBidiReactor<grpc::ByteBuffer, grpc::ByteBuffer>;
 
 }  // namespace
 
-/// Calls arrive on gRPC's threads, `thread_` serves them.
+/// gRPC's threads receive calls; `thread_` serves them.
 struct Server::Impl final : Service {
   Impl(const ServerOptions& options, MakeStage make, Log to)
       : name(options.name),
         hello_within(options.hello_within),
         make_stage(std::move(make)),
         log(std::move(to)) {
-    // What is wrong is said to the client or thrown, not printed by the libraries.
+    // Faults go to the client or into exceptions; the libraries print nothing.
     google::protobuf::SetLogHandler(nullptr);
     constexpr int kUnlessSet = 0;
     setenv("GRPC_VERBOSITY", "NONE", kUnlessSet);
@@ -63,7 +63,7 @@ struct Server::Impl final : Service {
     int port = 0;
     const std::string endpoint = Endpoint(options.address, options.port);
     builder.AddListeningPort(endpoint, grpc::InsecureServerCredentials(), &port);
-    // Two servers on one port would take turns with its clients.
+    // Disables port sharing, by which two servers would alternate between clients.
     builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);
     builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, kAskAfter_ms);
     builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, kAnswerWithin_ms);
@@ -88,7 +88,7 @@ struct Server::Impl final : Service {
       if (stream != nullptr) stream->Stop();
       changed.notify_all();
     }
-    // Who is being served is told; a client that does not read it is cancelled.
+    // Notifies the current client; cancels a client that does not read.
     grpc_server->Shutdown(std::chrono::system_clock::now() + kFarewell);
     thread.join();
     grpc_server->Wait();
@@ -122,12 +122,12 @@ struct Server::Impl final : Service {
       log(fmt::format("{}: session ended{}", who,
                       status.ok() ? "" : ": " + status.error_message()));
       lock.lock();
-      stream = nullptr;  // free for the next before this one's client can know of it
+      stream = nullptr;  // released first, so that the client's next call finds it free
       serving->End(status);
     }
   }
 
-  /// A session from its first message to its end, its stage included.
+  /// Serves a session from first message to end, including its stage.
   grpc::Status ServeWhole(ClientStream* serving) {
     try {
       const std::unique_ptr<Stage> stage = make_stage([=] { return serving->cancelled(); });
@@ -192,8 +192,8 @@ struct Server::Impl final : Service {
   std::mutex mutex;
   std::condition_variable changed;
   bool stopping = false;
-  ClientStream* stream = nullptr;  ///< being served, or about to be
-  std::string who;                 ///< its client
+  ClientStream* stream = nullptr;  ///< current or next stream
+  std::string who;                 ///< name of its client
   std::thread thread;
 };
 

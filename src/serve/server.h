@@ -10,34 +10,33 @@ namespace tera {
 class Stage;
 
 struct ServerOptions {
-  std::string address = "127.0.0.1";  ///< of the interface to listen on
+  std::string address = "127.0.0.1";  ///< address of the listening interface
   int port = 0;                       ///< 0: the system chooses
-  std::string name = "tera";          ///< of the server, with its version
-  /// A client that says nothing for so long loses its place.
+  std::string name = "tera";          ///< server name with version
+  /// Time limit for a client's first message.
   std::chrono::milliseconds hello_within = std::chrono::seconds(10);
 };
 
-/// Lets clients step a simulation over the network, one at a time, by the messages of
-/// proto/tera/v1/simulation.proto.
+/// Network server through which clients step a simulation, a single client at a time. The messages
+/// are in proto/tera/v1/simulation.proto.
 ///
-/// Model   one thread of its own serves one session after the other: each gets a stage of its own,
-///         which is gone before the session's end is told to its client. A client that comes
-///         meanwhile is refused at once. A client that dies ends its session, in the middle of a
-///         step too.
+/// Model   a separate thread serves the sessions in sequence. Each session has its own stage, which
+///         is destroyed before the client's end-of-session notice. A second concurrent client is
+///         refused at once. A client's death ends its session, even within a step.
 class Server {
  public:
-  /// Makes the stage of a session; `ended` says, from then on, that the session is over and a long
-  /// step may be left.
+  /// Creates the stage of a session. `ended` returns true when the session is over, so that a long
+  /// step may stop.
   using MakeStage = std::function<std::unique_ptr<Stage>(std::function<bool()> ended)>;
-  /// Told of each session that began or ended, as one line of text.
+  /// Receives one line of text per session start and end.
   using Log = std::function<void(const std::string&)>;
 
-  /// Listens. Throws InputError where it cannot.
+  /// Starts to listen. Throws InputError on failure.
   Server(const ServerOptions& options, MakeStage make_stage, Log log);
-  /// Ends a session under way and waits until it is over.
+  /// Ends a current session and waits for its end.
   ~Server();
 
-  /// "127.0.0.1:50051", as a client needs it.
+  /// "127.0.0.1:50051", the address for clients.
   const std::string& address() const;
 
  private:

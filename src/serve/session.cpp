@@ -16,8 +16,8 @@ namespace {
 using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 
-/// A field of `message`, or of a message within it, that this build has no name for, as a newer
-/// client sends: "field 9 of Action". Its request would be left undone without a word.
+/// A field of `message` or a nested message unknown to this build, as from a newer client: "field 9
+/// of Action". Ignoring it would silently drop part of the request.
 std::optional<std::string> UnknownField(const Message& message) {
   const google::protobuf::Reflection& reflection = *message.GetReflection();
   const auto& unknown = reflection.GetUnknownFields(message);
@@ -44,7 +44,7 @@ using grpc::StatusCode;
 
 Status MustNot(const std::string& finding) { return {StatusCode::FAILED_PRECONDITION, finding}; }
 
-/// Others are shown it, in logs and on terminals.
+/// The name appears in logs and on terminals.
 bool CanBeShown(const std::string& client) {
   return client.size() <= kLongestClientName &&
          std::all_of(client.begin(), client.end(), [](char c) { return c >= ' ' && c <= '~'; });

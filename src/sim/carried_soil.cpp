@@ -14,17 +14,17 @@
 namespace tera {
 namespace {
 
-constexpr int kCellsAcross = 36;     ///< of a shovel's width
-constexpr double kLeastLoad = 1e-4;  ///< of the capacity: less is dust on the shell
+constexpr int kCellsAcross = 36;     ///< across a shovel's width
+constexpr double kLeastLoad = 1e-4;  ///< share of the capacity; less is dust on the shell
 constexpr double kSkirt_m = 0.006;   ///< the skirt's distance from the shell
-constexpr double kRoughness = 0.95;  ///< of the material
-constexpr double kToneRange = 0.30;  ///< of brightness, from grain to grain
-constexpr double kUnmixed = 0.25;    ///< of a grain's own colour; the rest is the mean
+constexpr double kRoughness = 0.95;  ///< material roughness
+constexpr double kToneRange = 0.30;  ///< range of brightness between grains
+constexpr double kUnmixed = 0.25;    ///< share of a grain's own colour; the rest is the mean
 
 /// Clods as noise: rounded tops with creases between them.
 ///
-/// Model   Their size and depth are estimates: dry sand lies in ripples of a few millimetres, clay
-///         in lumps as large as a fist.
+/// Model   Size and depth are estimates: dry sand has ripples of a few millimetres, clay has lumps
+///         as large as a fist.
 struct Clods {
   double size_m, depth_m;
 
@@ -34,7 +34,7 @@ struct Clods {
     size_m = 0.06 + 0.05 * lumpiness;
     depth_m = 0.010 + 0.032 * lumpiness + 0.3 * soil.grain_size_m;
   }
-  /// Below their tops.
+  /// Depth below the tops.
   double Depth_m(double along_m, double across_m) const {
     constexpr int kPeriod = 16;
     static const LatticeNoise noise("carried_soil/clods", kPeriod, 3);
@@ -55,9 +55,9 @@ double GrainNumber(const Vec2& place_m, double offset) {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// The edges of a surface that belong to one triangle, each in its triangle's direction.
+/// Edges that belong to only one triangle, in its direction.
 std::vector<Edge> BorderOf(const HeapSurface& surface) {
-  std::vector<std::pair<Edge, Edge>> edges;  // the ends in order, and as the triangle has them
+  std::vector<std::pair<Edge, Edge>> edges;  // sorted ends, and the ends in the triangle's order
   for (const auto& t : surface.triangles) {
     for (int e = 0; e < 3; ++e) {
       const Edge edge(t[e], t[(e + 1) % 3]);
@@ -74,7 +74,7 @@ std::vector<Edge> BorderOf(const HeapSurface& surface) {
   return border;
 }
 
-/// Adds a skirt from the surface's border down to just above the shell, drawn in a little.
+/// Adds a skirt from the surface's border down to just above the shell, inset slightly.
 void AddSkirt(const HeapSurface& surface, MeshPart* part) {
   if (surface.p_B_m.empty()) return;
   const Vec3 sum =
@@ -98,7 +98,7 @@ void AddSkirt(const HeapSurface& surface, MeshPart* part) {
   }
 }
 
-/// Normals from triangles, by their area.
+/// Area-weighted vertex normals.
 void SetNormals(MeshPart* part) {
   part->normals.assign(part->positions_m.size(), Eigen::Vector3f::Zero());
   for (std::size_t t = 0; t < part->indices.size(); t += 3) {
@@ -112,7 +112,7 @@ void SetNormals(MeshPart* part) {
   }
 }
 
-/// The soil at a number drawn from [0, 1].
+/// The soil for a number in [0, 1], by shares.
 std::size_t Drawn(const std::vector<double>& shares, double number) {
   std::size_t soil = 0;
   while (soil + 1 < shares.size() && number >= shares[soil]) number -= shares[soil++];

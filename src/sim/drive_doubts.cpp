@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kGravity_mps2 = 9.81;
 
-/// Turns its whole way in less time than any joint of a machine takes.
+/// Doubts a joint that covers its whole range faster than any machine's joint.
 std::optional<std::string> DoubtOfRate(const Joint& joint) {
   constexpr double kQuickest_s = 0.2;
   const double rate_radps = std::max(joint.max_rate_positive_radps, joint.max_rate_negative_radps);
@@ -25,7 +25,7 @@ std::optional<std::string> DoubtOfRate(const Joint& joint) {
       joint.name, way_rad, rate_radps, way_rad / rate_radps);
 }
 
-/// Mass and first moment of each link with all that hangs on it, in W.
+/// Mass and first moment of each link with all its descendants, in W.
 struct Hanging {
   double mass_kg = 0;
   Vec3 moment_kgm = Vec3::Zero();
@@ -69,7 +69,7 @@ std::optional<std::string> DoubtOfLever(const MachineModel& model, const Lever& 
   if (lever.joint >= 0) {
     const Joint& joint = model.joints[static_cast<std::size_t>(lever.joint)];
     if (joint.lower_rad == joint.upper_rad && joint.type != JointType::kContinuous) {
-      return std::nullopt;  // told by its limits
+      return std::nullopt;  // its limits are already doubted
     }
     rate = std::max(joint.max_rate_positive_radps, joint.max_rate_negative_radps);
     effort = joint.max_effort_nm;
@@ -165,7 +165,7 @@ std::optional<std::string> DoubtOfEdge(const Shovel& shovel, const Pose& X_WL) {
 }
 
 std::optional<std::string> DoubtOfShovel(const Shovel& shovel) {
-  constexpr double kMostRatio = 10;  // of a blade, before which soil lies
+  constexpr double kMostRatio = 10;  // a blade also moves soil in front of it
   Eigen::AlignedBox2d box;
   for (const Vec2& p : shovel.profile_B_m) box.extend(p);
   const double room_m3 = box.isEmpty() ? 0 : box.volume() * shovel.width_m;

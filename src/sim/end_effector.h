@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// The tool that the ROS topics ee_pose and bucket_mass speak of.
+/// The tool of the ROS topics ee_pose and bucket_mass.
 ///
 /// Frames  T: origin in the middle of the cutting edge (the tips of the teeth), axes of the link
 ///         that carries the shovel.
@@ -17,7 +17,7 @@ struct EndEffector {
   Pose X_BT = Pose::Identity();
 };
 
-/// The first shovel that can carry soil; nothing where the machine has none.
+/// The first shovel that can carry soil, or nothing.
 std::optional<EndEffector> EndEffectorOf(const MachineModel& model);
 
 }  // namespace tera

@@ -7,13 +7,13 @@
 
 namespace tera {
 
-/// Copies of one ground that changes, each as it was when it was asked for.
+/// Copies of a changing ground, each at the time of its request.
 ///
-/// Model   a copy that nobody holds any more is brought up to date for the next one, so that what
-///         is copied are the tiles that have changed since.
+/// Model   a copy without holders is updated for the next request, so only the changed tiles are
+///         copied.
 class GroundCopies {
  public:
-  /// The ground as it is now. To be let go by the thread that asked for it.
+  /// A copy of the current ground. The thread that requested it must release it.
   std::shared_ptr<const TerrainSurface> Of(const TerrainSurface& now);
 
  private:

@@ -9,12 +9,13 @@
 
 namespace tera {
 
-/// How the machines of a scenario hang together.
+/// The joint trees of a scenario's machines.
 std::vector<JointTree> JointTreesOf(const Scenario& scenario);
 
-/// Of a simulated recording, from the scenario that it was made from; of a real one, none. `moved`
-/// as of LoadRecordedScenario. Throws InputError where the scenario or one of its files cannot be
-/// read or is another one than was recorded.
+/// The joint trees of a simulated recording, from its scenario; none for a real recording. `moved`
+/// as in LoadRecordedScenario.
+///
+/// Throws  InputError if the scenario or one of its files cannot be read or has changed.
 std::vector<JointTree> RecordedJointTrees(const std::filesystem::path& recording,
                                           const std::vector<std::string>& moved);
 

@@ -15,12 +15,12 @@ namespace {
 
 using Box = Eigen::AlignedBox3d;
 
-/// Booms of the largest draglines have about this length.
+/// About the boom length of the largest draglines.
 constexpr double kLongestLink_m = 100;
 constexpr double kMillimetre_m = 1e-3;
 /// The densest metal, osmium, has 22.6 t/m3.
 constexpr double kAir_kgpm3 = 1.2, kDensest_kgpm3 = 25000;
-/// A needle has 0.58 of its half diagonal as its radius of gyration, a ball 0.37.
+/// Share of the half diagonal; a needle's radius of gyration has 0.58 of it, a ball's 0.37.
 constexpr double kPointGyration = 0.01;
 constexpr double kTurn_rad = 2 * kPi;
 
@@ -38,14 +38,14 @@ const SceneInstance* InstanceOf(const SceneModel& scene, const std::string& name
   return found == scene.instances.end() ? nullptr : &*found;
 }
 
-/// The box of what the link shows; empty where that is nothing.
+/// The box of the link's visuals; empty without visuals.
 Box ShownBox(const ScenarioMachine& machine, const Link& link, const SceneModel& scene) {
   if (link.visuals.empty()) return {};
   const SceneInstance* shown = InstanceOf(scene, machine.placement.name + "/" + link.name);
   return shown == nullptr ? Box() : Box(shown->box_min_B_m, shown->box_max_B_m);
 }
 
-/// The box of all of a link, in its frame.
+/// The box of a whole link, in its frame.
 Box BoxOf(const ScenarioMachine& machine, std::size_t index, const SceneModel& scene) {
   const MachineModel& model = machine.placement.model;
   const Link& link = model.links[index];
@@ -121,7 +121,7 @@ std::vector<RigidBody> BodiesOf(const MachineModel& model, const std::vector<Box
 }
 
 std::optional<std::string> DoubtOfDensity(const std::string& link, double mass_kg, const Box& box) {
-  // A flat drawing fills no box.
+  // A flat mesh has no volume.
   const double volume_m3 = box.isEmpty() ? 0 : box.volume();
   if (volume_m3 <= 0 || mass_kg <= kDensest_kgpm3 * volume_m3) return std::nullopt;
   return fmt::format(", link {}: {:.3g} kg in {}, denser than any metal: is it drawn too small?",
@@ -159,7 +159,7 @@ std::optional<std::string> DoubtOfInertia(const RigidBody& body) {
   return std::nullopt;
 }
 
-/// Doubts limits in degrees, and limits that hold a joint in its place.
+/// Doubts limits in degrees, and limits that lock a joint.
 std::optional<std::string> DoubtOfLimits(const Joint& joint) {
   const bool turns = joint.type == JointType::kRevolute;
   if ((!turns && joint.type != JointType::kPrismatic) || joint.following) return std::nullopt;
@@ -179,7 +179,7 @@ std::optional<std::string> DoubtOfLimits(const Joint& joint) {
       joint.name, lower, upper, (upper - lower) / kTurn_rad);
 }
 
-/// The mesh of a link that is as long as that, if it is one.
+/// The mesh that gives a link its length, if there is one.
 const Visual* LongMesh(const ScenarioMachine& machine, const Link& link, const SceneModel& scene) {
   const SceneInstance* shown = InstanceOf(scene, machine.placement.name + "/" + link.name);
   if (shown == nullptr) return nullptr;
@@ -272,7 +272,7 @@ std::vector<std::string> DoubtsOf(const ScenarioMachine& machine, const SceneMod
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     add(DoubtOfLength(machine, model.links[i], boxes[i], scene));
   }
-  if (doubts.size() > before) return doubts;  // of sizes that are wrong nothing follows
+  if (doubts.size() > before) return doubts;  // other checks need plausible sizes
   for (const RigidBody& body : BodiesOf(model, boxes)) add(DoubtOfInertia(body));
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Link& link = model.links[i];

@@ -6,35 +6,35 @@
 #include "render/wear.h"
 #include "soil/site/site.h"
 
-/// Where on machines and obstacles their wear is.
+/// Distribution of wear on machines and obstacles.
 
 namespace tera {
 
 /// The wear of each link of a machine.
 ///
-/// Model   shovels are in the soil; the link that carries one is as far from the soil as its points
-///         are from the shovel's joint, along the line from the link's own joint to it; all others
-///         as far as they are above the ground with all joints at zero. A shovel has a cutting
-///         edge.
-/// Omits   arms that reach into a pit, and how the machine has really worked.
+/// Model   shovels are in the soil. On the link that carries a shovel, the distance from the soil
+///         is that from the shovel's joint, along the line from the link's own joint to it. On all
+///         other links it is the height above the ground with all joints at zero. A shovel has a
+///         cutting edge.
+/// Omits   arms that reach into a pit, and the machine's actual work.
 std::vector<NodeWear> WearOfLinks(const MachineModel& machine, const Wear& wear,
                                   const Vec3& soil_albedo);
 
-/// Of parts that lie in the soil as a whole: tracks, wheels.
+/// Wear of parts that are wholly in the soil: tracks, wheels.
 NodeWear WearInSoil(const Wear& wear, const Vec3& soil_albedo);
 
-/// Of what stands on the ground with its frame's origin.
+/// Wear of objects whose frame's origin lies on the ground.
 NodeWear WearOnGround(const Wear& wear, const Vec3& soil_albedo);
 
-/// Of the rocker and the coupler that turn a shovel, and of cylinders: as far from the soil
-/// everywhere as an arm's usually are.
+/// Wear of a shovel's rocker and coupler, and of cylinders: uniformly at an arm's usual distance
+/// from the soil.
 NodeWear WearOfLinkage(const Wear& wear, const Vec3& soil_albedo);
 NodeWear WearOfCylinder(const Wear& wear, const Vec3& soil_albedo);
 
-/// Whether work leaves its marks on obstacles of that class: not on people, rocks and plants.
+/// Whether obstacles of that class show wear; people, rocks and plants do not.
 bool IsWorn(SemanticClass label);
 
-/// Of the dry soil that is seen at a place, beyond the site that of its nearest border.
+/// Colour of the visible dry soil at a place; off the site, that of its nearest border.
 Vec3 SoilAlbedoAt(const Site& site, const Vec2& xy_W_m);
 
 }  // namespace tera

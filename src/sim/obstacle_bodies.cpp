@@ -17,7 +17,7 @@ void AppendObstaclePoses(const ScenarioObstacle& obstacle, const Pose& X_WB, Tim
 
 void GrowBoxByLimb(const ScenarioObstacle& obstacle, std::size_t limb, const Mesh& mesh,
                    SceneInstance* instance) {
-  constexpr int kMoments = 32;  // of a stride
+  constexpr int kMoments = 32;  // per stride
   const double scale = obstacle.visual.scale;
   for (int k = 0; k < kMoments; ++k) {
     const double travel_m = scale * obstacle.gait.stride_m * k / kMoments;

@@ -5,15 +5,15 @@
 #include "render/scene.h"
 #include "sim/scenario/scenario.h"
 
-/// The bodies of an obstacle in a scene, in their order: itself, its wheels, its limbs.
+/// The bodies of an obstacle in a scene, in order: itself, its wheels, its limbs.
 
 namespace tera {
 
-/// Appends their poses at `t_ns`, for an obstacle whose place is `X_WB`.
+/// Appends the bodies' poses at `t_ns` for an obstacle at `X_WB`.
 void AppendObstaclePoses(const ScenarioObstacle& obstacle, const Pose& X_WB, TimeNs t_ns,
                          std::vector<Pose>* poses);
 
-/// Widens the box of an obstacle's instance to hold a limb's mesh wherever it swings.
+/// Widens the box of an obstacle's instance to hold a limb's mesh in its whole swing.
 void GrowBoxByLimb(const ScenarioObstacle& obstacle, std::size_t limb, const Mesh& mesh,
                    SceneInstance* instance);
 

@@ -11,11 +11,11 @@
 namespace tera {
 namespace {
 
-/// Nothing of a machine that bears on the ground, in whatever position, comes so deep: it sinks and
-/// leans by less than its own height.
+/// No ground contact of an intact machine gets this deep: it sinks and leans by less than its own
+/// height.
 constexpr double kBelowGround_m = 3;
 
-/// The centre of mass that is highest.
+/// The highest centre of mass of the links.
 Vec3 HighestCentre_m(const MachineModel& model, const MachineState& machine) {
   Vec3 highest_m = machine.links[0].X_WB * model.links[0].com_B_m;
   for (std::size_t i = 1; i < model.links.size(); ++i) {
@@ -25,7 +25,7 @@ Vec3 HighestCentre_m(const MachineModel& model, const MachineState& machine) {
   return highest_m;
 }
 
-/// Throws InputError where a machine has fallen below all ground.
+/// Throws InputError if a machine has fallen through the ground.
 void RequireAboveGround(const MachinePlacement& placement, const MachineState& machine,
                         const TerrainSurface& ground, TimeNs t_ns) {
   if (placement.model.fixed_base) return;

@@ -13,14 +13,14 @@ namespace tera {
 /// One operator for each machine.
 using Operators = std::vector<std::unique_ptr<Operator>>;
 
-/// The operators that a scenario gives its machines, at the beginning of their work.
+/// The operators that a scenario gives its machines, in their initial state.
 Operators OperatorsOf(const Scenario& scenario);
 
 /// Machines that obey operators and move by physics.
 ///
-/// Model   operators give levers from the machines and the ground at a step's start; while the
-///         machines settle all levers are neutral. Then PhysicsWorld. A machine of which all is
-///         metres below all ground ends the run with InputError.
+/// Model   operators give levers from the machines and the ground at a step's start; all levers are
+///         neutral while the machines settle. PhysicsWorld moves the bodies. A machine that is
+///         wholly metres below the ground ends the run with InputError.
 class PhysicsMotion : public MotionSource {
  public:
   /// Keeps a reference to `scenario`.

@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// A part of something, as its box in a frame of its own.
+/// A part of something, as its box in its own frame.
 struct Part {
   std::string_view of;
   Pose X_WG = Pose::Identity();
@@ -146,7 +146,7 @@ std::vector<std::string> PlacesInDoubt(const Scenario& scenario) {
     standing.push_back(PartsOf(obstacle, ground));
     names.push_back(obstacle.name);
   }
-  // Obstacles alone may lie in each other, as bags on a pallet do.
+  // Obstacles may overlap each other, as bags on a pallet do.
   for (std::size_t a = 0; a < scenario.machines.size(); ++a) {
     for (std::size_t b = a + 1; b < standing.size(); ++b) {
       if (!AreInOnePlace(standing[a], standing[b])) continue;

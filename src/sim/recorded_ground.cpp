@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-/// What a message of a few layers still carries: 4 MB each.
+/// Limits a layer to 4 MB, so that a message of a few layers can carry it.
 constexpr int kMostSquares = 1024;
 
 }  // namespace

@@ -5,8 +5,8 @@
 
 namespace tera {
 
-/// Reads rasters of a recording's truth/terrain, in at most 1024 squares along a side: the layer
-/// `elevation` as z of W, others as they are.
+/// Reads rasters of a recording's truth/terrain, in at most 1024 squares along a side. The layer
+/// `elevation` is z in W; other layers are unchanged.
 ReadGround ReaderOfGround(const DatasetInfo& info);
 
 }  // namespace tera

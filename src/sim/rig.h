@@ -15,35 +15,35 @@
 
 namespace tera {
 
-/// All sensors of a scenario, sampled as they fall due and written. What each kind does stands with
-/// the kind (src/sensors).
+/// Samples all sensors of a scenario as they fall due and writes the samples. src/sensors has the
+/// model of each kind.
 ///
-/// Frames  W; each sensor's S at X_BS on its link, or where its effects put it.
-/// Model   what a sensor's own model measures passes through the slots that its effects make.
-///         A sample due between two steps is taken from the state interpolated between them; the
-///         terrain is that of the later step. A lidar's revolution is traced when it is complete.
-///         A picture whose rows are exposed for a while is taken when the last is complete; one
-///         that is not at the end of the run is none, and before the start all stood still.
-/// Omits   motion of the ground within a revolution or an exposure: that of its end stands for
-/// each.
+/// Frames  W; each sensor's S at X_BS on its link, or at the pose that its effects set.
+/// Model   a sensor's raw output passes through the slots of its effects. A sample due between two
+///         steps uses the interpolated state and the terrain of the later step. A lidar revolution
+///         is traced when it is complete. A picture with an exposure time is taken when its last
+///         row is complete. A picture that is incomplete at the end of the run is dropped.
+///         Everything is at rest until the start.
+/// Omits   motion of the ground within a revolution or an exposure: the ground at its end stands
+///         for all of it.
 class Rig {
  public:
-  /// Keeps references to `assembly` and `sink`. The rasterizer and the ray scene are made only if
-  /// a sensor needs them.
+  /// Keeps references to `assembly` and `sink`. Creates the rasterizer and the ray scene only if a
+  /// sensor needs them.
   Rig(const Scenario& scenario, const SceneAssembly& assembly, const EglOptions& egl, int threads,
       MeasurementSink* sink);
 
-  /// Samples what is due at the start, t = 0.
+  /// Samples at the start, t = 0.
   void SampleStart(const Instant& now, const TerrainSurface& ground);
-  /// Samples everything that falls due in the step, its end included.
+  /// Samples everything that falls due in the step, including its end.
   void Sample(const WorldStep& step);
-  /// Writes the pictures that are still being taken, and the inertial samples that the last step
-  /// left open, after the step that follows it, in which nothing else is sampled.
+  /// Writes the unfinished pictures and the open inertial samples of the last step. `step` is the
+  /// step after it; nothing else is sampled in it.
   void Finish(const WorldStep& step);
 
-  /// For which pictures held up the run.
+  /// Wall-clock seconds that the run waited for pictures.
   double camera_wait_s() const { return WallOf(ChannelForm::kPictures); }
-  /// For which the busiest rasterizer took pictures, which may be beside the run; after Finish.
+  /// Wall-clock seconds of the busiest rasterizer, which may run in parallel; valid after Finish.
   double camera_wall_s() const;
   double lidar_wall_s() const { return WallOf(ChannelForm::kScans); }
 
@@ -57,14 +57,14 @@ class Rig {
   bool Has(ChannelForm form) const;
   double* WallOf(ChannelForm form) { return &wall_s_[static_cast<std::size_t>(form)]; }
   double WallOf(ChannelForm form) const { return wall_s_[static_cast<std::size_t>(form)]; }
-  /// Lets every unit do `what` with the step.
+  /// Calls `what` of every unit with the step.
   using SamplerStep = void (SensorSampler::*)(const SensedStep&);
   void ForEach(SamplerStep what, const WorldStep& step);
   void SampleWithScene(SamplerStep what, const WorldStep& step);
 
   SiteFrame site_;
   std::vector<Unit> units_;
-  RigScene scene_;  ///< behind the units, so that its rasterizers, which use them, go first
+  RigScene scene_;  ///< after units_: its rasterizers use the units and must be destroyed first
   std::array<double, 3> wall_s_ = {};  ///< by form
 };
 

@@ -21,7 +21,7 @@ RigScene::RigScene(const SceneAssembly& assembly, int threads)
 
 RigScene::~RigScene() = default;
 
-/// With one thread pictures are taken by it.
+/// With a single thread, that thread takes the pictures.
 void RigScene::OpenRasterizers(const EglOptions& egl, bool late) {
   const int beside = late && threads_ > 1 ? RasterizerPool::FittingCount(egl, threads_) : 0;
   rasterizers_ = std::make_unique<RasterizerPool>(assembly_.model(), egl, threads_, beside);
@@ -48,7 +48,7 @@ void RigScene::ForgetBefore(TimeNs t_ns) {
   while (history_.size() > 1 && history_[1].t_ns <= t_ns) history_.pop_front();
 }
 
-/// Made when a sensor first asks for them in a step.
+/// Created at a sensor's first request in a step.
 Shapes RigScene::ShapesNow() const {
   if (!shapes_known_) shapes_ = assembly_.ShapesOf(*after_);
   shapes_known_ = true;
@@ -62,7 +62,7 @@ SensedAir RigScene::air() const {
   return air;
 }
 
-/// Copied once in a step, and only where pictures are taken beside the run.
+/// Copied once per step, and only if pictures are taken in parallel.
 KeptScene RigScene::Keep() const {
   if (!rasterizers_->work_beside()) return SensedScene::Keep();
   if (kept_) return *kept_;

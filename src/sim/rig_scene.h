@@ -15,26 +15,24 @@
 
 namespace tera {
 
-/// The scene of a running simulation as its sensors see it, with the poses of the past that
-/// they still need.
+/// The scene of a running simulation for its sensors, with the past poses that they need.
 class RigScene : public SensedScene {
  public:
   /// Keeps a reference to `assembly`.
   RigScene(const SceneAssembly& assembly, int threads);
   ~RigScene() override;
 
-  /// For sensors that take pictures, beside the run if `late`. Throws InputError where there is no
-  /// way to draw.
+  /// For sensors that take pictures; in parallel with the run if `late`. Throws InputError without
+  /// a way to draw.
   void OpenRasterizers(const EglOptions& egl, bool late);
   /// For sensors that cast rays.
   void MakeRayScene();
-  /// For sensors that look back: from then on past poses are kept.
+  /// For sensors that need past poses, which are kept from then on.
   void KeepPast() { keeps_past_ = true; }
-  /// For sensors that look through the air: from then on the scenario's dust is followed, if it has
-  /// any.
+  /// For sensors that look through the air. From then on the scenario's dust, if any, is simulated.
   void FollowAir(const Scenario& scenario) { scenario_ = &scenario; }
 
-  /// Goes on to a step, whose states and ground must stay where they are until the next call.
+  /// Advances to a step. Its states and ground must stay valid until the next call.
   void Advance(const WorldStep& step);
   void ForgetBefore(TimeNs t_ns);
 
@@ -61,14 +59,14 @@ class RigScene : public SensedScene {
   std::unique_ptr<RayScene> ray_scene_;
   const Instant *before_ = nullptr, *after_ = nullptr;
   const TerrainSurface* ground_ = nullptr;
-  mutable Shapes shapes_;  ///< of the step, if they are known
+  mutable Shapes shapes_;  ///< shapes in the step, if known
   mutable bool shapes_known_ = false;
   mutable GroundCopies ground_copies_;
-  mutable std::optional<KeptScene> kept_;                ///< of the step, once it was asked for
-  mutable std::shared_ptr<const DustVolume> dust_copy_;  ///< the last one
+  mutable std::optional<KeptScene> kept_;                ///< copy in the step, once requested
+  mutable std::shared_ptr<const DustVolume> dust_copy_;  ///< the latest
   bool keeps_past_ = false;
   std::deque<Moment> history_;
-  const Scenario* scenario_ = nullptr;  ///< of which the air is followed
+  const Scenario* scenario_ = nullptr;  ///< scenario whose air is simulated
   std::optional<SiteDust> dust_;
 };
 

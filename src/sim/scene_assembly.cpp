@@ -14,7 +14,7 @@
 namespace tera {
 namespace {
 
-/// Frame at `origin` with x along `x_axis` and y as near to `y_hint` as can be.
+/// Frame at `origin` with x along `x_axis` and y as near to `y_hint` as possible.
 Mat3 FrameFromX(const Vec3& x_axis, const Vec3& y_hint) {
   Mat3 R;
   R.col(0) = x_axis.normalized();
@@ -45,7 +45,7 @@ void AppendLinkagePoses(const MachineModel& machine, const MachineState& now,
   }
 }
 
-/// Barrel and rod of each cylinder, pointing at each other from their pins.
+/// Poses of the barrel and the rod of each cylinder, aimed at each other from their pins.
 void AppendCylinderPoses(const MachineModel& machine, const MachineState& now,
                          std::vector<Pose>* poses) {
   for (const Cylinder& cylinder : machine.cylinders) {
@@ -71,15 +71,15 @@ std::vector<double> ArcLengths(const std::vector<Vec3>& path_m) {
   return arc_m;
 }
 
-/// Adds the mesh or the solid of `visual`; returns the mesh's index.
+/// Adds the mesh or the solid of `visual` and returns the mesh's index.
 int AddLooksOf(const Visual& visual, SceneModel* scene) {
   if (visual.solid) return AddSolid(*visual.solid, visual.paint.value_or(Paint()), scene);
   if (visual.paint) return AddPaintedMesh(visual.mesh, *visual.paint, scene);
   return scene->AddMesh(visual.mesh, visual.node);
 }
 
-/// How deep below the surface that is seen a pin's middle may lie, in a boom's or an arm's width,
-/// and the middle of an edge behind its face.
+/// Keypoint depths below the visible surface: a pin's middle within a boom's or an arm's width, and
+/// an edge's middle behind its face.
 constexpr double kPinDepth_m = 0.35, kEdgeDepth_m = 0.05;
 
 void AddPin(const std::string& name, int body, SceneModel* model) {
@@ -118,8 +118,8 @@ void SceneAssembly::AddLamp(const ScenarioLamp& lamp) {
   model_.lamps.push_back(added);
 }
 
-// The order of AddBody calls here and of poses in AppendMachinePoses is the same: links, wheels,
-// shoes, linkages, cylinders, soil in shovels.
+// The AddBody calls here and the poses in AppendMachinePoses must have the same order: links,
+// wheels, shoes, linkages, cylinders, soil in shovels.
 void SceneAssembly::AddMachine(const Scenario& scenario, std::size_t m) {
   const MachinePlacement& placement = scenario.machines[m].placement;
   const MachineModel& machine = placement.model;
@@ -182,7 +182,7 @@ void SceneAssembly::AddMachineKeypoints(const MachineModel& machine,
   }
 }
 
-/// The machine as one object, after all others, so that these keep their numbers.
+/// Adds the machine as one object, after all others, so that their numbers stay.
 void SceneAssembly::AddWhole(const Scenario& scenario, std::size_t m) {
   const MachinePlacement& placement = scenario.machines[m].placement;
   const bool drives = !placement.model.ground_tools.gears.empty();

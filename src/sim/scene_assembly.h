@@ -9,23 +9,23 @@
 
 namespace tera {
 
-/// Turns a scenario into what can be seen: builds the constant SceneModel once and places its
-/// bodies for each state.
+/// Builds the constant SceneModel of a scenario once, and places its bodies for each state.
 ///
 /// Model   one body for each link, wheel, track shoe, rocker and coupler, cylinder barrel and rod,
-///         shovel's soil, obstacle and wheel of one, one for the site's mesh; one labelled instance
-///         for each link, track, wheel, shovel's soil, obstacle and part of that mesh, named
-///         "machine/part" or after the obstacle; one more for each machine as a whole, whose parts
-///         all of these are but the soil. Soil in a shovel is a mesh that changes (CarriedSoil).
+///         shovel's soil, obstacle and obstacle's wheel, and one for the site's mesh. One labelled
+///         instance for each link, track, wheel, shovel's soil, obstacle and part of that mesh,
+///         named "machine/part" or after the obstacle. One more instance for each machine as a
+///         whole, whose parts are all of its instances except the soil. The soil in a shovel is a
+///         changing mesh (CarriedSoil).
 class SceneAssembly {
  public:
-  /// Throws InputError where a mesh cannot be loaded, with the place that names it.
+  /// Throws InputError if a mesh cannot be loaded, with the place that names it.
   explicit SceneAssembly(const Scenario& scenario);
 
   const SceneModel& model() const { return model_; }
   /// Poses of all bodies, in the order of their index.
   std::vector<Pose> BodyPoses(const Instant& state) const;
-  /// The soil in each shovel as it lies now.
+  /// The current soil in each shovel.
   Shapes ShapesOf(const Instant& state) const;
 
  private:
@@ -33,19 +33,19 @@ class SceneAssembly {
     std::size_t machine;
     const TrackVisual* track;
     double radius_m;
-    std::vector<double> arc_m;  ///< length along the closed path up to each corner, and in all
+    std::vector<double> arc_m;  ///< length along the closed path up to each corner, then in total
   };
 
   void AddMachine(const Scenario& scenario, std::size_t m);
   void AddRunningGear(const MachinePlacement& placement, std::size_t m,
                       const std::vector<int>& link_body, const NodeWear& wear);
-  /// What shovels will carry.
+  /// Adds the soil bodies of the shovels.
   void AddLoads(const MachinePlacement& placement, std::size_t m,
                 const std::vector<SoilType>& soils);
-  /// Joints and edges, of no instance until the machine as a whole has one.
+  /// Adds joints and edges, which get the machine's instance later.
   void AddMachineKeypoints(const MachineModel& machine, const std::vector<int>& link_body);
   void AddObstacle(const ScenarioObstacle& obstacle);
-  /// The mesh of the site, and the colours of its ground.
+  /// Adds the mesh of the site, and the colours of its ground.
   void AddSiteMesh(const SiteMesh& site, const TerrainSurface& ground);
   void AddWhole(const Scenario& scenario, std::size_t m);
   void AddLamp(const ScenarioLamp& lamp);
@@ -60,7 +60,7 @@ class SceneAssembly {
   const Scenario& scenario_;
   SceneModel model_;
   std::vector<TrackPath> tracks_;
-  std::vector<int> root_body_, end_body_;  ///< of each machine: its first, and one after its last
+  std::vector<int> root_body_, end_body_;  ///< per machine: its first body, and one past its last
   struct ShovelLoad {
     std::size_t machine;
     int shovel;

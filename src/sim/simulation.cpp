@@ -76,7 +76,7 @@ void Simulation::PlaceObstacles(TimeNs t_ns) {
   }
 }
 
-/// Time, and what lies in the beds.
+/// Advances the time and the bed loads.
 void Simulation::Count() {
   state_.t_ns = clock_.Due(step_);
   state_.beds.clear();

@@ -13,25 +13,25 @@
 
 namespace tera {
 
-/// Evolves a world that starts as a scenario says: soil's forces -> motion of the bodies -> flow of
-/// the soil. All that changes lives here; any number of simulations may share one scenario.
+/// Evolves a world that starts from a scenario: soil forces -> motion of the bodies -> flow of the
+/// soil. All changing state lives here; any number of simulations may share one scenario.
 ///
 /// Frames  W; links and joints as in MachineState.
 /// Model   fixed step 1 / physics_rate_hz; time is the start plus the step count over the rate.
-///         Bodies move by physics, or as a MotionSource says. Before the start the machines settle
-///         on the ground for `settle_s`. Soil and bodies are coupled explicitly: forces of the
-///         ground follow from the motion at the step's start.
-/// Omits   soil between machines at the same place at once: each acts on the ground in turn.
+///         Bodies move by physics, or by a MotionSource. The machines settle on the ground for
+///         `settle_s` until the start. Soil and bodies are coupled explicitly: ground forces follow
+///         from the motion at the step's start.
+/// Omits   contact of several machines with the same soil: each acts on the ground in turn.
 class Simulation {
  public:
-  /// Machines driven as the scenario says, from t = 0 on. Keeps a reference to `scenario`; runs the
-  /// settling.
+  /// Machines driven by the scenario's operators, from t = 0 on. Keeps a reference to `scenario`;
+  /// runs the settling.
   explicit Simulation(const Scenario& scenario);
-  explicit Simulation(Scenario&&) = delete;  ///< it would be gone
-  /// Machines driven by other operators than the scenario's own.
+  explicit Simulation(Scenario&&) = delete;  ///< a temporary would not outlive the simulation
+  /// Machines driven by other operators.
   Simulation(const Scenario& scenario, Operators operators);
   Simulation(Scenario&&, Operators) = delete;
-  /// Machines that `motion` moves, from `start_ns` on.
+  /// Machines moved by `motion`, from `start_ns` on.
   Simulation(const Scenario& scenario, std::unique_ptr<MotionSource> motion, TimeNs start_ns = 0);
   Simulation(Scenario&&, std::unique_ptr<MotionSource>, TimeNs = 0) = delete;
 
@@ -43,7 +43,7 @@ class Simulation {
   const TerrainSurface& ground() const { return state_.ground().surface(); }
   WorldStep last_step() const { return {previous_, state_, ground()}; }
 
-  /// Wall-clock seconds spent since the start, for reports alone.
+  /// Wall-clock seconds since the start, for reports only.
   double physics_wall_s() const { return physics_wall_s_; }
   double soil_wall_s() const { return soil_wall_s_; }
 
@@ -58,7 +58,7 @@ class Simulation {
   std::unique_ptr<MotionSource> motion_;
   std::vector<int> soil_handle_;                ///< one for each machine
   std::vector<std::optional<int>> bed_handle_;  ///< one for each obstacle
-  std::vector<int> obstacle_handle_;            ///< the soil's, one for each
+  std::vector<int> obstacle_handle_;            ///< handle in the soil, one for each obstacle
   WorldState state_;
   Instant previous_;
   double physics_wall_s_ = 0, soil_wall_s_ = 0;

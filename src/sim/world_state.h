@@ -11,23 +11,23 @@
 
 namespace tera {
 
-/// Everything that moves, at one instant, but for the ground: cheap to copy.
+/// Everything that moves, except the ground, at one instant. Cheap to copy.
 struct Instant {
   TimeNs t_ns = 0;
   std::vector<MachineState> machines;
   std::vector<BodyState> obstacles;
-  std::vector<BedLoad> beds;  ///< one for each obstacle; nothing where it has no bed
+  std::vector<BedLoad> beds;  ///< one for each obstacle; nothing without a bed
 };
 
-/// One step of a world, as sensors see it: all that moves at both ends, the ground at the later
-/// one.
+/// One step of a world as sensors see it: the moving bodies at both ends, the ground at the later
+/// end.
 struct WorldStep {
   const Instant& before;
   const Instant& after;
   const TerrainSurface& ground;
 };
 
-/// The world as it is now: what moves, and the ground, which exists once and is never copied.
+/// The current world: the moving bodies, and the single ground, which is never copied.
 class WorldState : public Instant {
  public:
   explicit WorldState(std::unique_ptr<Soil> ground) : ground_(std::move(ground)) {}

@@ -14,11 +14,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostRows = 2000;  ///< of a table
-constexpr std::size_t kRarest = 1000;    ///< frame that is still worth having
+constexpr std::size_t kMostRows = 2000;  ///< per table
+constexpr std::size_t kRarest = 1000;    ///< largest useful frame stride
 constexpr double kBytesPerMb = 1e6;
-constexpr std::uint64_t kHead = 1 << 12;  ///< bytes of what stands about index and files
-constexpr std::uint64_t kPlace = 48;      ///< bytes of where a file is, beside its name
+constexpr std::uint64_t kHead = 1 << 12;  ///< size of the text around index and files
+constexpr std::uint64_t kPlace = 48;      ///< size of a file's location entry, apart from its name
 
 std::string Base64(const std::string& bytes) {
   static constexpr char kDigits[] =
@@ -38,7 +38,7 @@ std::string Base64(const std::string& bytes) {
   return text;
 }
 
-/// Files by the names that the page asks for: "0/path" of the first that is viewed.
+/// Embedded files by requested name: "0/path" belongs to the first viewed item.
 class Pack {
  public:
   void Add(const std::string& name, const std::string& bytes) {
@@ -54,7 +54,7 @@ class Pack {
   std::string bytes_;
 };
 
-/// What of one dataset or diagnosis goes into the page.
+/// Content of one dataset or diagnosis in the page.
 struct Part {
   const Viewed* viewed;
   Json index;
@@ -71,7 +71,7 @@ void AddTables(const std::string& prefix, Part* part, Pack* pack) {
   }
 }
 
-/// The ground at the start and at the end; what is between would fill the page.
+/// Adds only the initial and final ground, since all grounds would fill the page.
 void AddGrounds(const std::string& prefix, Part* part, Pack* pack) {
   Json kept = Json::array();
   for (const std::string name : part->index["terrain"]) {
@@ -125,7 +125,7 @@ std::uint64_t BytesOfFrames(const std::vector<Part>& parts, std::size_t n) {
   return sum;
 }
 
-/// Bytes of where the files of each n-th frame are.
+/// Size of the location entries of each n-th frame's files.
 std::uint64_t BytesOfPlaces(const std::vector<Part>& parts, std::size_t n) {
   std::uint64_t sum = 0;
   for (const Part& part : parts) {
@@ -136,7 +136,7 @@ std::uint64_t BytesOfPlaces(const std::vector<Part>& parts, std::size_t n) {
   return sum;
 }
 
-/// The smallest n at which each n-th frame fits.
+/// The smallest n for which each n-th frame fits.
 std::size_t Spread(const std::vector<Part>& parts, std::uint64_t base, std::uint64_t most) {
   const auto page = [&](std::size_t n) {
     return base + BytesOfPlaces(parts, n) + (BytesOfFrames(parts, n) + 2) / 3 * 4;
@@ -164,7 +164,7 @@ void AddFrames(const std::string& prefix, const Part& part, std::size_t n, Pack*
   }
 }
 
-/// JSON that may stand within a script element.
+/// JSON escaped for a script element.
 std::string InScript(const Json& json) {
   std::string text;
   for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {

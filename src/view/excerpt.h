@@ -8,17 +8,18 @@
 
 namespace tera {
 
-/// A page with part of the data in it.
+/// A page with part of the data embedded.
 struct Excerpt {
   std::string html;
-  std::string words;  ///< what is in it, for people
+  std::string words;  ///< description of the content
 };
 
-/// Model   all tables, thinned to rows evenly spaced; grounds; scenes; and of every camera and
-/// lidar each n-th frame, with all
-///         its pictures, n being the smallest for which the page is no larger than `most_bytes`.
-///         Data stand in the page in base 64. Throws InputError where not even every thousandth
-///         frame fits.
+/// Makes a page with an excerpt of the data.
+///
+/// Model   contents: all tables, thinned to evenly spaced rows; grounds; scenes; each n-th frame of
+///         every camera and lidar with all its images. n is the smallest stride for which the page
+///         has at most `most_bytes`. The page embeds data in base 64.
+/// Throws  InputError if even each thousandth frame exceeds the limit.
 Excerpt MakeExcerpt(const std::vector<Viewed>& viewed, const std::string& page,
                     std::uint64_t most_bytes);
 

@@ -9,22 +9,23 @@
 
 namespace tera {
 
-/// Header and at most so many rows, evenly spaced and with the first and the last, of a CSV file.
+/// Header and at most `most_rows` evenly spaced rows of a CSV file, including the first and the
+/// last.
 std::string ThinnedTable(const std::string& csv, std::size_t most_rows);
 
-/// A camera's or lidar's frames as its data.csv lists them.
+/// Frames of a camera or lidar, as listed in its data.csv.
 class FrameList {
  public:
-  /// `channel` is the sensor's folder; `pictures` the kinds of a camera, none of a lidar.
+  /// `channel` is the sensor's folder; `pictures` holds a camera's image kinds, empty for a lidar.
   FrameList(const ServedFolder& folder, const std::string& channel,
             const std::vector<std::string>& pictures);
 
   std::size_t size() const { return rows_.size(); }
-  /// data.csv with each n-th frame alone.
+  /// data.csv restricted to each n-th frame.
   std::string Table(std::size_t n) const;
-  /// Paths of the files of each n-th frame, relative to the folder, that are there.
+  /// Paths of existing files of each n-th frame, relative to the folder.
   std::vector<std::string> Files(std::size_t n) const;
-  /// Of all those files.
+  /// Total size of these files.
   std::uint64_t Bytes(std::size_t n) const;
 
  private:

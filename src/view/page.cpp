@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// Beside a page that could not be made: why.
+/// File next to an unbuilt page that states the reason.
 constexpr char kMissingName[] = "missing.txt";
 
 std::string WhyMissing(const std::vector<std::filesystem::path>& places) {

@@ -7,13 +7,13 @@
 
 namespace tera {
 
-/// Where a page that holds data has them, in place of this.
+/// Placeholder for embedded data in the page.
 inline constexpr std::string_view kPackMark = "<!--pack-->";
 
-/// Where the built page may be: beside the installed data, and in the folder of this build.
+/// Candidate locations of the built page: the installed data and this build's folder.
 std::vector<std::filesystem::path> PagePlaces();
 
-/// The first page of these that is there. Throws InputError that says what the build lacked.
+/// Reads the first existing page. Throws InputError that names the part that the build lacks.
 std::string ReadPage(const std::vector<std::filesystem::path>& places);
 
 }  // namespace tera

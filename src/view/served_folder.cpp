@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-/// Whether each part between slashes is a plain name.
+/// True if each part between slashes is a plain name.
 bool IsPlain(std::string_view relative) {
   if (relative.empty() || relative.find('\0') != std::string_view::npos) return false;
   std::size_t begin = 0;

@@ -8,27 +8,27 @@
 
 namespace tera {
 
-/// The files below a folder, and no others.
+/// Access to the files below a folder, and to no others.
 ///
-/// Model   a relative path by `/`, without `..`, `.` or empty parts, to a regular file whose real
-/// place, all links
-///         followed, is below the folder's real place.
+/// Model   a valid path is relative, separated by `/`, without `..`, `.` or empty parts. It must
+///         lead to a regular file whose real path, after resolution of all links, lies below the
+///         folder's real path.
 class ServedFolder {
  public:
-  /// Throws InputError where the folder is not there.
+  /// Throws InputError if the folder does not exist.
   explicit ServedFolder(const std::filesystem::path& folder);
 
   const std::filesystem::path& root() const { return root_; }
-  /// The real place of a file, or nothing where there is none that may be read.
+  /// Real path of a readable file, or nullopt.
   std::optional<std::filesystem::path> Find(std::string_view relative) const;
-  /// All of a file. Throws InputError where there is none that may be read.
+  /// Content of a file. Throws InputError unless a readable file exists.
   std::string Read(std::string_view relative) const;
 
  private:
   std::filesystem::path root_;
 };
 
-/// Bytes [begin, begin + length) of a file; fewer where it ends before or cannot be read.
+/// Bytes [begin, begin + length) of a file; fewer at its end or after a read error.
 std::string ReadPart(const std::filesystem::path& file, std::uint64_t begin, std::size_t length);
 
 }  // namespace tera

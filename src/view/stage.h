@@ -7,16 +7,16 @@
 
 #include "core/motion.h"
 
-/// What stands and moves in a scene, as a page draws it: plain data, without physics. The page
-/// finds poses of bodies from those of machines and from their joints.
+/// Static and moving objects of a scene for the page: plain data without physics. The page derives
+/// body poses from machine poses and joints.
 
 namespace tera {
 
-/// Triangles of one colour, or of a colour for each corner.
+/// Triangles with a single colour or a colour per corner.
 struct StagePart {
-  std::vector<float> positions_m, normals, colours;  ///< three numbers each; colours may be none
+  std::vector<float> positions_m, normals, colours;  ///< three numbers each; colours may be empty
   std::vector<std::uint32_t> indices;
-  Vec3 colour = Vec3::Constant(0.5);  ///< linear, where there are no colours
+  Vec3 colour = Vec3::Constant(0.5);  ///< linear; used without colours
   double opacity = 1;
 };
 
@@ -24,7 +24,7 @@ struct StageMesh {
   std::vector<StagePart> parts;
 };
 
-/// A mesh shown at a body.
+/// A mesh attached to a body.
 struct StageNode {
   int mesh = 0, body = 0;
   Pose X_BG = Pose::Identity();
@@ -32,8 +32,8 @@ struct StageNode {
   std::uint16_t instance = 0;
 };
 
-/// Bodies of a machine: links, wheels, shoes of tracks, rockers and couplers, barrels and rods,
-/// soil in shovels, in this order from `first_body` on. Frames and laws are those of
+/// Bodies of a machine, in order from `first_body`: links, wheels, track shoes, rockers and
+/// couplers, barrels and rods, soil in shovels. Frames and laws follow
 /// physics/description/machine.h.
 struct StageMachine {
   struct Joint {
@@ -80,7 +80,7 @@ struct StageMachine {
   std::vector<int> loads;  ///< links of shovels that carry soil
 };
 
-/// A thing of one body, with its poses over time; one of them where it stands still.
+/// An object of one body with its poses over time; a static object has a single pose.
 struct StageObstacle {
   std::string name;
   int body = 0;

@@ -10,7 +10,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kAlignment = 8;
 
-/// Numbers behind the header.
+/// Arrays after the header.
 class Arrays {
  public:
   template <typename T>

@@ -6,9 +6,9 @@
 
 namespace tera {
 
-/// The bytes of a stage as web/src/stage/stage_file.js reads them: "TSTG", the length of a header
-/// as a 32-bit number, the header in JSON, and the arrays of meshes, little-endian, to which the
-/// header points as [offset in bytes, count].
+/// Bytes of a stage for web/src/stage/stage_file.js: "TSTG", the header length as a 32-bit number,
+/// the JSON header, and the arrays of the meshes, little-endian. The header refers to arrays as
+/// [offset in bytes, count].
 std::string StageFile(const Stage& stage);
 
 }  // namespace tera

@@ -16,12 +16,12 @@ namespace tera {
 namespace {
 
 constexpr char kLoopback[] = "127.0.0.1";
-/// A browser keeps up to six connections open to a server, each of which holds a thread.
+/// A browser keeps up to six connections open, and each occupies a thread.
 constexpr std::size_t kThreads = 24;
-constexpr std::size_t kMostRequests = 1'000'000;  ///< of a connection
-constexpr std::size_t kPiece = 1 << 20;           ///< bytes that are read at once
+constexpr std::size_t kMostRequests = 1'000'000;  ///< per connection
+constexpr std::size_t kPiece = 1 << 20;           ///< bytes per read
 
-/// The page runs its own script and its worker, and asks nobody but this server.
+/// The page runs its own script and worker, and accesses only this server.
 constexpr char kPolicy[] =
     "default-src 'none'; script-src 'unsafe-inline' blob:; worker-src blob:; style-src "
     "'unsafe-inline'; img-src data: blob:; connect-src 'self' blob: data:; base-uri 'none'; "
@@ -35,9 +35,9 @@ std::string MediaTypeOf(const std::filesystem::path& file) {
   return "application/octet-stream";
 }
 
-/// Ends the range that is asked for where the file ends (RFC 9110, 14.1.2), which the library does
-/// not; false where there is nothing of it, or more than one. The library itself makes the request,
-/// which is constant for handlers alone.
+/// Clips the requested range to the file's end (RFC 9110, 14.1.2), which the library omits. Returns
+/// false for an empty range or several ranges. The library itself owns the request as non-const; it
+/// is const only for handlers.
 bool FitRange(std::uint64_t bytes, const httplib::Request& request) {
   auto& ranges = const_cast<httplib::Request&>(request).ranges;
   if (ranges.empty()) return true;
@@ -53,13 +53,13 @@ bool FitRange(std::uint64_t bytes, const httplib::Request& request) {
   return fits;
 }
 
-/// A port that another socket listens at is not shared with it, as the library would have it.
+/// Disables the library's port sharing with other sockets.
 void TakePortAlone(int listener) {
   const int yes = 1;
   setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
 }
 
-/// Sends a file, or the range of it that is asked for, piece by piece as it stands on the disk.
+/// Sends a file or its requested range, piece by piece from disk.
 void SendFile(const std::filesystem::path& file, const httplib::Request& request,
               httplib::Response* answer) {
   const std::uint64_t bytes = std::filesystem::file_size(file);
@@ -80,8 +80,8 @@ void SendFile(const std::filesystem::path& file, const httplib::Request& request
       });
 }
 
-/// Sends `text`, which must outlive the answer, as it is: what is set as content would be packed
-/// for every browser, which takes longer than sending it to the same computer.
+/// Sends `text`, which must outlive the response, without compression. Compression of set_content
+/// takes longer than a local transfer.
 void SendText(const std::string& text, const char* type, httplib::Response* answer) {
   answer->set_content_provider(
       text.size(), type, [&text](std::size_t begin, std::size_t length, httplib::DataSink& sink) {
@@ -160,12 +160,12 @@ class ViewServer::Running {
                        kLoopback)});
     }
     hosts_ = {fmt::format("{}:{}", kLoopback, port_), fmt::format("localhost:{}", port_)};
-    constexpr int kUsualPort = 80;  // which browsers leave out
+    constexpr int kUsualPort = 80;  // browsers omit this port
     if (port_ == kUsualPort) hosts_.insert({kLoopback, "localhost"});
   }
 
-  /// Reading alone, and asked for by this computer's name: a page from elsewhere whose name was
-  /// made to lead here asks for its own.
+  /// Accepts only read requests to this computer's host name. A foreign page whose name resolves
+  /// here requests its own host name.
   bool IsWelcome(const httplib::Request& request, httplib::Response* answer) const {
     if (request.method != "GET" && request.method != "HEAD") {
       Refuse(405, "this server is only read from", answer);
@@ -195,7 +195,7 @@ class ViewServer::Running {
 
   std::vector<Viewed> viewed_;
   std::string page_, index_;
-  std::mutex making_;  ///< stages
+  std::mutex making_;  ///< guards stages_
   std::vector<std::optional<std::string>> stages_;
   std::set<std::string> hosts_;
   int port_ = -1;

@@ -8,16 +8,15 @@
 
 namespace tera {
 
-/// Sends a page and what it asks for to browsers of this computer, while it lives.
+/// Serves a page and its data to browsers on this computer during its lifetime.
 ///
-/// Model   HTTP/1.1 on 127.0.0.1 alone, which answers requests for that host only; GET and HEAD:
-/// `/` the page,
-///         `/index.json`, `/stage/K` the scene of the K-th that is viewed, `/data/K/FILE` a file of
-///         its folder (ServedFolder), whole or a range of it. All else is 404, 405 or 403. It
-///         writes nothing.
+/// Model   HTTP/1.1 on 127.0.0.1 alone; the server answers only requests for that host. GET and
+///         HEAD: `/` is the page, `/index.json` the index, `/stage/K` the scene of the K-th viewed
+///         item. `/data/K/FILE` is a file of its folder (ServedFolder), whole or as a range. All
+///         other requests give 404, 405 or 403. The server writes no files.
 class ViewServer {
  public:
-  /// Of port 0 a free one is taken. Throws InputError where the port is taken.
+  /// Port 0 selects a free port. Throws InputError if the port is in use.
   ViewServer(std::vector<Viewed> viewed, std::string page, int port);
   ViewServer(const ViewServer&) = delete;
   ViewServer& operator=(const ViewServer&) = delete;

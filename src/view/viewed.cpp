@@ -18,7 +18,7 @@ std::string NameOf(const std::filesystem::path& path) {
   return plain.has_filename() ? plain.filename().string() : plain.parent_path().filename().string();
 }
 
-/// How the second dataset's times lie to the first's; as they are where there is one alone.
+/// Time alignment of the second dataset to the first; identity for a single dataset.
 TimeAlignment AlignmentOf(const std::vector<Viewed>& viewed) {
   std::vector<std::filesystem::path> datasets;
   for (const Viewed& one : viewed) {

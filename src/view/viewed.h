@@ -9,31 +9,31 @@
 
 namespace tera {
 
-/// A dataset or a diagnosis that is looked at.
+/// A dataset or a diagnosis on view.
 struct Viewed {
   enum class Kind { kDataset, kDiagnosis };
 
   Kind kind = Kind::kDataset;
   std::string name;
   ServedFolder folder;
-  std::string index_json;  ///< what the page is told of it
-  /// Makes the bytes of a stage (stage_file.h); throws InputError where the scene is not known. Of
-  /// datasets.
+  std::string index_json;  ///< its entry in the page's index
+  /// Returns the bytes of a stage (stage_file.h), for datasets. Throws InputError if the scene is
+  /// unknown.
   std::function<std::string()> stage;
 };
 
-/// Throws InputError where the path is neither a dataset nor a diagnosis, or is one that cannot be
-/// read.
+/// Throws InputError if the path is neither a readable dataset nor a readable diagnosis.
 Viewed OpenViewed(const std::filesystem::path& path);
 
-/// All of them for the page: {"format": 1, "viewed": [...]}, with the excerpt's words if it is one;
-/// of two datasets with `shift_ns`, by which times of the second are later, and `times`, why so.
+/// Index of all items for the page: {"format": 1, "viewed": [...]}, with the excerpt's description
+/// for an excerpt. Two datasets add `shift_ns`, the lag of the second dataset's times, and `times`,
+/// its reason.
 std::string IndexJson(const std::vector<Viewed>& viewed, const std::string& excerpt = "");
 
-/// At most so many datasets stand side by side.
+/// Maximum number of datasets shown side by side.
 inline constexpr std::size_t kMostDatasets = 2;
 
-/// Throws InputError where there are more datasets than that, or none of anything.
+/// Throws InputError for too many datasets, or for an empty list.
 void RequireFewDatasets(const std::vector<Viewed>& viewed);
 
 }  // namespace tera

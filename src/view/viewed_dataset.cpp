@@ -25,7 +25,7 @@ bool IsFolderWithFiles(const std::filesystem::path& folder) {
          std::filesystem::directory_iterator();
 }
 
-/// Kinds of pictures that a camera has, colour first.
+/// Image kinds of a camera, colour first.
 Json PicturesOf(const std::filesystem::path& camera) {
   Json kinds = Json::array();
   const auto add = [&](std::string_view kind) {

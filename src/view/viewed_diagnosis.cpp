@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Names of files in the folder with a beginning and an ending, and their sizes.
+/// Sizes of the folder's files that start with `begin` and end with `end`, by name.
 Json FilesOf(const std::filesystem::path& folder, const std::string& begin,
              const std::string& end) {
   std::map<std::string, std::uintmax_t> sizes;

@@ -5,10 +5,10 @@
 
 namespace tera {
 
-/// The index of a dataset for the page. Throws InputError where it cannot be read.
+/// Index of a dataset for the page. Throws InputError for an unreadable dataset.
 std::string DatasetIndexJson(const std::filesystem::path& dataset);
 
-/// The index of a diagnosis for the page: its diagnosis.json, and its maps and series by name.
+/// Index of a diagnosis for the page: its diagnosis.json, and its maps and series by name.
 std::string DiagnosisIndexJson(const std::filesystem::path& diagnosis);
 
 }  // namespace tera

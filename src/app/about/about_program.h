@@ -4,8 +4,8 @@
 
 namespace tera {
 
-/// What `tera --version` prints: the version alone on the first line, then what the program was
-/// built from, how, and with which libraries. The renderer of this machine is told by `tera info`.
+/// Output of `tera --version`: the version alone on the first line, followed by source commit,
+/// build type and libraries. `tera info` reports the computer's renderer.
 std::string AboutProgram();
 
 }  // namespace tera

@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-/// What `text` says, if all of it is a finite number.
+/// The finite number in `text`; nullopt unless the whole text is a number.
 template <typename T>
 std::optional<T> NumberIn(const std::string& text) {
   const auto number = ParseNumber<T>(text);

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-/// What the values of options must be, in the words of its message: "--seed: '-1'; need a whole
-/// number >= 0".
+/// Validators of option values, with their message: "--seed: '-1'; need a whole number >= 0".
 
 namespace tera {
 
@@ -17,7 +16,7 @@ CLI::Validator NumberBetween(double least, double most, const std::string& unit)
 CLI::Validator WholeNumberFrom0();
 CLI::Validator WholeNumberBetween(int least, int most);
 
-/// One of some words, each of which stands for the value of an enumeration. To `transform` with.
+/// A word of a set; each stands for an enumeration value. For use with `transform`.
 template <typename Enum>
 CLI::Validator OneOf(const std::map<std::string, Enum>& words) {
   std::string all;
@@ -31,7 +30,7 @@ CLI::Validator OneOf(const std::map<std::string, Enum>& words) {
   return CLI::Validator(to_value, "one of " + all);
 }
 
-/// The option --moved, whose description begins with `of`.
+/// Adds the option --moved, whose description begins with `of`.
 void AddMovedOption(CLI::App* command, std::vector<std::string>* moved, const std::string& of = "");
 
 }  // namespace tera

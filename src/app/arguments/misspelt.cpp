@@ -10,8 +10,7 @@
 namespace tera {
 namespace {
 
-/// Does as DidYouMean, but a candidate that is the word's beginning, or the reverse, is nearest of
-/// all.
+/// Like DidYouMean, but prefers a candidate that is a prefix of the word, or the reverse.
 std::string Resembling(const std::string& word, const std::vector<std::string>& candidates) {
   const auto begins = std::find_if(candidates.begin(), candidates.end(), [&](const auto& known) {
     return word.starts_with(known) || known.starts_with(word);

@@ -5,9 +5,9 @@
 
 namespace tera {
 
-/// What to say of the first argument that neither `app` nor its command knows, with the option or
-/// command that it resembles. Empty where all are known. To ask after parsing failed, as CLI11
-/// speaks of what is then missing first.
+/// Message about the first argument unknown to `app` and its command, with a similar option or
+/// command. Empty if all are known. Call this function after a parse error, because CLI11 reports
+/// missing arguments first.
 std::string UnknownArgument(const CLI::App& app);
 
 }  // namespace tera

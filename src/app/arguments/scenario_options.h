@@ -11,31 +11,31 @@
 
 namespace tera {
 
-/// Which scenario, and what is changed in it: the same words for every command that takes one.
+/// Scenario and its changes: the common options of all commands that take a scenario.
 struct ScenarioOptions {
   std::string scenario;
   std::optional<std::uint64_t> seed;
   std::vector<std::string> set, effects;
   bool without_meshes = false;
-  std::uint64_t episode = 0;  ///< of what `randomise:` draws
+  std::uint64_t episode = 0;  ///< episode of the `randomise:` draws
 };
 
-/// What of this machine a run may use.
+/// Resources of the host that a run may use.
 struct HostOptions {
   HostOptions();
 
-  int threads;  ///< all, unless given
+  int threads;  ///< default: all
   EglOptions egl;
 };
 
-/// SCENARIO, --seed, --set, --effects, --without-meshes, --episode. The options must outlive the
-/// parsing; so below.
+/// Adds SCENARIO, --seed, --set, --effects, --without-meshes and --episode. The options must
+/// outlive the parsing, here and below.
 void AddScenarioOptions(CLI::App* command, ScenarioOptions* options);
 
-/// --threads, --egl-device.
+/// Adds --threads and --egl-device.
 void AddHostOptions(CLI::App* command, HostOptions* options);
 
-/// The scenario, with `overrides` above those of the options.
+/// Loads the scenario, with `overrides` above those of the options.
 LoadedScenario Load(const ScenarioOptions& options, const std::vector<std::string>& overrides = {});
 
 }  // namespace tera

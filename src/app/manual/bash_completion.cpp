@@ -21,7 +21,7 @@ Words NamesOfOptions(const CommandHelp& command) {
   return names;
 }
 
-/// What the first argument must be, where it is one of some words: else none.
+/// Accepted words of the first argument; empty if it accepts other text.
 Words WordsOfArgument(const CommandHelp& command) {
   for (const OptionHelp& option : command.options) {
     if (option.is_argument) return option.words;
@@ -29,7 +29,7 @@ Words WordsOfArgument(const CommandHelp& command) {
   return {};
 }
 
-/// "    'tera export --to') _tera_words ... ;;" for each option that takes a value.
+/// "    'tera export --to') _tera_words ... ;;" for each option with a value.
 std::string BashValues(const CommandHelp& program) {
   std::string cases;
   for (const CommandHelp* command : AllOf(program)) {
@@ -59,7 +59,7 @@ std::string BashOptions(const CommandHelp& program) {
   return cases;
 }
 
-/// Words that stand where an argument would: commands, or those that the argument must be.
+/// Words for argument positions: commands, or the accepted words of an argument.
 std::string BashArguments(const CommandHelp& program) {
   std::string cases;
   for (const CommandHelp* command : AllOf(program)) {

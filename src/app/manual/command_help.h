@@ -4,23 +4,23 @@
 #include <string>
 #include <vector>
 
-/// The command line as data: what manual pages and completions are made of, so that neither says
-/// anything else than `--help`.
+/// The command line as data. It is the source of manual pages and completions, so that they agree
+/// with `--help`.
 
 namespace tera {
 
 /// An option or an argument of a command.
 struct OptionHelp {
-  std::vector<std::string> names;  ///< "-h", "--help"; of an argument its one name, "SCENARIO"
+  std::vector<std::string> names;  ///< "-h", "--help"; an argument has a single name, "SCENARIO"
   std::string description;
-  std::string type;                ///< of its value, "FLOAT", "TEXT"; empty: a flag takes none
-  std::string need;                ///< of its value, "number > 0, in seconds"
-  std::vector<std::string> words;  ///< where these are all that it takes
-  bool is_argument = false;        ///< told by its place, not by a name
+  std::string type;                ///< type of its value, "FLOAT", "TEXT"; empty: flag
+  std::string need;                ///< constraint on its value, "number > 0, in seconds"
+  std::vector<std::string> words;  ///< exhaustive list of accepted words, or empty
+  bool is_argument = false;        ///< identified by position
   bool is_required = false;
-  bool is_repeated = false;  ///< takes several
+  bool is_repeated = false;  ///< accepts several values
 
-  /// Whether its value may be a path: it is text, and nothing more is asked of it.
+  /// True if its value may be a path: unconstrained text.
   bool TakesPath() const { return type == "TEXT" && need.empty(); }
 };
 
@@ -28,18 +28,17 @@ struct OptionHelp {
 struct CommandHelp {
   std::vector<std::string> path;  ///< "tera", "layout", "evaluate"
   std::string description;
-  std::vector<OptionHelp> options;  ///< arguments, too, in the order in which they are given
+  std::vector<OptionHelp> options;  ///< including arguments, in order of definition
   std::vector<CommandHelp> commands;
 
-  /// "tera-layout-evaluate", with "-" between.
+  /// "tera-layout-evaluate" for the separator "-".
   std::string Joined(const std::string& separator) const;
 };
 
-/// Lists what `app`, which has a name, and all below it take. Commands that its help hides are left
-/// out.
+/// Lists the options and commands of `app`, which must have a name. Hidden commands are omitted.
 CommandHelp HelpOf(const CLI::App& app);
 
-/// `command` and all below it, each before those below it.
+/// `command` and all commands below it, parents first.
 std::vector<const CommandHelp*> AllOf(const CommandHelp& command);
 
 }  // namespace tera

@@ -4,8 +4,8 @@
 
 #include "app/manual/command_help.h"
 
-/// Scripts that complete commands, options, words that options take, and names of files. They ask
-/// nobody: what they know is in them.
+/// Scripts that complete commands, options, option values and file names. They are self-contained
+/// and run no program.
 
 namespace tera {
 

@@ -6,16 +6,16 @@
 
 #include "app/manual/command_help.h"
 
-/// What the scripts of all shells are made of.
+/// Common parts of the completion scripts of all shells.
 
 namespace tera {
 
-/// "'tera layout'", in quotes, of all that lies below the program.
+/// "'tera layout'", in quotes, for each command below the program.
 std::vector<std::string> PathsBelow(const CommandHelp& program);
-/// Of the commands below one, their last words.
+/// Last words of the commands below `command`.
 std::vector<std::string> NamesOfCommands(const CommandHelp& command);
 
-/// A text in single quotes, in which a quote is written as `quote_within`.
+/// Text in single quotes; `quote_within` replaces each inner quote.
 std::string Quoted(std::string_view text, std::string_view quote_within);
 
 }  // namespace tera

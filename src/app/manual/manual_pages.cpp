@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-/// A text that roff prints as it is.
+/// Escapes a text for roff.
 std::string Plain(std::string_view text) {
   std::string plain;
   if (text.starts_with(".") || text.starts_with("'")) plain = "\\&";
@@ -26,7 +26,7 @@ std::string Plain(std::string_view text) {
 std::string Bold(std::string_view text) { return "\\fB" + Plain(text) + "\\fR"; }
 std::string Italic(std::string_view text) { return "\\fI" + Plain(text) + "\\fR"; }
 
-/// A description as a sentence.
+/// Formats a description as a sentence.
 std::string Sentence(const std::string& text) {
   return Plain(text) + (text.ends_with('.') || text.ends_with('?') ? "\n" : ".\n");
 }
@@ -68,7 +68,7 @@ std::string ItemOf(const OptionHelp& option) {
   return ".TP\n" + names + "\n" + Sentence(text);
 }
 
-/// The items of a section, with its heading where there are any.
+/// Items of a section below its heading; empty without items.
 std::string Section(const std::string& heading, const std::string& items) {
   return items.empty() ? "" : ".SH " + heading + "\n" + items;
 }

@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// Manual pages of section 1, a page each for the program and its commands, as man's macros for
-/// roff: by their files' names, "tera-generate.1".
+/// Manual pages of section 1 in roff with man macros: one for the program and one per command. Keys
+/// are file names, "tera-generate.1".
 std::map<std::string, std::string> ManualPages(const CommandHelp& program,
                                                const std::string& version);
 

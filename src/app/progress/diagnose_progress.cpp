@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-constexpr const char* kToEndOfLine = "\x1b[K";  ///< clears what stood there
+constexpr const char* kToEndOfLine = "\x1b[K";  ///< clears the line's remainder
 
 /// "dead_band, 1 unexplained".
 std::string Outcome(const BlockDiagnosis& diagnosis) {

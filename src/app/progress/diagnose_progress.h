@@ -9,12 +9,12 @@
 
 namespace tera {
 
-/// Follows a diagnosis: the search is a stage of the clock, each block a part. On standard error a
-/// line for each block that says what came of it and when; on a terminal, under them, what is being
-/// looked at.
+/// Shows the progress of a diagnosis. The search is a stage of the clock, each block a part.
+/// Standard error receives a line with result and time per block; a terminal also shows the current
+/// blocks.
 class DiagnoseProgress {
  public:
-  /// The clock must outlive it.
+  /// `clock` must outlive this object.
   explicit DiagnoseProgress(StageClock* clock);
   void Show(const BlockProgress& progress);
 
@@ -24,7 +24,7 @@ class DiagnoseProgress {
   bool terminal_;
   StageClock* clock_;
   Clock::time_point start_, search_start_;
-  std::map<std::string, Clock::time_point> block_starts_;  ///< of those that are searched now
+  std::map<std::string, Clock::time_point> block_starts_;  ///< blocks under search
 };
 
 }  // namespace tera

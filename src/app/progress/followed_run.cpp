@@ -12,8 +12,8 @@
 namespace tera {
 namespace {
 
-/// While it lives, Ctrl-C and SIGTERM still end the program, but first `text` goes to standard
-/// error: how to go on with the run that they stop. One at a time.
+/// During its lifetime, Ctrl-C and SIGTERM write `text` to standard error and then end the program.
+/// The text states how to resume the stopped run. Only a single instance may exist.
 class StopMessage {
  public:
   explicit StopMessage(const std::string& text);
@@ -24,10 +24,10 @@ class StopMessage {
 
 std::string message;
 
-/// Runs within the signal: nothing but write and raise. SA_RESETHAND has brought back the default
-/// action, which ends the program when the handler returns.
+/// Signal handler, restricted to write and raise. SA_RESETHAND has restored the default action,
+/// which ends the program when the handler returns.
 void SayAndEnd(int signal) {
-  // The program ends here; where standard error is closed there is nobody to tell.
+  // The program ends here; a closed standard error leaves no recipient.
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message.data(), message.size());
   raise(signal);
 }
@@ -46,8 +46,8 @@ StopMessage::~StopMessage() {
   std::signal(SIGTERM, SIG_DFL);
 }
 
-constexpr double kPipeLine_s = 10;  ///< between lines of progress where nobody sees a bar
-constexpr double kShown_s = 0.005;  ///< less is 0.00 in the table: a stage that the run has not
+constexpr double kPipeLine_s = 10;  ///< between progress lines without a terminal
+constexpr double kShown_s = 0.005;  ///< shorter times show as 0.00: a stage that the run lacks
 
 void PrintReport(const GenerateReport& report, const std::string& out) {
   const auto factor = [&](double wall_s) {
@@ -69,7 +69,7 @@ void PrintReport(const GenerateReport& report, const std::string& out) {
   }
 }
 
-/// The run; the line of its progress has ended when this returns.
+/// Runs and ends the progress line.
 GenerateReport RunWithProgress(const DatasetRun& run, const RunOptions& options) {
   ProgressBar bar(kPipeLine_s);
   const StopMessage on_stop(

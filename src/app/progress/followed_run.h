@@ -10,23 +10,22 @@
 
 namespace tera {
 
-/// What every command is told that writes a dataset from its beginning to its end.
+/// Options of every command that writes a whole dataset.
 struct RunOptions {
   std::filesystem::path out;
   bool resume = false, keep_state = false;
   HostOptions host;
 };
 
-/// --out, --resume, and those of the host. The options must outlive the parsing.
+/// Adds --out, --resume and the host options. The options must outlive the parsing.
 void AddRunOptions(CLI::App* command, RunOptions* options);
 
-/// A run that writes a dataset as these options say.
+/// A run that writes a dataset according to the options.
 using DatasetRun = std::function<GenerateReport(const GenerateOptions&)>;
 
-/// Follows a run, its progress on standard error where that is a terminal, and prints at its end
-/// what it cost.
+/// Executes a run, with progress on a terminal's standard error, and prints its cost at the end.
 void FollowRun(const DatasetRun& run, const RunOptions& options);
-/// The same of a scenario that is simulated.
+/// Simulates a scenario in the same way.
 void FollowRun(const LoadedScenario& loaded, const RunOptions& options);
 
 }  // namespace tera

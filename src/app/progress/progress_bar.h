@@ -7,14 +7,14 @@
 
 namespace tera {
 
-/// One line on a terminal that follows a run: simulated time, real-time factor, frames, time left.
-/// Where standard error is no terminal it says nothing, or a whole line at times.
+/// One terminal line with a run's progress: simulated time, real-time factor, frames and time left.
+/// Without a terminal, it writes nothing or an occasional whole line.
 class ProgressBar {
  public:
-  /// `line_s` is the least time between lines where there is no terminal; 0: none is written.
+  /// `line_s` is the minimum time between lines without a terminal; 0: no lines.
   explicit ProgressBar(double line_s = 0);
-  ~ProgressBar();  ///< leaves the cursor on a fresh line
-  /// `counted` are what the progress counts as frames.
+  ~ProgressBar();  ///< moves the cursor to a new line
+  /// `counted` names the counted frames.
   void Show(const GenerateProgress& progress, std::string_view counted = "frames");
 
  private:

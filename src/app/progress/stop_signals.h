@@ -4,11 +4,12 @@
 
 namespace tera {
 
-/// Ctrl-C and SIGTERM, kept from all threads that are started while it lives and waited for by one.
+/// Blocks Ctrl-C and SIGTERM in all threads started during its lifetime; a single thread waits for
+/// them.
 class StopSignals {
  public:
   StopSignals();
-  /// Also until the end of standard input, if `or_stdin`.
+  /// `or_stdin` also waits for the end of standard input.
   void Wait(bool or_stdin) const;
 
  private:

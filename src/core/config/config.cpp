@@ -39,7 +39,7 @@ Layer OverlayLayer(const Config::Overlay& overlay) {
   return layer;
 }
 
-/// A key may be read twice, and a file stand in two layers.
+/// A key may be read twice, and a file may occur in two layers.
 void AddOnce(InputFault fault, std::vector<InputFault>* faults) {
   if (std::find(faults->begin(), faults->end(), fault) == faults->end()) {
     faults->push_back(std::move(fault));
@@ -55,8 +55,8 @@ Config Config::FromFile(const fs::path& file, const std::vector<std::string>& ov
   auto document = std::make_shared<internal::ConfigDocument>();
   const Layer layer{internal::LoadYaml(file, shown), shown, file.parent_path(), ""};
   const std::vector<Layer> with_overrides = internal::LayersAbove(layer, overrides);
-  // Built from top to bottom: assigning a yaml-cpp node, as an insertion does, changes what all its
-  // handles refer to.
+  // Builds the layers from top to bottom: assigning or inserting a yaml-cpp node changes the target
+  // of all its handles.
   std::vector<Layer> layers(with_overrides.begin(), with_overrides.end() - 1);
   for (auto overlay = overlays.rbegin(); overlay != overlays.rend(); ++overlay) {
     layers.push_back(OverlayLayer(*overlay));
@@ -84,7 +84,7 @@ Config Config::FromText(const std::string& text, const std::string& name,
 }
 
 void Config::LayOver(const std::vector<GivenValue>& values) {
-  // The root's layers are built anew from top to bottom, as in FromFile.
+  // Rebuilds the root's layers from top to bottom, as in FromFile.
   std::vector<Layer> above, file;
   for (const Layer& layer : document_->root->layers) {
     (layer.is_patch ? above : file).push_back(layer);
@@ -112,7 +112,7 @@ void Config::Move(std::vector<MovedFiles> moved) { document_->moved = std::move(
 ConfigMap Config::root() const { return ConfigMap(document_->root); }
 
 void Config::Finish() const {
-  // A mistyped key first: what the lack of the right one leads to comes after it.
+  // Reports mistyped keys first; the faults that follow from them come later.
   std::vector<InputFault> faults;
   for (const auto& node : document_->nodes) {
     if (node->unread) continue;

@@ -18,40 +18,41 @@ namespace tera {
 ///     const std::string resolved = config.ResolvedYaml();
 class Config {
  public:
-  /// A file whose one mapping `key` lies over that of a configuration.
+  /// A file whose mapping `key` overlays the mapping `key` of a configuration.
   struct Overlay {
     std::filesystem::path file;
     std::string key;
   };
 
-  /// `overrides` are `key.path=value` texts, as given to --set; `a.b[2].c=1.5` addresses items of
-  /// lists by index. Of two for one key the later one holds. Overlays lie below the overrides, the
-  /// later above the earlier. Throws InputError if a file cannot be read or is not YAML, or an
-  /// override or overlay has no such form.
+  /// `overrides` are `key.path=value` texts as in --set; `a.b[2].c=1.5` addresses list items by
+  /// index. The last override of a key wins. Overlays rank below the overrides; later overlays rank
+  /// above earlier overlays. Throws InputError if a file is unreadable or no YAML, or if an
+  /// override or overlay is malformed.
   static Config FromFile(const std::filesystem::path& file,
                          const std::vector<std::string>& overrides = {},
                          const std::vector<Overlay>& overlays = {});
-  /// For tests and generated text; `name` stands in messages, paths are relative to the working
+  /// For tests and generated text. Messages show `name`; paths are relative to the working
   /// directory.
   static Config FromText(const std::string& text, const std::string& name,
                          const std::vector<std::string>& overrides = {});
 
-  /// A value for one key that someone else than the file gives; `place` stands in messages.
+  /// A value for one key from outside the file. Messages show `place`.
   struct GivenValue {
     std::string path, yaml, place;
   };
-  /// Lays values over all but the overrides, of two for one key the later one above. Before any
-  /// of these keys is read. A path of another form than `a.b[2].c` is a fault.
+  /// Lays values over all layers except the overrides; the last value of a key wins. Call this
+  /// function before any read of these keys. A path that does not have the form `a.b[2].c` is a
+  /// fault.
   void LayOver(const std::vector<GivenValue>& values);
-  /// Leaves out of the resolved document what was read at a key of the root.
+  /// Removes the values read at a root key from the resolved document.
   void LeaveOut(const std::string& key);
 
-  /// Files that File then reads elsewhere; the resolved document names them as they were.
+  /// Redirects files that File reads; the resolved document keeps their original names.
   void Move(std::vector<MovedFiles> moved);
   ConfigMap root() const;
-  /// Throws InputError listing every fault, unknown and repeated keys included.
+  /// Throws InputError with every fault, including unknown and repeated keys.
   void Finish() const;
-  /// Everything that was read, with defaults and included files in place.
+  /// All values read, with defaults and included files resolved.
   std::string ResolvedYaml() const;
 
  private:
@@ -60,9 +61,9 @@ class Config {
   std::shared_ptr<internal::ConfigDocument> document_;
 };
 
-/// Where assets/, config/ and shaders/ are: the environment variable TERA_DATA_DIR, else share/tera
-/// beside the bin/ that this program runs from, else the source tree or the installation that this
-/// library was built for.
+/// Folder that holds assets/, config/ and shaders/. The order of search is: environment variable
+/// TERA_DATA_DIR; share/tera next to the bin/ of the running program; source tree or installation
+/// of the library's build.
 std::filesystem::path DataRoot();
 
 }  // namespace tera

@@ -8,19 +8,20 @@
 
 namespace tera {
 
-/// A number that another file than YAML gives, at the keys of `path`.
+/// A number from a file other than YAML, at the keys of `path`.
 struct GivenNumber {
   std::vector<std::string> path;
   double value = 0;
 };
 
-/// Puts numbers of `file`, which the mapping names under one of its keys, below all layers of the
-/// mapping. Whoever reads the resolved document reads that file again.
+/// Lays numbers of `file` below all layers of the mapping, which names the file under one of its
+/// keys. A reader of the resolved document reads that file again.
 void LayBeneath(const ConfigMap& config, const std::string& file,
                 const std::vector<GivenNumber>& numbers);
 
-/// Both are there, and `key` in a lower layer alone than `upper`, as a preset's below what a file
-/// says itself. Who lets `upper` replace it does not read it: the resolved document is without.
+/// True if both keys exist and `key` occurs only in layers below `upper`, as in a preset below the
+/// file's own value. A caller that lets `upper` replace `key` does not read `key`, so the resolved
+/// document omits it.
 bool LiesBelow(const ConfigMap& config, std::string_view key, std::string_view upper);
 
 }  // namespace tera

@@ -9,15 +9,15 @@
 
 namespace tera {
 
-/// How many faults the whole configuration of `config` has so far, for checks of what was read
-/// without any: what is made of a faulty part is no fault of its own.
+/// Number of faults so far in the whole configuration of `config`. Callers use it to skip checks of
+/// values from a faulty part.
 std::size_t FaultCount(const ConfigMap& config);
 
-/// A Choice that says which further keys the mapping has. After a fault nothing more is reported of
-/// what the mapping lacks or has too much.
+/// A Choice that determines which other keys the mapping has. After a fault, missing and surplus
+/// keys of the mapping are not reported.
 std::string ChoiceOfKeys(const ConfigMap& config, std::string_view key,
                          std::initializer_list<std::string_view> allowed);
-/// That was so, or the mapping could not be read at all.
+/// True after such a fault, or if the mapping is unreadable.
 bool IsUnread(const ConfigMap& config);
 
 }  // namespace tera

@@ -12,14 +12,14 @@
 #include "core/config/portable_name.h"
 #include "core/error.h"
 
-/// Files that a configuration names: where they are, presets, the data that TERA ships.
+/// Files that a configuration names: locations, presets and the data that TERA ships.
 
 namespace tera {
 namespace fs = std::filesystem;
 namespace internal {
 namespace {
 
-/// What paths of a layer are relative to, for messages.
+/// Base of a layer's relative paths, for messages.
 std::string BaseOf(const Layer& layer) {
   return layer.file == kOverlayName ? "the working directory" : layer.file;
 }
@@ -130,8 +130,8 @@ void ConfigMap::ApplyPreset(std::string_view key) const {
 
 namespace {
 
-/// The file that `found` names, or the one named `list` in the folder that it names, and its name
-/// in the resolved document.
+/// The file that `found` names, or the file `list` in the folder that it names, with its name in
+/// the resolved document.
 std::optional<InputFile> FileAt(internal::ConfigNode& node, std::string_view key,
                                 const Found& found, const std::string& list) {
   if (!found.node.IsScalar()) {
@@ -230,7 +230,7 @@ std::vector<InputFile> ConfigMap::Inputs() const {
 
 fs::path DataRoot() {
   if (const char* directory = std::getenv("TERA_DATA_DIR")) return directory;
-  // An installed program may have been moved with its data, whatever prefix it was built for.
+  // An installed program may be moved together with its data, away from its build prefix.
   std::error_code ignored;
   const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
   const fs::path beside = (program.parent_path() / TERA_DATA_FROM_BIN_DIR).lexically_normal();

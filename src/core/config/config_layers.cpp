@@ -7,8 +7,7 @@
 namespace tera::internal {
 namespace {
 
-/// Sets the style of all collections; each has its own, which a setting of the emitter does not
-/// change.
+/// Sets the style of every collection, because the emitter's setting does not override it.
 void MakeFlow(YAML::Node node) {
   if (!node.IsMap() && !node.IsSequence()) return;
   node.SetStyle(YAML::EmitterStyle::Flow);
@@ -17,8 +16,8 @@ void MakeFlow(YAML::Node node) {
 
 }  // namespace
 
-/// yaml-cpp's operator[] is avoided: on a const node it throws for absent keys, on a mutable one it
-/// may insert.
+/// Avoids yaml-cpp's operator[]: it throws for absent keys on a const node and may insert on a
+/// mutable node.
 std::optional<YAML::Node> ValueIn(const YAML::Node& map, std::string_view key) {
   for (const auto& entry : map) {
     if (entry.first.IsScalar() && entry.first.Scalar() == key) return entry.second;

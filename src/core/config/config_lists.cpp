@@ -31,14 +31,14 @@ void RecordNumbers(ConfigNode& node, std::string_view key, const std::vector<dou
   node.resolved[std::string(key)] = list;
 }
 
-/// A list, and what each of its items is made of, first wins.
+/// A list, and the layers of each of its items; the first layer wins.
 struct FoundList {
   Found list;
   std::vector<std::vector<Found>> items;
 };
 
-/// The first list among `values`. Mappings above it are patches, which address items by index:
-/// {2: {rate_hz: 5}}. Other values are a fault, and nothing.
+/// The first list among `values`. Mappings above it are patches that address items by index:
+/// {2: {rate_hz: 5}}. Any other value is a fault and returns nullopt.
 std::optional<FoundList> ListAmong(ConfigNode& node, std::string_view key,
                                    const std::vector<Found>& values, const std::string& need) {
   const auto list = std::find_if(values.begin(), values.end(),

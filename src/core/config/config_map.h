@@ -15,14 +15,14 @@
 #include "core/error.h"
 #include "core/motion.h"
 
-/// Strict YAML. A reader asks for each key by name, type and range; whatever is then left over,
-/// repeated, missing, mistyped, non-finite or out of range is reported, all at once, with
-/// file:line:column and key path. Everything that was read, defaults included, is recorded in a
-/// resolved document that can be read again.
+/// Strict YAML. A reader requests each key by name, type and range. Unread, repeated, missing,
+/// mistyped, non-finite and out-of-range keys are reported together, each with file:line:column and
+/// key path. A resolved document records all values read, including defaults, and is itself
+/// readable.
 
 namespace tera {
 
-/// Admissible values of a number, with the unit that messages print.
+/// Admissible values of a number, with the unit for messages.
 struct Range {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
@@ -40,33 +40,35 @@ struct ConfigDocument;
 struct ConfigNode;
 }  // namespace internal
 
-/// One mapping of a configuration being read. A cheap handle; copies are the same mapping.
+/// One mapping of a configuration. The handle is cheap; copies refer to the same mapping.
 ///
-/// Model   A mapping may have several layers (overlays such as `--set`, the mapping itself, preset
-///         files below it). A key is taken from the first layer that has it; nested mappings merge
-///         by the same rule. A list is replaced as a whole, but for a mapping above it, whose keys
-///         are indices of items: {2: {rate_hz: 5}}. Reading never throws for bad input: faults are
-///         collected, a harmless value is returned, and Config::Finish throws them all.
+/// Model   A mapping may have several layers: overlays such as `--set`, the mapping itself, and
+///         preset files below it. The first layer that has a key supplies its value; nested
+///         mappings merge by the same rule. A list replaces a lower list as a whole. A mapping
+///         above a list patches items by index: {2: {rate_hz: 5}}. Reading never throws for bad
+///         input: it collects faults and returns an in-range value. Config::Finish throws all
+///         faults.
 class ConfigMap {
  public:
-  // Scalars: required without a default, else optional.
+  // Scalars: required without a default, otherwise optional.
   double Number(std::string_view key, const Range& range) const;
   double Number(std::string_view key, const Range& range, double otherwise) const;
-  /// The number if the key is there.
+  /// The number, if the key exists.
   std::optional<double> OptionalNumber(std::string_view key, const Range& range) const;
   std::int64_t Integer(std::string_view key, const Range& range) const;
   std::int64_t Integer(std::string_view key, const Range& range, std::int64_t otherwise) const;
   bool Boolean(std::string_view key, bool otherwise) const;
   std::string Text(std::string_view key) const;
   std::string Text(std::string_view key, std::string_view otherwise) const;
-  /// One of `allowed`; without a default, required.
+  /// One of `allowed`; required without a default.
   std::string Choice(std::string_view key, std::initializer_list<std::string_view> allowed) const;
   std::string Choice(std::string_view key, std::initializer_list<std::string_view> allowed,
                      std::string_view otherwise) const;
 
-  /// The value as YAML on one line, whatever it is; required.
+  /// Any value as YAML on one line; required.
   std::string Yaml(std::string_view key) const;
-  /// Keys of the mapping: those of the lowest layer, then what each layer above it adds.
+  /// Keys of the mapping: the keys of the lowest layer, followed by the additions of each layer
+  /// above.
   std::vector<std::string> Keys() const;
 
   // Sequences.
@@ -74,12 +76,11 @@ class ConfigMap {
   Vec3 Vector3(std::string_view key, const Range& each, const Vec3& otherwise) const;
   Vec2 Vector2(std::string_view key, const Range& each) const;
   Vec2 Vector2(std::string_view key, const Range& each, const Vec2& otherwise) const;
-  /// Numbers, at least `min_count` and at most `max_count`; an absent key is an empty list when
-  /// min_count is 0.
+  /// Between `min_count` and `max_count` numbers. An absent key is an empty list if min_count is 0.
   std::vector<double> Numbers(std::string_view key, const Range& each, std::size_t min_count,
                               std::size_t max_count) const;
-  /// Rows of `columns` numbers each, at least `min_rows`; an absent key is an empty list when
-  /// min_rows is 0.
+  /// At least `min_rows` rows of `columns` numbers. An absent key is an empty list if min_rows is
+  /// 0.
   std::vector<std::vector<double>> NumberRows(std::string_view key, const Range& each,
                                               std::size_t columns, std::size_t min_rows) const;
   std::vector<std::string> Texts(std::string_view key) const;
@@ -90,45 +91,44 @@ class ConfigMap {
 
   // Mappings.
   bool Has(std::string_view key) const;
-  /// The key is there and holds a list, for keys that take one value or several.
+  /// True if the key exists and holds a list; for keys with one value or several.
   bool IsList(std::string_view key) const;
-  /// The key is there and holds a scalar, for keys that take a mapping or a word.
+  /// True if the key exists and holds a scalar; for keys with a mapping or a word.
   bool IsText(std::string_view key) const;
   /// A required mapping.
   ConfigMap Map(std::string_view key) const;
-  /// A mapping if it is there. With `std::nullopt` the caller uses its defaults.
+  /// The mapping, if it exists; nullopt means defaults.
   std::optional<ConfigMap> OptionalMap(std::string_view key) const;
-  /// The mapping at `key` with that at `upper_key` of `upper` laid over it, if either is there.
+  /// The mapping at `key`, overlaid by the mapping at `upper_key` of `upper`, if either exists.
   std::optional<ConfigMap> OptionalMapUnder(std::string_view key, const ConfigMap& upper,
                                             std::string_view upper_key) const;
-  /// A required mapping that is either written in place or names a YAML file holding it. The
-  /// resolved document holds the mapping itself.
+  /// A required mapping, inline or in a YAML file that the key names. The resolved document holds
+  /// the mapping itself.
   ConfigMap MapOrFile(std::string_view key) const;
   /// Mappings in a list; an absent key is an empty list.
   std::vector<ConfigMap> List(std::string_view key) const;
-  /// Named mappings in the order of the lowest layer, then what each layer above it adds; an absent
-  /// key is an empty list.
+  /// Named mappings in the order of Keys(); an absent key is an empty list.
   std::vector<std::pair<std::string, ConfigMap>> NamedMaps(std::string_view key) const;
   /// Named numbers, `{boom: 0.1, arm: -0.3}`, in the same order.
   std::vector<std::pair<std::string, double>> NamedNumbers(std::string_view key,
                                                            const Range& each) const;
-  /// Puts the mapping in the file named by `key`, if the key is there, below this mapping's layers,
-  /// and below that the preset which that file names in its turn.
+  /// Lays the preset file named by `key` below this mapping's layers, if the key exists. A preset
+  /// that the file names lies below the file.
   void ApplyPreset(std::string_view key) const;
 
-  // Files. A relative path is relative to the file that mentions it; `tera:` paths are relative to
+  // Files. A relative path is relative to the file that mentions it. `tera:` paths are relative to
   // DataRoot(). The file must exist.
   std::filesystem::path File(std::string_view key) const;
   std::optional<std::filesystem::path> OptionalFile(std::string_view key) const;
-  /// Tells of a file that one of those names in its turn, as a URDF its meshes.
+  /// Registers a file that a named file refers to, such as a mesh of a URDF.
   void AlsoReads(const std::filesystem::path& file) const;
-  /// The files named so far in the whole configuration, each once, by their names.
+  /// All files named so far in the whole configuration, without repetition, by name.
   std::vector<InputFile> Inputs() const;
 
-  /// Reports a fault that only the caller can see, at the place of `key` (or of the mapping itself
-  /// where `key` is empty or absent).
+  /// Reports a fault that only the caller detects, at the place of `key`. An empty or absent `key`
+  /// reports at the mapping.
   void Fault(std::string_view key, const InputFault& fault) const;
-  /// "file:line:column: key.path", for messages made later.
+  /// "file:line:column: key.path", for later messages.
   std::string Place(std::string_view key = {}) const;
 
  private:

@@ -8,7 +8,7 @@
 #include "core/config/config_layers.h"
 #include "core/config/config_peek.h"
 
-/// Mappings in mappings, in files and by name; faults and places.
+/// Nested mappings, mappings in files and named mappings; faults and places.
 
 namespace tera {
 
@@ -26,10 +26,10 @@ using internal::Shown;
 
 namespace {
 
-/// In the place of an effect: takes away what the layers below have.
+/// Replaces an effect and removes it from the layers below.
 constexpr char kNothing[] = "none";
 
-/// The layer of the mapping at `key` that `found` is.
+/// The layer of the mapping `found` at `key`.
 Layer LayerAt(std::string_view key, const Found& found) {
   return {found.node,
           found.layer->file,
@@ -39,7 +39,7 @@ Layer LayerAt(std::string_view key, const Found& found) {
           found.layer->is_patch};
 }
 
-/// Layers of the mapping at `key`: the overlaying patches and every layer's own mapping.
+/// Layers of the mapping at `key`: the overlaying patches and each layer's own mapping.
 std::vector<Layer> LayersOf(ConfigNode& node, std::string_view key) {
   std::vector<Layer> layers;
   for (const Found& found : FindAll(node, key)) {
@@ -52,7 +52,7 @@ std::vector<Layer> LayersOf(ConfigNode& node, std::string_view key) {
   return layers;
 }
 
-/// The value at a path of keys. Nodes are not assigned: that would change what they refer to.
+/// The value at a path of keys. Assigning a node would change its target, so the function recurses.
 std::optional<YAML::Node> ValueAt(const YAML::Node& map, std::span<const std::string> path) {
   if (path.empty()) return map;
   if (!map.IsMap()) return std::nullopt;
@@ -129,7 +129,7 @@ ConfigMap ConfigMap::MapOrFile(std::string_view key) const {
     } else if (found.node.IsScalar()) {
       const std::string path = Join(found.layer->path, key);
       if (auto loaded = internal::LoadLayer(*node_, key, found, path)) layers.push_back(*loaded);
-      break;  // a file replaces what lies below
+      break;  // a file replaces the layers below
     } else {
       AddFault(*node_, key, found,
                fault::Mistyped(Shown(found.node), "a file's path or a mapping"));
@@ -163,7 +163,7 @@ std::optional<ConfigMap> internal::ConfigDocument::MapOrNone(const ConfigMap& co
                          kNothing));
   }
   if (layers.empty()) {
-    // What lies beneath is there again when the resolved document is read.
+    // The lower layer exists again when the resolved document is read.
     if (values.back().layer->beneath) Record(node, key, kNothing);
     return std::nullopt;
   }

@@ -11,7 +11,7 @@ namespace tera::internal {
 namespace fs = std::filesystem;
 namespace {
 
-/// The keys of `a.b[2].c`: a, b, 2 and c. Nothing where the path is not of that form.
+/// Keys of `a.b[2].c`: a, b, 2 and c; empty for a malformed path.
 std::vector<std::string> KeysOf(std::string_view path) {
   std::vector<std::string> keys;
   for (std::size_t at = 0; at < path.size();) {

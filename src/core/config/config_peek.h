@@ -6,16 +6,16 @@
 
 #include "core/config/config_map.h"
 
-/// Looking at what a configuration has without reading it: the resolved document and its order stay
-/// as they are, and no key counts as known.
+/// Inspects a configuration without reading it: the resolved document does not change, and no key
+/// becomes known.
 
 namespace tera {
 
-/// Whether a mapping at `key` of `config` has `inner`, in any layer.
+/// True if a mapping at `key` of `config` has the key `inner`, in any layer.
 bool HasBelow(const ConfigMap& config, std::string_view key, std::string_view inner);
 
-/// The items of the list at `path`, keys of nested mappings, each as YAML on one line: those of the
-/// first layer that has a list there; none where none has.
+/// Items of the list at `path`, a path of nested keys, each as YAML on one line. The first layer
+/// with a list there supplies them; empty if no layer has a list.
 std::vector<std::string> ItemsAt(const ConfigMap& config, const std::vector<std::string>& path);
 
 }  // namespace tera

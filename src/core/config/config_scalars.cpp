@@ -7,7 +7,7 @@
 #include "core/config/config_layers.h"
 #include "core/parse_number.h"
 
-/// Ranges, and values that are one number, text or choice.
+/// Ranges and scalar values: number, text or choice.
 
 namespace tera {
 namespace internal {

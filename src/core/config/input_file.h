@@ -5,15 +5,15 @@
 
 namespace tera {
 
-/// A file besides the YAML ones that something is read from, as what a configuration names.
+/// A file other than YAML that a configuration names as input.
 struct InputFile {
-  std::string name;            ///< as resolved documents and recordings name it: PortableName
-  std::filesystem::path path;  ///< where it is read
+  std::string name;            ///< PortableName, as in resolved documents and recordings
+  std::filesystem::path path;  ///< location of the file
 };
 
-/// Files named `from`, or below it, that are read at `to` instead, or below that.
+/// Redirects files named `from`, or below it, to `to`.
 struct MovedFiles {
-  std::string from;  ///< as in a portable name
+  std::string from;  ///< prefix of a portable name
   std::filesystem::path to;
 };
 

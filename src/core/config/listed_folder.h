@@ -9,13 +9,13 @@
 
 namespace tera {
 
-/// The file that `key` names, as of ConfigMap::File, or the files of a list. A folder that lists
-/// its files in one of the name `list`, as a recorder's does, may be named in place of that one.
-/// None where one of them is not there, which is a fault.
+/// The file that `key` names (see ConfigMap::File), or the files of a list. `key` may also name a
+/// folder that contains `list`, a file that lists the folder's files, as recorders write it. An
+/// absent file is a fault; the result is then empty.
 std::vector<std::filesystem::path> FilesOrList(const ConfigMap& config, std::string_view key,
                                                const std::string& list);
 
-/// The folder that `key` names, as ConfigMap::File has files.
+/// The folder that `key` names; paths resolve as in ConfigMap::File.
 std::filesystem::path Folder(const ConfigMap& config, std::string_view key);
 
 }  // namespace tera

@@ -4,9 +4,9 @@
 
 namespace tera::internal {
 
-/// Puts into each mapping below `node` what its key `<<` names, a mapping or a list of them, as
-/// YAML 1.1's merge key asks: what the mapping says itself comes first, then the earlier of a list.
-/// Throws YAML::Exception, with its place, where `<<` has something else.
+/// Applies YAML 1.1 merge keys: each mapping below `node` gains the mappings that its key `<<`
+/// names. The mapping's own keys win, followed by earlier items of a list. Throws YAML::Exception
+/// with the place if `<<` holds another type.
 void ApplyMergeKeys(const YAML::Node& node);
 
 }  // namespace tera::internal

@@ -6,7 +6,7 @@
 namespace tera {
 namespace {
 
-/// A factor leaves its traces in the last digits, which are left out.
+/// The unit factor perturbs the last digits, so the text omits them.
 std::string InUnit(double value, double unit) {
   return unit == 1 ? fmt::format("{}", value) : fmt::format("{:.12g}", value / unit);
 }

@@ -11,16 +11,17 @@
 
 namespace tera {
 
-/// Reads a model from a mapping, or writes it as YAML, by one description of its keys: `void
-/// Serialize(ModelArchive*, M*)` visits those of a model M in the order in which YAML has them.
+/// Reads a model from a mapping, or writes it as YAML, with one description of its keys.
+/// `void Serialize(ModelArchive*, M*)` visits the keys of a model M in YAML order.
 ///
-/// Model   a key counts in `unit` of its member: one in degrees has the unit kDeg of a member in
-///         radians. A key that is absent leaves its member as it is. A fault goes to the mapping.
-/// Source  Drake, common/yaml: one Serialize for both ways.
+/// Model   A YAML value times `unit` is the member's value: a key in degrees has the unit kDeg for
+///         a member in radians. An absent key leaves its member unchanged. The mapping receives the
+///         faults.
+/// Source  Drake, common/yaml: one Serialize function for reading and writing.
 class ModelArchive {
  public:
   explicit ModelArchive(const ConfigMap& source) : sources_{source} {}
-  /// Writes, with `blanks` before each key.
+  /// Writes YAML indented by `blanks`.
   explicit ModelArchive(int blanks) : blanks_(blanks) {}
   const std::string& yaml() const { return yaml_; }
 
@@ -28,23 +29,23 @@ class ModelArchive {
   void Visit(std::string_view key, int* value, const Range& range);
   void Visit(std::string_view key, bool* value);
   void Visit(std::string_view key, Vec3* value, const Range& each, double unit = 1);
-  /// As many numbers as there are.
+  /// A list of any length.
   void Visit(std::string_view key, std::vector<double>* values, const Range& each, double unit = 1);
   void Visit(std::string_view key, std::vector<std::string>* names);
   /// One of `allowed`.
   void Visit(std::string_view key, std::string* choice,
              std::initializer_list<std::string_view> allowed);
-  /// A number that the model has where its key is there.
+  /// An optional number, present if its key exists.
   void Visit(std::string_view key, std::optional<double>* value, const Range& range);
 
-  // Keys that must be there.
+  // Required keys.
   void Need(std::string_view key, double* value, const Range& range);
   void Need(std::string_view key, int* value, const Range& range);
   /// One to `most` numbers.
   void Need(std::string_view key, std::vector<double>* values, const Range& each, std::size_t most,
             double unit = 1);
 
-  /// A part that the model has where its key is there.
+  /// An optional part, present if its key exists.
   template <typename Part>
   void Visit(std::string_view key, std::optional<Part>* part) {
     if (!Enter(key, part->has_value())) return;
@@ -53,7 +54,7 @@ class ModelArchive {
     Leave();
   }
 
-  /// Unless `holds`, what was read has a fault at `key`, or at the whole part where that is empty.
+  /// Reports a fault at `key` unless `holds`; an empty `key` reports at the whole part.
   void Check(bool holds, std::string_view key, const InputFault& fault) const;
 
  private:
@@ -63,7 +64,7 @@ class ModelArchive {
   bool Enter(std::string_view key, bool is_written);
   void Leave();
 
-  std::vector<ConfigMap> sources_;  ///< the innermost last; none: writes
+  std::vector<ConfigMap> sources_;  ///< innermost last; empty when writing
   int blanks_ = 0;
   std::string yaml_;
 };

@@ -29,7 +29,7 @@ std::string MadePlain(std::string_view name) {
   std::string plain;
   for (const char c : name) {
     const auto byte = static_cast<unsigned char>(c);
-    const bool is_rest_of_sign = byte >= 0x80 && byte < 0xC0;  // in UTF-8
+    const bool is_rest_of_sign = byte >= 0x80 && byte < 0xC0;  // UTF-8 continuation byte
     if (!is_rest_of_sign) plain += IsPlain(c) || (c == '.' && !plain.empty()) ? c : '_';
   }
   return plain;
@@ -37,7 +37,7 @@ std::string MadePlain(std::string_view name) {
 
 bool RequirePlainName(const ConfigMap& config, std::string_view key, const std::string& name) {
   if (IsPlainName(name)) return true;
-  if (name.empty() && !key.empty()) return false;  // Text has said so
+  if (name.empty() && !key.empty()) return false;  // Text has reported the fault
   config.Fault(key,
                {FaultKind::kMalformed,
                 fmt::format("name '{}' cannot name a folder or a column; need letters, digits, "

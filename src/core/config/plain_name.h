@@ -5,24 +5,24 @@
 
 #include "core/config/config_map.h"
 
-/// Names that stand in paths and in headers of CSV files.
+/// Names that occur in paths and in CSV headers.
 
 namespace tera {
 
-/// ASCII letters, digits, '_' and '-', at least one and at most kLongestName of them.
+/// True for 1 to kLongestName ASCII letters, digits, '_' and '-'.
 bool IsPlainName(std::string_view name);
 
-/// A plain name that may have points inside, as names in a URDF do.
+/// True for a plain name that may contain inner points, as in a URDF.
 bool IsPlainNameWithPoints(std::string_view name);
 
-/// The name with one '_' for each sign that a plain name with points cannot have.
+/// Replaces each character that a plain name with points cannot contain by '_'.
 std::string MadePlain(std::string_view name);
 
-/// Well below what file systems take, with the endings that names get.
+/// Well below file system limits, including the suffixes of names.
 inline constexpr std::size_t kLongestName = 100;
 
-/// Reports a name that is not plain at `key` of `config`, or at the mapping where `key` is empty,
-/// and returns whether it was plain. Where the text at `key` is empty, its reader has reported it.
+/// Returns whether `name` is plain and otherwise reports a fault at `key` of `config`. An empty
+/// `key` reports at the mapping. If the text at `key` is empty, its reader has already reported it.
 bool RequirePlainName(const ConfigMap& config, std::string_view key, const std::string& name);
 
 }  // namespace tera

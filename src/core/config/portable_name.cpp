@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kShipped = "tera:";
-/// What an installation has of the source tree.
+/// Folders of the source tree that an installation contains.
 constexpr std::array<std::string_view, 4> kShippedFolders = {"assets", "config", "examples",
                                                              "shaders"};
 
@@ -30,7 +30,7 @@ std::string PortableName(const fs::path& path) {
   if (error) return path.generic_string();
   const fs::path absolute = internal::Canonical(plain.parent_path()) / plain.filename();
   for (const fs::path& relative :
-       {plain.lexically_relative(DataRoot()),  // also where a folder of it is a link
+       {plain.lexically_relative(DataRoot()),  // also if a folder of the path is a link
         absolute.lexically_relative(internal::Canonical(DataRoot()))}) {
     if (IsShipped(relative)) return std::string(kShipped) + relative.generic_string();
   }
@@ -39,7 +39,7 @@ std::string PortableName(const fs::path& path) {
 
 bool Concerns(const MovedFiles& moved, const std::string& name) {
   if (moved.from.empty() || !name.starts_with(moved.from)) return false;
-  const bool ends = moved.from.ends_with('/') || moved.from == kShipped;  // of a folder's name
+  const bool ends = moved.from.ends_with('/') || moved.from == kShipped;  // end of a folder name
   return ends || name.size() == moved.from.size() || name[moved.from.size()] == '/';
 }
 

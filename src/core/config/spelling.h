@@ -5,10 +5,10 @@
 
 namespace tera {
 
-/// " (did you mean 'x'?)" with the candidate nearest to `word`, or nothing where none is near.
+/// " (did you mean 'x'?)" with the candidate nearest to `word`; empty if no candidate is near.
 std::string DidYouMean(const std::string& word, const std::vector<std::string>& candidates);
 
-/// The text with small letters for the capital ones of ASCII.
+/// Converts ASCII capitals to lower case.
 std::string LowerCase(std::string text);
 
 }  // namespace tera

@@ -25,8 +25,7 @@ double ReadParameter(const ConfigMap& map, const EffectParameter& parameter) {
                              : map.Number(name, range);
 }
 
-/// What may stand at a mechanism's name, "its parameters, {width: 0 to 0.9}, or none to take it
-/// away".
+/// Description of the accepted value: "its parameters, {width: 0 to 0.9}, or none to take it away".
 std::string NeedOf(const Mechanism& mechanism) {
   std::vector<std::string> items;
   for (const EffectParameter& p : mechanism.parameters) {
@@ -37,7 +36,7 @@ std::string NeedOf(const Mechanism& mechanism) {
                      fmt::join(items, ", "));
 }
 
-/// Mechanisms that are in the library but for other targets.
+/// Reports mechanisms of the library that act only on other targets.
 void ReportMisplaced(const ConfigMap& config, EffectTarget target,
                      std::span<const Mechanism> library) {
   std::vector<std::string_view> fitting;

@@ -8,12 +8,13 @@
 
 #include "core/config/config.h"
 
-/// Physics beyond the ideal, by name. The simulator is a chain of slots, each ideal by default; a
-/// mechanism is an operator in one slot. The same parameters act in a simulation and in a replay.
+/// Physical effects beyond the ideal model, by name. The simulator is a chain of slots, each ideal
+/// by default. A mechanism is an operator in one slot. Simulation and replay use the same
+/// parameters.
 
 namespace tera {
 
-/// Places in the chain from a lever to a measurement, in its order.
+/// Slots in causal order, from a lever to a measurement.
 enum class Slot {
   kCommandTiming,
   kLeverMap,
@@ -28,14 +29,14 @@ enum class Slot {
   kSensorTiming
 };
 
-/// A slot as it is written in reports: "command_timing".
+/// Name of a slot in reports: "command_timing".
 std::string_view NameOf(Slot slot);
 
-/// What a mechanism can act on. In YAML a joint, gear, pump or sensor goes by its name, the motion
-/// of the whole machine by `base`, one axis of a set of encoders by both names, `encoders/boom`.
-/// A kind of sensor that none of these names brings its own.
+/// Kind of object that a mechanism acts on. YAML addresses a joint, gear, pump or sensor by its
+/// name and the whole machine's motion by `base`. One axis of an encoder set has both names:
+/// `encoders/boom`. Other sensor kinds define their own targets.
 struct EffectTarget {
-  std::string_view name;  ///< as messages have it: "an imu", "a track or wheel set"
+  std::string_view name;  ///< name in messages: "an imu", "a track or wheel set"
 
   bool operator==(const EffectTarget&) const = default;
 
@@ -54,16 +55,16 @@ inline constexpr EffectTarget EffectTarget::kLidar{"a lidar"};
 inline constexpr EffectTarget EffectTarget::kEncoder{"a set of encoders"};
 inline constexpr EffectTarget EffectTarget::kEncoderAxis{"one axis of a set of encoders"};
 
-/// One number of a mechanism.
+/// One numeric parameter of a mechanism.
 struct EffectParameter {
   std::string_view name;  ///< key in YAML, with its unit: "delay_s"
-  std::string_view unit;  ///< "1" where it has none
+  std::string_view unit;  ///< "1" for a dimensionless parameter
   double lower = 0, upper = 0;
-  std::optional<double> otherwise;  ///< where YAML may leave it out
-  bool whole = false;               ///< no fractions
+  std::optional<double> otherwise;  ///< default, if YAML may omit the parameter
+  bool whole = false;               ///< integers only
 };
 
-/// What is known about a mechanism without any values.
+/// A mechanism's definition without parameter values.
 struct Mechanism {
   std::string_view id;
   Slot slot = Slot::kLeverMap;
@@ -73,25 +74,25 @@ struct Mechanism {
   bool ActsOn(EffectTarget target) const;
 };
 
-/// A mechanism with its numbers, one for each parameter in that order.
+/// A mechanism with its parameter values, in the order of its parameters.
 struct Effect {
   const Mechanism* mechanism = nullptr;
   std::vector<double> values;
 
-  /// The number of that name, which the mechanism must have.
+  /// The value of a parameter that the mechanism must have.
   double operator[](std::string_view parameter) const;
 };
 
-/// All that one target has; each mechanism once.
+/// All effects of one target; each mechanism occurs once.
 using Effects = std::vector<Effect>;
 
 /// The effect of mechanism `id`, or nullptr.
 const Effect* FindEffect(const Effects& effects, std::string_view id);
 
-/// Reads the mapping of one target, `{dead_band: {width: 0.1}, actuator_ring: none}`: those
-/// mechanisms of `library` that act on `target`; an id may stand there several times, for targets
-/// with parameters of their own. `none` takes away what a lower layer has. Faults (another
-/// mechanism, a number beyond its range, one missing) go to `config`.
+/// Reads the mapping of one target, such as `{dead_band: {width: 0.1}, actuator_ring: none}`.
+/// `library` may contain one id several times, for targets with different parameters. Only
+/// mechanisms that act on `target` are read. `none` removes the effect of a lower layer. `config`
+/// receives the faults: another mechanism, a number out of range or an absent parameter.
 Effects ReadEffects(const ConfigMap& config, EffectTarget target,
                     std::span<const Mechanism> library);
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kMiddle = 32768, kPerPixel = 64, kPerMetre = 1000;
 
-/// The value of a pixel, or nothing where it is out of range; 0 is kept for "not known".
+/// Pixel value, or nullopt out of range; 0 is reserved for "unknown".
 std::optional<std::uint16_t> ValueOf(double scaled) {
   const double value = std::round(scaled + kMiddle);
   if (!(value >= 1 && value <= 65535)) return std::nullopt;

@@ -11,44 +11,44 @@
 
 #include "core/types/measurement.h"
 
-/// The pictures of truth that a camera may take beside colour and depth: one entry each in one
-/// table, which cameras, the rasterizer, datasets, overviews and the live interfaces walk.
+/// Ground-truth images that a camera may produce in addition to colour and depth, as one table.
+/// Cameras, the rasterizer, datasets, overviews and the live interfaces iterate over it.
 
 namespace tera {
 
-/// What a channel is made from.
+/// Source of a channel.
 enum class LabelSource {
-  kLabelWord,      ///< 32 bits that a shader writes of each pixel, of which each channel has some
-  kSurfaceNormal,  ///< RGBA16 that a shader writes, n / 2 + 1/2 in W; all 0 where no surface is
-  kSurfaces,       ///< computed by the camera from depth, bodies, ground and earlier pictures
-  kAir,            ///< computed by the camera from depth and what is in the air
-  kOptics          ///< of the camera's own lens and glass
+  kLabelWord,      ///< bit range of a 32-bit word that a shader writes per pixel
+  kSurfaceNormal,  ///< RGBA16 that a shader writes: n / 2 + 1/2 in W; all 0 without a surface
+  kSurfaces,       ///< computed by the camera from depth, bodies, ground and earlier images
+  kAir,            ///< computed by the camera from depth and airborne particles
+  kOptics          ///< from the camera's lens and glass
 };
 
-/// How a channel is coloured for people to look at.
+/// Colour map of a channel in overviews.
 enum class LabelColours {
-  kClasses,     ///< of SemanticClass
-  kPanoptic,    ///< of the instance, or of SemanticClass where there is none
-  kNumbers,     ///< different numbers, different colours
+  kClasses,     ///< colours of SemanticClass
+  kPanoptic,    ///< colour of the instance, or of the SemanticClass without an instance
+  kNumbers,     ///< distinct numbers have distinct colours
   kDirections,  ///< three components as red, green and blue
   kFlow,        ///< hue by direction, strength by length
   kNearness,    ///< warm for small values, 0 black
   kRise         ///< red above 32768, blue below it, 0 black
 };
 
-/// Where a frame has the picture: its pixel type, which is that of the PNG file too.
+/// Image of the frame. Its pixel type is also the type of the PNG file.
 using LabelPicture =
     std::variant<Image<std::uint8_t> CameraFrame::*, Image<std::uint16_t> CameraFrame::*>;
 
 struct LabelChannel {
-  std::string_view name;  ///< of the camera's key `labels`, the dataset's folder, the ROS topic
+  std::string_view name;  ///< key in the camera's `labels`, dataset folder and ROS topic
   LabelPicture picture;
   int components;  ///< 1: grey; 3: RGB
-  bool is_usual;   ///< of a camera with `labels: true`
+  bool is_usual;   ///< included in `labels: true`
   LabelSource source;
-  int first_bit;  ///< of kLabelWord
+  int first_bit;  ///< offset in the label word
   LabelColours colours;
-  std::string_view caption;  ///< of the overview
+  std::string_view caption;  ///< caption in the overview
 };
 
 inline constexpr std::array<LabelChannel, 15> kLabelChannels = {{
@@ -84,7 +84,7 @@ inline constexpr std::array<LabelChannel, 15> kLabelChannels = {{
      LabelColours::kNumbers, "soil in flight"},
 }};
 
-/// Channels by their place in the table.
+/// Set of channels by table index.
 using LabelSet = std::bitset<kLabelChannels.size()>;
 
 inline constexpr std::size_t kSemanticChannel = 0, kInstanceChannel = 1, kNormalChannel = 2,
@@ -100,12 +100,12 @@ inline LabelSet UsualLabels() {
   return usual;
 }
 
-/// The place of an entry of the table.
+/// Table index of a channel.
 inline std::size_t IndexOf(const LabelChannel& channel) {
   return static_cast<std::size_t>(&channel - kLabelChannels.data());
 }
 
-/// Calls `visit(channel, picture)` for each channel, empty pictures too.
+/// Calls `visit(channel, picture)` for each channel, including empty images.
 template <typename Frame, typename Visit>
 void ForEachLabel(Frame& frame, const Visit& visit) {
   for (const LabelChannel& channel : kLabelChannels) {

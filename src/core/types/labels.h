@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// Semantic class of every surface. The value is what label images and scans store; the order is
-/// part of the dataset format and only ever grows at the end.
+/// Semantic class of a surface. Label images and scans store the value. The dataset format fixes
+/// the order; new classes extend the end.
 enum class SemanticClass : std::uint8_t {
   kSky = 0,      ///< no surface
   kTerrain = 1,  ///< undisturbed or disturbed ground
@@ -19,7 +19,7 @@ enum class SemanticClass : std::uint8_t {
   kBucket = 6,
   kBlade = 7,
   kTrack = 8,
-  kVehicle = 9,  ///< another machine that is not broken into parts
+  kVehicle = 9,  ///< another machine without separate parts
   kTruck = 10,
   kPerson = 11,
   kRock = 12,
@@ -28,17 +28,17 @@ enum class SemanticClass : std::uint8_t {
   kStructure = 15,
   kSoilInBucket = 16,
   kVegetation = 17,
-  kDust = 18,  ///< in the air, of scans alone
-  kRain = 19,  ///< falling drops, of scans alone
+  kDust = 18,  ///< airborne dust; only in scans
+  kRain = 19,  ///< falling drops; only in scans
 };
 
 struct SemanticClassInfo {
   SemanticClass label;
-  std::string_view name;            ///< as written in YAML and in dataset.yaml
-  std::array<std::uint8_t, 3> rgb;  ///< colour in overview pictures
+  std::string_view name;            ///< name in YAML and dataset.yaml
+  std::array<std::uint8_t, 3> rgb;  ///< colour in overview images
 };
 
-/// All classes in order of value.
+/// All classes, in order of value.
 inline constexpr std::array<SemanticClassInfo, 20> kSemanticClasses = {{
     {SemanticClass::kSky, "sky", {135, 190, 235}},
     {SemanticClass::kTerrain, "terrain", {134, 96, 67}},

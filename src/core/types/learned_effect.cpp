@@ -12,13 +12,14 @@ namespace tera {
 namespace {
 
 constexpr std::size_t kMostKnots = 1000;
-constexpr double kMostShare = 9;  ///< a rate ten times as large
+constexpr double kMostShare = 9;  ///< ten times the rate
 
 constexpr std::string_view kNeed =
     "a table, {variable: NAME, unit: UNIT, as: added or share, at: [..], value: [..], low: [..], "
     "high: [..]}, or none to take it away";
 
-/// The variable that `map` names; a fault, and the first of all, where it is none of them.
+/// Returns the variable that `map` names. An unknown name is a fault; the first variable is
+/// returned.
 LearnedVariable ReadVariable(const ConfigMap& map, std::span<const LearnedVariable> variables) {
   const std::string name = map.Text("variable"), unit = map.Text("unit");
   const auto at = std::find_if(variables.begin(), variables.end(),
@@ -61,7 +62,7 @@ void CheckBand(const ConfigMap& map, const LearnedEffect& learned) {
   }
 }
 
-/// Reads the lists, and tells of the first fault alone that one of them has.
+/// Reads the lists and reports only the first fault among them.
 void ReadTable(const ConfigMap& map, LearnedEffect* learned) {
   const std::size_t before = internal::ConfigDocument::FaultsWith(map);
   learned->at = map.Numbers("at", Any(learned->variable.unit), 2, kMostKnots);
@@ -83,7 +84,7 @@ void ReadTable(const ConfigMap& map, LearnedEffect* learned) {
   CheckBand(map, *learned);
 }
 
-/// From `end` straight to 0 over `interval`, at a distance beyond the last knot.
+/// Linear decay from `end` to 0 over `interval`, at distance `beyond` outside the last knot.
 double Tapered(double end, double beyond, double interval) {
   return end * std::max(0.0, 1 - beyond / interval);
 }

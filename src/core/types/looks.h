@@ -2,25 +2,25 @@
 
 #include "core/motion.h"
 
-/// How parts look that no mesh file describes.
+/// Appearance of parts without a mesh file.
 
 namespace tera {
 
 enum class SolidForm { kBox, kSphere, kCylinder };
 
-/// A solid of simple form with its centre at the origin of its frame; a cylinder stands along z.
+/// A simple solid centred at the origin of its frame. A cylinder's axis is z.
 struct Solid {
   SolidForm form = SolidForm::kBox;
-  Vec3 size_m = Vec3::Zero();  ///< edges of the box around it
+  Vec3 size_m = Vec3::Zero();  ///< edge lengths of the bounding box
 };
 
-/// Colour of a whole part, linear.
+/// Linear colour of a whole part.
 struct Paint {
   Vec3 albedo = Vec3(0.5, 0.5, 0.5);
   double opacity = 1.0;
 };
 
-/// Paint that a screen shows as the sRGB colour (red, green, blue) of 0..1.
+/// Paint that a screen shows as the sRGB colour (red, green, blue) in [0, 1].
 ///
 /// Source  IEC 61966-2-1.
 Paint PaintFromSrgb(const Vec3& rgb, double opacity);

@@ -6,8 +6,8 @@
 
 namespace tera {
 
-/// Where a sensor sits on its machine, as sensor.yaml says it: parent_link, and X_parent_sensor as
-/// a row-major 4x4 matrix and as position and quaternion.
+/// Sensor mounting as YAML for sensor.yaml: parent_link and X_parent_sensor, both as a row-major
+/// 4x4 matrix and as position and quaternion.
 std::string MountingYaml(const std::string& parent_link, const Pose& X_parent_sensor);
 
 }  // namespace tera

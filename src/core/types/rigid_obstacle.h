@@ -7,31 +7,31 @@
 #include "core/motion.h"
 #include "core/types/ground_tools.h"
 
-/// Things on the site that do not give way, and which of them machines drive over.
+/// Rigid objects on the site, and the height that machines drive over.
 
 namespace tera {
 
 /// Boxes of an obstacle that stands or moves on the ground.
 ///
-/// Frames  B the obstacle's.
+/// Frames  B obstacle frame, G box frame.
 struct RigidObstacle {
   struct Box {
-    Pose X_BG = Pose::Identity();  ///< centre of the box
+    Pose X_BG = Pose::Identity();  ///< pose of the box centre
     Vec3 size_m = Vec3::Zero();    ///< edge lengths
   };
   std::vector<Box> boxes;
-  /// Height of its highest corner over the ground where it stands.
+  /// Height of its highest corner above the ground at its position.
   double rise_m = std::numeric_limits<double>::infinity();
 };
 
-/// The highest obstacle that a track or wheel rolls over: higher faces meet it too near its axle.
-/// What is higher stops it.
+/// Greatest obstacle height that a track or wheel climbs. A higher face meets the gear too close to
+/// its axle and stops it.
 inline double ClimbHeight_m(const RunningGear& gear) {
   constexpr double kShareOfRadius = 0.8;
   return kShareOfRadius * gear.drive_radius_m;
 }
 
-/// What all running gear on a link rolls over; 0 of a link without any.
+/// Greatest height that all running gear on a link climbs; 0 for a link without gear.
 inline double ClimbHeight_m(const std::vector<RunningGear>& gears, int link) {
   double least_m = std::numeric_limits<double>::infinity();
   for (const RunningGear& gear : gears) {

@@ -7,8 +7,8 @@
 
 #include "core/types/measurement.h"
 
-/// Samples as rows of numbers: which columns a kind of sample has, and a sample from and to a row.
-/// Every column carries its unit in its name.
+/// Conversion between samples and rows of numbers, with the columns of each sample kind. Each
+/// column name includes its unit.
 
 namespace tera {
 
@@ -18,22 +18,23 @@ ImuSample ImuSampleOf(const RowSample& row);
 
 std::vector<std::string> GnssColumns();
 RowSample RowOf(const GnssSample& sample);
-/// The number in the column `fix` must be one that FixOfQuality takes.
+/// The column `fix` must hold a quality that FixOfQuality accepts.
 GnssSample GnssSampleOf(const RowSample& row);
 
-/// The fix of a GGA quality, or nothing for those that are no measurement (estimated, by hand).
+/// The fix of a GGA quality; nullopt for qualities without a measurement (estimated, manual).
 std::optional<GnssFix> FixOfQuality(double quality);
 
-/// The qualities that FixOfQuality takes, for messages.
+/// Accepted qualities of FixOfQuality, for messages.
 inline constexpr std::string_view kNeedFix =
     "need 0 none, 1 single, 2 differential, 4 RTK fixed or 5 RTK float";
 
-/// <joint>_rad or, where it is linear, <joint>_m of all joints; then <joint>_radps or <joint>_mps.
+/// <joint>_rad (<joint>_m for a linear joint) of all joints, followed by <joint>_radps or
+/// <joint>_mps.
 std::vector<std::string> EncoderColumns(const std::vector<EncoderAxis>& axes);
 RowSample RowOf(const EncoderSample& sample);
 EncoderSample EncoderSampleOf(const RowSample& row);
 
-/// A reference that measures no velocities leaves their columns out.
+/// A reference without velocity measurements omits the velocity columns.
 std::vector<std::string> PoseColumns(bool with_velocity = true);
 RowSample RowOf(const TruthPose& pose, bool with_velocity = true);
 

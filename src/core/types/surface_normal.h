@@ -11,14 +11,14 @@ namespace tera {
 
 /// A unit vector as the three values of a pixel of CameraFrame::normal.
 ///
-/// Frames  C, the optical frame: x right, y down, z forward.
-/// Model   v = round(32767 (n + 1)), so that n = v / 32767 - 1 to within 1.6e-5; 0 0 0, which no
-///         unit vector gives, where no surface is.
+/// Frames  C optical frame: x right, y down, z forward.
+/// Model   v = round(32767 (n + 1)), so n = v / 32767 - 1 to within 1.6e-5. Pixels without a
+///         surface hold 0 0 0, which no unit vector encodes.
 inline constexpr double kNormalScale = 32767.0;
 
 std::array<std::uint16_t, 3> PixelOfNormal(const Vec3& n_C);
 
-/// The normal at a pixel, of length 1, or nothing where no surface is.
+/// Unit normal at a pixel; nullopt without a surface.
 std::optional<Vec3> NormalAt(const Image<std::uint16_t>& normal, int x_px, int y_px);
 
 }  // namespace tera

@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// The square that holds (x, y), clamped to the site, and the place within it.
+/// The square that contains (x, y), clamped to the site, and the position within the square.
 struct Square {
   int i, j;
   double u, v;
@@ -23,7 +23,7 @@ Square Locate(const TerrainGrid& grid, double x_m, double y_m) {
   return {i, j, gx - i, gy - j};
 }
 
-/// Height of one corner, and the differences along x and y over the triangle that holds (u, v).
+/// Height of one corner and the slopes along x and y of the triangle that contains (u, v).
 struct Plane {
   double height_m;
   Vec2 slope;
@@ -145,7 +145,7 @@ void TerrainSurface::ForTilesAround(int i, int j, Visit visit) {
 void TerrainSurface::Set(int i, int j, const Vertex& vertex) {
   const Slot slot = SlotOf(i, j);
   if (block_of_[slot.tile] >= 0 && blocks_[block_of_[slot.tile]][slot.local] == vertex) return;
-  // Undisturbed tiles beside would not follow a border that is no longer straight.
+  // Undisturbed neighbour tiles could not represent a border that is no longer straight.
   ForTilesAround(i, j, [&](int a, int b) {
     Refine(a, b);
     ++version_[tile_index(a, b)];

@@ -10,11 +10,10 @@
 
 namespace tera {
 
-/// Where the vertices of a ground stand.
+/// Vertex grid of the ground.
 ///
-/// Frames  W. Vertex (i, j) stands at origin_W_m + cell_m * (i, j). Tiles of
-///         kTileCells x kTileCells squares cover the grid; the last ones may have
-///         fewer.
+/// Frames  W. Vertex (i, j) is at origin_W_m + cell_m * (i, j). Tiles of kTileCells x kTileCells
+///         squares cover the grid; the last tiles may have fewer squares.
 struct TerrainGrid {
   static constexpr int kTileCells = 50;
 
@@ -35,20 +34,20 @@ struct TerrainGrid {
   bool operator==(const TerrainGrid&) const = default;
 };
 
-/// The visible ground: what the soil writes and what cameras and lidars see.
+/// The visible ground: written by the soil model, read by cameras and lidars.
 ///
 /// Frames  W. The surface is the triangle mesh over the vertices, each square split along the
 ///         diagonal from (i, j) to (i+1, j+1).
-/// Model   Undisturbed ground is known by its height at every `base_cells()`-th vertex, between
-///         which it is made of plane triangles, and by one cover for each tile. A tile is refined,
-///         which changes nothing to be seen, when one of its vertices (its border included) is set;
-///         only then does it take memory of its own. Its version grows with each change, so that
-///         readers refresh only what is dirty.
+/// Model   Undisturbed ground stores a height at every `base_cells()`-th vertex and one cover per
+///         tile; plane triangles join these vertices. Setting a vertex refines every tile that
+///         contains it, borders included. Refinement allocates the tile's own vertices and does not
+///         change the surface. A tile's version grows with each change, so that readers refresh
+///         only dirty tiles.
 class TerrainSurface : public TerrainGrid {
  public:
-  /// What is seen of the ground at a vertex.
+  /// Visible ground state at a vertex.
   struct Cover {
-    std::uint8_t soil = 0;       ///< index into the scenario's list of soils
+    std::uint8_t soil = 0;       ///< index into the scenario's soils
     std::uint8_t moisture = 0;   ///< degree of saturation, 0..255 for 0..1
     std::uint8_t looseness = 0;  ///< 0 undisturbed .. 255 freshly cut or dumped
     std::uint8_t rut = 0;        ///< 0 none .. 255 freshly pressed by a track
@@ -60,28 +59,29 @@ class TerrainSurface : public TerrainGrid {
     bool operator==(const Vertex&) const = default;
   };
 
-  /// A clod in the air or on its way down a slope.
+  /// A clod in the air or rolling down a slope.
   struct Grain {
-    Eigen::Vector3f p_W_m = Eigen::Vector3f::Zero();  ///< of its middle
+    Eigen::Vector3f p_W_m = Eigen::Vector3f::Zero();  ///< centre
     float radius_m = 0;
-    std::uint16_t number = 0;   ///< tells clods apart: how it is turned
+    std::uint16_t number = 0;   ///< identifies a clod and selects its orientation
     std::uint8_t soil = 0;      ///< as in Cover
     std::uint8_t moisture = 0;  ///< as in Cover
   };
 
   TerrainSurface() = default;
-  /// Level ground at zero.
+  /// Level ground at height 0.
   explicit TerrainSurface(const TerrainGrid& grid);
-  /// Undisturbed ground: `base_height_m` row-major over every `base_cells`-th vertex and the last
-  /// one along x and y; `tile_cover` one for each tile. `base_cells` divides kTileCells.
+  /// Undisturbed ground. `base_height_m` is row-major over every `base_cells`-th vertex and the
+  /// last vertex along x and y. `tile_cover` has one entry per tile. `base_cells` divides
+  /// kTileCells.
   TerrainSurface(const TerrainGrid& grid, int base_cells, std::vector<float> base_height_m,
                  std::vector<Cover> tile_cover);
 
   Vertex at(int i, int j) const;
   float height_m(int i, int j) const;
-  /// Height of the triangle mesh at (x, y) in W; the nearest border value outside the site.
+  /// Height of the triangle mesh at (x, y) in W; outside the site, the nearest border value.
   double HeightAt(double x_m, double y_m) const;
-  /// Height of the lowest vertex, at the cost of looking at them all.
+  /// Height of the lowest vertex; visits all vertices.
   double Lowest_m() const;
   /// Upward unit normal of the triangle under (x, y).
   Vec3 NormalAt(double x_m, double y_m) const;
@@ -91,23 +91,23 @@ class TerrainSurface : public TerrainGrid {
   void SetGrains(std::vector<Grain> grains) { grains_ = std::move(grains); }
 
   void Set(int i, int j, const Vertex& vertex);
-  /// Becomes what `other` is, at the cost of the tiles whose versions differ: where both have been
-  /// the same ground, at whatever moments, of what changed between them.
+  /// Becomes equal to `other`. Copies only the tiles whose versions differ if both represent the
+  /// same initial ground, otherwise all tiles.
   void Follow(const TerrainSurface& other);
-  /// Gives each vertex of tile (a, b) and of its border its own place.
+  /// Allocates the vertices of tile (a, b) and of its border.
   void Refine(int a, int b);
   bool IsRefined(int a, int b) const { return block_of_[tile_index(a, b)] >= 0; }
-  /// Squares between the vertices that undisturbed tiles are made of.
+  /// Vertex spacing of undisturbed tiles, in squares.
   int base_cells() const { return base_cells_; }
-  /// Squares between the vertices that tile (a, b) is made of.
+  /// Vertex spacing of tile (a, b), in squares.
   int step_cells(int a, int b) const { return IsRefined(a, b) ? 1 : base_cells_; }
 
-  /// 1 at the start; grows whenever a vertex of the tile or of its border changes.
+  /// Starts at 1 and grows when a vertex of the tile or of its border changes.
   std::uint32_t tile_version(int a, int b) const { return version_[tile_index(a, b)]; }
 
  private:
-  // A block has the vertices that a tile owns: those of its squares' lower left corners, and at the
-  // end of the grid the last ones.
+  // A block holds the vertices that a tile owns: the lower left corners of its squares. At the end
+  // of the grid it also holds the last vertices.
   static constexpr int kRowBits = 6;
   using Block = std::array<Vertex, 1 << (2 * kRowBits)>;
   struct Slot {
@@ -123,8 +123,8 @@ class TerrainSurface : public TerrainGrid {
   std::vector<float> base_height_m_;
   std::vector<Cover> tile_cover_;
   std::vector<std::uint32_t> version_;
-  std::vector<std::int32_t> block_of_;  ///< of each tile, -1 while undisturbed
-  std::deque<Block> blocks_;  ///< of a large site 100 MB, which stay where they are as more come
+  std::vector<std::int32_t> block_of_;  ///< one per tile; -1 while undisturbed
+  std::deque<Block> blocks_;            ///< 100 MB on a large site; growth moves no block
   std::vector<Grain> grains_;
 };
 

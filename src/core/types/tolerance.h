@@ -8,12 +8,12 @@
 
 namespace tera {
 
-/// How far one number of a mechanism may be from what a scenario says and still be as expected.
+/// Allowed deviation of one mechanism parameter from its value in the scenario.
 struct Tolerance {
-  std::string target;  ///< as in YAML: "boom", "imu_boom", "encoders/boom", "base"
+  std::string target;  ///< name in YAML: "boom", "imu_boom", "encoders/boom", "base"
   const Mechanism* mechanism = nullptr;
-  std::size_t parameter = 0;  ///< among the mechanism's
-  double half_width = 0;      ///< 95 % of what is as expected lies so near; in the parameter's unit
+  std::size_t parameter = 0;  ///< index among the mechanism's parameters
+  double half_width = 0;      ///< 95 % bound, in the parameter's unit
 };
 
 using Tolerances = std::vector<Tolerance>;

@@ -21,7 +21,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kTellsHeading_m = 1;  ///< of path
+constexpr double kTellsHeading_m = 1;  ///< shortest path that determines a heading
 
 /// One column over time.
 struct Signal {
@@ -55,7 +55,7 @@ std::vector<Signal> SignalsOf(const Recording& recording, const std::string& pat
   return signals;
 }
 
-/// b minus a at the times of a that lie within b, b interpolated.
+/// b minus a at the times of a that lie within b, with b interpolated.
 ChannelDifference Difference(const std::string& channel, const Signal& a, const Signal& b) {
   ChannelDifference d{channel, a.column};
   double sum = 0, square_sum = 0;
@@ -80,7 +80,7 @@ ChannelDifference Difference(const std::string& channel, const Signal& a, const 
   return d;
 }
 
-/// Appends the differences of the series of numbers that both machines have.
+/// Appends the differences of the number series that both machines have.
 void CompareSeries(const Recording& a, const Recording& b, TimeNs shift_ns,
                    MachineComparison* machine) {
   const std::string prefix = machine->name_a + "/";
@@ -91,7 +91,7 @@ void CompareSeries(const Recording& a, const Recording& b, TimeNs shift_ns,
     const std::string channel = folder.substr(prefix.size());
     const std::string other = machine->name_b + "/" + channel;
     if (!b.Has(other) || b.TypeOf(other) != a.TypeOf(folder)) continue;
-    // Of a sensor, whose name a stranger may have chosen, a dot is part of it.
+    // In a sensor's name a dot is an ordinary character.
     const bool is_table = a.TypeOf(folder) == kTableChannel;
     const std::string name = is_table ? fs::path(channel).replace_extension().string() : channel;
     const auto signals_b = SignalsOf(b, other, shift_ns);
@@ -223,7 +223,7 @@ void AppendTrack(std::string* text, const TrackComparison& track) {
   text->push_back('\n');
   AppendErrors(text, "APE, not aligned", track.unaligned, is_turned);
   AppendErrors(text, "APE, SE(2) aligned", track.aligned_se2, is_turned);
-  // Aligned in space, a heading alone is no rotation.
+  // The SE(3) alignment makes a heading alone meaningless as a rotation.
   AppendErrors(text, "APE, SE(3) aligned", track.aligned_se3,
                track.rotation == TrackComparison::Rotation::kAll);
   TrajectoryError relative;
@@ -285,7 +285,7 @@ void AddCharts(const Comparison& comparison, const std::string& name, const Trac
                      errors(&PoseErrorSample::rotation_rad, kDeg, is_all)});
 }
 
-/// Folder and scenario: two runs of one scenario differ by the first.
+/// Folder and scenario: two runs of one scenario differ in the folder.
 std::string NameOf(const Recording& recording) {
   return fmt::format("{} ({})", recording.directory().filename().string(),
                      recording.info().scenario_name);

@@ -17,10 +17,11 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kOfOneSite_m = 100e3;  ///< between origins, of recordings of one place
-constexpr double kSamePlace_m = 0.01;   ///< of an antenna on its link, as a tape measures it
+constexpr double kOfOneSite_m = 100e3;  ///< between the origins of recordings of one site
+constexpr double kSamePlace_m =
+    0.01;  ///< antenna mounts this close are equal, at the accuracy of a tape measure
 
-/// A receiver's fixes, and where it sits as far as that is known.
+/// A receiver's fixes, and its mounting if known.
 struct Antenna {
   std::string name, link;
   std::optional<Vec3> p_P_m;
@@ -33,7 +34,7 @@ SiteFrame::Geodetic OriginOf(const Recording& recording) {
   return {info.origin_lat_deg, info.origin_lon_deg, info.origin_height_m};
 }
 
-/// A second, and of slow receivers some intervals.
+/// A second, or some sample periods of a slow receiver.
 TimeNs LongestGap(const Trajectory& fixes) {
   constexpr double kIntervals = 2.5;
   std::vector<TimeNs> intervals_ns;
@@ -98,7 +99,7 @@ std::vector<Shared> MatchAntennas(std::vector<Antenna> a, std::vector<Antenna> b
   return shared;
 }
 
-/// The yaw of the link by two antennas of one recording.
+/// The yaw of the link from two antennas of one recording.
 class PairHeading {
  public:
   PairHeading(const Antenna& first, const Antenna& second, const AntennaPair& pair)
@@ -116,7 +117,7 @@ class PairHeading {
   AntennaPair pair_;
 };
 
-/// The yaw of one link in both recordings, by two antennas whose places on it are known in both.
+/// The yaw of one link in both recordings, from two antennas with known mounts in both.
 struct LinkHeading {
   std::string name;  ///< "gnss_left to gnss_right"
   PairHeading a, b;
@@ -130,7 +131,7 @@ bool CanTellHeading(const Shared& one) {
   return one.a.p_P_m && one.b.p_P_m && !one.a.fixes.empty() && !one.b.fixes.empty();
 }
 
-/// By the first two antennas that tell it.
+/// Uses the first suitable pair of antennas.
 std::optional<LinkHeading> HeadingOfLink(const std::string& link,
                                          const std::vector<Shared>& shared) {
   std::vector<const Shared*> on_link;
@@ -150,8 +151,8 @@ std::optional<LinkHeading> HeadingOfLink(const std::string& link,
   return std::nullopt;
 }
 
-/// The fixes with the heading, each moved by a shift of the link; those without a heading, which
-/// has to be known, are left out.
+/// The fixes with a known heading, each shifted by a vector of the link. Fixes without a heading
+/// are left out.
 Trajectory Headed(const Trajectory& fixes, const PairHeading& heading, const Vec3& shift_P_m) {
   Trajectory track;
   for (const TimedPose& fix : fixes) {

@@ -19,7 +19,7 @@ std::optional<TimeNs> StampOf(const std::string& line) {
   return status == std::errc() && stop == end ? std::optional(t_ns) : std::nullopt;
 }
 
-/// By the first row behind the header and the last whole row of a table.
+/// From the first row after the header and the last complete row of a table.
 std::optional<RecordedSpan> SpanOfTable(const fs::path& csv) {
   constexpr std::streamoff kLongestRow = 65'536;
   std::ifstream stream(csv, std::ios::binary);
@@ -61,7 +61,7 @@ std::string EpochsText(const RecordingEpoch& a, const RecordingEpoch& b, TimeNs 
 
 std::string NameIn(const Recording& recording) { return recording.directory().string(); }
 
-/// The span that both have, in times of `one`.
+/// The common span, in times of `one`.
 std::optional<RecordedSpan> Overlap(const Recording& one, const Recording& other, TimeNs shift_ns) {
   const auto a = SpanOf(one), b = SpanOf(other);
   if (!a || !b) return std::nullopt;

@@ -13,26 +13,26 @@ struct RecordedSpan {
   TimeNs first_ns = 0, last_ns = 0;
 };
 
-/// Nothing where no channel has a row.
+/// Returns nothing if no channel has a row.
 std::optional<RecordedSpan> SpanOf(const Recording& recording);
 
-/// How the times of one recording lie to those of another.
+/// Relation between the times of two recordings.
 struct TimeAlignment {
   TimeNs shift_ns = 0;  ///< t of the one = t of the other + shift
   bool by_epochs = false;
-  /// By what times are compared, or why they may not be of the same event; empty of two simulations
-  /// without an epoch, whose times count from their start.
+  /// Basis of the alignment, or the reason why the recordings may not show the same event. Empty
+  /// for two simulations without an epoch, whose times start at zero.
   std::string told;
 };
 
-/// Lays the times of `other` beside those of `one`.
+/// Aligns the times of `other` with those of `one`.
 ///
-/// Model   where both have an epoch, by it, unless the recordings then have no time in common, as
-///         two drives of different days; else each from its own zero.
+/// Model   by their epochs if both have one, unless the recordings then have no common time, as two
+///         drives on different days; else each from its own zero.
 TimeAlignment AlignTimes(const Recording& one, const Recording& other);
 
-/// The time that two recordings share, in times of `one`; nothing where there is none or their
-/// epochs do not tell.
+/// The common time of two recordings, in times of `one`; nothing without a common time or with
+/// indeterminate epochs.
 std::optional<RecordedSpan> TimeInCommon(const Recording& one, const Recording& other);
 
 }  // namespace tera

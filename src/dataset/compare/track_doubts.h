@@ -7,14 +7,13 @@
 
 namespace tera {
 
-/// Why two tracks of one body may lie apart although both were measured well, as sentences: `b` is
-/// as large as `a` in another unit, its times differ by what GPS time, UTC and TAI differ, or it
-/// lies as far away as coordinates of a map do.
+/// Sentences on causes, other than the measurement, of a difference between two tracks of one body.
+/// `b` may have the size of `a` in another unit. Its times may differ as GPS time, UTC and TAI do.
+/// Its coordinates may be those of a map.
 ///
-/// Model   units: the scale of Umeyama's similarity, where it leaves a twentieth of a's size.
-/// Times:
-///         a shift that leaves less than a third of the error, and less than shifts of a second
-///         more or less do.
+/// Model   units: the scale of Umeyama's similarity, if the residual is below a twentieth of a's
+///         size. Times: a shift that leaves less than a third of the error, and less than shifts of
+///         a second more or less.
 std::vector<std::string> TrackDoubts(const Trajectory& a, const Trajectory& b, TimeNs max_gap_ns);
 
 }  // namespace tera

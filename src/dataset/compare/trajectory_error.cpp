@@ -42,8 +42,8 @@ Pose FitSe3(const std::vector<Pair>& pairs) {
   return X_WV;
 }
 
-/// Least-squares motion of b's positions onto a's in the horizontal plane, in closed form: the yaw
-/// whose tangent is the sum of cross products over the sum of dot products of the centred
+/// Least-squares motion of b's positions onto a's in the horizontal plane, in closed form. The
+/// yaw's tangent is the sum of cross products over the sum of dot products of the centred
 /// positions. Heights stay.
 Pose FitSe2(const std::vector<Pair>& pairs) {
   const auto n = static_cast<double>(pairs.size());
@@ -77,7 +77,7 @@ Pose Align(const std::vector<Pair>& pairs, Alignment alignment) {
   return Pose::Identity();
 }
 
-/// Angle of a rotation, exact near zero where the trace is not.
+/// Angle of a rotation, exact near zero, unlike the trace formula.
 double Angle(const Pose& E) {
   const Quat q(E.linear());
   return 2.0 * std::atan2(q.vec().norm(), std::abs(q.w()));
@@ -97,8 +97,7 @@ Pose RelativeError(const Pair& from, const Pair& to) {
   return (from.a.inverse() * to.a).inverse() * (from.b.inverse() * to.b);
 }
 
-/// One sample for each pair that has another at least `interval_ns` later, and not later than half
-/// an interval more.
+/// One sample for each pair with another pair later by `interval_ns` to one and a half times that.
 std::vector<PoseErrorSample> Relative(const std::vector<Pair>& pairs, TimeNs interval_ns) {
   std::vector<PoseErrorSample> samples;
   std::size_t to = 0;

@@ -16,21 +16,21 @@ struct TimedPose {
 /// Poses of one body, times strictly increasing.
 using Trajectory = std::vector<TimedPose>;
 
-/// How the world of the judged trajectory is laid over that of the reference.
+/// Alignment of the world of the evaluated trajectory with that of the reference.
 enum class Alignment {
   kNone,
   kSe2,  ///< yaw about z and a horizontal shift
   kSe3,  ///< rotation and shift
 };
 
-/// The pose between two that lie no further apart than the gap; nothing outside of the track.
+/// The interpolated pose between two poses at most the gap apart; nothing outside the track.
 std::optional<Pose> PoseAt(const Trajectory& track, TimeNs t_ns, TimeNs max_gap_ns);
 
 struct TrajectoryErrorOptions {
   Alignment alignment = Alignment::kNone;
   /// Interval of the relative pose error.
   TimeNs relative_interval_ns = kNsPerSecond;
-  /// Poses further apart than this are not interpolated between.
+  /// Largest interval for interpolation.
   TimeNs max_gap_ns = kNsPerSecond;
 };
 
@@ -47,10 +47,10 @@ struct PoseErrorSample {
 /// Errors of a trajectory `b` (estimate, simulation) against a reference `a`.
 ///
 /// Frames  W world of a, V world of b, B body; `X_WV` is the alignment.
-/// Model   at each time of a, b interpolated to it: E = X_WB_a^-1 X_WV X_VB_b. Absolute pose error
-///         (APE): |translation(E)|, angle(E). Relative pose error (RPE) over an interval d:
-///         F = (a_t^-1 a_(t+d))^-1 (b_t^-1 b_(t+d)), which no alignment changes. X_WV by least
-///         squares on the positions (Umeyama, scale 1). Path lengths over the common times; final
+/// Model   at each time of a, with b interpolated: E = X_WB_a^-1 X_WV X_VB_b. Absolute pose error
+///         (APE): |translation(E)|, angle(E). Relative pose error (RPE) over an interval d: F =
+///         (a_t^-1 a_(t+d))^-1 (b_t^-1 b_(t+d)), which no alignment changes. X_WV by least squares
+///         on the positions (Umeyama, scale 1). Path lengths cover the common times; the final
 ///         drift is F from the first common time to the last.
 /// Omits   scale; the rotation about a straight path, which positions do not determine.
 /// Source  Sturm et al. 2012, "A benchmark for the evaluation of RGB-D SLAM systems"; Zhang and

@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// A file whose header says how much follows, and which is larger than memory: the rest is written
-/// first, beside it, and joined to the header at the end.
+/// A large file whose header states the length of the rest. The rest is written first to a
+/// temporary file and joined to the header at the end.
 class CountedFile {
  public:
   explicit CountedFile(const std::filesystem::path& path);

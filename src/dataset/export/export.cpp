@@ -55,7 +55,7 @@ WriteFormat WriterOf(ExportFormat format) {
   return nullptr;
 }
 
-/// Nothing of anybody's may be written over, and a recording must not be written into itself.
+/// Refuses to overwrite files, and to write a recording into itself.
 void RequireNewPlace(const fs::path& dataset, const fs::path& out) {
   const fs::path name = out.has_filename() ? out.filename() : out.parent_path().filename();
   if (name.empty() || name == "." || name == "..") {
@@ -78,8 +78,7 @@ void RequireNewPlace(const fs::path& dataset, const fs::path& out) {
   }
 }
 
-/// Paths become names of files and of topics, so none may lead out of the recording or be there
-/// twice.
+/// Paths become file names and topic names. None may lead out of the recording or occur twice.
 void RequirePlainPaths(const Recording& recording) {
   std::set<std::string> seen;
   for (const ChannelDescription& channel : recording.channels()) {
@@ -100,7 +99,7 @@ void RequirePlainPaths(const Recording& recording) {
   }
 }
 
-/// Writes the format, and where it is stopped by a fault keeps what `resume` can go on with.
+/// Writes the format. After a fault it keeps the files that `resume` can continue from.
 void WriteFrames(ExportJob* job, WholeFolder* folder) {
   FrameLog whole(job->folder);
   job->whole_frames = &whole;

@@ -15,35 +15,35 @@ namespace tera {
 
 class FrameLog;
 
-/// What a format is written from and where. Each format is one function of it.
+/// Input and output of an export. Each format is one function of it.
 struct ExportJob {
   const Recording& recording;
-  const std::filesystem::path& folder;  ///< to write into; it is there and empty
-  std::string name;                     ///< of the folder in its final place
+  const std::filesystem::path& folder;  ///< existing and empty
+  std::string name;                     ///< final name of the folder
   const ExportOptions& options;
   std::int64_t records = 0;   ///< read so far
-  std::int64_t messages = 0;  ///< of a bag, written so far
+  std::int64_t messages = 0;  ///< written to a bag so far
   AbsentPictures absent = {};
-  FrameLog* whole_frames = nullptr;  ///< of formats that go on by frames
-  bool frames_written = false;       ///< some are there to be gone on with
+  FrameLog* whole_frames = nullptr;  ///< for formats that resume by frames
+  bool frames_written = false;       ///< some complete frames exist
   std::optional<std::vector<JointTree>> known_joint_trees = std::nullopt;
 
-  /// The next record of a stream, which must be in order of time, with progress told.
+  /// The next record of a stream, which must be in order of time. Reports progress.
   bool Next(RecordStream* stream, Record* record);
-  /// Whether the files of a frame are whole already, from an export that was stopped. `of` is a
-  /// channel or another list of frames, `frame` a time or a number in it.
+  /// Whether a stopped export has completed the files of a frame. `of` is a channel or another list
+  /// of frames, `frame` a time or an index in it.
   bool IsWritten(const std::string& of, std::int64_t frame) const;
-  /// Says that they are whole now.
+  /// Marks the files of a frame as complete.
   void Written(const std::string& of, std::int64_t frame,
                const std::vector<std::filesystem::path>& files);
-  /// Asked for at the first call.
+  /// Loaded at the first call.
   const std::vector<JointTree>& JointTrees();
-  const JointTree* JointTreeOf(const std::string& machine);  ///< null: not known
-  /// What a time of the recording is in the format; `without_date` where nobody gave the date.
+  const JointTree* JointTreeOf(const std::string& machine);  ///< null: unknown
+  /// The format's time for a time of the recording. `without_date` applies if the date is unknown.
   TimeNs Stamp(TimeNs t_ns, TimeNs without_date = 0) const;
 };
 
-/// Throws InputError: the recording has none of the channels that a format consists of.
+/// Throws InputError if the recording has none of the channels of a format.
 void RequireAny(const std::vector<std::string>& paths, const ExportJob& job,
                 std::string_view needed);
 

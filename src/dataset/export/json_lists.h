@@ -10,17 +10,17 @@ namespace tera {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// A JSON file of one object with lists that are larger than memory: they are written one after the
-/// other, entry by entry.
+/// Streams a JSON object with lists that are larger than memory, one list after another, entry by
+/// entry.
 class JsonLists {
  public:
   explicit JsonLists(const std::filesystem::path& path);
 
-  /// A member that is no long list.
+  /// Adds a member other than a long list.
   void Put(const std::string& name, const OrderedJson& value);
-  /// Ends the list before it, if there is one.
+  /// Ends the current list, if any.
   void BeginList(const std::string& name);
-  /// To the list that was begun last.
+  /// Adds to the current list.
   void Add(const OrderedJson& entry);
   void Commit();
 

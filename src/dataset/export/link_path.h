@@ -8,18 +8,18 @@
 
 namespace tera {
 
-/// A joint on the way from a machine's root to a link, and where a table has its position.
+/// A joint between a machine's root and a link, and its column in a table of positions.
 struct PathStep {
   JointTree::Joint joint;
-  std::size_t column = 0;  ///< of a joint that moves
+  std::size_t column = 0;  ///< index, for a movable joint
 };
 
-/// The way from the root to a link. Where there is none, or the table lacks the position of a joint
-/// on it, `lacks` says what is missing.
+/// The joints from the root to a link. If there is no path, or the table lacks a joint's position,
+/// `lacks` names the missing item.
 std::vector<PathStep> PathToLink(const std::string& link, const JointTree& tree,
                                  const std::vector<std::string>& columns, std::string* lacks);
 
-/// The link L in the root link R, by the positions of a row of the table.
+/// The link L in the root link R, from a row of the table.
 Pose X_RL(const std::vector<PathStep>& path, const Record& row);
 
 }  // namespace tera

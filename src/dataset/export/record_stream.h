@@ -13,16 +13,15 @@
 
 namespace tera {
 
-/// A channel that is streamed.
+/// A channel of the stream.
 struct StreamedChannel {
   std::string path;
-  /// How long after it was valid a reader could have had a measurement: the order of records is
-  /// that in which they were available.
+  /// Delay from the time of validity to that of availability; records are ordered by availability.
   TimeNs delay_ns = 0;
 };
 
-/// One record of one channel: the numbers of a row, or the time of a frame, whose files whoever
-/// needs them reads.
+/// One record of one channel: the numbers of a row, or the time of a frame. The user of a frame
+/// reads its files.
 struct Record {
   std::size_t channel = 0;  ///< index into the stream's channels
   TimeNs t_ns = 0;
@@ -30,24 +29,23 @@ struct Record {
   std::vector<double> values;
 };
 
-/// The records of some channels of a recording, in the order of the times at which they were
-/// available; of equal times, in the order of the channels. One record of each channel is in
-/// memory.
+/// Streams records of several channels in the order of availability; at equal times, in the order
+/// of the channels. Memory holds one record of each channel.
 class RecordStream {
  public:
   RecordStream(const Recording& recording, const std::vector<StreamedChannel>& channels);
   RecordStream(const Recording& recording, const std::vector<std::string>& paths);
 
-  /// False at the end. Throws InputError where a file is not as it must be.
+  /// Returns false at the end. Throws InputError for a malformed file.
   bool Next(Record* record);
   const std::string& path(std::size_t channel) const { return channels_[channel].path; }
   const std::vector<std::string>& columns(std::size_t channel) const {
     return readers_[channel]->columns();
   }
   bool lists_frames(std::size_t channel) const { return readers_[channel]->lists_frames(); }
-  /// About the record that Next gave last.
+  /// Throws InputError about the last record.
   [[noreturn]] void Fail(std::string_view finding) const;
-  /// Throws InputError where the columns of a channel are others.
+  /// Throws InputError if a channel has other columns.
   void RequireColumns(std::size_t channel, const std::vector<std::string>& needed) const;
 
  private:
@@ -58,7 +56,7 @@ class RecordStream {
   };
   std::vector<StreamedChannel> channels_;
   std::vector<std::unique_ptr<RowScan>> readers_;
-  std::optional<std::size_t> given_;  ///< whose reader stands at the record that Next gave last
+  std::optional<std::size_t> given_;  ///< channel whose reader is at the last record
   std::priority_queue<Record, std::vector<Record>, Later> next_;
 };
 

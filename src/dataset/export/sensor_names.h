@@ -5,10 +5,10 @@
 
 namespace tera {
 
-/// "machine_sensor" of "machine/sensor": a name of a file.
+/// "machine_sensor" for "machine/sensor", for file names.
 std::string FlatName(std::string sensor);
 
-/// Throws InputError where two sensors would have the same FlatName.
+/// Throws InputError if two sensors have the same FlatName.
 void RequireFlatNamesApart(const std::vector<std::string>& sensors);
 
 }  // namespace tera

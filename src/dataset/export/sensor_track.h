@@ -15,24 +15,24 @@ struct SensorPoses {
   std::int64_t count = 0;
 
   void Append(TimeNs t_ns, const Pose& pose);
-  /// From one to the next, on average; 0 where there is only one.
+  /// Mean interval; 0 for a single pose.
   TimeNs MeanPeriod_ns() const { return count > 1 ? (last_ns - first_ns) / (count - 1) : 0; }
 };
 
-/// "truth/excavator1/sensors/lidar.csv" of "excavator1/lidar".
+/// "truth/excavator1/sensors/lidar.csv" for "excavator1/lidar".
 std::string SensorPoseFile(const std::string& sensor);
 
-/// Where a sensor truly was over a recording.
+/// The true poses of a sensor over a recording.
 ///
 /// Frames  W world, S sensor.
-/// Model   truth/<machine>/sensors/<sensor>.csv where the recording has it (`record: {poses_hz}`);
-///         else the machine's true pose, its joints' true positions and its joint tree, at the
-///         times of the joints, and the mounting of sensor.yaml.
+/// Model   truth/<machine>/sensors/<sensor>.csv if the recording has it (`record: {poses_hz}`).
+///         Otherwise the machine's true pose, its true joint positions, its joint tree and the
+///         mounting in sensor.yaml, at the times of the joints.
 ///
-/// Throws InputError where it has neither.
+/// Throws  InputError if it has neither.
 SensorPoses SensorTrack(ExportJob* job, const std::string& sensor);
 
-/// Where a machine's root link was. Throws InputError where that was not recorded.
+/// The poses of a machine's root link. Throws InputError if they were not recorded.
 SensorPoses MachineTrack(const ExportJob& job, const std::string& machine);
 
 }  // namespace tera

@@ -4,11 +4,11 @@
 
 #include "core/time.h"
 
-/// Times as texts of other formats, exact to the last digit: never by way of a double.
+/// Times as texts of other formats, exact to the last digit, without doubles.
 
 namespace tera {
 
-/// Seconds with `decimals` digits behind the point, rounded to the nearest: "-0.250000000".
+/// Seconds with `decimals` digits, rounded to the nearest: "-0.250000000".
 std::string SecondsText(TimeNs t_ns, int decimals = 9);
 
 /// A date and a time of day of the Gregorian calendar, UTC, without leap seconds.
@@ -17,7 +17,7 @@ struct CivilTime {
   int hour = 0, minute = 0, second = 0;
   TimeNs nanosecond = 0;
 };
-/// Of ns since 1970-01-01 00:00:00.
+/// From ns since 1970-01-01 00:00:00.
 CivilTime CivilTimeOf(TimeNs unix_ns);
 
 /// The nearest multiple of 10^-`decimals` s.

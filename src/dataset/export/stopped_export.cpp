@@ -18,7 +18,7 @@ namespace {
 
 constexpr const char* kKeyFile = "INCOMPLETE.export";
 
-/// The length of what lists a channel's records; 0 where there is nothing.
+/// The length of a channel's table; 0 without one.
 std::uintmax_t RowBytes(const fs::path& channel) {
   std::error_code ignored;
   const fs::path file = fs::is_directory(channel, ignored) ? channel / "data.csv" : channel;

@@ -17,9 +17,9 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "numbers are written as they lie");
 
 constexpr std::string_view kMagic = "TERA blocks 1\n";
-constexpr int kLevel = 6;                              ///< of zstd: beyond it little is gained
-constexpr std::uint64_t kMostStream_bytes = 1u << 30;  ///< a longer one is a damaged length
-/// No frame holds more for each of its bytes: blocks of 128 KiB take 4 bytes at least.
+constexpr int kLevel = 6;                              ///< zstd level; higher ones gain little
+constexpr std::uint64_t kMostStream_bytes = 1u << 30;  ///< a longer stream has a damaged length
+/// Limit of a zstd frame's expansion: blocks of 128 KiB take at least 4 bytes.
 constexpr std::uint64_t kMostOfAByte_bytes = 1u << 15;
 
 [[noreturn]] void FailReading(const std::filesystem::path& path, int error_number) {

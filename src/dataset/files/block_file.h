@@ -12,22 +12,22 @@
 
 namespace tera {
 
-/// A block: byte streams that are compressed each by itself, because each has its own statistics.
+/// A block: byte streams that are compressed separately, since each has its own statistics.
 using Block = std::vector<std::string>;
 
-/// Writes a file of compressed blocks behind a header.
+/// Writes a file of compressed blocks after a header.
 ///
-/// Model   "TERA blocks 1\n", the header, then each block, then an end. Numbers are 32 bit,
-///         little-endian: the header's length before it; before a block the number of its streams,
-///         before each stream its compressed length; 0 streams are the end. A stream is a zstd
+/// Model   "TERA blocks 1\n", the header, then the blocks, then an end. Numbers are 32 bit,
+///         little-endian. A length precedes the header; a stream count precedes each block; a
+///         compressed length precedes each stream; a count of 0 is the end. A stream is a zstd
 ///         frame with its length and its checksum.
 /// Source  RFC 8878 (Zstandard), by libzstd.
 class BlockFileWriter {
  public:
-  /// Throws InputError where the file cannot be written, as every call does.
+  /// Throws InputError if the file cannot be written, as every call does.
   BlockFileWriter(const std::filesystem::path& path, std::string_view header);
 
-  /// Of one stream at least.
+  /// The block needs at least one stream.
   void Append(const Block& block);
   /// Writes the end; the file appears under its name.
   void Commit();
@@ -37,14 +37,14 @@ class BlockFileWriter {
   CheckedFile file_;
 };
 
-/// Reads what BlockFileWriter wrote, block by block. Throws InputError where the file is none, is
-/// damaged, or does not end where its end is.
+/// Reads a file of BlockFileWriter, block by block. Throws InputError if the file has another
+/// format, is damaged, or does not stop at its end mark.
 class BlockFileReader {
  public:
   explicit BlockFileReader(const std::filesystem::path& path);
 
   const std::string& header() const { return header_; }
-  /// Nothing at the end.
+  /// Returns nothing at the end.
   std::optional<Block> Next();
 
  private:
@@ -53,7 +53,7 @@ class BlockFileReader {
   [[noreturn]] void Fail(std::string_view finding) const;
 
   std::filesystem::path path_;
-  std::uint64_t left_ = 0;  ///< bytes of the file not yet read
+  std::uint64_t left_ = 0;  ///< unread bytes of the file
   bool at_end_ = false;
   std::ifstream stream_;
   std::string header_;

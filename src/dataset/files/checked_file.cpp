@@ -101,7 +101,7 @@ void CheckedFile::Leave() {
   try {
     Flush();
   } catch (const InputError&) {
-    // Whoever leaves a file has been told of its disk already.
+    // The disk's failure is already reported.
   }
 }
 
@@ -138,7 +138,7 @@ void MakeFolder(const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::create_directories(path, error);
   const std::string doing = "folder cannot be created";
-  // Missing parents are made too: where they cannot be, the place is one for no folders.
+  // Missing parents are created too, so ENOENT means that no folder can be created there.
   if (error.value() == ENOENT) Fail(path, doing, ENOENT, Remedy(EACCES));
   if (error) FailFile(path, doing, error.value());
 }

@@ -7,33 +7,33 @@
 
 namespace tera {
 
-/// A file that is written under a temporary name and appears under its own when it is whole.
+/// A file that is written under a temporary name and gets its own name when complete.
 ///
-/// Every write, the close and the rename are checked; a failure is an InputError that says which
-/// file, why, and what to do (disk full, no permission, no such folder).
+/// Every write, the close and the rename are checked. A failure is an InputError with the file, the
+/// cause and the remedy (disk full, no permission, no such folder).
 class CheckedFile {
  public:
   explicit CheckedFile(const std::filesystem::path& path);
   CheckedFile(const CheckedFile&) = delete;
   CheckedFile& operator=(const CheckedFile&) = delete;
-  /// Without Commit or Leave, removes the temporary file.
+  /// Removes the temporary file unless Commit or Leave was called.
   ~CheckedFile();
 
   void Append(std::string_view bytes);
-  /// Hands what is buffered to the system.
+  /// Passes the buffer to the system.
   void Flush();
-  /// Writes what is buffered, closes, and gives the file its name.
+  /// Writes the buffer, closes, and renames the file.
   void Commit();
-  /// Without Commit before it, the temporary file stays, with as much as the disk takes. The last
-  /// use of this.
+  /// Keeps the temporary file if Commit was not called, with as much as the disk takes. No call may
+  /// follow.
   void Leave();
   std::int64_t bytes() const { return bytes_; }
   const std::filesystem::path& path() const { return path_; }
-  /// Where another program may write instead of Append, before Commit.
+  /// Path for another program that writes instead of Append, before Commit.
   const std::filesystem::path& temporary() const { return temporary_; }
 
  private:
-  /// To the system.
+  /// Writes to the system.
   void Write(std::string_view bytes);
 
   std::filesystem::path path_, temporary_;
@@ -43,10 +43,10 @@ class CheckedFile {
   std::int64_t bytes_ = 0;
 };
 
-/// Ending of temporary names.
+/// Suffix of temporary names.
 inline constexpr std::string_view kPartSuffix = ".part";
 
-/// The whole of `bytes` as the file at `path`, by way of a temporary name.
+/// Writes `bytes` as the file at `path`, through a temporary name.
 void WriteWholeFile(const std::filesystem::path& path, std::string_view bytes);
 
 /// Bytes of a file. Throws InputError if it cannot be read.
@@ -55,8 +55,8 @@ std::string ReadWholeFile(const std::filesystem::path& path);
 /// Creates a folder with its parents. Throws InputError.
 void MakeFolder(const std::filesystem::path& path);
 
-/// Creates a folder with its parents where it is not there, and tries whether files can be created
-/// in it. Throws InputError.
+/// Creates a missing folder with its parents, and checks that files can be created in it. Throws
+/// InputError.
 void MakeWritableFolder(const std::filesystem::path& path);
 
 /// The InputError for a system call on `path` that failed with `error_number`.

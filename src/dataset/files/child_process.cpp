@@ -11,14 +11,14 @@
 namespace tera {
 namespace {
 
-constexpr int kNotFoundStatus = 127;  // as a shell has it
+constexpr int kNotFoundStatus = 127;  // as in a shell
 
 }  // namespace
 
 ChildProcess::ChildProcess(const std::string& program, const std::string& arguments,
                            const std::string& remedy)
     : program_(program), remedy_(remedy) {
-  // Else writing to a program that ended would end this one too.
+  // Otherwise a write to an ended program would end this one too.
   old_handler_ = std::signal(SIGPIPE, SIG_IGN);
   const std::string command = fmt::format("command -v {0} >/dev/null || exit {1}; exec {0} {2}",
                                           program, kNotFoundStatus, arguments);

@@ -6,17 +6,17 @@
 
 namespace tera {
 
-/// Another program that reads what is written to it: gnuplot, ffmpeg.
+/// Another program that reads this one's output: gnuplot, ffmpeg.
 class ChildProcess {
  public:
-  /// Starts `program` with `arguments` as a shell would split them. `remedy` ends the messages:
-  /// which package holds the program.
+  /// Starts `program` with `arguments`, split as in a shell. `remedy` ends the messages: the
+  /// package of the program.
   ChildProcess(const std::string& program, const std::string& arguments, const std::string& remedy);
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
   ~ChildProcess();
 
-  /// A program that ended early takes nothing more; Close reports it.
+  /// Does nothing after the program's early end, which Close reports.
   void Write(std::string_view bytes);
   /// Waits for the end. Throws InputError if the program is not installed or reports a failure.
   void Close();

@@ -13,14 +13,14 @@
 namespace tera {
 namespace {
 
-/// SHA-256 of what is added to it.
+/// Incremental SHA-256.
 class Sha256 {
  public:
   Sha256() { TERA_CHECK(hash_ && EVP_DigestInit_ex(hash_.get(), EVP_sha256(), nullptr) == 1); }
   void Add(const char* bytes, std::size_t count) {
     TERA_CHECK(EVP_DigestUpdate(hash_.get(), bytes, count) == 1, count);
   }
-  /// In hexadecimal digits. The last use of this.
+  /// The digest in hexadecimal digits. No call may follow.
   std::string Finish() {
     std::array<unsigned char, EVP_MAX_MD_SIZE> sum;
     unsigned int size = 0;

@@ -12,9 +12,11 @@ struct FileDigest {
   std::string sha256;  ///< 64 hexadecimal digits
 };
 
-/// Source  FIPS 180-4, by OpenSSL. Throws InputError where the file cannot be read.
+/// Throws InputError if the file cannot be read.
+///
+/// Source  FIPS 180-4, by OpenSSL.
 FileDigest DigestOf(const std::filesystem::path& file);
-/// SHA-256 of these bytes, as FileDigest has it.
+/// SHA-256 of these bytes, in the format of FileDigest.
 std::string Sha256Of(std::string_view bytes);
 
 }  // namespace tera

@@ -4,8 +4,8 @@
 
 namespace tera {
 
-/// Holds a folder for one writer, as long as it lives; a killed process lets go of it. Throws
-/// InputError if somebody else holds it.
+/// Locks a folder for one writer during its lifetime; a killed process releases it. Throws
+/// InputError if another process holds it.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder);

@@ -10,12 +10,12 @@
 
 namespace tera {
 
-/// The files of frames that are whole, so that a killed run can go on where it stood.
+/// Log of complete frames, from which a killed run can resume.
 ///
-/// Model   one text line for each finished frame, appended when its last file has its name: channel
-///         folder, t_ns, then size and name of each file. A line counts when it ends in a newline
-///         and every file it names has that size. The log lives only in the incomplete directory.
-///         Append may be called from several threads.
+/// Model   one text line for each complete frame, appended when its last file has its name: channel
+///         folder, t_ns, then size and name of each file. A line counts if it ends in a newline and
+///         every file has that size. The log exists only in the incomplete directory. Append is
+///         thread-safe.
 class FrameLog {
  public:
   struct File {
@@ -23,13 +23,13 @@ class FrameLog {
     std::int64_t bytes = 0;
   };
 
-  /// Reads the log of an earlier run in `root`, if there is one, and goes on with it.
+  /// Reads the log of an earlier run in `root`, if there is one, and continues it.
   explicit FrameLog(const std::filesystem::path& root);
   FrameLog(const FrameLog&) = delete;
   FrameLog& operator=(const FrameLog&) = delete;
   ~FrameLog();
 
-  /// Was the frame whole when this log was opened?
+  /// Whether the frame was complete when this log was opened.
   bool WasWhole(const std::string& folder, TimeNs t_ns) const;
   void Append(const std::string& folder, TimeNs t_ns, const std::vector<File>& files);
   /// Closes and deletes the log.

@@ -10,18 +10,18 @@
 
 namespace tera {
 
-/// Worker threads behind a bounded queue of jobs.
+/// Worker threads with a bounded queue of jobs.
 ///
-/// Model   jobs start in the order given and may end in any; Push blocks while `capacity` jobs
-///         wait. The first exception of a job is kept, later jobs are dropped unrun, and the next
-///         Push or Drain throws it on the caller's thread. Where the system has fewer threads to
-///         give, these do the work; where it has none, Push does.
+/// Model   jobs start in order and may end in any order; Push blocks while `capacity` jobs wait.
+///         The first exception of a job is kept, later jobs are dropped, and the next Push or Drain
+///         throws it on the caller's thread. If the system gives fewer threads, these do the work;
+///         without any, Push does.
 class FrameQueue {
  public:
   FrameQueue(int threads, int capacity);
   FrameQueue(const FrameQueue&) = delete;
   FrameQueue& operator=(const FrameQueue&) = delete;
-  /// Drops the jobs that have not started and waits for those that have.
+  /// Drops the jobs that have not started and waits for the others.
   ~FrameQueue();
 
   void Push(std::function<void()> job);

@@ -12,14 +12,12 @@
 
 namespace tera {
 
-/// Work that is done side by side, and whose results are taken one after the other, in the order in
-/// which it was given.
+/// Runs work in parallel and delivers the results in the order of submission.
 ///
 /// Model   `threads` threads do the work; the caller's thread takes the results, within its calls.
-///         So what is taken, in which order, and which fault of work is thrown, is the same for any
-///         number of threads; a fault of who gives the work may come before those of work that was
-///         given and not taken. While more than kPerThread pieces a thread are not taken, Give
-///         waits: no more of their results are in memory.
+///         Results, their order, and the exception thrown by the work are thus independent of the
+///         number of threads. An exception of the caller may precede those of pending work. Give
+///         waits while more than kPerThread pieces per thread are pending, which bounds the memory.
 template <typename Result>
 class InOrder {
  public:
@@ -30,8 +28,8 @@ class InOrder {
         take_(std::move(take)),
         queue_(threads, kPerThread * threads) {}
 
-  /// Begins `work`, and takes what is done and next. What work throws is thrown where its result
-  /// would have been taken; then this is of no use any more.
+  /// Starts `work`, and takes finished results that are next. An exception of the work is thrown in
+  /// place of its result; no call may follow it.
   void Give(std::function<Result()> work) {
     auto task = std::make_shared<std::packaged_task<Result()>>(std::move(work));
     pending_.push_back({std::nullopt, task->get_future()});
@@ -39,19 +37,19 @@ class InOrder {
     queue_.Push([task] { (*task)(); });
     TakeDone();
   }
-  /// A result that needs no work, behind those of the work given before it.
+  /// Adds a result without work, after all submitted work.
   void GiveResult(Result result) {
     pending_.push_back({std::move(result), {}});
     TakeDone();
   }
-  /// Waits for all that was given.
+  /// Waits for all submitted work.
   void Finish() {
     while (!pending_.empty()) TakeFirst();
   }
 
  private:
   struct Piece {
-    std::optional<Result> result;  ///< where it needs no work
+    std::optional<Result> result;  ///< set for results without work
     std::future<Result> work;
   };
 
@@ -73,8 +71,8 @@ class InOrder {
   const int most_;
   std::function<void(Result)> take_;
   std::deque<Piece> pending_;
-  int working_ = 0;   ///< of the pending ones, those that are work
-  FrameQueue queue_;  ///< last, so that no work is left when the rest goes
+  int working_ = 0;   ///< number of pending results with work
+  FrameQueue queue_;  ///< last, so that all work ends before the other members are destroyed
 };
 
 }  // namespace tera

@@ -7,36 +7,34 @@ namespace tera {
 
 class FolderLock;
 
-/// Where a recording or another folder is until it is finished, without a slash at the end.
+/// Path of an unfinished recording or another folder, without a trailing slash.
 std::filesystem::path IncompleteOf(const std::filesystem::path& directory);
 
-/// A folder that is written beside its place and appears there when it is whole.
-///
-/// It goes to `<folder>.incomplete`, as recordings do; what cannot be gone on with, such
-/// as a report, is gone again where it is not completed.
+/// A folder that is written to `<folder>.incomplete` and renamed when complete. Folders that cannot
+/// be resumed, such as reports, are removed if not completed.
 class WholeFolder {
  public:
-  /// What is done where a stopped run has left something.
+  /// Policy for files of a stopped run.
   enum class Left {
     kIsRefused,
-    kIsKept  ///< it is there to be gone on with, and stays also without Commit
+    kIsKept  ///< kept for resumption, also without Commit
   };
 
-  /// Makes the folder beside, with its parents. Throws InputError where it cannot be made, where
-  /// another run writes it, or where a stopped one has left something that is refused.
+  /// Creates the temporary folder with its parents. Throws InputError if it cannot be created, if
+  /// another run writes it, or if it holds refused files of a stopped run.
   explicit WholeFolder(const std::filesystem::path& folder, Left left = Left::kIsRefused);
-  /// Without Commit or Keep, removes what was written.
+  /// Removes the temporary folder unless Commit or Keep was called.
   ~WholeFolder();
   WholeFolder(const WholeFolder&) = delete;
   WholeFolder& operator=(const WholeFolder&) = delete;
 
-  /// Where to write before Commit.
+  /// Path to write to before Commit.
   const std::filesystem::path& temporary() const { return temporary_; }
-  /// Removes what is in it, and without Commit or Keep also what comes.
+  /// Removes the contents. Without Commit or Keep, later contents are removed too.
   void Clear();
-  /// What is in it stays, also without Commit.
+  /// Keeps the contents, also without Commit.
   void Keep() { kept_ = true; }
-  /// Gives the folder its name. Throws InputError.
+  /// Renames the folder. Throws InputError.
   void Commit();
 
  private:
@@ -45,12 +43,12 @@ class WholeFolder {
   bool committed_ = false, kept_ = false;
 };
 
-/// Throws InputError where a run that was stopped has left something beside a folder.
+/// Throws InputError if a stopped run has left files next to the folder.
 void RequireNoneStopped(const std::filesystem::path& folder);
 
 /// Whether there is a file, or a folder that is not empty.
 bool HoldsSomething(const std::filesystem::path& path);
-/// Throws InputError where there is such a thing: something is about to be written there.
+/// Throws InputError if HoldsSomething: the path is about to be written.
 void RequireNothingAt(const std::filesystem::path& path);
 
 /// Renames a folder. Throws InputError.

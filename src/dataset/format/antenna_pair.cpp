@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-/// A shorter horizontal baseline tells no direction: receivers measure to some centimetres.
+/// A shorter horizontal baseline gives no direction, since receivers measure to some centimetres.
 constexpr double kShortestBaseline_m = 0.2;
 
 }  // namespace

@@ -9,26 +9,26 @@
 
 namespace tera {
 
-/// The two receivers of a machine, whose antennas together tell where it points.
+/// Two receivers of a machine, whose antennas give its heading.
 ///
 /// Frames  W east, north, up; P the link that carries both, x forward, y left, z up.
-/// Model   the horizontal direction of the measured baseline less that of the mounted one:
-///         heading = 90 deg - (yaw of p_W,21 - yaw of p_P,21), clockwise from north.
+/// Model   the horizontal direction of the measured baseline minus that of the mounted one: heading
+///         = 90 deg - (yaw of p_W,21 - yaw of p_P,21), clockwise from north.
 /// Omits   roll and pitch of P, which turn the baseline's horizontal direction by a product of the
 ///         baseline's slope and the tilt.
 class AntennaPair {
  public:
-  /// The pair among a machine's receivers: there are exactly two of them, mounted on one link at
-  /// known places that are not above one another. Else nothing.
+  /// The pair among a machine's receivers: exactly two on one link, with known mounts and a
+  /// horizontal baseline. Otherwise nothing.
   static std::optional<AntennaPair> Of(const Recording& recording,
                                        const std::vector<std::string>& receivers);
 
-  /// The pair of antennas at these places of P; nothing where they are above one another.
+  /// The pair of antennas at these positions in P; nothing without a horizontal baseline.
   static std::optional<AntennaPair> At(const Vec3& first_P_m, const Vec3& second_P_m);
 
-  /// Heading of P from a fix of each, of the same time, the first receiver's first.
+  /// Heading of P from a fix of each at the same time, the first receiver's first.
   double Heading_rad(const GnssSample& first, const GnssSample& second) const;
-  /// Yaw of P in W, from east, from the antennas' places in W.
+  /// Yaw of P in W, from east, from the antennas' positions in W.
   double Yaw_rad(const Vec3& first_W_m, const Vec3& second_W_m) const;
 
  private:

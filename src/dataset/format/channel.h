@@ -9,23 +9,22 @@
 
 namespace tera {
 
-// What channels hold, as dataset.yaml names it. Kinds of sensors whose samples are rows may bring
-// names of their own.
+// Channel types in dataset.yaml. Sensor kinds whose samples are rows may add their own.
 inline constexpr std::string_view kImuChannel = "imu", kGnssChannel = "gnss",
                                   kEncoderChannel = "encoder", kCameraChannel = "camera",
                                   kLidarChannel = "lidar", kTableChannel = "table",
                                   kPoseChannel = "pose";
 
-/// Which alternative of Measurement a channel carries.
+/// The alternative of Measurement that a channel carries.
 enum class ChannelForm { kRows, kPictures, kScans };
 
-/// A channel before its first measurement.
+/// A channel without its measurements.
 struct ChannelInfo {
   std::string path;  ///< folder of a sensor, "excavator1/imu_boom"; file of a table
-  std::string type;  ///< as dataset.yaml names it
+  std::string type;  ///< as in dataset.yaml
   ChannelForm form = ChannelForm::kRows;
-  std::optional<std::string> sensor_yaml;  ///< SensorYaml's text; tables have none
-  std::vector<std::string> columns;        ///< of rows, without t_ns
+  std::optional<std::string> sensor_yaml;  ///< text of SensorYaml; none for tables
+  std::vector<std::string> columns;        ///< row columns without t_ns
 };
 
 // Channels of sensors.
@@ -36,7 +35,7 @@ ChannelInfo EncoderChannel(const std::string& folder, const std::string& sensor_
 
 /// Any table with a leading t_ns: commands.csv, truth/<machine>/joints.csv.
 ChannelInfo TableChannel(const std::string& file, const std::vector<std::string>& columns);
-/// truth/<machine>/pose.csv. A real reference without velocities leaves their columns out.
+/// truth/<machine>/pose.csv. A real reference without velocities omits their columns.
 ChannelInfo PoseChannel(const std::string& file, bool with_velocity = true);
 
 }  // namespace tera

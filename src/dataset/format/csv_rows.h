@@ -6,14 +6,14 @@
 
 #include "core/types/measurement.h"
 
-/// Headers and rows of the CSV files of a dataset. Numbers are the shortest decimals that read back
-/// as the same double, so that files are exact and the same on every machine.
+/// Headers and rows of a dataset's CSV files. Numbers are the shortest decimals that read back as
+/// the same double, so files are exact and equal on every computer.
 
 namespace tera {
 
 inline constexpr std::string_view kFrameHeader = "t_ns,filename";
 
-/// t_ns and the columns of a table, which may have none: times alone.
+/// t_ns and the columns of a table, which may have none.
 std::string TableHeader(const std::vector<std::string>& columns);
 
 // Rows with their line ends. Every number must be finite.

@@ -15,13 +15,13 @@ struct ChannelDescription {
 
 inline constexpr int kDatasetFormat = 1;
 
-/// Where a recording has its inputs until its dataset.yaml is written.
+/// File for the inputs of a recording until its dataset.yaml is written.
 inline constexpr char kInputsOfStoppedName[] = "INCOMPLETE.inputs";
 
 /// The text of dataset.yaml.
 std::string DatasetYaml(const DatasetInfo& info, const std::vector<ChannelDescription>& channels);
 
-/// The key `inputs` and its list, as dataset.yaml has them.
+/// The key `inputs` and its list in dataset.yaml's format.
 std::string InputsYaml(const std::vector<RecordedInput>& inputs);
 
 /// `text` as a double-quoted YAML scalar.

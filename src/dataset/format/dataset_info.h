@@ -9,28 +9,28 @@
 
 namespace tera {
 
-/// A file that a recording was made from besides its scenario.yaml, and what was in it.
+/// An input file of a recording other than scenario.yaml, and its digest.
 struct RecordedInput {
   std::string name;  ///< PortableName
   std::int64_t bytes = 0;
   std::string sha256;  ///< 64 hexadecimal digits
-  std::string place;   ///< where it stands, "run/dataset.yaml:9:5: inputs[0]"; empty of a new one
+  std::string place;   ///< its position, "run/dataset.yaml:9:5: inputs[0]"; empty for a new input
 };
 
-/// What dataset.yaml says about the whole recording.
+/// The general part of dataset.yaml.
 struct DatasetInfo {
   std::string scenario_name;
   bool simulated = true;
   std::uint64_t seed = 0;
   double duration_s = 0;
-  std::optional<RecordingEpoch> epoch;  ///< none of a simulation
+  std::optional<RecordingEpoch> epoch;  ///< none for a simulation
   double origin_lat_deg = 0, origin_lon_deg = 0, origin_height_m = 0;
   std::string resolved_scenario_yaml;  ///< goes to scenario.yaml
   struct Instance {
     std::uint16_t id;
     std::string name;
     std::string label;
-    std::uint16_t parent = 0;  ///< the whole that it is a part of; 0: of none
+    std::uint16_t parent = 0;  ///< the whole that contains it; 0: none
   };
   std::vector<Instance> instances;
   std::vector<RecordedInput> inputs;

@@ -134,7 +134,7 @@ ObjectBox FromJson(const Json& json) {
     throw InputError(
         "", {FaultKind::kNoSuchName, fmt::format("unknown class {}", json.at("class").dump())});
   box.label = *label;
-  box.parent = json.value("parent", std::uint16_t{0});  // older recordings have none
+  box.parent = json.value("parent", std::uint16_t{0});  // optional in a recording
   json.at("x_min_px").get_to(box.x_min_px);
   json.at("y_min_px").get_to(box.y_min_px);
   json.at("x_max_px").get_to(box.x_max_px);
@@ -146,7 +146,7 @@ ObjectBox FromJson(const Json& json) {
                       q.at(3).get<double>());
   box.X_CO = MakePose(Vector3(json.at("p_CO_m")), rotation.normalized().toRotationMatrix());
   box.size_O_m = Vector3(json.at("size_O_m"));
-  if (json.contains("amodal_px")) {  // older recordings have none
+  if (json.contains("amodal_px")) {  // optional in a recording
     const Json& px = json.at("amodal_px");
     box.amodal_min_px = {px.at(0).get<double>(), px.at(1).get<double>()};
     box.amodal_max_px = {px.at(2).get<double>(), px.at(3).get<double>()};

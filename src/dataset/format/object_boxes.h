@@ -9,12 +9,12 @@
 namespace tera {
 
 /// The labelled objects of one image as JSON text (boxes/<t_ns>.json; see
-/// docs/reference/dataset.md), with its exposure and its loads where the frame has them.
+/// docs/reference/dataset.md), with its exposure and loads if it has them.
 std::string EncodeBoxes(const CameraFrame& frame);
 
-/// Reads such a file back into the frame. Throws InputError naming the file and what is missing.
+/// Reads such a file back into the frame. Throws InputError with the file and the missing item.
 void ReadBoxes(const std::filesystem::path& file, CameraFrame* frame);
-/// The objects alone.
+/// Reads only the objects.
 std::vector<ObjectBox> ReadBoxes(const std::filesystem::path& file);
 
 }  // namespace tera

@@ -19,7 +19,7 @@ constexpr char kSizes[] = "4 4 4 4 4 2 2 1";
 constexpr char kTypes[] = "F F F F U U U U";
 constexpr char kCounts[] = "1 1 1 1 1 1 1 1";
 constexpr std::size_t kPointBytes = 4 * 5 + 2 * 2 + 1;
-/// LZF adds at most one byte to 32 that it cannot pack, and needs a little room to work.
+/// LZF adds at most one byte per 32 incompressible bytes, and needs some working space.
 constexpr std::size_t kLzfSpareBytes = 64, kLzfGrowth = 16;
 
 static_assert(std::endian::native == std::endian::little, "PCD data is little-endian");
@@ -88,7 +88,7 @@ std::string Little(std::uint32_t value) {
                    {FaultKind::kMalformed, fmt::format("{}; write the file again", finding)});
 }
 
-/// The number of points that the header states; `body` is set to where the data begin.
+/// The number of points in the header. Sets `body` to the start of the data.
 std::size_t ParseHeader(const std::string& place, const std::string& bytes, std::size_t* body) {
   const std::string last = "DATA binary_compressed\n";
   const std::size_t end = bytes.find(last);

@@ -20,9 +20,9 @@ namespace {
 
 constexpr double kMillimetresPerMetre = 1000.0;
 
-/// Run lengths, after OpenCV's own choice of zlib level 1 and of rows filtered by their left
-/// neighbours: naming a level as well would make libpng try every filter, which takes half as long
-/// again for files 8 % smaller.
+/// Run lengths, with OpenCV's default zlib level 1 and its filter of rows by their left neighbours.
+/// An explicit level makes libpng try every filter, which takes half as long again for files 8 %
+/// smaller.
 constexpr int kStrategy = cv::IMWRITE_PNG_STRATEGY_RLE;
 
 std::string Encode(const cv::Mat& image) {
@@ -37,19 +37,18 @@ cv::Mat View(const Image<T>& image, int type) {
   return cv::Mat(image.height_px, image.width_px, type, const_cast<T*>(image.data.data()));
 }
 
-/// OpenCV takes a picture for what its first bytes say, and what no decoder of its own knows GDAL
-/// tries; none of these is for files that anybody may have written.
+/// Only PNG is accepted. OpenCV and GDAL choose a decoder by the first bytes, and their other
+/// decoders are not for untrusted files.
 bool BeginsAsPng(const std::string& bytes) { return bytes.starts_with("\x89PNG\r\n\x1a\n"); }
 
-/// libpng reports truncation only as a warning, so the end chunk is looked for first.
+/// Checks the end chunk, since libpng reports truncation only as a warning.
 bool EndsAsPng(const std::string& bytes) {
   static constexpr char kEnd[] = "IEND\xae\x42\x60\x82";
   constexpr std::size_t kEndBytes = sizeof kEnd - 1;
   return bytes.size() > kEndBytes && bytes.compare(bytes.size() - kEndBytes, kEndBytes, kEnd) == 0;
 }
 
-/// By OpenCV, which says of a file what is wrong with it, and reads forms that DecodePngRows does
-/// not.
+/// Decodes by OpenCV, which reports faults and reads more forms than DecodePngRows.
 cv::Mat Decode(const std::filesystem::path& file, const std::string& bytes, int type,
                const char* need) {
   cv::Mat image;
@@ -82,7 +81,7 @@ Image<T> FromMat(const cv::Mat& mat) {
 constexpr char kRgb[] = "8-bit RGB", kGrey[] = "8-bit grey", kRgb16[] = "16-bit RGB",
                kGrey16[] = "16-bit grey";
 
-/// PNG has the components of a pixel in the order RGB, OpenCV wants BGR.
+/// PNG stores pixels as RGB, OpenCV expects BGR.
 template <typename T>
 std::string EncodeAny(const Image<T>& image, int depth) {
   TERA_CHECK(image.channels == 1 || image.channels == 3, image.channels);

@@ -12,9 +12,9 @@ namespace tera {
 namespace {
 
 constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
-constexpr std::size_t kAroundChunk = 12;  ///< length, name and sum
+constexpr std::size_t kAroundChunk = 12;  ///< length, name and checksum
 constexpr std::size_t kHeaderBytes = 13;
-/// RFC 1951: no byte of a compressed stream stands for more.
+/// RFC 1951: the largest expansion of a compressed stream.
 constexpr std::size_t kMostExpansion = 1032;
 
 /// A PNG's header and its compressed pixels.
@@ -23,7 +23,7 @@ struct Packed {
   std::string pixels;
 };
 
-/// Nothing where a chunk is cut off or damaged, or means that pixels are not what they seem.
+/// Returns nothing if a chunk is truncated or damaged, or changes the meaning of the pixels.
 std::optional<Packed> Unpacked(std::string_view png) {
   if (!png.starts_with(kSignature)) return std::nullopt;
   Packed packed;
@@ -38,7 +38,8 @@ std::optional<Packed> Unpacked(std::string_view png) {
       return std::nullopt;
     }
     const bool is_header = name == "IHDR";
-    if (is_header != packed.header.empty()) return std::nullopt;  // the first, and no other
+    if (is_header != packed.header.empty())
+      return std::nullopt;  // exactly one header, at the beginning
     if (is_header) {
       if (length != kHeaderBytes) return std::nullopt;
       packed.header = content;
@@ -50,10 +51,10 @@ std::optional<Packed> Unpacked(std::string_view png) {
   return std::nullopt;
 }
 
-/// Size and form; nothing where it is one that is not read here.
+/// Size and form; nothing for an unsupported form.
 std::optional<PngRows> FormOf(std::string_view header) {
   constexpr char kGrey = 0, kRgb = 2;
-  constexpr std::uint32_t kMostPixels = 1 << 20;  // of a side, as OpenCV has it
+  constexpr std::uint32_t kMostPixels = 1 << 20;  // per side, OpenCV's limit
   const std::uint32_t width = PngNumberAt(header, 0), height = PngNumberAt(header, 4);
   const char bits = header[8], colour = header[9];
   const bool is_plain = header.substr(10) == std::string_view("\0\0\0", 3);
@@ -65,9 +66,9 @@ std::optional<PngRows> FormOf(std::string_view header) {
       static_cast<int>(width), static_cast<int>(height), colour == kRgb ? 3 : 1, bits, {}};
 }
 
-/// The inverse of a row's filter, which left of each byte what it is more than a guess by the bytes
-/// of the pixel before it, of the row above, and of the pixel before that. `pixel` is the bytes of
-/// a pixel; above the first row all are 0.
+/// Inverts a row's filter. The filter subtracts from each byte a prediction from the previous
+/// pixel, the row above, and the previous pixel of that row. `pixel` is the size of a pixel in
+/// bytes; the row above the first is 0.
 template <std::size_t pixel>
 bool Unfilter(std::uint8_t filter, const std::uint8_t* above, std::size_t count,
               std::uint8_t* row) {
@@ -104,7 +105,7 @@ bool Unfilter(std::uint8_t filter, const std::uint8_t* above, std::size_t count,
   }
 }
 
-/// Rows without their filters; false where one has a filter that is none.
+/// Rows without their filters; false for an unknown filter.
 bool UnfilterAll(std::vector<std::uint8_t>* filtered, std::size_t count, std::size_t pixel,
                  PngRows* rows) {
   const std::vector<std::uint8_t> zeros(count, 0);

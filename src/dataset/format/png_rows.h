@@ -7,7 +7,8 @@
 
 namespace tera {
 
-/// The pixels of a PNG, row after row, as the file has them: numbers of 16 bits high byte first.
+/// The pixels of a PNG, row by row, in the file's byte order: 16-bit numbers have the high byte
+/// first.
 struct PngRows {
   int width_px = 0, height_px = 0;
   int components = 0;      ///< 1 grey, 3 red, green, blue
@@ -15,11 +16,10 @@ struct PngRows {
   std::vector<std::uint8_t> bytes;
 };
 
-/// Decodes a PNG of the form in which recordings have theirs, several times as fast as libpng with
-/// zlib does.
+/// Decodes a PNG in the form of recordings, several times as fast as libpng with zlib.
 ///
-/// Model   nothing where the file is not whole by all of its sums, or is of another form: with a
-///         palette, an alpha channel, interlaced, of fewer than 8 bits.
+/// Model   returns nothing for a file with invalid checksums, or of another form: with a palette,
+///         an alpha channel, interlacing, or fewer than 8 bits.
 /// Source  ISO/IEC 15948:2004, "Portable Network Graphics", 5 to 9; RFC 1950 by libdeflate.
 std::optional<PngRows> DecodePngRows(std::string_view png);
 

@@ -29,7 +29,7 @@
 namespace tera {
 namespace {
 
-/// A type of channel that this library reads itself.
+/// A channel type that this library reads itself.
 struct ChannelType {
   std::string_view name;
   ChannelForm form;
@@ -115,14 +115,14 @@ DatasetInfo ReadInfo(const ConfigMap& root) {
   return info;
 }
 
-/// The kind that a sensor's own sensor.yaml gives; empty where it has none.
+/// The kind in a sensor's own sensor.yaml; empty without the file.
 std::string KindOfSensor(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::is_regular_file(folder / "sensor.yaml", ignored)) return "";
   return Config::FromFile(folder / "sensor.yaml").root().Text("type", "");
 }
 
-/// The place of a type in kChannelTypes; its size for a type that a kind of sensor brought.
+/// Index of a type in kChannelTypes; its size for a sensor kind's own type.
 std::size_t PlaceOf(std::string_view type) {
   const auto found = std::find_if(kChannelTypes.begin(), kChannelTypes.end(),
                                   [&](const ChannelType& known) { return known.name == type; });
@@ -134,7 +134,7 @@ std::string ChooseType(const ConfigMap& map, std::index_sequence<places...>) {
   return map.Choice("type", {kChannelTypes[places].name...}, kTableChannel);
 }
 
-/// One of kChannelTypes, or another kind of sensor, which its own sensor.yaml must name too.
+/// One of kChannelTypes, or another sensor kind, which its own sensor.yaml must name too.
 std::string ReadType(const ConfigMap& map, const fs::path& channel) {
   const std::string type = map.Text("type", kTableChannel);
   const bool known = PlaceOf(type) < kChannelTypes.size();
@@ -142,8 +142,8 @@ std::string ReadType(const ConfigMap& map, const fs::path& channel) {
   return ChooseType(map, std::make_index_sequence<kChannelTypes.size()>());
 }
 
-/// The form of a channel of a type that a kind of sensor brought, by its files: frames are listed
-/// in data.csv, and those of scans lie in a folder of that name.
+/// The form of a channel with a sensor kind's own type, from its files. Frames are listed in
+/// data.csv; scans also have a folder of that name.
 ChannelForm FormOfFiles(const fs::path& folder) {
   std::ifstream csv(folder / "data.csv");
   std::string header;
@@ -376,7 +376,7 @@ CameraFrame Recording::LoadFrame(const std::string& folder, TimeNs t_ns) const {
     any = any || there;
     return there;
   };
-  // Decoding takes most of the time of whoever reads frames: pictures are decoded side by side.
+  // Pictures are decoded in parallel, since decoding dominates the reading of frames.
   PreparePng();
   std::vector<std::future<void>> decoded;
   const auto decode = [&](const fs::path& png, auto read) {

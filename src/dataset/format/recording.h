@@ -11,7 +11,7 @@
 
 namespace tera {
 
-/// Joint angles (or travels) and rates over time.
+/// Joint positions and rates over time.
 struct EncoderRecording {
   std::vector<EncoderAxis> axes;
   std::vector<EncoderSample> samples;
@@ -30,23 +30,21 @@ struct TableRecording {
   std::vector<std::vector<double>> rows;
 };
 
-/// Whether a run was stopped that wrote to this directory: it holds INCOMPLETE.txt and no
-/// dataset.yaml.
+/// Whether a stopped run wrote this directory: it holds INCOMPLETE.txt and no dataset.yaml.
 bool WasStopped(const std::filesystem::path& directory);
 
-/// Of a recording whose run was stopped, the whole rows of a table that had come to the disk.
-/// Throws InputError where there is no such table.
+/// The complete rows of a table of a stopped recording. Throws InputError if there is no such
+/// table.
 TableRecording LoadStoppedTable(const std::filesystem::path& directory, const std::string& file);
 
-/// The inputs of a recording, whole or stopped; empty where it does not name them.
+/// The inputs of a recording, complete or stopped; empty if it does not name them.
 std::vector<RecordedInput> LoadInputs(const std::filesystem::path& directory);
 
 /// A complete recording on disk, simulated or real, read channel by channel.
 ///
-/// Everything that is not as docs/reference/dataset.md says is an InputError with file and line: a
-/// missing or renamed column, a truncated or non-finite row, times that do not increase, an image
-/// or scan that is empty or cut off. Measurements come with t_available_ns = t_ns, as files hold no
-/// other time.
+/// Any deviation from docs/reference/dataset.md is an InputError with file and line: a missing or
+/// renamed column, a truncated or non-finite row, times that do not increase, an empty or truncated
+/// image or scan. Measurements have t_available_ns = t_ns, since files hold no other time.
 class Recording {
  public:
   explicit Recording(const std::filesystem::path& directory);
@@ -57,13 +55,13 @@ class Recording {
   bool Has(const std::string& path) const;
   /// Paths of all channels of a type, in order of dataset.yaml.
   std::vector<std::string> ChannelsOf(std::string_view type) const;
-  /// Paths of all sensors' channels of a form, one type after the other: first those of
-  /// channel_types.h in their order, then others in order of dataset.yaml.
+  /// Paths of all sensor channels of a form: first the types of channel_types.h in their order,
+  /// then others in order of dataset.yaml.
   std::vector<std::string> SensorsOf(ChannelForm form) const;
-  /// Of SensorsOf(kRows), those whose columns are numbers over time. Receivers' are not: without a
-  /// fix they mean nothing.
+  /// The channels of SensorsOf(kRows) with numbers over time. Receivers are excluded, since their
+  /// numbers are invalid without a fix.
   std::vector<std::string> SeriesChannels() const;
-  /// The type of a channel that is there.
+  /// The type of an existing channel.
   std::string_view TypeOf(const std::string& path) const;
   /// Names of machines: those with a pose under truth/, else folders that hold channels.
   std::vector<std::string> Machines() const;
@@ -71,13 +69,13 @@ class Recording {
   std::vector<ImuSample> LoadImu(const std::string& folder) const;
   std::vector<GnssSample> LoadGnss(const std::string& folder) const;
   EncoderRecording LoadEncoder(const std::string& folder) const;
-  /// Samples of any sensor whose samples are rows, whatever its kind.
+  /// Samples of any sensor whose samples are rows.
   TableRecording LoadRows(const std::string& folder) const;
   PoseRecording LoadPose(const std::string& file) const;
   TableRecording LoadTable(const std::string& file) const;
   /// Times of a camera's or lidar's frames.
   std::vector<TimeNs> FrameTimes(const std::string& folder) const;
-  /// Images that the camera did not record are empty.
+  /// Missing images are empty.
   CameraFrame LoadFrame(const std::string& folder, TimeNs t_ns) const;
   LidarScan LoadScan(const std::string& folder, TimeNs t_ns) const;
 

@@ -12,43 +12,42 @@
 
 namespace tera {
 
-/// A row of a CSV file that could be read.
+/// A valid row of a CSV file.
 struct ScannedRow {
   int line = 0;
   TimeNs t_ns = 0;
-  std::vector<double> values;  ///< without t_ns; none of a list of frames
-  std::string filename;        ///< of a list of frames
+  std::vector<double> values;  ///< without t_ns; empty in a list of frames
+  std::string filename;        ///< in a list of frames
 };
 
 enum class RowFault {
   kCutOff,     ///< a last line without an end
   kFields,     ///< too few or many fields, or no number
   kNotFinite,  ///< NaN or infinity
-  kStamp       ///< t_ns no greater than in the row before
+  kStamp       ///< t_ns no greater than in the previous row
 };
 
-/// Reads a CSV file of a recording row by row, whatever its length. Times of the rows that it gives
-/// increase.
+/// Reads a CSV file of a recording row by row, at any length. Times of the returned rows increase.
 class RowScan {
  public:
   using OnFault = std::function<void(RowFault fault, int line, const std::string& what)>;
 
-  /// Refuses faults: throws InputError with file and line where the file cannot be read, where its
-  /// first line is no header or names a column twice, and in Next at a faulty row.
+  /// Refuses faults. Throws InputError with file and line if the file cannot be read, and if its
+  /// first line is no header or repeats a column. Next throws for a faulty row.
   explicit RowScan(const std::filesystem::path& file);
-  /// Goes on behind faulty rows, which it tells and leaves out.
+  /// Reports faulty rows and skips them.
   RowScan(const std::filesystem::path& file, OnFault on_fault);
   RowScan(const RowScan&) = delete;
   RowScan& operator=(const RowScan&) = delete;
 
-  /// Without t_ns; of a list of frames `filename` alone.
+  /// Without t_ns; only `filename` in a list of frames.
   const std::vector<std::string>& columns() const { return columns_; }
   bool lists_frames() const { return lists_frames_; }
-  /// The next row without fault; false at the end.
+  /// The next valid row; false at the end.
   bool Next(ScannedRow* row);
-  /// Throws InputError about the row that Next gave last, before it about the header.
+  /// Throws InputError about the last row of Next, or about the header before the first.
   [[noreturn]] void Fail(std::string_view finding) const;
-  /// Throws InputError unless the columns are these, without t_ns; names the first that is missing.
+  /// Throws InputError unless the columns are these, without t_ns; names the first missing one.
   void RequireColumns(const std::vector<std::string>& columns) const;
 
  private:
@@ -63,7 +62,7 @@ class RowScan {
   bool lists_frames_ = false;
   std::optional<TimeNs> before_ns_;
   std::vector<std::string> columns_;
-  std::vector<std::string_view> fields_;  ///< of `text_`
+  std::vector<std::string_view> fields_;  ///< views into `text_`
 };
 
 }  // namespace tera

@@ -69,7 +69,7 @@ SensorSheet ReadSensorSheet(const std::filesystem::path& sensor_folder) {
     if (model.Has("fx_px")) sheet.lens = ReadLens(model);
     if (sheet.type == kImuChannel) sheet.imu_noise = ReadImuNoise(model);
   }
-  // Keys that were not asked for are other readers' matter, until one that was is wrong.
+  // Other keys belong to other readers and are checked only after a fault in the requested ones.
   if (FaultCount(root) > 0) config.Finish();
   return sheet;
 }

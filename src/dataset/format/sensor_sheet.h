@@ -9,8 +9,8 @@
 
 namespace tera {
 
-/// A camera's picture and lens as docs/reference/dataset.md writes them; pixel (0, 0) has its
-/// centre at the image point (0, 0).
+/// A camera's picture and lens as in docs/reference/dataset.md. The centre of pixel (0, 0) is the
+/// image point (0, 0).
 struct CameraLens {
   std::string law = "brown_conrady";  ///< or `rational`, `kannala_brandt`, `f_theta`
   int width_px = 0, height_px = 0;
@@ -19,7 +19,7 @@ struct CameraLens {
   double k4 = 0, k5 = 0, k6 = 0;
 };
 
-/// White noise of an inertial unit, the same about and along each axis.
+/// White noise of an inertial unit, equal for all axes.
 ///
 /// Model   the variance of one sample of period T is density^2 / T + sample^2.
 struct ImuNoise {
@@ -27,18 +27,18 @@ struct ImuNoise {
   double accel_density_mps2rthz = 0, accel_sample_mps2 = 0;
 };
 
-/// What a sensor's sensor.yaml says. What a real sensor's does not say is not known.
+/// Contents of a sensor.yaml. Missing keys of a real sensor are unknown.
 struct SensorSheet {
   std::string type, name;
-  std::string parent_link;   ///< empty: not known, or none
+  std::string parent_link;   ///< empty: unknown, or none
   std::optional<Pose> X_PS;  ///< in the parent link
-  double rate_hz = 0;        ///< 0: not known
+  double rate_hz = 0;        ///< 0: unknown
   TimeNs latency_ns = 0;
   std::optional<CameraLens> lens;
   std::optional<ImuNoise> imu_noise;
 };
 
-/// Throws InputError where the file is not there or is not as docs/reference/dataset.md says.
+/// Throws InputError if the file is missing or deviates from docs/reference/dataset.md.
 SensorSheet ReadSensorSheet(const std::filesystem::path& sensor_folder);
 
 }  // namespace tera

@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// The tables that a recording has beside its sensors, but for levers and truth: set-points,
-/// efforts and whatever else an import kept. Their columns are numbers over time.
+/// The tables of a recording other than sensors, levers and truth: set-points, efforts and other
+/// imported data. Their columns are numbers over time.
 std::vector<std::string> SeriesTables(const Recording& recording);
 
 }  // namespace tera

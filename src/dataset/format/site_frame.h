@@ -6,11 +6,11 @@
 
 namespace tera {
 
-/// Where the world lies on Earth.
+/// The world's position on Earth.
 ///
-/// Frames  W local east-north-up: its origin at the geodetic place, z along the ellipsoid's normal
-///         there. Geodetic: WGS 84, degrees, height above the ellipsoid.
-/// Model   W to Earth-centred Cartesian by one rigid motion, then to geodetic: a plane, so that the
+/// Frames  W local east-north-up: its origin at the geodetic position, z along the ellipsoid's
+///         normal there. Geodetic: WGS 84, degrees, height above the ellipsoid.
+/// Model   W to Earth-centred Cartesian by one rigid motion, then to geodetic. W is a plane: the
 ///         ellipsoid falls away from z = 0 by d^2 / 2R, 8 cm at 1 km.
 /// Omits   the geoid, tides, plate motion.
 /// Source  GeographicLib's LocalCartesian; Karney 2011, "Geodesics on an ellipsoid of revolution",

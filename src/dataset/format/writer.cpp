@@ -29,7 +29,7 @@ constexpr char kDescriptionName[] = "dataset.yaml";
 
 constexpr std::string_view kKindEnds = " is not complete: ", kToDo = "\nWhat to do: ";
 
-/// Says what is in an incomplete directory; the same for the same run, whatever its place.
+/// Note on an incomplete directory; equal for equal runs at any place.
 std::string Note(const DatasetInfo& info, const WriterOptions& options) {
   return fmt::format(
       "This {}{}the run that writes it was stopped, or is still going on."
@@ -59,14 +59,14 @@ void NeedSame(const fs::path& file, const std::string& now) {
                   file.parent_path().string()));
 }
 
-/// What stands in `text` between two marks, or nothing.
+/// The part of `text` between two marks, or nothing.
 std::string Between(const std::string& text, std::string_view before, std::string_view after) {
   const std::size_t first = text.find(before), begin = first + before.size();
   const std::size_t end = first == text.npos ? text.npos : text.find(after, begin);
   return end == text.npos ? "" : text.substr(begin, end - begin);
 }
 
-/// Also tells what another command than this has begun, which this one cannot finish.
+/// Also reports a directory that another command began and this one cannot finish.
 void NeedSameNote(const fs::path& root, const std::string& now) {
   const std::string there = Exists(root / kNoteName) ? ReadWholeFile(root / kNoteName) : "";
   const std::string remedy = Between(there, kToDo, ".\n");
@@ -84,7 +84,7 @@ void RemoveNotes(const fs::path& root) {
   Remove(root / kNoteName);
 }
 
-/// Temporary files of a killed run.
+/// Removes temporary files of a killed run.
 void RemoveParts(const fs::path& root) {
   std::vector<fs::path> parts;
   std::error_code error;
@@ -99,19 +99,19 @@ void RemoveParts(const fs::path& root) {
 struct Channel {
   ChannelDescription description;
   ChannelForm form = ChannelForm::kRows;
-  std::size_t columns = 0;  ///< of rows, without t_ns
+  std::size_t columns = 0;  ///< row columns without t_ns
   std::unique_ptr<CheckedFile> csv;
   TimeNs last_ns = 0;
   bool any_rows = false;
 };
 
-/// What the files of one form are called.
+/// File naming of one form.
 struct FrameFiles {
-  std::string_view ending;  ///< of the name that stands in data.csv
+  std::string_view ending;  ///< extension of the names in data.csv
   std::vector<std::string_view> folders;
 };
 
-/// Folders of a camera that asks for nothing unusual.
+/// Picture folders of a camera by default.
 std::vector<std::string_view> PictureFolders() {
   std::vector<std::string_view> folders = {"rgb", "depth"};
   for (const LabelChannel& channel : kLabelChannels) {
@@ -144,11 +144,11 @@ struct DatasetWriter::Impl {
   std::unique_ptr<FrameLog> frame_log;
   std::atomic<std::int64_t> frames_written = 0, frame_bytes = 0;
   std::int64_t row_bytes = 0;
-  std::unique_ptr<FrameQueue> queue;  // last, so that its threads end before what they use
+  std::unique_ptr<FrameQueue> queue;  // last, so that its threads end before the data they use
 
   void Begin(const WriterOptions& options);
   void WriteNotes();
-  /// `text` is the beginning of its table, which may be all of it.
+  /// `text` is the beginning of its table, or all of it.
   ChannelId Add(const ChannelInfo& info, std::string_view text);
   Channel& Find(ChannelId id);
   void Write(Channel* channel, const RowSample& row);
@@ -312,9 +312,9 @@ DatasetWriter::~DatasetWriter() {
 
 bool DatasetWriter::FinishWhole(const fs::path& directory, const DatasetInfo& info) {
   const fs::path root = IncompleteOf(directory);
-  if (!Exists(root / kDescriptionName)) return false;  // written when all else is whole
+  if (!Exists(root / kDescriptionName)) return false;  // written after all other files
   const FolderLock lock(root);
-  // Where the note is gone already, the scenario tells the seed and the duration too.
+  // If the note is already removed, the scenario also has the seed and the duration.
   if (Exists(root / kNoteName)) NeedSameNote(root, Note(info, WriterOptions()));
   NeedSame(root / kScenarioName, info.resolved_scenario_yaml);
   if (Exists(root / kInputsOfStoppedName)) {

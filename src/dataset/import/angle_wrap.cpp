@@ -6,7 +6,7 @@
 namespace tera {
 namespace {
 
-/// A sensor's range may be a step of its resolution more than a turn: 0 to 360 with both ends.
+/// A sensor's range may exceed a turn by one step of its resolution: 0 to 360 with both ends.
 constexpr double kMostOfTurn = 1.01;
 
 double SpanOfAngles(const std::vector<double>& angle) {

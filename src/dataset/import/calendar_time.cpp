@@ -11,7 +11,7 @@ namespace {
 
 constexpr TimeNs kMinute_ns = 60 * kNsPerSecond, kHour_ns = 60 * kMinute_ns;
 
-/// A text of which one part after the other is taken.
+/// Parses a text part by part.
 class TextCursor {
  public:
   explicit TextCursor(std::string_view text) : rest_(text) {}
@@ -28,7 +28,7 @@ class TextCursor {
     rest_.remove_prefix(1);
     return true;
   }
-  /// A word in any case.
+  /// Takes a word in any case.
   bool TakeWord(std::string_view lower) {
     if (rest_.size() < lower.size()) return false;
     for (std::size_t k = 0; k < lower.size(); ++k) {
@@ -37,13 +37,13 @@ class TextCursor {
     rest_.remove_prefix(lower.size());
     return true;
   }
-  /// The number that the next digits make, of which there must be `least` to `most`.
+  /// Takes a number of `least` to `most` digits.
   std::optional<int> TakeNumber(std::size_t least, std::size_t most) {
     const std::size_t count = DigitCount();
     if (count < least || count > most) return std::nullopt;
     return TakeDigits(count);
   }
-  /// The next `count` digits, which must be there.
+  /// Takes exactly `count` digits.
   std::optional<int> TakeDigits(std::size_t count) {
     if (DigitCount() < count) return std::nullopt;
     int value = 0;
@@ -51,11 +51,11 @@ class TextCursor {
     rest_.remove_prefix(count);
     return value;
   }
-  /// All digits that follow, as the fraction of a second.
+  /// Takes all following digits as the fraction of a second.
   TimeNs TakeFraction_ns() {
     TimeNs fraction_ns = 0, digit_ns = kNsPerSecond;
     for (std::size_t count = DigitCount(); count > 0; --count) {
-      digit_ns /= 10;  // what is finer than a nanosecond is cut off
+      digit_ns /= 10;  // truncates below a nanosecond
       fraction_ns += (rest_.front() - '0') * digit_ns;
       rest_.remove_prefix(1);
     }
@@ -104,7 +104,7 @@ void SkipWeekday(TextCursor* text) {
 struct TakenDate {
   TimeNs day_ns = 0;
   bool is_compact = false;   ///< 20261128
-  bool needs_order = false;  ///< the year is last, and day or month may be first
+  bool needs_order = false;  ///< the year is last; the order of day and month is ambiguous
 };
 
 std::optional<TakenDate> TakeYearFirst(TextCursor* text) {
@@ -145,7 +145,7 @@ std::optional<TakenDate> TakeDate(TextCursor* text, std::optional<DateOrder> ord
   return TakeYearFirst(text);
 }
 
-/// Hours, minutes and seconds, the latter with a fraction or not there.
+/// Takes hours, minutes and optional seconds with an optional fraction.
 std::optional<TimeNs> TakeClock(TextCursor* text, bool is_compact) {
   const auto hour = is_compact ? text->TakeDigits(2) : text->TakeNumber(1, 2);
   const bool has_minutes = is_compact || text->TakeOneOf(":");
@@ -175,7 +175,7 @@ struct TakenZone {
   TimeNs ahead_ns = 0;
 };
 
-/// Whether local time is ahead of UTC, and by how much. Nothing for what is no zone.
+/// The zone and local time minus UTC. Nothing for an invalid zone.
 std::optional<TakenZone> TakeZone(TextCursor* text) {
   text->SkipBlanks();
   if (text->at_end()) return TakenZone{};

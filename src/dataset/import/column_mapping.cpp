@@ -181,7 +181,7 @@ constexpr Spelling kSpellings[] = {
     {"‰", "1", 1e-3},
 };
 
-/// Without brackets, quotes and blanks.
+/// The text without brackets, quotes and blanks.
 std::string BareUnit(std::string_view text) {
   std::string bare;
   for (const char c : text) {
@@ -216,7 +216,7 @@ std::optional<WrittenUnit> UnitOfText(std::string_view text, Dimension dimension
     if (lower == spelling.text && fits(*unit)) return WrittenUnit{unit, spelling.scale};
   }
   for (const Unit& unit : kUnits) {
-    // Capitals are no matter where they tell nothing apart, as they do of mPa and MPa.
+    // Case matters only if it separates units, as in mPa and MPa.
     if (lower == LowerCase(unit.name) && unit.dimension != Dimension::kPressure && fits(unit)) {
       return WrittenUnit{&unit};
     }
@@ -251,7 +251,7 @@ std::vector<ColumnTerm> ColumnMapping::Terms() const {
   if (!column.empty()) {
     terms.insert(terms.begin(), ColumnTerm{column, factor, 0, in_minutes, hemisphere});
   }
-  // The whole of a time's unit is counted without rounding.
+  // The integer part of a time's unit is handled without rounding.
   for (ColumnTerm& term : terms) {
     const double unit_ns = term.factor * static_cast<double>(kNsPerSecond);
     const double whole_ns = std::round(unit_ns);

@@ -9,11 +9,11 @@
 #include "core/time.h"
 #include "dataset/import/row_table.h"
 
-/// How fields of a table or of a message become numbers in SI units.
+/// Conversion of fields of a table or a message to numbers in SI units.
 
 namespace tera {
 
-/// Physical dimension that a value must have; kAny for tables, whose columns may be anything.
+/// Physical dimension that a value must have; kAny for columns of general tables.
 enum class Dimension {
   kAny,
   kTime,
@@ -33,54 +33,54 @@ enum class Dimension {
 struct Unit {
   const char* name;
   Dimension dimension;
-  double factor;  ///< SI units in one of it
+  double factor;  ///< SI units per unit
 };
 
-/// The unit of that name; none where there is none.
+/// The unit with that name, or null.
 const Unit* FindUnit(std::string_view name);
 
-/// A unit as people and programs write it, "rad s^-1", "°/s", "psi", in units that a mapping has.
+/// A unit in common notations ("rad s^-1", "°/s", "psi"), in terms of a mapping's units.
 struct WrittenUnit {
   const Unit* unit = nullptr;
-  double scale = 1.0;  ///< of such a unit in one that is written
+  double scale = 1.0;  ///< mapping units per written unit
 };
-/// The unit of that dimension that `text` means; none where it is no unit that is known.
+/// The unit of that dimension for `text`; nothing for an unknown unit.
 std::optional<WrittenUnit> UnitOfText(std::string_view text, Dimension dimension);
 
 /// One column's part in a value.
 struct ColumnTerm {
   std::string column;
   double factor = 1.0;
-  TimeNs factor_ns = 0;     ///< of a time in whole nanoseconds, microseconds, ...: one of its unit
-  bool in_minutes = false;  ///< 4807.5 is 48 degrees and 7.5 minutes, as NMEA writes angles
-  std::string hemisphere;   ///< the column that says N, S, E or W; empty: none
+  TimeNs factor_ns = 0;  ///< exact factor of an integer time unit (nanoseconds, microseconds, ...)
+  bool in_minutes = false;  ///< 4807.5 is 48 degrees and 7.5 minutes, NMEA's form of angles
+  std::string hemisphere;   ///< column with N, S, E or W; empty: none
 };
 
 /// value = field * factor + further fields by their factors + offset, or a constant.
 struct ColumnMapping {
   std::string column;  ///< empty: the constant `offset`
   double factor = 1.0, offset = 0.0;
-  Range allowed;  ///< of the value
-  /// A field without a number is taken as it is, as NaN: the channel knows what to make of it.
+  Range allowed;  ///< limits of the value
+  /// A field without a number is NaN, and the channel handles it.
   bool may_lack = false;
-  std::vector<ColumnTerm> further = {};  ///< of a sum
-  bool in_minutes = false;               ///< as of ColumnTerm
+  std::vector<ColumnTerm> further = {};  ///< further terms of a sum
+  bool in_minutes = false;               ///< as in ColumnTerm
   std::string hemisphere = {};
 
-  /// The same value in other units.
+  /// Converts the value to another unit.
   void MultiplyBy(double scale);
-  /// All terms of the sum, the first one too; none where the value is a constant.
+  /// All terms of the sum with the first one; none for a constant.
   std::vector<ColumnTerm> Terms() const;
 };
 
 /// A mapping's values in one table.
 class MappedColumn {
  public:
-  /// Throws InputError where a column is missing, also of a table without rows.
+  /// Throws InputError for a missing column, also in a table without rows.
   MappedColumn(const RowTable& table, const ColumnMapping& mapping);
 
   const std::vector<ColumnTerm>& terms() const { return terms_; }
-  /// Throws InputError for a field without a number and for a value that is not allowed.
+  /// Throws InputError for a field without a number and for a value outside the limits.
   double At(std::size_t row) const;
 
  private:
@@ -90,16 +90,16 @@ class MappedColumn {
   const RowTable& table_;
   const ColumnMapping& mapping_;
   std::vector<ColumnTerm> terms_;
-  std::vector<std::size_t> places_, sides_;  ///< of the terms' columns and of their hemispheres
+  std::vector<std::size_t> places_, sides_;  ///< columns of the terms and of their hemispheres
 };
 
 /// Reads `{column:, unit:, scale:, offset:, hemisphere:}`, `{constant:}` or `{sum: [...]}` of such.
-/// The offset is in SI units. An unknown unit, or one of another dimension, is a fault; so is, when
-/// rows are read, a value that is not `allowed`.
+/// The offset is in SI units. An unknown unit, or one of another dimension, is a fault. A value
+/// outside `allowed` is a fault when rows are read.
 ColumnMapping ReadColumnMapping(const ConfigMap& config, Dimension dimension,
                                 const Range& allowed = {});
 
-/// SI units in one of the mapping's `unit`, which must have the dimension.
+/// SI units per mapping's `unit`, which must have the dimension.
 double ReadUnitFactor(const ConfigMap& config, Dimension dimension);
 
 }  // namespace tera

@@ -12,9 +12,9 @@
 
 namespace tera {
 void CsvFile::AddRow(const std::vector<std::string_view>& fields, int line) {
-  if (fields_.empty()) {  // room for all at once: growing would need twice as much
+  if (fields_.empty()) {  // one allocation; growth would need twice the memory
     const auto lines = static_cast<std::size_t>(std::count(text_->begin(), text_->end(), '\n'));
-    // Each field takes a byte at least, its separator or the end of its line.
+    // Each field takes at least one byte: its separator or the end of its line.
     fields_.reserve(std::min((lines + 1) * columns_.size(), text_->size() + 1));
     line_of_row_.reserve(lines + 1);
   }
@@ -35,8 +35,7 @@ void CsvFile::NameColumns(const std::vector<std::string_view>& names) {
   for (const std::string_view name : names) ++count[name];
   for (std::size_t c = 0; c < names.size(); ++c) {
     std::string name = names[c].empty() ? std::to_string(c + 1) : std::string(names[c]);
-    // A name on two lines mostly has its unit on the second. A quote within quotes is written
-    // twice.
+    // In a name on two lines the second is usually the unit. Quotes within quotes are doubled.
     std::replace(name.begin(), name.end(), '\n', ' ');
     for (std::size_t at = 0; (at = name.find("\"\"", at)) != std::string::npos; ++at) {
       name.erase(at, 1);
@@ -168,7 +167,7 @@ std::optional<TimeNs> CsvFile::WholeNanoseconds(std::size_t row, std::size_t col
     }
     if (c < '0' || c > '9') return std::nullopt;
     if (after_point) {
-      digit_ns /= 10;  // what is finer than a nanosecond is cut off
+      digit_ns /= 10;  // truncates below a nanosecond
       sum_ns += (c - '0') * digit_ns;
     } else {
       if (sum_ns > kFarthest_ns / 10) return std::nullopt;

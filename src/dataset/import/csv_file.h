@@ -15,31 +15,31 @@
 
 namespace tera {
 
-/// How a foreign table is written.
+/// Syntax of a foreign table.
 struct CsvForm {
-  char separator = 0;  ///< 0: the one of tab, semicolon, bar, comma and blanks of its first line
+  char separator = 0;  ///< 0: the first of tab, semicolon, bar, comma and blanks in its first line
   bool has_header = true;  ///< else columns are named by their numbers, from "1" on
   int skipped_lines = 0;   ///< before the header, or before the first row
-  int unit_lines = 0;      ///< behind the header, of units and the like; empty ones do not count
-  /// Rows in lines before the first and behind the last are not there; 0: all are.
+  int unit_lines = 0;      ///< lines of units and the like after the header, without empty ones
+  /// Range of lines with rows; 0: no limit.
   int first_line = 0, last_line = 0;
   NumberForm numbers;
 };
 
-/// The tables of several files of one form, one behind the other; a table of one file is that
-/// file's. Throws InputError where their columns differ, and what CsvFile throws.
+/// The tables of several files of one form, concatenated; the plain table for one file. Throws
+/// InputError if their columns differ, and as CsvFile does.
 std::unique_ptr<const RowTable> ReadTextTables(const std::vector<std::filesystem::path>& files,
                                                const CsvForm& form, LeftOutRows* left_out);
 
-/// A foreign table in a text file, in memory. Every fault is an InputError with file:line, what was
-/// found and what is needed.
+/// A foreign table in a text file, in memory. Every fault is an InputError with file:line, the
+/// finding and the need.
 class CsvFile final : public RowTable {
  public:
-  /// Reads the file as DecodedTable does, whose fields may stand in quotes and have blanks
-  /// around them, which may have empty lines, lines that begin with '#' or '%', separators at the
-  /// end of rows and a last line without end. Columns without a name are named by their numbers;
-  /// of those of one name the k-th is "NAME#k". Rows with too few or too many fields are a fault,
-  /// or are `left_out` where that is given.
+  /// Reads the file as DecodedTable does. Fields may have quotes and surrounding blanks. Empty
+  /// lines, lines that begin with '#' or '%', separators at the end of rows and an unterminated
+  /// last line are accepted. Columns without a name are named by their numbers; the k-th column of
+  /// a repeated name is "NAME#k". Rows with too few or too many fields are a fault, or go to
+  /// `left_out` if given.
   CsvFile(const std::filesystem::path& path, const CsvForm& form, LeftOutRows* left_out);
 
   const std::filesystem::path& path() const { return path_; }
@@ -51,7 +51,7 @@ class CsvFile final : public RowTable {
   std::size_t Column(const std::string& name) const override;
   int Line(std::size_t row) const override { return line_of_row_[row]; }
   std::size_t Ordinal(std::size_t row) const override { return ordinals_[row]; }
-  /// How many rows there are with those that were left out.
+  /// Number of rows including the left out ones.
   std::size_t ordinal_count() const { return ordinal_count_; }
   std::string_view Field(std::size_t row, std::size_t column) const {
     const Place place = fields_[row * columns_.size() + column];
@@ -77,23 +77,24 @@ class CsvFile final : public RowTable {
                          const InputFault& fault) const override;
 
  private:
-  /// Where a field is in the text, in half of what a view of it takes: files have 1e8 of them.
+  /// Position of a field in the text, half the size of a view: files have 1e8 fields.
   struct Place {
     std::uint64_t begin : 40, bytes : 24;
   };
 
   void NameColumns(const std::vector<std::string_view>& names);
   void ReadRows(std::string_view rest, const CsvForm& form, LeftOutRows* left_out);
-  /// Without the empty fields that separators at the end of a row make.
+  /// Removes the empty fields of separators at the end of a row.
   void DropEmptyEnd(std::vector<std::string_view>* fields) const;
   std::string WrongFieldCount(std::size_t found, bool is_last) const;
   [[noreturn]] void FailAtLine(int line, const InputFault& fault) const;
   void AddRow(const std::vector<std::string_view>& fields, int line);
 
   std::filesystem::path path_;
-  std::unique_ptr<const std::string> text_;  ///< apart, so that a moved file keeps its fields valid
+  std::unique_ptr<const std::string>
+      text_;  ///< on the heap, so that fields stay valid when the file is moved
   std::vector<std::string> columns_;
-  std::vector<Place> fields_;  ///< row after row
+  std::vector<Place> fields_;  ///< row by row
   std::vector<int> line_of_row_;
   std::vector<std::size_t> ordinals_;
   std::size_t ordinal_count_ = 0;

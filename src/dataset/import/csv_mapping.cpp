@@ -111,7 +111,7 @@ CsvForm ReadCsvForm(const ConfigMap& config) {
 
 namespace {
 
-/// The topic that a channel names, as its bag describes it.
+/// The topic that a channel names, as described in its bag.
 std::optional<BagTopic> ReadTopic(const ConfigMap& channel, const std::filesystem::path& file,
                                   UnpackedFiles* unpacked) {
   if (!channel.Has("topic")) {
@@ -131,19 +131,19 @@ std::optional<BagTopic> ReadTopic(const ConfigMap& channel, const std::filesyste
   return unknown;
 }
 
-/// Whether a mapping says what the time of a channel is whose rows have stamps of their own.
+/// Whether a mapping gives a time for a channel whose rows have their own stamps.
 bool HasTimeForStamps(const ConfigMap& channel, const ConfigMap& top) {
   if (channel.Has("time") || !channel.Has("file") || !top.Has("time")) {
     return channel.Has("time") || top.Has("time");
   }
   if (top.IsText("time")) return false;
-  // A time of more than a column and an offset is one of text tables.
+  // A time with more than a column and an offset belongs to text tables.
   const std::vector<std::string> keys = top.Map("time").Keys();
   return std::all_of(keys.begin(), keys.end(),
                      [](const std::string& key) { return key == "column" || key == "offset"; });
 }
 
-/// Chooses the transform of the frames that a channel names; rows are the messages that have it.
+/// Selects the transform between the channel's frames; rows are the messages that contain it.
 void ReadTransform(const ConfigMap& channel, RowSource* source) {
   if (!channel.Has("parent") && !channel.Has("child")) return;
   const std::string parent = channel.Text("parent"), child = channel.Text("child");
@@ -164,14 +164,14 @@ void ReadTransform(const ConfigMap& channel, RowSource* source) {
   source->rules.push_back({source->element + "transform.translation.x", RowRule::Test::kPresent});
 }
 
-/// When the rows of a topic or a log of known form were, where no mapping says so.
+/// The default time column of a topic or a log of known form.
 std::string OwnTimeColumn(const RowSource& source) {
   if (!source.topic) return kLogTimeColumn;
   const bool has_stamp = !source.element.empty() || HasHeader(*source.topic);
   return has_stamp ? source.element + kHeaderStamp : kLogTime;
 }
 
-/// Rules by a text are of tables that are made of texts.
+/// Rules by text apply to text tables.
 std::vector<RowRule> ReadRules(const ConfigMap& channel, const RowSource& source) {
   std::vector<RowRule> rules;
   for (const ConfigMap& item : channel.List("valid_if")) {
@@ -245,7 +245,7 @@ class MappedRows {
         source_(source),
         times_(table, source.time, [this](std::size_t row) { return IsValid(row); }),
         zero_ns_(zero_ns) {
-    // A missing column is a fault of the mapping, also where no row is read.
+    // A missing column is a fault of the mapping even without rows.
     for (const ColumnMapping& column : columns) columns_.emplace_back(table, column);
     for (const RowRule& rule : source.rules) table.Column(rule.column);
   }
@@ -266,7 +266,7 @@ class MappedRows {
   }
 
  private:
-  /// A time that is no later than that of the row before, by what it seems to come of.
+  /// Reports a time that does not increase, with its probable cause.
   void FailGoingBack(std::size_t row, TimeNs before_ns, TimeNs step_ns) const {
     constexpr TimeNs kManySteps = 10;
     const TimeNs back_ns = before_ns + zero_ns_ - times_.At(row);
@@ -294,7 +294,7 @@ class MappedRows {
   TimeNs zero_ns_;
 };
 
-/// Of columns, time and rules, each once.
+/// Paths of columns, time and rules, each once.
 std::vector<std::string> PathsOf(const RowSource& source,
                                  const std::vector<ColumnMapping>& columns) {
   std::vector<std::string> paths;

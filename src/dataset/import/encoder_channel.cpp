@@ -20,15 +20,16 @@
 namespace tera {
 namespace {
 
-/// Where one joint's angle and rate stand among the columns; no angle means the rate's integral, no
-/// rate the angle's differences. Of a prismatic joint these are travel and speed.
+/// Columns of a joint's angle and rate. Without an angle it is the rate's integral; without a rate
+/// it is the angle's difference quotient. For a prismatic joint these are travel and speed.
 struct JointColumns {
   EncoderAxis axis;
   int angle = -1;
   int rate = -1;
-  std::optional<CylinderStroke> cylinder = std::nullopt;  ///< whose stroke the angle's column is
-  bool is_rolled = false;  ///< the angle follows from a way over the ground
-  double wrap_rad = 0;     ///< at which the angle's column begins anew; 0: it goes on, or not known
+  std::optional<CylinderStroke> cylinder =
+      std::nullopt;        ///< set if the angle's column is its stroke
+  bool is_rolled = false;  ///< the angle follows from the travel over the ground
+  double wrap_rad = 0;     ///< period of the angle's column; 0: no wrap, or unknown
 };
 
 /// Angles over time by the trapezoidal rule, 0 at the first row.
@@ -42,7 +43,7 @@ void IntegrateRate(const JointColumns& joint, std::size_t j, const std::vector<M
   }
 }
 
-/// Rates as central differences, one-sided at both ends; 0 of a single row.
+/// Rates as central differences, one-sided at both ends; 0 for a single row.
 void DifferentiateAngle(std::size_t j, std::vector<EncoderSample>* samples) {
   const std::size_t last = samples->empty() ? 0 : samples->size() - 1;
   for (std::size_t i = 0; i < samples->size() && last > 0; ++i) {
@@ -58,7 +59,7 @@ std::vector<double> AnglesOf(std::size_t j, const std::vector<EncoderSample>& sa
   return angles;
 }
 
-/// Lets a joint's angle go on where its column begins anew, which is told.
+/// Unwraps a joint's angle if the mapping gives its period.
 void UnwrapAngle(const JointColumns& joint, std::size_t j, std::vector<EncoderSample>* samples,
                  ImportedChannel* channel) {
   std::vector<double> angles = AnglesOf(j, *samples);
@@ -94,8 +95,8 @@ std::vector<EncoderSample> EncoderSamples(const std::vector<JointColumns>& joint
   return samples;
 }
 
-/// The rows at which a joint's angle jumps, as it does where its sensor begins anew: none where it
-/// was told that it does, or where the angle follows from something else.
+/// Rows at which a joint's angle jumps, as a wrapping sensor does. None if the mapping gives a
+/// period, or if the angle is derived.
 std::vector<std::size_t> JointJumps(const JointColumns& joint, std::size_t j,
                                     const std::vector<EncoderSample>& samples) {
   const bool has_angle = joint.angle >= 0 && !joint.cylinder && !joint.is_rolled;
@@ -103,7 +104,7 @@ std::vector<std::size_t> JointJumps(const JointColumns& joint, std::size_t j,
   return JumpsOf(AnglesOf(j, samples), 2 * kPi);
 }
 
-/// Tells of joints whose angles jump.
+/// Reports joints with jumps.
 void CountJumps(const std::vector<JointColumns>& joints, const std::vector<EncoderSample>& samples,
                 const RowSource& source, const std::vector<MappedRow>& rows,
                 ImportedChannel* channel) {
@@ -121,10 +122,10 @@ void CountJumps(const std::vector<JointColumns>& joints, const std::vector<Encod
   }
 }
 
-/// Counts strokes that the joint's travel does not give its cylinder.
+/// Counts strokes outside the range of the joint's travel.
 void CountStrokesBeyond(const std::vector<JointColumns>& joints, const std::vector<MappedRow>& rows,
                         ImportedChannel* channel) {
-  constexpr double kSlack_m = 1e-3;  // of buffers and pins, and of what a sensor of strokes tells
+  constexpr double kSlack_m = 1e-3;  // allowance for buffers, pins and stroke sensors
   for (const JointColumns& joint : joints) {
     if (!joint.cylinder) continue;
     for (const MappedRow& row : rows) {
@@ -138,7 +139,7 @@ void CountStrokesBeyond(const std::vector<JointColumns>& joints, const std::vect
   }
 }
 
-/// Counts rates of joints that turn as no machine's do.
+/// Counts rates beyond those of any machine.
 void CountTooFast(const std::vector<JointColumns>& joints,
                   const std::vector<EncoderSample>& samples, ImportedChannel* channel) {
   for (std::size_t j = 0; j < joints.size(); ++j) {
@@ -147,7 +148,7 @@ void CountTooFast(const std::vector<JointColumns>& joints,
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const double rate_radps = std::abs(samples[i].qd_radps[j]);
       if (rate_radps <= kFastestJoint_radps) continue;
-      // A difference over a jump, from the row before it or to the row behind it, is no rate.
+      // A difference quotient across a jump is not a rate.
       const bool is_of_jump =
           joints[j].rate < 0 && std::any_of(jumps.begin(), jumps.end(), [&](std::size_t jump) {
             return i <= jump + 1 && jump <= i + 1;
@@ -161,7 +162,7 @@ void CountTooFast(const std::vector<JointColumns>& joints,
   }
 }
 
-/// An angle from the way that a wheel or a track has rolled.
+/// An angle from the travel of a wheel or a track.
 ColumnMapping ReadRolled(const ConfigMap& config) {
   ColumnMapping rolled = ReadColumnMapping(config.Map("rolled"), Dimension::kLength);
   const double radius_m = config.Number("radius_m", Positive("m"));
@@ -169,7 +170,7 @@ ColumnMapping ReadRolled(const ConfigMap& config) {
   return rolled;
 }
 
-/// A joint whose position is told by something else than itself; false where it is not.
+/// A joint with an indirect position; false for a direct one.
 bool ReadIndirect(const ConfigMap& config, const ConfigMap& top, const Mapping& mapping,
                   JointColumns* joint, std::vector<ColumnMapping>* columns) {
   if (!config.Has("rolled") && !config.Has("stroke")) return false;
@@ -199,7 +200,7 @@ bool ReadIndirect(const ConfigMap& config, const ConfigMap& top, const Mapping& 
   return true;
 }
 
-/// A joint as a JointState names it; its position or its velocity may not be there.
+/// A joint by its name in a JointState, with an optional position or velocity.
 JointColumns StandardJoint(const EncoderAxis& axis, std::vector<ColumnMapping>* columns) {
   const int first = static_cast<int>(columns->size());
   columns->push_back({.column = "position[" + axis.name + "]", .may_lack = true});
@@ -207,7 +208,7 @@ JointColumns StandardJoint(const EncoderAxis& axis, std::vector<ColumnMapping>* 
   return {axis, first, first + 1};
 }
 
-/// Whether a topic's joints are known by their names alone.
+/// Whether a topic's joints are identified by name alone.
 bool IsStandard(const RowSource& source) {
   return source.topic && source.topic->type == kJointType;
 }
@@ -218,7 +219,7 @@ bool SaysNoColumn(const ConfigMap& joint) {
   return std::none_of(kKeys.begin(), kKeys.end(), [&](const char* key) { return joint.Has(key); });
 }
 
-/// The joints of a topic of which the mapping names none.
+/// All joints of a topic, for a mapping that names none.
 std::vector<JointColumns> AllJoints(const ConfigMap& config, const RowSource& source,
                                     std::vector<ColumnMapping>* columns) {
   std::vector<JointColumns> joints;
@@ -230,7 +231,7 @@ std::vector<JointColumns> AllJoints(const ConfigMap& config, const RowSource& so
   return joints;
 }
 
-/// Whether no row has a number in a column; a column that some rows lack is a fault.
+/// Whether no row has a number in a column. A column with numbers in only some rows is a fault.
 bool IsMissing(const RowSource& source, const std::vector<MappedRow>& rows, int column,
                const std::string& field) {
   const auto lacks = [&](const MappedRow& row) {
@@ -245,8 +246,8 @@ bool IsMissing(const RowSource& source, const std::vector<MappedRow>& rows, int 
                   PlaceOf(source, first->line), field, field));
 }
 
-/// Velocities that a topic leaves out become the angle's differences, and positions the integral of
-/// the velocity.
+/// Replaces missing velocities by difference quotients of the angle, and missing positions by the
+/// integral of the velocity.
 void DropMissing(const RowSource& source, const std::vector<MappedRow>& rows,
                  std::vector<JointColumns>* joints) {
   if (!IsStandard(source) || rows.empty()) return;
@@ -266,7 +267,7 @@ void DropMissing(const RowSource& source, const std::vector<MappedRow>& rows,
   }
 }
 
-/// The turn after which an angle's column begins anew; 0 where the mapping has none.
+/// The period of an angle's column; 0 if the mapping has none.
 double ReadWrap(const ConfigMap& config, const JointColumns& joint) {
   const auto wrap_deg = config.OptionalNumber("wrap_deg", Positive("deg"));
   if (!wrap_deg) return 0;

@@ -19,7 +19,8 @@ using namespace std::string_view_literals;
 
 constexpr std::size_t kFirstBytes = 4096;
 
-/// A form by bytes at a fixed place. In a remedy {0} is the file and {1} its name without ending.
+/// A form with bytes at a fixed offset. In a remedy {0} is the file and {1} its name without
+/// extension.
 struct Magic {
   std::size_t at;
   std::string_view bytes;
@@ -139,7 +140,7 @@ constexpr Magic kMagics[] = {
      "a program", "name a log"},
 };
 
-/// Forms that begin with letters, as tables do too, and go on with a byte that is no text.
+/// Forms that begin with letters, as tables do, followed by a non-text byte.
 constexpr Magic kLetteredMagics[] = {
     {0, "LOGG", "a BLF log of a CAN bus by Vector", kDecodeCan},
     {0, "PAR1", "a Parquet table", kParquet},
@@ -154,7 +155,7 @@ bool HasAt(std::string_view text, std::size_t at, std::string_view part) {
   return text.size() >= at && text.substr(at).starts_with(part);
 }
 
-/// A ZIP archive, or one of the documents that are made of it.
+/// A ZIP archive, or a document in that format.
 ForeignFile ZipKind(std::string_view first, const fs::path& name) {
   const std::string ending = name.extension().string();
   const auto has = [&](std::string_view part) { return first.find(part) != first.npos; };
@@ -180,7 +181,7 @@ std::string_view FirstLine(std::string_view* rest) {
   return line;
 }
 
-/// Words between blanks, the first few.
+/// The first few words between blanks.
 std::vector<std::string_view> WordsOf(std::string_view line) {
   constexpr std::size_t kMost = 8;
   std::vector<std::string_view> words;
@@ -199,8 +200,8 @@ bool IsMadeOf(std::string_view text, std::string_view characters) {
 }
 constexpr std::string_view kHex = "0123456789abcdefABCDEF";
 
-/// A frame as candump writes it: "(1436509052.249713) can0 044#2A366C2BBA", or "can0 044 [2] 2A
-/// 36", with a time before it or none.
+/// A frame in candump's format: "(1436509052.249713) can0 044#2A366C2BBA", or "can0 044 [2] 2A 36",
+/// with an optional time.
 bool IsCandumpLine(std::string_view line) {
   std::vector<std::string_view> words = WordsOf(line);
   if (!words.empty() && words[0].starts_with('(') && words[0].ends_with(')')) {
@@ -214,14 +215,14 @@ bool IsCandumpLine(std::string_view line) {
          IsMadeOf(words[2].substr(1, words[2].size() - 2), kHex);
 }
 
-/// A table whose rows are undecoded frames of a CAN bus, by its names (python-can, SavvyCAN).
+/// Column names of a table of undecoded CAN frames (python-can, SavvyCAN).
 bool NamesCanFrames(std::string_view line) {
   const std::string lower = LowerCase(std::string(line));
   const auto has = [&](std::string_view name) { return lower.find(name) != std::string::npos; };
   return (has("arbitration_id") && has("data")) || (has("id,extended") && has(",len,d1"));
 }
 
-/// Forms that a text's first lines tell.
+/// Forms identified by a text's first lines.
 std::optional<ForeignFile> TextKind(std::string_view first) {
   if (first.starts_with("\xef\xbb\xbf")) first.remove_prefix(3);
   const std::size_t begin = first.find_first_not_of(" \t\r\n");
@@ -293,7 +294,7 @@ std::optional<ForeignFile> ForeignFileOf(std::string_view first, const fs::path&
 std::optional<ForeignFile> ForeignFileOf(const fs::path& file) {
   std::error_code ignored;
   const auto kind = fs::status(file, ignored).type();
-  // A pipe gives its bytes once, and a folder none.
+  // A pipe can be read only once, and a folder not at all.
   if (kind != fs::file_type::regular && kind != fs::file_type::not_found) return std::nullopt;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) FailFile(file, "reading", errno);

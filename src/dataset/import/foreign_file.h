@@ -7,24 +7,24 @@
 
 namespace tera {
 
-/// A file of a form that is known by its beginning.
+/// A file whose form is identified by its beginning.
 struct ForeignFile {
   std::string name;    ///< "a pcapng capture of a network", as after "is"
-  std::string remedy;  ///< how to come to something that TERA reads, with a command where one does
+  std::string remedy;  ///< conversion to a readable form, with a command if there is one
 };
 
-/// The known form that the beginning of `file` has: stand-ins (Git LFS, git-annex), archives,
-/// documents, pictures, logs of CAN buses and networks, binary tables, observations of receivers,
-/// bags and point clouds. Nothing where the form is not known, as that of any table in text.
-/// A reader asks for its own form before it asks for these.
+/// Identifies the form of `file` by its beginning: stand-ins (Git LFS, git-annex), archives,
+/// documents, pictures, logs of CAN buses and networks, binary tables, receiver observations, bags
+/// and point clouds. Returns nothing for unknown forms, such as text tables. A reader checks its
+/// own form first.
 ///
-/// Throws  InputError where the file cannot be read.
+/// Throws  InputError if the file cannot be read.
 std::optional<ForeignFile> ForeignFileOf(const std::filesystem::path& file);
-/// By its first bytes, of which some 4000 tell every form; `name` stands in the commands.
+/// Identifies a form by its first bytes; about 4000 suffice. `name` appears in the commands.
 std::optional<ForeignFile> ForeignFileOf(std::string_view first, const std::filesystem::path& name);
 
-/// Throws InputError where ForeignFileOf knows the file: its name, what it is, `need`, as in "need
-/// a table in text", and the remedy.
+/// Throws InputError if ForeignFileOf identifies the file: its name, its form, `need` (as in "need
+/// a table in text"), and the remedy.
 void RefuseForeignFile(const std::filesystem::path& file, std::string_view need);
 
 }  // namespace tera

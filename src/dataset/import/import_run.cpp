@@ -39,7 +39,7 @@ void Describe(const std::vector<TimeNs>& t_ns, ImportedChannel* channel) {
   channel->irregular = early_or_late;
 }
 
-/// The median interval's rate, which gaps do not change; 0 where there is no interval.
+/// The rate at the median interval, which gaps do not change; 0 without an interval.
 double TypicalRate_hz(const std::vector<MappedRow>& rows) {
   std::vector<TimeNs> intervals_ns;
   for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -49,8 +49,8 @@ double TypicalRate_hz(const std::vector<MappedRow>& rows) {
   return 1.0 / ToSeconds(Median(std::move(intervals_ns)));
 }
 
-/// Receivers' logs come as UTC, and so do dates and weeks of GPS time. The clock behind a bag, or
-/// behind numbers in a table, is not known.
+/// The time scale of a file. Receivers' logs, dates and weeks of GPS time are read as UTC. The
+/// clock of a bag, or of numbers in a table, is unknown.
 ClockScale ClockOf(const RowSource& source) {
   const RowTime::Form form = source.time.form;
   if (form == RowTime::Form::kDate || form == RowTime::Form::kGpsWeek) return ClockScale::kUtc;

@@ -5,7 +5,7 @@
 #include "core/error.h"
 #include "dataset/import/csv_file.h"
 
-// Tables of several files as one.
+// Concatenates the tables of several files.
 
 namespace tera {
 namespace {
@@ -67,7 +67,7 @@ class JoinedTables final : public RowTable {
     const auto next = std::upper_bound(firsts_.begin(), firsts_.end(), row);
     return static_cast<std::size_t>(next - firsts_.begin()) - 1;
   }
-  /// The file's table, and `row` counted in it.
+  /// The file's table; `row` becomes the row in it.
   const CsvFile& TableOf(std::size_t* row) const {
     const std::size_t file = FileOf(*row);
     *row -= firsts_[file];
@@ -89,7 +89,7 @@ class JoinedTables final : public RowTable {
   }
 
   std::vector<CsvFile> tables_;
-  std::vector<std::size_t> firsts_;  ///< of the tables, their first row
+  std::vector<std::size_t> firsts_;  ///< first row of each table
   std::size_t rows_ = 0;
 };
 

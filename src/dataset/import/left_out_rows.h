@@ -5,10 +5,10 @@
 
 namespace tera {
 
-/// What was left out of a file because it could not be read.
+/// Unreadable rows that were left out of a file.
 struct LeftOutRows {
   std::int64_t count = 0;
-  std::string first;  ///< what was wrong with the first of them, with its place
+  std::string first;  ///< fault of the first row, with its place
 
   void Add(const std::string& fault) {
     if (count++ == 0) first = fault;

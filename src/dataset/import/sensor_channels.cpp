@@ -21,7 +21,7 @@ namespace tera {
 namespace {
 
 constexpr double kMinQuaternionNorm = 0.9, kMaxQuaternionNorm = 1.1;
-constexpr double kNearlyFull = 1e-4;  ///< of full lever: what rounding makes of it
+constexpr double kNearlyFull = 1e-4;  ///< rounding tolerance beyond full lever
 
 std::vector<ColumnMapping> ReadColumns(const ColumnKeys& columns,
                                        const std::vector<const char*>& keys, Dimension dimension,
@@ -53,13 +53,14 @@ ColumnMapping ReadFix(const ConfigMap& config) {
 /// Columns of a receiver, in this order.
 enum GnssColumn { kLat, kLon, kAlt, kFix, kVarE, kVarN, kVarU, kCovarianceType };
 
-/// How a receiver's rows say what fix they have.
+/// Interpretation of a receiver's fix column.
 struct FixReading {
   bool by_status = false;         ///< by the status of a NavSatFix, else as a GGA quality
-  bool needs_covariance = false;  ///< where kCovarianceType is 0 there are no variances
+  bool needs_covariance = false;  ///< a kCovarianceType of 0 means no variances
 };
 
-/// A GGA quality of a NavSatFix: its ground-based augmentation is RTK, fixed where it is that good.
+/// GGA quality of a NavSatFix. Ground-based augmentation is RTK, fixed if the variance is small
+/// enough.
 double QualityOfStatus(const std::vector<double>& v) {
   constexpr double kMostOfFixed_m = 0.1;  // one sigma of the horizontal; between 0.02 and 0.3
   const double status = v[kFix];
@@ -87,8 +88,7 @@ void RequireNumbers(const MappedRow& row, const RowSource& source, const FixRead
   }
 }
 
-/// East, north and up are those of one site, whose tangent plane ends well before the earth curves
-/// away from it.
+/// East, north and up belong to one site, within the validity of its tangent plane.
 void RequireNear(const GnssSample& sample, const std::string& where) {
   constexpr double kFarthest_m = 100e3;
   if (sample.enu_m.norm() <= kFarthest_m) return;
@@ -147,7 +147,7 @@ Pose PoseOf(const MappedRow& row, const RowSource& source) {
   return MakePose(Vec3(v[0], v[1], v[2]), q.normalized().toRotationMatrix());
 }
 
-/// Levers that rounding has taken beyond full become full; all beyond full are counted.
+/// Clamps levers that exceed full by rounding, and counts all beyond full.
 void ClampLevers(std::vector<MappedRow>* rows, ImportedChannel* channel) {
   for (MappedRow& row : *rows) {
     for (double& lever : row.values) {
@@ -247,7 +247,7 @@ ImportJob ReadGnss(const ConfigMap& config, const ConfigMap& top, Mapping* mappi
   };
 }
 
-/// The frames around a recorded pose: X_WB = X_WR * X_RF * X_FB with the file's X_RF.
+/// Frames of a recorded pose: X_WB = X_WR * X_RF * X_FB with the file's X_RF.
 ImportJob ReadPose(const ConfigMap& config, const ConfigMap& top, Mapping* mapping) {
   const RowSource source = ReadRowSource(config, top, mapping->unpacked);
   const auto world = config.OptionalMap("world");
@@ -275,15 +275,15 @@ ImportJob ReadPose(const ConfigMap& config, const ConfigMap& top, Mapping* mappi
 
 namespace {
 
-/// Columns of a table that come from one topic or file, and their places in the table.
+/// Columns of a table from one topic or file, and their positions in the table.
 struct TablePart {
   RowSource source;
   std::vector<ColumnMapping> columns;
   std::vector<std::size_t> places;
 };
 
-/// The rows of all parts: one at each time of any, in which the others hold what they said last;
-/// from when each has said something.
+/// The merged rows of all parts: one at each time of any part, with the latest values of the
+/// others. The first row is at the time when every part has a value.
 std::vector<MappedRow> HeldTogether(const std::vector<TablePart>& parts,
                                     const std::vector<std::vector<MappedRow>>& rows,
                                     std::size_t width) {
@@ -308,7 +308,7 @@ std::vector<MappedRow> HeldTogether(const std::vector<TablePart>& parts,
   return together;
 }
 
-/// The parts of a table: its own file or topic, and each column with a topic of its own.
+/// The parts of a table: its own file or topic, and each column with its own topic.
 std::vector<TablePart> ReadTableParts(const ConfigMap& config, const ConfigMap& top,
                                       const Mapping& mapping, std::vector<std::string>* names) {
   std::vector<TablePart> parts;

@@ -14,25 +14,25 @@
 namespace tera {
 
 struct LintOptions {
-  /// Every how many frames of a camera or lidar one is opened; all of them have to be there.
+  /// Opens one of this many frames of a camera or lidar; all of them must exist.
   int every_frame = 1;
-  /// The lowest height of a raster of the ground, for whoever can read it; without it poses are
-  /// not held to the ground.
+  /// The lowest height of a ground raster. Without this function poses are not compared with the
+  /// ground.
   std::function<double(const std::filesystem::path& raster)> lowest_m = {};
 };
 
-/// Where a dataset is not as it must be.
+/// Place of a fault in a dataset.
 struct LintPlace {
   std::string file;  ///< relative to the dataset
   int line = 0;      ///< 0: none, as in a picture
   std::string message;
 };
 
-/// What one rule has found in one channel.
+/// One rule's findings in one channel.
 struct LintFinding {
   const LintRule* rule = nullptr;
-  std::string channel;            ///< empty: the dataset as a whole
-  std::int64_t count = 0;         ///< of places
+  std::string channel;            ///< empty: the whole dataset
+  std::int64_t count = 0;         ///< number of places
   std::vector<LintPlace> places;  ///< the first of them
 };
 
@@ -44,12 +44,12 @@ struct ChannelStatistics {
   TimeNs median_interval_ns = 0, longest_interval_ns = 0;
 };
 
-/// How often something was seen, and how far away.
+/// Number of observations, and their distance.
 struct ClassStatistics {
   std::int64_t pixels = 0, boxes = 0, points = 0;
 };
 
-/// Ranges of depth pictures and scans, counted by whole metres; the last also counts all beyond.
+/// Ranges of depth pictures and scans in bins of one metre; the last bin includes all larger ones.
 using RangeHistogram = std::array<std::int64_t, 66>;
 
 struct DatasetStatistics {
@@ -59,30 +59,30 @@ struct DatasetStatistics {
   std::int64_t pictures = 0, scans = 0, boxes = 0, points = 0;
 };
 
-/// What became of a dataset.
+/// Result of a lint.
 struct LintReport {
   std::filesystem::path dataset;
-  std::string name;                             ///< as dataset.yaml has it
+  std::string name;                             ///< from dataset.yaml
   std::vector<LintFinding> findings;            ///< worst first, then in order of the rules
-  std::vector<const LintRule*> applied;         ///< rules that had something to look at
-  std::vector<const LintRule*> not_applicable;  ///< and those that had nothing
+  std::vector<const LintRule*> applied;         ///< rules with data to check
+  std::vector<const LintRule*> not_applicable;  ///< rules without data to check
   DatasetStatistics statistics;
 
-  /// Findings of a severity, each counted once whatever its number of places.
+  /// Number of findings of a severity, each counted once for all its places.
   std::int64_t CountOf(Severity severity) const;
 };
 
-/// Holds a complete recording, simulated or real, to the rules. Nothing is written. Memory does not
-/// grow with the number of frames but by the list of their times.
+/// Checks a complete recording, simulated or real, against the rules. Writes nothing. Memory grows
+/// only by the list of frame times.
 ///
-/// Throws InputError where `dataset` is no recording or its dataset.yaml cannot be read.
+/// Throws  InputError if `dataset` is no recording or its dataset.yaml cannot be read.
 LintReport Lint(const std::filesystem::path& dataset, const LintOptions& options = {});
 
-/// Where hashes of a dataset's files are.
+/// File with the hashes of a dataset's files.
 inline constexpr char kFrameHashesName[] = "frames.sha256";
 
-/// Writes frames.sha256: a line for each file of a channel, sorted by name, in the form that
-/// `sha256sum -c` reads. Returns the number of files. Throws InputError.
+/// Writes frames.sha256: a line for each file of a channel, sorted by name, for `sha256sum -c`.
+/// Returns the number of files. Throws InputError.
 std::int64_t WriteFrameHashes(const std::filesystem::path& dataset);
 
 }  // namespace tera

@@ -14,7 +14,7 @@
 
 namespace tera {
 
-/// One lint under way: what is checked, and what was found so far.
+/// A running lint: the dataset and the findings so far.
 class LintJob {
  public:
   LintJob(const Recording& recording, const LintOptions& options);
@@ -23,18 +23,18 @@ class LintJob {
   const LintOptions& options() const { return options_; }
   DatasetStatistics& statistics() { return statistics_; }
 
-  /// Says that a rule has something to look at.
+  /// Marks that a rule has data to check.
   void Applies(RuleId rule) { applied_.insert(rule.index()); }
   void Find(RuleId rule, const std::string& channel, LintPlace place);
 
-  /// Runs a check of a channel. What it cannot read is a finding, and other checks go on.
+  /// Runs a check of a channel. A read failure becomes a finding, and other checks continue.
   void Try(const std::string& channel, const std::function<void()>& check);
 
-  /// A channel whose rows cannot be read at all: later checks leave it out.
+  /// Marks a channel with unreadable rows, which later checks skip.
   void LeaveOut(const std::string& channel) { left_out_.insert(channel); }
   bool IsLeftOut(const std::string& channel) const { return left_out_.contains(channel); }
 
-  /// What a sensor's sensor.yaml says, where it can be read.
+  /// A sensor's sensor.yaml, if readable.
   std::optional<SensorSheet> SheetOf(const std::string& channel) const;
   /// File of a channel's rows, relative to the dataset.
   std::string RowsOf(const std::string& channel) const;
@@ -61,12 +61,12 @@ class LintJob {
   std::map<std::uint16_t, DatasetInfo::Instance> instances_;
 };
 
-/// The machine that a channel belongs to.
+/// The machine of a channel.
 std::string MachineOfChannel(const std::string& channel);
 
-// The checks, each of one topic: what they find, they tell the job.
+// The checks, one topic each. They add findings to the job.
 void CheckDescription(LintJob* job);  ///< dataset.*
-void CheckFiles(LintJob* job);        ///< files.* but hashes
+void CheckFiles(LintJob* job);        ///< files.* except hashes
 void CheckHashes(LintJob* job);       ///< files.hash
 void CheckRows(LintJob* job);         ///< rows.*, stamps.*
 void CheckPoses(LintJob* job);
@@ -75,7 +75,7 @@ void CheckEncoders(LintJob* job);
 void CheckInertialUnits(LintJob* job);
 void CheckReceivers(LintJob* job);
 void CheckCameras(LintJob* job);  ///< pictures.*, boxes.*
-void CheckLidars(LintJob* job);   ///< scans.* but depth
+void CheckLidars(LintJob* job);   ///< scans.* except depth
 void CheckScansByDepth(LintJob* job);
 void CheckFlowByPoses(LintJob* job);
 

@@ -6,14 +6,14 @@
 
 namespace tera {
 
-/// What a finding means for whoever uses the dataset.
+/// Meaning of a finding for a user of the dataset.
 enum class Severity {
   kError,    ///< the dataset contradicts docs/reference/dataset.md or itself
-  kWarning,  ///< it may be right, and probably is not what was meant
+  kWarning,  ///< possibly right, but probably unintended
   kNote      ///< worth knowing
 };
 
-/// The name of a severity, which SARIF uses too: "error", "warning", "note".
+/// The name of a severity, also used by SARIF: "error", "warning", "note".
 constexpr std::string_view NameOf(Severity severity) {
   switch (severity) {
     case Severity::kError:
@@ -26,12 +26,12 @@ constexpr std::string_view NameOf(Severity severity) {
   return "note";
 }
 
-/// One thing that `tera lint` holds a dataset to. Ids are stable: programs and settings name them.
+/// One rule of `tera lint`. Ids are stable: programs and settings use them.
 struct LintRule {
   std::string_view id;
   Severity severity;
-  std::string_view text;    ///< what must hold
-  std::string_view remedy;  ///< what to do where it does not
+  std::string_view text;    ///< requirement
+  std::string_view remedy;  ///< advice if it does not hold
 };
 
 inline constexpr std::array kLintRules = std::to_array<LintRule>({
@@ -196,7 +196,7 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
      "Check X_parent_sensor of both, units, and the clocks."},
 });
 
-/// A rule by its id; one that is not in the table does not compile.
+/// A rule by its id; an unknown id does not compile.
 class RuleId {
  public:
   consteval RuleId(const char* id) : index_(Find(id)) {}  // NOLINT(google-explicit-constructor)

@@ -4,12 +4,12 @@
 #include "dataset/lint/lint.h"
 #include "dataset/lint/lint_job.h"
 
-// The table of checks, and a lint as their row.
+// Runs the table of checks.
 
 namespace tera {
 namespace {
 
-/// In the order in which later ones may leave out what earlier ones found unreadable.
+/// Earlier checks find unreadable channels, which later ones may skip.
 constexpr std::array kChecks = {
     CheckDescription,  CheckFiles,         CheckRows,      CheckPoses,   CheckCommands,
     CheckEncoders,     CheckInertialUnits, CheckReceivers, CheckCameras, CheckLidars,

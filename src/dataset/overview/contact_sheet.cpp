@@ -16,7 +16,7 @@ cv::Mat PixelsOf(Picture* picture) {
   return {picture->height_px, picture->width_px, CV_8UC3, picture->data.data()};
 }
 
-/// As much of a line as fits into a width.
+/// The part of a line that fits into a width.
 std::string Cut(std::string line, int width_px) {
   const auto fits = [&] {
     return cv::getTextSize(line, cv::FONT_HERSHEY_SIMPLEX, kTextScale, 1, nullptr).width <=

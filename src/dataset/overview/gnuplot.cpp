@@ -36,15 +36,15 @@ Span SpanOf(const std::vector<Curve>& curves, std::vector<double> Curve::*axis) 
   return span;
 }
 
-/// `span` as gnuplot finds it by itself, or widened about its middle to `least`.
+/// gnuplot's automatic range of `span`, or `span` widened about its middle to `least`.
 std::string AxisRange(const Span& span, double least) {
   if (span.high - span.low >= least) return "[*:*]";
   const double middle = 0.5 * (span.low + span.high);
   return fmt::format("[{}:{}]", middle - 0.5 * least, middle + 0.5 * least);
 }
 
-/// Ranges of both axes: curves that are all one constant, and paths of a machine that stood still
-/// or drove along an axis, need room around them.
+/// Ranges of both axes. Constant curves, and paths of a machine at rest or along an axis, need a
+/// margin.
 std::string Ranges(const Chart& chart) {
   constexpr double kLeastOfWider = 0.1, kLeastPath_m = 0.2, kLeast = 1e-12;
   const Span x = SpanOf(chart.curves, &Curve::x), y = SpanOf(chart.curves, &Curve::y);
@@ -63,7 +63,7 @@ void AppendChart(const Chart& chart, std::string* script) {
   fmt::format_to(out,
                  "set title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\n",
                  Quoted(chart.title), Quoted(chart.x_label), Quoted(chart.y_label));
-  // An axis of a path may be short: its numbers stand on end.
+  // Axis labels are rotated, since an axis of a path may be short.
   *script += chart.equal_axes ? "set size ratio -1\nset xtics rotate\n"
                               : "set size noratio\nset xtics norotate\n";
   *script += Ranges(chart);

@@ -15,12 +15,12 @@ struct Curve {
 /// Axes with curves.
 struct Chart {
   std::string title, x_label, y_label;
-  bool equal_axes = false;  ///< one metre is as long along x as along y
+  bool equal_axes = false;  ///< the same scale along x and y
   std::vector<Curve> curves;
 };
 
 /// Draws charts in a grid of `columns` as one PNG by the gnuplot program. Throws InputError if
-/// gnuplot is not installed or fails, or the file cannot be written; no part of it is left then.
+/// gnuplot is not installed or fails, or the file cannot be written; no partial file remains.
 void DrawCharts(const std::vector<Chart>& charts, int columns, int width_px, int height_px,
                 const std::filesystem::path& png);
 

@@ -73,9 +73,9 @@ Picture FilmFrame(const Recording& recording, const std::vector<CameraTrack>& ca
   return sheet;
 }
 
-/// A film (H.264, yuv420p, by the ffmpeg program) of all cameras side by side, colour above and
-/// the first label channel that each has, classes as a rule, below, at the first camera's frame
-/// rate; of the others the latest frame is shown. Writes nothing if there is no camera with frames.
+/// Writes a film (H.264, yuv420p, by the ffmpeg program) of all cameras side by side. Colour is
+/// above, the camera's first label channel (usually classes) below. The frame rate is the first
+/// camera's; other cameras show their latest frame. Writes nothing without a camera with frames.
 /// Throws InputError if ffmpeg is not installed.
 void WriteFilm(const Recording& recording, const std::filesystem::path& mp4) {
   const std::vector<CameraTrack> cameras = Cameras(recording);
@@ -100,13 +100,13 @@ void WriteFilm(const Recording& recording, const std::filesystem::path& mp4) {
 
 constexpr int kColumns = 4, kTileWidth_px = 400, kTileHeight_px = 300;
 constexpr int kSheetWidth_px = kColumns * kTileWidth_px;
-constexpr double kStill_m = 0.05;  ///< what moves less is not drawn as a trajectory
+constexpr double kStill_m = 0.05;  ///< shorter motions are not drawn as a trajectory
 constexpr int kScanWidth_px = kSheetWidth_px / 2, kScanHeight_px = 600;
 
-/// The frame in the middle of a recording, where work is going on.
+/// The middle frame of a recording, during work.
 TimeNs Middle(const std::vector<TimeNs>& times) { return times[times.size() / 2]; }
 
-/// Colour, depth and labels of one camera side by side, in as many lines as they need.
+/// Colour, depth and labels of one camera side by side, in as many lines as necessary.
 Picture CameraRow(const Recording& recording, const std::string& folder) {
   const auto times = recording.FrameTimes(folder);
   if (times.empty()) return Picture(kSheetWidth_px, kTileHeight_px, 3);
@@ -151,7 +151,7 @@ double Extent(const std::vector<double>& values) {
   return *high - *low;
 }
 
-/// Where machines went and what their GNSS receivers measured, but for what stayed where it was.
+/// Trajectories of machines and of their GNSS receivers, without stationary ones.
 Chart TrajectoryChart(const Recording& recording) {
   Chart chart{"trajectories from above", "east in m", "north in m", true, {}};
   const auto add = [&](const std::string& title, const auto& samples, const auto& place_of) {
@@ -164,7 +164,8 @@ Chart TrajectoryChart(const Recording& recording) {
     if (Extent(curve.x) + Extent(curve.y) > kStill_m) chart.curves.push_back(std::move(curve));
   };
   for (const std::string& file : recording.ChannelsOf(kPoseChannel)) {
-    if (std::filesystem::path(file).filename() != "pose.csv") continue;  // of links and sensors
+    if (std::filesystem::path(file).filename() != "pose.csv")
+      continue;  // poses of links and sensors
     add(std::filesystem::path(file).parent_path().filename(), recording.LoadPose(file).poses,
         [](const TruthPose& pose) -> Vec3 { return pose.X_WB.translation(); });
   }
@@ -176,7 +177,7 @@ Chart TrajectoryChart(const Recording& recording) {
   return chart;
 }
 
-/// A unit of columns, by the ending of their names, and how charts show it.
+/// A unit by the ending of column names, and its display in charts.
 struct ShownUnit {
   std::string_view ending;
   std::string_view shown;
@@ -190,14 +191,14 @@ constexpr std::array<ShownUnit, 5> kShownUnits = {{
     {"mps2", "m/s2", 1},
 }};
 
-/// What stands before the last underscore of a column, and behind it.
+/// The parts of a column's name before and after the last underscore.
 std::pair<std::string, std::string> NameAndUnit(const std::string& column) {
   const std::size_t at = column.rfind('_');
   if (at == std::string::npos) return {column, ""};
   return {column.substr(0, at), column.substr(at + 1)};
 }
 
-/// The units of these columns: those of kShownUnits in their order, then others as they come.
+/// The units of these columns: first those of kShownUnits in their order, then others.
 std::vector<ShownUnit> UnitsOf(const std::vector<std::string>& columns) {
   std::vector<ShownUnit> units;
   const auto any = [&](std::string_view ending) {
@@ -216,7 +217,7 @@ std::vector<ShownUnit> UnitsOf(const std::vector<std::string>& columns) {
   return units;
 }
 
-/// Charts of a sensor's numbers over time, one for each of their units.
+/// Charts of a sensor's numbers over time, one per unit.
 void AddSeries(const std::string& folder, const TableRecording& series,
                std::vector<Chart>* charts) {
   for (const ShownUnit& unit : UnitsOf(series.columns)) {

@@ -21,7 +21,7 @@ cv::Mat View(Picture* picture) {
 
 cv::Mat View(const Picture& picture) { return View(const_cast<Picture*>(&picture)); }
 
-/// The size that most of the sizes lie below, at least `least`.
+/// The size below which kShownShare of the sizes lie, at least `least`.
 double LargestShown(std::vector<double> sizes, double least) {
   return sizes.empty() ? least : std::max(Quantile(std::move(sizes), kShownShare), least);
 }
@@ -65,7 +65,7 @@ Picture Map(const Image<T>& image, const Colour& colour_of) {
   return picture;
 }
 
-/// Each pixel by its instance, or by its class where it has none.
+/// Each pixel by its instance, or by its class without one.
 template <typename T>
 Picture Panoptic(const Image<T>& image) {
   TERA_CHECK(image.channels == 3, image.channels);
@@ -90,7 +90,7 @@ Picture Directions(const Image<T>& image) {
   return picture;
 }
 
-/// Hue by direction, strength by length: full at the length that kShownShare of all stay below.
+/// Hue by direction, strength by length: full at the length below which kShownShare lie.
 template <typename T>
 Picture Flow(const Image<T>& image) {
   constexpr double kMiddle = 32768;
@@ -118,7 +118,7 @@ Picture Flow(const Image<T>& image) {
   return picture;
 }
 
-/// From small (red) to large (blue), black where there is none.
+/// From small (red) to large (blue), black without a value.
 template <typename T>
 Picture Nearness(const Image<T>& image) {
   std::vector<double> known;
@@ -130,7 +130,7 @@ Picture Nearness(const Image<T>& image) {
   return Map(image, [&](T v) { return v == 0 ? cv::Vec3b(0, 0, 0) : Turbo(1.0 - v / far); });
 }
 
-/// White in the middle, red above, blue below; full at the departure that kShownShare stay below.
+/// White in the middle, red above, blue below; full at the deviation below which kShownShare lie.
 template <typename T>
 Picture Rise(const Image<T>& image) {
   constexpr double kMiddle = 32768;

@@ -14,9 +14,11 @@ constexpr double kWindowSigma_px = 7.0 / 6;
 constexpr double kLeastShape = 0.2, kMostShape = 10;
 constexpr double kFirstRing = 4;
 constexpr int kRingsPerOctave = 4;
-constexpr double kMaskNorm = 6, kQuartile = 0.6745;  ///< of L; of a normal distribution
+constexpr double kMaskNorm = 6,
+                 kQuartile = 0.6745;  ///< norm of L; quartile of a normal distribution
 constexpr double kMaskBin = 0.05, kMostMask = 600;
-constexpr double kDark = 0.01;  ///< of full scale: keeps single digital numbers in the dark small
+constexpr double kDark =
+    0.01;  ///< share of full scale; limits the effect of single digital numbers in the dark
 
 template <typename T>
 cv::Mat MatrixOf(const Image<T>& image) {
@@ -28,7 +30,7 @@ double LinearOf(double srgb) {
   return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
 }
 
-/// Amplitudes of the spectrum, those of frequency zero in the upper left corner.
+/// Amplitudes of the spectrum, with frequency zero in the upper left corner.
 cv::Mat Amplitudes(const Image<float>& luminance) {
   const int side = std::min(luminance.width_px, luminance.height_px);
   cv::Mat square;
@@ -37,7 +39,7 @@ cv::Mat Amplitudes(const Image<float>& luminance) {
       .convertTo(square, CV_64F);
   cv::Mat window;
   cv::createHanningWindow(window, square.size(), CV_64F);
-  // Under the window the mean must be gone, or it leaks into the lowest rings.
+  // The windowed mean must be zero, or it leaks into the lowest rings.
   square -= square.dot(window) / cv::sum(window)[0];
   cv::Mat spectrum, parts[2], amplitude;
   cv::dft(square.mul(window), spectrum, cv::DFT_COMPLEX_OUTPUT);
@@ -46,7 +48,7 @@ cv::Mat Amplitudes(const Image<float>& luminance) {
   return amplitude;
 }
 
-/// What is derived from one picture, pixel by pixel.
+/// Pixel maps derived from one picture.
 struct Maps {
   cv::Mat normalised, log_luminance, chroma, mask;
 
@@ -95,7 +97,7 @@ void AddPixels(const Maps& maps, const cv::Mat& inside, SurfaceSums* sums) {
   }
 }
 
-/// Where the whole window is: 255 within `all`, and within the picture.
+/// Pixels whose whole window is 255 in `all` and inside the picture.
 cv::Mat Within(const cv::Mat& all) {
   cv::Mat inside;
   cv::erode(all, inside, cv::Mat::ones(kWindow_px, kWindow_px, CV_8U), cv::Point(-1, -1), 1,
@@ -119,7 +121,7 @@ double AmplitudeSlope(const Image<float>& luminance) {
       ++count[ring];
     }
   }
-  // Rings evenly over the logarithm, or the finest, of which there are most, would count alone.
+  // Rings are uniform in the logarithm; otherwise the many fine ones would dominate.
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
   std::size_t before = 0;
   for (int k = 0;; ++k) {
@@ -199,7 +201,7 @@ double SurfaceSums::noise_dn() const {
       below += mask_[bin];
       continue;
     }
-    // Evenly within the bin.
+    // Linear within the bin.
     const double share = mask_[bin] > 0
                              ? (0.5 * static_cast<double>(pixels_) - static_cast<double>(below)) /
                                    static_cast<double>(mask_[bin])

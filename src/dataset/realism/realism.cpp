@@ -15,7 +15,7 @@ namespace tera {
 namespace {
 
 constexpr int kSmallest_px = 64;
-constexpr std::int64_t kFewestPixels = 1000;  ///< of a class that is told
+constexpr std::int64_t kFewestPixels = 1000;  ///< smallest reported class
 
 SurfaceRealism Told(const std::string& name, const SurfaceSums& sums) {
   return {name,          sums.pixels(),  sums.mscn_shape(), sums.step_kurtosis(),

@@ -8,7 +8,7 @@
 
 namespace tera::ros {
 
-/// A field of DeltaCAN that is a lever, by its name in the message.
+/// A lever field of DeltaCAN, by its name in the message.
 struct DeltaCanField {
   const char* name;
   float DeltaCan::*value;
@@ -23,8 +23,8 @@ inline constexpr DeltaCanField kDeltaCanFields[] = {{"slew", &DeltaCan::slew},
                                                     {"blade", &DeltaCan::blade},
                                                     {"swing", &DeltaCan::swing}};
 
-/// Which field moves a lever: that of its own name; for the lever of a running gear, `left_travel`
-/// or `right_travel` by how its name begins. Null where there is none.
+/// The field of a lever: the one of the same name; for a running gear's lever, `left_travel` or
+/// `right_travel` by its name's beginning. Null if there is none.
 float DeltaCan::*FieldOfLever(std::string_view name, bool drives_gear);
 
 /// A machine's lever, in the order of its file.
@@ -33,8 +33,8 @@ struct NamedLever {
   bool drives_gear = false;
 };
 
-/// The message under which a machine's levers stand at `positions`: enabled, and at high speed, as
-/// levers that were recorded have a low speed in them already. Stamps before 0 are 0.
+/// The message for levers at `positions`: enabled, and at high speed, since recorded levers already
+/// include a low speed. Stamps below 0 are 0.
 DeltaCan DeltaCanOf(const std::vector<NamedLever>& levers, const std::vector<double>& positions,
                     TimeNs stamp_ns);
 

@@ -57,7 +57,7 @@ void Put(std::uint8_t* point, std::uint32_t offset, T value) {
   std::memcpy(point + offset, &value, sizeof value);
 }
 
-/// What a column of a row says of which joint.
+/// A column's quantity and joint.
 struct QuantityOfJoint {
   std::string joint;
   bool is_rate = false;

@@ -12,19 +12,18 @@
 
 #include "dataset/ros/messages.h"
 
-/// Messages field by field, each described once, for whoever writes or reads their bytes or writes
-/// their definitions.
+/// Fields of messages, each described once, for writers and readers of bytes and for definitions.
 ///
 /// Model   `Fields(visitor, message)` calls visitor(name, value) for each field in the order of the
-///         ROS definition, which ROS 1 and ROS 2 share but for the header's number and the place
-///         of a grid map's header, and visitor.Constant(line) for each constant. A value is a
-///         number, a text, a list, or a part that has fields of its own.
-/// Source  common_interfaces, geometry2, rcl_interfaces, branch humble; grid_map_msgs; of TERA's
+///         ROS definition, and visitor.Constant(line) for each constant. ROS 1 and ROS 2 share the
+///         order, except for the header's number and the place of a grid map's header. A value is a
+///         number, a text, a list, or a part with its own fields.
+/// Source  common_interfaces, geometry2, rcl_interfaces, branch humble; grid_map_msgs; for TERA's
 ///         own message examples/ros2/tera_msgs.
 
 namespace tera::ros {
 
-/// A message or a part of one: its type has the name T::kType.
+/// A message or a part of one, with the type name T::kType.
 template <typename T>
 concept HasFields = requires {
   std::remove_cvref_t<T>::kType;
@@ -35,7 +34,7 @@ struct Bytes {
   std::string_view data;
 };
 
-// Parts of messages that the plain data have in another form.
+// Message parts whose plain data have another form.
 
 struct TimePart {
   static constexpr std::string_view kType = "builtin_interfaces/Time";
@@ -99,7 +98,7 @@ struct GridMapInfoPart {
   double resolution_m = 0, length_x_m = 0, length_y_m = 0;
   Pose middle = Pose::Identity();
 };
-/// The stamp of a DeltaCan, const or not, as it came.
+/// The unconverted stamp of a DeltaCan, const or not.
 template <typename M>
 struct RawTimePart {
   static constexpr std::string_view kType = TimePart::kType;
@@ -143,7 +142,7 @@ void Fields(auto& visit, const TwistPart& part) {
   visit("linear", Vector3Part{part.linear_mps});
   visit("angular", Vector3Part{part.angular_radps});
 }
-/// Its covariance is not known.
+/// The covariance is unknown.
 void Fields(auto& visit, const PoseWithCovariancePart& part) {
   visit("pose", PosePart{part.pose});
   visit("covariance", std::array<double, 36>{});
@@ -180,7 +179,7 @@ void Fields(auto& visit, const JointState& message) {
 void Fields(auto& visit, const Imu& message) {
   visit("header", message.header);
   visit("orientation", QuaternionPart{});
-  visit("orientation_covariance", Covariance3{-1});  // ROS's sign that there is no orientation
+  visit("orientation_covariance", Covariance3{-1});  // ROS's mark for no orientation
   visit("angular_velocity", Vector3Part{message.angular_velocity_radps});
   visit("angular_velocity_covariance", message.angular_velocity_covariance);
   visit("linear_acceleration", Vector3Part{message.linear_acceleration_mps2});
@@ -258,7 +257,7 @@ void Fields(auto& visit, const PointField& field) {
   visit("datatype", field.datatype);
   visit("count", std::uint32_t{1});
 }
-/// One row, in which no point is missing.
+/// One row without missing points.
 void Fields(auto& visit, const PointCloud2& message) {
   const std::size_t points =
       message.point_step_bytes > 0 ? message.data.size() / message.point_step_bytes : 0;
@@ -307,7 +306,7 @@ void Fields(auto& visit, const GridMap& message) {
   visit("layers", names);
   visit("basic_layers", basic);
   visit("data", data);
-  // The buffer of a map that moves may begin elsewhere; this one does not.
+  // A moving map's buffer may start elsewhere; this one does not.
   visit("outer_start_index", std::uint16_t{0});
   visit("inner_start_index", std::uint16_t{0});
 }
@@ -316,7 +315,7 @@ void Fields(auto& visit, const RawTimePart<M>& part) {
   visit("sec", part.message.stamp_sec);
   visit("nanosec", part.message.stamp_nanosec);
 }
-/// Its frame is not kept.
+/// The frame is discarded.
 template <typename M>
 void Fields(auto& visit, const RawHeaderPart<M>& part) {
   std::string frame_id;

@@ -10,8 +10,8 @@
 #include "core/motion.h"
 #include "core/time.h"
 
-/// ROS's messages as plain data: those that a simulation publishes or a recording becomes, and the
-/// levers that a simulation listens to. Units are those of the ROS definitions of the types kType;
+/// ROS messages as plain data: messages that a simulation publishes or an export writes, and the
+/// levers that a simulation receives. Units follow the ROS definitions of the types kType;
 /// message_fields.h has their fields.
 ///
 /// Source  common_interfaces, geometry2 and rcl_interfaces, branch humble; REP 103 (units, axes),
@@ -19,14 +19,14 @@
 
 namespace tera::ros {
 
-/// When and in which frame. A time before 0 has no place on the wire and counts as 0.
+/// Stamp and frame. ROS cannot represent a time below 0, which is sent as 0.
 struct Header {
   static constexpr std::string_view kType = "std_msgs/Header";
   TimeNs t_ns = 0;
   std::string frame_id;
 };
 
-/// A 3 x 3 covariance, row-major. All zero: not known.
+/// A 3 x 3 covariance, row-major. All zero: unknown.
 using Covariance3 = std::array<double, 9>;
 
 struct Clock {
@@ -39,7 +39,7 @@ struct Float64 {
   double data = 0;
 };
 
-/// The pose of something in the header's frame.
+/// A pose in the header's frame.
 struct PoseStamped {
   static constexpr std::string_view kType = "geometry_msgs/PoseStamped";
   Header header;
@@ -59,8 +59,7 @@ struct TfMessage {
   std::vector<TransformStamped> transforms;
 };
 
-/// Without covariances: the pose of the child in the header's frame, its
-/// velocities in its own.
+/// Without covariances: the pose of the child in the header's frame, its velocities in its own.
 struct Odometry {
   static constexpr std::string_view kType = "nav_msgs/Odometry";
   Header header;
@@ -69,8 +68,7 @@ struct Odometry {
   Vec3 linear_mps = Vec3::Zero(), angular_radps = Vec3::Zero();
 };
 
-/// Radians, rad/s, Nm, or metres, m/s, N where a joint slides. `effort`
-/// may be empty.
+/// rad, rad/s, Nm; for sliding joints m, m/s, N. `effort` may be empty.
 struct JointState {
   static constexpr std::string_view kType = "sensor_msgs/JointState";
   Header header;
@@ -78,7 +76,7 @@ struct JointState {
   std::vector<double> position, velocity, effort;
 };
 
-/// The message of a unit that estimates no orientation.
+/// The message of a unit without an orientation estimate.
 struct Imu {
   static constexpr std::string_view kType = "sensor_msgs/Imu";
   Header header;
@@ -109,11 +107,11 @@ struct Image {
   Header header;
   std::uint32_t height_px = 0, width_px = 0;
   std::string encoding;
-  std::uint32_t step_bytes = 0;  ///< of a row
+  std::uint32_t step_bytes = 0;  ///< row length
   std::vector<std::uint8_t> data;
 };
 
-/// A picture as a file has it.
+/// A picture in a file's bytes.
 struct CompressedImage {
   static constexpr std::string_view kType = "sensor_msgs/CompressedImage";
   Header header;
@@ -121,7 +119,7 @@ struct CompressedImage {
   std::string data;
 };
 
-/// The message of a camera whose pictures are not rectified: r is the identity and p is k.
+/// The message of a camera without rectification: r is the identity and p is k.
 struct CameraInfo {
   static constexpr std::string_view kType = "sensor_msgs/CameraInfo";
   Header header;
@@ -148,11 +146,10 @@ struct PointCloud2 {
   std::vector<std::uint8_t> data;
 };
 
-/// Layers of numbers on the squares of a plane, NaN where none is known.
-/// Not published live.
+/// Layers of numbers on the squares of a plane; NaN: unknown. Not published live.
 ///
-/// Model   rows run down x, columns down y, both from the corner that has the most of both; a layer
-///         is column after column. No layer is needed for a square to be valid but `elevation`.
+/// Model   rows run down x, columns down y, both from the corner with the largest x and y; a layer
+///         is stored column by column. Only `elevation` is needed for a square to be valid.
 /// Source  ANYbotics/grid_map, grid_map_msgs, branches ros2 (master of ROS 1 has the header in the
 ///         message's `info`) and grid_map_ros, GridMapRosConverter.
 struct GridMap {
@@ -168,24 +165,24 @@ struct GridMap {
   std::vector<Layer> layers;
 };
 
-/// What a live simulation publishes.
+/// Messages that a live simulation publishes.
 using Message = std::variant<Clock, Float64, PoseStamped, TfMessage, Odometry, JointState, Imu,
                              NavSatFix, Image, CameraInfo, PointCloud2>;
 
-/// The contents of a received one are unchecked.
+/// The contents of a received message are unchecked.
 struct DeltaCan {
   static constexpr std::string_view kType = "tera_msgs/DeltaCAN";
-  /// The header's stamp as it came.
+  /// The header's stamp, unconverted.
   std::int32_t stamp_sec = 0;
   std::uint32_t stamp_nanosec = 0;
   /// Lever positions in [-1, 1]; the travel levers drive forward at +1.
   float slew = 0, boom = 0, arm = 0, bucket = 0;
   float left_travel = 0, right_travel = 0, blade = 0, swing = 0;
-  bool enable = false;          ///< without it the machine holds still
+  bool enable = false;          ///< false: the machine holds still
   bool hydraulic_lock = false;  ///< no lever reaches the valves
   bool high_speed = false;      ///< travel in the second gear
-  /// Positions of the levers that have no field of their own, in the order of the machine's levers;
-  /// none: they are neutral.
+  /// Positions of the levers without their own field, in the order of the machine's levers; empty:
+  /// neutral.
   std::vector<float> others;
 };
 

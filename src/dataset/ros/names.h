@@ -5,13 +5,13 @@
 
 #include "core/types/label_channels.h"
 
-/// What things are called in ROS: topics below the machine's name, frames likewise.
+/// Names in ROS: topics and frames below the machine's name.
 
 namespace tera::ros {
 
 /// The world W: local east-north-up about the site's origin.
 inline constexpr const char* kWorldFrame = "map";
-/// Ends the frame of a camera's picture.
+/// Suffix of a camera's optical frame.
 inline constexpr const char* kOpticalEnding = "_optical";
 
 /// "/excavator1/odom"
@@ -24,15 +24,15 @@ std::string FrameOf(const std::string& machine, const std::string& part);
 /// "excavator1/camera_front_optical".
 std::string OpticalFrameOf(const std::string& machine, const std::string& camera);
 
-/// Where a sensor's topics stand below its machine: its own name, but that `gnss` at its beginning
-/// becomes `gps`, the name that ROS users look for.
+/// A sensor's topic below its machine: its own name, with `gps` in place of a leading `gnss`, as
+/// usual in ROS.
 std::string SensorTopicOf(const std::string& sensor, std::string_view type);
 
-/// A name as ROS takes it: what is no letter, digit, '_' or '/' becomes '_', and a word that begins
-/// with a digit gets one before it.
+/// A valid ROS name. Characters other than letters, digits, '_' and '/' become '_', and a word that
+/// begins with a digit gets a leading '_'.
 std::string AllowedName(std::string_view name);
 
-// Topics of a sensor, below its own; kSensorItself: the sensor's own.
+// Topics of a sensor, below its own; kSensorItself: the sensor's own topic.
 inline const std::string kSensorItself;
 inline const std::string kFixTopic = "fix";
 inline const std::string kPointsTopic = "points";

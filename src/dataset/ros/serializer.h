@@ -13,17 +13,17 @@
 
 namespace tera::ros {
 
-/// How messages are laid out as bytes.
+/// Byte layout of messages.
 enum class WireForm {
-  kCdr,  ///< of ROS 2: aligned, after four bytes that name the form
-  kRos1  ///< of ROS 1: packed
+  kCdr,  ///< ROS 2: aligned, after four bytes that name the form
+  kRos1  ///< ROS 1: packed
 };
 
-/// Fields of a message as bytes, one after the other, little-endian.
+/// Serialises the fields of a message, little-endian.
 ///
 /// Model   kCdr: a field of n bytes begins at a multiple of n after the first four bytes; strings
-///         count their final 0 and have it. kRos1: no padding, no final 0. Both: a sequence has its
-///         length before it in 32 bits, an array has not.
+///         include and count their final 0. kRos1: no padding, no final 0. Both: a 32-bit length
+///         precedes a sequence, but not an array.
 /// Source  OMG CORBA 3.3, part 2, section 9.3 (CDR), with DDS-RTPS 2.3, section 10.2 for the first
 ///         four bytes; "ROS message serialization" of the ROS 1 wiki.
 class Serializer {
@@ -34,7 +34,7 @@ class Serializer {
   const std::string& bytes() const { return bytes_; }
   /// The bytes of the last message.
   std::string TakeBytes() { return std::move(bytes_); }
-  /// For the next message.
+  /// Resets for the next message.
   void Clear() {
     bytes_.clear();
     if (form_ == WireForm::kCdr) bytes_.append(kLittleEndianCdr);
@@ -75,13 +75,13 @@ class Serializer {
     PutLength(bytes.data.size());
     Append(bytes.data.data(), bytes.data.size());
   }
-  /// A message, or a part of one: its fields. A header of ROS 1 has a number, which is 0 here.
+  /// The fields of a message or a part. A ROS 1 header has a number, which is 0 here.
   template <HasFields T>
   void Put(const T& message) {
     if (form_ == WireForm::kRos1 && T::kType == Header::kType) Put(std::uint32_t{0});
     Fields(*this, message);
   }
-  /// A field, as Fields names it.
+  /// A field in a call of Fields.
   template <typename T>
   void operator()(std::string_view, const T& value) {
     Put(value);

@@ -39,9 +39,9 @@ std::vector<double> BlockBootstrap(const std::vector<double>& series, std::size_
   return means;
 }
 
-/// By how much the interval of a mean over `blocks` blocks is wider than the spread of resampled
-/// means: those scatter by sqrt((k - 1) / k) too little, and k blocks tell their spread as
-/// Student's t has it.
+/// Ratio between the interval's width and the spread of resampled means, for a mean over k blocks.
+/// Resampled means scatter by sqrt((k - 1) / k) too little. Student's t accounts for the uncertain
+/// spread of k blocks.
 double WidthFactor(double blocks) {
   if (blocks < 2) return 1;
   const boost::math::students_t_distribution<> t(blocks - 1);
@@ -57,19 +57,19 @@ Difference DifferenceOf(const Figure& first, const Figure& other, std::size_t bl
   const auto tail = static_cast<std::size_t>(kTail * kResamples);
   const double wider = WidthFactor(static_cast<double>(series.size()) / static_cast<double>(block));
   const double sampling = kTwoSided95 * std::hypot(ErrorOf(first), ErrorOf(other));
-  // Layouts that do the same at every moment differ in nothing, whatever places were tried.
+  // Equal layouts at every moment have no difference, whatever the sampling error.
   const bool same = std::all_of(series.begin(), series.end(), [](double x) { return x == 0; });
   if (same) return d;
   d.low = mean - std::hypot(wider * (mean - means[tail]), sampling);
   d.high = mean + std::hypot(wider * (means[kResamples - 1 - tail] - mean), sampling);
-  if (series.size() < 2 * block) {  // one block says nothing of how others would differ
+  if (series.size() < 2 * block) {  // one block gives no estimate of the spread between blocks
     d.low = std::min(d.low, 0.0);
     d.high = std::max(d.high, 0.0);
   }
   return d;
 }
 
-/// Doubts the figures of a zone that say the same where one of them is undecided.
+/// Marks equivalent figures of a zone as doubted if one of them is undecided.
 void DoubtByEachOther(std::vector<Difference>* differences) {
   for (Difference& seen : *differences) {
     if (seen.figure.measure != Measure::kSeenBy1) continue;

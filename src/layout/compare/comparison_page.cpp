@@ -20,10 +20,10 @@ namespace {
 constexpr std::array<const char*, 5> kColours = {"a", "b", "c", "d", "e"};
 constexpr char kUndecided[] = "no difference that this cycle can show";
 
-/// What a reader asks first.
+/// A figure of the page's summary.
 struct MainFigure {
   Measure measure;
-  const char *of, *words;  ///< of nothing: of the shovel that digs, or of what there is one of
+  const char *of, *words;  ///< `of` null: the digging shovel; empty: the only subject
 };
 constexpr std::array<MainFigure, 7> kMain = {
     {{Measure::kSeenBy1, kAroundZone, "space seen"},
@@ -38,7 +38,7 @@ FigureId IdOf(const MainFigure& main, const LayoutReport& report) {
   return {main.measure, main.of ? main.of : DiggingShovel(report)};
 }
 
-/// A text as one cell, in quotes where it must be; those within are doubled.
+/// A text as one CSV cell, quoted if necessary; inner quotes are doubled.
 std::string CsvCell(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string cell = "\"";
@@ -48,7 +48,7 @@ std::string CsvCell(const std::string& text) {
 
 std::string Colour(std::size_t layout) { return kColours[layout % kColours.size()]; }
 
-/// A difference without its sign, and the bounds of its interval: shares in percentage points.
+/// A difference's magnitude and the bounds of its interval: shares in percentage points.
 std::string SizeText(const Difference& d) {
   const double mean = std::abs(d.of_other - d.of_first);
   const double low = std::min(std::abs(d.low), std::abs(d.high));
@@ -67,7 +67,7 @@ std::string VerdictText(const Difference& d) {
   return (d.verdict() == Difference::Verdict::kBetter ? "better by " : "worse by ") + SizeText(d);
 }
 
-/// How good a layout is in a main figure, 0 to 1.
+/// Quality of a layout in a main figure, 0 to 1.
 double Goodness(const Figure& figure) {
   const double mean = std::clamp(MeanOf(figure), 0.0, 1.0);
   return IsMoreBetter(figure.id.measure) ? mean : 1 - mean;
@@ -101,7 +101,7 @@ std::string RadarAxes() {
   return svg;
 }
 
-/// A layout's main figures around the middle. Where one is absent there is a gap.
+/// A layout's main figures around the middle. Absent figures leave a gap.
 std::string RadarOutline(const LayoutReport& report, const std::string& colour) {
   std::array<const Figure*, kMain.size()> figures{};
   for (std::size_t axis = 0; axis < kMain.size(); ++axis) {
@@ -126,7 +126,7 @@ std::string RadarOutline(const LayoutReport& report, const std::string& colour) 
                      colour, area, outline);
 }
 
-/// Tells the main figures that layouts do not have.
+/// Names the main figures that layouts lack.
 std::string AbsentText(const std::vector<LayoutReport>& reports) {
   std::string html;
   for (const LayoutReport& report : reports) {
@@ -159,8 +159,7 @@ std::string Key(const std::vector<LayoutReport>& reports) {
   return html + "</p>\n";
 }
 
-/// The other's value less the first's, as a share of the map's scale; nothing where either has
-/// none.
+/// The other's value minus the first's, as a share of the map's scale; nothing if either has none.
 PolarMap DifferenceOf(const PolarMap& first, const PolarMap& other) {
   PolarMap map = other;
   map.low = 0;
@@ -221,7 +220,7 @@ std::string Curves(const std::vector<LayoutReport>& reports) {
   return html + "</div>\n";
 }
 
-/// What each rig takes.
+/// Cost, power and data of each rig.
 std::string Expenses(const std::vector<LayoutReport>& reports) {
   std::string html = "<ul>";
   for (const LayoutReport& report : reports) {
@@ -230,13 +229,13 @@ std::string Expenses(const std::vector<LayoutReport>& reports) {
   return html + "</ul>\n";
 }
 
-/// By how much of the larger value the two differ.
+/// The difference relative to the larger value.
 double RelativeSize(const Difference& d) {
   const double most = std::max(std::abs(d.of_first), std::abs(d.of_other));
   return most > 0 ? std::abs(d.of_other - d.of_first) / most : 0;
 }
 
-/// In how many figures the other is better and worse, and the greatest losses.
+/// Counts of better and worse figures of the other layout, and its largest losses.
 std::string BalanceText(std::vector<Difference> differences) {
   std::stable_sort(
       differences.begin(), differences.end(),

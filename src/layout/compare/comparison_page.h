@@ -7,9 +7,10 @@
 
 namespace tera {
 
-/// A page on which each of the others is held against the first: words first, then a radar chart of
-/// the main figures, blind maps side by side with their difference, people, all figures. Throws
-/// InputError as Compare does.
+/// A page that compares each of the other layouts with the first: words, a radar chart of the main
+/// figures, blind maps with their difference, people, all figures.
+///
+/// Throws  InputError as Compare does.
 std::string ComparisonPage(const std::vector<LayoutReport>& reports);
 /// The table of all figures and differences as CSV.
 std::string ComparisonCsv(const std::vector<LayoutReport>& reports);

@@ -39,8 +39,8 @@ std::vector<double> BlindMap::SeenShare() const {
 std::vector<Figure> BlindMap::Figures() const {
   const auto figure = [&](Measure measure, const std::vector<double>& blind_m2) {
     Figure f{{measure, fmt::format("{}", height_m_)}, blind_m2, {}};
-    // As if the blind area were round. Its border crosses as many cells as it is rings long, in
-    // each of which it lies anywhere across the ring; they err independently.
+    // Treats the blind area as a disc. Its border crosses as many cells as it is rings long. In
+    // each of these its position is uniform across the ring, with independent errors.
     for (const double area_m2 : blind_m2) {
       const double border_m = 2 * std::sqrt(kPi * area_m2);
       const double cell_m2 = PolarGrid::kRing_m * EvenSigma(PolarGrid::kRing_m);

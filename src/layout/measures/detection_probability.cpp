@@ -16,7 +16,7 @@ namespace {
 constexpr double kStep_m = 1.0;
 constexpr int kNearSteps = 12;
 
-/// A mean as it grows.
+/// A running mean.
 struct Sum {
   double value = 0;
   std::size_t count = 0;

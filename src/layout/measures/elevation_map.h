@@ -8,48 +8,47 @@
 
 namespace tera {
 
-/// What an elevation map of the ground ahead would be worth: gaps, and the error of its heights.
+/// Quality of an elevation map of the ground ahead: gaps, and the error of its heights.
 ///
 /// Frames  H as in PolarGrid.
-/// Model   cells of the map lie on the site's ground with its slope there; beyond it are none. Of a
-///         viewer that ranges, the points expected on a cell are those on a square metre of it
-///         times its area, if its middle is seen (look.h); they come as a Poisson process, so that
-///         a cell is a gap with probability exp(-n). A range error e along the ray d moves a point
-///         to where the plane of the cell is lower or higher by e (n . d) / n_z, n its normal: so
-///         much is the error of its height. Points of a cell average by their weights, as many of
-///         them as are expected of a cell that has any. The error of the map is that of the cells
-///         that have points, each counted with the probability that it has; how many have none is
-///         told by the gaps.
-/// Omits   that points of a lidar stand in rows. Where rows and columns are closer than the cells
-///         are wide, 1 - n of these are empty instead of exp(-n): too many gaps are told, by 1 / e
-///         of the cells at most. Where rows are farther apart, the cells between them are empty
-///         however many points a row has: too few are told, without such a bound. Beside maps made
-///         of scans the figure was off by 0.03 to 0.10 and by -0.07 (docs/reference/layout.md).
-///         Omits also roughness within a cell; errors of the mount and of the pose, which are the
-///         same for all cells; what stands in a part of a cell only.
+/// Model   cells of the map lie on the site's ground with its local slope; there are none off the
+///         site. A ranging viewer that sees the middle of a cell (look.h) contributes its expected
+///         points per square metre times the cell's area. Points arrive as a Poisson process, so a
+///         cell is a gap with probability exp(-n). A range error e along the ray d changes the
+///         height by e (n . d) / n_z, with n the normal of the cell's plane. The points of a cell
+///         are averaged by their weights, with the number of points expected in a non-empty cell.
+///         The error of the map is the root mean square over the cells, weighted by their
+///         probability of having points; the gaps count the others.
+/// Omits   the row structure of lidar points. If rows and columns are closer than the cell width, 1
+///         - n of the cells are empty instead of exp(-n). The figure is then too high by at most 1
+///         / e of the cells. If rows are farther apart, the cells between them are empty at any
+///         point density; the figure is then too low, without a bound. Compared with maps from
+///         scans it was off by 0.03 to 0.10 and by -0.07 (docs/reference/layout.md).
+///         Also roughness within a cell; errors of the mount and the pose, which all cells share;
+///         objects that fill only a part of a cell.
 class ElevationMap {
  public:
   explicit ElevationMap(const ElevationStudy& study) : study_(study) {}
 
   void Add(const Pose& X_WH, const Layout& layout, double reflectance, const Sighting& sighting,
            const TerrainSurface& ground);
-  /// "elevation/gaps", a share of the cells, and "elevation/sigma_m", root mean square over the
-  /// cells that have points; 1 m at a moment at which none can have any.
+  /// "elevation/gaps", a share of the cells, and "elevation/sigma_m", the root mean square over the
+  /// cells with points, or 1 m at moments without any.
   std::vector<Figure> Figures() const;
 
  private:
   struct Cell {
     Vec3 p_W_m, normal_W;
     double area_m2;         ///< from above
-    double points = 0;      ///< expected on it
-    double weight_pm2 = 0;  ///< of the mean of their heights: the inverse of its variance
+    double points = 0;      ///< expected number on it
+    double weight_pm2 = 0;  ///< inverse variance of the mean of their heights
   };
   std::vector<Cell> CellsOn(const TerrainSurface& ground, const Pose& X_WH) const;
   void Count(const std::vector<Cell>& cells);
 
   ElevationStudy study_;
   std::vector<double> gaps_, sigma_m_;
-  std::vector<std::size_t> cells_;  ///< of each moment
+  std::vector<std::size_t> cells_;  ///< one per moment
 };
 
 }  // namespace tera

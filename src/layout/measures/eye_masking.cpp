@@ -16,18 +16,18 @@
 namespace tera {
 namespace {
 
-constexpr double kEyeStep_m = 0.05;  ///< between places that are tried first
-constexpr int kHalvings = 6;         ///< of a step, to find where a masking begins or ends
+constexpr double kEyeStep_m = 0.05;  ///< between the places tested first
+constexpr int kHalvings = 6;         ///< bisections of a step, to refine the ends of a masking
 constexpr int kHullSectors = 360;
 
-/// 1 sigma of a masking's width: either end lies anywhere in the last half of a step.
+/// 1 sigma of a masking's width: both ends are uniform in the last half step.
 double WidthError_m() { return std::sqrt(2.0) * EvenSigma(kEyeStep_m / std::exp2(kHalvings)); }
 
-/// A closed line around the machine, by its length from the beginning, counterclockwise.
+/// A closed line around the machine, parametrised by its length, counterclockwise.
 struct ClosedLine {
   double length_m = 0;
   std::function<Vec2(double s_m)> at_H_m;
-  std::function<double(double length_m)> width_m;  ///< of a masking of that length
+  std::function<double(double length_m)> width_m;  ///< width of a masking of that length
 };
 
 ClosedLine Circle(const Vec2& middle_H_m, double radius_m) {
@@ -41,7 +41,7 @@ ClosedLine Circle(const Vec2& middle_H_m, double radius_m) {
           }};
 }
 
-/// From a corner on.
+/// Starts at a corner.
 ClosedLine Rectangle(const Vec2& low_H_m, const Vec2& high_H_m) {
   const Vec2 size_m = high_H_m - low_H_m;
   return {2 * size_m.sum(),
@@ -56,7 +56,7 @@ ClosedLine Rectangle(const Vec2& low_H_m, const Vec2& high_H_m) {
           [](double length_m) { return length_m; }};
 }
 
-/// What is `margin_m` away from the sides of the machine.
+/// The rectangle at `margin_m` from the machine's sides.
 ClosedLine RectangleAround(const std::vector<double>& hull_m, double margin_m) {
   Vec2 low_m = Vec2::Zero(), high_m = Vec2::Zero();
   for (std::size_t sector = 0; sector < hull_m.size(); ++sector) {
@@ -69,16 +69,16 @@ ClosedLine RectangleAround(const std::vector<double>& hull_m, double margin_m) {
   return Rectangle(low_m - Vec2::Constant(margin_m), high_m + Vec2::Constant(margin_m));
 }
 
-/// The scene at one moment, as both lights see it.
+/// The scene at one moment, from both lights.
 struct Moment {
   const EyeStudy& eye;
   const Pose& X_WH;
   Vec3 eye_W_m;
-  std::vector<bool> is_machine;  ///< of each instance
+  std::vector<bool> is_machine;  ///< one per instance
   const Sighting& sighting;
 };
 
-/// What stands before either of the two lights, where something stands before both.
+/// The first instance before each of the two lights, if both are blocked.
 using Before = std::optional<std::pair<std::uint16_t, std::uint16_t>>;
 
 std::optional<std::uint16_t> FirstOfMachine(const std::vector<Sighting::Crossing>& crossings,
@@ -108,9 +108,9 @@ std::vector<Before> LookAtPlaces(const std::vector<Vec2>& places_H_m, const Mome
   return before;
 }
 
-/// Where a masking begins or ends along a line.
+/// The start or end of a masking along a line.
 struct Edge {
-  std::size_t after = 0;  ///< the last place tried before it
+  std::size_t after = 0;  ///< index of the last tested place before it
   bool begins = false;
   double s_m = 0;
 };
@@ -122,14 +122,14 @@ std::vector<Edge> EdgesOf(const std::vector<Before>& before, double step_m) {
     if (before[i].has_value() == begins) continue;
     edges.push_back({i, begins, (static_cast<double>(i) + 0.5) * step_m});
   }
-  // A masking that the line's beginning cuts is one.
+  // A masking across the line's start is one masking.
   if (!edges.empty() && !edges.front().begins) {
     std::rotate(edges.begin(), edges.begin() + 1, edges.end());
   }
   return edges;
 }
 
-/// Halves, again and again, the step in which each edge is known to lie.
+/// Bisects the step that contains each edge.
 void Sharpen(const ClosedLine& line, double step_m, const Moment& now, std::vector<Edge>* edges) {
   double half_m = 0.5 * step_m;
   for (int k = 0; k < kHalvings; ++k) {
@@ -144,7 +144,7 @@ void Sharpen(const ClosedLine& line, double step_m, const Moment& now, std::vect
   }
 }
 
-/// What masks the places from `first` to `last`, what masks most of them first.
+/// Occluding parts of the places from `first` to `last`, largest share first.
 std::vector<std::string> MaskedBy(const std::vector<Before>& before, std::size_t first,
                                   std::size_t last, const Sighting& sighting) {
   std::map<std::string, int> counts;
@@ -195,7 +195,7 @@ Found MaskingsOn(const ClosedLine& line, const Moment& now) {
   return found;
 }
 
-/// The widest one; none where nothing is masked.
+/// The widest masking, or null.
 const Masking* WidestOf(const std::vector<Masking>& maskings) {
   const auto widest =
       std::max_element(maskings.begin(), maskings.end(),

@@ -34,7 +34,7 @@ double EvenSigma(double width) { return width / std::sqrt(12.0); }
 
 double ShareError(double share, double count) {
   if (count <= 0) return 0;
-  // One place more seen and one more not, so that a share of 0 or 1 is not certain either.
+  // Adds one seen and one unseen place, so that a share of 0 or 1 has an error.
   const double n = count + 2, p = (share * count + 1) / n;
   return std::sqrt(p * (1 - p) / n);
 }

@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-/// A measure as files have it: `*` in its name stands for what it is of, `@` for the quarter.
+/// A measure's name in files: `*` stands for the subject, `@` for the quarter.
 struct MeasureEntry {
   Measure measure;
   Subject subject;
@@ -16,7 +16,7 @@ struct MeasureEntry {
   bool more_is_better;
 };
 
-// Names that others begin with come last.
+// Names that are prefixes of others come last.
 constexpr std::array<MeasureEntry, 35> kMeasures = {
     {{Measure::kSeenBy1, Subject::kZone, "zone/*/seen_by_1", "", true},
      {Measure::kSeenBy2, Subject::kZone, "zone/*/seen_by_2", "", true},
@@ -62,7 +62,7 @@ const MeasureEntry& EntryOf(Measure measure) {
   return entry;
 }
 
-/// A name with the quarter in its place.
+/// The name with the quarter inserted.
 std::string WithQuarter(std::string_view name, std::optional<std::size_t> quarter) {
   std::string filled(name);
   const std::size_t at = filled.find('@');
@@ -70,7 +70,7 @@ std::string WithQuarter(std::string_view name, std::optional<std::size_t> quarte
   return quarter ? filled.replace(at, 1, kQuarters[*quarter].name) : filled;
 }
 
-/// The text at the `*` of `pattern`, empty where there is none; nothing where it does not match.
+/// The text at the `*` of `pattern`, empty if there is no `*`; nothing if the name does not match.
 std::optional<std::string> SubjectIn(std::string_view name, std::string_view pattern) {
   const std::size_t star = pattern.find('*');
   if (star == pattern.npos) return name == pattern ? std::optional<std::string>("") : std::nullopt;

@@ -37,7 +37,7 @@ enum class Measure {
   kExceedsLimit,
   kAngleSigma,
   kLengthSigma,
-  // Only maps and curves have these.
+  // Used by maps and curves only.
   kSeenMap,
   kDetectedMap,
   kProbabilityMap,
@@ -47,14 +47,14 @@ enum class Measure {
   kPixelCurve,
 };
 
-/// The kinds of subject that a measure may have.
+/// The kinds of subject of a measure.
 enum class Subject {
   kZone,
   kHeight,  ///< above the ground
   kPosture,
   kShovel,
   kElevation,
-  kPurpose,  ///< of cameras
+  kPurpose,  ///< purpose of a camera
   kAntenna,
   kOccupancy,
   kEntropy,
@@ -65,8 +65,8 @@ enum class Subject {
 /// Identifies a figure, map or curve of a layout.
 struct FigureId {
   Measure measure = Measure::kSeenBy1;
-  std::string of = {};                      ///< name of the subject; empty of what there is one of
-  std::optional<std::size_t> quarter = {};  ///< number in kQuarters
+  std::string of = {};                      ///< name of the subject; empty if there is only one
+  std::optional<std::size_t> quarter = {};  ///< index in kQuarters
 
   bool operator==(const FigureId&) const = default;
 };
@@ -76,9 +76,9 @@ Subject SubjectOf(Measure measure);
 std::string_view UnitOf(Measure measure);
 bool IsMoreBetter(Measure measure);
 
-/// As files have it: "zone/behind/seen_by_1".
+/// The name in files: "zone/behind/seen_by_1".
 std::string NameOf(const FigureId& id);
-/// The inverse; nothing for a name of none.
+/// The inverse of NameOf; nothing for an unknown name.
 std::optional<FigureId> FigureIdOf(std::string_view name);
 
 }  // namespace tera

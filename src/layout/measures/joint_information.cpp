@@ -13,14 +13,14 @@ namespace tera {
 namespace {
 
 constexpr double kSmall = 1e-4;       ///< step of derivatives, in rad, m and their rates
-constexpr double kLeastSigma = 1e-6;  ///< of sensors without noise, in their SI units
+constexpr double kLeastSigma = 1e-6;  ///< for sensors without noise, in their SI units
 
 /// In SI units.
 double UnitSize(const FigureId& id) { return id.measure == Measure::kAngleSigma ? kDeg : 1; }
-constexpr double kOtherRate = 0.2;  ///< of joints whose greatest rate nobody says, rad/s or m/s
-constexpr double kKnown = 0.9;      ///< of its prior, from which on a number counts as observed
+constexpr double kOtherRate = 0.2;  ///< for joints without a stated greatest rate, rad/s or m/s
+constexpr double kKnown = 0.9;  ///< share of the prior deviation below which a number is observed
 
-/// Samples that fall due after `from_ns` and not after `to_ns`, of a sensor that has always run.
+/// Number of samples after `from_ns` and up to `to_ns` of a sensor that has always run.
 double Due(const SampleClock& clock, TimeNs from_ns, TimeNs to_ns) {
   const auto passed = [&](TimeNs t_ns) {
     return std::floor(ToSeconds(t_ns - clock.start_ns) * clock.rate_hz + 1e-6);
@@ -184,7 +184,7 @@ Eigen::MatrixXd JointInformation::Slopes(Function function, const Motion& motion
     for (int order = 0; order < 3; ++order) {
       Eigen::VectorXd difference = (this->*function)(Moved(motion, c, order, kSmall)) -
                                    (this->*function)(Moved(motion, c, order, -kSmall));
-      // A heading may pass half a turn.
+      // A heading may cross half a turn.
       if (function == &JointInformation::Placed) {
         difference.tail<1>()[0] = std::remainder(difference.tail<1>()[0], 2 * kPi);
       }
@@ -277,7 +277,7 @@ void JointInformation::Step(const Motion& middle, const Motion& end, TimeNs from
 
 void JointInformation::Add(TimeNs t_ns, const MachineState& machine) {
   const TimeNs step_ns = FromSeconds(kStep_s);
-  // Places do not depend on accelerations.
+  // Positions do not depend on accelerations.
   const std::vector<double> none(machine.q_rad.size(), 0);
   if (known_) {
     if (t_ns - last_ns_ < step_ns) return;
@@ -333,7 +333,7 @@ std::vector<Figure> JointInformation::Figures() const {
   for (const Asked& asked : asked_) {
     Figure figure{asked.id};
     for (const double sigma : asked.sigma) figure.at.push_back(sigma / UnitSize(asked.id));
-    figure.error.assign(figure.at.size(), 0);  // no places are tried
+    figure.error.assign(figure.at.size(), 0);  // no sampling of places
     figures.push_back(std::move(figure));
   }
   return figures;

@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastSeen = 0.01;  ///< of a viewer's field, to be worth its mount
+constexpr double kLeastSeen = 0.01;  ///< share of a viewer's field below which it gets a warning
 
 Zone AroundMachine(const LayoutStudy& study, const MachineModel& model) {
   return {.name = kAroundZone,
@@ -23,7 +23,7 @@ Zone AroundMachine(const LayoutStudy& study, const MachineModel& model) {
           .shape = ZoneCylinder{study.radius_m, study.height_m}};
 }
 
-/// The same pose on the ground below or above it.
+/// The pose, moved vertically onto the ground.
 Pose OnGround(Pose X_WF, const TerrainSurface& ground) {
   Vec3 p_W_m = X_WF.translation();
   p_W_m.z() = ground.HeightAt(p_W_m.x(), p_W_m.y());
@@ -31,7 +31,7 @@ Pose OnGround(Pose X_WF, const TerrainSurface& ground) {
   return X_WF;
 }
 
-/// The pose of a zone's frame now. `machine` is the studied one.
+/// The current pose of a zone's frame. `machine` is the studied one.
 Pose FrameOf(const Zone& zone, const MachineModel& model, const MachineState& machine,
              const TerrainSurface& ground) {
   if (zone.frame == "W") return Pose::Identity();
@@ -40,7 +40,7 @@ Pose FrameOf(const Zone& zone, const MachineModel& model, const MachineState& ma
   return zone.on_ground ? OnGround(X_WF, ground) : X_WF;
 }
 
-/// The soil in each shovel of a machine, in the scene.
+/// Scene instances of the soil in each shovel of a machine.
 std::vector<std::uint16_t> SoilInstances(const MachinePlacement& placement,
                                          const SceneModel& scene) {
   std::vector<std::uint16_t> instances;
@@ -65,7 +65,7 @@ PolarMap SeenMap(const BlindMap& map) {
           .value = map.SeenShare()};
 }
 
-/// What is told of a viewer that sees next to nothing around the machine.
+/// Warning for a viewer that sees almost nothing around the machine.
 std::string HiddenWarning(const std::string& viewer, const ZoneCoverage::FieldOf& field) {
   if (field.hidden_by.empty()) {
     return fmt::format(
@@ -85,7 +85,7 @@ std::string HiddenWarning(const std::string& viewer, const ZoneCoverage::FieldOf
       kPercent * most->second / (field.seen + field.hidden));
 }
 
-/// Whether any figure of the subject is wanted, of that one where it is named.
+/// Whether any figure of the subject is requested; with `of`, a figure of that one.
 bool IsWanted(const WantedFigures& wanted, Subject subject, const std::string& of = "") {
   return !wanted || std::any_of(wanted->begin(), wanted->end(), [&](const FigureId& id) {
     return SubjectOf(id.measure) == subject && (of.empty() || id.of == of);

@@ -22,46 +22,46 @@
 
 namespace tera {
 
-/// A moment of a cycle, as it is looked at.
+/// The world at one moment of a cycle.
 struct LookedAt {
   const Instant& now;
-  const Sighting& sighting;  ///< which shows that moment
+  const Sighting& sighting;  ///< set to that moment
   const TerrainSurface& ground;
 };
 
-/// What is to be looked at in a moment: the same for all layouts.
+/// The tested places of a moment, the same for all layouts.
 struct Places {
   Pose X_WH = Pose::Identity();  ///< as in PolarGrid
   std::vector<double> hull_m;    ///< HullRadii_m
   std::vector<std::vector<Vec3>> zones_W_m;
-  std::vector<PolarPlaces> maps;  ///< of each height
+  std::vector<PolarPlaces> maps;  ///< one per height
   PolarPlaces pixels;
   std::vector<Occupant> occupants;
 };
 
-/// Those that are asked for; nothing: all.
+/// The requested figures; nothing means all.
 using WantedFigures = std::optional<std::vector<FigureId>>;
 
-/// All that a study asks of what one layout sees, moment by moment.
+/// All measures of a study for one layout, accumulated moment by moment.
 class LayoutMeasures {
  public:
-  /// Keeps references to all but `layout` and `wanted`.
+  /// Keeps references to all arguments except `layout` and `wanted`.
   LayoutMeasures(const LayoutStudy& study, const Scenario& scenario, const SceneAssembly& assembly,
                  const Layout& layout, const WantedFigures& wanted = std::nullopt);
 
   Places PlacesOf(const LookedAt& moment) const;
-  /// Adds what `layout` sees now, whose viewers stand where they are.
+  /// Adds a moment. The viewers of `layout` must be at their current poses.
   void Add(const LookedAt& moment, const Places& places, const Layout& layout);
-  /// Looks whether its viewers are mounted inside the machine.
+  /// Checks whether the viewers are mounted inside the machine.
   void CheckMounts(const LookedAt& moment, const Layout& layout);
-  /// Of each viewer that is mounted inside the machine, or that sees less than 1 % of what lies in
-  /// its field in the space around the machine, that it does.
+  /// Warnings for viewers that are mounted inside the machine, or that see less than 1 % of their
+  /// field within the space around the machine.
   std::vector<std::string> MountWarnings() const;
 
-  /// Throws InputError where a zone had no place in the air at any moment.
+  /// Throws InputError if a zone had no place in the air at any moment.
   void RequirePlaces() const;
   std::vector<Figure> Figures() const;
-  /// Figures, maps, curves, causes, overlaps and warnings.
+  /// Writes figures, maps, curves, causes, overlaps and warnings.
   void Report(LayoutReport* report) const;
 
  private:
@@ -78,14 +78,14 @@ class LayoutMeasures {
   std::vector<BlindMap> maps_;
   std::vector<PersonRange> people_;
   std::vector<ShovelView> shovels_;
-  // One of each, or none where it is not wanted.
+  // Empty if the measure is not requested.
   std::optional<ElevationMap> elevation_;
   std::optional<PixelDensity> pixels_;
   std::optional<OccupancyEntropy> occupancy_;
   std::optional<PerceptionEntropy> entropy_;
   std::optional<SkyView> sky_;
   MountCheck mounts_;
-  std::vector<double> outline_m_;  ///< the farthest of HullRadii_m so far
+  std::vector<double> outline_m_;  ///< the maximum of HullRadii_m so far
   std::set<std::string> flat_;     ///< viewers whose beams have one elevation
 };
 

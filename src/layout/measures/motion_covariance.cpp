@@ -8,13 +8,13 @@ namespace {
 
 constexpr double kW_radps = 1 / MotionCovariance::kResponse_s;
 
-/// What an acceleration of 1 becomes: position, rate and acceleration after `t_s`.
+/// Response to a unit impulse in acceleration: position, rate and acceleration after `t_s`.
 Vec3 AnswerToPush(double t_s) {
   const double x = kW_radps * t_s, e = std::exp(-x);
   return {(1 - e * (1 + x)) / (kW_radps * kW_radps), e * t_s, e * (1 - x)};
 }
 
-/// What position, rate and acceleration become, the exponential of the process's matrix.
+/// Transition matrix of position, rate and acceleration: the exponential of the process's matrix.
 Mat3 Transition(double t_s) {
   const double x = kW_radps * t_s, e = std::exp(-x);
   Mat3 F;
@@ -24,8 +24,9 @@ Mat3 Transition(double t_s) {
   return F;
 }
 
-/// Covariance that white noise adds within `t_s` to a coordinate whose rate has the deviation 1:
-/// the integral of 4 w^3 g g^T, g the answer to a push, by Gauss and Legendre's three points.
+/// Covariance that white noise adds within `t_s` to a coordinate with a unit rate deviation. It is
+/// the integral of 4 w^3 g g^T with the impulse response g, by three-point Gauss-Legendre
+/// quadrature.
 Mat3 Driven(double t_s) {
   const std::array<std::pair<double, double>, 3> points = {
       {{0.5 - std::sqrt(0.15), 5.0 / 18}, {0.5, 8.0 / 18}, {0.5 + std::sqrt(0.15), 5.0 / 18}}};
@@ -39,7 +40,7 @@ Mat3 Driven(double t_s) {
 
 using Numbers = Eigen::Matrix<double, MotionCovariance::kNumbers, MotionCovariance::kNumbers>;
 
-/// The same of all numbers of a coordinate; what the last means were is forgotten.
+/// Transition of all numbers of a coordinate. The previous means are discarded.
 Numbers TransitionOfNumbers(double t_s) {
   Numbers F = Numbers::Zero();
   F.topLeftCorner<3, 3>() = Transition(t_s);
@@ -96,7 +97,7 @@ void MotionCovariance::Pass(double dt_s) {
     P_(AtError(e), AtError(e)) +=
         error.walk * error.walk * dt_s + (1 - kept * kept) * error.stationary * error.stationary;
   }
-  P_ = (0.5 * (P_ + P_.transpose())).eval();  // rounding
+  P_ = (0.5 * (P_ + P_.transpose())).eval();  // removes asymmetry due to rounding
 }
 
 void MotionCovariance::Turn(std::size_t first, const Mat3& R) {

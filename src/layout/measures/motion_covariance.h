@@ -8,48 +8,49 @@
 
 namespace tera {
 
-/// A coordinate of a machine that moves at random until it is measured.
+/// A coordinate of a machine, modelled as a random motion.
 struct RandomCoordinate {
-  double prior = 0;       ///< 1 sigma of its position at the start, rad or m
+  double prior = 0;       ///< 1 sigma of its initial position, rad or m
   double rate_sigma = 0;  ///< stationary, rad/s or m/s
 };
 
-/// An error of a sensor that changes slowly: x_k = e^(-T / tau) x_(k-1) + w, where w has the
-/// variance walk^2 T + (1 - e^(-2 T / tau)) stationary^2.
+/// A slowly varying sensor error: x_k = e^(-T / tau) x_(k-1) + w, where w has the variance walk^2 T
+/// + (1 - e^(-2 T / tau)) stationary^2.
 struct SlowError {
-  double prior = 0;  ///< 1 sigma at the start
-  double walk = 0;   ///< per square root of a second, of what wanders off
+  double prior = 0;  ///< initial 1 sigma
+  double walk = 0;   ///< random walk, per square root of a second
   double stationary = 0;
-  double correlation_time_s = 0;  ///< 0: it does not come back to zero
+  double correlation_time_s = 0;  ///< 0: it does not decay to zero
 };
 
-/// How well the best estimator knows coordinates and slow errors: the inverse of their information.
+/// Covariance of the best estimate of coordinates and slow errors: the inverse of their
+/// information.
 ///
 /// Model   state of each coordinate: position x, rate v and acceleration a, driven by white noise u
 ///         of the intensity 4 sigma_v^2 / tau^3: x' = v, v' = a, a' = -v / tau^2 - 2 a / tau + u.
 ///         Then v is stationary with the deviation sigma_v, a with sigma_v / tau. Slow errors
-///         follow it. The state also has the mean rate and the mean acceleration over the last
-///         step, (x_k - x_(k-1)) / T and (v_k - v_(k-1)) / T, which is what units measure that
-///         integrate between their samples. The information is that of a filter,
-///         J <- (Q + F J^-1 F^T)^-1 + h h^T / r, kept as its inverse: Q itself has none.
-/// Omits   what later measurements say of earlier states, as a smoother has it.
+///         follow in the state. The state also has the mean rate and the mean acceleration over the
+///         last step, (x_k - x_(k-1)) / T and (v_k - v_(k-1)) / T, which units measure that
+///         integrate between their samples. The information is that of a filter, J <- (Q + F J^-1
+///         F^T)^-1 + h h^T / r, stored as its inverse because Q is singular.
+/// Omits   the information of later measurements about earlier states, which a smoother uses.
 /// Source  Tichavsky, Muravchik and Nehorai 1998, "Posterior Cramer-Rao bounds for discrete-time
 ///         nonlinear filtering", IEEE Trans. Signal Processing 46(5), the recursion for additive
 ///         Gaussian noise; the process: Gelb 1974, "Applied optimal estimation", ch. 2
 ///         (second-order Gauss-Markov).
 class MotionCovariance {
  public:
-  /// How fast coordinates answer to whoever drives them; a valve and its cylinder.
+  /// Response time of a coordinate to its operator: a valve and its cylinder.
   static constexpr double kResponse_s = 0.3;
 
-  /// The numbers that the state has of each coordinate.
+  /// The state's numbers of each coordinate.
   enum Number { kPosition, kRate, kAcceleration, kMeanRate, kMeanAcceleration };
   static constexpr int kNumbers = 5;
 
   MotionCovariance(std::vector<RandomCoordinate> coordinates, std::vector<SlowError> errors);
 
   Eigen::Index size() const { return P_.rows(); }
-  /// Where in the state a number of a coordinate is, and a slow error.
+  /// State index of a coordinate's number, and of a slow error.
   static Eigen::Index At(std::size_t coordinate, Number number) {
     return kNumbers * static_cast<Eigen::Index>(coordinate) + number;
   }
@@ -57,15 +58,15 @@ class MotionCovariance {
     return At(coordinates_.size(), kPosition) + static_cast<Eigen::Index>(error);
   }
 
-  /// Time goes on by a step that is short beside kResponse_s, a third of it at most.
+  /// Advances the time by a step of at most a third of kResponse_s.
   void Pass(double dt_s);
-  /// Turns the positions of three coordinates, which are an error in attitude about the axes of W.
+  /// Rotates three coordinates that form an attitude error about the axes of W.
   void Turn(std::size_t first, const Mat3& R);
-  /// Takes in a number h^T x, measured with white noise of this variance.
+  /// Adds a measurement of the number h^T x with white noise of this variance.
   void Learn(const Eigen::VectorXd& h, double variance);
 
   /// Variance of the number h^T x.
-  // Rounding can leave a variance of nothing a little below it.
+  /// Rounding can make a zero variance slightly negative.
   double VarianceOf(const Eigen::VectorXd& h) const { return std::max(0.0, h.dot(P_ * h)); }
   double VarianceAt(Eigen::Index i) const { return std::max(0.0, P_(i, i)); }
 

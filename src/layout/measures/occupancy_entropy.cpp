@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// Of another machine these are parts of a vehicle; masts and the like are not.
+/// Whether a part of another machine belongs to a vehicle; masts and similar parts do not.
 bool IsPartOfVehicle(SemanticClass label) {
   return label == SemanticClass::kUndercarriage || label == SemanticClass::kUpperStructure ||
          label == SemanticClass::kBoom || label == SemanticClass::kArm ||

@@ -8,7 +8,7 @@
 
 namespace tera {
 
-/// Entropy of a yes or no of probability `p`, in nats.
+/// Entropy in nats of a binary event with probability `p`.
 double BinaryEntropy(double p);
 
 /// The box of a person, a vehicle or a part of another machine.
@@ -16,25 +16,26 @@ struct Occupant {
   Pose X_WB = Pose::Identity();
   Vec3 low_B_m = Vec3::Zero(), high_B_m = Vec3::Zero();
 };
-/// All of them now but for the parts of machine number `machine` itself.
+/// All current occupants except the parts of machine number `machine`.
 std::vector<Occupant> OccupantsAt(const Instant& now, const Scenario& scenario,
                                   const SceneAssembly& assembly, std::size_t machine);
 
-/// How much the sensors of a layout that measure ranges can learn about where people and vehicles
-/// are: the surrogate metric S-MIG.
+/// Information that the ranging sensors of a layout can gain about the positions of people and
+/// vehicles: the surrogate metric S-MIG.
 ///
 /// Frames  H as in PolarGrid. The grid is a square in H of twice a radius, upright on the ground
 ///         below the machine.
-/// Model   p_v, the share of the moments at which voxel v of H holds a part of a person or vehicle
-///         (its middle lies in the box, grown by half a voxel on every side); the entropy
-///         -p ln p - (1 - p) ln(1 - p), summed over the voxels that a layout covers at a moment. A
-///         voxel is covered by a lidar or a camera of depth that sends at least one ray into it: of
-///         whose samples its square face, turned to the sensor, takes one or more, in reach of what
-///         it measures (look.h). Occluded, with nothing in the way up to the voxel's near side.
-/// Omits   against the paper: its grid of one map and many drives, which here is the cycle alone,
-///         so that what stands still in H for all of it carries no information; grids of each kind
-///         of object, which here are one; the voxels along each single ray, for which the density
-///         of rays stands. Occlusion, which the paper ignores, is in the second figure alone.
+/// Model   p_v is the share of the moments at which voxel v of H holds a part of a person or
+///         vehicle: its middle lies in the box, grown by half a voxel on every side. The figure is
+///         the entropy -p ln p - (1 - p) ln(1 - p), summed over the voxels that a layout covers at
+///         a moment. A lidar or depth camera covers a voxel if at least one ray reaches it: the
+///         voxel's square face, turned to the sensor, takes one or more samples within the
+///         measuring range (look.h). The occluded figure also requires a free line of sight up to
+///         the voxel's near side.
+/// Omits   compared with the paper: its grid of one map and many drives, which here is the cycle
+///         alone, so that objects at rest in H carry no information; separate grids for each kind
+///         of object, which here are one; the voxels along each ray, which the ray density
+///         replaces. Only the second figure has occlusion, which the paper ignores.
 /// Source  Hu et al., Investigating the Impact of Multi-LiDAR Placement on Object Detection for
 ///         Autonomous Driving, arXiv 2105.00373, and its public code, which sums natural
 ///         logarithms. There the ground covered is 60 m x 40 m x 4 m about a car.
@@ -52,15 +53,15 @@ class OccupancyEntropy {
 
  private:
   struct Covered {
-    std::vector<bool> through, in_sight;  ///< of each voxel: whatever is in the way; with nothing
+    std::vector<bool> through, in_sight;  ///< covered voxels: without and with occlusion
   };
-  /// Adds what holds a part of somebody or something now.
+  /// Counts the voxels that hold a part of an occupant.
   void Count(const std::vector<Occupant>& occupants, const std::vector<Vec3>& voxels_W_m);
 
   double voxel_m_;
   std::vector<Vec3> voxels_H_m_;  ///< their middles
-  std::vector<int> occupied_;     ///< moments, of each voxel
-  std::vector<Covered> covered_;  ///< of each moment
+  std::vector<int> occupied_;     ///< moments per voxel
+  std::vector<Covered> covered_;  ///< one per moment
 };
 
 }  // namespace tera

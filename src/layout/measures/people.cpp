@@ -15,7 +15,7 @@ constexpr double kRangeStep_m = 1.0;
 constexpr double kNear_m = 12.0;
 constexpr double kSector_rad = 2 * kPi / PersonRange::kSectors;
 
-/// What was found at each distance in one direction or several.
+/// Results at each distance in one or more directions.
 struct Tried {
   std::vector<bool> place, missed;
 
@@ -125,7 +125,7 @@ std::vector<Figure> PersonRange::Figures() const {
     const auto figure = [&](Measure measure, double Reach::*number) {
       Figure f{{measure, posture_.name, q}, {}, {}};
       for (const Reach& reach : quarters_[q]) f.at.push_back(reach.*number);
-      // Each end is somewhere between two tried distances.
+      // Each end lies between two tested distances.
       f.error.assign(f.at.size(), EvenSigma(kRangeStep_m));
       figures.push_back(std::move(f));
     };

@@ -7,35 +7,33 @@
 
 namespace tera {
 
-/// A place around a machine at which a person may stand, facing it.
+/// A place for a person around a machine, facing it.
 ///
-/// Frames  P stands on the ground below her middle, x from the machine to her, z up.
+/// Frames  P lies on the ground below the person's middle, x from the machine to the person, z up.
 struct PersonPlace {
-  int sector = 0, step = 0;  ///< of the direction and of the distance
+  int sector = 0, step = 0;  ///< index of the direction and of the distance
   Pose X_WP = Pose::Identity();
 };
 
-/// In each of the directions of `hull_m` (HullRadii_m), at each of the distances from there;
-/// directions one after the other. Left out where she would stand in something solid, or beyond the
-/// site.
+/// Places in each direction of `hull_m` (HullRadii_m), at each distance from there, direction by
+/// direction. Leaves out places inside something solid or off the site.
 std::vector<PersonPlace> PlacesAroundHull(const Pose& X_WH, const std::vector<double>& hull_m,
                                           const std::vector<double>& distances_m,
                                           const Sighting& sighting, const TerrainSurface& ground);
 
-/// A part of a person's surface that is tried as one, in P.
+/// A part of a person's surface that is sampled as one target, in P.
 struct BodyPatch {
   Vec3 p_P_m = Vec3::Zero(), normal_P = Vec3::UnitX();
   double area_m2 = 0;
 };
 
-/// The sides of a person's box but the one that she stands on, in eight patches each.
+/// Eight patches for each side of a person's box except the bottom.
 std::vector<BodyPatch> PatchesOf(const Posture& posture);
 
-/// How many points or pixels a viewer has in one scan or picture on persons at `X_WP`, one alone at
-/// a time.
+/// Points or pixels that a viewer has in one scan or picture of a person at each `X_WP`, one person
+/// at a time.
 ///
-/// Model   its samples on a square metre of each patch that it sees (look.h) times the patch's
-/// area.
+/// Model   for each patch in sight (look.h), its samples per square metre times its area.
 std::vector<double> SamplesOnPersons(const std::vector<BodyPatch>& patches,
                                      const std::vector<Pose>& X_WP, const Viewer& viewer,
                                      double reflectance, const Sighting& sighting);

@@ -10,16 +10,16 @@
 
 namespace tera {
 
-/// How finely the cameras of a layout show a person who stands around the machine.
+/// Pixel density of the cameras of a layout on a person around the machine.
 ///
-/// Frames  H as in PolarGrid. Distances are from its origin, to the middle of a cell.
-/// Model   places of PolarGrid 1.5 m above the ground, those that lie in the air over the site and
-///         outside the outline of the machine. The density at a place is that of the camera that
-///         shows it most finely with nothing in the way: the square root of its pixels per square
-///         metre of a surface that faces it.
-/// Omits   what else the standard asks of a picture: focus, light, contrast, compression, motion.
+/// Frames  H as in PolarGrid. Distances run from its origin to the middle of a cell.
+/// Model   places of PolarGrid 1.5 m above the ground that lie in the air over the site and outside
+///         the machine's outline. The density at a place is the highest of the cameras with a free
+///         line of sight: the square root of the pixels per square metre of a surface that faces
+///         the camera.
+/// Omits   the standard's other demands on a picture: focus, light, contrast, compression, motion.
 /// Source  IEC 62676-4: 25 px/m detect, 62.5 observe, 125 recognise, 250 identify. NIOSH's highest
-///         plane, 1500 mm, for the upper body of a person who stands.
+///         plane, 1500 mm, for the upper body of a standing person.
 class PixelDensity {
  public:
   struct Purpose {
@@ -32,25 +32,25 @@ class PixelDensity {
 
   PixelDensity();
 
-  /// Adds what `layout` shows of the places of this moment at kHeight_m, in the outline of no
-  /// machine (LeaveOutHull).
+  /// Adds the places of this moment at kHeight_m, without those in a machine's outline
+  /// (LeaveOutHull).
   void Add(const PolarPlaces& places, const Layout& layout, const Sighting& sighting);
 
-  /// "pixels/PURPOSE/share_to_12m": of the area of places within 12 m;
-  /// "pixels/PURPOSE/mean_to_m_ahead", "_left", "_behind", "_right": the mean over the directions
-  /// of that quarter.
+  /// "pixels/PURPOSE/share_to_12m": share of the area within 12 m.
+  /// "pixels/PURPOSE/mean_to_m_ahead", "_left", "_behind", "_right": means over the directions of
+  /// that quarter.
   std::vector<Figure> Figures() const;
-  /// "pixels/1.5 m": the density, as a mean over the moments.
+  /// "pixels/1.5 m": the mean density over the moments.
   PolarMap Map() const;
-  /// "pixels/PURPOSE": of each purpose the farthest place, by direction of PolarGrid, at which the
-  /// density is at least the purpose's, whether it is nearer or not; 0 where it is nowhere.
+  /// "pixels/PURPOSE": for each direction of PolarGrid, the farthest place with at least the
+  /// density of the purpose, even with gaps before it; 0 if there is none.
   std::vector<PolarCurve> Curves() const;
 
  private:
   using OfSectors = std::vector<std::vector<double>>;
   std::vector<OfSectors> farthest_m_;       ///< [purpose][sector][moment]
   std::vector<std::vector<double>> share_;  ///< [purpose][moment]
-  std::vector<double> near_places_;         ///< LikeCount of each moment
+  std::vector<double> near_places_;         ///< LikeCount, one per moment
   std::vector<double> sum_px_per_m_, counted_;
 };
 

@@ -5,7 +5,7 @@
 namespace tera {
 namespace {
 
-/// Of a lidar points on a square metre, of a camera pixels.
+/// Least points (lidar) or pixels (camera) on a square metre.
 double LeastPer_m2(const SeenFrom& seen, const Viewer& viewer) {
   return viewer.field.samples == ViewField::Samples::kPoints
              ? seen.lidar_points_per_m2

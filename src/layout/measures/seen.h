@@ -8,12 +8,12 @@
 
 namespace tera {
 
-/// Looks at each place in the air from each viewer of a layout, which stand where they are now, for
-/// as many samples as `seen` asks: [place][viewer].
+/// Views of each place in the air from each viewer at its current pose, with the samples that
+/// `seen` requires: [place][viewer].
 std::vector<std::vector<Look>> LookAt(const std::vector<Vec3>& places_W_m, const Layout& layout,
                                       const SeenFrom& seen, const Sighting& sighting);
 
-/// How many of the viewers see a place.
+/// Number of viewers that see a place.
 int SeenBy(const std::vector<Look>& looks);
 
 }  // namespace tera

@@ -10,21 +10,21 @@
 
 namespace tera {
 
-/// How well a layout sees a shovel at work: its cutting edge, and what it carries.
+/// Visibility of a working shovel: its cutting edge and its load.
 ///
 /// Frames  B the shovel's link.
-/// Model   places along the edge, and over the mouth of the shell at struck level, that any viewer
-///         sees (look.h) with nothing in the way but what the shovel itself carries; density does
-///         not count.
-/// Omits   soil heaped above struck level, and the part of the mouth that is empty.
+/// Model   shares of places along the edge, and over the mouth of the shell at struck level, that
+///         any viewer sees (look.h). The soil in the shovel does not block the line of sight;
+///         density does not count.
+/// Omits   soil heaped above struck level, and the empty part of the mouth.
 class ShovelView {
  public:
-  /// `instance` is that of the soil in it in the scene, 0 where it carries none.
+  /// `instance` is the scene instance of its soil, or 0 if it carries none.
   ShovelView(const Shovel& shovel, std::uint16_t instance);
 
   void Add(const MachineState& machine, const Layout& layout, double reflectance,
            const Sighting& sighting);
-  /// "dig/SHOVEL/edge_seen" and, of one that carries, "dig/SHOVEL/load_seen": shares.
+  /// "dig/SHOVEL/edge_seen" and, for a shovel that carries soil, "dig/SHOVEL/load_seen": shares.
   std::vector<Figure> Figures() const;
 
  private:

@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-constexpr double kFarthest_m = 300;  ///< of what may hide the sky
+constexpr double kFarthest_m = 300;  ///< range of objects that can hide the sky
 constexpr double kSkySector_rad = 2 * kPi / SkyGrid::kSectors;
 
 /// Sines of the lowest and highest elevation of a ring above the mask.
@@ -79,8 +79,8 @@ void SkyView::Add(const MachineState& machine, const Sighting& sighting) {
 }
 
 std::vector<Figure> SkyView::Figures() const {
-  // Directions stand for unlike parts of the sky. One in each cell is more certain than as many
-  // drawn at random.
+  // Directions represent unequal parts of the sky. One direction per cell has a smaller error than
+  // as many random ones.
   std::vector<double> shares;
   for (const Direction& direction : sky_) shares.push_back(direction.share);
   const double like = LikeCount(shares);

@@ -21,10 +21,10 @@ namespace {
 
 constexpr double kBytesPerGB = 1e9;
 
-/// What a search may limit.
+/// Quantities that a search can limit.
 constexpr std::array<const char*, 4> kTaken = {"cost", "power_w", "data_mbyteps", "sensors"};
 
-/// What a layout takes of a name, if it is no figure of what it sees.
+/// A layout's value of a limited quantity; nothing for a figure of its view.
 std::optional<double> Taken(const std::string& name, const Layout& layout) {
   const Expense expense = ExpenseOf(layout);
   if (name == "cost") return expense.cost;
@@ -41,15 +41,15 @@ std::optional<double> MostOf(const Limits& limits, std::string_view name) {
   return limits.sensors;
 }
 
-/// Where something stands in its file, or what it is where it stands in none.
+/// The position in the file, or `otherwise` if there is none.
 std::string PlaceOr(const std::string& place, const char* otherwise) {
   return place.empty() ? otherwise : place;
 }
 
-/// Up to the first slash.
+/// The part before the first slash.
 std::string_view FamilyOf(std::string_view figure) { return figure.substr(0, figure.find('/')); }
 
-/// What an objective may be instead: those that begin like it, else how they begin.
+/// Possible objectives: those of the same family, else all families.
 std::string InsteadOf(const std::string& figure, const std::vector<std::string>& names) {
   std::vector<std::string> alike, families;
   for (const std::string& name : names) {
@@ -110,7 +110,8 @@ std::int64_t Appraisal::HalfOfMemory() {
   return std::int64_t{sysconf(_SC_PHYS_PAGES)} * sysconf(_SC_PAGESIZE) / 2;
 }
 
-/// By what the moments so far take; later ones, whose ground is dug up more, take more rather.
+/// Extrapolates the memory of the moments so far. Later moments rather need more, since their
+/// ground is more dug up.
 void Appraisal::RequireRoom(std::int64_t most_bytes) const {
   double bytes = 0;
   for (const Moment& moment : moments_) bytes += static_cast<double>(moment.sighting->bytes());
@@ -178,8 +179,7 @@ void Appraisal::RequireWithinLimits() const {
       "the sensors that are kept are beyond them already; raise a limit or keep fewer");
 }
 
-/// The least of `name` that a layout takes which has all sensors that are not optional, and one
-/// that sees.
+/// The least `name` of a layout with all mandatory sensors and one that sees.
 double Appraisal::LeastTaken(const char* name) const {
   const Layout kept = LayoutOfSensors(kept_, model());
   double taken = *Taken(name, kept);
@@ -222,13 +222,13 @@ double Appraisal::Beyond(const Layout& layout) const {
     const std::optional<double> most = MostOf(search_.limits, name);
     if (!most) continue;
     const double taken = *Taken(name, layout);
-    // A limit of nothing is gone beyond by whatever is taken.
+    // Any amount violates a limit of zero.
     if (taken > *most) beyond += *most > 0 ? taken / *most - 1 : taken;
   }
   return beyond;
 }
 
-/// The part of the machine in which the mount lies at every moment, at all of its PlacesOf.
+/// The part of the machine that contains the mount at every moment, at all of its PlacesOf.
 std::optional<std::string> Appraisal::PartAround(const SensorSlot& slot,
                                                  const MountBounds& mount) const {
   std::vector<SensorDescription> sensors;
@@ -283,7 +283,7 @@ Appraised Appraisal::Of(Layout layout) const {
     measures.Add({moment.now, *moment.sighting, moment.ground}, moment.places, layout);
   }
   const std::vector<Figure> figures = measures.Figures();
-  constexpr double kSeesNothing = 1;  // as far beyond the limits as one that takes twice as much
+  constexpr double kSeesNothing = 1;  // the violation of a layout that takes twice a limit
   Appraised appraised{{}, Beyond(layout) + (layout.viewers.empty() ? kSeesNothing : 0)};
   for (const Objective& objective : search_.objectives) {
     if (const std::optional<double> taken = Taken(objective.figure, layout)) {

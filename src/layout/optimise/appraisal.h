@@ -15,37 +15,37 @@
 
 namespace tera {
 
-/// How good a layout is: its objectives, each to be made small, and how far beyond the limits it
-/// is, as shares of them. One without a lidar or camera is beyond them, since it sees nothing.
+/// Quality of a layout: its objectives, all to be minimised, and its violation of the limits as
+/// shares of them. A layout without a lidar or camera sees nothing and violates the limits.
 struct Appraised {
-  std::vector<double> objectives;  ///< what is to be large, negative
+  std::vector<double> objectives;  ///< objectives to be maximised are negated
   double beyond = 0;
   bool is_allowed() const { return beyond <= 0; }
 };
 
-/// Appraises layouts over moments of a cycle that are kept in memory, so that each costs rays
-/// alone.
+/// Appraises layouts over moments of a cycle. The moments stay in memory, so a layout costs only
+/// rays.
 class Appraisal {
  public:
-  /// Runs through the cycle once. Keeps references to all. Throws InputError where an objective is
-  /// no figure, a mount is on no link of the machine, a name is taken, where the kept sensors alone
-  /// or every layout that sees are beyond the limits, where the moments' scenes take more than
-  /// `most_bytes`, and as Cycle does.
+  /// Runs through the cycle once. Keeps references to all arguments.
+  ///
+  /// Throws  InputError if an objective is no figure, a mount is on no link of the machine, a name
+  ///         is taken, the kept sensors alone or every seeing layout violate the limits, or the
+  ///         moments' scenes take more than `most_bytes`; and as Cycle does.
   Appraisal(const LayoutSearch& search, const LayoutStudy& study, const Cycle& cycle, int threads,
             std::int64_t most_bytes = HalfOfMemory());
 
-  /// Of this computer.
+  /// Half of this computer's memory.
   static std::int64_t HalfOfMemory();
 
   Appraised Of(const Genes& genes) const { return Of(Laid(genes)); }
   Appraised Of(Layout layout) const;
   Layout Laid(const Genes& genes) const;
   const std::vector<SensorDescription>& kept() const { return kept_; }
-  /// Of each objective, -1 where it is its figure made negative, else 1.
+  /// For each objective, -1 if it is its negated figure, else 1.
   const std::vector<double>& signs() const { return signs_; }
   const StudiedMachine& studied() const { return studied_; }
-  /// Of each mount that lies inside the machine wherever within its bounds a sensor is put, that it
-  /// does.
+  /// Warnings for mounts that are inside the machine at every pose within their bounds.
   std::vector<std::string> Warnings() const;
 
  private:

@@ -13,14 +13,14 @@ namespace {
 
 constexpr std::size_t kContinuous = 6, kWhole = 2;
 
-/// The whole number that a gene stands for.
+/// The integer of a gene.
 std::size_t NumberOf(double gene, std::size_t most) {
   return std::min(static_cast<std::size_t>(std::lround(gene)), most);
 }
 
-/// What genes say of a slot.
+/// Choices of the genes for a slot.
 struct Chosen {
-  const TypeChoice* type = nullptr;  ///< null: it is not there
+  const TypeChoice* type = nullptr;  ///< null: absent
   const MountBounds* mount = nullptr;
   Vec3 p_B_m = Vec3::Zero(), rpy_rad = Vec3::Zero();
 };
@@ -44,7 +44,7 @@ std::string Triple(const Vec3& v) {
   return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", v.x(), v.y(), v.z());
 }
 
-/// As it is written to rig files, so that what was looked at is what they say.
+/// Rounds as rig files do, so that a file describes the evaluated layout exactly.
 Vec3 Rounded(const Vec3& v) {
   return v.unaryExpr([](double x) { return std::stod(fmt::format("{:.6g}", x)); });
 }

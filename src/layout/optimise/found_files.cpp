@@ -13,8 +13,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// The rig that every layout has, with everything that it names in place; empty where it is or
-/// there is none.
+/// The rig that every layout has, with all references resolved; empty if there is none.
 std::string KeptYaml(const LayoutSearch& search) {
   if (search.keep.empty()) return "";
   const Config config = Config::FromFile(search.keep);
@@ -55,10 +54,10 @@ std::string HypervolumeCsv(const std::vector<double>& hypervolume) {
   return csv;
 }
 
-/// Labels of points in a picture, each beside its point where no other stands.
+/// Labels of points in a picture, each next to its point without overlap.
 class Labels {
  public:
-  /// As SVG; nothing where there is no room.
+  /// As SVG; nothing if there is no room.
   std::string At(const Vec2& point, const std::string& text) {
     constexpr double kLetter = 7.5, kHeight = 13, kGap = 7;
     const double width = kLetter * static_cast<double>(text.size());
@@ -169,7 +168,7 @@ std::string LayoutCount(std::size_t count) {
 std::vector<double> ShownValues(const std::vector<double>& objectives,
                                 const std::vector<double>& signs) {
   std::vector<double> values;
-  // Zero has no sign.
+  // Removes the sign of zero.
   for (std::size_t i = 0; i < signs.size(); ++i) values.push_back(signs[i] * objectives[i] + 0.0);
   return values;
 }
@@ -177,7 +176,7 @@ std::vector<double> ShownValues(const std::vector<double>& objectives,
 void WriteFound(const LayoutSearch& search, const std::vector<double>& signs,
                 const OptimiseResult& found, const std::vector<double>& hypervolume,
                 const fs::path& folder) {
-  OptimiseResult result = found;  // with objectives as they are shown
+  OptimiseResult result = found;  // with objectives as figure values
   for (FoundLayout& layout : result.front)
     layout.objectives = ShownValues(layout.objectives, signs);
   if (result.greedy) {

@@ -9,17 +9,17 @@
 
 namespace tera {
 
-/// Objectives as their figures have them, not as they were made small; `signs` as Appraisal has
-/// them.
+/// Objectives as values of their figures, not negated; `signs` as in Appraisal.
 std::vector<double> ShownValues(const std::vector<double>& objectives,
                                 const std::vector<double>& signs);
 
 /// "1 layout", "3 layouts".
 std::string LayoutCount(std::size_t count);
 
-/// Writes what a search found into `folder`: front/NN.yaml and greedy.yaml, rigs that `tera
-/// generate` takes as they are; front.csv, the objectives of each; hypervolume.csv, generation by
-/// generation; search.html. Throws InputError where a file cannot be written.
+/// Writes the result of a search into `folder`: front/NN.yaml and greedy.yaml, rigs for `tera
+/// generate`; front.csv, the objectives of each; hypervolume.csv, by generation; search.html.
+///
+/// Throws  InputError if a file cannot be written.
 void WriteFound(const LayoutSearch& search, const std::vector<double>& signs,
                 const OptimiseResult& result, const std::vector<double>& hypervolume,
                 const std::filesystem::path& folder);

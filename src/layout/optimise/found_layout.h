@@ -8,17 +8,17 @@
 
 namespace tera {
 
-/// A layout of the front that a search found.
+/// A layout on the front of a search.
 struct FoundLayout {
   Genes genes;
-  std::vector<double> objectives;  ///< as Appraised has them
+  std::vector<double> objectives;  ///< as in Appraised
 };
 
-/// What a search ends with.
+/// Result of a search.
 struct OptimiseResult {
-  std::vector<FoundLayout> front;     ///< by the first objective
-  std::optional<FoundLayout> greedy;  ///< nothing where it is not within the limits
-  std::vector<std::string> warnings;  ///< of what may be searched
+  std::vector<FoundLayout> front;     ///< sorted by the first objective
+  std::optional<FoundLayout> greedy;  ///< nothing if it violates the limits
+  std::vector<std::string> warnings;  ///< about the search space
 };
 
 }  // namespace tera

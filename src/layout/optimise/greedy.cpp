@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-/// One slot anew, of a random type and place.
+/// Redraws one slot with a random type and place.
 Genes WithSlot(const LayoutSearch& search, const Genes& genes, std::size_t slot,
                const Stream& stream, std::uint64_t index) {
   Genes with = genes;

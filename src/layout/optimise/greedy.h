@@ -5,13 +5,12 @@
 
 namespace tera {
 
-/// A layout that is put together sensor by sensor: each time the one of `tries` random placements
-/// of a slot that is still free which lessens the first objective most, as long as one does and
-/// the limits allow it; the first sensor in any case.
+/// A layout that is built sensor by sensor. Each round tests `tries` random placements of the free
+/// slots and keeps the one that lessens the first objective most. It stops if none improves or the
+/// limits allow none; the first sensor is always placed.
 ///
-/// Model   where what is seen is a submodular function of the set of sensors, as coverage is, the
-///         greedy choice reaches 1 - 1/e of the best at least, among the placements that were
-///         tried, if all cost alike.
+/// Model   if coverage is a submodular function of the set of sensors, the greedy choice reaches at
+///         least 1 - 1/e of the optimum among the tested placements at equal costs.
 /// Source  Nemhauser, Wolsey, Fisher 1978, "An analysis of approximations for maximizing submodular
 ///         set functions", Mathematical Programming 14.
 Genes Greedy(const LayoutSearch& search, const Appraisal& appraisal, int tries);

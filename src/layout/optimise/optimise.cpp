@@ -31,11 +31,11 @@ namespace {
 
 constexpr char kStateName[] = "search_state.json", kFrontName[] = "front.csv";
 constexpr int kGreedyTries = 24;       ///< placements of each slot in each round
-constexpr int kWorstOf = 10;           ///< random layouts of which the worst begin a search
-constexpr double kNotAllowed = 1e9;    ///< above every objective of a layout that is
-constexpr double kCornerBeyond = 0.1;  ///< of the spread of what was tried first
-constexpr double kLeastSpread = 1e-6;  ///< of an objective that is the same for all
-// Operators of NSGA-II as its authors use them, mutation so that one gene or two change.
+constexpr int kWorstOf = 10;           ///< random layouts per layout of a start with the worst ones
+constexpr double kNotAllowed = 1e9;    ///< above every objective of a permitted layout
+constexpr double kCornerBeyond = 0.1;  ///< share of the spread of the first layouts
+constexpr double kLeastSpread = 1e-6;  ///< for an objective that is equal in all of them
+// NSGA-II operators as its authors use them; mutation changes one or two genes.
 constexpr double kCrossover = 0.95, kCrossoverIndex = 10, kMutationIndex = 20;
 
 std::vector<double> FitnessOf(const Appraised& appraised) {
@@ -43,7 +43,7 @@ std::vector<double> FitnessOf(const Appraised& appraised) {
   return std::vector<double>(appraised.objectives.size(), kNotAllowed * (1 + appraised.beyond));
 }
 
-/// NSGA-II takes no single objective: such a one stands twice.
+/// NSGA-II accepts no single objective, so a single one is doubled.
 std::vector<double> Several(std::vector<double> fitness) {
   if (fitness.size() == 1) fitness.push_back(fitness.front());
   return fitness;
@@ -51,7 +51,7 @@ std::vector<double> Several(std::vector<double> fitness) {
 
 bool IsAllowed(const std::vector<double>& fitness) { return fitness.front() < kNotAllowed; }
 
-/// The search as pagmo asks for it.
+/// The search in pagmo's interface.
 struct Problem {
   const LayoutSearch* search = nullptr;
   const Appraisal* appraisal = nullptr;
@@ -70,7 +70,7 @@ struct Problem {
   pagmo::vector_double::size_type get_nix() const { return search ? BoundsOf(*search).whole : 0; }
 };
 
-/// Evenly at random within the bounds.
+/// Uniform within the bounds.
 Genes RandomGenes(const LayoutSearch& search, const Stream& stream, std::uint64_t index) {
   const GeneBounds bounds = BoundsOf(search);
   Genes genes = bounds.low;
@@ -113,7 +113,7 @@ double HypervolumeOf(const SearchState& state) {
   return state.corner.front() - best->front();
 }
 
-/// Adds layouts drawn at random, `count` of them.
+/// Adds `count` random layouts.
 void AddRandom(const LayoutSearch& search, const Appraisal& appraisal, int count,
                SearchState* state) {
   const Stream stream(search.seed, "layout/optimise/first");
@@ -124,7 +124,7 @@ void AddRandom(const LayoutSearch& search, const Appraisal& appraisal, int count
   }
 }
 
-/// Keeps the worst layouts that are allowed: those that most others are better than.
+/// Keeps the worst permitted layouts: those that most others dominate.
 void KeepWorst(std::size_t count, SearchState* state) {
   std::vector<std::pair<std::size_t, std::size_t>> by_better;
   for (std::size_t i = 0; i < state->genes.size(); ++i) {
@@ -188,8 +188,7 @@ void Evolve(const LayoutSearch& search, const Appraisal& appraisal, SearchState*
   state->hypervolume.push_back(HypervolumeOf(*state));
 }
 
-/// Those of the population, and the greedy layout where the search began with it, that none is
-/// better than.
+/// The undominated layouts of the population and of the greedy layout, if the search began with it.
 std::vector<FoundLayout> FrontOf(const SearchState& state,
                                  const std::optional<FoundLayout>& greedy) {
   std::vector<FoundLayout> allowed;
@@ -214,7 +213,7 @@ std::vector<FoundLayout> FrontOf(const SearchState& state,
   return front;
 }
 
-/// Of the files that decide what a search finds.
+/// Digest of the files that determine the result.
 std::string DigestOf(const LayoutSearch& search, const std::string& search_text,
                      const Cycle& cycle) {
   std::error_code ignored;

@@ -33,20 +33,20 @@ MountBounds ReadMount(const ConfigMap& config) {
   return mount;
 }
 
-/// By its type, since what sees nothing need not sit anywhere, and is not read with a place.
+/// Decided by its type, since other sensors need no mount and are read without one.
 bool IsOfWhatSees(const std::filesystem::path& preset) {
   const Config config = Config::FromFile(preset);
   const std::string type = config.root().Text("type", "");
   return type == "lidar" || type == "camera";
 }
 
-/// A sensor of a preset, which needs a place to be read; the search gives it another.
+/// A sensor of a preset, read with a placeholder mount that the search replaces.
 TypeChoice ReadType(const ConfigMap& config) {
   TypeChoice type;
   type.preset = config.File("preset");
   const std::optional<double> cost = config.OptionalNumber("cost", AtLeast(0, "")),
                               power_w = config.OptionalNumber("power_w", AtLeast(0, "W"));
-  if (type.preset.empty()) return type;  // File has said so
+  if (type.preset.empty()) return type;  // File has reported the fault
   if (!IsOfWhatSees(type.preset)) {
     config.Fault("preset", "is no sensor that sees; need a lidar or camera");
     return type;
@@ -136,7 +136,7 @@ LayoutSearch LoadSearch(const std::filesystem::path& file) {
   const Config config = Config::FromFile(file);
   LayoutSearch search = ReadSearch(config.root());
   config.Finish();
-  // It may be a folder, which no key of a configuration names otherwise.
+  // The cycle may be a folder, unlike other paths of a configuration.
   search.cycle = (file.parent_path() / search.cycle).lexically_normal();
   return search;
 }

@@ -11,17 +11,17 @@
 
 namespace tera {
 
-/// Where a sensor may sit: on a link, within bounds that may be equal.
+/// A sensor's possible mounts: on a link, within bounds that may be equal.
 ///
 /// Frames  B link, S sensor.
 struct MountBounds {
   std::string link;
   Vec3 low_B_m = Vec3::Zero(), high_B_m = Vec3::Zero();
   Vec3 low_rpy_rad = Vec3::Zero(), high_rpy_rad = Vec3::Zero();
-  std::string place;  ///< in its file, for messages
+  std::string place;  ///< its position in the file, for messages
 };
 
-/// What a sensor may be.
+/// A possible type of a sensor.
 struct TypeChoice {
   std::filesystem::path preset;
   SensorDescription sensor;  ///< without a name and a mount
@@ -33,40 +33,40 @@ struct SensorSlot {
   bool optional = true;
   std::vector<TypeChoice> types;
   std::vector<MountBounds> mounts;
-  std::string place;  ///< in its file, for messages
+  std::string place;  ///< its position in the file, for messages
 };
 
-/// What is to be small or large: a figure of a study (layout_measures.h), or "cost", "power_w",
-/// "data_mbyteps", "sensors".
+/// A quantity to minimise or maximise: a figure of a study (layout_measures.h), or "cost",
+/// "power_w", "data_mbyteps", "sensors".
 struct Objective {
   std::string figure;
-  bool at_worst = false;  ///< of the worst moment instead of the mean
-  std::string place;      ///< in its file, for messages
+  bool at_worst = false;  ///< the worst moment instead of the mean
+  std::string place;      ///< its position in the file, for messages
 };
 
-/// The most that a layout may take, of the sensors kept and of those placed together.
+/// Upper limits of a layout, over the kept and the placed sensors together.
 struct Limits {
   std::optional<double> cost, power_w, data_mbyteps, sensors;
-  std::string place;  ///< in its file, for messages
+  std::string place;  ///< its position in the file, for messages
 };
 
-/// What a search begins with beside random layouts: to begin with others shows whether what is
-/// found depends on it.
+/// Initial layouts in addition to random ones. Other starts show whether the result depends on it.
 enum class SearchStart {
   kGreedy,  ///< the greedy layout
-  kRandom,  ///< nothing
-  kWorst,   ///< nothing, and the random ones are the worst of ten times as many
+  kRandom,  ///< none
+  kWorst,   ///< none; the random layouts are the worst of ten times as many
 };
 
 /// A search for sensor layouts.
 struct LayoutSearch {
-  std::filesystem::path cycle, study;  ///< the study may be empty: the common one
+  std::filesystem::path cycle, study;  ///< an empty study is the common one
   std::filesystem::path keep;          ///< rig whose sensors every layout has; may be empty
   std::vector<SensorSlot> slots;
   Limits limits;
   std::vector<Objective> objectives;
-  std::string place;  ///< of its numbers in its file, for messages
-  int moments = 12;   ///< of the cycle that candidates are looked at, evenly spread
+  std::string place;  ///< position of its numbers in the file, for messages
+  int moments =
+      12;  ///< number of evenly spread moments of the cycle at which candidates are evaluated
   int population = 48, generations = 40;
   SearchStart start = SearchStart::kGreedy;
   std::uint64_t seed = 1;

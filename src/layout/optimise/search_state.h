@@ -9,19 +9,19 @@
 
 namespace tera {
 
-/// All that a search knows after a generation: with it, it goes on to the same end.
+/// State of a search after a generation. A resumed search reaches the same end.
 struct SearchState {
-  std::string search_sha256;  ///< of the files that it was begun with
-  int generation = 0;         ///< how many are done
-  std::vector<Genes> genes;   ///< of the population
+  std::string search_sha256;  ///< digest of the files that define the search
+  int generation = 0;         ///< number of finished generations
+  std::vector<Genes> genes;   ///< one per layout of the population
   std::vector<std::vector<double>> fitness;
   Genes greedy;
-  std::vector<double> corner;       ///< that hypervolumes are measured from
-  std::vector<double> hypervolume;  ///< after each generation, the first before any
+  std::vector<double> corner;       ///< reference point of the hypervolumes
+  std::vector<double> hypervolume;  ///< after each generation, the first for the initial population
 };
 
 void SaveState(const SearchState& state, const std::filesystem::path& file);
-/// Nothing where there is none. Throws InputError where it is damaged or of another search.
+/// Returns nothing if there is no file. Throws InputError if it is damaged or of another search.
 std::optional<SearchState> LoadState(const std::filesystem::path& file,
                                      const std::string& search_sha256);
 

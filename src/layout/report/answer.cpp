@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kPercent = 100;
 
-/// The cause with the greatest share, and the next one where it has a tenth or more.
+/// The cause with the largest share, and the second if it has a tenth or more.
 std::string MainCauses(const std::map<std::string, double>& causes) {
   std::vector<std::pair<double, std::string>> by_share;
   for (const auto& [name, share] : causes) by_share.emplace_back(share, name);

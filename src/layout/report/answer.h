@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// The answer first: what the layout sees, what it does not and why, people, the bucket.
+/// The summary that a report starts with: coverage, blind places and their causes, people, bucket.
 std::vector<std::string> Answer(const LayoutReport& report);
 
 }  // namespace tera

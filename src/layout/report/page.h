@@ -4,11 +4,11 @@
 
 namespace tera {
 
-/// The head and the style of a page of layouts, up to its contents; no network is needed.
+/// Head and style of a layout page, up to its contents. It needs no network.
 std::string PageBegin(const std::string& title);
 std::string PageEnd();
 
-/// What the colours of MapSvg mean, for a page.
+/// Legend for the colours of MapSvg.
 std::string MapLegend();
 
 }  // namespace tera

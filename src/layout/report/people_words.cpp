@@ -11,7 +11,7 @@ namespace tera {
 namespace {
 
 std::string PostureLine(const LayoutReport& report, const std::string& posture) {
-  // By their numbers in kQuarters, from where people are hardest to see.
+  // Indices in kQuarters, the hardest quarter to see first.
   constexpr std::array<std::pair<std::size_t, const char*>, 4> kSides = {
       {{2, "behind"}, {1, "to the left"}, {3, "to the right"}, {0, "ahead"}}};
   std::vector<std::string> always, never;
@@ -34,7 +34,7 @@ std::string PostureLine(const LayoutReport& report, const std::string& posture) 
   return line + ".";
 }
 
-/// Of several postures the one that is detected at the fewest places.
+/// The posture with the fewest places of detection.
 std::string HardestPosture(const LayoutReport& report) {
   const Figure* hardest = nullptr;
   std::string name;
@@ -68,7 +68,7 @@ std::optional<AlwaysDetected> AlwaysDetectedIn(const LayoutReport& report,
   const Figure* over = FindFigure(report, {Measure::kDetectedOver, posture, quarter});
   if (!from || !to || !over) return std::nullopt;
   AlwaysDetected always{.from_m = WorstOf(*from), .to_m = WorstOf(*to)};
-  constexpr double kStep_m = 1;  // between the distances that are tried
+  constexpr double kStep_m = 1;  // between the tested distances
   for (std::size_t m = 0; m < over->at.size(); ++m) {
     always.has_gaps |= over->at[m] < to->at[m] - from->at[m] + 0.5 * kStep_m;
   }

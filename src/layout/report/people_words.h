@@ -8,25 +8,25 @@
 
 namespace tera {
 
-/// From where to where people are always detected, the posture first that is hardest to detect.
+/// Distances at which people are always detected, the hardest posture first.
 std::vector<std::string> PeopleAnswer(const LayoutReport& report);
 
-/// The postures of which the report says where they are detected.
+/// The postures for which the report has ranges of detection.
 std::vector<std::string> PosturesOf(const LayoutReport& report);
 
-/// Where a person is detected at every moment and in every direction of a quarter.
+/// Distances of detection at every moment and in every direction of a quarter.
 struct AlwaysDetected {
   double from_m = 0, to_m = 0;  ///< nearest and farthest
-  bool has_gaps = false;        ///< at some moment she is not at a distance in between
+  bool has_gaps = false;        ///< at some moment a distance in between has no detection
 
   bool IsNowhere() const { return from_m > to_m; }
 };
-/// Nothing where the report has no such figures.
+/// Returns nothing if the report has no such figures.
 std::optional<AlwaysDetected> AlwaysDetectedIn(const LayoutReport& report,
                                                const std::string& posture, std::size_t quarter);
 /// "from 7 to 16 m", "at 7 m", "at no distance".
 std::string RangeText(const AlwaysDetected& always);
-/// What quarters are, and from where distances are measured.
+/// Explains the quarters and the origin of the distances.
 std::string QuartersText();
 
 }  // namespace tera

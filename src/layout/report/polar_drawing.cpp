@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::array<std::uint8_t, 3> kNothing = {205, 208, 212}, kPaper = {255, 255, 255},
                                       kNotAtAll = {72, 78, 86};
-constexpr double kRadius = 185, kMiddle = 230;         ///< of a figure, in its own units
-constexpr double kLabelled_m = 6, kLabelled_deg = 30;  ///< between rings that are drawn
+constexpr double kRadius = 185, kMiddle = 230;         ///< figure geometry, in its own units
+constexpr double kLabelled_m = 6, kLabelled_deg = 30;  ///< between drawn rings and directions
 
-/// Where a direction and a distance from the middle lie in a figure: ahead is up, left is left.
+/// Position in a figure of a direction and a distance from the middle: ahead is up, left is left.
 struct At {
   double x, y;
 };
@@ -88,7 +88,7 @@ std::string Opening(const std::string& title) {
                      Escaped(title));
 }
 
-/// Cells of equal colour beside each other along a ring are one path.
+/// Neighbouring cells of equal colour along a ring form one path.
 std::string Cells(const PolarMap& map) {
   const double sector_rad = 2 * kPi / map.sectors, ring = kRadius / map.rings;
   const auto colour = [&](int sector, int r) {
@@ -123,7 +123,7 @@ std::string Outline(const std::vector<double>& radius_m, double most) {
   return path.empty() ? path : path + "Z";
 }
 
-/// Between words, into lines of some letters.
+/// Breaks a text at spaces into lines of at most `letters`.
 std::vector<std::string> Wrapped(const std::string& text, std::size_t letters) {
   std::vector<std::string> lines = {""};
   std::istringstream words(text);

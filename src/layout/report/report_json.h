@@ -7,10 +7,10 @@
 
 namespace tera {
 
-/// The report as layout.json has it (docs/reference/layout.md).
+/// Text of layout.json (docs/reference/layout.md).
 std::string ReportJson(const LayoutReport& report);
 
-/// Reads a layout.json, or that of a folder. Throws InputError where it is missing, damaged, or of
+/// Reads a layout.json, or the one in a folder. Throws InputError if it is missing, damaged, or of
 /// another format.
 LayoutReport ReadReport(const std::filesystem::path& file_or_folder);
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kPercentOfOne = 100;
 
-/// Texts of figures in the order of Measure: {0} is their subject, {1} the quarter.
+/// Texts of figures in the order of Measure: {0} is the subject, {1} the quarter.
 constexpr std::array<const char*, 28> kWords = {
     "{0} seen by 1 or more sensors",
     "{0} seen by 2 or more sensors",
@@ -86,7 +86,7 @@ std::string Describe(const FigureId& id) {
 std::string ValueText(const FigureId& id, double value) {
   const std::string_view unit = UnitOf(id.measure);
   if (unit.empty()) return fmt::format("{:.1f} %", kPercentOfOne * value);
-  constexpr double kSmall = 0.1;  // below, digits that count and not decimals
+  constexpr double kSmall = 0.1;  // below this, significant digits instead of decimals
   const double size = std::abs(value);
   const std::string number = size < kSmall ? fmt::format("{:.2g}", value + 0.0)
                                            : fmt::format("{:.{}f}", value, size < 10 ? 2 : 1);

@@ -26,7 +26,7 @@ const Measures kProbabilities = {Measure::kProbabilityMap, Measure::kWorstProbab
 bool IsAnyOf(const FigureId& id, const Measures& measures) {
   return std::find(measures.begin(), measures.end(), id.measure) != measures.end();
 }
-constexpr double kLeastShown = 0.005;  ///< of shares on the page; the tables have all
+constexpr double kLeastShown = 0.005;  ///< smallest share on the page; the tables have all
 
 std::string FiguresCsv(const LayoutReport& report) {
   std::string csv = "figure,unit,more_is_better,mean,worst,sampling_error\n";
@@ -59,7 +59,7 @@ std::string BlindCsv(const LayoutReport& report) {
   return csv;
 }
 
-/// The maps of people place by place: azimuths as in PolarMap, distances from the machine's
+/// The maps of people, place by place: azimuths as in PolarMap, distances from the machine's
 /// outline.
 std::string PeopleCsv(const LayoutReport& report) {
   constexpr double kTurn_deg = 360;
@@ -78,14 +78,14 @@ std::string PeopleCsv(const LayoutReport& report) {
   return csv;
 }
 
-/// A map's name as that of a file: "seen_0.9_m".
+/// A map's name as a file name: "seen_0.9_m".
 std::string FileName(std::string name) {
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '_');
   return name;
 }
 
-/// What the colours of a map mean.
+/// Explanation of a map's colours.
 std::string ColoursText(const PolarMap& map) {
   const std::string dark = map.ticks.empty() ? "" : "; dark grey: none at all";
   return fmt::format("from red to blue: {:.4g}{}", fmt::join(TicksOf(map), ", "), dark);
@@ -121,7 +121,7 @@ std::string CurveFigures(const LayoutReport& report, Measure measure) {
          figures + "</div>\n";
 }
 
-/// From where to where people are detected in each quarter.
+/// Ranges of detection of people in each quarter.
 std::string PeopleTable(const LayoutReport& report) {
   std::string rows;
   for (const std::string& posture : PosturesOf(report)) {

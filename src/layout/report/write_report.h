@@ -7,8 +7,9 @@
 namespace tera {
 
 /// Writes a report into `folder`: layout.json, figures.csv (mean, worst, errors), moments.csv
-/// (every moment), blind.csv (causes), maps/*.png and report.html, which needs no network. Throws
-/// InputError where a file cannot be written.
+/// (every moment), blind.csv (causes), maps/*.png and report.html, which needs no network.
+///
+/// Throws  InputError if a file cannot be written.
 void WriteReport(const LayoutReport& report, const std::filesystem::path& folder);
 
 /// The page of one layout.

@@ -7,9 +7,9 @@
 namespace tera {
 namespace {
 
-constexpr double kHighest_m = 1.75;   ///< of a person
-constexpr double kThinnest_m = 0.05;  ///< of a part that counts
-constexpr double kHullReach_m = 20;   ///< of a machine's parts from its middle
+constexpr double kHighest_m = 1.75;   ///< height of a person
+constexpr double kThinnest_m = 0.05;  ///< thickness of a part that counts
+constexpr double kHullReach_m = 20;   ///< largest distance of a machine's parts from its middle
 
 bool IsHull(SemanticClass label) {
   return label == SemanticClass::kUndercarriage || label == SemanticClass::kUpperStructure ||

@@ -6,9 +6,9 @@
 
 namespace tera {
 
-/// How far a machine reaches in each of `sectors` directions around H, counterclockwise from its
-/// x axis: to the outermost point of undercarriage, tracks, blade and upper structure up to the
-/// height of a person. What works, its boom, arm and bucket, does not count.
+/// Reach of a machine in each of `sectors` directions around H, counterclockwise from its x axis.
+/// It extends to the outermost point of undercarriage, tracks, blade and upper structure up to the
+/// height of a person. Boom, arm and bucket do not count.
 ///
 /// Frames  H stands upright on the ground.
 std::vector<double> HullRadii_m(const Pose& X_WH, std::size_t machine, int sectors,

@@ -5,13 +5,13 @@
 namespace tera {
 namespace {
 
-/// Whether what lies at this distance and returns this share of the light is in reach.
+/// Whether a surface at this distance with this returned share of the light is in reach.
 bool IsInReach(const ViewField& field, double distance_m, double returned, bool ranges) {
   if (distance_m < field.nearest_m || distance_m > field.reach_m(returned)) return false;
   return !ranges || (distance_m >= field.min_distance_m && distance_m <= field.max_distance_m);
 }
 
-/// What can be said of a look before anything is in the way.
+/// The view without occlusion.
 Look Unhindered(const Viewer& viewer, const Target& target, const Asked& asked) {
   const ViewField& field = viewer.field;
   const Vec3 way_W_m = target.p_W_m - viewer.X_WS.translation();

@@ -12,11 +12,11 @@ namespace tera {
 namespace {
 
 constexpr int kTriedDirections = 100;
-constexpr double kFarthestPart_m = 30;  ///< of a machine's parts from each other
+constexpr double kFarthestPart_m = 30;  ///< largest distance between a machine's parts
 
 bool IsSolidPart(SemanticClass label) { return label != SemanticClass::kSoilInBucket; }
 
-/// Evenly over the sphere: a spiral of equal steps in height, turned by the golden angle.
+/// Uniform over the sphere: a spiral with equal steps in height, turned by the golden angle.
 std::vector<Vec3> Directions() {
   const double golden_rad = kPi * (3 - std::sqrt(5.0));
   std::vector<Vec3> directions;
@@ -27,7 +27,7 @@ std::vector<Vec3> Directions() {
   return directions;
 }
 
-/// What the lines from a mount tell of one part.
+/// Counts of the lines from a mount for one part.
 struct Evidence {
   int inside = 0;  ///< directions in which the mount is inside
   double nearest_m = kFarthestPart_m;
@@ -36,7 +36,7 @@ struct Evidence {
 /// Counts one direction.
 void Count(const std::vector<Sighting::Crossing>& crossings, const std::vector<bool>& is_part,
            std::map<std::uint16_t, Evidence>* of_parts) {
-  std::map<std::uint16_t, int> out;  // times that the line comes out less times that it goes in
+  std::map<std::uint16_t, int> out;  // exits minus entries of the line
   for (const Sighting::Crossing& crossing : crossings) {
     if (!is_part[crossing.instance]) continue;
     out[crossing.instance] += crossing.leaves ? 1 : -1;

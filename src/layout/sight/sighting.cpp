@@ -9,9 +9,9 @@ namespace {
 
 constexpr float kFarthestSeen_m = 300;
 constexpr std::size_t kDirections = 6;
-constexpr std::size_t kDown = 5;  ///< of them
+constexpr std::size_t kDown = 5;  ///< index of the downward direction
 
-/// What is left of a line from `at_m` on.
+/// The rest of a line from `at_m` on.
 struct Rest {
   std::size_t line = 0;
   double at_m = 0;
@@ -117,7 +117,7 @@ std::vector<bool> Sighting::InstancesOf(std::size_t machine,
 
 double Sighting::NearestOf(const std::vector<bool>& instances, const Vec3& from_W_m,
                            const Vec3& d_W, double farthest_m) const {
-  constexpr double kPast_m = 1e-3;  // behind a surface that is not wanted
+  constexpr double kPast_m = 1e-3;  // behind a skipped surface
   double at_m = 0;
   while (at_m < farthest_m) {
     const Ray ray{.origin_W_m = (from_W_m + at_m * d_W).cast<float>(),

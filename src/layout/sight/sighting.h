@@ -15,27 +15,26 @@
 
 namespace tera {
 
-/// A lidar or camera of a layout, where it is at one moment.
+/// A lidar or camera of a layout at its pose at one moment.
 struct Viewer {
   std::string name;
   ViewField field;
   int link = 0;
-  Pose X_BS = Pose::Identity();  ///< as it truly is
+  Pose X_BS = Pose::Identity();  ///< the true mount
   Pose X_WS = Pose::Identity();
 };
 
-/// What stands between a viewer and a place.
+/// An obstacle between a viewer and a place.
 struct Blocked {
-  std::uint16_t instance = 0;  ///< of the scene; 0 is the ground
+  std::uint16_t instance = 0;  ///< scene instance; 0 is the ground
 };
 
-/// A scene at one moment, in which lines of sight are tried.
+/// A scene at one moment, for tests of lines of sight.
 ///
-/// Model   a place is in sight where no surface lies on the straight line to it but within
-///         `kTouch_m` before it, so that places on surfaces are in sight of what looks at them.
-///         Panes of glass, surfaces whose opacity is below 1, lie on a line but do not block what
-///         shows through them.
-/// Omits   what a pane takes of the light and what it mirrors.
+/// Model   a place is in sight if no surface crosses the straight line to it. Surfaces within
+///         `kTouch_m` before it do not count, so places on surfaces can be in sight. Glass panes
+///         (opacity below 1) lie on a line but do not block viewers that see through them.
+/// Omits   attenuation and reflection by a pane.
 class Sighting {
  public:
   static constexpr double kTouch_m = 0.03;
@@ -50,35 +49,35 @@ class Sighting {
     Vec3 from_W_m, to_W_m;
     bool through_glass = false;
   };
-  /// Of each line what blocks it, if anything does.
+  /// The obstacle on each line, if any.
   std::vector<std::optional<Blocked>> Try(std::span<const Line> lines) const;
-  /// A surface that a line goes through.
+  /// An intersection of a line with a surface.
   struct Crossing {
-    std::uint16_t instance = 0;  ///< of the scene; 0 is the ground
+    std::uint16_t instance = 0;  ///< scene instance; 0 is the ground
     double at_m = 0;             ///< from the line's beginning
-    bool leaves = false;         ///< met from behind: the line comes out of what it encloses
+    bool leaves = false;         ///< hit from behind: the line leaves the enclosed volume
     bool is_glass = false;
   };
-  /// Of each line all surfaces on it, in order; of surfaces within 0.1 mm the first.
+  /// All surfaces on each line, in order. Only the first of surfaces within 0.1 mm counts.
   std::vector<std::vector<Crossing>> CrossingsOf(std::span<const Line> lines) const;
-  /// Whether each place lies inside something solid: in all of six directions the same object is
-  /// what is next, or the ground below, into which objects are sunk.
+  /// Whether each place lies inside something solid. The nearest surface must be the same object in
+  /// all of six directions; downwards it may be the ground, into which objects sink.
   std::vector<bool> AreInside(const std::vector<Vec3>& places_W_m) const;
-  /// Which of the scene's instances are parts of machine number `machine` of these classes.
+  /// Marks the scene's instances that are parts of machine number `machine` with these classes.
   std::vector<bool> InstancesOf(std::size_t machine, bool (*is_wanted)(SemanticClass)) const;
-  /// How far from `from_W_m` along the unit vector `d_W` the first surface of these instances is,
-  /// whatever lies before it; `farthest_m` where there is none within it.
+  /// Distance from `from_W_m` along the unit vector `d_W` to the first surface of these instances,
+  /// through everything else; `farthest_m` if there is none within it.
   double NearestOf(const std::vector<bool>& instances, const Vec3& from_W_m, const Vec3& d_W,
                    double farthest_m) const;
   /// RayScene::bytes.
   std::int64_t bytes() const { return scene_.bytes(); }
-  /// Its name, "excavator1/boom"; of the ground "ground".
+  /// Its name, "excavator1/boom"; "ground" for the ground.
   std::string NameOf(const Blocked& blocked) const;
 
  private:
   using GoesOn = std::function<bool(std::size_t line, const Crossing&)>;
-  /// Goes along each line to `before_m` before its end, from surface to surface for as long as
-  /// `goes_on` says.
+  /// Follows each line from surface to surface up to `before_m` before its end, while `goes_on`
+  /// holds.
   void Follow(std::span<const Line> lines, double before_m, const GoesOn& goes_on) const;
 
   const Scenario& scenario_;

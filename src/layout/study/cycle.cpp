@@ -64,7 +64,7 @@ void Cycle::ForEachStep(const Visit& visit) const {
   if (is_dataset()) {
     StatePlayback playback(scenario, loaded_.resolved_yaml, dataset_ / kStateFile);
     visit(playback.state(), playback.ground());
-    // The one step behind the end of the run is not part of the cycle.
+    // The step after the end of the run is not part of the cycle.
     for (std::int64_t step = 1; playback.Step(); ++step) {
       if (step <= steps) visit(playback.state(), playback.ground());
     }

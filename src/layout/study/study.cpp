@@ -12,8 +12,8 @@ constexpr double kMostPoints = 1e6;
 constexpr double kFarthest_m = 200;
 constexpr double kMostRate_hz = 100;
 
-/// Breadth and height of a standing man of the 50th percentile, rounded; crouching and lying are
-/// the same body folded and turned.
+/// Breadth and height of a standing man of the 50th percentile, rounded. The crouching and lying
+/// postures are the same body, folded and turned.
 std::vector<Posture> CommonPostures() {
   return {{"standing", Vec3(0.30, 0.50, 1.75)},
           {"crouching", Vec3(0.60, 0.50, 1.00)},
@@ -128,7 +128,7 @@ LayoutStudy ReadStudy(const ConfigMap& config) {
   return study;
 }
 
-/// Whether a file is there that has nothing but comments and empty lines.
+/// Whether the file exists and holds only comments and empty lines.
 bool HoldsNothing(const std::filesystem::path& file) {
   std::ifstream lines(file);
   if (!lines) return false;
@@ -142,7 +142,7 @@ bool HoldsNothing(const std::filesystem::path& file) {
 }  // namespace
 
 LayoutStudy LoadStudy(const std::filesystem::path& file) {
-  // All keys have defaults, so that a file of comments alone asks what most ask.
+  // All keys have defaults, so a file of comments alone is the default study.
   const bool is_default = file.empty() || HoldsNothing(file);
   const Config config = is_default ? Config::FromText("{}", "study") : Config::FromFile(file);
   LayoutStudy study = ReadStudy(config.root());

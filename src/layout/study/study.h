@@ -12,52 +12,51 @@
 
 namespace tera {
 
-/// What must be met for a place to count as seen.
+/// Requirements for a place to count as seen.
 struct SeenFrom {
   double lidar_points_per_m2 = 10;  ///< on a surface that faces the sensor, in one scan
   double camera_px_per_m = 25;      ///< across the line of sight
-  double reflectance = 0.2;         ///< diffuse, of what a lidar is to see
+  double reflectance = 0.2;         ///< diffuse, of the targets of a lidar
 };
 
-/// A person of whom is asked from where sensors see her: a box, upright or lying.
+/// A person to be detected: an upright or lying box.
 struct Posture {
   std::string name;
-  Vec3 size_m = Vec3(0.3, 0.5, 1.75);  ///< depth, breadth, height; she faces the machine
+  Vec3 size_m = Vec3(0.3, 0.5, 1.75);  ///< depth, breadth, height; the person faces the machine
 };
 
 struct PersonStudy {
   std::vector<Posture> postures;  ///< standing, crouching, lying, unless the study has its own
-  double lidar_points = 20;       ///< on her in one scan, from which on she counts as detected
-  double camera_px = 300;         ///< of a picture that she covers, from which on she does
-  int cluster_points = 5;         ///< fewest that a detector of clusters takes for somebody
+  double lidar_points = 20;       ///< least points of one scan on the person for a detection
+  double camera_px = 300;         ///< least pixels of a picture on the person for a detection
+  int cluster_points = 5;         ///< least points of a cluster that a detector accepts as a person
   double farthest_m = 24;
 };
 
-/// The eye of ISO 5006 and NIOSH's maps, or any other point that a light or a lens may be at.
+/// The eye of ISO 5006 and NIOSH's maps, or any other position of a light or a lens.
 struct EyeStudy {
   std::string link;
   Vec3 p_B_m = Vec3::Zero();  ///< middle between the eyes
-  double spacing_m = 0.205;   ///< of the two light filaments
+  double spacing_m = 0.205;   ///< between the two light filaments
   double circle_m = 12;       ///< radius of the visibility test circle about the eye
   double rectangle_m = 1;     ///< distance of the rectangular boundary from the machine's sides
-  double height_m = 0;        ///< of both above the ground
-  std::optional<double> most_masking_m;  ///< widest masking that whoever asks allows
-  std::string place = "study: eye";      ///< in its file, for messages
+  double height_m = 0;        ///< height of both lines above the ground
+  std::optional<double> most_masking_m;  ///< widest masking that the study allows
+  std::string place = "study: eye";      ///< its position in the file, for messages
 };
 
-/// Part of the ground ahead of which an elevation map is wanted.
+/// Part of the ground ahead for the elevation map.
 struct ElevationStudy {
   Vec2 low_H_m = Vec2(2, -2), high_H_m = Vec2(7, 2);  ///< corners, in H as in PolarGrid
   double cell_m = 0.2;
 };
 
-/// How well a detector does by what a sensor has on its target: AP = a ln(m) + b, of m points or
-/// pixels.
+/// Precision of a detector as a function of m points or pixels on its target: AP = a ln(m) + b.
 struct PrecisionFit {
   double a = 0, b = 0;
 };
 
-/// What the entropies of a layout are computed with.
+/// Parameters of the entropies of a layout.
 struct InformationStudy {
   double voxel_m = 0.5;  ///< edge of the voxels of the occupancy grid
   /// For automated driving, as public re-implementations quote them from Ma et al. (arXiv
@@ -65,15 +64,15 @@ struct InformationStudy {
   PrecisionFit lidar = {0.152, 0.659}, camera = {0.055, 0.155};
 };
 
-/// What is asked of sensor layouts.
+/// Questions to sensor layouts.
 struct LayoutStudy {
   std::string machine;     ///< empty: the scenario's first
-  std::string upper;       ///< link whose heading maps are turned to; empty: the root's first child
-  double rate_hz = 5;      ///< of the moments that are looked at
-  double radius_m = 12;    ///< of the volume around the machine, an upright cylinder
-  double height_m = 2;     ///< of that volume, above the ground below the root's origin
-  int points = 6000;       ///< of each zone and of the volume
-  std::uint64_t seed = 1;  ///< of those points
+  std::string upper;       ///< link whose heading maps follow; empty: the root's first child
+  double rate_hz = 5;      ///< rate of the evaluated moments
+  double radius_m = 12;    ///< radius of the volume around the machine, an upright cylinder
+  double height_m = 2;     ///< height of that volume, above the ground below the root's origin
+  int points = 6000;       ///< in each zone and in the volume
+  std::uint64_t seed = 1;  ///< seed of those points
   std::vector<double> map_heights_m = {0, 0.9, 1.5, 1.7};
   std::vector<Zone> zones;
   SeenFrom seen;
@@ -81,12 +80,12 @@ struct LayoutStudy {
   ElevationStudy elevation;
   std::optional<EyeStudy> eye;
   InformationStudy information;
-  /// Of `machine` and `upper` in its file, for messages.
+  /// Positions of `machine` and `upper` in the file, for messages.
   std::string machine_place = "study: machine", upper_place = "study: upper";
-  std::string resolved_yaml;  ///< all of it, defaults included; empty where it was not read
+  std::string resolved_yaml;  ///< complete with defaults; empty if the study was not read
 };
 
-/// Reads a study; `file` empty: the defaults. Throws InputError.
+/// Reads a study; an empty `file` gives the defaults. Throws InputError.
 LayoutStudy LoadStudy(const std::filesystem::path& file);
 
 }  // namespace tera

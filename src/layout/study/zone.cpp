@@ -16,14 +16,16 @@
 namespace tera {
 namespace {
 
-constexpr double kLongestZone_m = 200;  ///< of any length of a zone, beyond every sensor's use
+constexpr double kLongestZone_m =
+    200;  ///< limit of any length of a zone, beyond every sensor's reach
 
-/// Of the rectangle around an outline that it must fill: places are tried all over that.
+/// Least share of its bounding rectangle that an outline must fill, since points are drawn in that
+/// rectangle.
 constexpr double kLeastFilled = 0.01, kPercent = 100;
 
-/// What is wrong with an outline's corners, or nothing.
+/// The fault of an outline's corners, or nothing.
 std::string OutlineFault(const std::vector<Vec2>& corners_m) {
-  if (corners_m.empty()) return "";  // a fault that was told already
+  if (corners_m.empty()) return "";  // the fault is already reported
   if (const auto sides = FirstCrossing(corners_m)) {
     return fmt::format("its sides {} and {} cross; name the corners in order around the region",
                        sides->first + 1, sides->second + 1);
@@ -73,7 +75,7 @@ bool Contains(const std::vector<Vec2>& corners, const Vec2& p) {
   return inside;
 }
 
-/// The box around a shape, in Z.
+/// The bounding box of a shape, in Z.
 struct Bounds {
   Vec3 low_m, high_m;
 };
@@ -110,12 +112,12 @@ bool IsInside(const Zone& zone, const Vec3& p_Z_m) {
                     zone.shape);
 }
 
-/// About `wanted` cells of a box, as near to cubes as it is thick.
+/// About `wanted` cells of a box, as near to cubes as its thickness permits.
 Eigen::Array3i CellsOf(const Vec3& extent_m, double wanted) {
   std::array<int, 3> axes = {0, 1, 2};  // the thinnest first
   std::sort(axes.begin(), axes.end(), [&](int a, int b) { return extent_m[a] < extent_m[b]; });
   Eigen::Array3i cells;
-  double left_m3 = extent_m.prod();  // of the axes to come: a volume, an area, a length
+  double left_m3 = extent_m.prod();  // size over the remaining axes: a volume, an area, a length
   for (int a = 0; a < 3; ++a) {
     const double edge_m = std::pow(left_m3 / wanted, 1.0 / (3 - a));
     cells[axes[a]] = std::max(1, static_cast<int>(std::lround(extent_m[axes[a]] / edge_m)));

@@ -29,31 +29,30 @@ struct ZonePrism {
   double low_m = 0, high_m = 1;
 };
 
-/// A part of space of which is asked how much of it sensors see.
+/// A part of space whose coverage is measured.
 ///
-/// Frames  F the zone's frame: W, or that of a link of the machine, levelled where `level` says so:
-///         then F has the link's place and heading and stands upright. Z the shape's own, at X_FZ.
+/// Frames  F the zone's frame: W, or a link of the machine. With `level`, F has the link's position
+///         and heading and stands upright. Z the shape's own, at X_FZ.
 struct Zone {
   std::string name;
   std::string frame = "W";  ///< "W" or a link's name
   bool level = true;
-  std::string place = "study: zone";  ///< in its file, for messages
+  std::string place = "study: zone";  ///< its position in the file, for messages
   bool on_ground = false;             ///< F stands on the ground below the link's origin
   Pose X_FZ = Pose::Identity();
   std::variant<ZoneBox, ZoneCylinder, ZonePrism> shape = ZoneBox{};
 };
 
-/// Reads a zone. Faults go to `config`, those of the link's name to whoever knows the machine.
+/// Reads a zone. Faults go to `config`; the caller checks the link's name.
 Zone ReadZone(const ConfigMap& config);
 
 double Volume_m3(const Zone& zone);
-/// Some `count` points in Z, one at random in each of as many cells of equal volume, or more where
-/// cells lie across the shape's border: the error of a share counted over them falls faster than
-/// with points that are wholly at random. The same for the same seed.
+/// About `count` points in Z, one random point in each cell of equal volume, more if cells cross
+/// the shape's border. The error of a share over them falls faster than with purely random points.
+/// The points depend only on the arguments.
 std::vector<Vec3> PointsIn(const Zone& zone, int count, std::uint64_t seed);
 
-/// The pose of a link as the frame of a zone that stands upright: its place and its heading, the
-/// direction of its x axis from above.
+/// The upright pose at a link's position and heading, the direction of its x axis from above.
 Pose Levelled(const Pose& X_WB);
 
 }  // namespace tera

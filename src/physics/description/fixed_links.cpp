@@ -3,7 +3,8 @@
 namespace tera {
 namespace {
 
-/// Adds `mass_kg` with its centre at `com_m` and the inertia about it to `link`, all in its frame.
+/// Adds `mass_kg` to `link`. Its centre is `com_m` and its inertia is about that centre, both in
+/// the link's frame.
 void AddMass(double mass_kg, const Vec3& com_m, const Mat3& inertia_kgm2, Link* link) {
   const double total_kg = link->mass_kg + mass_kg;
   const Vec3 apart_m = com_m - link->com_B_m;
@@ -24,7 +25,7 @@ void TakeMass(Link* link) {
 
 void GatherFixedMasses(MachineModel* model) {
   const std::size_t count = model->links.size();
-  std::vector<int> carrier(count, 0);  // the link that moves, with which each is one body
+  std::vector<int> carrier(count, 0);  // the moving link with which each link is rigidly joined
   std::vector<Pose> X_CB(count, Pose::Identity());
   std::vector<bool> without(count, false);
   without[0] = model->links[0].mass_kg == 0 && !model->fixed_base;

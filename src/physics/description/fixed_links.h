@@ -4,13 +4,13 @@
 
 namespace tera {
 
-/// Where a link that moves has no mass, gives it that of the links fixed to it, over any number of
-/// fixed joints: what is fixed together is one body, so the motion is the same. Those links then
-/// have none, and stay where they are with all else that is on them. A root that is bolted to the
-/// world needs none.
+/// Gives each moving link without mass the mass of the links that fixed joints attach to it, over
+/// any number of fixed joints. The links form a single rigid body, so the motion is unchanged. The
+/// attached links then have no mass; their poses and their other contents stay. A root bolted to
+/// the world needs no mass.
 ///
-/// Frames  C the link that gets the mass, B one fixed to it.
-/// Model   mass and first moment add up; inertias about the common centre by the parallel-axis
+/// Frames  C the link that receives the mass, B a link fixed to it.
+/// Model   masses and first moments add up; inertias about the common centre by the parallel-axis
 ///         theorem.
 void GatherFixedMasses(MachineModel* model);
 

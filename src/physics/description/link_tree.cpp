@@ -25,7 +25,7 @@ const JointPart& PartNamed(const MachineParts& parts, const std::string& name) {
                        [&](const JointPart& part) { return part.joint.name == name; });
 }
 
-/// The joint that `part` follows in the end, or nothing after a fault.
+/// The leader of `part` at the end of its chain, or nullopt after a fault.
 std::optional<Following> FollowingOf(const JointPart& part, const MachineParts& parts,
                                      const MachineModel& model) {
   Following total;
@@ -57,7 +57,7 @@ std::optional<Following> FollowingOf(const JointPart& part, const MachineParts& 
   return total;
 }
 
-/// The places of the leader at which the follower is within its limits.
+/// Leader positions that keep the follower within its limits.
 struct Span {
   double lower, upper;
 };
@@ -75,7 +75,7 @@ std::string LimitsOf(const Joint& joint) {
                      slides ? "m" : "deg");
 }
 
-/// Narrows the leader to where the follower is within its limits.
+/// Narrows the leader's limits to those that keep the follower within its own.
 void NarrowLimits(const Joint& follower, const Following& following, const PartPlace& place,
                   MachineModel* model) {
   Joint& leader = model->joints[following.leader];
@@ -110,7 +110,7 @@ void NarrowLimits(const Joint& follower, const Following& following, const PartP
                   leader.name, LimitsOf(leader), follower.name));
 }
 
-/// Narrows the leader's rates to those at which the follower keeps its own.
+/// Narrows the leader's rates to those that keep the follower within its own.
 void NarrowRates(const Joint& follower, const Following& following, Joint* leader) {
   const double ratio = std::abs(following.ratio), rate = follower.max_rate_positive_radps;
   if (ratio == 0 || rate == 0) return;
@@ -119,7 +119,7 @@ void NarrowRates(const Joint& follower, const Following& following, Joint* leade
   }
 }
 
-/// Gives the follower the limits and the place that follow from its leader's.
+/// Sets the follower's limits and position from its leader's.
 void SetFollower(const Joint& leader, Joint* follower) {
   const Following& following = *follower->following;
   if (IsLimited(*follower)) {
@@ -132,16 +132,16 @@ void SetFollower(const Joint& leader, Joint* follower) {
   follower->max_effort_nm = 0;
 }
 
-/// Ties the joints of a tree that follow others to them, as `mimic` of a URDF says. A joint that
-/// follows one that follows in its turn follows the first of them.
+/// Ties following joints to their leaders, as `mimic` of a URDF. A chain of followers is tied to
+/// the first leader of the chain.
 ///
-/// Model   q = ratio * q(leader) + offset. The leader's limits and rates become those that keep its
-///         followers within theirs, and it starts there; a remark says where its limits are
-///         narrower for that.
-/// Omits   what bears the follower but its leader: it has no effort of its own.
+/// Model   q = ratio * q(leader) + offset. The leader's limits and rates narrow to those that keep
+///         its followers within theirs, and its initial position moves there. A remark reports
+///         narrowed limits.
+/// Omits   supports of the follower other than its leader: it has no effort of its own.
 ///
-/// Reports a leader that is not there, is fixed or is the joint itself by any number of others, and
-/// limits that no place of the leader meets.
+/// Reports a leader that is missing, fixed or the joint itself, directly or over a chain. Reports
+/// limits that no leader position meets.
 void TieFollowers(const MachineParts& parts, MachineModel* model) {
   std::vector<int> followers;
   for (std::size_t j = 0; j < model->joints.size(); ++j) {
@@ -162,7 +162,7 @@ void TieFollowers(const MachineParts& parts, MachineModel* model) {
   }
 }
 
-/// Rounding of inertias written with a few digits may break the triangle inequality this much.
+/// Relative tolerance of the triangle inequality, for inertias rounded to a few digits.
 constexpr double kInertiaTolerance = 1e-6;
 
 void CheckInertia(const LinkPart& part) {
@@ -183,7 +183,7 @@ void CheckInertia(const LinkPart& part) {
   }
 }
 
-/// Index of the joint that carries each link, -1 for roots; faults for bad names.
+/// Index of the joint that carries each link, -1 for roots; reports bad names.
 std::vector<int> ParentJoints(const MachineParts& parts, const std::map<std::string, int>& index) {
   std::vector<int> parent_joint(parts.links.size(), -1);
   std::vector<std::string> known;
@@ -243,7 +243,7 @@ int FindRoot(const MachineParts& parts, const std::vector<int>& parent_joint,
   return -1;
 }
 
-/// Mass and inertia as they are written; none is admissible here.
+/// Checks mass and inertia as written; a link without either is valid here.
 void CheckMass(const LinkPart& part) {
   if (part.link.mass_kg < 0) {
     part.place.Fault("mass_kg", {FaultKind::kOutOfRange,
@@ -253,10 +253,10 @@ void CheckMass(const LinkPart& part) {
   }
 }
 
-/// A root without mass that is called so is the ground to some programs and a frame to others.
+/// A massless root with this name is the ground in some programs and a frame in others.
 constexpr char kWorld[] = "world";
 
-/// Gathers the masses and reports links that move without any; `parts[i]` is the model's link i.
+/// Gathers the masses and reports moving links without any; `parts[i]` is the model's link i.
 void GiveMasses(const std::vector<const LinkPart*>& parts, const ConfigMap& config,
                 MachineModel* model) {
   if (model->links[0].name == kWorld && model->links[0].mass_kg == 0 && !config.Has("fixed_base")) {
@@ -302,16 +302,16 @@ bool OrderIntoTree(const MachineParts& parts, const ConfigMap& config, MachineMo
   const std::vector<int> parent_joint = ParentJoints(parts, index);
   if (FaultCount(config) > faults_before) return false;
   const auto unnamed = [](const JointPart& p) { return p.parent.empty() || p.child.empty(); };
-  if (std::any_of(parts.joints.begin(), parts.joints.end(), unnamed)) return false;  // on record
+  if (std::any_of(parts.joints.begin(), parts.joints.end(), unnamed)) return false;  // reported
   const int root = FindRoot(parts, parent_joint, config);
   if (root < 0) return false;
 
-  std::vector<int> place_of(parts.links.size(), -1);  // in model->links
+  std::vector<int> place_of(parts.links.size(), -1);  // index in model->links
   std::vector<const LinkPart*> in_order = {&parts.links[root]};
   place_of[root] = 0;
   model->links = {parts.links[root].link};
-  // Joints in their written order as soon as their parent is there, so that a description with
-  // parents first keeps its order.
+  // A joint is placed in its written order once its parent is placed. A description with parents
+  // first keeps its order.
   std::vector<bool> taken(parts.joints.size(), false);
   for (bool grown = true; grown;) {
     grown = false;

@@ -13,10 +13,10 @@
 namespace tera {
 namespace {
 
-/// A shovel that carries soil needs an enclosed profile of at least this many points.
+/// A shovel that carries soil needs an enclosed profile with at least this many points.
 constexpr std::size_t kMinProfilePoints = 3;
-constexpr double kLeastProfile_m2 = 1e-4;  ///< below it the points lie on a line
-// A machine with more or longer ones is a mistyped one.
+constexpr double kLeastProfile_m2 = 1e-4;  ///< points of a smaller profile are collinear
+// Larger values indicate a typing error.
 constexpr double kMostTeeth = 100, kLongestTooth_m = 1, kThickestSteel_m = 0.5, kMostShoes = 1000;
 constexpr double kMostRoadWheels = 50, kHighestGrouser_m = 0.3;
 constexpr double kLengthTolerance_m = 1e-9;
@@ -44,7 +44,7 @@ void CheckProfile(const ConfigMap& config, const std::vector<Vec2>& profile_m) {
   }
 }
 
-/// Gears and joints stand side by side in the dataset's tables.
+/// Gears and joints share the columns of the dataset's tables.
 void CheckGearName(const ConfigMap& config, const std::string& name, const MachineModel& model) {
   RequirePlainName(config, "", name);
   for (const RunningGear& gear : model.ground_tools.gears) {
@@ -105,17 +105,17 @@ void ReadTrack(const std::string& name, const ConfigMap& config, MachineModel* m
     const int count = static_cast<int>(shoe->Integer("count", Between(1, kMostShoes, "1")));
     model->track_visuals.push_back(
         {.gear = gear, .shoe = visual, .path_B_m = TrackPath(shape), .shoe_count = count});
-    // One rib on each shoe.
+    // One rib per shoe.
     model->ground_tools.gears[gear].grouser_pitch_m =
         2 * (shape.wheelbase_m + kPi * shape.radius_m) / count;
   }
 }
 
-/// Further from an axle along y, a joint does not turn a wheel that rolls along x.
+/// Largest shortfall of |y| of the unit axle from 1, for a wheel that rolls along x.
 constexpr double kAxleTolerance = 0.02;
 
-/// Lets the joint of a single wheel turn with a gear, and puts its place into `shape`. Nothing but
-/// a fault where it cannot.
+/// Couples the joint of a single wheel to a gear and stores its position in `shape`. Reports a
+/// fault if the joint cannot turn the wheel.
 void TakeWheelJoint(const ConfigMap& config, const std::string& name, int gear, int* link,
                     WheelSetShape* shape, MachineModel* model) {
   const int index = model->JointIndex(name);
@@ -151,7 +151,7 @@ void TakeWheelJoint(const ConfigMap& config, const std::string& name, int gear, 
   }
 }
 
-/// Places of the wheels, by `link` and `axles_m` or by `joints`; returns the link.
+/// Wheel positions, by `link` and `axles_m` or by `joints`; returns the link.
 int ReadAxles(const ConfigMap& config, int gear, WheelSetShape* shape, MachineModel* model) {
   if (!config.Has("joints")) {
     for (const auto& row : config.NumberRows("axles_m", Any("m"), 3, 1)) {

@@ -17,12 +17,12 @@
 namespace tera {
 namespace {
 
-/// Positions at which a joint's travel is looked at.
+/// Number of sample positions over a joint's travel.
 constexpr int kTravelSamples = 721;
-/// A stop may yield this much under load; linkages close there too.
+/// Overtravel of a stop under load; linkages must close there too.
 constexpr double kTravelMargin_rad = 0.02;
-constexpr double kLeastArm_m = 0.005;       ///< below it a cylinder is at a dead point
-constexpr double kPlaneTolerance_m = 1e-4;  ///< of pins that turn in one plane
+constexpr double kLeastArm_m = 0.005;  ///< a cylinder with a shorter lever arm is at a dead point
+constexpr double kPlaneTolerance_m = 1e-4;  ///< tolerance for pins that turn in one plane
 constexpr int kMostCylinders = 4;
 
 std::set<int> JointsToRoot(const MachineModel& model, int link) {
@@ -31,7 +31,7 @@ std::set<int> JointsToRoot(const MachineModel& model, int link) {
   return joints;
 }
 
-/// The one joint that moves between two links, or -1 after a fault.
+/// The only joint that moves between two links, or -1 after a fault.
 int JointBetween(const ConfigMap& config, const MachineModel& model, int a, int b) {
   const std::set<int> from_a = JointsToRoot(model, a), from_b = JointsToRoot(model, b);
   std::vector<int> between;
@@ -53,7 +53,7 @@ int JointBetween(const ConfigMap& config, const MachineModel& model, int a, int 
   return -1;
 }
 
-/// A pin given on `link`, on the link of `joint` that is rigidly joined to it.
+/// A pin, moved from the given link to the link of `joint` that is rigidly joined to it.
 struct Pin {
   int link = 0;
   Vec3 p_m = Vec3::Zero();
@@ -124,7 +124,7 @@ bool CheckCloses(const ConfigMap& config, const MachineModel& model, const FourB
   return false;
 }
 
-/// Whether the linkage can be used.
+/// True if the linkage is usable.
 bool ReadLinkage(const std::string& name, const ConfigMap& config, MachineModel* model) {
   const std::size_t faults_before = FaultCount(config);
   const ConfigMap rocker = config.Map("rocker"), coupler = config.Map("coupler");
@@ -175,7 +175,7 @@ void ReadPressure(const ConfigMap& config, const std::optional<ConfigMap>& hydra
   }
 }
 
-/// Bore, rod and pressures.
+/// Reads bore, rod and pressures.
 void ReadPiston(const ConfigMap& config, const std::optional<ConfigMap>& hydraulics,
                 Cylinder* cylinder) {
   cylinder->bore_m = config.Number("bore_m", Positive("m"));
@@ -198,8 +198,8 @@ void ReadPiston(const ConfigMap& config, const std::optional<ConfigMap>& hydraul
   }
 }
 
-/// Lengths over the joint's travel; a cylinder with a bore must be able to move its joint all
-/// along.
+/// Sets the lengths over the joint's travel. A cylinder with a bore must be able to move its joint
+/// over the whole travel.
 void SetTravel(const ConfigMap& config, const MachineModel& model, Cylinder* cylinder) {
   const Joint& joint = model.joints[cylinder->joint];
   CylinderReach least_arm{.arm_m = std::numeric_limits<double>::infinity()};
@@ -228,8 +228,8 @@ void SetTravel(const ConfigMap& config, const MachineModel& model, Cylinder* cyl
   }
 }
 
-/// Fills what `rod:` says, the barrel's pin being known. False after a fault, here or since there
-/// were `faults_before`.
+/// Reads `rod:` for a known barrel pin. Returns false if there are more faults than
+/// `faults_before`.
 bool ReadRod(const ConfigMap& cylinder_map, const Pin& barrel_pin, std::size_t faults_before,
              const std::set<std::string>& open_linkages, const MachineModel& model,
              Cylinder* cylinder) {
@@ -306,7 +306,7 @@ void ReadCylinder(const std::string& name, const ConfigMap& config,
   model->cylinders.push_back(cylinder);
 }
 
-/// A joint that cylinders drive takes effort and oil from them alone.
+/// A joint driven by cylinders takes effort and oil from them alone.
 void DriveByCylinders(const ConfigMap& config, MachineModel* model) {
   const auto joints = config.OptionalMap("joints");
   for (const Cylinder& cylinder : model->cylinders) {
@@ -356,7 +356,7 @@ void ReadPump(const std::string& name, const ConfigMap& config, MachineModel* mo
   model->pumps.push_back(pump);
 }
 
-/// Without its displacement, what a pump feeds would take no oil.
+/// A consumer without displacement would take no oil from its pump.
 void CheckFed(const ConfigMap& config, const MachineModel& model) {
   for (const Pump& pump : model.pumps) {
     std::vector<std::string> unknown;

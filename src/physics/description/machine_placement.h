@@ -15,16 +15,16 @@ struct MachinePlacement {
   std::string name;
   MachineModel model;
   Pose X_WB = Pose::Identity();  ///< pose of the root link at the start
-  std::vector<double> q_rad;     ///< joint angles at the start, one for each joint, within limits
+  std::vector<double> q_rad;     ///< initial joint angles, one per joint, within limits
 };
 
-/// What acts on one machine during a step.
+/// Inputs of one machine for a step.
 struct MachineInput {
-  std::vector<double> levers;  ///< -1..+1, one for each lever of the model; beyond that, clamped
+  std::vector<double> levers;  ///< one per lever of the model, clamped to -1..+1
   SoilReaction soil;
 };
 
-/// The seed of everything random in the motion, and the time of the first step, in steps.
+/// Seed of all random numbers in the motion, and index of the first step.
 struct WorldStart {
   std::uint64_t seed = 1;
   std::int64_t step = 0;

@@ -97,7 +97,7 @@ void CheckInitial(const ConfigMap& config, const Joint& joint) {
                    joint.initial_rad / unit, joint.lower_rad / unit, joint.upper_rad / unit)});
 }
 
-/// `otherwise`: levers of a description that names none.
+/// `otherwise`: levers of a description without the key.
 void ReadLevers(const ConfigMap& config, const std::vector<std::string>& otherwise,
                 MachineModel* model) {
   const std::vector<std::string> names = config.Has("levers") ? config.Texts("levers") : otherwise;
@@ -153,8 +153,8 @@ void ReadJointActuation(const ConfigMap& config, Joint* joint) {
   } else if (const auto both = config.OptionalNumber(rate_key, rate)) {
     joint->max_rate_positive_radps = joint->max_rate_negative_radps = *both * unit;
   }
-  // Not with a default: a joint that has both from its cylinders must lack the keys when the
-  // resolved text is read again.
+  // The key has no default value. A joint that takes both limits from its cylinders must lack the
+  // keys when the resolved text is read again.
   joint->max_effort_nm = config
                              .OptionalNumber(linear ? "max_effort_n" : "max_effort_nm",
                                              AtLeast(0, linear ? "N" : "N m"))
@@ -219,7 +219,7 @@ MachineModel ReadMachine(const ConfigMap& config, AbsentMeshes absent) {
       config.Has("urdf") ? ReadUrdfParts(config, absent) : ReadParts(config);
   if (parts) model.remarks = parts->remarks;
   if (!parts || !OrderIntoTree(*parts, config, &model) || !parts->whole) {
-    // What stands on links and joints cannot be judged before they are mended.
+    // Faults in links and joints prevent any check of the keys that refer to them.
     for (const char* key : {"tracks", "wheels", "gauge_m", "shovels", "hull_points", "frames",
                             "linkages", "hydraulics", "cylinders", "pumps", "levers", "effects"}) {
       config.Has(key);
@@ -230,7 +230,7 @@ MachineModel ReadMachine(const ConfigMap& config, AbsentMeshes absent) {
   ReadEquipment(config, &model);
   ReadHydraulics(config, &model);
   ReadLevers(config, parts->driven, &model);
-  config.Has("effects");  // read with those of the scenario
+  config.Has("effects");  // a scenario's effects are read with these
   return model;
 }
 

@@ -7,23 +7,24 @@
 #include "physics/description/link_tree.h"
 #include "physics/description/machine.h"
 
-/// The parts of ReadMachine, each reading some keys of a machine description.
+/// Parts of ReadMachine; each reads some keys of a machine description.
 
 namespace tera {
 
-/// `links:` and `joints:` of TERA's own form.
+/// Reads `links:` and `joints:` of TERA's own form.
 MachineParts ReadParts(const ConfigMap& config);
 
-/// Links and joints of the URDF that `urdf:` names, with the optional TERA keys of `links:` (label)
-/// and `joints:` (rates, effort, start) laid over them; nothing after a fault of the file itself.
+/// Reads links and joints of the URDF named by `urdf:`. The optional TERA keys of `links:` (label)
+/// and `joints:` (rates, effort, start) override it. Returns nullopt after a fault of the file
+/// itself.
 std::optional<MachineParts> ReadUrdfParts(const ConfigMap& config, AbsentMeshes absent);
 
-/// Keys of a joint that both forms share; what is absent stays as it is in `joint`.
+/// Reads the joint keys that both forms share; absent keys leave `joint` unchanged.
 void ReadJointActuation(const ConfigMap& config, Joint* joint);
 SemanticClass ReadLabel(const ConfigMap& config, SemanticClass otherwise);
-/// `mesh:`, `node:`, `scale:` of a visual; no pose.
+/// Reads `mesh:`, `node:` and `scale:` of a visual, without a pose.
 Visual ReadMesh(const ConfigMap& config);
-/// The link that `key` names, or 0 after a fault.
+/// Index of the link named by `key`, or 0 after a fault.
 int ReadLinkName(const ConfigMap& config, std::string_view key, const MachineModel& model);
 
 /// `tracks:`, `wheels:`, `gauge_m:`.

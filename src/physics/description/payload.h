@@ -4,11 +4,11 @@
 
 namespace tera {
 
-/// Adds what the effect `payload` of each joint hangs on the link that the joint moves.
+/// Adds the effect `payload` of each joint to the link that the joint moves.
 ///
 /// Frames  B of that link.
-/// Model   A point mass, part of the link from the start: mass, centre of mass and inertia of the
-///         two together (parallel axis theorem).
+/// Model   a point mass fixed to the link from the start: mass, centre of mass and inertia of both
+///         (parallel axis theorem).
 void AddPayloads(MachineModel* model);
 
 }  // namespace tera

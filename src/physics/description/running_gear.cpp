@@ -8,21 +8,21 @@
 namespace tera {
 namespace {
 
-/// Patches are about this long: three cells of the default terrain, so that neighbouring patches
-/// feel neighbouring ground.
+/// Approximate patch length: three cells of the default terrain, so that neighbouring patches act
+/// on neighbouring ground.
 constexpr double kBottomPatch_m = 0.16;
-constexpr double kLeastPatch_m = 1e-6;  ///< less is rounding
-/// A nose carries patches up to this angle from straight down, in steps.
+constexpr double kLeastPatch_m = 1e-6;  ///< shorter patches are rounding errors
+/// Largest patch angle of a nose from straight down; patches divide it evenly.
 constexpr double kNoseAngle_rad = 80 * kDeg;
 constexpr int kNosePatches = 4;
-/// A tyre carries patches this far to either side of straight down.
+/// Largest patch angle of a tyre to either side of straight down.
 constexpr double kTyreAngle_rad = 50 * kDeg;
 constexpr int kTyrePatches = 9;
 /// Segments of the shoes' path around half a sprocket.
 constexpr int kPathSegments = 16;
 
 /// The patch on a circle of `radius_m` about `center_B_m` at `angle_rad` from straight down,
-/// positive towards the front. Driving forward moves the front of a wheel down and its bottom back.
+/// positive towards the front. Forward drive moves the front of a wheel down and its bottom back.
 ContactPatch PatchOnCircle(const Vec3& center_B_m, double radius_m, double angle_rad,
                            double span_rad, double width_m) {
   const double s = std::sin(angle_rad), c = std::cos(angle_rad);
@@ -35,7 +35,7 @@ ContactPatch PatchOnCircle(const Vec3& center_B_m, double radius_m, double angle
   return patch;
 }
 
-/// Appends even parts of the bottom run between `from_m` and `to_m`, along x from its middle.
+/// Appends equal parts of the bottom run between `from_m` and `to_m`, along x from its middle.
 void AddBottom(const TrackShape& track, double from_m, double to_m, bool under_wheels,
                std::vector<ContactPatch>* patches) {
   if (to_m - from_m < kLeastPatch_m) return;

@@ -13,15 +13,15 @@ namespace {
 
 using XmlElement = tinyxml2::XMLElement;
 
-/// URIs of name spaces by their prefixes.
+/// Name space URIs by prefix.
 using Namespaces = std::map<std::string, std::string, std::less<>>;
 
-/// Stands in all URIs that xacro has had, and is its usual prefix.
+/// A substring of all xacro URIs, and the usual prefix.
 constexpr std::string_view kXacro = "xacro";
 constexpr std::string_view kDeclaration = "xmlns:";
-/// For Gazebo alone, whose plugins have texts of their own.
+/// Elements for Gazebo alone; its plugins have their own texts.
 constexpr std::string_view kGazebo = "gazebo";
-/// The elements of a <robot> that the readers of links, joints and drives take.
+/// Elements of a <robot> that the readers of links, joints and drives use.
 constexpr std::array<std::string_view, 5> kReadElements = {"link", "joint", "material",
                                                            "transmission", "ros2_control"};
 
@@ -56,7 +56,7 @@ struct XacroPlace {
   std::string found;
 };
 
-/// The first of `element` that xacro has to put in the place of something.
+/// The first part of `element` that xacro must substitute.
 std::optional<XacroPlace> FindXacro(const XmlElement& element, const Namespaces& outer,
                                     bool is_for_gazebo) {
   const Namespaces namespaces = Within(element, outer);
@@ -78,7 +78,7 @@ std::optional<XacroPlace> FindXacro(const XmlElement& element, const Namespaces&
   return std::nullopt;
 }
 
-/// `file` without the ending, and the ending .urdf in its place.
+/// `file` with its extension replaced by .urdf.
 std::string AsUrdf(const std::string& file) {
   const std::size_t point = file.rfind('.');
   const std::string stem = file.substr(0, point);
@@ -90,8 +90,8 @@ std::string XacroCommand(const std::string& file) {
   return fmt::format("xacro {0}.xacro > {0} (after mv {0} {0}.xacro)", file);
 }
 
-/// Tells the form of a file of that root, and how a URDF is made of it; empty where that is not
-/// known.
+/// Describes the form of a file with this root and the way to make a URDF from it; empty if
+/// unknown.
 std::string OtherForm(std::string_view root, const std::string& file) {
   std::string urdf = AsUrdf(file);
   if (urdf == file) urdf = "robot.urdf";
@@ -111,7 +111,7 @@ std::string OtherForm(std::string_view root, const std::string& file) {
   return "";
 }
 
-/// Elements of `parent` that are not read, and attributes of other name spaces, by their names.
+/// Counts by name the unread elements of `parent` and the attributes of other name spaces.
 void CountUnread(const XmlElement& parent, bool is_robot, std::map<std::string, int>* counts) {
   for (const auto* a = parent.FirstAttribute(); a; a = a->Next()) {
     const std::string_view prefix = PrefixOf(a->Name());

@@ -9,13 +9,13 @@
 
 namespace tera {
 
-/// Whether the XML of `file` is a URDF: a <robot> in which nothing is xacro, neither elements nor
-/// attributes of its name space, whatever their prefix, nor ${...} and $(...) in what is read. A
-/// fault of `urdf` says what it is instead, and how a URDF is made of it.
+/// True if the XML of `file` is a URDF: a <robot> without xacro. Xacro means elements or attributes
+/// of its name space, whatever their prefix, and ${...} or $(...) in the parts that are read. A
+/// fault of `urdf` names the actual form and the way to make a URDF from it.
 bool RequireUrdf(const ConfigMap& config, const std::string& file,
                  const tinyxml2::XMLDocument& document);
 
-/// Elements of a URDF and attributes of other name spaces that nobody reads here, as "2 <gazebo>".
+/// URDF elements and attributes of other name spaces that no reader uses, as "2 <gazebo>".
 std::vector<std::string> UnreadElements(const tinyxml2::XMLElement& robot);
 
 }  // namespace tera

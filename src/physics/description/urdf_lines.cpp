@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-/// "mismatched element" of XML_ERROR_MISMATCHED_ELEMENT.
+/// Converts XML_ERROR_MISMATCHED_ELEMENT to "mismatched element".
 std::string InWords(std::string_view name) {
   for (const std::string_view prefix : {"XML_ERROR_", "XML_"}) {
     if (name.starts_with(prefix)) name.remove_prefix(prefix.size());

@@ -10,7 +10,7 @@
 
 namespace tera {
 
-/// Where the parts of a URDF stand, for messages.
+/// Lines of the parts of a URDF, for messages.
 class UrdfLines {
  public:
   explicit UrdfLines(const std::string& file) : file_(file) {}
@@ -25,12 +25,12 @@ class UrdfLines {
   std::map<std::string, int> lines_;
 };
 
-/// Reads `xml`, the text of `file`, into `document`; false, and a fault of `urdf`, where it is no
-/// XML.
+/// Parses `xml`, the text of `file`, into `document`. Returns false and reports a fault of `urdf`
+/// if it is not XML.
 bool ParseXml(const ConfigMap& config, const std::filesystem::path& file, const std::string& xml,
               tinyxml2::XMLDocument* document);
 
-/// The lines of links and joints of a URDF `file`.
+/// Lines of the links and joints of a URDF `file`.
 UrdfLines LinesOf(const tinyxml2::XMLElement& robot, const std::filesystem::path& file);
 
 }  // namespace tera

@@ -23,11 +23,10 @@
 
 /// URDF to links and joints.
 ///
-/// Model   inertials, revolute, continuous, prismatic and fixed joints with their limits, and which
-///         follow others (link_tree.h), visuals and collisions (urdf_shapes.h), drives
-///         (urdf_transmissions.h).
-///         A joint's damping and friction are effects of the machine, viscous_friction and
-///         coulomb_friction, below those that it is given.
+/// Model   inertials; revolute, continuous, prismatic and fixed joints with their limits and
+///         leaders (link_tree.h); visuals and collisions (urdf_shapes.h); drives
+///         (urdf_transmissions.h). A joint's damping and friction become the machine's effects
+///         viscous_friction and coulomb_friction; effects given for the machine override them.
 /// Omits   safety controllers, calibration, textures.
 
 namespace tera {
@@ -35,7 +34,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Collects what the URDF parser says while it lives, instead of letting it print.
+/// Collects the messages of the URDF parser during its lifetime instead of printing them.
 class ParserMessages : public console_bridge::OutputHandler {
  public:
   ParserMessages() { console_bridge::useOutputHandler(this); }
@@ -51,14 +50,14 @@ class ParserMessages : public console_bridge::OutputHandler {
   std::string text_;
 };
 
-/// Names of links or of joints, which stand in headers of CSV files and in paths: those that cannot
-/// get signs that can.
+/// Names of links or of joints, which occur in CSV headers and in paths. Unsuitable characters are
+/// replaced.
 class PlainNames {
  public:
   PlainNames(std::string kind, std::vector<std::string>* changed)
       : kind_(std::move(kind)), changed_(*changed) {}
 
-  /// The name that the part has here; two that would have the same are a fault.
+  /// Plain name of the part; two parts with the same plain name are a fault.
   std::string Take(const std::string& name, const PartPlace& place) {
     const std::string plain = MadePlain(name);
     if (!IsPlainNameWithPoints(plain)) {
@@ -80,7 +79,7 @@ class PlainNames {
  private:
   std::string kind_;
   std::vector<std::string>& changed_;
-  std::map<std::string, std::string> taken_;  ///< names as written by those that they have
+  std::map<std::string, std::string> taken_;  ///< names as written, by plain name
 };
 
 Link ToLink(const urdf::Link& in, const PartPlace& place, UrdfMeshes* meshes) {
@@ -98,7 +97,7 @@ Link ToLink(const urdf::Link& in, const PartPlace& place, UrdfMeshes* meshes) {
   return link;
 }
 
-/// `known` turns false where the joint is of a kind that is not.
+/// Sets `known` to false if the joint type is unknown.
 Joint ToJoint(const urdf::Joint& in, const PartPlace& place, bool* known) {
   Joint joint;
   joint.X_PJ = PoseOf(in.parent_to_joint_origin_transform);
@@ -148,8 +147,8 @@ Joint ToJoint(const urdf::Joint& in, const PartPlace& place, bool* known) {
   return joint;
 }
 
-/// Adds what `in` says of friction to `effects`, in their units: N m s/rad and N m, of a joint that
-/// slides N s/m and N.
+/// Adds the friction of `in` to `effects`, in N m s/rad and N m, or N s/m and N for prismatic
+/// joints.
 void AddFriction(const urdf::Joint& in, const std::string& joint, const PartPlace& place,
                  std::vector<GivenNumber>* effects) {
   if (in.type == urdf::Joint::FIXED || !in.dynamics) return;
@@ -166,7 +165,7 @@ void AddFriction(const urdf::Joint& in, const std::string& joint, const PartPlac
   add("friction", in.dynamics->friction, "coulomb_friction", "effort_nm");
 }
 
-/// Lays the TERA keys of `links:` and `joints:` over what the URDF says.
+/// Overrides the URDF with the TERA keys of `links:` and `joints:`.
 void LayOver(const ConfigMap& config, MachineParts* parts) {
   for (const auto& [name, map] : config.NamedMaps("links")) {
     const auto part =
@@ -202,7 +201,7 @@ std::string WholeText(const fs::path& file) {
   return text.str();
 }
 
-/// Textures, safety controllers and extensions, in words such as "1 texture, 2 <gazebo>".
+/// Counts the omitted textures, safety controllers and extensions, as "1 texture, 2 <gazebo>".
 std::string LeftOutOf(const urdf::ModelInterface& model, const tinyxml2::XMLElement& robot) {
   int textures = 0, safe = 0;
   for (const auto& [name, link] : model.links_) {
@@ -221,7 +220,7 @@ std::string LeftOutOf(const urdf::ModelInterface& model, const tinyxml2::XMLElem
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// Folders of `packages:`, by the names of the packages.
+/// Folders of `packages:` by package name.
 std::map<std::string, fs::path> ReadPackages(const ConfigMap& config) {
   std::map<std::string, fs::path> folders;
   if (const auto packages = config.OptionalMap("packages")) {
@@ -230,7 +229,7 @@ std::map<std::string, fs::path> ReadPackages(const ConfigMap& config) {
   return folders;
 }
 
-/// Links and joints of a URDF and what its reader says of them, before the machine's own keys.
+/// Links and joints of a URDF with its reader's remarks, without the machine's own keys.
 MachineParts PartsOf(const urdf::ModelInterface& model, const UrdfLines& lines,
                      const ConfigMap& config, UrdfMeshes* meshes) {
   const std::string file = meshes->urdf.filename().string();
@@ -265,7 +264,7 @@ MachineParts PartsOf(const urdf::ModelInterface& model, const UrdfLines& lines,
   return parts;
 }
 
-/// The rotations beyond a turn below `element`, with their lines: "45 (line 12)".
+/// Finds rotations larger than a full turn below `element`, with their lines: "45 (line 12)".
 void FindLongTurns(const tinyxml2::XMLElement& element, std::vector<std::string>* found) {
   if (const char* rpy = element.Attribute("rpy")) {
     std::istringstream angles(rpy);

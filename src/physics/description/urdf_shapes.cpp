@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 Vec3 VectorOf(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 
-/// The package that `text` names and the path in it, or nothing.
+/// Package and path of a text, or nullopt.
 struct InPackage {
   std::string package;
   fs::path path;
@@ -54,7 +54,7 @@ std::string RemedyOf(const std::string& text) {
          ", or leave out what is missing with --without-meshes";
 }
 
-/// The file that `mesh` names. Nothing where it is left out, or after a fault of `part`, "visual"
+/// File named by `mesh`. Returns nullopt for an omitted mesh or after a fault of `part`, "visual"
 /// or "collision".
 std::optional<fs::path> MeshFile(const urdf::Mesh& mesh, const PartPlace& place,
                                  std::string_view part, UrdfMeshes* meshes) {
@@ -75,7 +75,7 @@ std::optional<fs::path> MeshFile(const urdf::Mesh& mesh, const PartPlace& place,
   return std::nullopt;
 }
 
-/// A box, sphere or cylinder with a size, or nothing after a fault.
+/// A box, sphere or cylinder with its size, or nullopt after a fault.
 std::optional<Solid> SolidOf(const urdf::Geometry& geometry, const PartPlace& place,
                              std::string_view part) {
   Solid solid;
@@ -94,7 +94,7 @@ std::optional<Solid> SolidOf(const urdf::Geometry& geometry, const PartPlace& pl
   return std::nullopt;
 }
 
-/// The colour that a visual names; none where it names none, or a texture alone.
+/// Colour of a visual; nullopt without a colour or with only a texture.
 std::optional<Paint> PaintOf(const urdf::Visual& visual) {
   if (!visual.material) return std::nullopt;
   const urdf::Color& c = visual.material->color;
@@ -119,7 +119,7 @@ void AddVisual(const urdf::Visual& in, const PartPlace& place, UrdfMeshes* meshe
     }
     visual.mesh = *path;
     visual.scale = scale.prod() > 0 ? size.x() : -size.x();
-    visual.X_BG.linear() *= (scale / visual.scale).asDiagonal();  // half a turn, or none
+    visual.X_BG.linear() *= (scale / visual.scale).asDiagonal();  // half a turn or identity
   } else {
     visual.solid = SolidOf(*in.geometry, place, "visual");
     if (!visual.solid) return;

@@ -11,24 +11,25 @@
 
 namespace tera {
 
-/// Where the meshes of a URDF are: relative to it; of `package://name/path`, as Gazebo's
-/// `model://`, in the folder that `packages` gives, else `path`, with or without the package's
-/// name, in the folders above the URDF.
+/// Search folders for the meshes of a URDF. A relative path starts at the URDF. The form
+/// `package://name/path`, like Gazebo's `model://`, uses the folder from `packages`. Without an
+/// entry, the folders above the URDF are searched for `path`, with or without the package's name.
 struct UrdfMeshes {
   std::filesystem::path urdf;
-  std::map<std::string, std::filesystem::path> packages;  ///< folders by the packages' names
+  std::map<std::string, std::filesystem::path> packages;  ///< folders by package name
   AbsentMeshes absent = AbsentMeshes::kFault;
-  std::vector<std::string> left_out = {};  ///< what is not there, each once
+  std::vector<std::string> left_out = {};  ///< missing meshes, without duplicates
 };
 
 Pose PoseOf(const urdf::Pose& pose);
 
-/// Adds to `link` what the link of a URDF shows and collides with.
+/// Adds the visuals and collisions of a URDF link to `link`.
 ///
-/// Model   boxes, cylinders, spheres and mesh files are visuals; the colour of a material is what
-///         a screen shows, and goes to solids and to STL files, which have none of their own. A
-///         mesh mirrored along one axis is one mirrored along all three and turned by half a turn.
-///         In collisions each is the box around it, a mesh along the axes of its own frame.
+/// Model   boxes, cylinders, spheres and mesh files are visuals. A material's colour is a display
+///         colour and applies to solids and to STL files, which have no colour. A mesh mirrored
+///         along one axis equals a mesh mirrored along all three axes and rotated by half a turn.
+///         For collision each shape is its bounding box; a mesh's box is aligned with the mesh
+///         frame.
 /// Omits   textures.
 void AddUrdfShapes(const urdf::Link& in, const PartPlace& place, UrdfMeshes* meshes, Link* link);
 

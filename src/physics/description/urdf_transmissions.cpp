@@ -22,7 +22,7 @@ using Element = tinyxml2::XMLElement;
 constexpr std::array<std::string_view, 3> kInterfaces = {
     "PositionJointInterface", "VelocityJointInterface", "EffortJointInterface"};
 
-/// Limits of a rotating actuator, before its reduction.
+/// Limits of a rotating actuator, on the motor side of its reduction.
 struct ActuatorLimits {
   std::optional<double> max_rate_radps, max_effort_nm;
   bool used = false;
@@ -48,7 +48,7 @@ std::string TextOf(const Element& element) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") + 1 - first);
 }
 
-/// All of `text` as a finite number.
+/// The entire `text` as a finite number.
 std::optional<double> ToNumber(const std::string& text) {
   double value = 0;
   std::size_t read = 0;
@@ -97,7 +97,7 @@ class DriveReader {
     return found == parts_.joints.end() ? nullptr : &*found;
   }
 
-  /// The movable joint that `element` names, or nothing after a fault.
+  /// The movable joint named by `element`, or nullptr after a fault.
   JointPart* MovableJoint(const Element& element, const PartPlace& place) {
     const std::string name = MadePlain(Attribute(element, "name"));
     JointPart* part = FindJoint(name);
@@ -154,7 +154,8 @@ class DriveReader {
     AddDriven(*part);
   }
 
-  /// The ROS 1 form names it in `type`, the ROS 2 form in `plugin`; without either it is simple.
+  /// The ROS 1 form has the type in `type`, the ROS 2 form in `plugin`; without either key the type
+  /// is simple.
   static bool CheckType(const Element& element, const PartPlace& place) {
     for (const char* key : {"type", "plugin"}) {
       for (const Element* stated : Children(element, key)) {
@@ -173,8 +174,8 @@ class DriveReader {
     return true;
   }
 
-  /// The ROS 1 form says `mechanicalReduction` of the actuator, the ROS 2 form
-  /// `mechanical_reduction` of the joint.
+  /// The ROS 1 form has `mechanicalReduction` in the actuator, the ROS 2 form
+  /// `mechanical_reduction` in the joint.
   double Reduction(const std::vector<const Element*>& elements, const PartPlace& place) {
     for (const Element* element : elements) {
       for (const char* key : {"mechanicalReduction", "mechanical_reduction"}) {
@@ -211,7 +212,7 @@ class DriveReader {
     if (limits.max_effort_nm) Narrow(*limits.max_effort_nm * reduction, &joint->max_effort_nm);
   }
 
-  /// Zero stands for a limit that was not given.
+  /// Zero means that no limit is given.
   static void Narrow(double limit, double* value) {
     *value = *value > 0 ? std::min(*value, limit) : limit;
   }
@@ -289,7 +290,7 @@ class DriveReader {
   MachineParts& parts_;
   std::map<std::string, ActuatorLimits> actuators_;
   std::vector<std::string> actuator_names_;
-  std::map<std::string, std::string> transmission_of_;  ///< by joint
+  std::map<std::string, std::string> transmission_of_;  ///< by joint name
 };
 
 }  // namespace

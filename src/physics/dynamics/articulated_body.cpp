@@ -20,13 +20,13 @@
 namespace tera {
 namespace {
 
-/// Bullet clamps velocities and impulses at its defaults; nothing here comes near this bound.
+/// Replaces Bullet's default clamps on velocities and impulses; no value approaches this bound.
 constexpr double kUnlimited = 1e12;
 /// Steel on rock, dry.
 constexpr double kSurfaceFriction = 0.5;
 
-/// Products of inertia below this share of the largest moment are rounding: the axes of the link
-/// are taken as they are, and not turned by what an eigensolver makes of them.
+/// Products of inertia below this fraction of the largest moment are rounding errors. The link axes
+/// then serve as principal axes without an eigensolver's rotation.
 constexpr double kDiagonal = 1e-12;
 
 struct PrincipalAxes {
@@ -47,7 +47,7 @@ PrincipalAxes PrincipalAxesOf(const Link& link) {
   return axes;
 }
 
-/// Boxes of a link in its frame P, and the collider that carries them.
+/// Boxes of a link in its frame P, and their collider.
 struct LinkShape {
   std::vector<std::unique_ptr<btBoxShape>> boxes;
   std::unique_ptr<btCompoundShape> compound;
@@ -58,7 +58,7 @@ struct LinkShape {
 LinkShape MakeShape(const Link& link, const Pose& X_BP, btMultiBody* body, int bullet_link) {
   LinkShape shape;
   shape.compound = std::make_unique<btCompoundShape>();
-  TERA_CHECK(link.collision_meshes.empty(), link.name);  // they are boxes by now
+  TERA_CHECK(link.collision_meshes.empty(), link.name);  // meshes must be converted to boxes
   for (const CollisionBox& box : link.collision) {
     shape.boxes.push_back(std::make_unique<btBoxShape>(ToBullet(Vec3(0.5 * box.size_m))));
     shape.compound->addChildShape(ToBullet(Pose(X_BP.inverse() * box.X_BG)),
@@ -76,12 +76,12 @@ LinkShape MakeShape(const Link& link, const Pose& X_BP, btMultiBody* body, int b
 struct ArticulatedBody::Bullet {
   btMultiBodyDynamicsWorld* world = nullptr;
   std::unique_ptr<btMultiBody> body;
-  std::vector<PrincipalAxes> axes;  // one for each link
+  std::vector<PrincipalAxes> axes;  // one per link
   std::vector<LinkShape> shapes;
-  std::vector<std::optional<JointDrive>> drives;  // one for each joint, none for fixed ones
-  std::vector<JointTie> ties;                     // of joints that follow others
+  std::vector<std::optional<JointDrive>> drives;  // one per joint; empty for fixed joints
+  std::vector<JointTie> ties;                     // for following joints
   std::optional<BaseDrive> base_drive;
-  std::vector<int> load_link;  // one for each shovel, -1 if it cannot carry
+  std::vector<int> load_link;  // one per shovel; -1 if it cannot carry
 
   ~Bullet() {
     if (!world) return;
@@ -145,7 +145,7 @@ void ArticulatedBody::Bullet::AddLoadLinks(const MachineModel& model) {
 
 void ArticulatedBody::Bullet::AddShapes(const MachineModel& model, bool meets_others) {
   for (std::size_t i = 0; i < model.links.size(); ++i) {
-    // The base always has a collider: Bullet finds a machine's group of constraints through it.
+    // The base always has a collider: Bullet uses it to find a machine's group of constraints.
     const int link = static_cast<int>(i) - 1;
     if (link >= 0 && (!meets_others || model.links[i].collision.empty())) continue;
     shapes.push_back(MakeShape(model.links[i], axes[i].X_BP, body.get(), link));
@@ -171,7 +171,7 @@ void ArticulatedBody::Bullet::AddDrives(const MachineModel& model) {
     drives.back().emplace(body.get(), static_cast<int>(k), world);
     if (joint.following) {
       ties.emplace_back(body.get(), static_cast<int>(k), *joint.following, world);
-      continue;  // its leader has the stops
+      continue;  // the leader has the stops
     }
     if (joint.type == JointType::kContinuous) continue;
     drives.back()->SetStops(joint.lower_rad, joint.upper_rad);

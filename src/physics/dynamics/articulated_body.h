@@ -13,32 +13,33 @@ class btMultiBodyDynamicsWorld;
 
 namespace tera {
 
-/// One machine's links and joints in Bullet.
+/// Links and joints of one machine in Bullet.
 ///
 /// Frames  Bullet's links have their frame P at the centre of mass along the principal axes of
-///         inertia; X_BP of each link translates. Everything outside this class is in B.
-/// Model   Featherstone's articulated body. Each shovel that carries has a link fixed to its tool
-///         whose mass is the soil's, a cube of the soil's volume.
+///         inertia; X_BP of each link transforms between them. The interface of this class uses B.
+/// Model   Featherstone's articulated body. Each shovel that carries soil has an extra link fixed
+///         to its tool. The extra link has the soil's mass and the inertia of a cube of the soil's
+///         volume.
 class ArticulatedBody {
  public:
-  /// A machine that meets no others, nor obstacles, goes without its collision shapes.
+  /// Without `meets_others`, the machine has no collision shapes.
   ArticulatedBody(const MachineModel& model, const Pose& X_WB, const std::vector<double>& q_rad,
                   bool meets_others, btMultiBodyDynamicsWorld* world);
   ~ArticulatedBody();
   ArticulatedBody(ArticulatedBody&&) noexcept;
 
-  /// Lets DriveBase move the root by its point `contact_B_m`.
+  /// Enables DriveBase, which moves the root by its point `contact_B_m`.
   void AddBaseDrive(const Vec3& contact_B_m);
   void DriveBase(const PlanarTwist& twist, const BaseEffort& most);
   BaseEffort BaseDriveEffort(double dt_s) const;
 
-  /// For the next step: what the soil does, and what drives each joint.
+  /// Inputs for the next step: the soil's action and the joint targets.
   void SetLoads(const std::vector<SoilReaction::Load>& shovel_load);
   void ApplyWrenches(const std::vector<Wrench>& link_wrench, const std::vector<BodyState>& links);
   void DriveJoints(const std::vector<JointTarget>& targets);
 
-  /// Joints and links after a step of `dt_s`; accelerations from the change of velocity against
-  /// what `state` held before.
+  /// Joints and links after a step of `dt_s`. Accelerations are the velocity change relative to the
+  /// previous contents of `state`, over `dt_s`.
   void ReadState(double dt_s, MachineState* state) const;
 
  private:

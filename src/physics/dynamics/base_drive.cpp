@@ -13,7 +13,7 @@ namespace tera {
 namespace {
 
 enum BaseRow { kForward, kLeft, kYaw, kBaseRowCount };
-/// Place in Bullet's velocity vector where the linear velocity of the root begins.
+/// Index of the root's linear velocity in Bullet's velocity vector.
 constexpr int kLinear = 3;
 
 }  // namespace
@@ -49,7 +49,7 @@ class BaseDrive::Constraint : public btMultiBodyConstraint {
     AimAt(kLeft, arm_W.cross(R_WB.col(1)), R_WB.col(1));
     AimAt(kYaw, R_WB.col(2), Vec3::Zero());
     const double dt_s = info.m_timeStep;
-    // Velocities hold at the end of the step, when the base has turned on.
+    // The constraint sets velocities at the end of the step, after the base's rotation.
     const Eigen::Rotation2Dd turn(twist.yaw_radps * dt_s);
     const Vec2 v_mps = turn * Vec2(twist.forward_mps, twist.left_mps);
     AddRow(kForward, v_mps.x(), most.forward_n * dt_s, rows, data, info);

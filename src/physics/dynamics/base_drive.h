@@ -13,22 +13,22 @@ namespace tera {
 /// Drives a machine's root link over the ground by three velocity constraints.
 ///
 /// Frames  B root link.
-/// Model   In each step the point amid the tracks' contact takes the twist that is asked for along
-///         B's x and y and about its z axis, as far as the largest forces allow. The other three
-///         directions are free: the machine sinks, pitches, rolls and tips over. Solved together
-///         with all joints and contacts of the machine.
-/// Omits   that the three forces share one friction: each has its limit for itself.
+/// Model   in each step the centre of the tracks' contact takes the commanded twist along B's x and
+///         y and about its z axis, up to the force limits. The other three directions are free: the
+///         machine sinks, pitches, rolls and tips over. The constraints are solved together with
+///         all joints and contacts of the machine.
+/// Omits   the shared friction of the three forces: each force has its own limit.
 class BaseDrive {
  public:
-  /// For the root of `body`, which with `world` must outlive the drive. `contact_P_m`: the point
-  /// that is driven, `R_PB` the directions, in Bullet's frame P of the root.
+  /// Drives the root of `body`; `body` and `world` must outlive the drive. `contact_P_m` is the
+  /// driven point and `R_PB` the directions, in Bullet's frame P of the root.
   BaseDrive(btMultiBody* body, const Vec3& contact_P_m, const Mat3& R_PB,
             btMultiBodyDynamicsWorld* world);
   ~BaseDrive();
   BaseDrive(BaseDrive&&) noexcept;
 
   void SetTarget(const PlanarTwist& twist, const BaseEffort& most);
-  /// Forces of the drive on the machine over the last step of `dt_s`.
+  /// Forces of the drive on the machine, averaged over the last step of `dt_s`.
   BaseEffort Effort(double dt_s) const;
 
  private:

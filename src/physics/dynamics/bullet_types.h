@@ -6,7 +6,7 @@ class btQuaternion;
 class btTransform;
 class btVector3;
 
-/// Eigen to Bullet and back.
+/// Conversions between Eigen and Bullet.
 
 namespace tera {
 

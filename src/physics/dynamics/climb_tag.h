@@ -6,14 +6,13 @@
 
 namespace tera {
 
-/// What a collider's user pointer shows: how high it climbs if it is a link's, how high it rises if
-/// it is an obstacle's.
+/// User pointer of a collider: climbing height of a link, or height of an obstacle.
 struct ClimbTag {
   double climb_m = 0;
   double rise_m = std::numeric_limits<double>::infinity();
 };
 
-/// Whether one of the two drives over the other rather than collide with it.
+/// True if one collider drives over the other without collision.
 inline bool DrivesOver(const btCollisionObject& a, const btCollisionObject& b) {
   const auto* tag_a = static_cast<const ClimbTag*>(a.getUserPointer());
   const auto* tag_b = static_cast<const ClimbTag*>(b.getUserPointer());

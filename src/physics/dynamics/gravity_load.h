@@ -6,11 +6,11 @@
 
 namespace tera {
 
-/// Effort of each joint that bears the weight of the links beyond it, at rest; 0 for fixed joints.
-/// Positive where the joint must be pushed towards larger positions.
+/// Joint efforts that bear the weight of the links beyond each joint, at rest; 0 for fixed joints.
+/// An effort is positive if it pushes the joint towards larger positions.
 ///
-/// Frames  The root stands at `X_WB`; gravity acts along -z of W.
-/// Model   Newton and Euler for every link that gravity accelerates and the joints hold.
+/// Frames  the root has the pose `X_WB`; gravity acts along -z of W.
+/// Model   Newton-Euler equations for links under gravity, held by the joints.
 /// Omits   soil in shovels, the ground, the weight of cylinders and linkages.
 std::vector<double> GravityLoads_nm(const MachineModel& model, const Pose& X_WB,
                                     const std::vector<double>& q_rad);

@@ -3,7 +3,7 @@
 namespace tera {
 namespace {
 
-/// Adds what accelerates a mass at `p_B_m` of `body`.
+/// Adds the wrench that accelerates a mass at `p_B_m` of `body`.
 void AddMass(const BodyState& body, double mass_kg, const Vec3& p_B_m, const Vec3& about_W_m,
              Wrench* inertial) {
   const Vec3 r_W = body.X_WB.linear() * p_B_m;
@@ -37,7 +37,7 @@ void InertialEfforts::Update(const MachineState& state) {
     const SoilReaction::Load& load = state.shovel_load[s];
     AddMass(state.links[link], load.mass_kg, load.com_B_m, about_W_m, &beyond_[link]);
   }
-  // A child stands behind its parent in the list.
+  // Children follow their parents in the list.
   for (std::size_t k = joints_nm_.size(); k-- > 0;) {
     const Joint& joint = model_.joints[k];
     const Wrench& child = beyond_[joint.child];

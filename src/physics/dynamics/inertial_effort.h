@@ -6,30 +6,30 @@
 
 namespace tera {
 
-/// What accelerates a machine's masses: of each joint the part of its effort that accelerates the
-/// links beyond it and the soil they carry, and of the whole machine the force and torque.
+/// Inertial parts of joint efforts and of the machine's external wrench. A joint's part accelerates
+/// the links beyond it and their carried soil.
 ///
 /// Frames  W.
-/// Model   Newton and Euler for every link, with the accelerations of the state, summed from the
-///         tips to the joint and on to the base: what is left of a joint's effort, or of the
+/// Model   Newton-Euler equations for every link with the accelerations of the state, summed from
+///         the tips to the joint and to the base. The remainder of a joint's effort, or of the
 ///         ground's force on the machine, bears weight, ground and contacts.
-/// Omits   the extent of carried soil, a point mass; momentum of soil that comes or goes; the spin
-///         of running gear.
+/// Omits   the extent of carried soil (a point mass); momentum of soil that enters or leaves; the
+///         spin of running gear.
 class InertialEfforts {
  public:
-  /// At rest. `model` must outlive it.
+  /// Initial state at rest. `model` must outlive the object.
   explicit InertialEfforts(const MachineModel& model);
 
   void Update(const MachineState& state);
 
-  /// One for each joint; 0 for fixed ones.
+  /// One per joint; 0 for fixed joints.
   const std::vector<double>& joints_nm() const { return joints_nm_; }
-  /// About the base's origin.
+  /// Wrench about the base's origin.
   const Wrench& machine() const { return beyond_[0]; }
 
  private:
   const MachineModel& model_;
-  std::vector<Wrench> beyond_;  ///< of each link with all that it carries, about the base's origin
+  std::vector<Wrench> beyond_;  ///< per link with all links beyond it, about the base's origin
   std::vector<double> joints_nm_;
 };
 

@@ -5,7 +5,7 @@
 namespace tera {
 namespace {
 
-/// Which links a joint carries: its child and all that hang on it.
+/// Marks the links that a joint carries: its child and all links beyond it.
 std::vector<bool> LinksBeyond(const MachineModel& model, const Joint& joint) {
   std::vector<bool> beyond(model.links.size(), false);
   beyond[joint.child] = true;
@@ -23,7 +23,7 @@ std::vector<double> JointInertias_kgm2(const MachineModel& model,
   InertialEfforts efforts(model);
   std::vector<double> inertia_kgm2;
   for (std::size_t j = 0; j < model.joints.size(); ++j) {
-    // The effort of a unit acceleration from rest.
+    // The inertia is the effort of a unit acceleration from rest.
     const Joint& joint = model.joints[j];
     const std::vector<bool> beyond = LinksBeyond(model, joint);
     const Pose& X_BC = X_BL[joint.child];

@@ -6,15 +6,15 @@
 
 namespace tera {
 
-/// Inertia (or mass, of a joint that slides) that each joint moves when no other does: all links
-/// beyond it, about its axis; 0 for fixed joints.
+/// Inertia (mass for prismatic joints) that each joint moves while all other joints are locked: all
+/// links beyond it, about its axis; 0 for fixed joints.
 ///
-/// Model   the diagonal of the mass matrix of a machine whose root stands still.
+/// Model   the diagonal of the mass matrix of a machine with a static root.
 /// Omits   coupling to other joints and the root; soil in shovels; cylinders and linkages.
 std::vector<double> JointInertias_kgm2(const MachineModel& model, const std::vector<double>& q_rad);
 
-/// Inertia of the whole machine against turning about the z axis of its root, through its centre of
-/// mass.
+/// Yaw inertia of the whole machine about the axis through its centre of mass, parallel to its
+/// root's z axis.
 double YawInertia_kgm2(const MachineModel& model, const std::vector<double>& q_rad);
 
 }  // namespace tera

@@ -9,15 +9,15 @@ class btMultiBodyDynamicsWorld;
 
 namespace tera {
 
-/// Holds a joint where the one that it follows takes it.
+/// Constrains a following joint to its leader.
 ///
-/// Model   a row of the machine's constraints, without bound: at the end of each step the rates are
-///         those that bring q = ratio * q(leader) + offset about. The load of the follower
-///         acts on the leader times ratio, as that of a gear without friction.
-/// Omits   compliance and play of what ties them.
+/// Model   an unbounded row of the machine's constraints: the rates at the end of each step lead to
+///         q = ratio * q(leader) + offset. The follower's load acts on the leader times ratio, as
+///         in a frictionless gear.
+/// Omits   compliance and play of the mechanism.
 class JointTie {
  public:
-  /// For link `bullet_link` of `body`, which with `world` must outlive the tie.
+  /// Ties link `bullet_link` of `body`; `body` and `world` must outlive the tie.
   JointTie(btMultiBody* body, int bullet_link, const Following& following,
            btMultiBodyDynamicsWorld* world);
   ~JointTie();

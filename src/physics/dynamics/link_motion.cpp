@@ -3,7 +3,7 @@
 namespace tera {
 namespace {
 
-/// Velocity after a step of `dt_s`, and the accelerations from what it was before.
+/// Sets the velocity after a step of `dt_s`, and the accelerations from the velocity change.
 void SetVelocity(const Vec3& v_WB_mps, const Vec3& w_WB_radps, double dt_s, BodyState* link) {
   if (dt_s > 0) {
     link->a_WB_mps2 = (v_WB_mps - link->v_WB_mps) / dt_s;
@@ -13,7 +13,7 @@ void SetVelocity(const Vec3& v_WB_mps, const Vec3& w_WB_radps, double dt_s, Body
   link->w_WB_radps = w_WB_radps;
 }
 
-/// The joint's child after a step, from its parent's state.
+/// State of the joint's child after a step, from its parent's state.
 void MoveChild(const Joint& joint, double q_rad, double qd_radps, double dt_s,
                std::vector<BodyState>* links) {
   const BodyState& parent = (*links)[joint.parent];

@@ -10,10 +10,10 @@
 namespace tera {
 namespace {
 
-/// Joint angles may be given this far outside their limits, for rounding.
+/// Tolerance of initial joint angles outside their limits, for rounding.
 constexpr double kLimitTolerance_rad = 1e-6;
 
-/// Torque of a motor whose gear turns as commanded whatever its load.
+/// Torque limit of a motor whose gear turns as commanded under any load.
 constexpr double kUnlimited_nm = 1e9;
 
 MachineModel WithPayloads(MachineModel model) {

@@ -26,10 +26,10 @@
 namespace tera {
 namespace {
 
-/// Walls in Bullet: one body that never moves, its triangles in a tree of boxes.
+/// Walls in Bullet: a static body with its triangles in a tree of boxes.
 ///
-/// Model   machines' boxes against single triangles, which are thin: what gets a whole box behind a
-///         wall within one step has passed it.
+/// Model   machines' boxes against single thin triangles. A box that gets entirely behind a wall
+///         within one step has passed it.
 class StaticWalls {
  public:
   StaticWalls(const SiteWalls& walls, double friction, btMultiBodyDynamicsWorld* world);
@@ -51,7 +51,7 @@ StaticWalls::StaticWalls(const SiteWalls& walls, double friction, btMultiBodyDyn
     const std::uint32_t* i = &walls.indices[t];
     const btVector3 a = ToBullet(walls.corners_W_m[i[0]]), b = ToBullet(walls.corners_W_m[i[1]]),
                     c = ToBullet(walls.corners_W_m[i[2]]);
-    // Either way about: out of a triangle's back Bullet pushes a box too little.
+    // Both orientations are added: Bullet's contact from a triangle's back pushes a box too little.
     triangles_.addTriangle(a, b, c);
     triangles_.addTriangle(a, c, b);
   }
@@ -66,11 +66,11 @@ StaticWalls::StaticWalls(const SiteWalls& walls, double friction, btMultiBodyDyn
 
 constexpr double kObstacleFriction = 0.8;
 /// Softness (s^2/kg) of all constraints. A box on a wall has more contact points than a rigid
-/// solution can tell apart; this much makes it unique, and lets a joint that holds 20 kN m creep by
-/// 1e-4 rad in an hour.
+/// solution can distinguish; this softness makes the solution unique. A joint that holds 20 kN m
+/// creeps by 1e-4 rad in an hour.
 constexpr double kSoftness = 1e-12;
 
-/// An obstacle in Bullet: a body that moves as it is told.
+/// An obstacle in Bullet: a kinematic body with a prescribed motion.
 struct KinematicObstacle {
   KinematicObstacle(const ObstacleBody& obstacle, btMultiBodyDynamicsWorld* world)
       : world(world), tag{.rise_m = obstacle.rise_m} {
@@ -101,15 +101,15 @@ struct KinematicObstacle {
 
 /// Bullet's world with a velocity update of second order.
 ///
-/// Model   v(n+1) = v(n) + dt a(q, v(n) + (v(n) - v(n-1)) / 2): forces that grow with the square of
-///         velocity are taken in the middle of the step, extrapolated from the last one. Bullet
-///         takes them at its start, which feeds energy into a swinging arm (about 1 % in 10 s at
-///         500 Hz).
+/// Model   v(n+1) = v(n) + dt a(q, v(n) + (v(n) - v(n-1)) / 2). Forces that are quadratic in
+///         velocity are evaluated at the middle of the step, extrapolated from the last step.
+///         Bullet evaluates them at the start of the step, which feeds energy into a swinging arm
+///         (about 1 % in 10 s at 500 Hz).
 class MidpointWorld : public btMultiBodyDynamicsWorld {
  public:
   using btMultiBodyDynamicsWorld::btMultiBodyDynamicsWorld;
 
-  /// Bullet would also predict where links go, which only its soft bodies use.
+  /// Skips Bullet's prediction of link motion, which only its soft bodies use.
   void predictUnconstraintMotion(btScalar dt_s) override {
     btDiscreteDynamicsWorld::predictUnconstraintMotion(dt_s);
   }
@@ -120,7 +120,7 @@ class MidpointWorld : public btMultiBodyDynamicsWorld {
     for (int i = 0; i < m_multiBodies.size(); ++i) {
       btMultiBody& body = *m_multiBodies[i];
       const btScalar* now = body.getVelocityVector();
-      last_[i].resize(6 + body.getNumDofs());  // from rest
+      last_[i].resize(6 + body.getNumDofs());  // initially at rest
       to_middle_[i].resize(last_[i].size());
       for (std::size_t k = 0; k < last_[i].size(); ++k) {
         to_middle_[i][k] = 0.5 * (now[k] - last_[i][k]);
@@ -135,11 +135,12 @@ class MidpointWorld : public btMultiBodyDynamicsWorld {
   }
 
  private:
-  /// One for each body: velocities at the start of the last step, and half of what they changed.
+  /// One entry per body: velocities at the start of the last step, and half of their change.
   std::vector<std::vector<btScalar>> last_, to_middle_;
 };
 
-/// Parts of one machine are no pairs for collision, nor is running gear with what it drives over.
+/// Excludes collision pairs within a machine, and pairs of running gear with objects that it drives
+/// over.
 class OtherBodiesOnly : public btOverlapFilterCallback {
  public:
   bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override {
@@ -168,7 +169,7 @@ struct PhysicsWorld::Impl {
     world.setGravity(btVector3(0, 0, -gravity_mps2));
     world.getDispatchInfo().m_deterministicOverlappingPairs = true;
     world.getPairCache()->setOverlapFilterCallback(&pairs);
-    // Each machine (or group of machines in contact) is solved for itself.
+    // Bullet solves each machine (or group of machines in contact) separately.
     world.getSolverInfo().m_minimumSolverBatchSize = 1;
     world.getSolverInfo().m_globalCfm = kSoftness;
   }

@@ -11,14 +11,14 @@
 
 namespace tera {
 
-/// Something solid that machines collide with. Its pose is set from outside before each step
-/// (static, or moved along a path); contact pushes machines, not the obstacle.
+/// A solid obstacle for machines. The caller sets its pose for each step (static, or moved along a
+/// path). Contact pushes machines, not the obstacle.
 struct ObstacleBody {
   std::string name;
   std::vector<CollisionBox> collision;
   BodyState state;
-  /// Height of its highest corner over the ground: running gear drives over what it can climb
-  /// (ClimbHeight_m), and collides with what it cannot.
+  /// Height of its highest corner above the ground. Running gear drives over obstacles that it can
+  /// climb (ClimbHeight_m) and collides with higher obstacles.
   double rise_m = std::numeric_limits<double>::infinity();
 };
 
@@ -26,14 +26,14 @@ struct ObstacleBody {
 /// site's walls.
 ///
 /// Frames  W, link frames B as in MachineModel.
-/// Model   levers -> Actuation -> velocity motors limited in effort, with friction; running gears
-///         turn against the soil's traction, I dw/dt = torque - traction * radius; the soil's
-///         wrenches act on the links; carried soil adds its mass to the tool's link. Velocities
-///         are those at the end of a step and poses follow them (semi-implicit), so that soil
-///         forces given for the present pose act stably. Joints with cylinders are limited by
-///         relief (see Hydraulics). Boxes of different machines, and of machines and obstacles
-///         and walls, collide without bouncing; but links with running gear drive over obstacles
-///         that it can climb, on which the ground bears them (see Soil::AddObstacle).
+/// Model   levers -> Actuation -> velocity motors with limited effort and friction. Running gears
+///         turn against the soil's traction, I dw/dt = torque - traction * radius. The soil's
+///         wrenches act on the links; carried soil adds its mass to the tool's link. The
+///         integration is semi-implicit: poses follow the velocities at the end of a step. Soil
+///         forces for the present pose therefore act stably. Relief valves limit joints with
+///         cylinders (see Hydraulics). Boxes of a machine collide without bouncing with other
+///         machines, obstacles and walls. Links with running gear drive over obstacles that it can
+///         climb; the ground bears them there (see Soil::AddObstacle).
 /// Omits   the reaction of a gear's inertia on its link, collision within one machine.
 class PhysicsWorld {
  public:
@@ -42,8 +42,8 @@ class PhysicsWorld {
                const WorldStart& start = {}, const SiteWalls& walls = {});
   ~PhysicsWorld();
 
-  /// Advances by `dt_s`. `inputs` one for each machine, `obstacles` where the obstacles are at the
-  /// end of the step, one for each obstacle.
+  /// Advances by `dt_s`. `inputs` has an entry per machine. `obstacles` has the state of each
+  /// obstacle at the end of the step.
   void Step(const std::vector<MachineInput>& inputs, const std::vector<BodyState>& obstacles,
             double dt_s);
 

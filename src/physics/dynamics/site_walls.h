@@ -7,12 +7,12 @@
 
 namespace tera {
 
-/// Triangles of a site that stay where they are and that machines collide with: walls, buildings.
+/// Static triangles of a site with which machines collide: walls, buildings.
 ///
 /// Frames  W.
 struct SiteWalls {
   std::vector<Vec3> corners_W_m;
-  std::vector<std::uint32_t> indices;  ///< three for each triangle
+  std::vector<std::uint32_t> indices;  ///< three per triangle
 
   bool empty() const { return indices.empty(); }
 };

@@ -4,17 +4,17 @@
 
 namespace tera {
 
-/// Bullet's solver for machines, which also knows rows that yield.
+/// Bullet's solver for machines, extended by soft rows.
 ///
-/// Model   a row of softness s lets its velocity err by s times its impulse: J v = target - s p.
-///         With s = 1 / (c dt) and the target 0 that is a damper of the coefficient c, taken at the
-///         end of the step, which is stable however stiff. Bullet's own MLCP solver leaves out the
-///         softness of single rows.
+/// Model   a row of softness s lets its velocity deviate by s times its impulse p: J v = target - s
+///         p. With s = 1 / (c dt) and target 0, the row is a damper of coefficient c, evaluated at
+///         the end of the step. The damper is stable at any stiffness. Bullet's own MLCP solver
+///         ignores the softness of single rows.
 class SoftRowSolver : public btMultiBodyMLCPConstraintSolver {
  public:
   using btMultiBodyMLCPConstraintSolver::btMultiBodyMLCPConstraintSolver;
 
-  /// Makes a row soft that fillMultiBodyConstraint has filled.
+  /// Softens a row after fillMultiBodyConstraint.
   static void Soften(btScalar softness, btMultiBodySolverConstraint* row) {
     const btScalar hard = row->m_jacDiagABInv;
     row->m_jacDiagABInv = hard / (1 + softness * hard);
@@ -27,7 +27,7 @@ class SoftRowSolver : public btMultiBodyMLCPConstraintSolver {
     btMultiBodyMLCPConstraintSolver::createMLCPFast(info);
     for (int i = 0; i < m_multiBodyAllConstraintPtrArray.size(); ++i) {
       const btMultiBodySolverConstraint& row = *m_multiBodyAllConstraintPtrArray[i];
-      // Rows of contacts have softness of their own, which the other solver uses.
+      // Contact rows have their own softness, which the other solver uses.
       if (row.m_orgConstraint == nullptr || row.m_cfm == 0) continue;
       m_multiBodyA.setElem(i, i, m_multiBodyA(i, i) + row.m_cfm / row.m_jacDiagABInv);
     }

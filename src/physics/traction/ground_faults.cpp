@@ -18,7 +18,7 @@ std::vector<EffectFault> FaultsOfBase(const MachineModel& model) {
   }
   for (const Effect& effect : model.effects.base) {
     const std::string_view id = effect.mechanism->id;
-    if (id == "soil_strength" || id == "terrain_height") continue;  // of the ground
+    if (id == "soil_strength" || id == "terrain_height") continue;  // acts on the ground
     if (id == "digging_force") {
       if (tools.shovels.empty()) {
         faults.push_back({id, "drags the base by its tools, of which it has none; need shovels"});

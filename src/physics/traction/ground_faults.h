@@ -6,11 +6,11 @@
 
 namespace tera {
 
-/// Those of the effects of `base` that cannot act, whatever `ground` moves the machine.
+/// Effects of `base` that cannot act under any value of `ground`.
 std::vector<EffectFault> FaultsOfBase(const MachineModel& model);
 
-/// Faults in the effects of `base` on a machine that the kinematics of tracks move: slips that
-/// together leave nothing of the tracks' speed on level ground.
+/// Faults in the effects of `base` for a machine with track kinematics: combined slips that cancel
+/// the tracks' speed on level ground.
 std::vector<EffectFault> FaultsOfSlips(const MachineModel& model);
 
 }  // namespace tera

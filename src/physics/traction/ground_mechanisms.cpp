@@ -9,7 +9,7 @@ std::vector<Mechanism> Library() {
   const auto base = [](std::string_view id, std::vector<EffectParameter> parameters) {
     return Mechanism{id, Slot::kGround, {EffectTarget::kBase}, std::move(parameters)};
   };
-  constexpr double kFarthest_m = 1e5;  // beyond any site
+  constexpr double kFarthest_m = 1e5;  // larger than any site
   return {
       base("track_scale", {{"scale", "1", 0.5, 1.5, {}}}),
       base("track_asymmetry", {{"difference", "1", -0.5, 0.5, {}}}),

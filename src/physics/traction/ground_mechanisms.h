@@ -6,8 +6,8 @@
 
 namespace tera {
 
-/// All mechanisms of running gear on the ground. docs/reference/mechanisms.md has the equation and
-/// the source of each.
+/// All mechanisms of running gear on the ground. docs/reference/mechanisms.md has each mechanism's
+/// equation and source.
 std::span<const Mechanism> GroundMechanisms();
 
 }  // namespace tera

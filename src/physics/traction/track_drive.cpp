@@ -9,10 +9,10 @@
 namespace tera {
 namespace {
 
-/// Patches this far above the lowest one are no part of a flat track's contact.
+/// Patches higher than this above the lowest patch are outside a flat track's contact.
 constexpr double kLevel_m = 0.01;
 
-/// Extent of what stands on level ground, in the root's frame.
+/// Extent of the contact with level ground, in the root's frame.
 struct Contact {
   double low_m = std::numeric_limits<double>::infinity();
   double rear_m = std::numeric_limits<double>::infinity();

@@ -7,40 +7,40 @@
 
 namespace tera {
 
-/// Gives the gears the ratio that track_scale and track_asymmetry among the effects of the base
-/// make between their shoes and their sprockets.
+/// Sets the gears' ratio between shoes and sprockets from the base effects track_scale and
+/// track_asymmetry.
 void SetShoeRatios(MachineModel* model);
 
 /// A machine's running gear as two tracks, for the ground slot.
 ///
 /// Frames  B root link.
-/// Model   Gears left of B's x axis are the left track, the others the right one; several on one
-///         side move as their mean. The drive pushes with at most the shear strength of the ground
-///         under the gears and what their motors can, less the rolling resistance; it turns with at
-///         most the strength times half the gauge. The ground's force on a side is half the drive's
-///         force and its torque over the gauge.
-/// Omits   grip that one side has and the other lacks.
+/// Model   gears left of B's x axis form the left track, the others the right track. Several gears
+///         on one side move with their mean rate. The drive's force is limited by the ground's
+///         shear strength under the gears and by the motors, less the rolling resistance. Its
+///         torque is limited to the strength times half the gauge. The ground's force on a side is
+///         half the drive's force, combined with its torque over the gauge.
+/// Omits   different grip on the two sides.
 class TrackDrive {
  public:
   explicit TrackDrive(const MachineModel& model);
 
-  /// Middle of the contact with the ground.
+  /// Centre of the contact with the ground.
   const Vec3& contact_B_m() const { return contact_B_m_; }
   const TrackGeometry& geometry() const { return geometry_; }
-  /// Whether the slips among the effects leave anything of the tracks' speed on level ground.
+  /// True if the slips among the effects leave a nonzero track speed on level ground.
   bool MovesOnLevelGround() const;
 
   struct Target {
     PlanarTwist twist;
     BaseEffort most;
   };
-  /// What the gears' rates in `state` ask of the base.
+  /// Commanded base motion and effort limits from the gear rates in `state`.
   Target Follow(const MachineState& state, const SoilReaction& soil) const;
-  /// A wrench about the root's origin as one about the contact's middle.
+  /// Converts a wrench about the root's origin to the centre of the contact.
   BaseEffort AboutContact(const Wrench& wrench, const Pose& X_WB) const;
-  /// Part that one gear has in a force and a torque about the contact's middle.
+  /// A gear's share of a force and a torque about the centre of the contact.
   double Share_n(const BaseEffort& effort, std::size_t gear) const;
-  /// Force of the ground on each gear along its forward travel when the drive does `effort`.
+  /// Ground force on each gear along its forward travel if the drive applies `effort`.
   std::vector<double> Traction_n(const BaseEffort& effort, const MachineState& state) const;
 
  private:

@@ -6,8 +6,8 @@
 namespace tera {
 namespace {
 
-/// Slip x = i L / K at which the share `share` in [0, 1) of the strength is mobilised, at most
-/// `most`. 1 - (1 - e^-x) / x is concave, so that Newton's steps from the left stay there.
+/// Slip x = i L / K, at most `most`, at which the fraction `share` in [0, 1) of the strength is
+/// mobilised. 1 - (1 - e^-x) / x is concave, so Newton's iterates from the left stay on the left.
 double JanosiSlip(double share, double most) {
   constexpr int kSteps = 8;
   constexpr double kClose = 1e-10;
@@ -23,7 +23,7 @@ double JanosiSlip(double share, double most) {
   return std::min(x, most);
 }
 
-/// Slip of one track that moves at `speed_mps` and needs `thrust` along x over its load.
+/// Slip of a track at `speed_mps` that needs `thrust`, relative to its load, along x.
 double SlipOf(double speed_mps, double thrust, double slope, const TrackGeometry& geometry,
               const TrackKinematicsParameters& p) {
   const double direction = speed_mps < 0 ? -1 : 1;
@@ -37,12 +37,12 @@ double SlipOf(double speed_mps, double thrust, double slope, const TrackGeometry
   return std::clamp(slip, -1.0, 1.0);
 }
 
-/// A machine on its side or its back still loads its tracks with this share of its weight, and has
-/// this much of a side slope's base: thrust over load and slopes stay finite, and slip, which is at
-/// most 1, is long at its bounds.
+/// Lower bound on cos(tilt) for a machine on its side or its back. The tracks keep this fraction of
+/// the weight, and side slopes keep this base. Thrust over load and slopes stay finite; slip, at
+/// most 1, reaches its bounds much earlier.
 constexpr double kLeastUpright = 1e-6;
 
-/// By how much `size` is beyond `holding`, with its sign.
+/// Excess of `size` over `holding`, with the sign of `size`.
 double Beyond(double size, double holding) {
   return std::copysign(std::max(0.0, std::abs(size) - holding), size);
 }
@@ -87,7 +87,7 @@ TrackSpeeds ShoeSpeeds(const TrackSpeeds& nominal, const TrackKinematicsParamete
 
 PlanarTwist MoveOnTracks(const TrackSpeeds& shoes, const TrackCircumstances& c,
                          const TrackGeometry& geometry, const TrackKinematicsParameters& p) {
-  const double rise = -std::sin(c.pitch_rad);  // of x_B, for a metre along it
+  const double rise = -std::sin(c.pitch_rad);  // slope of x_B, as rise per metre along it
   const double level = std::cos(c.pitch_rad);
   const double side_rise = std::sin(c.roll_rad) * level;
   const double slope = rise / level;

@@ -7,19 +7,19 @@
 
 namespace tera {
 
-/// Largest forces, either way, with which a base is driven.
+/// Force limits of a driven base, equal in both directions.
 struct BaseEffort {
   double forward_n = 0, left_n = 0, yaw_nm = 0;
 };
 
-/// Running gear as the slot sees it.
+/// Geometry and weight of running gear, for the ground slot.
 struct TrackGeometry {
-  double gauge_m = 1;           ///< between the middles of left and right
-  double contact_length_m = 1;  ///< on the ground
+  double gauge_m = 1;           ///< between the centre lines of left and right
+  double contact_length_m = 1;  ///< contact length on the ground
   double weight_n = 1;
 };
 
-/// How tracks differ from two that neither slip nor skid. As built, not at all.
+/// Deviations of tracks from two tracks without slip or skid; the defaults are the ideal.
 struct TrackKinematicsParameters {
   double scale = 1;       ///< track_scale
   double difference = 0;  ///< track_asymmetry: right over left
@@ -42,40 +42,41 @@ struct TrackSpeeds {
   double left_mps = 0, right_mps = 0;
 };
 
-/// What the tracks work against.
+/// Loads and slopes that act on the tracks.
 struct TrackCircumstances {
-  double roll_rad = 0, pitch_rad = 0;  ///< of the base, as RpyFromRotation gives them
-  Vec2 tool_force_B_n = Vec2::Zero();  ///< of the ground on bucket and blade, forward and left
-  double tool_torque_B_nm = 0;         ///< of that force, about the base's z axis
+  double roll_rad = 0, pitch_rad = 0;  ///< attitude of the base, as from RpyFromRotation
+  Vec2 tool_force_B_n = Vec2::Zero();  ///< ground force on bucket and blade, forward and left
+  double tool_torque_B_nm = 0;         ///< torque of that force about the base's z axis
 };
 
-/// Motion of the base in the plane of its tracks, at the middle of their contact.
+/// Motion of the base in the plane of its tracks, at the centre of their contact.
 struct PlanarTwist {
   double forward_mps = 0, left_mps = 0, yaw_radps = 0;
 };
 
-/// Slot `ground`, first part: track_scale s and track_asymmetry a make of the speed V that the
-/// sprockets' rate and nominal radius give those of the shoes, s V (1 - a/2) on the left and
-/// s V (1 + a/2) on the right.
+/// Slot `ground`, first part: speeds of the shoes. V is the sprockets' rate times their nominal
+/// radius, s is track_scale and a is track_asymmetry. The shoe speed is s V (1 - a/2) on the left
+/// and s V (1 + a/2) on the right.
 TrackSpeeds ShoeSpeeds(const TrackSpeeds& nominal, const TrackKinematicsParameters& parameters);
 
-/// Slot `ground`, second part: from the speeds of the shoes to the motion of the base.
+/// Slot `ground`, second part: motion of the base from the speeds of the shoes.
 ///
-/// Frames  B base, x forward, y left, z up, its origin amid the contact of both tracks.
-/// Model   Each track moves on the ground at u = V (1 - i). Its slip i is the sum of track_slip's
-///         constant, slope_slip's i0 + k tan(slope along its travel), and what its thrust T over
-///         its load N asks for: by Janosi and Hanamoto T = mu N (1 - (1 - e^-x) / x), x = i L / K,
-///         and by rolling_resistance T / (C N), also where its f is 0. T carries the weight's part
-///         along the slope, the rolling resistance f N and the tools' force. Then, with y0 and x0
-///         of icr_shift and the effective gauge r B,
+/// Frames  B base, x forward, y left, z up, its origin at the centre of both tracks' contact.
+/// Model   Each track moves on the ground at u = V (1 - i). Its slip i is a sum of three parts:
+///         track_slip's constant, slope_slip's i0 + k tan(slope along its travel), and the slip
+///         that its thrust T over its load N requires. The last part follows Janosi and Hanamoto,
+///         T = mu N (1 - (1 - e^-x) / x), x = i L / K, plus rolling_resistance's T / (C N), which
+///         also acts with f = 0. T bears the weight's component along the slope, the rolling
+///         resistance f N and the tools' force. With y0 and x0 of icr_shift and the effective
+///         gauge r B,
 ///           w = (u_right - u_left) / (r B),  v_x = (1 - k_turn t) (u_left + u_right) / 2 + w y0,
-///           v_y = -w x0 - k_side tan(side slope) (|u_left| + |u_right|) / 2.
-///         with t = |V_right - V_left| / (|V_left| + |V_right|): shoes that are dragged sideways
-///         shear the ground lengthwise as well (track_slip's turn_slip).
-///         digging_force: a tool force beyond the share h of the weight W drags the base along at
-///         yield (|F| - h W) / W, its torque likewise with the arm L / 4 of the tracks.
+///           v_y = -w x0 - k_side tan(side slope) (|u_left| + |u_right|) / 2,
+///         with t = |V_right - V_left| / (|V_left| + |V_right|): shoes that slide sideways also
+///         shear the ground lengthwise (track_slip's turn_slip).
+///         digging_force: a tool force F beyond the fraction h of the weight W drags the base at
+///         yield (|F| - h W) / W. Its torque acts likewise with the arm L / 4 of the tracks.
 ///         Without effects v_x = (V_left + V_right) / 2, w = (V_right - V_left) / B, v_y = 0.
-/// Omits   inertia; load moved between the tracks; slip beyond |i| = 1.
+/// Omits   inertia; load transfer between the tracks; slip beyond |i| = 1.
 /// Source  Wong, Theory of Ground Vehicles, 4th ed. 2008, ch. 2 and 6; Janosi and Hanamoto 1961;
 ///         Martinez, Mandow et al., Int. J. Robotics Research 24(10), 2005: ICRs of tracks; Wong
 ///         and Chiang, Proc. IMechE D 215(3), 2001: shear of tracks that skid in a turn.

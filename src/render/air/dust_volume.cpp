@@ -10,11 +10,11 @@ namespace tera {
 namespace {
 
 constexpr int kOctaves = 4;
-constexpr int kCoarsest = 4;  ///< waves of the first octave in a period
+constexpr int kCoarsest = 4;  ///< wavelengths of the first octave per period
 
 int Wrapped(int i, int n) { return ((i % n) + n) % n; }
 
-/// Numbers between two, weighted so that the variance is that of each of them.
+/// Blend of two values with weights that preserve their common variance.
 struct Blend {
   int a, b;
   double wa, wb;
@@ -59,7 +59,7 @@ void AddOctave(int n, double amplitude, std::vector<double>* sum) {
   }
 }
 
-/// Where a place lies between the middles of cells, and the lower one's number.
+/// Position between two cell centres, with the lower cell's index.
 struct Between {
   int i;
   double f;
@@ -106,10 +106,10 @@ double DustEddies::At(const Vec3& p_m) const {
   return sum;
 }
 
-// Fresh coarse dust absorbs more than what has travelled: 0.70 to 0.97 of its extinction at 550 nm
-// is scattered (Ryder et al. 2013, Atmos. Chem. Phys. 13), and the less the shorter the wave (as
-// Dubovik et al. 2002, J. Atmos. Sci. 59, who have the asymmetry parameter too). By how much is
-// this project's estimate, after photographs of work on loam.
+// Fresh coarse dust absorbs more than transported dust: it scatters 0.70 to 0.97 of its extinction
+// at 550 nm (Ryder et al. 2013, Atmos. Chem. Phys. 13). The share falls with the wavelength
+// (Dubovik et al. 2002, J. Atmos. Sci. 59, also for the asymmetry parameter). The amount is this
+// project's estimate from photographs of work on loam.
 const Eigen::Vector3f DustVolume::kScattered(0.93f, 0.86f, 0.75f);
 
 double DustVolume::Extinction_1pm(const Vec3& p_W_m) const {

@@ -9,15 +9,15 @@
 namespace tera {
 namespace {
 
-/// Boxes' sides and the smallest drops in them: on a picture of 600 px focal length the smallest
-/// are about half a pixel across at the far side.
+/// Sizes of the boxes and of their smallest drops. At 600 px focal length the smallest drops are
+/// about half a pixel wide at the far side.
 struct Size {
   double side_m, least_m;
 };
 constexpr Size kSizes[] = {{1.6, 0.5e-3}, {4.0, 1.0e-3}, {8.0, 2.0e-3}};
 constexpr double kNearest_m = 0.15;
 
-/// Wind 2 m above the ground over that 10 m above it, of a roughness of 5 mm.
+/// Ratio of wind speeds at 2 m and 10 m above ground with a roughness of 5 mm.
 double LowWindShare() { return std::log(2 / 0.005) / std::log(10 / 0.005); }
 
 }  // namespace
@@ -51,7 +51,7 @@ std::vector<FallingDrops::Streak> FallingDrops::Seen(const Pose& X_WC, TimeNs t_
   const double t_s = ToSeconds(t_ns);
   for (const Shell& shell : shells_) {
     for (const Drop& drop : shell.drops) {
-      // The drop's copy that is nearest to the eye.
+      // Periodic image of the drop nearest to the camera.
       Vec3 p_m = drop.p_m + t_s * drop.v_W_mps - X_WC.translation();
       p_m -= shell.side_m * (p_m / shell.side_m).array().round().matrix();
       if (p_m.squaredNorm() > 0.25 * shell.side_m * shell.side_m) continue;

@@ -9,17 +9,17 @@
 
 namespace tera {
 
-/// Drops of rain as a camera sees them in one exposure.
+/// Raindrops as a camera sees them in one exposure.
 ///
-/// Frames  W; C of the camera (x right, y down, z forward).
-/// Model   drops of Rain's sizes in boxes that repeat in all directions, the larger drops in larger
-///         boxes, each falling evenly with the wind 2 m above the ground. A drop leaves a streak
-///         from where it is half an exposure before the picture's time to where it is half of one
-///         after. Of a pixel that a streak crosses it covers pi/4 d^2 / (w l) of the light: d its
-///         diameter, l the streak's length and w its width on the picture, no less than
+/// Frames  W world, C camera (x right, y down, z forward).
+/// Model   drops of Rain's size distribution in periodic boxes, larger drops in larger boxes. Each
+///         drop falls at constant velocity with the wind at 2 m above ground. It leaves a streak
+///         along its path, from half an exposure before the image's time to half an exposure
+///         after. A streak covers pi/4 d^2 / (w l) of the light of each pixel it crosses. d is the
+///         drop's diameter, l the streak's length and w its width in the image, at least
 ///         kLeastWidth_px.
-/// Omits   drops below 0.5 mm and those beyond the boxes, which the rain's extinction stands for;
-///         the camera's own motion; defocus; drops' oscillations.
+/// Omits   drops below 0.5 mm and beyond the boxes, which the rain's extinction represents; the
+///         camera's own motion; defocus; drop oscillation.
 /// Source  rain.h; Garg and Nayar 2007, "Vision and rain", IJCV 75 (streaks and their
 ///         transparency).
 class FallingDrops {
@@ -30,11 +30,11 @@ class FallingDrops {
     Vec3 from_C_m, to_C_m;
     double diameter_m;
   };
-  /// Those before a camera at X_WC, nearer than their box reaches.
+  /// Streaks in front of a camera at X_WC, within the range of their boxes.
   std::vector<Streak> Seen(const Pose& X_WC, TimeNs t_ns, double exposure_s) const;
 
   static constexpr double kLeastWidth_px = 1.3;
-  /// Share of a pixel's light that a streak of that size on the picture covers.
+  /// Fraction of a pixel's light that a streak of that image size covers.
   static double Cover(double diameter_px, double width_px, double length_px);
 
  private:

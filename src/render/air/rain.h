@@ -2,12 +2,12 @@
 
 namespace tera {
 
-/// Falling rain as drops of all sizes.
+/// Falling rain with a drop size distribution.
 ///
-/// Model   N(D) = N0 exp(-L D) drops for each m^3 and each metre of diameter, N0 = 8000 / (m^3 mm),
-///         L = 4.1 R^-0.21 / mm with R in mm/h; a drop takes twice its cross-section out of the
-///         light; it falls with 9.65 - 10.3 exp(-0.6 D / mm) m/s.
-/// Omits   drops below 0.1 mm, oblate ones, gusts.
+/// Model   N(D) = N0 exp(-L D) drops per m^3 and per metre of diameter, N0 = 8000 / (m^3 mm),
+///         L = 4.1 R^-0.21 / mm with R in mm/h. The extinction cross-section is twice a drop's
+///         geometric cross-section. The fall speed is 9.65 - 10.3 exp(-0.6 D / mm) m/s.
+/// Omits   drops below 0.1 mm, oblate drops, gusts.
 /// Source  Marshall and Palmer 1948, "The distribution of raindrops with size"; Atlas, Srivastava
 ///         and Sekhon 1973, Rev. Geophys. 11, eq. 8, a fit to Gunn and Kinzer 1949.
 class Rain {
@@ -15,11 +15,11 @@ class Rain {
   explicit Rain(double rate_mmph);
 
   double rate_mmph() const { return rate_mmph_; }
-  /// Drops larger than that, for each m^3.
+  /// Number density of drops larger than `diameter_m`.
   double CountAbove_1pm3(double diameter_m) const;
   /// pi N0 / L^3.
   double Extinction_1pm() const;
-  /// Diameter that a share `above` of the drops larger than `least_m` exceeds.
+  /// Diameter that the fraction `above` of the drops larger than `least_m` exceeds.
   double DiameterAt(double least_m, double above) const;
 
   static constexpr double kLargest_m = 0.006;

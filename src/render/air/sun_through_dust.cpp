@@ -5,7 +5,7 @@
 namespace tera {
 namespace {
 
-/// Extinction times a step, summed from the cell's next step on.
+/// Sum of extinction times step length, from the first step beyond the cell.
 double DepthFrom(const DustVolume& dust, const Vec3& middle, const Vec3& step) {
   double sum = 0;
   for (Vec3 at = middle + step;; at += step) {

@@ -6,9 +6,9 @@
 
 namespace tera {
 
-/// Optical depth from the middle of each cell with dust towards the sun, up to the border of the
-/// cells, in steps of a cell and without eddies; 0 of cells without dust. The ground is taken as
-/// level on the way.
+/// Optical depth towards the sun from the centre of each cell with dust, up to the border of the
+/// cells; 0 in cells without dust. Steps have the length of a cell. The path omits eddies and
+/// treats the ground as level.
 std::vector<float> OpticalDepthsToSun(const DustVolume& dust, const Vec3& to_sun_W);
 
 }  // namespace tera

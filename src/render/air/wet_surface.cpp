@@ -3,9 +3,9 @@
 namespace tera {
 namespace {
 
-constexpr double kIndex = 1.33;     // of water, also at 905 nm
-constexpr double kMirrored = 0.02;  // of a ray that meets it head-on
-constexpr double kDiffuse = 0.066;  // of diffuse light from outside
+constexpr double kIndex = 1.33;     // refractive index of water, also at 905 nm
+constexpr double kMirrored = 0.02;  // water's reflectance at normal incidence
+constexpr double kDiffuse = 0.066;  // water's reflectance of diffuse light from outside
 constexpr double kHeldBack = 1 - (1 - kDiffuse) / (kIndex * kIndex);
 
 }  // namespace

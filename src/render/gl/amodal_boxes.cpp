@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kHalf_px = 0.5;
 
-/// Projects points that a picture may not hold.
+/// Projects points inside and outside the image.
 class WideProjection {
  public:
   explicit WideProjection(const CameraIntrinsics& lens) : lens_(lens) {
@@ -23,7 +23,7 @@ class WideProjection {
     }
   }
 
-  /// Of a point with z > 0, or of an angular lens's field.
+  /// Pixel of a point with z > 0, or within an angular lens's field.
   Vec2 operator()(const Vec3& p_C_m) const {
     if (lens_.IsAngular() || !lens_.Distorted()) return lens_.Project(p_C_m);
     const Vec2 at = p_C_m.head<2>() / p_C_m.z();
@@ -38,12 +38,12 @@ class WideProjection {
   double widest_ = 0;
 };
 
-/// Where surfaces fall on the picture's plane, within it and beyond.
+/// Bounding box of projected surfaces on the unbounded image plane.
 class Extent {
  public:
   explicit Extent(const CameraIntrinsics& lens) : lens_(lens), project_(lens) {}
 
-  /// Each corner once, and where an edge leaves the space before the camera.
+  /// Adds each corner once, and the points where edges leave the space in front of the camera.
   void AddTriangles(const std::vector<Vec3>& p_C_m, const std::vector<std::uint32_t>& indices) {
     const std::size_t used = indices.size() / 3 * 3;
     is_corner_.assign(p_C_m.size(), false);
@@ -78,7 +78,7 @@ class Extent {
   Eigen::AlignedBox2d box_px_;
 };
 
-/// The share of a box that lies beyond the picture.
+/// Fraction of a box outside the image.
 double Truncation(const Eigen::AlignedBox2d& box_px, const CameraIntrinsics& lens) {
   const Eigen::AlignedBox2d picture(Vec2(-kHalf_px, -kHalf_px),
                                     Vec2(lens.width_px - kHalf_px, lens.height_px - kHalf_px));
@@ -106,7 +106,7 @@ void AddNode(const SceneModel& model, const SceneNode& node, const SceneState& s
   }
 }
 
-/// What the nodes cover of each instance that a box is of, or of a part of which one is.
+/// Extents of the instances that have a box or belong to a whole with a box.
 class Extents {
  public:
   Extents(const SceneModel& model, const SceneState& state, const CameraIntrinsics& lens,
@@ -130,7 +130,7 @@ class Extents {
     for (std::size_t n = 0; n < nodes.size(); ++n) own_[nodes[n]->instance].extend(of_node[n]);
   }
 
-  /// Of an instance, or of a whole with its parts.
+  /// Extent of an instance, or of a whole with its parts.
   Eigen::AlignedBox2d Of(std::uint16_t object) const {
     Eigen::AlignedBox2d box_px;
     for (std::size_t i = 0; i < own_.size(); ++i) {
@@ -182,7 +182,7 @@ void AddWholeObjects(const SceneModel& model, const SceneState& state, const Cam
   const Extents extents(model, state, lens, X_CW, *boxes, workers);
   for (ObjectBox& box : *boxes) {
     Eigen::AlignedBox2d extent_px = extents.Of(box.instance);
-    // A field's rim may cut an object where it has no corner.
+    // The field's rim may cut an object between its corners.
     extent_px.extend(Vec2(box.x_min_px, box.y_min_px));
     extent_px.extend(Vec2(box.x_max_px, box.y_max_px));
     box.amodal_min_px = extent_px.min();

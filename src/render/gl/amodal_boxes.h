@@ -9,14 +9,14 @@
 
 namespace tera {
 
-/// Adds to each box what an object would cover alone, whatever is before it and wherever the
-/// picture ends, and its key points.
+/// Adds the amodal box and the key points to each box. The amodal box ignores occlusion and the
+/// image border.
 ///
-/// Model   the amodal box is that of all corners of the object's triangles, cut at near_m. Beyond
-///         the corners of the picture a lens that distorts goes on as a pinhole, and an angular one
-///         has only what lies in its field. Truncation is the share of that box beyond the picture.
-///         A key point is seen where the nearest pixel shows its object no further than the key
-///         point's radius before it.
+/// Model   the amodal box bounds all corners of the object's triangles, clipped at near_m. Beyond
+///         the image corners a distorting lens continues as a pinhole; an angular lens shows only
+///         its field. Truncation is the fraction of that box outside the image. A key point is
+///         visible if the nearest pixel shows its object, and at most the key point's radius in
+///         front of it.
 void AddWholeObjects(const SceneModel& model, const SceneState& state, const CameraIntrinsics& lens,
                      const Pose& X_WC, const CameraFrame& frame, Workers* workers,
                      std::vector<ObjectBox>* boxes);

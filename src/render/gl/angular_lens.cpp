@@ -6,10 +6,10 @@
 namespace tera {
 namespace {
 
-/// Steps in which the field is looked through.
+/// Number of samples over the field.
 constexpr int kSteps = 4000;
 
-/// The radius of the corner of the picture that is farthest from the principal point.
+/// Image corner farthest from the principal point, with its radius.
 struct Corner {
   Vec2 pixel_px;
   double rho = 0;
@@ -68,7 +68,7 @@ std::optional<Vec2> PixelWhereItFolds(const CameraIntrinsics& lens) {
   const Vec2 axis_px(lens.cx_px, lens.cy_px);
   for (int i = 0; i <= kSteps; ++i) {
     const LensRadius at = RadiusAt(lens, 0.5 * lens.field_rad * i / kSteps);
-    if (at.rho > corner.rho) break;  // out of the picture
+    if (at.rho > corner.rho) break;  // outside the image
     if (at.slope > 0) continue;
     const double share = corner.rho > 0 ? at.rho / corner.rho : 0;
     return (axis_px + share * (corner.pixel_px - axis_px)).array().round().matrix();

@@ -2,11 +2,11 @@
 
 #include <cstdint>
 
-/// A picture of bodies: of each pixel the index into SceneState::X_WB plus 1 of what it shows.
+/// A body image: each pixel holds the index into SceneState::X_WB plus 1 of the visible body.
 
 namespace tera {
 
-inline constexpr std::uint16_t kNoBody = 0;            ///< ground, land around it, sky
-inline constexpr std::uint16_t kSoilInFlight = 65535;  ///< a clod, whose motion no body has
+inline constexpr std::uint16_t kNoBody = 0;            ///< ground, surrounding land, sky
+inline constexpr std::uint16_t kSoilInFlight = 65535;  ///< a clod, which belongs to no body
 
 }  // namespace tera

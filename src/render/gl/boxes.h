@@ -7,30 +7,30 @@
 
 namespace tera {
 
-/// Counts the pixels that an object alone would cover.
+/// Counts the pixels that an object would cover without occluders.
 ///
-/// Model   the object's nodes are drawn without depth into a stencil that lets each pixel pass only
-///         once, under an occlusion query: exact, whatever the number of surfaces behind each
-///         other. The parts of a whole leave a bit behind, by which its pixels are counted without
-///         drawing it again. What stands still before a camera that stands still keeps its count.
+/// Model   an occlusion query counts the object's nodes, drawn without depth into a stencil that
+///         passes each pixel once. The count is exact for any number of overlapping surfaces. The
+///         parts of a whole set a stencil bit, from which the whole's pixels are counted without a
+///         second draw. A static object in a static view keeps its count.
 class Silhouettes {
  public:
   explicit Silhouettes(const SceneModel& model);
 
-  /// Pixels of each of `instances` alone in the view for which `nodes` was placed as in `state`.
+  /// Unoccluded pixels of each of `instances`. `nodes` must be placed for `view` as in `state`.
   std::vector<std::int64_t> Count(const View& view, const SceneState& state,
                                   const NodeRenderer& nodes,
                                   const std::vector<std::uint16_t>& instances);
 
  private:
-  /// What is drawn at once: an instance without parts, or a whole.
+  /// Unit of drawing: an instance without parts, or a whole.
   struct Object {
-    std::uint16_t whole = 0;           ///< of an instance that is a part
-    std::vector<std::uint16_t> parts;  ///< of a whole
-    std::vector<int> bodies;           ///< that its nodes, and its parts', move with
+    std::uint16_t whole = 0;           ///< whole that contains this part; 0: none
+    std::vector<std::uint16_t> parts;  ///< parts of a whole
+    std::vector<int> bodies;           ///< bodies that move its nodes and its parts' nodes
     bool changes_shape = false;
   };
-  /// Of one view: counts by instance, and of each object drawn the poses of its bodies then.
+  /// Cache of one view: counts by instance, and the body poses of each counted object.
   struct Memory {
     View view;
     std::vector<std::int64_t> counts;
@@ -47,13 +47,13 @@ class Silhouettes {
 
   std::vector<Object> objects_;  ///< by instance
   std::vector<GlObject> queries_;
-  std::vector<Memory> memories_;  ///< the one used last at the end
+  std::vector<Memory> memories_;  ///< most recently used last
   Program program_{"node.vert", "mask.frag"};
   Program everywhere_{"fullscreen.vert", "mask.frag"};
   GlObject no_vertices_ = MakeVertexArray();
   int width_px_ = 0, height_px_ = 0;
   GlObject stencil_, framebuffer_;
-  unsigned mark_ = 0;  ///< that the last instance left in the stencil
+  unsigned mark_ = 0;  ///< mark of the last instance in the stencil
 };
 
 }  // namespace tera

@@ -6,12 +6,12 @@ namespace tera {
 
 /// An OpenGL 4.5 core context without a window.
 ///
-/// Model   EGL's device platform where a device is a GPU, else Mesa's surfaceless platform, which
-///         draws in software. The context is current only within the life of a Current, so that a
-///         rasterizer may be used from any thread, one at a time.
+/// Model   EGL's device platform if a device is a GPU, otherwise Mesa's surfaceless platform with
+///         software rendering. The context is current only during the life of a Current. Any thread
+///         may therefore use a rasterizer, but only a single thread at a time.
 class EglContext {
  public:
-  /// Throws InputError, naming what was tried and the remedy, if there is no such context.
+  /// Throws InputError with the tried platforms and the remedy if no context is available.
   explicit EglContext(const EglOptions& options);
   ~EglContext();
   EglContext(const EglContext&) = delete;
@@ -19,16 +19,16 @@ class EglContext {
 
   const GlInfo& info() const { return info_; }
 
-  /// Makes the context current for a scope. Contexts that draw in software take turns, one at a
-  /// time in the process: Mesa's renderer (22.3) crashes now and then where two contexts of one
-  /// display draw at once, and uses every core for one anyway.
+  /// Makes the context current for a scope. Software contexts take turns, at most a single context
+  /// per process at a time. Mesa's renderer (22.3) occasionally crashes if two contexts of one
+  /// display draw concurrently, and already uses every core for one context.
   class Current {
    public:
     explicit Current(const EglContext& context);
     ~Current();
     Current(const Current&) = delete;
     Current& operator=(const Current&) = delete;
-    /// Lets another thread use the context, and takes it again.
+    /// Release lets another thread use the context; Take makes it current again.
     void Release();
     void Take();
 

@@ -4,17 +4,17 @@
 
 namespace tera {
 
-/// Which OpenGL to ask for.
+/// Choice of the OpenGL platform.
 struct EglOptions {
-  /// Index of an EGL device; -1 chooses: one with a GPU if there is one, else Mesa.
+  /// Index of an EGL device; -1: the first device with a GPU, otherwise Mesa.
   int device = -1;
 };
 
-/// The OpenGL that was got.
+/// Properties of the obtained OpenGL context.
 struct GlInfo {
   std::string egl_platform;  ///< "device 0" or "surfaceless"
   std::string vendor, renderer, version;
-  bool is_software = false;  ///< drawn by the processor
+  bool is_software = false;  ///< rendering on the CPU
 };
 
 }  // namespace tera

@@ -66,7 +66,7 @@ GlObject Named(void (*create)(GLsizei, GLuint*), GlObject::Deleter deleter) {
 GlObject MakeBuffer(std::size_t bytes, const void* data) {
   GlObject buffer = Named([](GLsizei n, GLuint* id) { glCreateBuffers(n, id); },
                           [](unsigned id) { glDeleteBuffers(1, &id); });
-  constexpr std::size_t kSmallest = 16;  // OpenGL refuses empty storage
+  constexpr std::size_t kSmallest = 16;  // OpenGL rejects empty storage
   glNamedBufferStorage(buffer.id(), static_cast<GLsizeiptr>(std::max(bytes, kSmallest)),
                        bytes == 0 ? nullptr : data, GL_DYNAMIC_STORAGE_BIT);
   return buffer;

@@ -10,7 +10,8 @@
 
 #include "core/motion.h"
 
-/// OpenGL objects that free themselves. All need a current context, also to be destroyed.
+/// OpenGL objects with automatic release. All operations, destruction included, need a current
+/// context.
 
 namespace tera {
 
@@ -38,40 +39,40 @@ class GlObject {
   Deleter deleter_ = nullptr;
 };
 
-/// A buffer with `bytes` of storage that can be rewritten; `data` may be null.
+/// A rewritable buffer with `bytes` of storage; `data` may be null.
 GlObject MakeBuffer(std::size_t bytes, const void* data);
 GlObject MakeVertexArray();
 GlObject MakeQuery();
 
-/// 0 to 1 as a byte of OpenGL's normalised formats.
+/// Converts 0..1 to a byte of OpenGL's normalised formats.
 std::uint8_t Unorm8(double value);
 
 enum class Filter { kNearest, kLinear, kMipmapped, kShadow };
 enum class Wrap { kClamp, kRepeat };
 
-/// Immutable two-dimensional storage of an OpenGL sized format.
+/// Immutable two-dimensional texture of an OpenGL sized format.
 GlObject MakeTexture(unsigned format, int width, int height, Filter filter, Wrap wrap,
                      int levels = 1);
-/// A framebuffer with colour attachments in order and, if not 0, a depth (or depth-stencil or
-/// stencil) texture. Throws InternalError if it is incomplete.
+/// A framebuffer with colour attachments in order. A non-zero `depth` attaches a depth,
+/// depth-stencil or stencil texture. Throws InternalError if the framebuffer is incomplete.
 GlObject MakeFramebuffer(const std::vector<unsigned>& colour, unsigned depth,
                          bool with_stencil = false);
 
-/// Names that `#ifdef` lines of shaders ask for.
+/// Macros that `#ifdef` lines of shaders test.
 using Switches = std::vector<std::string>;
 
 /// A linked vertex and fragment shader from files in shaders/.
 ///
-/// A line `#include "file.glsl"` pulls in another file of that folder. A branch that a uniform
-/// shuts still costs its time on a renderer that runs pixels in lockstep; what no switch names
-/// costs none. Throws InputError with the driver's log if a file is missing or does not compile.
+/// A line `#include "file.glsl"` includes another file of that folder. Switches remove code at
+/// compile time, because a branch on a uniform costs time on lockstep renderers even if not taken.
+/// Throws InputError with the driver's log if a file is absent or does not compile.
 class Program {
  public:
   Program(const std::string& vertex_file, const std::string& fragment_file,
           const Switches& switches = {});
 
   void Use() const;
-  // A uniform that the compiler removed is ignored.
+  // Uniforms that the compiler has removed are ignored.
   void Set(const char* name, int value) const;
   void Set(const char* name, float value) const;
   void Set(const char* name, const Eigen::Vector2f& value) const;
@@ -85,7 +86,7 @@ class Program {
  private:
   int Location(const char* name) const;
   GlObject program_;
-  mutable std::map<std::string, int, std::less<>> locations_;  ///< of uniforms that were asked for
+  mutable std::map<std::string, int, std::less<>> locations_;  ///< cache of uniform locations
 };
 
 }  // namespace tera

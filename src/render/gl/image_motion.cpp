@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kProbe_px = 4;
 
-/// For each instance, how its bodies carry points of C to points of the other C.
+/// Transforms of each instance's bodies from C to the other camera frame.
 using Carried = std::vector<std::vector<Pose>>;
 
 Carried CarriedBy(const SceneModel& model, const PosedView& then, const PosedView& other) {
@@ -16,7 +16,7 @@ Carried CarriedBy(const SceneModel& model, const PosedView& then, const PosedVie
   Carried carried(std::max<std::size_t>(model.instances.size(), 1));
   std::vector<int> last_body(carried.size(), -1);
   for (const SceneNode& node : model.nodes) {
-    if (last_body[node.instance] == node.body) continue;  // nodes of one body follow each other
+    if (last_body[node.instance] == node.body) continue;  // nodes of one body are consecutive
     last_body[node.instance] = node.body;
     carried[node.instance].push_back(X_DW * other.X_WB[node.body] * then.X_WB[node.body].inverse() *
                                      then.X_WC);

@@ -8,19 +8,19 @@
 
 namespace tera {
 
-/// Where a camera and all bodies are.
+/// Poses of a camera and all bodies.
 struct PosedView {
   const Pose& X_WC;
   const std::vector<Pose>& X_WB;
 };
 
-/// How far, in pixels, what a picture shows is from where it stands on it at another moment: the
-/// most of all things.
+/// Largest image displacement, in pixels, of the visible surfaces between two times.
 ///
-/// Model   a point of each surface at every kProbe_px-th pixel of `frame`, which was rendered from
-///         `then`, moves with the body of its instance, with all of an instance that has several;
-///         ground stands still, and what has no depth is infinitely far.
-/// Omits   things that the probes miss, and those that leave the lens's field.
+/// Model   every kProbe_px-th pixel of `frame`, rendered from `then`, yields a surface point that
+///         moves with its instance's body. For an instance of several bodies, the largest
+///         displacement of these bodies counts. Ground is static; points without depth are
+///         infinitely far.
+/// Omits   surfaces that the probes miss, and points that leave the lens's field.
 double ImageMotion_px(const SceneModel& model, const CameraIntrinsics& lens,
                       const CameraFrame& frame, const PosedView& then, const PosedView& other);
 

@@ -54,7 +54,7 @@ Vec3 CameraIntrinsics::Unproject(const Vec2& pixel_px) const {
   const Vec2 target((pixel_px.x() - cx_px) / fx_px, (pixel_px.y() - cy_px) / fy_px);
   if (IsAngular()) return AlongAngle(AngleOf(*this, target.norm()), target);
   constexpr int kMaxIterations = 50;
-  constexpr double kConverged = 1e-13;  // of the image plane at unit distance
+  constexpr double kConverged = 1e-13;  // on the image plane at unit distance
   Vec2 x = target;
   for (int i = 0; i < kMaxIterations; ++i) {
     const DistortedPoint d = Distort(*this, x);

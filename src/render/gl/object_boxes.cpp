@@ -20,7 +20,7 @@ std::vector<std::int64_t> CountPixels(const Image<std::uint16_t>& instance,
 
 namespace {
 
-/// Takes pixels of the same object, or of a part of it, up.
+/// Merges the pixels of the same object, or of its part.
 void AddPixels(const ObjectBox& part, ObjectBox* whole) {
   whole->x_min_px = std::min(whole->x_min_px, part.x_min_px);
   whole->y_min_px = std::min(whole->y_min_px, part.y_min_px);
@@ -42,8 +42,7 @@ void AddRow(const Image<std::uint16_t>& instance, int y, std::vector<ObjectBox>*
   }
 }
 
-/// The box of all nodes of an object, or of a whole's parts, as they stand, along the axes of its
-/// body.
+/// Box of all present nodes of an object or of a whole's parts, along the axes of its body.
 Eigen::AlignedBox3d BoxOfNodes(const SceneModel& model, const SceneState& state,
                                std::uint16_t object) {
   const Pose X_BW = state.X_WB[model.instances[object].body].inverse();
@@ -61,7 +60,7 @@ Eigen::AlignedBox3d BoxOfNodes(const SceneModel& model, const SceneState& state,
   return {box.min().cast<double>(), box.max().cast<double>()};
 }
 
-/// Whether parts of an object move with other bodies than its own: cylinders of a link, shoes.
+/// True if nodes of the object move with another body: a link's cylinders, track shoes.
 bool MovesInItself(const SceneModel& model, std::uint16_t i) {
   return std::any_of(model.nodes.begin(), model.nodes.end(), [&](const SceneNode& node) {
     return node.instance == i && node.body != model.instances[i].body;
@@ -78,7 +77,7 @@ Eigen::AlignedBox3d BoxOf(const SceneModel& model, const SceneState& state, std:
   return {object.box_min_B_m, object.box_max_B_m};
 }
 
-/// Of each instance its pixels and the box around them; without any, a box that is turned over.
+/// Pixel count and pixel box of each instance; an inverted box if it has no pixels.
 std::vector<ObjectBox> BoxesOfPixels(const Image<std::uint16_t>& instance, std::size_t instances,
                                      Workers* workers) {
   constexpr std::size_t kLeastRows = 32;

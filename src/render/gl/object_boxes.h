@@ -9,13 +9,13 @@
 
 namespace tera {
 
-/// Pixels of each instance in an image, those of a whole being those of its parts.
+/// Pixel count of each instance; a whole's count is the sum over its parts.
 std::vector<std::int64_t> CountPixels(const Image<std::uint16_t>& instance,
                                       const SceneModel& model);
 
 /// Boxes around the visible pixels of each visible instance, in order of instance, with their 3D
-/// boxes; `visibility` is left 0. A whole is visible where a part of it is; its 3D box holds all
-/// its parts as they stand, along the axes of its body.
+/// boxes. `visibility` stays 0. A whole is visible if a part is. Its 3D box encloses its parts,
+/// along the axes of its body.
 std::vector<ObjectBox> FindBoxes(const SceneModel& model, const SceneState& state, const Pose& X_WC,
                                  const Image<std::uint16_t>& instance, Workers* workers);
 

@@ -4,14 +4,14 @@
 
 namespace tera {
 
-/// Images on the GPU for one picture size, with colour in sRGB, or linear in half floats.
+/// GPU images of one size, with colour in sRGB or linear half floats.
 struct Pictures {
   int width_px = 0, height_px = 0;
   bool linear = false;
-  GlObject albedo, normal, label, depth;  ///< what is where
-  GlObject open, open_blurred;            ///< sky left over by what is near, half resolution
+  GlObject albedo, normal, label, depth;  ///< visible surfaces
+  GlObject open, open_blurred;            ///< visible sky fraction, at half resolution
   GlObject radiance;                      ///< linear, exposed
-  GlObject toned, colour;                 ///< before and after the edge filter
+  GlObject toned, colour;                 ///< input and output of the edge filter
   GlObject geometry_target, open_target, open_blurred_target, sky_target, glass_label_target,
       tone_target, colour_target;
 
@@ -19,7 +19,7 @@ struct Pictures {
   Pictures(int width, int height, bool linear_colour);
 };
 
-/// The camera's own picture behind a distorting lens.
+/// The camera's image behind a distorting lens.
 struct LensPictures {
   int width_px = 0, height_px = 0;
   bool linear = false;

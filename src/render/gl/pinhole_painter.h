@@ -23,29 +23,29 @@
 
 namespace tera {
 
-/// Draws pinhole pictures of one scene, pass by pass.
+/// Draws pinhole images of one scene, pass by pass.
 ///
-/// Model   deferred shading: what each pixel shows; its light; sky, glass and what fills the air
-///         over it; the tone curve.
+/// Model   deferred shading in four steps: visible surfaces; lighting; sky, glass and airborne
+///         matter; tone curve.
 class PinholePainter {
  public:
-  /// `done` is told the name of each pass whose calls have been made. `model` and `workers` must
-  /// outlive this.
+  /// `done` receives the name of each pass after its draw calls. `model` and `workers` must outlive
+  /// this object.
   PinholePainter(const SceneModel& model, Workers* workers,
                  std::function<void(const char* pass)> done);
 
-  /// The luminance that maps to 1 from now on; none: that of the scene's exposure.
+  /// Luminance that maps to 1; nullopt: the scene's exposure.
   void SetWhite(std::optional<double> white_cdpm2) { daylight_.SetWhite(white_cdpm2); }
-  /// Draws the scene as it is in `state` into `p`; where `light` is given, also the light on what
-  /// is seen.
+  /// Draws the scene of `state` into `p`, and the light on the visible surfaces into `light` if
+  /// given.
   void Draw(const View& view, const SceneState& state, const Pictures& p, LightPass* light);
 
   const Daylight& daylight() const { return daylight_; }
   NodeRenderer& nodes() { return nodes_; }
   const TerrainRenderer& terrain() const { return terrain_; }
-  /// The clods of the picture drawn last; null where it had no ground.
+  /// Clods of the last image; null without ground.
   const GrainRenderer* grains() const { return has_ground_ ? &grains_ : nullptr; }
-  /// Sent to the GPU since construction.
+  /// Number sent to the GPU since construction.
   std::int64_t triangles_drawn() const;
 
  private:
@@ -62,8 +62,8 @@ class PinholePainter {
   GeometryPass geometry_;
   ShadingPass shading_;
   SkyAndGlass sky_and_glass_;
-  std::optional<DustPass> dust_;  ///< of the first picture with dust in the air
-  std::optional<RainPass> rain_;  ///< where it rains
+  std::optional<DustPass> dust_;  ///< created by the first image with airborne dust
+  std::optional<RainPass> rain_;  ///< only with rain
   TonePass tone_;
   bool has_ground_ = false;
 };

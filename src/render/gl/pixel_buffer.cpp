@@ -41,7 +41,7 @@ void PixelBuffer::Wait() {
   if (copied_ == nullptr) return;
   constexpr GLuint64 kAtATime_ns = 1'000'000'000;
   GLenum end = GL_TIMEOUT_EXPIRED;
-  while (end == GL_TIMEOUT_EXPIRED) {  // drawing takes as long as it takes
+  while (end == GL_TIMEOUT_EXPIRED) {  // drawing has no time limit
     end = glClientWaitSync(static_cast<GLsync>(copied_), GL_SYNC_FLUSH_COMMANDS_BIT, kAtATime_ns);
   }
   TERA_CHECK(end != GL_WAIT_FAILED, glGetError());

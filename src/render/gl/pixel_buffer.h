@@ -7,18 +7,18 @@
 
 namespace tera {
 
-/// Memory that a picture is copied into while the program goes on.
+/// Memory for an asynchronous copy of a GPU image.
 class PixelBuffer {
  public:
   PixelBuffer() = default;
   PixelBuffer(const PixelBuffer&) = delete;
   PixelBuffer& operator=(const PixelBuffer&) = delete;
   ~PixelBuffer() { Forget(); }
-  /// Begins the copy of a texture, `pixels` of it, to which the OpenGL `format` and `type` give
-  /// `pixel_bytes` each. What an earlier copy left is gone.
+  /// Starts the copy of `pixels` pixels of a texture. OpenGL `format` and `type` need `pixel_bytes`
+  /// per pixel. The copy replaces the previous one.
   void Begin(const GlObject& texture, unsigned format, unsigned type, std::size_t pixels,
              std::size_t pixel_bytes);
-  /// What was copied, as values of T; waits until it is there. Good until the next Begin.
+  /// Waits for the copy and returns it as values of T. The span is valid until the next Begin.
   template <typename T>
   std::span<const T> Read() {
     Wait();
@@ -32,7 +32,7 @@ class PixelBuffer {
   GlObject buffer_;
   const void* mapped_ = nullptr;
   std::size_t bytes_ = 0, room_ = 0;
-  void* copied_ = nullptr;  ///< the fence behind the copy, until it has been waited for
+  void* copied_ = nullptr;  ///< pending fence of the copy
 };
 
 }  // namespace tera

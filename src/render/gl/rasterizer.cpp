@@ -30,7 +30,7 @@ void AddTo(std::vector<std::int64_t>* sums, const std::vector<std::int64_t>& cou
   for (std::size_t i = 0; i < counts.size(); ++i) (*sums)[i] += counts[i];
 }
 
-/// The one of `all` for that size and kind of colour.
+/// The entry of `all` with that size and colour format; creates it if absent.
 template <typename AnyPictures>
 AnyPictures& FittingOf(int width_px, int height_px, bool linear, std::vector<AnyPictures>* all) {
   for (AnyPictures& p : *all) {
@@ -46,13 +46,13 @@ struct Rasterizer::Impl {
   Workers workers;
   PassWatch watch;
   EglContext context;
-  EglContext::Current current;  // while the objects below are made, and again while they go
+  EglContext::Current current;  // current while the objects below are constructed and destroyed
   PinholePainter painter;
   Silhouettes silhouettes;
   LensPass lens_pass;
-  std::optional<BodyPass> bodies;  // of the first picture that asks for them
+  std::optional<BodyPass> bodies;  // created by the first request
   std::optional<LightPass> light_pass;
-  std::vector<Pictures> pictures;  // one for each size and kind of colour met
+  std::vector<Pictures> pictures;  // one per size and colour format
   std::vector<LensPictures> lens_pictures;
   std::vector<Lens> lenses;
   PixelBuffer colour_copy, word_copy, normal_copy, depth_copy;
@@ -65,21 +65,21 @@ struct Rasterizer::Impl {
         painter(model, &workers, [this](const char* pass) { Done(pass); }),
         silhouettes(model) {}
 
-  /// Where the picture that a camera sees lies, and what it was made from.
+  /// The rendered camera image and its sources.
   struct Shown {
     const GlObject& colour;
     LabelOutputs labels;
     const GlObject& depth;
     unsigned depth_format;
     std::vector<View> views;
-    std::vector<std::int64_t> seen;  ///< pixels of each instance in all views, behind a lens
+    std::vector<std::int64_t> seen;  ///< visible pixels of each instance in all views, with a lens
   };
-  /// Of a picture, beside colour, depth and the label word.
+  /// Requested outputs besides colour, depth and the label word.
   struct Wanted {
     bool normals = false;
-    bool counts = false;                   ///< of the pixels of each instance
-    Image<std::uint16_t>* body = nullptr;  ///< the place for bodies, if any
-    Image<float>* light = nullptr;         ///< and for the light on what is seen
+    bool counts = false;                   ///< pixel count of each instance
+    Image<std::uint16_t>* body = nullptr;  ///< output for bodies, or null
+    Image<float>* light = nullptr;         ///< output for the illuminance, or null
   };
   const Lens& LensOf(const CameraIntrinsics& camera);
   Shown Show(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state,
@@ -134,7 +134,7 @@ const Lens& Rasterizer::Impl::LensOf(const CameraIntrinsics& camera) {
   return lenses.emplace_back(camera);
 }
 
-/// Share of each box's object that is seen. Behind a lens it is counted in the pinhole pictures.
+/// Computes each box's visible fraction. With a lens, the pinhole images supply the counts.
 void Rasterizer::Impl::Measure(const Shown& shown, const SceneState& state, CameraFrame* frame) {
   NodeRenderer& nodes = painter.nodes();
   std::vector<std::uint16_t> visible;
@@ -211,7 +211,7 @@ Rasterizer::Impl::Shown Rasterizer::Impl::ShowThroughLens(const Lens& lens, cons
   return shown;
 }
 
-/// The copies come in the order in which they are begun, and are looked at in the same.
+/// Copies complete in order of their start; the reader uses them in the same order.
 void Rasterizer::Impl::BeginReading(const Shown& shown, const CameraIntrinsics& camera,
                                     bool normals) {
   const std::size_t pixels = static_cast<std::size_t>(camera.width_px) * camera.height_px;

@@ -13,28 +13,29 @@
 
 namespace tera {
 
-/// A picture in luminance.
+/// A luminance image.
 ///
-/// Model   three channels, linear in the primaries of sRGB. Edges are smoothed by the contrast that
-///         they have where `white_cdpm2` is the brightest, whatever the scene's own exposure.
+/// Model   three channels, linear in the primaries of sRGB. The edge filter uses the contrast
+///         relative to `white_cdpm2`, independent of the scene's exposure.
 struct LuminancePicture {
   double white_cdpm2 = 1;
-  Image<float> cdpm2;  ///< filled
+  Image<float> cdpm2;  ///< output
 };
 
 /// Renders colour, planar depth, class and instance of one camera in one pass, without a display.
 ///
-/// Model   deferred shading: one pass over the geometry gives albedo, normal, label and depth; sun
-///         with shadow map, sky light with occlusion, Koschmieder fog, filmic tone curve. A lens
-///         that distorts is a finer pinhole picture, resampled. Around the site lies a backdrop of
-///         land, labelled terrain.
-///         Surface normals are those that colour is shaded with, towards the eye: a mesh's own,
-///         smooth where it is shaded so, and on the ground with the relief of its grain.
-/// Omits   depth beyond far_m is 0, while colour and labels go on to the horizon. Glass is blended
-///         in colour; labels, normals and depth are those of the glass.
-/// Throws InputError if no EGL platform with OpenGL 4.5 core can be had. May be used from any
-/// thread, one at a time; what the processor does for a picture is shared by `threads`, whose
-/// number changes no pixel.
+/// Model   deferred shading: one geometry pass produces albedo, normal, label and depth. Lighting
+///         consists of sun with shadow map, sky light with occlusion, Koschmieder fog and a filmic
+///         tone curve. A distorting lens resamples a finer pinhole image. A backdrop of land,
+///         labelled terrain, surrounds the site. Surface normals are the shading normals, oriented
+///         towards the eye: mesh normals with their smoothing, and ground normals with the relief
+///         of the grain.
+/// Omits   depth beyond far_m, which is 0; colour and labels extend to the horizon. Glass is
+///         blended in colour, while labels, normals and depth show the glass.
+/// Throws  InputError without an EGL platform that supports OpenGL 4.5 core.
+///
+/// Any thread may use a rasterizer, but only a single thread at a time. `threads` share the CPU
+/// work of an image; their number changes no pixel.
 class Rasterizer {
  public:
   Rasterizer(const SceneModel& model, const EglOptions& options, int threads = 1);
@@ -42,29 +43,28 @@ class Rasterizer {
 
   const GlInfo& info() const;
   const SceneModel& model() const;
-  /// The threads, for what is made of a picture while none is drawn.
+  /// Threads for work on a finished image while no image is being drawn.
   Workers* workers() const;
-  /// Of the sun on a plane that faces it, in the primaries of sRGB.
+  /// Illuminance of the sun on a plane that faces it, in the primaries of sRGB.
   Vec3 sun_illuminance_lx() const;
   /// Terrain tiles sent to the GPU since construction.
   std::int64_t uploaded_tiles() const;
-  /// Triangles sent to the GPU since construction, those of shadows and of boxes' silhouettes too.
+  /// Number of triangles since construction, including shadows and silhouettes of boxes.
   std::int64_t triangles_drawn() const;
 
-  /// From now on `done` is told each pass of a picture when all of it has been drawn, for
-  /// measurements: waiting for that takes time of its own. Nothing: nobody is told.
+  /// Calls `done` with the name of each pass when the GPU has completed it, for measurements.
+  /// Waiting for completion takes extra time. An empty function disables the calls.
   using PassWatch = std::function<void(const char* pass)>;
   void Watch(PassWatch done);
 
-  /// What a camera at X_WC sees. Fills rgb, depth_m, boxes and the usual labels of the frame, and
-  /// what `labels` names beside them of what shaders write; t_ns is state.t_ns. With `luminance` it
-  /// is that which is filled in the place of rgb; `body`, if asked for, becomes the picture of
-  /// bodies (body_picture.h), and `light` of two channels: the illuminance of what each pixel
-  /// shows, in lx, and the share of the sun that reaches it.
+  /// Renders the view of a camera at X_WC at state.t_ns. Fills rgb, depth_m, boxes, the usual
+  /// labels and those shader-written channels that `labels` names. `luminance` replaces rgb as
+  /// output. `body` receives the body image (body_picture.h). `light` has two channels: illuminance
+  /// of each pixel's surface in lx, and the fraction of the sun that reaches it.
   CameraFrame Render(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state,
                      LabelSet labels = {}, LuminancePicture* luminance = nullptr,
                      Image<std::uint16_t>* body = nullptr, Image<float>* light = nullptr);
-  /// That luminance alone.
+  /// Renders only the luminance.
   void RenderLuminance(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state,
                        LuminancePicture* luminance);
 

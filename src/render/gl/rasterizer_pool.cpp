@@ -34,7 +34,7 @@ RasterizerPool::RasterizerPool(const SceneModel& model, const EglOptions& egl, i
       worker->thread = std::thread([&place = *worker] { place.TakeAll(); });
     }
   } catch (const std::system_error&) {
-    // The computer gives no more threads; the caller's takes the pictures of the others.
+    // The system provides no more threads; the calling thread renders for the others.
   }
 }
 
@@ -70,7 +70,7 @@ std::future<CameraFrame> RasterizerPool::Take(std::size_t rasterizer, Work work)
   return frame;
 }
 
-/// Until the rasterizer closes.
+/// Renders requests until the rasterizer closes.
 void RasterizerPool::Worker::TakeAll() {
   std::unique_lock lock(mutex);
   while (true) {

@@ -14,36 +14,36 @@
 
 namespace tera {
 
-/// Where pictures of one scene are taken: rasterizers that share nothing, each with a thread and an
-/// OpenGL context of its own, beside a run that goes on.
+/// Independent rasterizers for images of one scene, each with its own thread and OpenGL context.
+/// They work concurrently with a run.
 ///
-/// Model   a rasterizer takes its pictures in the order in which they are ordered, and others take
-///         theirs at the same time. A picture is the same in any of them.
+/// Model   each rasterizer renders its images in order of request; different rasterizers work
+///         concurrently. Every rasterizer produces the same image.
 class RasterizerPool {
  public:
   using Work = std::function<CameraFrame(Rasterizer* rasterizer)>;
 
   static constexpr int kThreadsOfEach = 4, kMost = 4;
-  /// How many rasterizers make pictures faster: on a GPU one for every kThreadsOfEach of `threads`,
-  /// kMost at most; where OpenGL draws in software, which takes every core for one picture, one.
+  /// Number of rasterizers that increases throughput. A GPU takes one per kThreadsOfEach of
+  /// `threads`, at most kMost. Software OpenGL takes one, since one image uses every core.
   static int FittingCount(const EglOptions& egl, int threads);
 
-  /// `beside` rasterizers, which share `threads`; with none, one that takes a picture while it is
-  /// ordered. Throws InputError as Rasterizer does.
+  /// `beside` concurrent rasterizers share `threads`. With 0, a single rasterizer renders in the
+  /// calling thread. Throws InputError as Rasterizer does.
   RasterizerPool(const SceneModel& model, const EglOptions& egl, int threads, int beside);
-  /// Pictures under way are finished, those that have not been begun are none.
+  /// Finishes started images and drops waiting ones.
   ~RasterizerPool();
   RasterizerPool(const RasterizerPool&) = delete;
   RasterizerPool& operator=(const RasterizerPool&) = delete;
 
   std::size_t count() const { return workers_.size(); }
   bool work_beside() const { return work_beside_; }
-  /// The rasterizer for one more camera: each gets another, as far as they go.
+  /// Rasterizer index for the next camera, round-robin.
   std::size_t NextForACamera() { return cameras_++ % workers_.size(); }
-  /// Orders a picture. What `work` looks at must stay as it is until the picture is there; what it
-  /// throws, get() throws.
+  /// Requests an image. The inputs of `work` must not change until the image exists. get() rethrows
+  /// its exception.
   std::future<CameraFrame> Take(std::size_t rasterizer, Work work);
-  /// Seconds for which the busiest rasterizer has worked; known when no picture is under way.
+  /// Busy seconds of the most loaded rasterizer; valid while no image is in progress.
   double busy_s() const;
 
  private:
@@ -55,13 +55,13 @@ class RasterizerPool {
     std::condition_variable is_asked;
     std::deque<Order> orders;
     bool closes = false;
-    std::thread thread;  ///< none where the caller's takes the pictures
+    std::thread thread;  ///< not running if the calling thread renders
 
     void TakeAll();
   };
 
   bool work_beside_;
-  std::size_t cameras_ = 0;  ///< that got one
+  std::size_t cameras_ = 0;  ///< number of assigned cameras
   std::vector<std::unique_ptr<Worker>> workers_;
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kLeastLabelsOfThread = 1 << 15;  ///< pixels
 
-/// From `first_bit` on, one component after the other.
+/// Extracts the components in order, starting at `first_bit`.
 template <typename T>
 void Extract(std::span<const std::uint32_t> words, int first_bit, Workers* workers,
              Image<T>* picture) {
@@ -27,7 +27,7 @@ void Extract(std::span<const std::uint32_t> words, int first_bit, Workers* worke
   });
 }
 
-/// From unsigned 16-bit values in W to those of surface_normal.h in C.
+/// Converts unsigned 16-bit values in W to the values of surface_normal.h in C.
 void TakeNormals(std::span<const std::uint16_t> outputs, const Mat3& R_WC, Workers* workers,
                  Image<std::uint16_t>* picture) {
   constexpr double kHalfRange = 32767.5;

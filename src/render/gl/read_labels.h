@@ -9,24 +9,24 @@
 
 namespace tera {
 
-/// What shaders have written of each pixel of one picture.
+/// Shader outputs per pixel of one image.
 struct LabelOutputs {
-  const GlObject& word;    ///< of LabelSource::kLabelWord
-  const GlObject& normal;  ///< of LabelSource::kSurfaceNormal
+  const GlObject& word;    ///< LabelSource::kLabelWord
+  const GlObject& normal;  ///< LabelSource::kSurfaceNormal
 };
 
-/// The same, read: one word, and four values of 16 bits in W, of which the last is no part of the
-/// normal. Either may be missing where `labels` below names none of it.
+/// CPU copy of the outputs: one word, and four 16-bit values in W, the last of which is not part of
+/// the normal. Outputs that no requested label needs may be empty.
 struct ReadLabelOutputs {
   std::span<const std::uint32_t> word;
   std::span<const std::uint16_t> normal;
 };
 
-/// Fills those pictures of `frame`, of the outputs' size, that `labels` names and shaders write.
+/// Fills the images of `frame` that `labels` names and shaders write, at the outputs' size.
 void FillLabels(const ReadLabelOutputs& outputs, int width_px, int height_px, const Mat3& R_WC,
                 LabelSet labels, Workers* workers, CameraFrame* frame);
 
-/// The picture of instances alone, read at once.
+/// Reads only the instance image, synchronously.
 Image<std::uint16_t> ReadInstances(const GlObject& word, int width_px, int height_px);
 
 }  // namespace tera

@@ -6,11 +6,11 @@
 
 namespace tera {
 
-/// A pinhole camera as the vertex shaders use it.
+/// A pinhole camera for the vertex shaders.
 ///
-/// Frames  positions reach the GPU relative to the eye but along W's axes, so that floats keep
-///         their precision far from the site's origin.
-/// Model   clip.xyw = (2 (fx X + (cx + 1/2) Z) / width - Z, likewise y, Z), clip.z = near: depth
+/// Frames  GPU positions are relative to the eye, along W's axes, so that floats keep their
+///         precision far from the site's origin.
+/// Model   clip.xyw = (2 (fx X + (cx + 1/2) Z) / width - Z, likewise y, Z), clip.z = near. Depth
 ///         near / Z falls from 1 at the near plane to 0 at infinity. Window row 0 is image row 0.
 struct View {
   Vec3 eye_W_m;
@@ -22,9 +22,9 @@ struct View {
   View(const CameraIntrinsics& pinhole, const Pose& X_WC);
 
   Eigen::Matrix4f ClipFromRelative() const;
-  /// Whether both see the same, to the bit.
+  /// True if both views are bit-identical.
   bool IsSame(const View& other) const;
-  /// False only where the box, given in W, is wholly outside the picture.
+  /// False only if the box, given in W, lies completely outside the image.
   bool Sees(const Vec3& box_min_W_m, const Vec3& box_max_W_m) const;
   bool SeesSphere(const Vec3& centre_W_m, double radius_m) const;
 

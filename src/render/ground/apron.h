@@ -5,14 +5,14 @@
 
 namespace tera {
 
-/// The land around the site on the GPU.
+/// GPU mesh of the land around the site.
 class Apron {
  public:
   Apron() = default;
   explicit Apron(Surroundings surroundings);
-  /// Takes over the border's heights.
+  /// Adopts the heights of the site's border.
   void Update(const TerrainSurface& terrain);
-  /// Attributes: 0 position in W, 1 normal, 2 albedo (square roots).
+  /// Vertex attributes: 0 position in W, 1 normal, 2 square root of the albedo.
   void Draw() const;
   int triangles() const { return static_cast<int>(land_.indices().size() / 3); }
 

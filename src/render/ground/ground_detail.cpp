@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kSide = GroundDetail::kSide;
 constexpr int kStones = 2600;
-constexpr double kSmallestStone = 0.0035, kLargestStone = 0.03;  // radius in tiles
+constexpr double kSmallestStone = 0.0035, kLargestStone = 0.03;  // radius, in tiles
 
 struct Relief {
   std::vector<float> height = std::vector<float>(static_cast<std::size_t>(kSide) * kSide);
@@ -23,7 +23,7 @@ struct Relief {
   }
 };
 
-/// A dome that stands on whatever is there, its outline a little uneven.
+/// Adds a dome with a slightly uneven outline on top of the present relief.
 void AddStone(double u, double v, double radius, double squash, double tone, Relief* relief) {
   const int reach = static_cast<int>(radius * kSide * 1.3) + 1;
   const int ci = static_cast<int>(u * kSide), cj = static_cast<int>(v * kSide);
@@ -61,7 +61,7 @@ GroundDetail MakeGroundDetail() {
   }
   const Stream stream(0, "render/ground/stones");
   for (int s = 0; s < kStones; ++s) {
-    // Sizes by a power law: many small, few large.
+    // Power law of sizes: many small, few large.
     const double size = kSmallestStone * std::pow(kLargestStone / kSmallestStone,
                                                   std::pow(stream.Uniform(s, 2), 3.5));
     AddStone(stream.Uniform(s, 0), stream.Uniform(s, 1), size, 0.8 + 0.5 * stream.Uniform(s, 3),

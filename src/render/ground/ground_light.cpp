@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-constexpr float kNoShadowDepth_m = 100.0f;  // below the ground at the site's sunny border
+constexpr float kNoShadowDepth_m = 100.0f;  // depth below the ground at the site's sunward border
 constexpr int kLargestTexture = 4096;       // texels along a side
 
 }  // namespace
@@ -53,7 +53,7 @@ std::vector<TexelWindow> Gathered(const std::vector<TexelWindow>& windows, int t
       }
       window = both;
       gathered.erase(gathered.begin() + static_cast<std::ptrdiff_t>(k));
-      k = 0;  // the larger one may take up others
+      k = 0;  // the larger window may absorb others
     }
     gathered.push_back(window);
   }
@@ -126,7 +126,7 @@ float SkyView::Factor(const HeightTexels& heights, int i, int j) const {
   const float h = heights.at(i, j);
   float sum = 0;
   for (const auto& samples : directions_) {
-    float steepest = 0;  // tangent of the horizon's height
+    float steepest = 0;  // tangent of the horizon's elevation
     for (const Sample& s : samples) {
       const int a = std::clamp(i + s.di, 0, heights.width() - 1);
       const int b = std::clamp(j + s.dj, 0, heights.height() - 1);
@@ -149,7 +149,7 @@ void SkyView::Factors(const HeightTexels& heights, const TexelRow& row, float* f
   for (int i = end; i < row.i1; ++i) factors[i - row.i0] = Factor(heights, i, row.j);
 }
 
-/// Of texels whose samples lie within the ground: what Factor does, for all of them in each step.
+/// Vectorized Factor for texels whose samples all lie within the ground.
 void SkyView::InnerFactors(const HeightTexels& heights, int i, int j, int count,
                            float* factors) const {
   const float* here_m = heights.from(i, j);
@@ -168,14 +168,14 @@ void SkyView::InnerFactors(const HeightTexels& heights, int i, int j, int count,
   for (int k = 0; k < count; ++k) factors[k] = sum[k] / directions_.size();
 }
 
-/// Walks the grid so that the line that casts shadow on a line is done before it.
+/// Order of lines in which each line follows the line that casts shadow on it.
 struct GroundShadow::Sweep {
   bool along_x;       ///< lines are columns (constant i), else rows (constant j)
   int lines, across;  ///< number of lines, texels on each
-  int first, step;    ///< first line done and the way on
-  int whole;          ///< texels across, per line towards the sun, and the part beyond
+  int first, step;    ///< first line and increment
+  int whole;          ///< whole and fractional texel shift across, per line towards the sun
   float part;
-  float drop_m;  ///< of the shadow from one line to the next
+  float drop_m;  ///< drop of the shadow between lines
   std::size_t line_stride, across_stride;
 
   Sweep(const HeightTexels& heights, const Vec3& to_sun_W) {
@@ -217,12 +217,12 @@ TexelWindow GroundShadow::Update(const HeightTexels& heights, const TexelWindow&
   const Sweep s(heights, zenith ? Vec3(Vec3::UnitX()) : to_sun_W_);
   const int n0 = s.along_x ? window.i0 : window.j0, n1 = s.along_x ? window.i1 : window.j1;
   const int k0 = s.along_x ? window.j0 : window.i0, k1 = s.along_x ? window.j1 : window.i1;
-  // Texels [from, to) of the line before have another height or shadow.
+  // Texels [from, to) of the previous line have a changed height or shadow.
   int from = 0, to = 0;
   for (int line = s.step > 0 ? n0 : n1 - 1; line >= 0 && line < s.lines; line += s.step) {
     const bool inside = line >= n0 && line < n1;
     if (!inside && to <= from) break;
-    // A caster at k shades the texels between k - whole - 1 and k - whole.
+    // An occluder at k shades the texels between k - whole - 1 and k - whole.
     int a = to > from ? std::max(0, from - s.whole - 1) : s.across,
         b = std::min(s.across, to - s.whole);
     if (to > from && from == 0) a = 0;

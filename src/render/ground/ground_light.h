@@ -7,32 +7,31 @@
 
 namespace tera {
 
-/// A rectangle of texels, without its upper ends.
+/// A half-open rectangle of texels.
 struct TexelWindow {
   int i0 = 0, j0 = 0, i1 = 0, j1 = 0;
   bool empty() const { return i1 <= i0 || j1 <= j0; }
   void Extend(int i, int j);
   void Extend(const TexelWindow& other);
-  /// What both hold.
+  /// Intersection of both windows.
   TexelWindow Within(const TexelWindow& other) const;
-  /// With `texels` more on each side; nothing remains nothing.
+  /// Grown by `texels` on each side; an empty window stays empty.
   TexelWindow Grown(int texels) const;
 };
 
-/// Fewer windows that hold all of `windows`, and little beside: to send one costs as much as
-/// `texels_of_a_window` more texels.
+/// Merges windows into fewer windows that cover all of `windows`. One transfer costs as much as
+/// `texels_of_a_window` texels, so a merge may add up to that many texels.
 std::vector<TexelWindow> Gathered(const std::vector<TexelWindow>& windows, int texels_of_a_window);
 
-/// Texels side by side, from i0 up to, not including, i1.
+/// Adjacent texels of row j, from i0 up to but excluding i1.
 struct TexelRow {
   int j = 0, i0 = 0, i1 = 0;
 };
 
-/// What the windows hold, each texel in one row alone.
+/// Texels of the windows; each texel occurs in exactly one row.
 std::vector<TexelRow> RowsOf(const std::vector<TexelWindow>& windows);
 
-/// Heights of a ground, one texel for every `texel_cells`-th vertex: all of them where the site is
-/// small enough for a texture.
+/// Terrain heights, one texel per `texel_cells`-th vertex; every vertex if the site fits a texture.
 class HeightTexels {
  public:
   HeightTexels() = default;
@@ -45,11 +44,11 @@ class HeightTexels {
   std::size_t index(int i, int j) const { return static_cast<std::size_t>(j) * width_ + i; }
   float at(int i, int j) const { return height_m_[index(i, j)]; }
   float at(std::size_t k) const { return height_m_[k]; }
-  /// The texel and those after it.
+  /// Pointer to the texel; its successors in the row follow.
   const float* from(int i, int j) const { return &height_m_[index(i, j)]; }
   /// Texels of tile (a, b) and of its border.
   TexelWindow Of(int a, int b) const;
-  /// Takes over the heights there; returns where they were others before.
+  /// Copies the heights of the window; returns the window of changed heights.
   TexelWindow Read(const TerrainSurface& terrain, const TexelWindow& window);
 
  private:
@@ -58,12 +57,12 @@ class HeightTexels {
   std::vector<float> height_m_;
 };
 
-/// How far around a vertex ground shades the sky from it.
+/// Radius around a vertex within which ground occludes its sky.
 inline constexpr double kOcclusionReach_m = 1.0;
 
-/// The share of the sky's light that reaches a texel past the ground around it, in [0, 1].
+/// Fraction of the sky's light that the surrounding ground leaves at a texel, in [0, 1].
 ///
-/// Model   mean over eight directions of cos2 of the horizon's height, the horizon being the
+/// Model   mean over eight directions of cos2 of the horizon's elevation. The horizon is the
 ///         steepest of a few samples out to kOcclusionReach_m.
 /// Source  Max 1988, "Horizon mapping"; cosine-weighted sky factor of level ground.
 class SkyView {
@@ -71,9 +70,9 @@ class SkyView {
   SkyView() = default;
   explicit SkyView(double texel_m);
   float Factor(const HeightTexels& heights, int i, int j) const;
-  /// Those of a row, one after the other, from its first texel on.
+  /// Factors of a row, in order from its first texel.
   void Factors(const HeightTexels& heights, const TexelRow& row, float* factors) const;
-  /// Heights further away than this along either axis change nothing.
+  /// Heights beyond this distance along either axis have no effect.
   int reach_texels() const { return reach_texels_; }
 
  private:
@@ -88,19 +87,19 @@ class SkyView {
   int reach_texels_ = 0;
 };
 
-/// Height of the shadow that the ground casts over each texel: a point below it does not see the
-/// sun. Where nothing shades, the value lies below the ground.
+/// Height of the ground's cast shadow over each texel: a point below it does not see the sun.
+/// Without a shadow the value lies below the ground.
 ///
-/// Model   along the way to the sun, S(p) = max(h(q), S(q)) - |pq| tan(e), with q the next point
-///         of the grid's lines towards the sun, between two texels by linear interpolation.
+/// Model   S(p) = max(h(q), S(q)) - |pq| tan(e) along the direction to the sun. q is the next point
+///         towards the sun on the grid's lines, linearly interpolated between two texels.
 class GroundShadow {
  public:
   GroundShadow() = default;
   explicit GroundShadow(const Vec3& to_sun_W) : to_sun_W_(to_sun_W) {}
 
-  /// Follows heights that changed within `changed`; returns where shadows changed.
+  /// Updates for heights that changed within `changed`; returns the window of changed shadows.
   TexelWindow Update(const HeightTexels& heights, const TexelWindow& changed);
-  /// Row-major as the heights.
+  /// Row-major, like the heights.
   const std::vector<float>& shadow_m() const { return shadow_m_; }
 
  private:

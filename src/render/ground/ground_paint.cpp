@@ -6,7 +6,7 @@
 namespace tera {
 namespace {
 
-constexpr double kWhole_m = 0.02, kGone_m = 0.06;  ///< departure from the start's height
+constexpr double kWhole_m = 0.02, kGone_m = 0.06;  ///< departure from the initial height
 
 }  // namespace
 
@@ -17,7 +17,7 @@ Vec3 GroundPaint::Over(const Vec3& soil, double x_m, double y_m, double height_m
   const int i = std::min(static_cast<int>(gx), nx - 2), j = std::min(static_cast<int>(gy), ny - 2);
   const double u = gx - i, v = gy - j;
   const std::size_t at = static_cast<std::size_t>(j) * nx + i;
-  // Of the values' own type: an expression of Eigen's would outlive what it is made of.
+  // Returns a value: an Eigen expression would outlive its operands.
   const auto between = [&](const auto& values) -> decltype(values(at)) {
     return (1 - v) * ((1 - u) * values(at) + u * values(at + 1)) +
            v * ((1 - u) * values(at + nx) + u * values(at + nx + 1));

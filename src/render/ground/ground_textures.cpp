@@ -16,9 +16,9 @@ namespace {
 constexpr int kCells = TerrainGrid::kTileCells;
 constexpr double kRutDarker = 0.22;
 constexpr double kTypicalGrain_m = 0.01;
-constexpr float kUndisturbedDetail = 0.45f;  // of the relief of loose soil
-constexpr int kTexelsOfAWindow = 4096;       // that take as long as one more window
-constexpr double kSnowSmooths = 0.8;         // of the ground's relief
+constexpr float kUndisturbedDetail = 0.45f;  // fraction of the relief of loose soil
+constexpr int kTexelsOfAWindow = 4096;       // texels that take as long as one more window
+constexpr double kSnowSmooths = 0.8;         // fraction of the ground's relief
 
 std::uint8_t Snorm8(double value) {
   return static_cast<std::uint8_t>(
@@ -64,7 +64,7 @@ void GroundTextures::Pyramid::ShrinkRows(int level, const TexelWindow& window) {
           }
         }
         coarse.texels[(static_cast<std::size_t>(j) * coarse.width + i) * 4 + k] =
-            static_cast<std::uint8_t>((sum + 2) >> 2);  // rounded, also below 0
+            static_cast<std::uint8_t>((sum + 2) >> 2);  // rounds to nearest, also below 0
       }
     }
   }
@@ -122,7 +122,7 @@ bool GroundTextures::IsUnderWater(std::size_t texel) const {
   return !water_m_.empty() && water_m_[texel] > heights_.at(texel);
 }
 
-/// Takes over the covers there; returns where they were others before.
+/// Copies the covers of the window; returns the window of changed covers.
 TexelWindow GroundTextures::ReadCovers(const TerrainSurface& terrain, const TexelWindow& window) {
   TexelWindow changed;
   for (int j = window.j0; j < window.j1; ++j) {
@@ -179,7 +179,7 @@ void GroundTextures::PaintTexel(int i, int j, float sky) {
   shape[3] = Snorm8(-1);
 }
 
-/// Each texel from heights and covers alone, and once: neighbours share their borders.
+/// Paints each texel once, from heights and covers alone; neighbouring tiles share their borders.
 void GroundTextures::Paint(const std::vector<TexelWindow>& windows, Workers* workers) {
   const std::vector<TexelRow> rows = RowsOf(windows);
   constexpr std::size_t kLeastRows = 8;
@@ -197,7 +197,7 @@ void GroundTextures::Paint(const std::vector<TexelWindow>& windows, Workers* wor
 void GroundTextures::Update(const TerrainSurface& terrain, const std::vector<TileIndex>& changed,
                             Workers* workers) {
   if (changed.empty()) return;
-  const int reach = std::max(sky_view_.reach_texels(), 1);       // the normal looks one texel far
+  const int reach = std::max(sky_view_.reach_texels(), 1);  // the normal uses texels at distance 1
   const int halo = reach * heights_.texel_cells() / kCells + 1;  // in tiles
   std::vector<TexelWindow> dirty(terrain.tile_count());
   TexelWindow risen;
@@ -215,7 +215,7 @@ void GroundTextures::Update(const TerrainSurface& terrain, const std::vector<Til
     }
   }
   Paint(dirty, workers);
-  // Smaller levels straddle tiles, so that they are remade after all tiles are painted.
+  // Smaller levels straddle tiles, so they follow the painting of all tiles.
   if (!painted_) dirty = {{0, 0, heights_.width(), heights_.height()}};
   painted_ = true;
   for (const TexelWindow& window : Gathered(dirty, kTexelsOfAWindow)) {
@@ -245,7 +245,7 @@ void GroundTextures::Bind(unsigned first, const Program& program) const {
   glBindTextureUnit(first + 2, shadow_texture_.id());
   const double texel_m = heights_.texel_m();
   const Vec2 size_m = texel_m * Vec2(heights_.width(), heights_.height());
-  const Vec2 edge_m = origin_W_m_ - Vec2::Constant(0.5 * texel_m);  // of the first texel
+  const Vec2 edge_m = origin_W_m_ - Vec2::Constant(0.5 * texel_m);  // outer edge of the first texel
   program.Set("u_ground_scale", Eigen::Vector2f(size_m.cwiseInverse().cast<float>()));
   program.Set("u_ground_origin", Eigen::Vector2f(edge_m.cast<float>()));
 }

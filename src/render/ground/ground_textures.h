@@ -12,39 +12,39 @@
 
 namespace tera {
 
-/// A tile of the ground by its place in the grid of tiles.
+/// A terrain tile by its position in the tile grid.
 struct TileIndex {
   int x = 0, y = 0;
 };
 
-/// Textures of the whole site, one texel for each vertex (of a site too large for one texture, for
-/// every second, third ...), that give the ground its looks: colour with sky factor, shape (slope
-/// of the normal, looseness, roughness of the detail), and the height of the ground's own shadow.
+/// Textures of the whole site for the ground's appearance, one texel per vertex. A site too large
+/// for one texture uses every second, third ... vertex. The textures hold colour with sky factor,
+/// shape (slope of the normal, looseness, roughness of the detail), and shadow height.
 ///
-/// Model   albedo by soil; moisture darkens it as R = Rs + (Rd - Rs) exp(-c S), S the degree of
-///         saturation, with Rs a fixed share of the dry albedo; loose soil is a little lighter,
-///         pressed ruts darker; a paint of the site, if there is one, lies over what is as it was.
-///         Smaller levels of each texture are means of four texels. Only texels that have changed,
-///         see others that have, or lie in a changed shadow are remade. Rain saturates the surface,
-///         snow covers it (ground_cover.h), water stands in hollows (hollows.h): its shape is
-///         level, and its detail's roughness, negative, says that it is water.
+/// Model   albedo by soil. Moisture darkens it as R = Rs + (Rd - Rs) exp(-c S), where S is the
+///         degree of saturation and Rs a fixed fraction of the dry albedo. Loose soil is slightly
+///         lighter, pressed ruts are darker. A paint of the site covers undisturbed ground. Mipmap
+///         levels are means of four texels. Updates recompute only texels that changed, see changed
+///         texels, or lie in a changed shadow. Rain saturates the surface, snow covers it
+///         (ground_cover.h) and water stands in hollows (hollows.h). Water has a level shape; a
+///         negative detail roughness marks it.
 /// Source  Lobell, Asner 2002, "Moisture effects on soil reflectance", eq. 1.
 class GroundTextures {
  public:
   GroundTextures() = default;
-  /// Water stands in the hollows that `terrain` has.
+  /// Water stands in the hollows of `terrain`.
   GroundTextures(const TerrainSurface& terrain, const std::vector<SoilAppearance>& soils,
                  std::shared_ptr<const GroundPaint> paint, const Weather& weather,
                  const Vec3& to_sun_W);
 
-  /// Takes over the changed tiles.
+  /// Copies the changed tiles.
   void Update(const TerrainSurface& terrain, const std::vector<TileIndex>& changed,
               Workers* workers);
-  /// Colour, shape and shadow to texture units `first` to `first + 2`; tells `program` how to look
-  /// them up (u_ground_scale, u_ground_origin).
+  /// Binds colour, shape and shadow to texture units `first` to `first + 2`. Sets the lookup
+  /// uniforms u_ground_scale and u_ground_origin of `program`.
   void Bind(unsigned first, const Program& program) const;
-  /// Height over which the ground's shadow fades: less than its own drop from vertex to vertex, so
-  /// that level ground does not shade itself.
+  /// Height over which the ground's shadow fades. It is less than the shadow's drop between
+  /// vertices, so that level ground does not shade itself.
   double penumbra_m() const;
 
  private:
@@ -60,7 +60,7 @@ class GroundTextures {
 
     Pyramid() = default;
     Pyramid(int width, int height, bool holds_signed);
-    /// Remakes smaller levels below the texels and sends them.
+    /// Recomputes the smaller levels of the texels and uploads them.
     void Send(TexelWindow window, Workers* workers);
 
    private:
@@ -71,7 +71,7 @@ class GroundTextures {
 
   TexelWindow ReadCovers(const TerrainSurface& terrain, const TexelWindow& window);
   void Paint(const std::vector<TexelWindow>& windows, Workers* workers);
-  /// `sky` is the share of its light that reaches the texel.
+  /// `sky` is the fraction of the sky's light that reaches the texel.
   void PaintTexel(int i, int j, float sky);
   bool IsUnderWater(std::size_t texel) const;
   void SendShadow(const TexelWindow& window) const;
@@ -82,9 +82,9 @@ class GroundTextures {
   Vec3 to_sun_W_ = Vec3::UnitZ();
   Vec2 origin_W_m_ = Vec2::Zero();
   HeightTexels heights_;
-  std::vector<TerrainSurface::Cover> cover_;  ///< of each texel
-  std::vector<float> water_m_;  ///< level in each texel's hollow; empty where no water stands
-  bool painted_ = false;        ///< whole, once
+  std::vector<TerrainSurface::Cover> cover_;  ///< one per texel
+  std::vector<float> water_m_;  ///< level in each texel's hollow; empty without standing water
+  bool painted_ = false;        ///< true after the first complete paint
   SkyView sky_view_;
   GroundShadow shadow_;
   Pyramid albedo_, shape_;

@@ -11,7 +11,7 @@ namespace tera {
 namespace {
 
 constexpr std::array<std::pair<int, int>, 4> kBeside = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
-constexpr float kShallow_m = 1e-4f;  ///< a hollow less deep is none
+constexpr float kShallow_m = 1e-4f;  ///< shallower hollows do not count
 
 struct Cells {
   int width, height;
@@ -31,7 +31,7 @@ struct Cells {
   }
 };
 
-/// The level to which each cell is filled when all hollows overflow.
+/// Flood level of each cell when all hollows overflow.
 std::vector<float> Filled(const std::vector<float>& height_m, const Cells& cells) {
   using Entry = std::pair<float, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;

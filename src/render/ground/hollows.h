@@ -4,13 +4,13 @@
 
 namespace tera {
 
-/// Level of the water that stands in each cell's hollow: as high as the hollow's brim, but no
-/// higher than `most_m` above its bottom; kDry where none does.
+/// Level of standing water in each cell: the hollow's brim, limited to `most_m` above the hollow's
+/// bottom; kDry without water.
 ///
-/// Frames  heights in metres, `width` x `height` cells, x fastest; water runs off over the border.
-/// Model   a hollow is a connected part that lies below the level to which a flood from the border
-///         fills it, found by priority flood; beside steps of that level hollows are apart.
-/// Omits   how much rain has fallen and where it ran from; water that seeps away.
+/// Frames  heights in metres, `width` x `height` cells, x fastest; water drains over the border.
+/// Model   a hollow is a connected region below its flood level, which priority flood computes from
+///         the border. Steps of the flood level separate hollows.
+/// Omits   rain amount and run-off paths; infiltration.
 /// Source  Barnes, Lehman and Mulla 2014, "Priority-flood", Computers and Geosciences 62, algorithm
 ///         1.
 std::vector<float> WaterLevels(const std::vector<float>& height_m, int width, int height,

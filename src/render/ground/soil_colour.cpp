@@ -5,7 +5,7 @@
 namespace tera {
 namespace {
 
-constexpr double kSaturatedShare = 0.42;  // of the dry albedo, when all pores hold water
+constexpr double kSaturatedShare = 0.42;  // fraction of the dry albedo at full saturation
 constexpr double kMoistureRate = 3.2;     // c of the moisture model
 constexpr double kLooseLighter = 0.10;
 

@@ -2,12 +2,13 @@
 
 namespace tera {
 
-/// Brightness of soil relative to its dry bank, from its degree of saturation and how loose it is,
-/// both in [0, 1].
+/// Brightness of soil relative to its dry bank, as a function of saturation and looseness, both in
+/// [0, 1].
 ///
-/// Model   albedo falls exponentially with saturation to a share of the dry one (the shape that
-///         Lobell and Asner 2002, Soil Sci. Soc. Am. J. 66, fit to measured reflectance); loose
-///         soil is a little lighter.
+/// Model   albedo falls exponentially with saturation to a fraction of the dry albedo; loose soil
+///         is slightly lighter.
+/// Source  Lobell and Asner 2002, Soil Sci. Soc. Am. J. 66: exponential fit to measured
+///         reflectance.
 double SoilTone(double saturation, double looseness);
 
 }  // namespace tera

@@ -8,12 +8,12 @@
 
 namespace tera {
 
-/// The land around the site, so that the world does not end at its border: one mesh for pictures
-/// and rays.
+/// The land around the site, which extends the world beyond its border: one mesh for images and
+/// rays.
 ///
 /// Frames  W.
-/// Model   rings around the site that begin at the border's heights and pass into low seeded hills
-///         out to kReach_m; meadow and a belt of trees by colour.
+/// Model   rings around the site that start at the border's heights and blend into low seeded hills
+///         out to kReach_m. Meadow and a belt of trees exist as colours.
 /// Omits   soil: nothing digs or drives there.
 class Surroundings {
  public:
@@ -26,13 +26,13 @@ class Surroundings {
   };
 
   Surroundings() = default;
-  /// Near the site the land is of the first of `soils`.
+  /// The land near the site consists of the first of `soils`.
   Surroundings(const TerrainSurface& terrain, const std::vector<SoilAppearance>& soils);
-  /// Takes over the border's heights.
+  /// Adopts the heights of the site's border.
   void Update(const TerrainSurface& terrain);
 
   const std::vector<Vertex>& vertices() const { return vertices_; }
-  /// Three for each triangle, constant.
+  /// Three constant indices per triangle.
   const std::vector<std::uint16_t>& indices() const { return indices_; }
 
  private:

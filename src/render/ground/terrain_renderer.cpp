@@ -15,7 +15,7 @@
 namespace tera {
 namespace {
 
-constexpr double kErrorPx = 0.3;  // height error of a coarser stride, as seen
+constexpr double kErrorPx = 0.3;  // height error of a coarser stride in the image
 constexpr double kErrorM = 0.02;
 
 GlObject DetailTexture() {
@@ -70,7 +70,7 @@ void TerrainRenderer::Update(const TerrainSurface& terrain) {
   if (border) apron_.Update(terrain);
 }
 
-/// Threads share what follows from the heights; one sends it.
+/// Threads compute the data that depend on heights; one thread uploads it.
 void TerrainRenderer::UploadTiles(const TerrainSurface& terrain,
                                   const std::vector<TileIndex>& changed) {
   std::vector<std::optional<TileGrid>> grids(changed.size());
@@ -93,7 +93,7 @@ void TerrainRenderer::UploadTiles(const TerrainSurface& terrain,
   }
 }
 
-/// Takes over the box and the errors of coarser strides.
+/// Sets the box and the errors of coarser strides.
 void TerrainRenderer::Tile::Measure(const TileGrid& grid) {
   Eigen::AlignedBox3f box;
   for (const Eigen::Vector3f& p : grid.vertices_W_m) box.extend(p);
@@ -163,7 +163,7 @@ void TerrainRenderer::DrawTiles(const View& view) const {
   }
 }
 
-/// The largest stride whose error is too small to be seen.
+/// The largest stride with an invisible error.
 int TerrainRenderer::Tile::StrideFor(double distance_m, double fy_px) const {
   const double limit_m = std::min(kErrorM, kErrorPx * distance_m / fy_px);
   std::size_t s = kTileStrides.size() - 1;

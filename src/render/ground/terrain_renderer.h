@@ -15,23 +15,23 @@ namespace tera {
 
 /// Draws the ground tile by tile.
 ///
-/// Model   a tile is drawn with the largest stride between its vertices whose greatest height error
-///         is seen below kErrorPx and is below kErrorM. Heights, colours and normals of a tile are
-///         sent again only when its version has changed; undisturbed tiles have few vertices.
+/// Model   each tile uses the largest vertex stride whose greatest height error is below kErrorPx
+///         in the image and below kErrorM. A tile's heights, colours and normals are uploaded only
+///         when its version changes. Undisturbed tiles have few vertices.
 class TerrainRenderer {
  public:
-  /// `workers` paint the ground and must outlive this.
+  /// `workers` paint the ground and must outlive this object.
   TerrainRenderer(const SceneModel& model, const Vec3& to_sun_W, Workers* workers);
 
   /// Brings the GPU's copy up to date with `terrain`.
   void Update(const TerrainSurface& terrain);
-  /// Draws the tiles that `view` sees, near to far, and the land around the site.
+  /// Draws the tiles in `view`, near to far, and the land around the site.
   void Draw(const View& view) const;
   const GroundTextures& textures() const { return textures_; }
 
   /// Tiles sent to the GPU since construction.
   std::int64_t uploaded_tiles() const { return uploaded_tiles_; }
-  /// Since construction.
+  /// Number of triangles since construction.
   std::int64_t triangles_drawn() const { return triangles_drawn_; }
 
  private:
@@ -39,7 +39,7 @@ class TerrainRenderer {
     std::uint32_t version = 0;
     int pool = -1, place = 0;
     Eigen::AlignedBox3d box_W_m;
-    std::array<float, kTileStrides.size()> error_m{};  ///< infinite where a stride does not fit
+    std::array<float, kTileStrides.size()> error_m{};  ///< infinite for a stride that does not fit
 
     void Measure(const TileGrid& grid);
     int StrideFor(double distance_m, double fy_px) const;
@@ -56,7 +56,7 @@ class TerrainRenderer {
   Workers* workers_;
   TerrainGrid grid_;
   std::vector<Tile> tiles_;
-  std::vector<TilePool> pools_;  ///< of refined tiles, then of undisturbed ones
+  std::vector<TilePool> pools_;  ///< for refined tiles, then for undisturbed tiles
   GlObject detail_;
   GroundTextures textures_;
   Apron apron_;

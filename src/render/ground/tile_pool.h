@@ -7,33 +7,33 @@
 
 namespace tera {
 
-/// Squares between the vertices with which a tile of the ground may be drawn.
+/// Admissible vertex strides of a tile, in squares.
 inline constexpr std::array<int, 6> kTileStrides = {1, 2, 5, 10, 25, 50};
 
-/// The heights of one tile at every `step`-th vertex of the grid, as it is drawn.
+/// Heights of one tile at every `step`-th vertex of the grid, for drawing.
 ///
-/// Model   kTileCells / step + 1 vertices along each side, row-major; those beyond the last vertex
-///         of the site lie on it, so that their squares shrink to nothing.
+/// Model   kTileCells / step + 1 vertices along each side, row-major. Vertices beyond the last
+///         vertex of the site coincide with it, so their squares are degenerate.
 struct TileGrid {
   int step_cells = 1;
   std::vector<Eigen::Vector3f> vertices_W_m;
 
   TileGrid(const TerrainSurface& terrain, int a, int b);
   int side() const { return TerrainGrid::kTileCells / step_cells + 1; }
-  /// Greatest difference in height between this and its surface at a larger stride.
+  /// Greatest height difference from its surface at a larger stride.
   float StrideError_m(int stride_cells) const;
 };
 
-/// Tiles of one resolution on the GPU, with index lists for this and coarser strides and a skirt
-/// that hangs from each border and closes the cracks between strides.
+/// Tiles of one resolution on the GPU, with index lists for this and coarser strides. A skirt below
+/// each border closes the cracks between strides.
 class TilePool {
  public:
   explicit TilePool(int step_cells);
 
-  /// A place for one more tile.
+  /// Reserves a place for one more tile.
   int Add();
   void Send(int place, const TileGrid& tile);
-  /// Draws with a stride that is a multiple of the pool's step; returns the triangles drawn.
+  /// Draws with a stride that is a multiple of the pool's step; returns the number of triangles.
   int Draw(int place, int stride_cells) const;
   void Bind() const;
 

@@ -5,8 +5,8 @@
 namespace tera {
 namespace {
 
-constexpr float kUneven = 0.22f;   ///< corners lie this much nearer or farther
-constexpr float kTurn_rad = 2.4f;  ///< from one clod to the next, the golden angle
+constexpr float kUneven = 0.22f;   ///< relative radial variation of the corners
+constexpr float kTurn_rad = 2.4f;  ///< rotation between consecutive clods, the golden angle
 
 GrainShape MakeGrain() {
   GrainShape shape;
@@ -19,7 +19,7 @@ GrainShape MakeGrain() {
       shape.corners[n++] = {b, 0, a};
     }
   }
-  // Faces join corners that are the edge's length, 2, apart.
+  // A face joins corners at the edge length 2 from each other.
   int face = 0;
   const auto near = [&](int i, int j) {
     return (shape.corners[i] - shape.corners[j]).norm() < 2.1f;

@@ -6,14 +6,15 @@
 
 namespace tera {
 
-/// The look of a clod, the same for pictures and rays: an uneven icosahedron about the unit ball.
+/// Shape of a clod, common to images and rays: an uneven icosahedron about the unit ball.
 struct GrainShape {
   std::array<Eigen::Vector3f, 12> corners;
-  std::array<std::array<std::uint8_t, 3>, 20> faces;  ///< seen from outside anticlockwise
+  std::array<std::array<std::uint8_t, 3>, 20> faces;  ///< counter-clockwise from outside
 };
 const GrainShape& UnitGrain();
 
-/// From the unit grain to W: turned as its number says, as large as its volume.
+/// Transform from the unit grain to W. The grain's number determines its rotation, its volume the
+/// scale.
 Eigen::Affine3f GrainToWorld(const TerrainSurface::Grain& grain);
 
 }  // namespace tera

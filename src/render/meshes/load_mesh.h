@@ -7,15 +7,15 @@
 
 namespace tera {
 
-/// Loads glTF (tinygltf), OBJ, STL or DAE (assimp). Pictures are shared with meshes loaded before
-/// by `textures`. Throws InputError for a file, node or picture that cannot be read.
+/// Loads glTF (tinygltf), OBJ, STL or DAE (assimp), with the node in its own frame. `textures`
+/// shares images between meshes. Throws InputError for an unreadable file, node or image.
 Mesh LoadMesh(const std::filesystem::path& file, const std::string& node, Textures* textures);
-/// The same, but with a node where the file's scene has it, and not in its own frame.
+/// Like LoadMesh, but places the node as in the file's scene.
 Mesh LoadPlacedMesh(const std::filesystem::path& file, const std::string& node, Textures* textures);
-/// As the first, shared with nothing.
+/// Like LoadMesh, without shared textures.
 Mesh LoadMesh(const std::filesystem::path& file, const std::string& node);
 
-/// The name that LoadMesh gives to a node of a file.
+/// Name that LoadMesh assigns to a node of a file.
 std::string MeshName(const std::filesystem::path& file, const std::string& node);
 
 }  // namespace tera

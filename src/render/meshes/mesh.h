@@ -11,25 +11,25 @@
 
 namespace tera {
 
-/// A picture that lies on a mesh.
+/// An image mapped onto a mesh.
 struct Texture {
-  std::string name;  ///< file and place in it: where it is the same, so is the picture
+  std::string name;  ///< file and position in the file; equal names imply equal images
   int width_px = 0, height_px = 0;
-  std::vector<std::uint8_t> rgba;  ///< rows from the top, four bytes a pixel
+  std::vector<std::uint8_t> rgba;  ///< rows from the top, four bytes per pixel
   enum class Wrap { kRepeat, kMirror, kClamp };
   Wrap wrap_x = Wrap::kRepeat, wrap_y = Wrap::kRepeat;
 };
 
-/// Pictures by their names, so that meshes of one file share them.
+/// Textures by name; meshes of one file share them.
 using Textures = std::map<std::string, std::shared_ptr<const Texture>>;
 
-/// What varies over a material, as in glTF 2.0. Where there is a texture, the material's number is
-/// a factor of it.
+/// Textures of a material, as in glTF 2.0. A texture is multiplied by the material's scalar or
+/// colour factor.
 struct MaterialTextures {
   std::shared_ptr<const Texture> base_colour;         ///< sRGB
   std::shared_ptr<const Texture> metallic_roughness;  ///< green roughness, blue metallic
-  std::shared_ptr<const Texture> normal;              ///< of tangent space, x right, y up
-  std::shared_ptr<const Texture> occlusion;           ///< red: share of the sky that is seen
+  std::shared_ptr<const Texture> normal;              ///< in tangent space, x right, y up
+  std::shared_ptr<const Texture> occlusion;           ///< red: visible fraction of the sky
   std::shared_ptr<const Texture> emissive;            ///< sRGB
   double normal_scale = 1, occlusion_strength = 1;
 
@@ -41,26 +41,26 @@ struct Material {
   Vec3 albedo = Vec3(0.5, 0.5, 0.5);
   double roughness = 0.7;
   double metallic = 0.0;
-  Vec3 emission = Vec3::Zero();  ///< radiance over that of a white sheet in full sun
+  Vec3 emission = Vec3::Zero();  ///< radiance relative to a white sheet in full sun
   MaterialTextures textures;
-  double opacity = 1.0;             ///< below 1: glass, seen by the rasterizer as blended
-  double lidar_reflectance = -1.0;  ///< at 905 nm; negative: mean of the albedo
+  double opacity = 1.0;             ///< below 1: glass; the rasterizer blends it
+  double lidar_reflectance = -1.0;  ///< at 905 nm; negative: mean albedo
 };
 
 /// Triangles of one material in a body frame.
 struct MeshPart {
   std::vector<Eigen::Vector3f> positions_m;
-  std::vector<Eigen::Vector3f> normals;  ///< one for each position
-  std::vector<Eigen::Vector3f> albedos;  ///< one for each position, or none: the material's
-  std::vector<Eigen::Vector2f> uvs;      ///< one for each position, or none; (0, 0) is upper left
-  std::vector<std::uint32_t> indices;    ///< three for each triangle
+  std::vector<Eigen::Vector3f> normals;  ///< one per position
+  std::vector<Eigen::Vector3f> albedos;  ///< one per position; empty: the material's albedo
+  std::vector<Eigen::Vector2f> uvs;      ///< one per position, or empty; (0, 0) is upper left
+  std::vector<std::uint32_t> indices;    ///< three per triangle
   Material material;
 };
 
 struct Mesh {
   std::string name;
   std::vector<MeshPart> parts;
-  /// All that it was read from: its file, and those that the file names.
+  /// The mesh's own file and all files that it refers to.
   std::vector<std::filesystem::path> files;
 };
 

@@ -17,7 +17,7 @@ namespace {
   throw InputError(file.string(), {FaultKind::kMalformed, finding});
 }
 
-/// assimp's own reading, which also lists what was read.
+/// assimp's file system, which also records the paths that it opens.
 class NotingFiles : public Assimp::DefaultIOSystem {
  public:
   explicit NotingFiles(std::vector<std::filesystem::path>* read) : read_(*read) {}
@@ -33,10 +33,10 @@ class NotingFiles : public Assimp::DefaultIOSystem {
 };
 
 const aiScene* ReadScene(const std::filesystem::path& file, Assimp::Importer* importer) {
-  // Points and lines are dropped, so that every face that is left is a triangle.
+  // Drops points and lines, so that all remaining faces are triangles.
   importer->SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE,
                                aiPrimitiveType_LINE | aiPrimitiveType_POINT);
-  // The up axis that some formats name is ignored: numbers are taken as they are.
+  // Ignores the up axis that some formats declare; coordinates stay unchanged.
   importer->SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   const aiScene* scene =
       importer->ReadFile(file.string(), aiProcess_Triangulate | aiProcess_SortByPType |
@@ -76,7 +76,7 @@ Eigen::Affine3f ToEigen(const aiMatrix4x4& m) {
   return X;
 }
 
-/// Texture coordinates, where the part has a texture.
+/// Adds texture coordinates if the part has a texture.
 void AddUvs(const std::filesystem::path& file, const aiMesh& source, MeshPart* part) {
   if (!part->material.textures.any()) return;
   if (!source.HasTextureCoords(0)) {
@@ -90,7 +90,7 @@ void AddUvs(const std::filesystem::path& file, const aiMesh& source, MeshPart* p
   }
 }
 
-/// What all parts of a file have in common.
+/// Data common to all parts of a file.
 struct Source {
   const std::filesystem::path& file;
   const aiScene& scene;

@@ -8,31 +8,33 @@
 
 namespace tera {
 
-/// Whether a node's mesh comes in the node's own frame or where the file's scene has it.
+/// Frame of a node's mesh: the node's own frame, or the file's scene frame.
 enum class NodeFrame { kOwn, kScene };
 
-/// Meshes of a glTF file (.gltf, .glb), by tinygltf. Both loaders name the files they read.
+/// Loads the meshes of a glTF file (.gltf, .glb) by tinygltf. Both loaders record the files they
+/// read.
 ///
-/// Frames  glTF has y up; our frames have z up: p = (x, -z, y) of the file's numbers. With a node
-///         name, the node and its children in `frame`; without, the whole scene.
-/// Model   Textures come from `textures` where they are there already, and are put there.
+/// Frames  glTF has y up; TERA frames have z up: p = (x, -z, y) of the file's coordinates. A node
+///         name selects the node and its children in `frame`; an empty name selects the whole
+///         scene.
+/// Model   textures in `textures` are reused; new textures are added to it.
 /// Omits   skins, morph targets, cameras, lights.
-/// Throws  InputError naming the file, what is wrong and, for an unknown node, the nodes there are.
+/// Throws  InputError with the file and the fault; for an unknown node also the existing nodes.
 Mesh LoadGltf(const std::filesystem::path& file, const std::string& node, Textures* textures,
               NodeFrame frame = NodeFrame::kOwn);
 
-/// Meshes of OBJ, STL or DAE files, by assimp; z up, metres, as they are.
+/// Loads the meshes of OBJ, STL or DAE files by assimp; z up, metres, unchanged coordinates.
 ///
-/// Model   of textures, a material's diffuse one (map_Kd of an OBJ file's MTL) is its base colour.
-/// Throws  InputError as LoadGltf does.
+/// Model   the base colour texture is the material's diffuse texture (map_Kd in an OBJ file's MTL).
+/// Throws  InputError as in LoadGltf.
 Mesh LoadWithAssimp(const std::filesystem::path& file, const std::string& node, Textures* textures,
                     NodeFrame frame = NodeFrame::kOwn);
 
-/// Sets normals of `part` from its triangles, weighted by area, where the file has none.
+/// Computes area-weighted normals from the triangles of `part`, for files without normals.
 void ComputeNormals(MeshPart* part);
 
-/// Throws InputError unless every index, position and normal can be drawn and the mesh is not
-/// empty; makes normals unit length.
+/// Normalizes normals. Throws InputError if the mesh is empty or has an invalid index, position or
+/// normal.
 void FinishMesh(const std::filesystem::path& file, Mesh* mesh);
 
 /// " (did you mean 'a'?); it has: a, b, c".

@@ -20,14 +20,14 @@ constexpr int kMaxNodeDepth = 100;
   throw InputError(file.string(), {FaultKind::kMalformed, finding});
 }
 
-/// tinygltf's own reading, which also enters the path in the list at `read`.
+/// tinygltf's file reader, which also appends the path to the list at `read`.
 bool ReadAndNote(std::vector<unsigned char>* bytes, std::string* error, const std::string& path,
                  void* read) {
   static_cast<std::vector<std::filesystem::path>*>(read)->emplace_back(path);
   return tinygltf::ReadWholeFile(bytes, error, path, nullptr);
 }
 
-/// The model, and in `read` every file that it was read from.
+/// Returns the model; `read` receives each file of the model.
 tinygltf::Model ReadModel(const std::filesystem::path& file,
                           std::vector<std::filesystem::path>* read) {
   tinygltf::TinyGLTF loader;
@@ -84,7 +84,7 @@ class Accessor {
 
   std::size_t count() const { return accessor_->count; }
 
-  /// Texture coordinates, of whichever of glTF's three forms.
+  /// Texture coordinates in any of glTF's three formats.
   Eigen::Vector2f Uv(std::size_t i) const {
     if (accessor_->type != TINYGLTF_TYPE_VEC2)
       RefuseGltf(file_, "has coordinates that are not pairs");
@@ -230,7 +230,7 @@ struct Reader {
     mesh->parts.push_back(std::move(part));
   }
 
-  /// Texture coordinates, where the part has textures.
+  /// Adds texture coordinates if the part has textures.
   void AddUvs(const tinygltf::Primitive& primitive, MeshPart* part) {
     if (!part->material.textures.any()) return;
     const tinygltf::Material& material = model.materials[primitive.material];
@@ -294,7 +294,7 @@ std::vector<std::string> NamesOf(const tinygltf::Model& model) {
   return names;
 }
 
-/// Where the node stands in its scene, in the file's y-up axes.
+/// Pose of the node in its scene, in the file's y-up axes.
 Eigen::Affine3d PlaceOf(const std::filesystem::path& file, const tinygltf::Model& model,
                         int index) {
   Eigen::Affine3d X = NodeTransform(model.nodes[index]);

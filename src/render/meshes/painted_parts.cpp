@@ -32,7 +32,7 @@ std::string Shown(const Paint& paint) {
                      paint.opacity);
 }
 
-/// The index of the mesh `name`, made by `make` where it is not there yet.
+/// Index of the mesh `name`; `make` creates it if absent.
 template <typename Make>
 int IndexOf(const std::string& name, const Make& make, SceneModel* scene) {
   std::vector<Mesh>& meshes = scene->meshes;

@@ -5,15 +5,15 @@
 #include "core/types/looks.h"
 #include "render/scene.h"
 
-/// Parts of a scene whose colour stands beside their form, as in a URDF.
+/// Scene parts with a colour separate from their shape, as in a URDF.
 
 namespace tera {
 
-/// Adds a solid; the same in the same colour is there once. Returns its mesh's index.
+/// Adds a solid and returns its mesh's index. An equal solid of equal colour is added once.
 int AddSolid(const Solid& solid, const Paint& paint, SceneModel* scene);
 
-/// Adds a whole mesh file; the same in the same colour is loaded once. `paint` is for STL files;
-/// others have colours of their own. Returns its index. Throws as LoadMesh does.
+/// Adds a whole mesh file and returns its index. An equal file of equal colour is loaded once.
+/// `paint` applies to STL files; other formats have their own colours. Throws like LoadMesh.
 int AddPaintedMesh(const std::filesystem::path& file, const Paint& paint, SceneModel* scene);
 
 }  // namespace tera

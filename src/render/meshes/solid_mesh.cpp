@@ -20,7 +20,7 @@ void AddTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c, MeshPart* pa
   part->indices.insert(part->indices.end(), {a, b, c});
 }
 
-/// Unit vector of the horizontal plane, the k-th of those around.
+/// The k-th of kAround unit vectors in the horizontal plane.
 Vec3 Around(int k) {
   const double angle_rad = 2 * kPi * k / kAround;
   return {std::cos(angle_rad), std::sin(angle_rad), 0};

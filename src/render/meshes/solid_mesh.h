@@ -5,11 +5,11 @@
 
 namespace tera {
 
-/// Triangles of a solid, seen from outside anticlockwise, in `paint`. Edges of boxes and cylinders
+/// Triangles of a solid in `paint`, counter-clockwise from outside. Edges of boxes and cylinders
 /// are sharp.
 ///
-/// Model   balls and cylinders by facets whose corners lie on them, 32 around: a cylinder's outline
-///         is at most half a percent of its radius inside the true one.
+/// Model   facets of spheres and cylinders have their corners on the surface, 32 around. The
+///         outline of a cylinder deviates inwards by at most half a percent of its radius.
 Mesh MakeSolidMesh(const Solid& solid, const Paint& paint);
 
 }  // namespace tera

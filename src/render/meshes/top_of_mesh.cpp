@@ -10,10 +10,10 @@
 namespace tera {
 namespace {
 
-/// Barycentric coordinates may fall below zero by this, so that no line slips between triangles.
+/// Tolerance of negative barycentric coordinates, so that no line passes between triangles.
 constexpr double kSlack = 1e-6;
 
-/// One triangle of a part, on its way into the grid.
+/// A triangle of a part.
 struct PlacedTriangle {
   const MeshPart& part;
   const std::uint32_t* corner;
@@ -37,11 +37,11 @@ struct PlacedTriangle {
   }
 };
 
-/// Enters the triangle wherever it is the highest so far.
+/// Writes the triangle at vertices where it is the highest so far.
 void Enter(const PlacedTriangle& triangle, TopOfMesh* top) {
   const Vec3 a = triangle.At(0), b = triangle.At(1), c = triangle.At(2);
   const double area = (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
-  if (area == 0) return;  // upright
+  if (area == 0) return;  // vertical
   const Vec3 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
   const auto number = [&](double place_m, int axis, int last) {
     const double at = std::round((place_m - top->low_m[axis]) / top->cell_m);

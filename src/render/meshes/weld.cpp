@@ -22,7 +22,7 @@ PlaceBits BitsOf(const Eigen::Vector3f& p) {
 struct HashOfBits {
   std::size_t operator()(const PlaceBits& bits) const {
     std::size_t hash = 0;
-    for (const std::uint32_t word : bits) hash = (hash ^ word) * 1099511628211ull;  // FNV's prime
+    for (const std::uint32_t word : bits) hash = (hash ^ word) * 1099511628211ull;  // FNV prime
     return hash;
   }
 };
@@ -48,7 +48,7 @@ std::vector<Triangle> TrianglesOf(const std::vector<const MeshPart*>& parts,
   return triangles;
 }
 
-/// Corners that hang together, by one of them.
+/// Disjoint sets of connected corners; one corner represents each surface.
 class Surfaces {
  public:
   explicit Surfaces(std::size_t corners) : next_(corners) {
@@ -64,11 +64,11 @@ class Surfaces {
   std::vector<std::uint32_t> next_;
 };
 
-/// For each corner that stands for a surface, whether that is closed.
+/// True for each corner that represents a closed surface.
 std::vector<bool> AreClosed(const std::vector<Triangle>& triangles,
                             const std::vector<Eigen::Vector3f>& positions_m, Surfaces* surfaces) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int>
-      balance;  // of passes from the lower corner
+      balance;  // traversals from the lower corner
   std::vector<double> volume_m3(positions_m.size(), 0);
   for (const Triangle& t : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {

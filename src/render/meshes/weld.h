@@ -9,19 +9,19 @@
 
 namespace tera {
 
-/// Triangles by the places of their corners alone.
+/// Triangles defined by corner positions alone.
 struct Welded {
   std::vector<Eigen::Vector3f> positions_m;
-  std::vector<std::uint32_t> indices;  ///< three for each triangle, closed surfaces first
-  std::size_t closed = 0;              ///< of the indices: those of closed surfaces
+  std::vector<std::uint32_t> indices;  ///< three per triangle; closed surfaces first
+  std::size_t closed = 0;              ///< number of indices that belong to closed surfaces
 };
 
-/// The triangles of some parts of a mesh.
+/// Welds the triangles of mesh parts.
 ///
-/// Model   corners at the same place, to the bit, are one; triangles that have no area by that are
-///         left out. A surface is what hangs together by corners; it is closed if each of its edges
-///         is passed as often one way as the other and it faces outwards. On any ray from outside
-///         it has as many triangles that face the ray's start as others, and the first faces it.
+/// Model   corners at bit-identical positions merge; degenerate triangles are dropped. A surface is
+///         a set of triangles connected by corners. It is closed if opposite traversals of each
+///         edge balance and it faces outwards. An outside ray crosses equally many of its front and
+///         back faces, a front face first.
 Welded Weld(const std::vector<const MeshPart*>& parts);
 
 }  // namespace tera

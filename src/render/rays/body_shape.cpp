@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-/// Glass and bare metal reflect under a film of water as without.
+/// A water film does not change the reflectance of glass and bare metal.
 double ReflectanceOf(const Material& material, bool is_wet) {
   const double dry =
       material.lidar_reflectance >= 0 ? material.lidar_reflectance : material.albedo.mean();

@@ -7,26 +7,26 @@
 
 namespace tera {
 
-/// The meshes of one body, or of several bodies that look alike.
+/// Meshes of one body, or of several identical bodies.
 struct BodyShape {
-  std::vector<int> meshes;  ///< of each node, with X_BG and scale: what makes shapes alike
+  std::vector<int> meshes;  ///< one per node; meshes, X_BG and scale identify identical shapes
   std::vector<Pose> X_BG;
   std::vector<double> scale;
   EmbreeScene scene;
   struct Part {
-    int node;  ///< place in the body's list of nodes
+    int node;  ///< index in the body's list of nodes
     float reflectance, opacity;
   };
-  std::vector<Part> parts;  ///< by geometry id within `scene`
+  std::vector<Part> parts;  ///< indexed by geometry id within `scene`
 
   bool Alike(const BodyShape& o) const;
 };
 
-/// A scene in which rays find their way between triangles without gaps.
+/// A scene with watertight ray intersection between triangles.
 EmbreeScene NewScene(RTCDevice device);
 
-/// Adds what can be hit of `parts`, the mesh at place `node` of the body's nodes; surfaces
-/// that are wet reflect less, glass and bare metal excepted.
+/// Adds the visible parts of the mesh `node`, an index into the body's nodes. Wet surfaces reflect
+/// less, except glass and bare metal.
 void AttachParts(RTCDevice device, const std::vector<MeshPart>& parts, int node, bool is_wet,
                  BodyShape* shape);
 

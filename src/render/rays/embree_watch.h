@@ -12,8 +12,8 @@
 
 namespace tera {
 
-/// The first error that Embree reports, from whatever thread. It is kept rather than thrown where
-/// it arises, below Embree's own frames.
+/// Keeps the first error that Embree reports in any thread. Throwing at the place of error would
+/// unwind through Embree's own frames.
 class EmbreeErrors {
  public:
   void Watch(RTCDevice device) { rtcSetDeviceErrorFunction(device, &EmbreeErrors::Keep, this); }
@@ -34,7 +34,7 @@ class EmbreeErrors {
   std::string first_;
 };
 
-/// What a device has taken of memory and not given back; must outlive it.
+/// Counts the memory that a device holds; must outlive the device.
 class EmbreeMemory {
  public:
   void Watch(RTCDevice device) {

@@ -7,9 +7,9 @@
 
 namespace tera {
 
-/// Poses of one body over an interval of time, for straight lines between them: those given at
-/// equally spaced times, refined until a turn between neighbours moves what is 4 m from the body's
-/// origin less than 0.05 mm off its arc. One where the body stands still.
+/// Motion keys of one body over a time interval, for linear interpolation. The function refines the
+/// given equally spaced poses until a point 4 m from the body's origin deviates less than 0.05 mm
+/// from its arc. A stationary body has a single key.
 std::vector<Pose> MotionKeys(const std::vector<std::vector<Pose>>& poses, std::size_t body);
 
 }  // namespace tera

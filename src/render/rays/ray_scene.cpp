@@ -18,10 +18,10 @@
 namespace tera {
 namespace {
 
-/// Rays that one thread takes at a time.
+/// Rays per unit of work of a thread.
 constexpr std::size_t kRaysPerBlock = 1024;
-/// Rays that Embree follows together; divides kRaysPerBlock, so that packets are the same whatever
-/// the number of threads.
+/// Rays per Embree packet. It divides kRaysPerBlock, so that packets do not depend on the number of
+/// threads.
 constexpr std::size_t kPacket = 8;
 constexpr unsigned kAllGeometry = 0xffffffffu;
 
@@ -49,10 +49,10 @@ RTCRayHit QueryFor(const Ray& ray) {
 struct RayScene::Impl {
   struct Body {
     int shape = -1;
-    std::vector<int> nodes;  ///< of the model
+    std::vector<int> nodes;  ///< indices into the model's nodes
     EmbreeGeometry geometry;
     std::vector<Pose> keys;
-    int changing = -1;  ///< index of the shape that it shows
+    int changing = -1;  ///< index of its deforming shape; -1: none
     std::shared_ptr<const ShapedMesh> shown;
   };
   explicit Impl(const SceneModel& scene_model);
@@ -60,7 +60,7 @@ struct RayScene::Impl {
   void AddInstance(std::size_t index);
   void UpdateBody(std::size_t index, std::vector<Pose> keys);
   void UpdateShape(Body* body, const Shapes& now);
-  /// Rays that start and point alike, at most kPacket of them, traced together.
+  /// Traces at most kPacket rays of similar origin and direction together.
   RTCRayHit8 Intersect(std::span<const Ray> rays, RTCIntersectContext* context) const;
   void TracePacket(std::span<const Ray> rays, RTCIntersectContext* context, RayHit* hits) const;
   void Describe(const Ray& ray, const RTCHit& found, RayHit* hit) const;
@@ -72,7 +72,7 @@ struct RayScene::Impl {
   EmbreeScene scene;
   std::vector<BodyShape> shapes;
   std::vector<Body> bodies;
-  std::vector<int> body_of;  ///< by geometry id of the whole scene, for those that are instances
+  std::vector<int> body_of;  ///< body index by geometry id of the whole scene, for instances
   std::unique_ptr<RayTerrain> ground;
 };
 
@@ -82,8 +82,8 @@ RayScene::Impl::Impl(const SceneModel& scene_model)
   errors.Watch(device.get());
   held.Watch(device.get());
   scene = EmbreeScene(rtcNewScene(device.get()));
-  // Low quality is Embree's two-level build: a tree for each tile, kept while the tile does not
-  // change. Rays are as fast as in one tree over everything, and an update takes far less time.
+  // Low quality selects Embree's two-level build: one tree per tile, kept while the tile does not
+  // change. Ray queries are as fast as in a single tree, and updates take far less time.
   rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_LOW);
   rtcSetSceneFlags(scene.get(),
                    static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_DYNAMIC | RTC_SCENE_FLAG_ROBUST));
@@ -98,7 +98,7 @@ RayScene::Impl::Impl(const SceneModel& scene_model)
   errors.Check();
 }
 
-/// Meshes of each body; bodies that look alike share them, but for those that change.
+/// Groups the meshes of each body. Identical bodies share a shape, except deforming bodies.
 void RayScene::Impl::FindShapes() {
   for (Body& body : bodies) {
     if (body.nodes.empty()) continue;
@@ -145,8 +145,7 @@ void RayScene::Impl::AddInstance(std::size_t index) {
   body_of[id] = static_cast<int>(index);
 }
 
-/// Builds the mesh of a body that changes anew where it looks otherwise than before. UpdateBody
-/// must follow.
+/// Rebuilds the mesh of a deforming body if it has changed. UpdateBody must follow.
 void RayScene::Impl::UpdateShape(Body* body, const Shapes& now) {
   const ShapedMesh* mesh = ShapeAt(now, body->changing);
   if (AreAlike(mesh, body->shown.get())) return;
@@ -161,7 +160,7 @@ void RayScene::Impl::UpdateShape(Body* body, const Shapes& now) {
   shape.X_BG = {node.X_BG};
   shape.scale = {node.scale};
   shape.scene = NewScene(device.get());
-  AttachParts(device.get(), mesh->parts, 0, false, &shape);  // soil just dug has its own moisture
+  AttachParts(device.get(), mesh->parts, 0, false, &shape);  // fresh soil has its own moisture
   rtcCommitScene(shape.scene.get());
   rtcSetGeometryInstancedScene(body->geometry.get(), shape.scene.get());
   shapes[body->shape] = std::move(shape);

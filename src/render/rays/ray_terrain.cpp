@@ -8,9 +8,9 @@
 namespace tera {
 namespace {
 
-/// Share of its dry reflectance that a saturated soil keeps.
+/// Fraction of its dry reflectance that a saturated soil keeps.
 constexpr double kSaturatedReflectance = 0.5;
-constexpr double kSaturated = 255;  ///< as a cover has it
+constexpr double kSaturated = 255;  ///< saturation in a cover
 
 float* Vertices(RTCGeometry geometry) {
   return static_cast<float*>(rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_VERTEX, 0));
@@ -31,7 +31,7 @@ void RayTerrain::Detach(Patch* patch) {
   patch->id = RTC_INVALID_GEOMETRY_ID;
 }
 
-/// Forgets the ground as it was, for a terrain of another size or place.
+/// Drops the present ground, for a terrain of another size or position.
 void RayTerrain::Restart(const TerrainSurface& terrain) {
   for (const Patch* patch : patch_of_) {
     if (patch != nullptr) rtcDetachGeometry(scene_, patch->id);
@@ -47,7 +47,7 @@ void RayTerrain::Restart(const TerrainSurface& terrain) {
 }
 
 void RayTerrain::NewTile(Patch* tile, int squares_x, int squares_y) {
-  Detach(tile);  // it was undisturbed
+  Detach(tile);  // replaces the undisturbed tile
   tile->geometry = EmbreeGeometry(rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_QUAD));
   const int row = squares_x + 1;
   const std::size_t squares = static_cast<std::size_t>(squares_x) * squares_y;
@@ -72,7 +72,7 @@ float RayTerrain::Reflectance(std::uint8_t soil, double saturation) const {
   return static_cast<float>(dry * (1.0 - (1.0 - kSaturatedReflectance) * saturation / 255.0));
 }
 
-/// Of the ground at a vertex, as the weather has it.
+/// Reflectance of the ground at a vertex, including weather.
 float RayTerrain::ReflectanceAt(const TerrainSurface& terrain, int i, int j) const {
   const TerrainSurface::Cover cover = terrain.at(i, j).cover;
   const float bare = Reflectance(cover.soil, weather_.rain_mmph > 0 ? kSaturated : cover.moisture);

@@ -9,21 +9,21 @@
 
 namespace tera {
 
-/// The ground within an Embree scene: one geometry per tile of the terrain, of which only tiles
-/// with a new version are rebuilt, and one for the land around the site. Undisturbed tiles are of
-/// as few quads as describe them. Soil in the air is one geometry, made anew each time.
+/// Ground within an Embree scene: one geometry per terrain tile and one for the surrounding land.
+/// An update rebuilds only tiles with a new version. Undisturbed tiles have the fewest possible
+/// quads. Airborne soil is one geometry, rebuilt on each update.
 class RayTerrain {
  public:
-  /// Adds to and takes from `scene`, which its owner commits.
+  /// Adds geometries to `scene` and removes them; the owner commits the scene.
   RayTerrain(RTCDevice device, RTCScene scene, const SceneModel& model)
       : device_(device), scene_(scene), soils_(model.soils), weather_(model.environment.weather) {}
 
   void Update(const TerrainSurface& terrain);
 
-  /// Diffuse reflectance of a primitive of one of the ground's geometries, 0..1.
+  /// Diffuse reflectance of a primitive of a ground geometry, 0..1.
   float ReflectanceAt(unsigned geometry, unsigned primitive) const;
 
-  /// Since the start.
+  /// Number since construction.
   std::int64_t tiles_rebuilt() const { return tiles_rebuilt_; }
 
  private:
@@ -31,8 +31,8 @@ class RayTerrain {
     EmbreeGeometry geometry;
     unsigned id = RTC_INVALID_GEOMETRY_ID;
     std::uint32_t version = 0;
-    int step_cells = 0;              ///< of a tile: squares between its vertices
-    std::vector<float> reflectance;  ///< of each primitive
+    int step_cells = 0;              ///< vertex spacing of a tile, in squares
+    std::vector<float> reflectance;  ///< one per primitive
   };
   void Restart(const TerrainSurface& terrain);
   void Attach(Patch* patch);
@@ -51,7 +51,7 @@ class RayTerrain {
   std::vector<Patch> tiles_;
   Surroundings surroundings_;
   Patch land_, grains_;
-  std::vector<const Patch*> patch_of_;  ///< by geometry id; null where it is no ground
+  std::vector<const Patch*> patch_of_;  ///< by geometry id; null for other geometry
   TerrainGrid grid_;
   std::int64_t tiles_rebuilt_ = 0;
 };

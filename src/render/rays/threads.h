@@ -8,8 +8,8 @@
 
 namespace tera {
 
-/// Runs `work` on this thread and on `count - 1` others. When all have ended, throws on what one of
-/// them threw.
+/// Runs `work` on the calling thread and on `count - 1` others. When all threads have ended, an
+/// exception of one thread propagates.
 inline void RunOnThreads(int count, const std::function<void()>& work) {
   std::mutex mutex;
   std::exception_ptr thrown;

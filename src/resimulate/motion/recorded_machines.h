@@ -8,20 +8,20 @@
 
 namespace tera {
 
-/// Machines that move as a recording has it, whatever the ground says.
+/// Machines that move as recorded, independent of the ground.
 ///
-/// Model   before the start of the run they stand where they are then. What their shovels carry is
-///         what the ground gave them.
+/// Model   before the run's start they stand at their initial poses. The simulated ground
+///         determines the load of their shovels.
 /// Omits   forces, levers, cylinders.
 class RecordedMachines : public MotionSource {
  public:
-  /// Keeps references. `motions` one for each of the scenario's machines.
+  /// Keeps references. `motions` has one entry per machine of the scenario.
   RecordedMachines(const Scenario& scenario, const std::vector<RecordedMotion>& motions)
       : scenario_(scenario), motions_(motions) {}
 
   void Start(const Begin& begin, WorldState* world) override;
   void Move(const Step& step, WorldState* world) override;
-  /// Where poses and encoders are missing for longer than a moment, it is not.
+  /// False during a longer gap of poses or encoders.
   bool IsKnown(std::size_t machine) const override;
 
  private:

@@ -11,10 +11,10 @@
 namespace tera {
 namespace {
 
-constexpr TimeNs kNear_ns = 300'000'000;    ///< from a sample, within which it still tells
-constexpr TimeNs kPeriodsOfGap = 3;         ///< of mean length; what is longer is a gap
+constexpr TimeNs kNear_ns = 300'000'000;    ///< validity of a sample around its time
+constexpr TimeNs kPeriodsOfGap = 3;         ///< in mean periods; a longer interval is a gap
 constexpr TimeNs kSmooth_ns = 25'000'000;   ///< half the window of an encoder
-constexpr TimeNs kRateStep_ns = 5'000'000;  ///< for rates, by differences
+constexpr TimeNs kRateStep_ns = 5'000'000;  ///< for rates by differences
 
 /// Angular velocity in W between two rotations.
 Vec3 RateOf(const Mat3& before, const Mat3& after, double dt_s) {
@@ -22,8 +22,8 @@ Vec3 RateOf(const Mat3& before, const Mat3& after, double dt_s) {
   return turn.axis() * (turn.angle() / dt_s);
 }
 
-/// Whether samples at these times, in order, tell of `t_ns`: within a moment of one of them, or
-/// between two that follow each other as samples of a slow sensor do.
+/// True if samples at these ordered times cover `t_ns`: near a sample, or between two consecutive
+/// samples without a gap.
 template <typename Time>
 bool Covers(std::size_t count, const Time& time_of, TimeNs t_ns) {
   if (count == 0) return false;
@@ -43,7 +43,7 @@ bool Covers(std::size_t count, const Time& time_of, TimeNs t_ns) {
 double RecordedMotion::Axis::At(TimeNs t) const {
   const auto first = std::lower_bound(t_ns.begin(), t_ns.end(), t - kSmooth_ns) - t_ns.begin();
   const auto last = std::upper_bound(t_ns.begin(), t_ns.end(), t + kSmooth_ns) - t_ns.begin();
-  // A straight line by least squares over the window, or between the two next to it.
+  // Least-squares line over the window, or a line between the two adjacent samples.
   if (last - first < 3) {
     const auto next = static_cast<std::size_t>(
         std::clamp<std::ptrdiff_t>(std::lower_bound(t_ns.begin(), t_ns.end(), t) - t_ns.begin(), 1,

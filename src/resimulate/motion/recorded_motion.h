@@ -10,33 +10,33 @@
 
 namespace tera {
 
-/// How a machine of a scenario moved, as a recording has it.
+/// Recorded motion of a scenario's machine.
 ///
 /// Frames  W of the recording's poses; links as in MachineModel.
-/// Model   poses of the base straight between rows; positions of joints and gears by their
-///         encoders, each the mean of a straight line over the samples within 25 ms, so that noise
-///         of single samples does not become speed. A joint without encoder stays as the scenario
-///         has it. A machine on a fixed base, without poses, stays where it was placed.
+/// Model   base poses are linear between rows. Encoders supply joint and gear positions, as a local
+///         linear fit to the samples within 25 ms, so that sample noise does not become speed. A
+///         joint without encoder keeps the scenario's position. A machine on a fixed base without
+///         poses keeps its placement.
 /// Omits   errors of encoders and poses themselves.
 class RecordedMotion {
  public:
-  /// `name`: the machine's in the recording. Channels of the recording are read.
+  /// `name` is the machine's name in the recording. The constructor reads the recording's channels.
   RecordedMotion(const MachinePlacement& placement, const std::string& name,
                  const Recording& recording);
 
-  /// Why it is not known where the machine was; empty where it is.
+  /// Reason for an unknown machine pose; empty if it is known.
   const std::string& obstacle() const { return obstacle_; }
   /// Time of the first measurement.
   std::optional<TimeNs> first_ns() const;
-  /// Whether poses and encoders cover the time: within 0.3 s of one of their samples, or between
-  /// two that are at most three mean periods apart.
+  /// True if poses and encoders cover the time. Cover means within 0.3 s of a sample, or between
+  /// two samples at most three mean periods apart.
   bool IsKnownAt(TimeNs t_ns) const;
-  /// Whether every joint that moves by a lever has an encoder: the machine looks as it did.
+  /// True if every lever-driven joint has an encoder, so that the whole machine's pose is known.
   bool shows_whole() const { return shows_whole_; }
-  /// Whether every such joint between base and link has one.
+  /// True if every such joint between base and link has an encoder.
   bool Carries(int link) const;
 
-  /// Links, joints and gears; nothing else is filled.
+  /// State with only links, joints and gears filled.
   MachineState At(TimeNs t_ns) const;
 
  private:
@@ -45,7 +45,7 @@ class RecordedMotion {
     std::vector<double> position;
     double At(TimeNs t) const;
   };
-  /// Whether it is known how a joint moved, or that no lever moved it.
+  /// True if a joint's motion is known, or if no lever moves it.
   bool IsShown(std::size_t joint) const;
   static std::optional<Axis> AxisNamed(const std::string& axis, const std::string& machine,
                                        const Recording& recording);

@@ -7,18 +7,18 @@
 
 namespace tera {
 
-/// From when to when a scenario is simulated over a recording.
+/// Time span of a simulation over a recording.
 struct CourseSpan {
-  TimeNs zero_ns = 0;  ///< when the simulation starts, in the recording
-  double until_s = 0;  ///< after that
+  TimeNs zero_ns = 0;  ///< start of the simulation, in the recording
+  double until_s = 0;  ///< duration after the start
 };
 
-/// Simulates a scenario, without sensors, while one of its machines obeys recorded levers: how that
-/// machine moves.
+/// Motion of one machine that obeys recorded levers, from a simulation of its scenario without
+/// sensors.
 ///
-/// Model   Simulation. `levers` has a column for each lever, by its name; columns that the machine
-///         has no lever for are left out, and values beyond full lever are full lever. Each row
-///         holds until the next. Other machines obey the operators that the scenario gives them.
+/// Model   Simulation. `levers` has a column per lever, by name. Columns without a lever are
+///         ignored, and values are clipped to full lever. Each row holds until the next. Other
+///         machines obey the scenario's operators.
 SimulatedCourse SimulateUnderLevers(const Scenario& scenario, std::size_t machine,
                                     const TableRecording& levers, const CourseSpan& span);
 

@@ -6,7 +6,7 @@
 namespace tera {
 namespace {
 
-/// Between which steps a time is, and how far from the first to the second.
+/// Pair of steps around a time, and the fraction between them.
 struct Place {
   std::size_t a = 0, b = 0;
   double s = 0;

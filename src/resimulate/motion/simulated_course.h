@@ -8,18 +8,19 @@
 
 namespace tera {
 
-/// The motion of one machine in the simulation of its whole scenario, at even times.
+/// Motion of one machine in the simulation of its whole scenario, at equal time steps.
 ///
-/// Frames  W of the scenario; B root link. Axes are joints, then gears, in the model's order.
+/// Frames  W of the scenario; B root link. Axes are joints, followed by gears, in the model's
+///         order.
 /// Model   motion is linear between steps.
 struct SimulatedCourse {
   struct Step {
-    std::vector<double> position_rad, rate_radps;  ///< one for each axis
+    std::vector<double> position_rad, rate_radps;  ///< one per axis
     Pose X_WB = Pose::Identity();
   };
-  TimeNs zero_ns = 0;  ///< when the simulation starts, in the recording
+  TimeNs zero_ns = 0;  ///< start of the simulation, in the recording
   double step_s = 0;
-  std::vector<Step> steps;  ///< at least one
+  std::vector<Step> steps;  ///< at least one step
 
   TimeNs end_ns() const {
     return zero_ns + FromSeconds(static_cast<double>(steps.size() - 1) * step_s);

@@ -20,75 +20,73 @@
 
 namespace tera {
 
-/// What a camera says of the objects in its picture beside their boxes.
+/// Object labels in addition to boxes.
 struct ObjectLabels {
-  bool exposure = false;  ///< ObjectLight of each, PictureExposure of all
+  bool exposure = false;  ///< ObjectLight of each object, PictureExposure of the image
   bool load = false;      ///< CarriedLoad of each shovel
 };
 
-/// What a camera is: its optics, its outputs and their noise.
+/// Camera parameters: optics, outputs and noise.
 struct CameraModel : PictureContent {
-  double disparity_noise_px = 0;  ///< sigma_d of the depth, 1 sigma; 0 switches it off
+  double disparity_noise_px = 0;  ///< sigma_d of the depth, 1 sigma; 0: no noise
   double baseline_m = 0.05;       ///< b, between the two eyes of a depth camera
   double rgb_noise = 0;           ///< 1 sigma of the sRGB value in 0..255, without an image sensor
   std::optional<ImageSensorModel> image_sensor;     ///< none: colour at the scene's exposure
-  std::optional<OpticsModel> optics;                ///< before an image sensor; none: ideal
-  std::optional<StereoModel> stereo;                ///< depth is matched between two eyes
-  std::optional<TimeOfFlightModel> time_of_flight;  ///< or measured by light's own time
+  std::optional<OpticsModel> optics;                ///< requires an image sensor; none: ideal
+  std::optional<StereoModel> stereo;                ///< depth by stereo matching
+  std::optional<TimeOfFlightModel> time_of_flight;  ///< depth by time of flight
   ObjectLabels object_labels;
 };
 
 CameraModel ReadCameraModel(const ConfigMap& config);
-/// The model as sensor.yaml has it, two blanks before each key.
+/// The model as in sensor.yaml, indented by two blanks.
 std::string CameraModelYaml(const CameraModel& model);
 
-/// The value of the key `labels`: true for the usual ones, false for none, else their names.
+/// Value of the key `labels`: true for the usual labels, false for none, otherwise their names.
 std::string LabelsYaml(LabelSet labels);
 
 /// Pose of the optical frame C in the sensor frame S: z of C is x of S, x of C is -y of S.
 Pose OpticalInSensor();
 
-/// Camera for colour, planar depth and labels on one pixel grid.
+/// Camera for colour, depth and labels on one pixel grid.
 ///
 /// Frames  W world; S sensor, x forward, y left, z up; C optical, x right, y down, z forward, at
 ///         X_SC = OpticalInSensor(). Pixel (0, 0) has its centre at the image point (0, 0).
-/// Model   the whole picture at one instant, that of its time stamp, or with a shutter each row
-///         exposed for a while about its own time, the middle row about the stamp's (sweep.h).
-///         Depth is z in C, or behind a lens that looks sideways the distance, with the noise of a
-///         stereo pair, whose disparity f b / z is off by N(0, sigma_d^2), so that sigma_z =
-///         z^2 sigma_d / (f b) where that is small, and 0 outside its limits; colour is sRGB at
-///         the scene's exposure plus N(0, sigma^2), clipped, or what an image sensor makes of the
-///         scene's luminance (image_sensor.h), whose exposure and balance may follow the pictures
-///         before (exposure_control.h). Noise is drawn for each pixel alone. Behind dust of optical
-///         depth t the noise of the disparity is exp(t) as large, and there is no depth where less
-///         than kLeastContrast (dust_sight.h) is left.
-///         Before an image sensor the lens may blur and scatter, and its glass be dirty (optics.h).
-///         Depth may instead be that of a stereo matcher (stereo.h) or of time of flight
-///         (time_of_flight.h), both of the instant of the stamp.
-/// Omits   of the depth with noise the holes and the smoothing of a real stereo matcher.
+/// Model   without a shutter, the whole image shows the instant of its time stamp. With a shutter,
+///         each row has its own exposure, and the middle row's is centred at the stamp (sweep.h).
+///         Depth is z in C, or the distance for an angular lens; it is 0 outside its limits. Depth
+///         noise is that of a stereo pair: the disparity f b / z has the error N(0, sigma_d^2). For
+///         small errors, sigma_z = z^2 sigma_d / (f b). Colour is sRGB at the scene's exposure plus
+///         N(0, sigma^2), clipped. An image sensor instead converts the scene's luminance
+///         (image_sensor.h); its exposure and balance may depend on earlier images
+///         (exposure_control.h). Noise is independent per pixel. Dust of optical depth t multiplies
+///         the disparity noise by exp(t). Depth is absent where the contrast falls below
+///         kLeastContrast (dust_sight.h). With an image sensor, the lens may blur and scatter, and
+///         its glass may be dirty (optics.h). Depth may instead come from a stereo matcher
+///         (stereo.h) or from time of flight (time_of_flight.h), both at the instant of the stamp.
+/// Omits   holes and smoothing of a real stereo matcher, for depth with noise.
 /// Source  lens: Brown 1971, "Close-range camera calibration"; sigma_z: Khoshelham and Elberink
 ///         2012, "Accuracy and resolution of Kinect depth data for indoor mapping applications".
 class Camera {
  public:
   Camera(const CameraModel& model, const SampleClock& clock, TimeNs latency_ns, std::uint64_t seed,
          const std::string& stream_name);
-  /// Exposure k of the scene with the sensor at X_WS, where all stands still.
+  /// Exposure k of a static scene with the sensor at X_WS.
   CameraFrame Measure(std::int64_t k, const Pose& X_WS, const SceneState& scene,
                       Rasterizer* rasterizer);
-  /// Exposure k of a scene that is asked for at times from Reach() before its stamp to Reach()
-  /// after it, which may move.
+  /// Exposure k of a moving scene. `scene_at` must cover times within Reach() of the stamp.
   CameraFrame Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer* rasterizer);
-  /// Whether a picture follows from those before, so that none may be left out.
+  /// True if an image depends on earlier images, so that none may be skipped.
   bool HasMemory() const {
     return surface_labels_.HasMemory() || model_.object_labels.load ||
            (control_ && (control_->meters_exposure() || control_->meters_balance()));
   }
-  /// The time from the first light of a picture to its stamp, and from there to the last, at most.
+  /// Maximum time between the stamp and the first or last light of an image.
   TimeNs Reach() const;
   const CameraModel& model() const { return model_; }
 
  private:
-  /// Where pictures beside those of the frame go, if they are asked for.
+  /// Optional outputs in addition to the frame.
   struct Beside {
     LuminancePicture* luminance;
     Image<std::uint16_t>* body;
@@ -96,16 +94,16 @@ class Camera {
   };
   CameraFrame See(const SceneAt& scene_at, TimeNs t_ns, Rasterizer* rasterizer,
                   const Beside& beside) const;
-  /// What is said of objects and of the whole picture, of a frame with its exact depth.
+  /// Adds object and image labels to a frame with exact depth.
   void Label(const SceneAt& scene_at, const Rasterizer& rasterizer, const Beside& beside,
              CameraFrame* frame);
-  /// Optical depth of the dust before what each pixel shows; empty where nothing needs it.
+  /// Optical depth of dust in front of each pixel's surface; empty if unused.
   Image<float> Dust(const SceneAt& scene_at, TimeNs t_ns, const Rasterizer& rasterizer,
                     const Image<float>& depth_m);
-  /// What the depth sensor makes of picture k, whose depth is exact, through `dust`.
+  /// Depth sensor output of image k from exact depth, through `dust`.
   Image<float> Range(std::int64_t k, const SceneAt& scene_at, const Image<float>& dust,
                      Image<float> depth_m, Rasterizer* rasterizer) const;
-  /// sRGB of picture k, which the control takes note of.
+  /// sRGB of image k; the exposure control meters the image.
   Image<std::uint8_t> Sense(const Image<float>& luminance_cdpm2, std::int64_t k);
 
   CameraModel model_;
@@ -113,12 +111,12 @@ class Camera {
   TimeNs latency_ns_;
   UniformBits depth_noise_, rgb_noise_;
   std::optional<ImageSensor> image_sensor_;
-  std::optional<ExposureControl> control_;  ///< of an image sensor
+  std::optional<ExposureControl> control_;  ///< only with an image sensor
   SurfaceLabels surface_labels_;
   std::optional<Optics> optics_;
   std::optional<Stereo> stereo_;
   std::optional<TimeOfFlight> time_of_flight_;
-  std::optional<PixelRays> rays_;  ///< where objects' light is labelled, or dust is in the air
+  std::optional<PixelRays> rays_;  ///< for object light labels and airborne dust
   LoadLabels load_labels_;
 };
 

@@ -13,15 +13,15 @@
 #include "sensors/slots/frame_slots.h"
 #include "sensors/slots/mechanism_rows.h"
 
-// A camera on the shelf.
+// Camera as a sensor kind.
 
 namespace tera {
 namespace {
 
-/// A picture is taken when its last row is complete, over the ground of then.
+/// Takes an image at the end of its last row's exposure, over the ground at that time.
 ///
-/// Model   it is ordered from a rasterizer, and written when it is there: in a later step where
-///         rasterizers work beside the run. A picture of many instants is waited for.
+/// Model   a rasterizer receives the request, and the sampler writes the finished image. Concurrent
+///         rasterizers delay the write to a later step. An image of many instants is awaited.
 class CameraSampler : public SensorSampler {
  public:
   explicit CameraSampler(const SensorPlace& place)
@@ -49,16 +49,16 @@ class CameraSampler : public SensorSampler {
   }
 
  private:
-  /// A picture that is not written yet.
+  /// An image that is not yet written.
   struct Ordered {
     ReportClock::Times times;
     bool is_needed;
-    KeptScene scene = {};                 ///< that `frame` looks at
-    std::future<CameraFrame> frame = {};  ///< none where nobody needs it
+    KeptScene scene = {};                 ///< input of `frame`
+    std::future<CameraFrame> frame = {};  ///< none if unused
   };
 
   const Camera& camera() const { return cameras_.front(); }
-  /// When the shutter opens for the next picture.
+  /// Opening time of the shutter for the next image.
   TimeNs Opens_ns() const { return clock_.Due(next_) - camera().Reach(); }
 
   void Take(const SensedStep& step) {
@@ -68,11 +68,11 @@ class CameraSampler : public SensorSampler {
     if (picture.is_needed || camera().HasMemory()) Order(step, &picture);
     ordered_.push_back(std::move(picture));
     const bool is_late = step.scene.rasterizers()->work_beside() && !LooksBack();
-    WriteAllBut(is_late ? cameras_.size() + 1 : 0);  // so that no rasterizer waits for orders
+    WriteAllBut(is_late ? cameras_.size() + 1 : 0);  // so that no rasterizer is idle
   }
 
-  /// A camera with a memory keeps to one rasterizer. Any other goes from one to the next, and there
-  /// is one of it for each.
+  /// A camera with memory uses a single rasterizer. Other cameras alternate between the
+  /// rasterizers, with one Camera object each.
   void Order(const SensedStep& step, Ordered* picture) {
     RasterizerPool& rasterizers = *step.scene.rasterizers();
     if (!first_rasterizer_) first_rasterizer_ = rasterizers.NextForACamera();
@@ -89,7 +89,7 @@ class CameraSampler : public SensorSampler {
                          });
   }
 
-  /// Of a camera that looks back they are good for as long as the step, else for as long as `kept`.
+  /// Scenes for a camera that looks back are valid during the step; other scenes as long as `kept`.
   SceneAt ScenesOf(const SensedStep& step, const KeptScene& kept) const {
     SeenScene seen;
     seen.state.terrain = kept.ground.get();
@@ -119,7 +119,7 @@ class CameraSampler : public SensorSampler {
     while (ordered_.size() > last) WriteFirst();
   }
 
-  /// Waits for it.
+  /// Waits for the image.
   void WriteFirst() {
     Ordered picture = std::move(ordered_.front());
     ordered_.pop_front();
@@ -132,14 +132,14 @@ class CameraSampler : public SensorSampler {
     }
   }
 
-  std::vector<Camera> cameras_;  ///< the same, for each rasterizer where they can be apart
+  std::vector<Camera> cameras_;  ///< identical, one per rasterizer if the camera has no memory
   std::optional<std::size_t> first_rasterizer_;
   FrameSlots slots_;
   SampleClock clock_;
   int link_ = 0;
-  Pose X_BT_;  ///< where it truly sits
+  Pose X_BT_;  ///< true mounting
   SensorOutput output_;
-  PoseTrack X_WS_;  ///< of a camera that looks back
+  PoseTrack X_WS_;  ///< only for a camera that looks back
   std::int64_t next_ = 0;
   std::deque<Ordered> ordered_;
 };
@@ -167,7 +167,7 @@ void CheckCameraEffects(const ConfigMap& effects, const MachineModel&,
   }
 }
 
-/// A shutter is shut again before the next picture, and all rows are read.
+/// Reports exposure and read-out times longer than the image interval.
 void CheckExposure(const ConfigMap& config, const CameraModel& model, double rate_hz) {
   if (!model.image_sensor || !(rate_hz > 0)) return;
   const ConfigMap sensor = config.Map("image_sensor");
@@ -187,8 +187,7 @@ void CheckExposure(const ConfigMap& config, const CameraModel& model, double rat
   }
 }
 
-/// Points where the pixels of the recorded depth picture look. An odd number of pixels from one
-/// that is taken to the next, so that all columns come.
+/// Points of the recorded depth image's pixels. An odd stride ensures that all columns contribute.
 LoadedScan DepthPoints(const SensorDescription& sensor, const Measurement& recorded,
                        std::size_t most) {
   const auto& model = std::get<CameraModel>(sensor.model);

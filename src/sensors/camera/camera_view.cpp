@@ -9,15 +9,14 @@ namespace {
 
 /// From a pixel's centre to its border: pixel (0, 0) is centred at (0, 0).
 constexpr double kHalf_px = 0.5;
-constexpr double kColour_bytes = 3, kDepth_bytes = 2;  ///< of a pixel
+constexpr double kColour_bytes = 3, kDepth_bytes = 2;  ///< per pixel
 
 bool IsInPicture(const CameraIntrinsics& lens, const Vec2& pixel_px) {
   return pixel_px.x() >= -kHalf_px && pixel_px.y() >= -kHalf_px &&
          pixel_px.x() <= lens.width_px - kHalf_px && pixel_px.y() <= lens.height_px - kHalf_px;
 }
 
-/// Area of the picture that two small turns of a direction, along x and y of its own plane, span,
-/// over that of the plane.
+/// Image area per area of the plane spanned by small changes of a direction along x_C and y_C.
 double PerPlane(const CameraIntrinsics& lens, const Vec3& d_C, const Vec3& x_C, const Vec3& y_C) {
   constexpr double kStep = 1e-4;
   const Vec2 pixel_px = lens.Project(d_C);
@@ -37,7 +36,8 @@ double PerSteradian(const CameraIntrinsics& lens, const Vec3& d_C) {
     return PerPlane(lens, d1_C, x_C, d1_C.cross(x_C));
   }
   if (lens.Distorted()) {
-    // A lens folds directions far outside onto the picture; the pixel's own ray is another then.
+    // A lens may fold directions far outside its field onto the image; the pixel's own ray then
+    // differs.
     constexpr double kSame = 1e-6;
     const std::optional<Vec3> ray_C = lens.RayOf(pixel_px);
     if (!ray_C || (*ray_C / ray_C->z() - d1_C).norm() > kSame) return 0;

@@ -10,24 +10,24 @@
 
 namespace tera {
 
-/// Thousandths of an optical depth; 65535: as much, or more.
+/// Optical depth in thousandths, saturated at 65535.
 inline std::uint16_t PixelOfOpticalDepth(double depth) {
   constexpr double kPerOne = 1000, kLargest = 65535;
   return static_cast<std::uint16_t>(std::clamp(std::round(kPerOne * depth), 0.0, kLargest));
 }
 
-/// Optical depth of the dust before what each pixel of `scene` shows, of that exact depth; before
-/// the sky, of all dust on the way. Nothing where the pixel sees nothing.
+/// Optical depth of dust in front of each pixel's surface, with its exact depth. Sky pixels have
+/// the optical depth of all dust along the ray. Empty without dust.
 Image<float> DustOpticalDepths(const PixelRays& rays, const SeenScene& scene,
                                const Image<float>& depth_m);
 
 /// The label dust_optical_depth.
 Image<std::uint16_t> DustLabel(const Image<float>& optical_depth);
 
-/// Contrast of what a stereo pair matches, left over behind dust, below which it finds nothing: 5
-/// %, the threshold of the meteorological optical range (WMO-No. 8, 2018, part I, 9.1.1).
+/// Residual contrast below which stereo matching fails in dust: 5 %, the threshold of the
+/// meteorological optical range (WMO-No. 8, 2018, part I, 9.1.1).
 inline constexpr double kLeastContrast = 0.05;
-/// Takes away the depth that is seen with less contrast than that.
+/// Removes depth at pixels below kLeastContrast.
 void LoseDepthInDust(const Image<float>& optical_depth, Image<float>* depth_m);
 
 }  // namespace tera

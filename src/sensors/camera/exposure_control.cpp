@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-constexpr double kMostStep_ev = 4;  ///< of what one picture may ask for
+constexpr double kMostStep_ev = 4;  ///< limit of the correction by one image
 
 void SerializeLoop(ModelArchive* archive, ControlLoop* loop) {
   constexpr double kMostDelay = 100;
@@ -27,7 +27,7 @@ double Product_s(const PictureSettings& settings) {
   return settings.exposure_s * std::pow(10, settings.gain_db / 20);
 }
 
-/// The factor that brings `found` towards `wanted`.
+/// Factor that moves `found` towards `wanted`.
 double Correction(double wanted, double found, double rate) {
   const double error_ev = std::log2(wanted / std::max(found, 1e-9));
   return std::exp2(rate * std::clamp(error_ev, -kMostStep_ev, kMostStep_ev));
@@ -87,7 +87,7 @@ void ExposureControl::Take(const Metered& for_exposure, const Metered& for_balan
     Vec3 next = used.balance;
     const Vec3& colour = for_balance.colour;
     for (const int c : {0, 2}) {
-      if (!(colour[1] > 0 && colour[c] > 0)) continue;  // nothing to be seen of it
+      if (!(colour[1] > 0 && colour[c] > 0)) continue;  // the colour has no signal
       const double wanted = used.balance[1] * colour[1] / colour[c];
       next[c] *= Correction(wanted, used.balance[c], balance_->rate);
       next[c] = std::clamp(next[c], 1 / balance_->most, balance_->most);

@@ -9,16 +9,16 @@
 
 namespace tera {
 
-/// The part of a picture that is metered, as shares of its width and height.
+/// Metered image region, as fractions of width and height.
 struct MeteringZone {
   double left = 0, top = 0, right = 1, bottom = 1;
 };
 
-/// Control that follows the pictures taken before.
+/// Control loop on previous images.
 struct ControlLoop {
   MeteringZone zone;
-  int delay_pictures = 2;  ///< from a picture to the first that it has an influence on
-  double rate = 0.5;       ///< share of the error, in EV, that one picture mends
+  int delay_pictures = 2;  ///< from an image to the first image that it affects
+  double rate = 0.5;       ///< fraction of the error, in EV, corrected per image
 };
 
 struct AutomaticExposure : ControlLoop {
@@ -28,30 +28,30 @@ struct AutomaticExposure : ControlLoop {
 };
 
 struct AutomaticWhiteBalance : ControlLoop {
-  double most = 4;  ///< factor on red or blue; its inverse is the least
+  double most = 4;  ///< maximum factor on red or blue; its inverse is the minimum
 };
 
 void Serialize(ModelArchive* archive, AutomaticExposure* model);
 void Serialize(ModelArchive* archive, AutomaticWhiteBalance* model);
 
-/// What a camera sets for one picture.
+/// Camera settings of one image.
 struct PictureSettings {
   double exposure_s = 0, gain_db = 0;
   Vec3 balance = Vec3::Ones();  ///< factors on red, green and blue
 };
 
-/// What a control loop sees of a picture.
+/// Metering result of an image.
 struct Metered {
-  double signal = 0;           ///< mean of green over its range, saturated pixels too
-  Vec3 colour = Vec3::Zero();  ///< means over the pixels that are not saturated
+  double signal = 0;           ///< mean of green over its range, including saturated pixels
+  Vec3 colour = Vec3::Zero();  ///< means over the unsaturated pixels
 };
 
-/// Automatic exposure and white balance of one camera, picture by picture.
+/// Automatic exposure and white balance of one camera, image by image.
 ///
-/// Model   of picture j with the product H of exposure and gain: picture j + delay has
-///         H (target / signal)^rate, as exposure up to its longest, then as gain. Balance likewise,
-///         from what it was to what makes red and blue equal green on average (grey world).
-///         Before the first picture that has an influence, settings are those of the start.
+/// Model   H is the product of exposure and gain of image j. Image j + delay has
+///         H (target / signal)^rate, as exposure up to its longest, then as gain. The balance moves
+///         likewise towards equal means of red, green and blue (grey world). The first `delay`
+///         images keep the initial settings.
 /// Omits   weights within the zone, histograms, hysteresis; flicker avoidance.
 /// Source  grey world: Buchsbaum 1980, "A spatial processor model for object colour perception".
 class ExposureControl {
@@ -60,21 +60,21 @@ class ExposureControl {
                   const std::optional<AutomaticWhiteBalance>& balance,
                   const PictureSettings& start);
 
-  /// Of the next picture.
+  /// Settings of the next image.
   PictureSettings Settings() const;
   bool meters_exposure() const { return exposure_.has_value(); }
   bool meters_balance() const { return balance_.has_value(); }
-  /// Takes that picture as its loops meter it.
+  /// Meters the next image for both loops.
   void Take(const Metered& for_exposure, const Metered& for_balance);
 
  private:
-  /// H of an exposure loop's settings as exposure and gain.
+  /// Splits H into exposure and gain.
   void Split(double product_s, PictureSettings* settings) const;
 
   std::optional<AutomaticExposure> exposure_;
   std::optional<AutomaticWhiteBalance> balance_;
   PictureSettings start_;
-  std::deque<double> product_s_;  ///< of the pictures to come, the next first
+  std::deque<double> product_s_;  ///< settings of the next images, in order
   std::deque<Vec3> balances_;
 };
 

@@ -10,9 +10,9 @@ namespace tera {
 namespace {
 
 constexpr double kHalfPixel_px = 0.5;
-constexpr double kSameDepth = 0.01;  // of it: between pixels a surface's depth may bend
+constexpr double kSameDepth = 0.01;  // relative tolerance for depth variation between pixels
 
-/// For each body, and first for what stands still, how it carries points of C to the other C.
+/// Transforms from C to the other camera frame: first for static points, then for each body.
 std::vector<Pose> CarriedBy(const SeenSurfaces& from, const SeenSurfaces& to) {
   const Pose X_DW = to.X_WC.inverse();
   std::vector<Pose> carried = {X_DW * from.X_WC};
@@ -28,7 +28,7 @@ bool IsOnPixels(const CameraIntrinsics& lens, const Vec2& pixel_px) {
          pixel_px.y() < lens.height_px - kHalfPixel_px;
 }
 
-/// Whether a picture shows a body's point at that place and depth (0: infinitely far).
+/// True if an image shows a body's point at that position and depth (0: infinitely far).
 bool Shows(const SeenSurfaces& seen, std::uint16_t body, const Vec2& pixel_px, double depth_m) {
   const int left = static_cast<int>(std::floor(pixel_px.x()));
   const int top = static_cast<int>(std::floor(pixel_px.y()));

@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// What a picture shows, exactly, and where all of it was.
+/// Exact surfaces in an image, with all poses.
 struct SeenSurfaces {
   Pose X_WC = Pose::Identity();
   std::vector<Pose> X_WB;
@@ -17,15 +17,14 @@ struct SeenSurfaces {
   Image<std::uint16_t> body;  ///< body_picture.h
 };
 
-/// The flow from the pixels of `from` to `to`, as image_flow.h encodes it, and of each point how
-/// far it moves in C on the way; either may be null.
+/// Optical flow from the pixels of `from` to `to`, encoded as in image_flow.h, and scene flow: each
+/// point's displacement in C. Either output may be null.
 ///
-/// Model   the point that a pixel's middle shows moves with its body; ground and land stand still,
-///         and what has no depth is infinitely far. `to` shows the point where one of the four
-///         pixels about its place shows the same body no nearer than 1 % before it; else it is
-///         hidden there.
-/// Omits   soil that slides or flies: of clods in the air nothing is known, ground that is dug
-///         between the pictures is taken to stand still.
+/// Model   the point at a pixel's centre moves with its body. Ground and land are static; points
+///         without depth are infinitely far. `to` shows the point if one of the four pixels around
+///         its position shows the same body, at most 1 % nearer. Otherwise the point is occluded.
+/// Omits   sliding and flying soil: flow of airborne clods is unknown, and ground dug between the
+///         images counts as static.
 void FlowBetween(const PixelRays& rays, const SeenSurfaces& from, const SeenSurfaces& to,
                  Image<std::uint16_t>* flow, Image<std::uint16_t>* scene_flow);
 

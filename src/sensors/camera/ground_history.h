@@ -8,23 +8,22 @@
 
 namespace tera {
 
-/// What has become of the ground since a camera's first picture.
+/// Change of the ground since a camera's first image.
 ///
 /// Frames  W.
-/// Model   cover is that of the nearest vertex; the change of height is that of the surface at the
-///         point. A vertex is touched when its height or its cover changes from one picture to the
-///         next.
+/// Model   the nearest vertex supplies the cover; the height change applies to the surface at the
+///         point. A vertex is touched if its height or cover changes between images.
 class GroundHistory {
  public:
   struct State {
     TerrainSurface::Cover cover;
-    double risen_m = 0;                  ///< since the first picture
-    std::optional<TimeNs> untouched_ns;  ///< since the last touch; never: nothing
+    double risen_m = 0;                  ///< since the first image
+    std::optional<TimeNs> untouched_ns;  ///< since the last touch; nullopt: never touched
   };
 
-  /// Takes note of the ground at the time of a picture; once for each, in order.
+  /// Records the ground at the time of an image; a single call per image, in order.
   void Advance(const TerrainSurface& ground, TimeNs t_ns);
-  /// At the time of the last picture; nothing beyond the site.
+  /// State at the last image; nullopt outside the site.
   std::optional<State> At(double x_m, double y_m) const;
 
  private:
@@ -32,8 +31,8 @@ class GroundHistory {
 
   TimeNs t_ns_ = 0;
   std::optional<TerrainSurface> first_, now_;
-  /// When each vertex of a tile was touched, of those that were: row-major over its squares and its
-  /// upper border.
+  /// Last touch time of each touched vertex of a tile, row-major over its squares and its upper
+  /// border.
   std::vector<std::vector<std::optional<TimeNs>>> touched_ns_;
 };
 

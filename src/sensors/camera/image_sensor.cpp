@@ -11,10 +11,10 @@
 namespace tera {
 namespace {
 
-constexpr double kFewElectrons = 20;  ///< below, counts are drawn from Poisson's distribution
+constexpr double kFewElectrons = 20;  ///< smaller counts use the exact Poisson distribution
 constexpr std::array<std::string_view, 4> kFilterNames = {"rggb", "bggr", "grbg", "gbrg"};
 
-/// A Poisson count by inversion.
+/// Poisson count by inversion.
 double FewOf(double mean, double uniform) {
   double probability = std::exp(-mean), below = probability, count = 0;
   while (uniform > below && count < 200) {
@@ -24,7 +24,7 @@ double FewOf(double mean, double uniform) {
   return count;
 }
 
-/// A Poisson count.
+/// Poisson count.
 double CountOf(double mean, const Stream& draw, std::uint64_t index) {
   if (mean < kFewElectrons) return FewOf(mean, draw.Uniform(index));
   return std::max(0.0, std::round(mean + std::sqrt(mean) * draw.Gaussian(index)));
@@ -36,7 +36,7 @@ std::uint8_t Encoded(double linear) {
   return static_cast<std::uint8_t>(std::lround(255 * srgb));
 }
 
-/// Each colour at every pixel, from one of them at each.
+/// Interpolates three colours at each pixel from the colour filter array.
 cv::Mat Demosaiced(const Image<std::uint16_t>& raw, ColourFilter filter) {
   constexpr std::array<int, 4> kCodes = {cv::COLOR_BayerRGGB2RGB_EA, cv::COLOR_BayerBGGR2RGB_EA,
                                          cv::COLOR_BayerGRBG2RGB_EA, cv::COLOR_BayerGBRG2RGB_EA};
@@ -47,14 +47,14 @@ cv::Mat Demosaiced(const Image<std::uint16_t>& raw, ColourFilter filter) {
   return three;
 }
 
-/// Photons of one colour in a pixel on the axis from 1 cd/m^2.
+/// Photons of one colour on an axial pixel at 1 cd/m^2.
 double PhotonsOnAxis(const ImageSensorModel& model) {
   const double lux_s =
       kPi * model.transmission / (4 * model.f_number * model.f_number) * model.exposure_s;
   return lux_s * kPhotonsPerLuxSecond / 3 * std::pow(model.pixel_um * 1e-6, 2);
 }
 
-/// Light on a pixel over that on the axis.
+/// Relative illumination of a pixel, 1 on the axis.
 double Falloff(const ImageSensorModel& model, const CameraIntrinsics& camera,
                const Vec2& pixel_px) {
   const double falloff = camera.Illumination(pixel_px);
@@ -64,7 +64,7 @@ double Falloff(const ImageSensorModel& model, const CameraIntrinsics& camera,
                               AngleFromAxis(camera.Unproject(pixel_px)));
 }
 
-/// Photons of one colour in each pixel of a picture of 1 cd/m^2.
+/// Photons of one colour in each pixel of a uniform image of 1 cd/m^2.
 std::vector<float> PhotonsOf(const ImageSensorModel& model, const CameraIntrinsics& camera) {
   const double on_axis = PhotonsOnAxis(model);
   std::vector<float> photons;
@@ -153,7 +153,7 @@ double ImageSensor::gain_dn_per_e(const PictureSettings& settings) const {
 }
 
 double ImageSensor::white_cdpm2(const PictureSettings& settings) const {
-  constexpr double kLeastEfficiency = 1e-3;  // of a sensor that is all but blind to green
+  constexpr double kLeastEfficiency = 1e-3;  // for a sensor almost blind to green
   const double efficiency = std::max(model_.quantum_efficiency[1], kLeastEfficiency);
   const double photons = PhotonsOnAxis(model_) * settings.exposure_s / model_.exposure_s;
   return model_.full_well_e / std::pow(10, settings.gain_db / 20) / (efficiency * photons);
@@ -227,7 +227,7 @@ Metered ImageSensor::Meter(const Image<std::uint16_t>& raw_dn, const MeteringZon
 Image<std::uint8_t> ImageSensor::Develop(const Image<std::uint16_t>& raw_dn,
                                          const PictureSettings& settings) const {
   const double white = (1 << model_.bits) - 1 - model_.black_dn;
-  // A look-up for each colour: its white balance to green and the encoding.
+  // A look-up table per colour: balance relative to green, and encoding.
   std::array<std::vector<std::uint8_t>, 3> encoded;
   for (int c = 0; c < 3; ++c) {
     for (int dn = 0; dn < (1 << model_.bits); ++dn) {

@@ -7,20 +7,20 @@
 
 namespace tera {
 
-/// What each shovel in the scene carries at a picture, and what it lets go.
+/// Load and release rate of each shovel in the scene at an image.
 ///
-/// Model   volume and mass of the truth; `released_kgps` is the mass that it has lost since the
-///         picture before over the time between, negative while it fills.
-/// Omits   soil that comes in while other soil goes: the difference counts. What fills less than
-///         1e-4 of a shovel counts as nothing.
+/// Model   true volume and mass. `released_kgps` is the mass lost since the previous image over the
+///         time between; it is negative while the shovel fills.
+/// Omits   simultaneous inflow and outflow: only the difference counts. A fill below 1e-4 of a
+///         shovel counts as empty.
 class LoadLabels {
  public:
-  /// The shovels of `model` at `state`, whose pixels are those of `frame`; once for each picture,
+  /// Labels the shovels of `model` at `state`, with pixels from `frame`; a single call per image,
   /// in order.
   void Fill(const SceneModel& model, const SceneState& state, CameraFrame* frame);
 
  private:
-  std::vector<double> before_kg_;  ///< of each shovel at the picture before; empty: there is none
+  std::vector<double> before_kg_;  ///< mass per shovel at the previous image; empty: none
   TimeNs before_ns_ = 0;
 };
 

@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-/// Of an object the sums over its pixels, and how many there are.
+/// Sums over an object's pixels, and their number.
 struct Sums {
   ObjectLight light;
   std::int64_t pixels = 0;
@@ -28,8 +28,8 @@ struct Sums {
   }
 };
 
-/// How points move on the picture while the shutter is open: of each body, and first of what stands
-/// still, from the stamp's C to the C of both ends.
+/// Image motion during the exposure: transforms from the stamp's C to the C at both ends. The first
+/// entry is for static points, followed by the bodies.
 class OpenShutter {
  public:
   OpenShutter(const CameraIntrinsics& lens, const SceneAt& scene_at, TimeNs t_ns, double open_s)
@@ -63,7 +63,7 @@ class OpenShutter {
 
   const CameraIntrinsics& lens_;
   bool moves_;
-  std::vector<Pose> X_OC_, X_SC_;  ///< as it opens, as it shuts
+  std::vector<Pose> X_OC_, X_SC_;  ///< at opening and at closing
 };
 
 }  // namespace

@@ -8,8 +8,8 @@
 namespace tera {
 namespace {
 
-/// Standard normal quantiles of the middles of 2^bits equal parts of (0, 1), scaled to unit
-/// variance: a look-up instead of logarithm and cosine for each pixel.
+/// Standard normal quantiles at the centres of 2^bits equal parts of (0, 1), scaled to unit
+/// variance. A look-up replaces logarithm and cosine per pixel.
 template <int bits>
 class NormalQuantiles {
  public:
@@ -29,7 +29,7 @@ class NormalQuantiles {
   float operator[](std::uint64_t part) const { return values_[part & (values_.size() - 1)]; }
 
  private:
-  /// By bisection of the normal distribution function.
+  /// Bisection of the normal distribution function.
   static double Quantile(double p) {
     double low = -8, high = 8;
     while (high - low > 1e-9) {
@@ -46,7 +46,7 @@ class NormalQuantiles {
 template <typename Visit>
 void ForEachDraw(const UniformBits& noise, std::uint64_t first, std::size_t pixels,
                  Workers* workers, const Visit& visit) {
-  constexpr std::size_t kBlock = 512;  // stays in the first cache
+  constexpr std::size_t kBlock = 512;  // fits the first-level cache
   constexpr std::size_t kLeastOfThread = 16 * kBlock;
   workers->ForRanges(pixels, kLeastOfThread, [&](std::size_t from, std::size_t to) {
     std::array<std::uint64_t, kBlock> bits;
@@ -60,8 +60,8 @@ void ForEachDraw(const UniformBits& noise, std::uint64_t first, std::size_t pixe
 
 }  // namespace
 
-/// 2^16 quantiles reach to 4.3 sigma; their steps stay below the millimetre that depth is stored in
-/// wherever noise is drawn often.
+/// 2^16 quantiles reach 4.3 sigma. Their steps stay below the stored millimetre wherever draws are
+/// frequent.
 void AddDisparityNoise(double scale_1pm, const UniformBits& noise, std::uint64_t first,
                        const Image<float>& dust, Workers* workers, Image<float>* depth_m) {
   static const NormalQuantiles<16> normal(workers);
@@ -77,8 +77,8 @@ void AddDisparityNoise(double scale_1pm, const UniformBits& noise, std::uint64_t
   });
 }
 
-/// Beside the rounding to 255 levels the steps of 2^12 quantiles do not show, and three values of a
-/// pixel come from one draw.
+/// Rounding to 255 levels hides the steps of 2^12 quantiles. A single draw supplies a pixel's three
+/// values.
 void AddRgbNoise(double sigma, const UniformBits& noise, std::uint64_t first, Workers* workers,
                  Image<std::uint8_t>* rgb) {
   static const NormalQuantiles<12> normal(workers);

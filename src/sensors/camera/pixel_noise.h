@@ -8,15 +8,14 @@
 
 namespace tera {
 
-/// Divides each depth z that is not 0 by 1 - s z n, n standard normal, s being the noise of the
-/// disparity over focal length and baseline: far away, where the noise is larger than the disparity
-/// itself, there is no measurement. Behind dust, of which `dust` has the optical depth at each
-/// pixel or nothing, it grows as the contrast falls. Pixel i has draw `first` + i.
+/// Divides each non-zero depth z by 1 - s z n, n standard normal. s is the disparity noise over
+/// focal length and baseline. Far away, where the noise exceeds the disparity, the result is no
+/// measurement. `dust` holds the optical depth per pixel, or is empty; the noise grows as dust
+/// reduces the contrast. Pixel i uses draw `first` + i.
 void AddDisparityNoise(double scale_1pm, const UniformBits& noise, std::uint64_t first,
                        const Image<float>& dust, Workers* workers, Image<float>* depth_m);
 
-/// Adds N(0, sigma^2), in steps of a value of 255, to each colour, and clips. Pixel i has draw
-/// `first` + i.
+/// Adds N(0, sigma^2), in levels of 255, to each colour, and clips. Pixel i uses draw `first` + i.
 void AddRgbNoise(double sigma, const UniformBits& noise, std::uint64_t first, Workers* workers,
                  Image<std::uint8_t>* rgb);
 

@@ -6,14 +6,14 @@
 
 namespace tera {
 
-/// The ray of each pixel of a lens, found once.
+/// Cached rays of all pixels of a lens.
 class PixelRays {
  public:
   explicit PixelRays(const CameraIntrinsics& lens);
 
   const CameraIntrinsics& lens() const { return lens_; }
-  /// The point of depth 1 in C that a pixel sees (CameraIntrinsics::Unproject); zero where the
-  /// pixel sees nothing.
+  /// The point of depth 1 in C on a pixel's ray (CameraIntrinsics::Unproject); zero for a pixel
+  /// without a ray.
   const Vec3& at(int x_px, int y_px) const {
     return rays_C_[static_cast<std::size_t>(y_px) * lens_.width_px + x_px];
   }

@@ -9,7 +9,7 @@
 #include "sensors/camera/camera.h"
 #include "sensors/camera/read_lens.h"
 
-// A camera's model, from YAML and to it.
+// Reads a camera's model from YAML and writes it.
 
 namespace tera {
 namespace {
@@ -42,7 +42,8 @@ LabelSet ReadLabelSet(const ConfigMap& config) {
   return labels;
 }
 
-/// Labels that are computed from depth and poses need all rows to be of one instant.
+/// Reports labels computed from depth and poses under a rolling shutter: they need a single
+/// instant.
 void CheckLabelsUnderShutter(const ConfigMap& config, const CameraModel& model) {
   if (!model.image_sensor->shutter || model.image_sensor->shutter->readout_s == 0) return;
   for (const LabelChannel& channel : kLabelChannels) {
@@ -56,7 +57,7 @@ void CheckLabelsUnderShutter(const ConfigMap& config, const CameraModel& model) 
   }
 }
 
-/// A matcher or a time of flight in the place of depth with noise.
+/// Reads a stereo matcher or time of flight, which replaces depth with noise.
 void ReadDepthSensor(const ConfigMap& config, CameraModel* model) {
   std::string_view key;
   if (const auto stereo = config.OptionalMap("stereo")) {
@@ -68,7 +69,7 @@ void ReadDepthSensor(const ConfigMap& config, CameraModel* model) {
     key = "time_of_flight";
     model->time_of_flight = ReadModel<TimeOfFlightModel>(*flight);
   }
-  // Either takes the place of a preset's noise.
+  // Either replaces a preset's noise.
   if (key.empty() || !LiesBelow(config, "disparity_noise_px", key)) {
     model->disparity_noise_px = config.Number("disparity_noise_px", AtLeast(0, "px"), 0);
   }
@@ -83,7 +84,7 @@ void ReadDepthSensor(const ConfigMap& config, CameraModel* model) {
                  "needs pictures of a pinhole, but this lens distorts; need a camera without "
                  "lens and its coefficients");
   }
-  constexpr int kFinest_px = 8192;  // of the picture that parts are taken from
+  constexpr int kFinest_px = 8192;  // side of the image that supplies the parts
   const int side_px = std::max(model->intrinsics.width_px, model->intrinsics.height_px);
   if (model->time_of_flight && model->time_of_flight->parts * side_px > kFinest_px) {
     config.Map("time_of_flight")
@@ -166,7 +167,7 @@ CameraModel ReadCameraModel(const ConfigMap& config) {
   }
   ReadDepthSensor(config, &m);
   m.baseline_m = config.Number("baseline_m", Positive("m"), m.baseline_m);
-  // A sensor takes the place of a preset's noise.
+  // An image sensor replaces a preset's noise.
   if (!LiesBelow(config, "rgb_noise", "image_sensor")) {
     m.rgb_noise = config.Number("rgb_noise", Between(0, kMaxValue, "of 255"), 0);
   }

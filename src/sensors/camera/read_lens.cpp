@@ -31,7 +31,7 @@ constexpr std::array<Coefficient, 8> kCoefficients = {{{"k1", &CameraIntrinsics:
                                                        {"k5", &CameraIntrinsics::k5},
                                                        {"k6", &CameraIntrinsics::k6}}};
 
-/// A law with the coefficients that it has.
+/// A projection law with its coefficients.
 struct Law {
   std::string_view name;
   LensKind kind;
@@ -92,7 +92,7 @@ void CheckFolding(const ConfigMap& config, const CameraIntrinsics& lens) {
   if (!lens.Distorted() || !(lens.fx_px > 0 && lens.fy_px > 0)) return;
   const auto pixel = lens.PixelWithoutRay();
   if (!pixel) return;
-  std::string_view key = lens.IsAngular() ? "lens" : "";  // of the first coefficient given
+  std::string_view key = lens.IsAngular() ? "lens" : "";  // key of the first given coefficient
   for (auto c = kCoefficients.rbegin(); c != kCoefficients.rend(); ++c) {
     if (config.Has(c->key)) key = c->key;
   }

@@ -8,12 +8,11 @@
 
 namespace tera {
 
-/// A camera's size, lens and distances from its keys. A lens that folds within its picture is a
-/// fault.
+/// Reads a camera's image size, lens and distances. A lens that folds within its image is a fault.
 CameraIntrinsics ReadLens(const ConfigMap& config);
-/// The same as sensor.yaml has it, two blanks before each key.
+/// The lens as in sensor.yaml, indented by two blanks.
 std::string LensYaml(const CameraIntrinsics& lens);
-/// A law as the key `lens` names it.
+/// Name of a law in the key `lens`.
 std::string_view NameOf(LensKind kind);
 
 }  // namespace tera

@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-/// What is open for light in one row.
+/// Opening time of one row.
 double Open_s(const ShutterModel& model, double exposure_s) {
   return model.motion_blur ? exposure_s : 0;
 }

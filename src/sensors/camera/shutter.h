@@ -7,39 +7,39 @@
 
 namespace tera {
 
-/// What a shutter makes of motion.
+/// Exposure timing of a shutter.
 struct ShutterModel {
-  double readout_s = 0;  ///< from the first row's exposure to the last row's; 0: all rows at once
-  bool motion_blur = true;  ///< false: each row is of one instant, the middle of its exposure
-  double step_px = 1;       ///< farthest that anything moves from one instant drawn to the next
-  int most_pictures = 15;   ///< instants drawn for one picture; beyond, steps grow
+  double readout_s = 0;     ///< between the first and the last row's exposure; 0: global shutter
+  bool motion_blur = true;  ///< false: each row shows the instant at the middle of its exposure
+  double step_px = 1;       ///< maximum image motion between consecutive instants
+  int most_pictures = 15;  ///< maximum number of instants per image; faster motion has larger steps
 };
 
 void Serialize(ModelArchive* archive, ShutterModel* model);
 
-/// The instants from which one picture is put together.
+/// Instants that compose one image.
 ///
-/// Frames  times count from the middle of the middle row's exposure, which is the picture's stamp.
-/// Model   row y of h is exposed about (y / (h - 1) - 1/2) readout; the span of all exposures is
-///         cut into equal slots, each standing for the instant in its middle; a row's light is the
-///         mean of the instants by the time that its exposure has in each slot. An error in time
-///         is at most half a slot.
+/// Frames  times are relative to the middle of the middle row's exposure, the image's time stamp.
+/// Model   the exposure of row y of h is centred at (y / (h - 1) - 1/2) readout. The span of all
+///         exposures consists of equal slots, each represented by its middle instant. A row's light
+///         is the mean of the instants, weighted by the exposure time within each slot. The timing
+///         error is at most half a slot.
 class Exposures {
  public:
-  /// `pictures` slots, an odd number, so that one instant is the middle.
+  /// `pictures` is the odd number of slots, so that the stamp is one of the instants.
   Exposures(const ShutterModel& model, double exposure_s, int rows, int pictures);
 
-  /// Half of the time from the first row's opening to the last row's closing.
+  /// Half the time from the first row's opening to the last row's closing.
   static double Reach_s(const ShutterModel& model, double exposure_s);
-  /// The fewest slots of `model` in which nothing goes further than a step, if it goes `motion_px`
-  /// in all.
+  /// Smallest number of slots for which no motion exceeds a step, given the total motion
+  /// `motion_px`.
   static int PicturesFor(const ShutterModel& model, double motion_px);
 
   int pictures() const { return pictures_; }
   TimeNs Instant_ns(int picture) const;
-  /// The share of an instant in the light of a row; over all instants 1.
+  /// Weight of an instant in a row's light; the weights sum to 1.
   double Share(int row, int picture) const;
-  /// The instant nearest the middle of a row's exposure.
+  /// The instant nearest to the middle of a row's exposure.
   int MiddleOf(int row) const;
 
  private:

@@ -12,21 +12,21 @@
 namespace tera {
 namespace {
 
-/// Index of the soil plus 1; 0: no ground of the site.
+/// Soil index plus 1; 0: not the site's ground.
 std::uint8_t PixelOfSoil(std::uint8_t soil) {
   return static_cast<std::uint8_t>(std::min(soil + 1, 255));
 }
 
-/// Millimetres that the surface has risen, plus 32768, at most 32.767 m up or down; 0: no ground of
-/// the site.
+/// Rise of the surface in millimetres plus 32768, limited to 32.767 m up or down; 0: not the site's
+/// ground.
 std::uint16_t PixelOfRise(double risen_m) {
   constexpr double kMiddle = 32768, kPerMetre = 1000;
   return static_cast<std::uint16_t>(
       std::clamp(std::round(kMiddle + kPerMetre * risen_m), 1.0, 65535.0));
 }
 
-/// Tenths of a second since ground was touched, plus 1, at most 65534; 65535: never; 0: no ground
-/// of the site.
+/// Time since the ground was touched, in tenths of a second plus 1, at most 65534; 65535: never; 0:
+/// not the site's ground.
 std::uint16_t PixelOfAge(std::optional<TimeNs> untouched_ns) {
   constexpr TimeNs kStep_ns = kNsPerSecond / 10, kLongest = 65534, kNever = 65535;
   if (!untouched_ns) return kNever;
@@ -34,7 +34,7 @@ std::uint16_t PixelOfAge(std::optional<TimeNs> untouched_ns) {
       std::min((*untouched_ns + kStep_ns / 2) / kStep_ns + 1, kLongest));
 }
 
-/// Whole millimetres; 0: none, or beyond 65.535 m.
+/// Whole millimetres; 0: no surface, or beyond 65.535 m.
 std::uint16_t PixelOfDistance(double distance_m) {
   constexpr double kPerMetre = 1000, kLargest = 65535;
   const double value = std::round(kPerMetre * distance_m);

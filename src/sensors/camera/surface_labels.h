@@ -12,19 +12,19 @@
 
 namespace tera {
 
-/// The label pictures that are computed from what each pixel shows (LabelSource::kSurfaces): motion
-/// from picture to picture, the state of the ground, distance.
+/// Label images computed from visible surfaces (LabelSource::kSurfaces): flow between images,
+/// ground state, distance.
 class SurfaceLabels {
  public:
   SurfaceLabels(const CameraIntrinsics& lens, LabelSet labels);
 
-  /// Whether any of the labels is of this kind, so that Fill is to be called for each picture.
+  /// True if a label is of this kind; Fill must then follow each image.
   bool any() const { return any_; }
-  /// Whether a picture follows from those before.
+  /// True if an image depends on earlier images.
   bool HasMemory() const { return flows_ || ages_; }
 
-  /// Fills what the labels name, for the picture of `scene` with its exact depth, as it was
-  /// rendered, and its bodies.
+  /// Fills the requested labels for the image of `scene`, from its exact rendered depth and its
+  /// bodies.
   void Fill(const SeenScene& scene, const Image<float>& depth_m, const Image<std::uint16_t>& body,
             CameraFrame* frame);
 

@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-/// Takes the rows of `from` that have `picture` as the middle of their exposure.
+/// Copies the rows of `from` for which `picture` is the middle of the exposure.
 template <typename T>
 void TakeRows(const Exposures& exposures, int picture, const Image<T>& from, Image<T>* to) {
   const auto row_values = static_cast<std::ptrdiff_t>(from.width_px) * from.channels;
@@ -47,7 +47,7 @@ bool HasRows(const Exposures& exposures, int picture, int rows) {
   return false;
 }
 
-/// How far anything moves on the picture over all exposures.
+/// Largest image motion over all exposures.
 double Motion_px(const SweptView& view, const SceneModel& model, const SeenScene& middle,
                  const CameraFrame& frame, TimeNs t_ns) {
   const TimeNs reach_ns = FromSeconds(Exposures::Reach_s(view.shutter, view.exposure_s));
@@ -60,8 +60,8 @@ double Motion_px(const SweptView& view, const SceneModel& model, const SeenScene
   return motion_px;
 }
 
-/// Boxes about what the composed picture shows; each object's visibility is that of the first of
-/// `known` that has it.
+/// Boxes around the objects of the composed image. Each object's visibility comes from its first
+/// entry in `known`.
 std::vector<ObjectBox> BoxesOf(const SceneModel& model, const CameraIntrinsics& lens,
                                const SeenScene& middle, const CameraFrame& frame,
                                const std::vector<ObjectBox>& known, Workers* workers) {
@@ -91,7 +91,7 @@ CameraFrame Sweep(const SweptView& view, TimeNs t_ns, Rasterizer* rasterizer,
   Image<float> light(view.lens.width_px, view.lens.height_px, 3);
   std::vector<ObjectBox> known = frame.boxes;
   for (int i = 0; i < exposures.pictures(); ++i) {
-    if (i == exposures.pictures() / 2) {  // the one that is there
+    if (i == exposures.pictures() / 2) {  // already rendered
       AddLight(exposures, i, luminance->cdpm2, &light);
       continue;
     }

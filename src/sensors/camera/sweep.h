@@ -9,16 +9,16 @@
 
 namespace tera {
 
-/// What a camera looks at, and from where.
+/// Scene and pose of a camera.
 struct SeenScene {
   Pose X_WC;
   SceneState state;
 };
 
-/// The same at the time `t_ns`, near a picture's.
+/// Scene at time `t_ns`, near an image's time.
 using SceneAt = std::function<SeenScene(TimeNs t_ns)>;
 
-/// A picture whose rows are exposed for a while, each at its time.
+/// An image whose rows have separate exposures.
 struct SweptView {
   const ShutterModel& shutter;
   double exposure_s;
@@ -27,14 +27,15 @@ struct SweptView {
   const SceneAt& scene_at;
 };
 
-/// The picture stamped `t_ns`, in luminance, with depth and labels.
+/// Renders the image stamped `t_ns`, in luminance, with depth and labels.
 ///
-/// Model   light as Exposures has it, averaged as luminance. Depth and labels of a row are those
-///         of the instant in the middle of its exposure; 3-D boxes are as they stand at `t_ns`.
-///         As many instants as the motion on the picture asks for (ImageMotion_px).
-/// Omits   motion of the ground, and of soil in a shovel, within the picture: one stands for all.
+/// Model   light is averaged in luminance over the instants of Exposures. Depth and labels of a row
+///         show the instant at the middle of its exposure; 3-D boxes refer to `t_ns`. Image motion
+///         determines the number of instants (ImageMotion_px).
+/// Omits   motion of the ground, and of soil in a shovel, within the image: one state serves all
+///         instants.
 ///
-/// `body` and `light`, if asked for, become those pictures of Rasterizer::Render at `t_ns`.
+/// `body` and `light`, if given, receive these images of Rasterizer::Render at `t_ns`.
 CameraFrame Sweep(const SweptView& view, TimeNs t_ns, Rasterizer* rasterizer,
                   LuminancePicture* luminance, Image<std::uint16_t>* body = nullptr,
                   Image<float>* light = nullptr);

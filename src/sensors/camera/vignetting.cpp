@@ -8,14 +8,13 @@
 namespace tera {
 namespace {
 
-/// Of a disc the part beyond a chord at the distance `chord` from its centre, which may be
-/// negative.
+/// Area of a disc beyond a chord at distance `chord` from its centre, which may be negative.
 double Segment(double radius, double chord) {
   const double c = std::clamp(chord / radius, -1.0, 1.0);
   return radius * radius * (std::acos(c) - c * std::sqrt(1 - c * c));
 }
 
-/// Area common to two discs whose centres are `apart`.
+/// Common area of two discs with centre distance `apart`.
 double CommonArea(double a, double b, double apart) {
   const double smaller = std::min(a, b);
   if (apart >= a + b) return 0;

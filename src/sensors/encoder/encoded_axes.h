@@ -9,16 +9,16 @@
 
 namespace tera {
 
-/// Axes that an encoder reads, joints before gears, as indices into the machine's lists.
+/// Measured axes of an encoder, joints before gears, as indices into the machine's lists.
 struct EncodedAxes {
   std::vector<int> joints, gears;
-  std::vector<std::string> unknown;  ///< names that the machine lacks
+  std::vector<std::string> unknown;  ///< names absent from the machine
 };
 
-/// The axes that `encoder` names, or all that move where it names none.
+/// The axes that `encoder` names; all movable axes if it names none.
 EncodedAxes AxesOf(const EncoderModel& encoder, const MachineModel& machine);
 
-/// Their names and kinds, in that order.
+/// Names and kinds of the axes, in the same order.
 std::vector<EncoderAxis> NamesOf(const EncodedAxes& axes, const MachineModel& machine);
 
 }  // namespace tera

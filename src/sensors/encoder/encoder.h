@@ -9,31 +9,32 @@
 
 namespace tera {
 
-/// Which axes a set of encoders reads, and how well.
+/// Measured axes and accuracy of a set of encoders.
 struct EncoderModel {
-  std::vector<std::string> joints;  ///< joint or gear names; empty: all joints that move
-  double resolution_rad = 0;        ///< 0: not quantised
+  std::vector<std::string> joints;  ///< joint or gear names; empty: all movable joints
+  double resolution_rad = 0;        ///< 0: no quantisation
   double noise_rad = 0;             ///< 1 sigma, before quantisation
   double rate_noise_radps = 0;
-  double resolution_m = 0, noise_m = 0, rate_noise_mps = 0;  ///< of prismatic joints
+  double resolution_m = 0, noise_m = 0, rate_noise_mps = 0;  ///< for prismatic joints
 };
 
 void Serialize(ModelArchive* archive, EncoderModel* model);
 
-/// Angle and rate sensors of several joints (or tracks, or wheels) read together.
+/// Angle and rate sensors of several joints, tracks or wheels, sampled together.
 ///
-/// Frames  angles and rates about each joint's own axis, from its zero; metres where it slides.
+/// Frames  angles and rates about each joint's own axis, from its zero; metres for prismatic
+///         joints.
 /// Model   angle q + N(0, sigma^2), rounded to the nearest multiple of the resolution; rate
-///         qd + N(0, sigma_rate^2), measured by itself and not from the rounded angles.
-/// Omits   backlash, eccentricity, the wrap of a single turn. (Zero offset: AxisErrors.)
+///         qd + N(0, sigma_rate^2), measured independently of the rounded angles.
+/// Omits   backlash, eccentricity, single-turn wrap. (Zero offset: AxisErrors.)
 /// Source  rounding: uniform error of variance resolution^2 / 12 (Bennett 1948, "Spectra of
-///         quantized signals") where the motion passes many steps.
+///         quantized signals") for motion across many steps.
 class Encoder {
  public:
-  /// `linear` says of each axis whether it is measured in metres; none: all are angles.
+  /// `linear` marks the axes measured in metres; empty: all are angles.
   Encoder(const EncoderModel& model, const SampleClock& clock, TimeNs latency_ns,
           std::uint64_t seed, const std::string& stream_name, std::vector<bool> linear = {});
-  /// Sample k of axes at `q_rad` that turn at `qd_radps`.
+  /// Sample k of axes at positions `q_rad` with rates `qd_radps`.
   EncoderSample Measure(std::int64_t k, const std::vector<double>& q_rad,
                         const std::vector<double>& qd_radps) const;
 

@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-/// Parameters of one quantity, by the names they have for axes that turn or slide.
+/// Parameter names of one quantity, for revolute or prismatic axes.
 struct Names {
   std::string_view bias, drift, outlier, limit, step, rate_bias, rate_limit, rate_step;
 };

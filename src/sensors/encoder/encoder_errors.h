@@ -9,21 +9,21 @@
 
 namespace tera {
 
-/// Which way an axis counts and its slot `sensor_static`, for angles in rad or travel in m.
+/// Sign and slot `sensor_static` of an axis, for angles in rad or travel in m.
 ///
 /// Model   position: s m q + b + c dT(t) + o, clipped to +-limit, rounded to a multiple of the
 ///         step; rate: s m_r qd + b_r, clipped, rounded. s = -1: `axis_flip`; m, m_r: `scale`; b,
 ///         b_r: `bias`; c dT(t): `temperature_drift`; o: `outliers`; then `saturation`,
-///         `quantisation`. An axis that slides takes the parameters in metres, another those in
+///         `quantisation`. Prismatic axes use the parameters in metres, others the parameters in
 ///         degrees.
-/// Omits   eccentricity; what the bias of an angle does to the rate.
+/// Omits   eccentricity; effect of an angle's bias on the rate.
 class AxisErrors {
  public:
   AxisErrors(const Effects& effects, bool linear, std::uint64_t seed,
              const std::string& stream_name);
-  /// What its element makes of the axis: sign, scale, bias, drift.
+  /// Errors of the sensing element: sign, scale, bias, drift.
   void Sense(TimeNs t_ns, double* position, double* rate) const;
-  /// What reading the element out adds, behind a filter: outliers, saturation, quantisation.
+  /// Errors of the read-out, downstream of a filter: outliers, saturation, quantisation.
   void ReadOut(std::int64_t k, double* position, double* rate) const;
 
  private:
@@ -33,7 +33,7 @@ class AxisErrors {
   OutlierDraw outliers_;
 };
 
-/// The effects of one axis: its own, and of those of the whole sensor what it does not have itself.
+/// Effects of one axis: its own, and the sensor's effects that it does not override.
 Effects EffectsOfAxis(const Effects& sensor, const Effects& axis);
 
 }  // namespace tera

@@ -7,7 +7,7 @@
 #include "sensors/slots/check_steps.h"
 #include "sensors/slots/mechanism_rows.h"
 
-// A set of encoders on the shelf.
+// Encoder set as a sensor kind.
 
 namespace tera {
 namespace {
@@ -119,12 +119,13 @@ constexpr StepAndLimit kSteps[] = {{"angle_step_deg", "angle_limit_deg"},
                                    {"travel_step_m", "travel_limit_m"},
                                    {"speed_step_mps", "speed_limit_mps"}};
 
-/// What kinds of axes a set of encoders has.
+/// Kinds of axes in a set of encoders.
 struct Kinds {
   bool turning = false, sliding = false;
 };
 
-/// Numbers in units of an axis that is not there, but for defaults: a resolved document has them.
+/// Reports parameters in units of an absent axis kind. Defaults pass, because a resolved document
+/// contains them.
 void CheckUnits(const ConfigMap& config, const Effects& effects, const Kinds& kinds) {
   for (const Effect& effect : effects) {
     const ConfigMap map = config.Map(effect.mechanism->id);

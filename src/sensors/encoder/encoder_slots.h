@@ -12,12 +12,10 @@
 
 namespace tera {
 
-/// What lies between the measurement of a set of encoders' own model and the one it reports
-/// (src/sensors/README.md).
+/// Errors between an encoder set's model and its reported measurement (src/sensors/README.md).
 class EncoderSlots {
  public:
-  /// `axis_effects` has the own effects of each axis or is empty; `linear` says of each whether it
-  /// is in metres.
+  /// `axis_effects` holds each axis's own effects, or is empty. `linear` marks the axes in metres.
   EncoderSlots(const Effects& effects, const std::vector<Effects>& axis_effects,
                const std::vector<bool>& linear, const std::vector<std::string>& axes,
                std::uint64_t seed, const std::string& stream_name);

@@ -16,20 +16,20 @@ struct Antenna {
   Effects effects;
 };
 
-/// Where the antenna is whose signal the receiver of `own` gets.
+/// Position of the antenna whose signal the receiver of `own` obtains.
 ///
 /// Frames  B the antenna's link.
-/// Model   `antenna_swap` on either of the two: the true mount of `other`, the receivers' noise
-///         staying where it was. `antenna_yaw` on either: both turned about the vertical of B
-///         through the middle between their documented places.
-/// Omits   antennas on different links for `antenna_yaw`; phase centres that move with elevation.
+/// Model   `antenna_swap` on either antenna: the true mount of `other`; the noise stays with the
+///         receiver. `antenna_yaw` on either: both rotate about the vertical of B through the
+///         midpoint of their documented positions.
+/// Omits   antennas on different links for `antenna_yaw`; phase centre variation with elevation.
 struct AntennaPlace {
   std::string link;
   Pose X_BT = Pose::Identity();
 };
 AntennaPlace TrueAntenna(const Antenna& own, const Antenna& other);
 
-/// The other antenna of a machine that has two, for antenna_swap and antenna_yaw; else nullptr.
+/// The other antenna of a two-antenna machine, for antenna_swap and antenna_yaw; otherwise nullptr.
 const SensorDescription* OtherAntenna(const SensorDescription& sensor,
                                       const std::vector<SensorDescription>& sensors);
 

@@ -10,33 +10,33 @@
 
 namespace tera {
 
-/// Error of a receiver along the axes of W: first-order Gauss-Markov plus white, vertical apart.
+/// Receiver error along the axes of W: first-order Gauss-Markov plus white noise, separate for the
+/// vertical.
 struct GnssModel {
   double white_horizontal_m = 0, white_vertical_m = 0;            ///< 1 sigma
   double correlated_horizontal_m = 0, correlated_vertical_m = 0;  ///< 1 sigma, stationary
   double correlation_time_s = 60;
-  Vec3 bias_enu_m = Vec3::Zero();  ///< constant, not in the reported variance
+  Vec3 bias_enu_m = Vec3::Zero();  ///< constant, excluded from the reported variance
   GnssFix fix = GnssFix::kRtkFixed;
 };
 
-/// A fix as it is written in YAML: "none", "single", "rtk_fixed", "rtk_float".
+/// Name of a fix in YAML: "none", "single", "rtk_fixed", "rtk_float".
 std::string_view NameOf(GnssFix fix);
 
 void Serialize(ModelArchive* archive, GnssModel* model);
 
-/// One antenna and its receiver.
+/// One antenna with its receiver.
 ///
 /// Frames  W world (local east-north-up), S the antenna; `enu_m` of a sample is p_WS as measured.
 /// Model   p = p_WS + b + c_k + n_k; c_k = e^(-T/tau) c_(k-1) + sqrt(1 - e^(-2T/tau)) sigma_c w_k.
-///         The variance reported is sigma_c^2 + sigma_n^2, without the bias.
-/// Omits   satellites, masking. (Multipath and lost ambiguities, in their simplest forms:
-///         GnssErrors.)
+///         The reported variance is sigma_c^2 + sigma_n^2, without the bias.
+/// Omits   satellites, masking. (Simplest forms of multipath and lost ambiguities: GnssErrors.)
 /// Source  first-order Gauss-Markov process: Gelb 1974, "Applied optimal estimation", ch. 3.
 class Gnss {
  public:
   Gnss(const GnssModel& model, const SampleClock& clock, TimeNs latency_ns, std::uint64_t seed,
        const std::string& stream_name);
-  /// Sample k (called for k = 0, 1, 2, ... in order) with the antenna at `p_WS_m`.
+  /// Sample k with the antenna at `p_WS_m`; calls follow k = 0, 1, 2, ...
   GnssSample Measure(std::int64_t k, const Vec3& p_WS_m, const SiteFrame& site);
 
  private:

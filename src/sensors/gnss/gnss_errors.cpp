@@ -47,7 +47,7 @@ void FloatJumps::Apply(std::int64_t k, GnssSample* sample) {
     }
   }
   last_ns_ = sample->t_ns;
-  // Only a fixed solution can fall back to a floating one.
+  // Only a fixed solution can fall back to a float solution.
   if (!floating_ || sample->fix != GnssFix::kRtkFixed) return;
   sample->enu_m += offset_m_;
   sample->variance_enu_m2 += sigma_m_.cwiseAbs2();

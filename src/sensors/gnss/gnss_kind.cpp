@@ -10,7 +10,7 @@
 #include "sensors/slots/mechanism_rows.h"
 #include "sensors/slots/true_mount.h"
 
-// A GNSS receiver with its antenna on the shelf.
+// GNSS receiver with its antenna as a sensor kind.
 
 namespace tera {
 namespace {
@@ -37,7 +37,7 @@ class GnssSampler : public InstantSampler {
     output_.sink->Write(output_.channel, RowOf(sample));
   }
 
-  /// Where the part beside the antenna points.
+  /// Direction of the reflecting part near the antenna.
   RaisedBoom BoomAt(const SensedStep& step, double s) const {
     if (!reflector_) return {};
     return {step.LinkAt(reflector_->link, s).linear() * reflector_->direction_B};
@@ -46,7 +46,7 @@ class GnssSampler : public InstantSampler {
   Gnss gnss_;
   GnssSlots slots_;
   int link_ = 0;
-  Pose X_BT_;  ///< where it truly sits
+  Pose X_BT_;  ///< true mounting
   std::optional<GnssReflector> reflector_;
   SensorOutput output_;
 };
@@ -82,7 +82,7 @@ std::vector<Mechanism> GnssMechanisms() {
   };
 }
 
-/// Faults of effects that need another antenna.
+/// Reports effects that need a second antenna.
 void CheckPair(const ConfigMap& config, const SensorDescription& antenna, const SensorList& rig) {
   const SensorDescription* other = OtherAntenna(antenna, rig);
   for (const std::string_view id : {"antenna_swap", "antenna_yaw"}) {

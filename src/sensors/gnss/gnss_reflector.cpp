@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-/// Joints from the root to a link, the root's first.
+/// Joints from the root to a link, in this order.
 std::vector<int> JointsTo(const MachineModel& model, int link) {
   std::vector<int> joints;
   for (; link > 0; link = model.joints[link - 1].parent) joints.push_back(link - 1);
@@ -17,19 +17,19 @@ std::vector<int> JointsTo(const MachineModel& model, int link) {
 
 bool Moves(const Joint& joint) { return joint.type != JointType::kFixed; }
 
-/// Whether a joint tilts its child, with the root upright; `X_BL` has the poses of the links.
+/// True if a joint tilts its child while the root is upright. `X_BL` holds the poses of the links.
 bool Tilts(const Joint& joint, const std::vector<Pose>& X_BL) {
   if (joint.type != JointType::kRevolute && joint.type != JointType::kContinuous) return false;
   const Vec3 axis_B = (X_BL[joint.parent] * joint.X_PJ).linear() * joint.axis_J.normalized();
   return std::abs(axis_B.z()) < std::sqrt(0.5);
 }
 
-/// The part that joint `chain[k]` moves, along the chain.
+/// The part that joint `chain[k]` moves.
 std::optional<GnssReflector> PartOf(const MachineModel& model, const std::vector<int>& chain,
                                     std::size_t k) {
   const int link = model.joints[chain[k]].child;
   Vec3 tip_B_m = model.links[link].com_B_m;
-  Pose X_BP = Pose::Identity();  // of the parent of the next joint, fixed ones passed
+  Pose X_BP = Pose::Identity();  // pose of the next joint's parent, across fixed joints
   for (std::size_t next = k + 1; next < chain.size(); ++next) {
     X_BP = X_BP * model.joints[chain[next]].X_PJ;
     if (!Moves(model.joints[chain[next]])) continue;

@@ -6,19 +6,19 @@
 
 namespace tera {
 
-/// The part of a machine that rises beside an antenna: a boom, a lift arm.
+/// A part of a machine that rises near an antenna: a boom, a lift arm.
 struct GnssReflector {
   int link = 0;
-  Vec3 direction_B = Vec3::UnitX();  ///< from its foot to its tip in its link's frame B, length 1
+  Vec3 direction_B = Vec3::UnitX();  ///< unit vector from foot to tip, in its link's frame B
 };
 
-/// What rises beside an antenna on `antenna_link`, whatever its name.
+/// The reflecting part near an antenna on `antenna_link`, independent of names.
 ///
-/// Model   Of the chains of joints that leave the antenna's link or those below it, the one with
-///         the most; on it the first part that a joint tilts (its axis nearer to the horizontal
-///         than to the vertical in the machine's initial pose). Its foot is that joint, its tip the
-///         next joint that moves, or its centre of mass.
-/// Omits   all other parts, and how large and how near they are.
+/// Model   the longest joint chain from the antenna's link or a link below it. The reflector is the
+///         first part on this chain that a joint tilts. A tilting joint's axis is closer to
+///         horizontal than to vertical in the machine's initial pose. The foot is this joint; the
+///         tip is the next movable joint, or the part's centre of mass.
+/// Omits   all other parts; size and distance of the part.
 std::optional<GnssReflector> GnssReflectorOf(const MachineModel& model, int antenna_link);
 
 }  // namespace tera

@@ -12,8 +12,7 @@
 
 namespace tera {
 
-/// What lies between the measurement of a receiver's own model and the one it reports
-/// (src/sensors/README.md).
+/// Errors between a receiver's model and its reported measurement (src/sensors/README.md).
 class GnssSlots {
  public:
   GnssSlots(const Effects& effects, std::uint64_t seed, const std::string& stream_name);

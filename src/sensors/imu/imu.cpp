@@ -13,7 +13,7 @@ double WhiteSigma(double density, double per_sample, double interval_s) {
   return std::sqrt(density * density / interval_s + per_sample * per_sample);
 }
 
-/// Normal with that standard deviation on each axis; nothing is drawn where it is 0.
+/// Normal noise with standard deviation `sigma` on each axis; draws nothing if `sigma` is 0.
 Vec3 Noise(double sigma, const Stream& stream, std::int64_t k) {
   return sigma == 0 ? Vec3(Vec3::Zero()) : Vec3(sigma * stream.Gaussian3(k));
 }
@@ -57,7 +57,7 @@ void Imu::Advance(TimeNs t0_ns, const BodyState& begin, TimeNs t1_ns, const Body
   const Span now{t0_ns, t1_ns, S0.X_WB.linear(), X_WS1.linear(), chord_mps, gravity_W_mps2};
   if (last_) {
     TERA_CHECK(last_->t1_ns == t0_ns, last_->t1_ns, t0_ns);
-    // Each chord is the velocity in the middle of its step; between them, linear.
+    // Each chord is the velocity at the middle of its step; between the middles velocity is linear.
     const double s = last_->duration_s() / (last_->duration_s() + now.duration_s());
     Integrate((1 - s) * last_->chord_mps + s * chord_mps, samples);
   } else {

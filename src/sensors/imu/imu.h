@@ -11,13 +11,13 @@
 
 namespace tera {
 
-/// Noise of an inertial measurement unit, in Allan terms.
+/// Noise of an inertial measurement unit, in Allan variance terms.
 struct ImuModel {
   double gyro_noise_density_radpsrthz = 0;      ///< angle random walk, rad/s/sqrt(Hz)
   double gyro_bias_random_walk_radps2rthz = 0;  ///< rate random walk, rad/s^2/sqrt(Hz)
   double accel_noise_density_mps2rthz = 0;
   double accel_bias_random_walk_mps3rthz = 0;
-  double gyro_sample_noise_radps = 0;  ///< 1 sigma of each sample whatever the rate, on top
+  double gyro_sample_noise_radps = 0;  ///< 1 sigma of additional noise per sample, at any rate
   double accel_sample_noise_mps2 = 0;
   Vec3 gyro_bias_radps = Vec3::Zero();  ///< at the start
   Vec3 accel_bias_mps2 = Vec3::Zero();
@@ -28,21 +28,21 @@ void Serialize(ModelArchive* archive, ImuModel* model);
 /// Three gyroscopes and three accelerometers fixed to a body.
 ///
 /// Frames  W world, B body, S sensor at X_BS.
-/// Model   the motion of the poses of S, so that what a unit measures is what a camera beside it
-///         sees: over a step w_S = log(R_0^T R_1) / dt, f_S = R_SW ((v_1 - v_0) / dt - g_W), with v
-///         between two steps the mean of their chords. Each sample is the mean over its own
-///         interval (t - T, t], as of a strapdown unit that integrates internally; then white noise
-///         sigma / sqrt(T) and a bias random walk. Sample k >= 1 is due at clock.Due(k).
+/// Model   the poses of S define the motion, so that the readings agree with an adjacent camera.
+///         Over a step, w_S = log(R_0^T R_1) / dt and f_S = R_SW ((v_1 - v_0) / dt - g_W). v at a
+///         step boundary interpolates the adjacent chord velocities. Each sample is the mean over
+///         its own interval (t - T, t], as in a strapdown unit with internal integration. White
+///         noise sigma / sqrt(T) and a bias random walk follow. Sample k >= 1 is due at
+///         clock.Due(k).
 ///
-///         Not from the accelerations that the state holds: the physics step finds the rates that
-///         carry one pose to the next, which are those of the middle of the step, so that their
-///         change, a_WB, is the acceleration at the step's beginning; taken for the step it comes
-///         half a step late (docs/evidence/accuracy.md has what that costs). The chords are those
-///         same rates of S, between poses that are exact, neither interpolated nor rounded:
-///         differences of them add no noise. At its own time a_WB agrees with them to the second
-///         order in the step.
+/// The model does not use the accelerations of the state. The physics step finds the rates that
+/// carry one pose to the next, which are the rates at the middle of the step. Their change, a_WB,
+/// is therefore the acceleration at the step's beginning. Assigned to the step, it would lag by
+/// half a step (docs/evidence/accuracy.md states the cost). The chords are the same rates at S,
+/// between exact poses without interpolation or rounding, so their differences add no noise. At its
+/// own time, a_WB agrees with them to the second order in the step.
 /// Omits   Earth's rotation (15 deg/h about the pole, more than the bias instability of a good
-///         unit) and its Coriolis acceleration; the change of gravity with place. Cross-axis and
+///         unit) and its Coriolis acceleration; variation of gravity with position; cross-axis and
 ///         g-sensitivity. (Scale, temperature, saturation, quantisation, vibration: ImuErrors.)
 /// Source  IEEE Std 952-1997 (noise terms); Titterton and Weston 2004, ch. 11 (integration).
 class Imu {
@@ -51,12 +51,11 @@ class Imu {
   Imu(const ImuModel& model, const Pose& X_BS, const SampleClock& clock, TimeNs latency_ns,
       std::uint64_t seed, const std::string& stream_name);
 
-  /// Consumes the step from `begin` at t0 to `end` at t1 (motion of body B) and appends the samples
-  /// that fell due in the step before, whose end velocity is known only now. Steps follow each
-  /// other without a gap.
+  /// Consumes the step from `begin` at t0 to `end` at t1, the motion of body B. Appends the samples
+  /// due in the previous step, whose end velocity depends on this step. Steps must be contiguous.
   void Advance(TimeNs t0_ns, const BodyState& begin, TimeNs t1_ns, const BodyState& end,
                const Vec3& gravity_W_mps2, std::vector<ImuSample>* samples);
-  /// Appends the samples of the last step, which takes its end velocity from its own acceleration.
+  /// Appends the samples of the last step, whose end velocity follows from its own acceleration.
   void Finish(std::vector<ImuSample>* samples);
 
  private:
@@ -68,9 +67,9 @@ class Imu {
     double duration_s() const { return ToSeconds(t1_ns - t0_ns); }
   };
 
-  /// Integrates `last_`, at whose end S has the velocity `v_WS_mps`.
+  /// Integrates `last_`; `v_WS_mps` is the velocity of S at its end.
   void Integrate(const Vec3& v_WS_mps, std::vector<ImuSample>* samples);
-  /// The mean over the interval that ends at Due(next_), with its noise.
+  /// Mean over the interval that ends at Due(next_), with noise.
   ImuSample CloseInterval();
 
   ImuModel model_;

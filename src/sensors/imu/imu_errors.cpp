@@ -25,7 +25,7 @@ Vec3 VibrationShift::Next(TimeNs t_ns, const Vec3& f_S_mps2) {
     const double gain = -std::expm1(-ToSeconds(t_ns - *last_ns_) / window_s_);
     const double away_mps2 = force_mps2 - mean_mps2_;
     mean_mps2_ += gain * away_mps2;
-    // Exponentially weighted variance about the mean, as of West 1979.
+    // Exponentially weighted variance about the mean (West 1979).
     variance_m2ps4_ = (1 - gain) * (variance_m2ps4_ + gain * away_mps2 * away_mps2);
   }
   last_ns_ = t_ns;

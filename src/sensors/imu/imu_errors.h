@@ -9,17 +9,17 @@
 
 namespace tera {
 
-/// Shift of an accelerometer that vibrates, `vibration_rectification`.
+/// Bias of an accelerometer under vibration, `vibration_rectification`.
 ///
-/// Model   b = k (a_e^2 + s^2) for each axis; a_e the rms of the engine's vibration, s^2 the
-///         variance of the magnitude of the specific force about its own running mean. Mean and
-///         variance forget with the time constant `window_s`: e^(-T / window).
-/// Omits   the sensitivity to frequency; axes that vibrate more than others.
+/// Model   b = k (a_e^2 + s^2) for each axis. a_e is the rms of the engine's vibration; s^2 is the
+///         variance of the specific force's magnitude about its running mean. Mean and variance are
+///         weighted exponentially with the time constant `window_s`: e^(-T / window).
+/// Omits   frequency dependence; different vibration levels of the axes.
 /// Source  IEEE Std 1293-2018 (vibration rectification error, in g/g^2).
 class VibrationShift {
  public:
   static std::optional<VibrationShift> Of(const Effects& effects);
-  /// The shift at the next sample, with specific force `f_S_mps2`.
+  /// Bias at the next sample, with specific force `f_S_mps2`.
   Vec3 Next(TimeNs t_ns, const Vec3& f_S_mps2);
 
  private:
@@ -31,26 +31,27 @@ class VibrationShift {
 
 /// Slot `sensor_static` of an inertial unit.
 ///
-/// Model   of each axis, with x what the unit measures otherwise: m x + b + c dT(t) + v + o,
-///         clipped to +-limit, rounded to a multiple of the step. Factor m: `scale`; b: `bias`; c
-///         dT(t): `temperature_drift`; v: `vibration_rectification`; o: `outliers`, N(0, size^2) on
-///         all axes at once with the given probability, else 0; then `saturation`, `quantisation`.
+/// Model   each axis reads m x + b + c dT(t) + v + o, clipped to +-limit, rounded to a multiple of
+///         the step. x is the reading without these errors; factor m: `scale`; b: `bias`; c dT(t):
+///         `temperature_drift`; v: `vibration_rectification`; o: `outliers`, N(0, size^2) on all
+///         axes at once with the given probability, otherwise 0; then `saturation`, `quantisation`.
 /// Omits   cross-axis sensitivity; g-sensitivity of the gyroscopes.
 /// Source  Titterton and Weston 2004, ch. 4, 6 (forms of the errors).
 class ImuErrors {
  public:
   /// `stream_name` is "excavator1/imu_boom".
   ImuErrors(const Effects& effects, std::uint64_t seed, const std::string& stream_name);
-  /// What its elements make of the motion: scale, bias, drift, vibration. In the order of times.
+  /// Errors of the sensing elements: scale, bias, drift, vibration. Calls follow the sample times.
   void Sense(ImuSample* sample);
-  /// What reading them out adds to sample `k`, behind a filter: outliers, saturation, quantisation.
+  /// Errors of the read-out of sample `k`, downstream of a filter: outliers, saturation,
+  /// quantisation.
   void ReadOut(std::int64_t k, ImuSample* sample) const;
 
  private:
-  /// The same for three axes alike.
+  /// Errors of three like axes.
   struct Triad {
     Vec3 factor, bias, drift_per_k;
-    double outlier = 0, limit = 0, step = 0;  ///< limit 0: none
+    double outlier = 0, limit = 0, step = 0;  ///< limit 0: no limit
     Vec3 Sense(const Vec3& measured, double warmer_k) const;
     Vec3 ReadOut(const Vec3& sensed) const;
   };

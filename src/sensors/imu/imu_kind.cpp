@@ -7,7 +7,7 @@
 #include "sensors/slots/check_steps.h"
 #include "sensors/slots/mechanism_rows.h"
 
-// An inertial unit on the shelf.
+// Inertial unit as a sensor kind.
 
 namespace tera {
 namespace {
@@ -17,7 +17,7 @@ class ImuSampler : public SensorSampler {
   explicit ImuSampler(const SensorPlace& place)
       : ImuSampler(place, TrueMounting(place.sensor, place.rig)) {}
 
-  /// The first sample is that of the first interval.
+  /// The first interval supplies the first sample.
   void SampleStart(const SensedStep&) override {}
 
   void Sample(const SensedStep& step) override {
@@ -31,7 +31,7 @@ class ImuSampler : public SensorSampler {
     }
   }
 
-  /// Samples that the last step left open.
+  /// Completes the samples that the last step left open.
   void Finish(const SensedStep& step) override { Sample(step); }
 
  private:
@@ -65,7 +65,7 @@ std::vector<Mechanism> ImuMechanisms() {
        Alike({"gyro_x_factor", "gyro_y_factor", "gyro_z_factor", "accel_x_factor", "accel_y_factor",
               "accel_z_factor"},
              "1", 0.5, 2, 1)},
-      // Defaults: 2000 deg/s and 16 g in 16 bit, as common chips have them.
+      // Defaults: 2000 deg/s and 16 g in 16 bit, as in common chips.
       {"saturation",
        kSensorStatic,
        imu,
@@ -90,7 +90,7 @@ std::vector<Mechanism> ImuMechanisms() {
   };
 }
 
-/// Whether a link can turn: on a machine that stands on the ground, or beyond a joint that turns.
+/// True if a link can rotate: any link of a machine on the ground, or a link beyond a rotary joint.
 bool CanTurn(const MachineModel& model, int link) {
   if (!model.fixed_base) return true;
   for (; link > 0; link = model.joints[link - 1].parent) {

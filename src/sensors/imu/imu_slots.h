@@ -11,11 +11,10 @@
 
 namespace tera {
 
-/// Signs of the axes of an inertial unit whose readings come with the wrong ones, `axis_flip`.
+/// Signs of the axes of an inertial unit with reversed readings, `axis_flip`.
 Vec3 AxisSigns(const Effects& effects);
 
-/// What lies between the measurement of an inertial unit's own model and the one it reports
-/// (src/sensors/README.md).
+/// Errors between an inertial unit's model and its reported measurement (src/sensors/README.md).
 class ImuSlots {
  public:
   ImuSlots(const Effects& effects, std::uint64_t seed, const std::string& stream_name);

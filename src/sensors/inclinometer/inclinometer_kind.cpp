@@ -3,7 +3,7 @@
 #include "sensors/slots/mechanism_rows.h"
 #include "sensors/slots/row_slots.h"
 
-// An inclinometer on the shelf.
+// Inclinometer as a sensor kind.
 
 namespace tera {
 namespace {
@@ -13,7 +13,7 @@ class InclinometerSampler : public SensorSampler {
   explicit InclinometerSampler(const SensorPlace& place)
       : InclinometerSampler(place, TrueMounting(place.sensor, place.rig)) {}
 
-  /// The first sample is that of the first interval.
+  /// The first interval supplies the first sample.
   void SampleStart(const SensedStep&) override {}
 
   void Sample(const SensedStep& step) override {
@@ -28,7 +28,7 @@ class InclinometerSampler : public SensorSampler {
     }
   }
 
-  /// Samples that the last step left open.
+  /// Completes the samples that the last step left open.
   void Finish(const SensedStep& step) override { Sample(step); }
 
  private:
@@ -40,7 +40,7 @@ class InclinometerSampler : public SensorSampler {
         link_(place.machine.LinkIndex(mount.link)),
         output_(place.output) {}
 
-  Imu elements_;  ///< without errors
+  Imu elements_;  ///< error-free
   Inclinometer inclinometer_;
   RowSlots slots_;
   int link_;

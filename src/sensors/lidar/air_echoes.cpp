@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kDropStep_m = 0.05;
 constexpr double kFarthestDrop_m = 40;
-// Lanes of the draws.
+// Lanes of the random draws.
 constexpr std::uint32_t kStart = 0, kDrop = 1, kSize = 2;
 
 }  // namespace
@@ -32,7 +32,7 @@ double AirEchoes::BeamArea_m2(double range_m) {
   return 0.25 * kPi * diameter_m * diameter_m;
 }
 
-/// The smallest drop that is seen there.
+/// Diameter of the smallest detectable drop at that range.
 double AirEchoes::LeastDrop_m(double range_m) const {
   const double least_echo = limits_.least_power * range_m * range_m;
   const double two_way = std::exp(-2 * extinction_1pm_ * range_m);
@@ -62,7 +62,7 @@ void AirEchoes::MeetDust(const Ray& ray, double range_m, std::uint64_t number,
   const double step_m = MarchStep_m(*dust_);
   double depth = 0;
   double r_m = span.from_m + step_m * draws_.Uniform(number, kStart);
-  // A first step of its own keeps the ranges of returns off a lattice.
+  // A random first step keeps the ranges of returns off a lattice.
   double length_m = r_m - span.from_m;
   for (double from_m = span.from_m; from_m < span.to_m;
        from_m += length_m, length_m = std::min(step_m, span.to_m - from_m)) {

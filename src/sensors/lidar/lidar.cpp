@@ -16,11 +16,10 @@ constexpr double kMaxColumns = 65536;
 constexpr std::size_t kMaxBeams = 1024;
 constexpr int kColumnsPerBlock = 16;
 
-/// Angle that the head turns through in a revolution.
+/// Rotation angle of the head per revolution.
 double Spin(const LidarModel& model) { return (model.clockwise ? -2.0 : 2.0) * kPi; }
 
-/// Where the columns of one revolution stand in time and angle: column c begins at a fraction
-/// c / columns of it.
+/// Time and azimuth of the columns of one revolution. Column c begins at the fraction c / columns.
 struct SweptScan {
   const LidarModel& model;
   TimeNs start_ns, end_ns;
@@ -30,7 +29,7 @@ struct SweptScan {
     return start_ns +
            static_cast<TimeNs>(std::llround(part * static_cast<double>(end_ns - start_ns)));
   }
-  /// The head starts looking backwards (-x), so that the seam of a revolution lies behind.
+  /// The head starts at -x, so that the seam of a revolution lies behind the sensor.
   double Azimuth(int column) const { return kPi + Spin(model) * column / model.columns; }
 };
 
@@ -86,8 +85,8 @@ Lidar::Lidar(const LidarModel& model, const SampleClock& clock, TimeNs latency_n
   }
 }
 
-/// What is left of a surface's echo behind the air, or the echo of what is in the air, if that is
-/// stronger; `hit` is then where that is.
+/// A surface's echo attenuated by the air, or a stronger echo from the air; `hit` then holds the
+/// position of the latter.
 double Lidar::Through(const AirEchoes& air, const Ray& ray, std::uint64_t number, double echo,
                       RayHit* hit) {
   const double range_m = hit->hit ? hit->range_m : ray.max_range_m;
@@ -122,7 +121,7 @@ void Lidar::Aim(std::int64_t k, int begin, int end, const PoseTrack& X_WS, Block
     const Pose X_end = X_WS.At(next_ns);
     const Mat3 turn = X_end.linear() - X_begin.linear();
     const Vec3 shift = X_end.translation() - X_begin.translation();
-    // Within a column of some tens of microseconds the motion is a straight line.
+    // Motion within a column of some tens of microseconds is linear.
     const Mat3 R_SH = Eigen::AngleAxisd(sweep.Azimuth(column), Vec3::UnitZ()).toRotationMatrix();
     const double per_ns = 1.0 / static_cast<double>(next_ns - column_ns);
     for (const Beam& beam : beams_) {

@@ -8,12 +8,12 @@
 #include "sensors/slots/frame_slots.h"
 #include "sensors/slots/mechanism_rows.h"
 
-// A lidar on the shelf.
+// Lidar as a sensor kind.
 
 namespace tera {
 namespace {
 
-/// A revolution is traced when it is complete, over the ground of its end.
+/// Traces each revolution at its end, over the ground at that time.
 class LidarSampler : public SensorSampler {
  public:
   explicit LidarSampler(const SensorPlace& place)
@@ -59,7 +59,7 @@ class LidarSampler : public SensorSampler {
   FrameSlots slots_;
   SampleClock clock_;
   int link_ = 0;
-  Pose X_BT_;  ///< where it truly sits
+  Pose X_BT_;  ///< true mounting
   SensorOutput output_;
   PoseTrack X_WS_;
   std::int64_t next_ = 0;
@@ -96,8 +96,8 @@ void ReadLidar(const ConfigMap& config, SensorDescription* sensor) {
   sensor->model = model;
 }
 
-/// Points of the scan, but those nearer than the lidar sees. An odd number of points from one that
-/// is taken to the next, so that with an even number of beams all of them come.
+/// Points of the scan beyond the minimum range. An odd stride ensures that an even number of beams
+/// all contribute.
 LoadedScan ScanPointsOf(const SensorDescription& sensor, const Measurement& recorded,
                         std::size_t most) {
   const auto& model = std::get<LidarModel>(sensor.model);

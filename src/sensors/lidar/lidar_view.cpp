@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kPoint_bytes = 16;  ///< coordinates and intensity in single precision
 
-/// Where neighbouring beams share the sphere between them: half way between elevations; at both
-/// ends as far again as on the inner side. A single beam has no width: nothing is between it.
+/// Elevation borders between neighbouring beams: midpoints, and mirrored midpoints at both ends. A
+/// single beam has no borders.
 std::vector<double> Borders(const std::vector<double>& sorted) {
   std::vector<double> borders;
   if (sorted.size() < 2) return borders;

@@ -5,12 +5,14 @@
 
 namespace tera {
 
-/// Model   beams at elevations e_i and n columns: 1 / ((sin e+ - sin e-) 2 pi / n) points per
-///         steradian in a revolution, from e- to e+ half way to the beams beside. A surface that
-///         returns the share q of the light is seen as far as r10 sqrt(q / 0.1).
-///         It has points of glass and none of what lies behind (RayScene).
-///         Beams of one elevation alone have no share of the sphere: such a field is flat.
-/// Omits   azimuths of single beams: their offsets shift points, and change nothing of how many.
+/// Field of view of a lidar.
+///
+/// Model   beams at elevations e_i and n columns yield 1 / ((sin e+ - sin e-) 2 pi / n) points per
+///         steradian per revolution; e- and e+ are the midpoints to the neighbouring beams. A
+///         surface that returns the fraction q of the light is visible up to r10 sqrt(q / 0.1).
+///         Glass returns points and hides the surfaces behind it (RayScene). Beams of a single
+///         elevation span no solid angle: such a field is flat.
+/// Omits   azimuth offsets of single beams, which shift points without a change in density.
 /// Source  radar equation as in Lidar.
 ViewField ViewOf(const LidarModel& model, double rate_hz);
 

@@ -8,13 +8,13 @@
 
 namespace tera {
 
-/// The parameters of one quantity's quantisation and saturation.
+/// Parameters of one quantity's quantisation and saturation.
 struct StepAndLimit {
   std::string_view step, limit;
 };
 
-/// Reports steps of quantisation beyond the limit of saturation: what is clipped would round to
-/// zero, or to more than the limit. At the one of both that `config` has.
+/// Reports quantisation steps above the saturation limit: clipped values would round to zero or
+/// beyond the limit. The fault refers to the parameter that `config` contains.
 void CheckSteps(const ConfigMap& config, const Effects& effects,
                 std::span<const StepAndLimit> quantities);
 

@@ -5,7 +5,7 @@
 #include "core/motion.h"
 #include "core/types/effects.h"
 
-/// Numbers of mechanisms, or those of the ideal where a target lacks the mechanism.
+/// Mechanism parameters, with the ideal value for a target without the mechanism.
 
 namespace tera {
 

@@ -10,12 +10,12 @@
 
 namespace tera {
 
-/// What lies between the measurement of a lidar's or a camera's own model and the one it reports
-/// (src/sensors/README.md). Its measurements can be left out when their files are there already.
+/// Errors between a lidar's or camera's model and its reported measurement (src/sensors/README.md).
+/// A caller may skip measurements whose files already exist.
 class FrameSlots {
  public:
   FrameSlots(const Effects& effects, std::uint64_t seed, const std::string& stream_name);
-  /// The times that measurement `k`, valid at `t_ns`, gets; once for each, in order.
+  /// Time stamps of measurement `k`, valid at `t_ns`; a single call per measurement, in order.
   ReportClock::Times Stamp(std::int64_t k, TimeNs t_ns);
   void Apply(std::int64_t k, const ReportClock::Times& times, LidarScan* scan) const;
   void Apply(std::int64_t k, const ReportClock::Times& times, CameraFrame* frame) const;

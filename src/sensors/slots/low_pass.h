@@ -8,19 +8,19 @@
 
 namespace tera {
 
-/// Filter inside a sensor, `filter_delay`, over all numbers of a measurement alike.
+/// Filter inside a sensor, `filter_delay`, applied equally to all values of a measurement.
 ///
-/// Model   first-order low-pass, y_k = y_(k-1) + (1 - e^(-T / tau)) (x_k - y_(k-1)): exact for an
-///         input that holds its value over the interval T before its sample. y_0 = x_0. A ramp
-///         comes out late by tau - T / 2 and a little, by tau where T is short.
+/// Model   first-order low pass, y_k = y_(k-1) + (1 - e^(-T / tau)) (x_k - y_(k-1)). It is exact
+///         for an input that is constant over the interval T that ends at its sample. y_0 = x_0. A
+///         ramp lags by about tau - T / 2, and by tau for short T.
 /// Omits   filters of higher order.
 class LowPass {
  public:
-  /// 0: none, what comes in goes out.
+  /// 0: no filter.
   explicit LowPass(double time_constant_s) : time_constant_s_(time_constant_s) {}
   explicit LowPass(const Effects& effects);
   bool present() const { return time_constant_s_ > 0; }
-  /// What comes out for input `x` at `t_ns`; sizes stay, times grow.
+  /// Output for input `x` at `t_ns`; the size of `x` is constant and times increase.
   const Eigen::VectorXd& Next(TimeNs t_ns, const Eigen::VectorXd& x);
 
  private:

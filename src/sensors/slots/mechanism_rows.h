@@ -6,26 +6,26 @@
 
 #include "core/types/effects.h"
 
-/// Parts of the rows that kinds of sensors write about their mechanisms.
+/// Common parts of the mechanism tables of sensor kinds.
 
 namespace tera {
 
 using EffectParameters = std::vector<EffectParameter>;
 
-/// One range for several names, all ideal unless stated otherwise.
+/// Parameters with a common range and the ideal value `otherwise`.
 EffectParameters Alike(const std::vector<std::string_view>& names, std::string_view unit,
                        double lower, double upper, double otherwise);
 
 EffectParameters Joined(std::initializer_list<EffectParameters> parts);
 
-/// How far and by how much the true place differs from the documented one.
+/// Translation and rotation between the true and the documented mounting.
 EffectParameters ShiftParameters();
 EffectParameters TurnParameters();
 
-/// How a sensor warms up, `temperature_drift`.
+/// Warm-up of a sensor, `temperature_drift`.
 EffectParameters WarmUpParameters();
 
-/// How often a measurement is wild, `outliers`.
+/// Probability of an outlier, `outliers`.
 EffectParameters ProbabilityParameter();
 
 }  // namespace tera

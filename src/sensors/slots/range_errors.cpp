@@ -6,13 +6,13 @@
 namespace tera {
 namespace {
 
-/// Points or pixels of one measurement have indices of their own below those of the next.
+/// Bits for a point's or pixel's index within one measurement.
 constexpr int kIndexBits = 32;
 
 std::uint64_t FirstIndex(std::int64_t k) { return static_cast<std::uint64_t>(k) << kIndexBits; }
 
-/// The number of `id`, whose name is `depth` for kinds that measure along an axis, as cameras do,
-/// and else `range`.
+/// Parameter of `id`, named `depth` for kinds that measure along an axis (cameras), otherwise
+/// `range`.
 double Either(const Effects& effects, std::string_view id, std::string_view range,
               std::string_view depth, double ideal) {
   const Effect* effect = FindEffect(effects, id);

@@ -8,7 +8,7 @@
 
 namespace tera {
 
-/// What `scale` and `range_bias` of a lidar or a depth camera make of a true distance r:
+/// Effect of `scale` and `range_bias` on a true distance r of a lidar or depth camera:
 /// factor r + bias_m.
 struct RangeScaling {
   double factor = 1;
@@ -16,17 +16,17 @@ struct RangeScaling {
 };
 RangeScaling RangeScalingOf(const Effects& effects);
 
-/// Slot `sensor_static` of what measures distances: a lidar's ranges, a camera's depths.
+/// Slot `sensor_static` of distance sensors: a lidar's ranges, a camera's depths.
 ///
-/// Model   m r + b + c dT(t) + o, rounded to a multiple of the step. m: `scale`; b: `range_bias`;
-///         c dT(t): `temperature_drift` (of a lidar); o: `outliers`, N(0, size^2) for each point or
-///         pixel with the given probability; `quantisation`. A point keeps its direction. What
-///         comes out at or below zero is no measurement.
-/// Omits   errors of one beam or one part of the picture; colour.
+/// Model   m r + b + c dT(t) + o, rounded to a multiple of the step. m: `scale`; b: `range_bias`; c
+///         dT(t): `temperature_drift` (lidar); o: `outliers`, N(0, size^2) for each point or pixel
+///         with the given probability; `quantisation`. A point keeps its direction. A result at or
+///         below zero is no measurement.
+/// Omits   errors of one beam or image region; colour.
 class RangeErrors {
  public:
   RangeErrors(const Effects& effects, std::uint64_t seed, const std::string& stream_name);
-  /// Scan or frame `k` of the sensor.
+  /// Applies the errors to scan or frame `k` of the sensor.
   void Apply(std::int64_t k, LidarScan* scan) const;
   void Apply(std::int64_t k, CameraFrame* frame) const;
 

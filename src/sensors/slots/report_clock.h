@@ -9,27 +9,26 @@
 
 namespace tera {
 
-/// By how much `clock_offset` puts the times that a sensor writes ahead of the true ones.
+/// Offset of a sensor's time stamps from true time by `clock_offset`; positive is ahead.
 double ClockOffset_s(const Effects& effects);
 
-/// Slot `sensor_timing`: what time a sensor writes on a measurement.
+/// Slot `sensor_timing`: time stamps of a sensor's measurements.
 ///
 /// Model   t + offset + ppm 1e-6 t + d: `clock_offset`, `clock_drift` (t since the start), and
-///         `latency` d = delay + Exp(jitter), for a measurement that gets its stamp only where it
-///         arrives. Measurements stay in their order: one that would overtake arrives a nanosecond
-///         after its predecessor. The sensor samples when it did before.
-/// Omits   the sensor's own rate, which a clock that drifts drives too; steps of a clock that is
-///         set.
-/// Source  GPS time is ahead of UTC by the leap seconds since 1980, 18 s since 2017 (IERS
-///         Bulletin C 52).
+///         `latency` d = delay + Exp(jitter), for measurements stamped on arrival. Measurements
+///         keep their order: a measurement that would overtake arrives a nanosecond after its
+///         predecessor. The sampling times do not change.
+/// Omits   effect of clock drift on the sensor's rate; steps of a clock that is set.
+/// Source  GPS time is ahead of UTC by the leap seconds since 1980, 18 s since 2017 (IERS Bulletin
+///         C 52).
 class ReportClock {
  public:
   ReportClock(const Effects& effects, std::uint64_t seed, const std::string& stream_name);
   struct Times {
-    TimeNs t_ns = 0;     ///< as written
-    TimeNs late_ns = 0;  ///< after it could be had otherwise
+    TimeNs t_ns = 0;     ///< time stamp
+    TimeNs late_ns = 0;  ///< additional delay of availability
   };
-  /// Measurement `k` that was valid at `t_ns`; in the order of their times.
+  /// Times of measurement `k`, valid at `t_ns`; calls follow the sample times.
   Times Next(std::int64_t k, TimeNs t_ns);
   /// Duration `d_ns` as this clock measures it.
   TimeNs Duration(TimeNs d_ns) const;
@@ -41,7 +40,7 @@ class ReportClock {
   std::optional<TimeNs> last_ns_;
 };
 
-/// Gives a sample the times that its sensor writes.
+/// Sets the reported times of a sample.
 template <typename Sample>
 void Restamp(const ReportClock::Times& times, Sample* sample) {
   sample->t_ns = times.t_ns;

@@ -10,8 +10,8 @@
 
 namespace tera {
 
-/// What lies between the measurement of a sensor's own model and the row it reports, for a kind
-/// that has no effects but those of every kind of rows: the filter and the clock.
+/// Errors between a sensor's model and its reported row, for a kind with only the common effects of
+/// row sensors: filter and clock.
 class RowSlots {
  public:
   RowSlots(const Effects& effects, std::uint64_t seed, const std::string& stream_name);

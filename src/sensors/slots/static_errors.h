@@ -8,8 +8,7 @@
 #include "core/types/effects.h"
 #include "sensors/slots/effect_numbers.h"
 
-/// Parts that the static errors of several sensors share. Each is exact where its mechanism is
-/// absent.
+/// Static errors common to several sensors. Each is exactly ideal without its mechanism.
 
 namespace tera {
 
@@ -18,9 +17,7 @@ inline double Quantised(double value, double step) {
   return step > 0 ? step * std::round(value / step) : value;
 }
 
-/// How much warmer a sensor is than when it was calibrated, `temperature_drift`.
-///
-/// Model   dT(t) = `warm_up_k` (1 - e^(-t / `time_constant_s`)), t since the start.
+/// Temperature difference of a sensor from its calibration, `temperature_drift`.
 struct WarmUp {
   double warm_up_k = 0, time_constant_s = 1;
 
@@ -33,18 +30,18 @@ struct WarmUp {
   }
 };
 
-/// Which measurements are wild, `outliers`: each with the same probability, independently.
+/// Outlier selection, `outliers`: independent, with constant probability per measurement.
 class OutlierDraw {
  public:
   OutlierDraw(const Effects& effects, std::uint64_t seed, const std::string& stream_name)
       : stream_(seed, stream_name + "/outliers"),
         probability_(NumberOf(effects, "outliers", "probability", 0)) {}
 
-  /// Whether the measurement of that index is one.
+  /// True if the measurement of that index is an outlier.
   bool At(std::uint64_t index) const {
     return probability_ > 0 && stream_.Uniform(index) < probability_;
   }
-  /// Its errors, standard normal; lanes 0 are taken by the draw itself.
+  /// Standard normal errors; lane 0 belongs to the selection.
   double Gaussian(std::uint64_t index, std::uint32_t lane = 1) const {
     return stream_.Gaussian(index, lane);
   }

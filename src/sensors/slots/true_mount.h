@@ -3,15 +3,15 @@
 #include "core/motion.h"
 #include "core/types/effects.h"
 
-/// Slot `sensor_geometry`: where a sensor truly sits, while sensor.yaml says where it should.
+/// Slot `sensor_geometry`: true mounting of a sensor, in contrast to sensor.yaml.
 
 namespace tera {
 
-/// The pose that a sensor has on its link B, where `X_BS` is the documented one.
+/// True pose of a sensor on its link B; `X_BS` is the documented pose.
 ///
-/// Frames  B link, S sensor as documented, T sensor as it is.
-/// Model   p_BT = p_BS + d_B (`imu_lever_arm`, `gnss_lever_arm`, `extrinsic`);
-///         R_BT = R_BS R(roll, pitch, yaw) (`mount_rotation`, `extrinsic`), about the axes of S.
+/// Frames  B link, S documented sensor, T true sensor.
+/// Model   p_BT = p_BS + d_B (`imu_lever_arm`, `gnss_lever_arm`, `extrinsic`); R_BT = R_BS R(roll,
+///         pitch, yaw) (`mount_rotation`, `extrinsic`), about the axes of S.
 Pose TrueMount(const Pose& X_BS, const Effects& effects);
 
 }  // namespace tera

@@ -11,12 +11,11 @@ namespace {
 
 constexpr double kVonKarman = 0.4;
 constexpr double kRoughness_m = 0.005;
-constexpr double kTrace_kg = 1e-12;  ///< in a cell: less is not followed into the next one
-constexpr double kMostMoved = 0.8;   ///< share of a cell that a step may take out of it
+constexpr double kTrace_kg = 1e-12;  ///< smaller masses do not spread into the next cell
+constexpr double kMostMoved = 0.8;   ///< largest share of a cell that a step may take
 constexpr std::array<double, kDustSizes> kAerodynamic_m = {1e-6, 5e-6, 17.3e-6};
 
-/// The slope to be used at a face: the mean of that on its upwind side and its own, but no more
-/// than twice either.
+/// Limited slope at a face: the mean of the upwind slope and its own, at most twice either.
 double LimitedSlope(double upwind, double here) {
   if (upwind * here <= 0) return 0;
   const double mean = 0.5 * (upwind + here);
@@ -114,7 +113,7 @@ void DustField::Emit(const Vec3& centre_W_m, double radius_m, const DustMass& ma
   }
 }
 
-/// Moves mass along a row; dust of a cell beyond `from` and `to` is none.
+/// Moves mass along a row; cells outside `from` and `to` have no dust.
 void DustField::Carry(double dt_s, const Row& row, std::vector<double>* cells_kg) {
   double* c = cells_kg->data() + row.first;
   const auto at = [&](int i) { return c[static_cast<std::size_t>(i) * row.stride]; };
@@ -147,7 +146,7 @@ void DustField::Carry(double dt_s, const Row& row, std::vector<double>* cells_kg
   }
 }
 
-/// Whether a layer of the reach across an axis has dust worth following further.
+/// Whether a layer of the reach across an axis has more than traces of dust.
 bool DustField::HasDust(int axis, int layer) const {
   std::array<int, 3> low = reach_.low, high = reach_.high;
   low[axis] = layer;
@@ -165,7 +164,7 @@ bool DustField::HasDust(int axis, int layer) const {
   return false;
 }
 
-/// One cell more on both sides, where dust may come to in a step.
+/// Extends the reach by one cell on both sides, the range of a step.
 void DustField::Grow(int axis) {
   const std::array<int, 3> end = {grid_.nx, grid_.ny, grid_.nz};
   int &low = reach_.low[axis], &high = reach_.high[axis];

@@ -12,12 +12,12 @@ namespace {
 
 constexpr double kTonne_kg = 1000;
 constexpr double kCutBall_m = 0.6, kGearBall_m = 0.7;
-// Falling soil pushes air before it, which leaves along the ground: the ball grows with the fall.
+// Falling soil pushes air outwards along the ground, so the ball grows with the fall.
 constexpr double kFallBall_m = 0.5, kFallBallGrows = 0.35;
-constexpr double kGearRise_m = 0.25;  ///< of the ball's middle behind a track
-constexpr double kLeastFall_m = 0.1;  ///< a clod that rolls less far down raises nothing
-constexpr double kMostStep_m = 1.0;   ///< that a clod makes between two looks
-constexpr std::uint8_t kLoose = 128;  ///< of a cover's looseness
+constexpr double kGearRise_m = 0.25;  ///< height of the ball's middle behind a track
+constexpr double kLeastFall_m = 0.1;  ///< a clod with a shorter fall raises no dust
+constexpr double kMostStep_m = 1.0;   ///< largest motion of a clod between two calls
+constexpr std::uint8_t kLoose = 128;  ///< least looseness of a cover
 constexpr double kGramsPerKg = 1000;
 
 DustMass Times(const DustMass& mass, double factor) {
@@ -26,8 +26,8 @@ DustMass Times(const DustMass& mass, double factor) {
   return product;
 }
 
-/// The end of a gear that is last over the ground it drives on: of its patches that look down, the
-/// farthest one along the surface's travel.
+/// The trailing end of a gear on the ground: among its downward patches, the farthest along the
+/// surface's travel.
 Vec3 TrailingEnd(const RunningGear& gear, double rate_radps) {
   Vec3 end_B_m = gear.patches.front().p_B_m;
   double farthest = -std::numeric_limits<double>::infinity();
@@ -110,8 +110,7 @@ void DustSources::AddFalls(const TerrainSurface& ground, std::vector<DustPuff>* 
   std::multimap<std::uint16_t, Fall> now;
   for (const TerrainSurface::Grain& grain : ground.grains()) {
     Fall fall{grain.p_W_m, grain.p_W_m.z(), grain.radius_m, grain.soil, grain.moisture};
-    // The one of that number which is nearest is the same clod: beds show clods that have numbers
-    // too.
+    // The nearest clod of that number is the same clod, since beds show clods with numbers too.
     auto same = falls_.end();
     float nearest_m = kMostStep_m;
     const auto [first, last] = falls_.equal_range(grain.number);
@@ -141,7 +140,7 @@ void DustSources::AddFalls(const TerrainSurface& ground, std::vector<DustPuff>* 
   falls_ = std::move(now);
 }
 
-/// Loose dry ground of a tile; what there is more of it than before was disturbed.
+/// Loose dry ground of a tile. An increase since the last call was disturbed.
 void DustSources::FindLoose(const TerrainSurface& ground, int a, int b) {
   constexpr int kCells = TerrainGrid::kTileCells;
   const double vertex_m2 = ground.cell_m * ground.cell_m;

@@ -13,7 +13,7 @@ constexpr double kWaterDensity_kgpm3 = 1000;
 constexpr double kAirViscosity_pas = 1.81e-5;  // at 15 C
 constexpr double kKarman = 0.4;
 
-/// By size from what is below 2.5, 10 and 30 um.
+/// Mass by size from the masses below 2.5, 10 and 30 um.
 DustMass BySize(double pm2_5, double pm10, double pm30) {
   return {pm2_5, pm10 - pm2_5, pm30 - pm10};
 }
@@ -43,7 +43,7 @@ DustMass RoadEmission_kgpkm(double silt_percent, double vehicle_kg) {
 }
 
 double MoistRoadShare(double moisture_percent) {
-  constexpr double kDry_percent = 0.5;  // AP-42's default of dry surfaces, 13.2.2
+  constexpr double kDry_percent = 0.5;  // AP-42's default for dry surfaces, 13.2.2
   const double ratio = moisture_percent / kDry_percent;
   if (ratio <= 1) return 1;
   if (ratio <= 2) return 1 - 0.75 * (ratio - 1);

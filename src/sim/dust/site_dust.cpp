@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-constexpr double kEddyHeight_m = 2;  ///< whose wind carries the eddies
+constexpr double kEddyHeight_m = 2;  ///< height of the wind that carries the eddies
 constexpr double kAlong = 2.4, kAcross = 1.9;
 
 DustGrid GridOf(const Scenario& scenario, const Instant& start, const TerrainSurface& ground) {

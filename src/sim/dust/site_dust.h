@@ -10,16 +10,15 @@
 
 namespace tera {
 
-/// The dust of a scenario: one field, raised by the work and shared by all that look through it. It
-/// follows from what moves and from the ground alone, so that a scene that is played back has the
-/// same.
+/// The dust of a scenario: one field, raised by the work and shared by all sensors. It depends only
+/// on the motion and the ground, so a playback of the scene has the same dust.
 ///
 /// Frames  W.
-/// Model   a square of air about the middle of the machines where they start, above the ground of
-///         then; DustSources puts in, `emission_factor` times, DustField moves it, in steps of
-///         kStep_ns. The wind gusts: an Ornstein-Uhlenbeck process along and across it, with 2.4
-///         and 1.9 times the friction velocity as standard deviations, that forgets in kGust_s.
-///         Light meets the field with whirls smaller than its cells (DustEddies).
+/// Model   a square of air about the machines' middle at the start, above the ground at that time.
+///         DustSources emits, scaled by `emission_factor`; DustField transports in steps of
+///         kStep_ns. Gusts are an Ornstein-Uhlenbeck process along and across the wind with the
+///         time constant kGust_s. Their standard deviations are 2.4 and 1.9 times the friction
+///         velocity. DustEddies adds whirls below the cell size for the light.
 /// Source  Panofsky and Dutton 1984, Atmospheric Turbulence, section 7.4 (standard deviations in
 ///         the neutral surface layer).
 class SiteDust {
@@ -27,12 +26,12 @@ class SiteDust {
   static constexpr TimeNs kStep_ns = 40 * kNsPerSecond / 1000;
   static constexpr double kGust_s = 4;
 
-  /// Keeps a reference to `scenario`, which has dust.
+  /// Keeps a reference to `scenario`, which must have dust.
   SiteDust(const Scenario& scenario, const Instant& start, const TerrainSurface& ground);
-  /// Goes on by a step of the physics.
+  /// Advances by a step of the physics.
   void Step(const WorldStep& step);
 
-  /// As light meets it after the last of its own steps.
+  /// The optical field after the last of its own steps.
   const DustVolume& volume() const;
   const DustField& field() const { return field_; }
 

@@ -6,9 +6,9 @@
 namespace tera {
 namespace {
 
-/// A joint that does not follow a lever from here on is held by its load, not by a dead zone.
+/// A joint that does not follow beyond this lever is held by its load, not by a dead zone.
 constexpr double kLargestAdaptingLever = 0.5;
-constexpr double kLargestWidth = 0.5;  // of the lever: valves whose dead zones are wider are broken
+constexpr double kLargestWidth = 0.5;  // lever share; a valve with a wider dead zone is broken
 
 }  // namespace
 

@@ -12,32 +12,32 @@ namespace {
 constexpr double kLeverRate_1ps = 5.0;  // a hand goes from neutral to full lever in 0.2 s
 constexpr double kTipTolerance_m = 0.12;
 constexpr double kAngleTolerance_rad = 6 * kDeg;
-constexpr double kSlewAtRest_radps = 5 * kDeg;  // slower than this, it may lower or dump
-constexpr double kClearance = 0.58;      // lengths of the bucket above the ground before lowering
-constexpr double kCarryInside_m = 1.6;   // the load is carried this much nearer than dumped
-constexpr double kCarryAbove_m = 0.2;    // and this much higher
-constexpr double kSwingHeight = 0.6;     // of the dump height: from here on it may slew
-constexpr double kCutLag_m = 0.15;       // the target waits when the tip is this far behind
-constexpr double kStallLift_mps = 0.15;  // how fast a stalled cut comes up
-constexpr double kFullShare = 0.9;       // of the struck capacity: the bucket is full
-constexpr double kCutPatience = 1.6;     // times the undisturbed duration of the cut
-constexpr double kDumpedShare = 0.05;    // of the load at the start of the dump
+constexpr double kSlewAtRest_radps = 5 * kDeg;  // below this rate it may lower or dump
+constexpr double kClearance = 0.58;             // bucket lengths above the ground before lowering
+constexpr double kCarryInside_m = 1.6;          // radius of the carried load, less than at the dump
+constexpr double kCarryAbove_m = 0.2;           // height of the carried load, more than at the dump
+constexpr double kSwingHeight = 0.6;            // share of the dump height from which it may slew
+constexpr double kCutLag_m = 0.15;              // lag of the tip at which the target waits
+constexpr double kStallLift_mps = 0.15;         // rise rate of a stalled cut
+constexpr double kFullShare = 0.9;              // share of the struck capacity of a full bucket
+constexpr double kCutPatience = 1.6;            // times the undisturbed duration of the cut
+constexpr double kDumpedShare = 0.05;           // share of the load at the start of the dump
 // Pitches of the tip direction.
 constexpr double kEntryPitch_rad = -75 * kDeg;
 constexpr double kCutEndPitch_rad = -112 * kDeg;
 constexpr double kCarryPitch_rad = -188 * kDeg;
 constexpr double kDumpPitch_rad = -60 * kDeg;
-// The cut goes down over its first part and comes up over its last.
+// Shares of the cut's length: descent at its start, ascent at its end.
 constexpr double kRampIn = 0.35, kRampOut = 0.2;
-constexpr double kRampEnd = 0.3;  // of the ramp out, where the cut ends: still in the ground
+constexpr double kRampEnd = 0.3;  // share of the ascent at which the cut ends, still in the ground
 constexpr int kGroundSamples = 24;
-// A target out of reach is drawn in by steps, so many at most.
+// Step and largest number of steps that pull an unreachable target inwards.
 constexpr double kDrawIn_m = 0.05;
 constexpr int kDrawIns = 60;
-// Curling takes this long, and draws the tip in and up meanwhile, by so many lengths of the bucket:
-// its back would else turn down into the ground.
+// Curling takes this long and pulls the tip in and up by these bucket lengths. Otherwise the
+// bucket's back would turn into the ground.
 constexpr double kCurl_s = 1.3;
-constexpr double kCurlLead = 0.12;  // share of the turn that is asked for ahead of the bucket
+constexpr double kCurlLead = 0.12;  // share of the turn by which the target leads the bucket
 constexpr double kCurlDrag = 0.19, kCurlLift = 0.71;
 
 double Smooth(double s) {
@@ -47,7 +47,7 @@ double Smooth(double s) {
 
 double Mix(double a, double b, double s) { return a + (b - a) * s; }
 
-/// The angle equal to `angle` that is nearest to `reference`.
+/// The angle equivalent to `angle_rad` that is nearest to `reference_rad`.
 double Nearest(double angle_rad, double reference_rad) {
   return angle_rad + 2 * kPi * std::round((reference_rad - angle_rad) / (2 * kPi));
 }
@@ -242,7 +242,7 @@ DigCycle::Target DigCycle::TargetNow(const OperatorView& view) const {
     case Phase::kCut:
       return {CutPoint(cut_s_m_), dig.slew_rad};
     case Phase::kCurl: {
-      // Where the bucket turns later than planned the tip waits: the arm would else pour it out.
+      // The tip waits for a late bucket; the arm would otherwise spill the load.
       const double turned = (TipNow(view.state).pitch_rad - phase_tip_.pitch_rad) /
                             (kCarryPitch_rad - phase_tip_.pitch_rad);
       const double s =
@@ -279,13 +279,13 @@ PlanarArm::Tip DigCycle::CutPoint(double s_m) const {
 double DigCycle::GroundInPlane(const OperatorView& view, double azimuth_rad, double r_m) const {
   const Vec3& axis = view.model.joints[plan_.joints.slew].axis_J;
   const Vec3 p_W = SlewFrame(view) * (Eigen::AngleAxisd(azimuth_rad, axis) * Vec3(r_m, 0, 0));
-  // The plane is nearly vertical: a height difference in W is one along the plane's z.
+  // The plane is nearly vertical: a height difference in W equals one along the plane's z.
   return view.ground.HeightAt(p_W.x(), p_W.y()) - p_W.z();
 }
 
 PlanarArm::Angles DigCycle::ReachableAngles(const MachineModel& model,
                                             const PlanarArm::Tip& tip) const {
-  PlanarArm::Tip nearer = tip;  // draw a target that is out of reach in, until it is not
+  PlanarArm::Tip nearer = tip;  // moves inwards until it is reachable
   std::optional<PlanarArm::Angles> angles = arm_.Inverse(nearer);
   for (int k = 0; !angles && k < kDrawIns; ++k) {
     nearer.r_m -= kDrawIn_m;

@@ -9,12 +9,12 @@
 
 namespace tera {
 
-/// Where and how to dig. Radii from the slew axis, azimuths from the undercarriage's x axis at the
-/// start (positive to the left), heights above the ground at the place itself.
+/// Parameters of a dig cycle. Radii are from the slew axis. Azimuths are from the undercarriage's x
+/// axis at the start, positive to the left. Heights are above the local ground.
 struct DigPlan {
   PlanarArm::Joints joints;
   int tip_frame = -1;
-  int shovel = -1;  ///< the one that the bucket joint moves
+  int shovel = -1;  ///< the shovel that the bucket joint moves
   double dig_azimuth_rad = 0;
   double azimuth_step_rad = 0;  ///< added to the dig azimuth after each cycle
   double dump_azimuth_rad = 0;
@@ -23,26 +23,24 @@ struct DigPlan {
   double cut_depth_m = 0.2;
   double cut_speed_mps = 0.7;
   double dump_reach_m = 3.8;
-  double dump_height_m = 1.3;      ///< of the tip above the ground while swinging and dumping
-  double clear_dump_rad = 0;       ///< slewed from the dump place before the tip comes down
-  double servo_gain_1ps = 4.0;     ///< of all joints, see ServoLever
-  double slew_braking_radps2 = 0;  ///< the slew comes to rest at this; 0: at once
-  double patience_s = 4.0;         ///< a phase never holds the cycle up longer
-  int cycles = 0;                  ///< 0: without end
+  double dump_height_m = 1.3;   ///< height of the tip above the ground while swinging and dumping
+  double clear_dump_rad = 0;    ///< slew angle from the dump place before the tip is lowered
+  double servo_gain_1ps = 4.0;  ///< gain of all joints, see ServoLever
+  double slew_braking_radps2 = 0;  ///< deceleration at which the slew stops; 0: at once
+  double patience_s = 4.0;         ///< longest duration of a phase
+  int cycles = 0;                  ///< 0: endless
 };
 
-/// Digs, lifts, slews, dumps and returns by joint targets from inverse kinematics on the ground as
-/// it is at the time.
+/// Digs, lifts, slews, dumps and returns. Joint targets come from inverse kinematics on the current
+/// ground.
 ///
 /// Model   a sequence of phases, each with a target of the tip in the arm's plane and of the slew;
-///         joints follow by ServoLever. During the cut the target moves along the planned line;
-///         where the soil holds the tip back it waits and comes up, as an operator lifts a stalled
-///         bucket.
-///         The levers pass through DeadZoneCompensation.
-///         Places stay where they are in W when the tracks turn or slide: an operator sees the
-///         truck that he loads. The dump place does so wholly, the dig place by its azimuth. Levers
-///         move no faster than a hand does. The slew turns at most at sqrt(2 a e), from which
-///         braking at a stops it over the angle e that is left.
+///         joints follow by ServoLever. During the cut the target moves along the planned line. If
+///         the soil holds the tip back, the target waits and rises, as an operator lifts a stalled
+///         bucket. The levers pass through DeadZoneCompensation and are limited to the rate of a
+///         hand. Places stay fixed in W when the tracks turn or slide, since an operator sees the
+///         truck: the dump place fully, the dig place by its azimuth. The slew rate is at most
+///         sqrt(2 a e), from which braking at a stops within the remaining angle e.
 /// Omits   force control; avoidance of obstacles; boom swing and travel stay neutral.
 class DigCycle : public Operator {
  public:
@@ -57,7 +55,7 @@ class DigCycle : public Operator {
     double slew_rad = 0;
   };
 
-  /// The cycle for the machine as it stands now.
+  /// The cycle's places relative to the machine's current pose.
   struct Place {
     double slew_rad, r_m;
   };
@@ -86,20 +84,21 @@ class DigCycle : public Operator {
   TimeNs phase_start_ns_ = 0, last_ns_ = 0;
   int cycle_ = 0;
   bool started_ = false;
-  Pose X_WJ_start_ = Pose::Identity();  ///< frame of the slew's axis when the first cycle began
+  Pose X_WJ_start_ =
+      Pose::Identity();  ///< frame of the slew's axis at the start of the first cycle
   double dig_azimuth_rad_;
   double cut_s_m_ = 0;                            ///< along the cut
   double cut_raised_m_ = 0;                       ///< above the planned line, to get through
   std::vector<double> cut_ground_m_;              ///< heights in the plane when the cut was planned
-  std::vector<double> levers_;                    ///< as last given
-  std::vector<DeadZoneCompensation> dead_zones_;  ///< of each lever
-  double phase_load_kg_ = 0;                      ///< carried when the phase began
-  PlanarArm::Tip phase_tip_;                      ///< where the tip was when the phase began
+  std::vector<double> levers_;                    ///< last output
+  std::vector<DeadZoneCompensation> dead_zones_;  ///< one per lever
+  double phase_load_kg_ = 0;                      ///< load at the start of the phase
+  PlanarArm::Tip phase_tip_;                      ///< tip at the start of the phase
   std::optional<PlanarArm::Angles> last_angles_;
 };
 
-/// Reads the keys of `type: dig_cycle`. Nothing where the machine lacks such an arm, which is then
-/// reported to `config`.
+/// Reads the keys of `type: dig_cycle`. Returns nothing and reports to `config` if the machine has
+/// no such arm.
 std::optional<DigPlan> ReadDigPlan(const ConfigMap& config, const MachineModel& model);
 
 }  // namespace tera

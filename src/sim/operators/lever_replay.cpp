@@ -11,9 +11,9 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kFirstRowLine = 2;  ///< of the file, below its header
+constexpr std::size_t kFirstRowLine = 2;  ///< line in the file, below its header
 
-/// Columns of `file`; none where it cannot be read, which is then reported.
+/// Columns of `file`; none after a reported fault.
 std::vector<std::string> HeaderOf(const ConfigMap& config, const std::filesystem::path& file) {
   if (file.empty()) return {};
   try {
@@ -24,8 +24,8 @@ std::vector<std::string> HeaderOf(const ConfigMap& config, const std::filesystem
   }
 }
 
-/// Reads time (in seconds, or in nanoseconds for a column that ends in _ns) and `columns`; a file
-/// that cannot be used becomes a fault of `config` and an empty table.
+/// Reads time (in seconds, or in nanoseconds for a column that ends in _ns) and `columns`. An
+/// unusable file is a fault of `config` and gives an empty table.
 CommandTable ReadCommands(const ConfigMap& config, const std::filesystem::path& file,
                           const std::string& time_column, std::vector<std::string> columns) {
   CommandTable table;
@@ -51,10 +51,10 @@ CommandTable ReadCommands(const ConfigMap& config, const std::filesystem::path& 
   return table;
 }
 
-/// Beyond full lever by no more than this is a rounding of whoever wrote the file.
+/// Tolerance for the file's rounding beyond full lever.
 constexpr double kLeverRounding = 1e-9;
 
-/// Reports the first lever beyond its stops; takes roundings back to the stop.
+/// Reports the first lever beyond its stops and clamps rounding errors.
 void CheckLevers(const ConfigMap& config, const std::filesystem::path& file,
                  const std::vector<std::string>& columns, CommandTable* table) {
   for (std::size_t r = 0; r < table->rows.size(); ++r) {
@@ -104,7 +104,7 @@ LeverReplayPlan ReadLeverReplay(const ConfigMap& config, const MachineModel& mod
   std::vector<std::string> columns;
   std::vector<int> levers;
   std::vector<std::string> header = HeaderOf(config, file);
-  // Without its time, which is told, nothing says what the other columns are.
+  // Without the time column, whose fault is reported, the other columns have no known meaning.
   if (std::find(header.begin(), header.end(), time_column) == header.end()) header.clear();
   for (const std::string& name : header) {
     if (name == time_column) continue;

@@ -10,20 +10,20 @@
 
 namespace tera {
 
-/// Commands over time, each held until the next (zero-order hold), the last to the end; neutral
-/// before the first.
+/// Commands over time, each held until the next (zero-order hold), the last until the end; neutral
+/// until the first.
 struct CommandTable {
   std::vector<TimeNs> t_ns;
-  std::vector<std::vector<double>> rows;  ///< one value for each column
+  std::vector<std::vector<double>> rows;  ///< one value per column
 };
 
 /// Index of the row in force at `t_ns`, or -1.
 int RowInForce(const CommandTable& table, TimeNs t_ns);
 
-/// Lever positions to be replayed.
+/// Lever positions for a replay.
 struct LeverReplayPlan {
   std::shared_ptr<const CommandTable> table;
-  std::vector<int> lever_of_column;  ///< the lever that each column moves
+  std::vector<int> lever_of_column;  ///< index of the lever of each column
 };
 
 /// Replays recorded lever positions.
@@ -36,13 +36,13 @@ class LeverReplay : public Operator {
   LeverReplayPlan plan_;
 };
 
-/// Body velocity commands to be replayed: columns forward speed in m/s, yaw rate in rad/s.
+/// Body velocity commands for a replay: columns forward speed in m/s, yaw rate in rad/s.
 struct TwistReplayPlan {
   std::shared_ptr<const CommandTable> table;
   SkidSteerLevers levers;
 };
 
-/// Replays recorded body velocity commands on a machine that steers by skidding.
+/// Replays recorded body velocity commands on a machine with skid steering.
 ///
 /// Model   SetSkidSteer with the machine's nominal gauge.
 class TwistReplay : public Operator {

@@ -10,7 +10,7 @@
 
 namespace tera {
 
-/// What an operator sees: the machine's own state and the ground before it.
+/// An operator's view: the machine's state and the ground.
 struct OperatorView {
   TimeNs t_ns = 0;
   const MachineModel& model;
@@ -22,12 +22,12 @@ struct OperatorView {
 class Operator {
  public:
   virtual ~Operator() = default;
-  /// Levers in [-1, 1], one for each lever of the model, to be held until the next call. Called
-  /// once for each physics step, times increasing.
+  /// Levers in [-1, 1], one for each lever of the model, held until the next call. Called once per
+  /// physics step in increasing time.
   virtual std::vector<double> Levers(const OperatorView& view) = 0;
 };
 
-/// Where an operator's random numbers come from.
+/// Random stream of an operator.
 struct OperatorStream {
   std::uint64_t seed = 0;
   std::string machine;

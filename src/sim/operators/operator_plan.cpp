@@ -55,7 +55,7 @@ OperatorPlan ReadOperatorPlan(const ConfigMap& config, const MachineModel& model
   if (type == "dig_cycle") {
     if (const std::optional<DigPlan> plan = ReadDigPlan(config, model)) return *plan;
   }
-  return IdlePlan{};  // what kept a dig cycle from being read is on record
+  return IdlePlan{};  // the fault of a dig cycle is already reported
 }
 
 std::unique_ptr<Operator> MakeOperator(const OperatorPlan& plan, const MachineModel& model,

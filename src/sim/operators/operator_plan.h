@@ -15,8 +15,8 @@ namespace tera {
 /// Leaves every lever neutral.
 struct IdlePlan {};
 
-/// Who drives a machine, and what for, as a scenario says it. It stays as it is; MakeOperator gives
-/// each run an operator of its own. A new kind has its entry here and its name in ReadOperatorPlan.
+/// A machine's operator as described in a scenario, constant during runs. MakeOperator creates an
+/// operator for each run. A new kind needs an entry here and its name in ReadOperatorPlan.
 using OperatorPlan = std::variant<IdlePlan, LeverReplayPlan, TwistReplayPlan, WaypointPlan, DigPlan,
                                   RandomLeversPlan>;
 
@@ -25,12 +25,12 @@ using OperatorPlan = std::variant<IdlePlan, LeverReplayPlan, TwistReplayPlan, Wa
 /// file) go to `config`.
 OperatorPlan ReadOperatorPlan(const ConfigMap& config, const MachineModel& model);
 
-/// An operator at the beginning of its work.
+/// An operator in its initial state.
 std::unique_ptr<Operator> MakeOperator(const OperatorPlan& plan, const MachineModel& model,
                                        const OperatorStream& stream);
 
-/// The levers that a plan replays, a row wherever they may change, a column for each lever of the
-/// model. No rows for operators that look at the machine before they act.
+/// The levers that a plan replays: a row for each possible change, a column for each lever of the
+/// model. Empty for operators that react to the machine.
 CommandTable ReplayedLevers(const OperatorPlan& plan, const MachineModel& model);
 
 }  // namespace tera

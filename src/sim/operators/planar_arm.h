@@ -10,7 +10,8 @@ namespace tera {
 ///
 /// Frames  V vertical plane of the arm: origin on the slew axis at the height of the slewing link's
 ///         frame, r outward, z up. Pitch is measured from the horizontal, positive up.
-/// Model   two-link inverse kinematics for boom and arm (elbow up), bucket by the remaining pitch.
+/// Model   two-link inverse kinematics for boom and arm (elbow up); the bucket takes the remaining
+///         pitch.
 /// Omits   boom swing (taken as zero) and the slewing link's tilt.
 /// Source  two-link arm by the law of cosines: Craig 2005, "Introduction to robotics", section 4.4.
 class PlanarArm {
@@ -26,11 +27,10 @@ class PlanarArm {
     double boom_rad = 0, arm_rad = 0, bucket_rad = 0;
   };
 
-  /// `tip_frame` names one of the model's frames on the bucket's link.
+  /// `tip_frame` is the index of one of the model's frames on the bucket's link.
   PlanarArm(const MachineModel& model, const Joints& joints, int tip_frame);
 
-  /// Angles that bring the tip to `tip`; nothing where it is out of reach. Joint limits are not
-  /// applied.
+  /// Joint angles for `tip`; nothing if it is out of reach. Joint limits are not applied.
   std::optional<Angles> Inverse(const Tip& tip) const;
   Tip Forward(const Angles& angles) const;
   double bucket_length_m() const { return bucket_length_m_; }  ///< from its pin to the tip

@@ -9,18 +9,18 @@
 
 namespace tera {
 
-/// How fast and how far levers are moved at random.
+/// Speed and size of random lever moves.
 struct RandomLeversPlan {
-  double shortest_s = 0.5, longest_s = 3;  ///< for which a lever stays where it is
+  double shortest_s = 0.5, longest_s = 3;  ///< duration of a lever position
   double amplitude = 1;
 };
 
-/// Moves every lever at random, to excite all that a machine can do.
+/// Moves every lever at random, to excite all motions of a machine.
 ///
-/// Model   Each joint's lever stays where it is for a time, uniform between two bounds, then jumps
-///         to a position that is neutral in one of four cases, else uniform in +- amplitude. Levers
-///         of running gears change together, and every piece is followed by its opposite, so that a
-///         machine comes back about as far as it went.
+/// Model   Each joint's lever holds a position for a uniform random time between two bounds. The
+///         next position is neutral with probability one quarter, else uniform in +- amplitude.
+///         Levers of running gears change together, and each piece is followed by its opposite, so
+///         the machine returns to about its start.
 class RandomLevers : public Operator {
  public:
   RandomLevers(const RandomLeversPlan& plan, const MachineModel& model,
@@ -28,15 +28,15 @@ class RandomLevers : public Operator {
   std::vector<double> Levers(const OperatorView& view) override;
 
  private:
-  /// What one lever, or all of the gears', does at present.
+  /// The current piece of one lever, or of all gear levers.
   struct Piece {
     std::int64_t index = -1;
     TimeNs until_ns = 0;
   };
-  /// A draw, in (0, 1), of one piece of a lever.
+  /// A random number in (0, 1) for a piece of a lever.
   double Draw(std::int64_t piece, std::size_t lever, std::uint32_t which) const;
   double Position(std::int64_t piece, std::size_t lever) const;
-  /// Begins the next piece if the present one is over. True where it did.
+  /// Begins the next piece if the current one is over, and returns true if it did.
   bool Advance(TimeNs t_ns, std::size_t lever, bool and_back, Piece* piece) const;
 
   RandomLeversPlan plan_;

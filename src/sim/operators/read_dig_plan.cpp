@@ -11,15 +11,15 @@ namespace tera {
 namespace {
 
 constexpr double kMostCycles = 1e6;
-constexpr double kLeastArm_m = 1e-3;  ///< between pins, below which an arm has no direction
+constexpr double kLeastArm_m = 1e-3;  ///< between pins; a shorter arm has no direction
 
-/// Whether `link` hangs, through any number of joints, on `ancestor`.
+/// Whether `link` is a descendant of `ancestor`.
 bool HangsOn(const MachineModel& model, int link, int ancestor) {
   while (link > 0 && link != ancestor) link = model.joints[link - 1].parent;
   return link == ancestor;
 }
 
-/// Reports joints that no lever moves; true if there is nothing to report.
+/// Reports joints without a lever; true if there is nothing to report.
 bool CheckLevers(const ConfigMap& config, const MachineModel& model, const DigPlan& plan) {
   const std::pair<std::string_view, int> needed[] = {{"slew", plan.joints.slew},
                                                      {"boom", plan.joints.boom},
@@ -41,7 +41,8 @@ bool CheckLevers(const ConfigMap& config, const MachineModel& model, const DigPl
   return good;
 }
 
-/// Reports joints that are no planar arm on a slewing post; true if there is nothing to report.
+/// Reports joints that do not form a planar arm on a slewing post; true if there is nothing to
+/// report.
 bool CheckArm(const ConfigMap& config, const MachineModel& model, const DigPlan& plan) {
   bool good = true;
   const auto fault = [&](std::string_view key, const InputFault& found) {

@@ -11,26 +11,26 @@
 namespace tera {
 namespace {
 
-/// What of a joint's angle error is closed in a second: when it is moved at a rate, and when it is
-/// taken to a place, about which a joint of much inertia behind a delay must not swing.
+/// Gains of the joint angle error, for commanded rates and for commanded positions. The second is
+/// low, so that a joint with much inertia behind a delay does not oscillate about its target.
 constexpr double kRateGain_1ps = 4.0, kPlaceGain_1ps = 1.8;
-/// How far a held angle may run ahead of a joint that cannot follow.
+/// Largest lead of a held angle over a joint that cannot follow.
 constexpr double kLead_rad = 0.05;
-/// Joints that are to come to rest at a place do so within 0.012 of the fastest one's rate, 0.4
-/// degrees; their dead zones are taken for wider only where they stand.
+/// Joints with a position target come to rest within 0.012 of the fastest joint's rate, 0.4
+/// degrees. Their dead zones widen only at rest.
 constexpr DeadZoneAdaptation kPositioning = {.transition = 0.012,
                                              .follow_ratio = 0.15,
                                              .overshoot_ratio = 1.5,
                                              .rebound_ratio = 0.15,
                                              .wait_s = 0.6,
                                              .rate_1ps = 0.3};
-/// Beyond full lever by no more than this is a rounding of the sender's.
+/// Tolerance for the sender's rounding beyond full lever.
 constexpr double kMessageRounding = 1e-6;
 
-/// Beyond a joint's limit by no more than this (or metres) is where a stop that yields holds it.
+/// Tolerance beyond a joint's limit (rad or m), since an elastic stop yields.
 constexpr double kStopYield_rad = 0.02;
 
-/// A place farther from the root link than any tool reaches is a mistyped one.
+/// A larger distance from the root link is a typing error.
 constexpr double kFarthest_m = 1000.0;
 
 std::optional<std::string> FaultOfNumbers(const std::vector<double>& numbers, const char* what,

@@ -12,24 +12,24 @@
 
 namespace tera {
 
-/// What a machine is asked to do from outside, until the next message.
+/// An external command to a machine, valid until the next message.
 struct ControlMessage {
   /// Positions in [-1, 1], one for each lever.
   struct Levers {
     std::vector<double> position;
   };
-  /// Rates of the levers' joints, rad/s (m/s where they slide), and of the sprockets or wheels of
+  /// Rates of the levers' joints, rad/s (m/s for sliding joints), and of the sprockets or wheels of
   /// their running gears, rad/s; one for each lever.
   struct JointRates {
     std::vector<double> rate_radps;
   };
-  /// Angles (or metres) of the levers' joints, one for each lever; those of running gears are not
-  /// read, gears stand.
+  /// Positions of the levers' joints (rad or m), one for each lever. Entries of running gears are
+  /// ignored; the gears stand still.
   struct JointPositions {
     std::vector<double> q_rad;
   };
-  /// A named frame of the machine is taken to a place relative to the root link, by the joints
-  /// between them; gears stand.
+  /// Target pose of a named frame relative to the root link, reached by the joints in between. The
+  /// gears stand still.
   struct ToolPose {
     std::string frame;
     ToolTarget target;
@@ -41,40 +41,40 @@ struct ControlMessage {
   bool high_speed = true;       ///< false: running gears at their low speed
 };
 
-/// What is wrong with a message for this machine (a wrong count, a lever beyond full, a number that
-/// is not finite, a position beyond the joint's limits, an unknown frame, a place out of all
-/// reach), or nothing.
+/// The fault of a message for this machine, or nothing. Faults: a wrong count, a lever beyond full,
+/// a number that is not finite, a position beyond the joint's limits, an unknown frame, a target
+/// out of all reach.
 std::optional<std::string> FaultOf(const ControlMessage& message, const MachineModel& model);
 
-/// A machine's operator once somebody drives it from outside: the scenario's own operator until the
+/// An operator that an external controller can take over: the scenario's own operator until the
 /// first message, then the messages.
 ///
-/// Model   A message holds until the next one, for at most kTimeout_s of simulated time; after that
-///         all levers are neutral. Joint rates are held by the angle they lead to, so that a joint
-///         under load does not fall behind; joint positions and tool poses by proportional feedback
-///         of the rate (ServoLever, ToolRates), through DeadZoneCompensation. All of them become
-///         levers, which is what a machine obeys, what is recorded, and what replays it.
+/// Model   A message holds until the next one, for at most kTimeout_s of simulated time; then all
+///         levers are neutral. Joint rates are controlled by their integrated angle, so that a
+///         loaded joint does not fall behind. Joint positions and tool poses use proportional
+///         feedback of the rate (ServoLever, ToolRates) through DeadZoneCompensation. All commands
+///         become levers, which the machine obeys and the recording contains.
 class RemoteOperator : public Operator {
  public:
   static constexpr double kTimeout_s = 1.0;
 
   explicit RemoteOperator(std::unique_ptr<Operator> until_then);
 
-  /// From the step that begins at `t_ns` on. The message must be without fault.
+  /// Takes effect from the step that begins at `t_ns`. The message must have no fault.
   void Receive(TimeNs t_ns, const ControlMessage& message);
   std::vector<double> Levers(const OperatorView& view) override;
 
  private:
   std::vector<double> LeversFor(const OperatorView& view);
-  /// Levers for those that ideal joints would need.
+  /// Real levers for the levers of ideal joints.
   std::vector<double> CompensateDeadZones(const OperatorView& view, std::vector<double> levers);
   std::vector<double> HoldRates(const OperatorView& view, const std::vector<double>& rates_radps);
 
   std::unique_ptr<Operator> until_then_;
   std::optional<ControlMessage> message_;
   TimeNs received_ns_ = 0, last_ns_ = 0;
-  std::vector<double> held_q_rad_;  ///< where joint rates have led to, one for each lever
-  std::vector<DeadZoneCompensation> dead_zones_;  ///< of each lever, for positions and tool poses
+  std::vector<double> held_q_rad_;  ///< integrated target of the joint rates, one for each lever
+  std::vector<DeadZoneCompensation> dead_zones_;  ///< one per lever, for positions and tool poses
 };
 
 }  // namespace tera

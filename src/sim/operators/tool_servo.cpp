@@ -9,9 +9,10 @@ namespace {
 
 constexpr double kTimeConstant_s = 0.4;
 constexpr double kFastest_mps = 1.0, kFastest_radps = 0.8;
-/// A turn by one radian weighs as much as this way of the frame's origin.
+/// A turn of one radian weighs as much as this displacement of the frame's origin.
 constexpr double kTurn_m = 0.5;
-/// Damping of the inverse, in metres of the frame for a radian of a joint: small beside the arm.
+/// Damping of the inverse, in metres of the frame per radian of a joint: small compared with the
+/// arm.
 constexpr double kDamping_m = 0.05;
 
 using Twist = Eigen::Matrix<double, 6, 1>;  // velocity in m/s, then kTurn_m times angular rate

@@ -7,20 +7,20 @@
 
 namespace tera {
 
-/// Where a tool frame F is wanted, relative to the machine's root link B.
+/// Target pose of a tool frame F relative to the machine's root link B.
 struct ToolTarget {
   Vec3 p_BF_m = Vec3::Zero();
-  std::optional<Mat3> R_BF;  ///< without it, any
+  std::optional<Mat3> R_BF;  ///< free if absent
 };
 
-/// Joint rates that take frame `frame` of the model towards `target`.
+/// Joint rates that move frame `frame` of the model towards `target`.
 ///
 /// Frames  B root link, F the frame.
-/// Model   resolved rates: the twist towards the target, error / time constant and no faster than
-///         kFastest_mps and kFastest_radps, through the damped least-squares inverse of the
-///         frame's Jacobian over `joints`; then all rates are scaled down together until none
-///         exceeds its joint's own at full lever. What the joints cannot do (the roll of an
-///         excavator's bucket) is left over.
+/// Model   resolved rates. The twist towards the target is error / time constant, limited to
+///         kFastest_mps and kFastest_radps. It passes through the damped least-squares inverse of
+///         the frame's Jacobian over `joints`. All rates are then scaled together so that none
+///         exceeds its joint's rate at full lever. Motions that the joints cannot make (the roll of
+///         an excavator's bucket) remain as an error.
 /// Omits   joint limits and obstacles on the way.
 /// Source  Nakamura and Hanafusa 1986, "Inverse kinematic solutions with singularity robustness for
 ///         robot manipulator control"; Whitney 1969, "Resolved motion rate control".

@@ -11,7 +11,7 @@ namespace {
 constexpr double kTurnOnSpot_rad = 50 * kDeg;  // beyond this bearing, turn before driving on
 constexpr double kTurnRate_radps = 0.5;
 constexpr double kSlowDownDistance_m = 1.0;    // before the last waypoint
-constexpr double kMinApproachSpeed = 0.15;     // of the cruising speed
+constexpr double kMinApproachSpeed = 0.15;     // share of the cruising speed
 constexpr double kCarefulLeverRate_1ps = 1.5;  // a careful hand: neutral to full lever in 0.7 s
 
 }  // namespace

@@ -10,13 +10,13 @@
 
 namespace tera {
 
-/// Where to drive.
+/// Parameters of a drive through waypoints.
 ///
 /// Frames  waypoints in W.
 struct WaypointPlan {
   std::vector<Vec2> waypoints_W_m;
   double speed_mps = 0.8;
-  double reached_m = 0.5;  ///< so near a waypoint counts as reached
+  double reached_m = 0.5;  ///< distance at which a waypoint counts as reached
   SkidSteerLevers levers;
 };
 
@@ -24,9 +24,8 @@ struct WaypointPlan {
 ///
 /// Frames  waypoints in W.
 /// Model   pure pursuit: curvature 2 sin(alpha) / d towards the waypoint at bearing alpha and
-///         distance d; turns on the spot where the bearing is large; slows for the last waypoint
-///         and stops.
-///         Levers move no faster than a hand moves them.
+///         distance d. The machine turns on the spot at large bearings and slows for the last
+///         waypoint, where it stops. Lever rates are limited to those of a hand.
 /// Source  Coulter 1992, CMU-RI-TR-92-01.
 class WaypointDriver : public Operator {
  public:
@@ -34,13 +33,13 @@ class WaypointDriver : public Operator {
   std::vector<double> Levers(const OperatorView& view) override;
 
  private:
-  /// Levers for where the machine is now.
+  /// Levers for the machine's current pose.
   std::vector<double> Wanted(const OperatorView& view);
 
   WaypointPlan plan_;
   std::size_t next_ = 0;
-  std::vector<double> levers_now_;  ///< as last given
-  std::optional<TimeNs> last_ns_;   ///< when
+  std::vector<double> levers_now_;  ///< last output
+  std::optional<TimeNs> last_ns_;   ///< time of the last output
 };
 
 /// Reads the keys of `type: waypoints`.

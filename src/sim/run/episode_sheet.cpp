@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kTileWidth_px = 320, kTileHeight_px = 240;
 
-/// Takes away the lines that all tiles have.
+/// Removes the lines that all tiles share.
 void KeepWhatDiffers(std::vector<SheetTile>* tiles) {
   if (tiles->size() < 2) return;
   const std::vector<std::string> first = tiles->front().lines;

@@ -9,21 +9,21 @@
 
 namespace tera {
 
-/// Episodes of a scenario side by side: the first instant of each (FirstLook), and below it what
-/// was drawn, in few letters, but for values that all of them have.
+/// A contact sheet of a scenario's episodes: the first instant of each (FirstLook), with its drawn
+/// values in short form. Values that all episodes share are left out.
 class EpisodeSheet {
  public:
   /// Draws the next episode. Throws as FirstLook does.
   void Add(const Scenario& scenario, const EglOptions& egl);
-  /// All that were added, at least one.
+  /// The sheet of all added episodes, at least one.
   Picture Draw() const;
 
  private:
   std::vector<SheetTile> tiles_;
 };
 
-/// "key.of.some: value" of Scenario::drawn with the end of its key, a number with four digits, a
-/// list of mappings by how many there are.
+/// Short form of "key.of.some: value" of Scenario::drawn: the end of its key, numbers with four
+/// digits, and the count of a list of mappings.
 std::string DrawnInShort(const std::string& drawn);
 
 }  // namespace tera

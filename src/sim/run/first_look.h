@@ -8,11 +8,11 @@
 
 namespace tera {
 
-/// A small picture of a scenario's first instant, from outside: from the south-west and above, its
-/// machines in the middle and so much about them that what stands near is seen.
+/// A small picture of a scenario's first instant, from the south-west and above. It is centred on
+/// the machines and wide enough to show nearby things.
 ///
-/// Model   machines as they are placed, before they settle.
-/// Throws  InputError where a mesh cannot be loaded or nothing can be drawn.
+/// Model   machines as placed, without settling.
+/// Throws  InputError if a mesh cannot be loaded or nothing can be drawn.
 Image<std::uint8_t> FirstLook(const Scenario& scenario, int width_px, int height_px,
                               const EglOptions& egl);
 

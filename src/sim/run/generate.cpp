@@ -14,7 +14,7 @@
 namespace tera {
 namespace {
 
-/// The state of a run on its way into the dataset, if it is to be kept.
+/// The state log of a run, if it is requested.
 std::optional<StateLog> StateLogOf(const Scenario& scenario, const std::string& resolved_yaml,
                                    const GenerateOptions& options, const Run& run,
                                    DatasetWriter* writer) {
@@ -23,13 +23,13 @@ std::optional<StateLog> StateLogOf(const Scenario& scenario, const std::string& 
                                  writer->PathFor(kStateFile), run.simulation().state());
 }
 
-/// Steps the scenario to its end into `writer`. `step` counts the steps done, for a caller that
-/// must know how far a run came which bad input stopped.
+/// Steps the scenario to its end into `writer`. `step` counts the finished steps, so that the
+/// caller knows the progress if bad input stops the run.
 void RunToEnd(const Scenario& scenario, const std::string& resolved_yaml,
               const SceneAssembly& assembly, const GenerateOptions& options, DatasetWriter* writer,
               std::int64_t* step, GenerateReport* report) {
   const std::int64_t steps = std::llround(scenario.duration_s * scenario.physics_rate_hz);
-  // A fifth of a second between progress reports, in steps of simulated time.
+  // A fifth of a second of simulated time between progress reports.
   const std::int64_t steps_per_report =
       std::max<std::int64_t>(1, std::llround(scenario.physics_rate_hz / 5));
   Run run(scenario, OperatorsOf(scenario), assembly, options.egl, options.threads, writer);

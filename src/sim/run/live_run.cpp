@@ -16,8 +16,8 @@
 namespace tera {
 namespace {
 
-/// Several sinks as one: each gets every channel and every measurement. A frame is needed when any
-/// of them needs it, and then goes to all; none comes late.
+/// Forwards every channel and measurement to several sinks. A frame is taken if any sink needs it,
+/// and then goes to all; none comes late.
 class SinkGroup : public MeasurementSink {
  public:
   /// The sinks must outlive the group.
@@ -30,7 +30,7 @@ class SinkGroup : public MeasurementSink {
 
  private:
   std::vector<MeasurementSink*> sinks_;
-  std::vector<std::vector<ChannelId>> channels_;  ///< of each sink, for each of the group's own
+  std::vector<std::vector<ChannelId>> channels_;  ///< [sink][the group's channel]
 };
 
 SinkGroup::SinkGroup(std::vector<MeasurementSink*> sinks) : sinks_(std::move(sinks)) {}
@@ -72,7 +72,7 @@ Operators TakeOver(Operators operators, std::vector<RemoteOperator*>* remote) {
   return operators;
 }
 
-/// Simulated time between two times that rows are brought to the disk.
+/// Simulated time between two flushes to the disk.
 constexpr double kFlush_s = 1.0;
 
 constexpr char kRemedy[] =
@@ -114,8 +114,8 @@ struct LiveRun::Impl {
     return sinks;
   }
 
-  /// Steps, and each second brings what was recorded to the disk, with the first levers of the
-  /// next: a killed run goes as far.
+  /// Steps. Each second it flushes the recording with the first levers of the next step, so that a
+  /// killed run can be replayed to that point.
   void Step() {
     run->Step();
     if (terrain) terrain->Write(run->simulation().state().t_ns);
@@ -133,7 +133,7 @@ struct LiveRun::Impl {
     recorder->Finish();
   }
 
-  /// `act`; where it fails, what is kept of the recording is said too.
+  /// Calls `act`. On failure the message also says which part of the recording is kept.
   template <typename Act>
   void Recording(const Act& act) {
     try {
@@ -148,12 +148,12 @@ struct LiveRun::Impl {
   }
 
   std::shared_ptr<const Scenario> scenario;
-  std::vector<RemoteOperator*> operators;  ///< of the run's machines
+  std::vector<RemoteOperator*> operators;  ///< one per machine
   SceneAssembly assembly;
   std::unique_ptr<DatasetWriter> recorder;
   SinkGroup group;
   std::unique_ptr<Run> run;
-  std::unique_ptr<TerrainLog> terrain;  ///< only where there is a recorder
+  std::unique_ptr<TerrainLog> terrain;  ///< only with a recorder
   std::int64_t steps = 0;
 };
 

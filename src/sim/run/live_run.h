@@ -21,25 +21,25 @@ struct LiveOptions {
   std::optional<std::filesystem::path> record;  ///< the dataset to write, new or empty
 };
 
-/// A run that goes step by step as its caller says, its machines driven from outside, its
-/// measurements sent to sinks and, if wanted, recorded as a dataset. `tera replay` gives the
-/// recording again from its commands, byte by byte; one that was stopped, as far as its commands
-/// came to the disk, which all but the last second have.
+/// A run that its caller steps, with machines driven externally and measurements sent to sinks.
+/// Optionally it records a dataset, which `tera replay` reproduces byte for byte from its commands.
+/// A stopped recording replays as far as its commands are on disk; at most the last second is
+/// missing.
 ///
 /// Model   every machine obeys its scenario's operator until its first message (RemoteOperator). A
-///         message acts from the next step on. The run has no end of its own.
+///         message acts from the next step on. The run has no fixed end.
 class LiveRun {
  public:
-  /// Settles the machines and measures what is due at t = 0. The sinks must outlive the run. Throws
-  /// InputError as Generate does.
+  /// Settles the machines and samples at t = 0. The sinks must outlive the run. Throws InputError
+  /// as Generate does.
   LiveRun(std::shared_ptr<const Scenario> scenario, const std::string& resolved_yaml,
           const LiveOptions& options, std::vector<MeasurementSink*> sinks);
-  /// Without Finish, leaves an incomplete recording.
+  /// Leaves an incomplete recording if Finish was not called.
   ~LiveRun();
 
-  /// `message` must be without fault for the machine (FaultOf).
+  /// `message` must have no fault for the machine (FaultOf).
   void Command(std::size_t machine, const ControlMessage& message);
-  /// Throws InputError where the recording cannot be written, and says what is kept of it; so does
+  /// Throws InputError if the recording cannot be written, and names the part that is kept; so does
   /// Finish.
   void Step();
   /// Ends the recording. No step may follow.

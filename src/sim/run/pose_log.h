@@ -11,13 +11,13 @@
 
 namespace tera {
 
-/// Writes where everything was at the rate that the scenario states (`record: {poses_hz}`): each
-/// link, each sensor and each obstacle that moves. Without a rate it writes nothing.
+/// Writes the pose of each link, each sensor and each moving obstacle at the scenario's rate
+/// (`record: {poses_hz}`). Without a rate it writes nothing.
 ///
-/// Frames  X_WB of links and obstacles; X_WS of sensors, S as sensor.yaml has it. A sensor that its
-///         effects put elsewhere has two files: where it is, and where its sensor.yaml says.
-/// Model   between two steps as sensors take it: positions linear, rotations along the shortest
-///         arc. The first row is of the start.
+/// Frames  X_WB of links and obstacles; X_WS of sensors, S as in sensor.yaml. A sensor whose
+///         effects move it has two files: its true pose, and the pose of its sensor.yaml.
+/// Model   interpolation between two steps as for sensors: positions linear, rotations along the
+///         shortest arc. The first row is at the start.
 class PoseLog {
  public:
   PoseLog(const Scenario& scenario, MeasurementSink* sink);
@@ -26,7 +26,7 @@ class PoseLog {
   void Write(const Instant& before, const Instant& after);
 
  private:
-  /// A pose of one instant, that of a body from which it is at a constant pose.
+  /// A pose at a constant offset from a body of an Instant.
   struct Followed {
     ChannelId channel;
     std::function<const Pose&(const Instant&)> X_WB;

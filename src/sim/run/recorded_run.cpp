@@ -36,8 +36,8 @@ MovedFiles Moved(const std::string& text, const std::vector<RecordedInput>& inpu
   return moved;
 }
 
-/// `read` must be among the files that were checked. Which mesh a URDF finds depends on the folders
-/// about it too.
+/// `read` must be among the checked files. The choice of a mesh by a URDF also depends on the
+/// folders around it.
 void RequireAmong(const std::vector<InputFile>& checked, const std::vector<InputFile>& read,
                   const std::filesystem::path& scenario_file) {
   std::set<std::string> known;
@@ -53,8 +53,8 @@ void RequireAmong(const std::vector<InputFile>& checked, const std::vector<Input
   }
 }
 
-/// Its scenario from files that are what they were. What it reads has the names that the recording
-/// gave, wherever it is now.
+/// The recording's scenario from unchanged files. Its inputs keep their recorded names at any
+/// location.
 LoadedScenario ScenarioOf(const std::filesystem::path& recording,
                           const std::vector<std::string>& overrides,
                           const std::vector<std::string>& moved_texts) {
@@ -78,7 +78,7 @@ bool IsAt(const std::filesystem::path& folder, const std::filesystem::path& path
   return std::filesystem::equivalent(folder, path, ignored);
 }
 
-/// Whatever links and `..` the path goes by, and whether it is there yet.
+/// Resolves links and `..`; the path need not exist.
 bool IsInside(const std::filesystem::path& folder, const std::filesystem::path& path) {
   std::error_code error;
   std::filesystem::path above = std::filesystem::weakly_canonical(path, error);

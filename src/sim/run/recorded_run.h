@@ -8,24 +8,24 @@
 
 namespace tera {
 
-/// The scenario of a simulated recording as it was read from input files that are what they were,
-/// but for `overrides` (key.path=value), with which the text is resolved anew. Otherwise as
-/// LoadRecordedRun.
+/// The scenario of a simulated recording, read from unchanged input files except for `overrides`
+/// (key.path=value), with which the text is resolved anew. Otherwise as LoadRecordedRun.
 LoadedScenario LoadRecordedScenario(const std::filesystem::path& directory,
                                     const std::vector<std::string>& overrides,
                                     const std::vector<std::string>& moved);
 
-/// The scenario of a simulated recording, whose machines obey the recorded commands, from input
-/// files that are what they were; also of a run that was stopped, as far as it came. What the
-/// scenario reads keeps the names that the recording gave. `moved` are texts OLD=NEW: an input that
-/// dataset.yaml lists as OLD, or below the folder OLD, is now at NEW. Throws InputError where an
-/// input is missing, has changed or was not read by the recorded run, and where the recording is a
-/// real one.
+/// The scenario of a simulated recording from unchanged input files, with machines that obey the
+/// recorded commands. A stopped run is read up to its last state. Inputs keep their recorded names.
+/// `moved` are texts OLD=NEW: an input that dataset.yaml lists as OLD, or below the folder OLD, is
+/// found at NEW.
+///
+/// Throws  InputError if an input is missing, has changed or was not read by the recorded run, and
+///         if the recording is a real one.
 LoadedScenario LoadRecordedRun(const std::filesystem::path& directory,
                                const std::vector<std::string>& moved);
 
-/// Throws InputError where a dataset at `out`, or its incomplete one, would be written to the
-/// recording that is replayed or inside it: the recording may be all that is left of the run.
+/// Throws InputError if a dataset at `out`, or its incomplete one, would lie at or inside the
+/// replayed recording, which may be the only copy of the run.
 void RequireAnotherPlace(const std::filesystem::path& recording, const std::filesystem::path& out);
 
 }  // namespace tera

@@ -73,7 +73,7 @@ void CommandAsFarAsRecorded(const std::filesystem::path& directory, Scenario* sc
     steps = std::min(steps, table.t_ns.size());
     machine.driver = Replayed(std::move(table), machine.placement, (directory / file).string());
   }
-  // The levers in force at the end are a row of their own.
+  // The levers in force at the end form a row of their own.
   if (steps < 2) {
     throw InputError(
         directory.string(),

@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// The scenario's files and those that its meshes name, in order of their names.
+/// The scenario's files and those that its meshes name, sorted by name.
 std::vector<InputFile> InputsOf(const Scenario& scenario, const SceneModel& scene) {
   std::vector<InputFile> inputs = scenario.inputs;
   std::set<std::string> places;

@@ -12,24 +12,22 @@
 
 namespace tera {
 
-/// What dataset.yaml says of a run of `scenario`. `resolved_yaml` is as Config::ResolvedYaml gives
-/// it. Reads every input for its digest; throws InputError where one cannot be read.
+/// The dataset.yaml contents for a run of `scenario`. `resolved_yaml` is from Config::ResolvedYaml.
+/// Reads every input for its digest; throws InputError if one is unreadable.
 DatasetInfo InfoOf(const Scenario& scenario, const std::string& resolved_yaml,
                    const SceneModel& scene);
 
-/// A scenario under way: bodies and soil, what really happens to them, and what the sensors
-/// measure of it, step by step into a sink.
+/// A running scenario: bodies, soil, truth and sensors, written step by step into a sink.
 class Run {
  public:
-  /// Settles the machines and samples what is due at the start. Keeps references to all but `egl`.
+  /// Settles the machines and samples at the start. Keeps references to all arguments except `egl`.
   Run(const Scenario& scenario, Operators operators, const SceneAssembly& assembly,
       const EglOptions& egl, int threads, MeasurementSink* sink);
 
   void Step();
-  /// Takes one step more, and of it writes only what belongs to its start: the state at the end,
-  /// whose rates are the mean of those before and after it, the levers in force from there on,
-  /// inertial samples, and pictures that are still being taken. So all that a run writes is the
-  /// beginning of what a longer one does. No step may follow.
+  /// Takes one more step but writes only the data at its start: the final state, the levers in
+  /// force, inertial samples, and unfinished pictures. The final state's rates average those before
+  /// and after it. A run's output is thus a prefix of a longer run's. No step may follow.
   void Finish();
 
   const Simulation& simulation() const { return simulation_; }

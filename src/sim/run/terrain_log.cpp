@@ -34,7 +34,7 @@ void TerrainLog::WriteAll(const std::string& when) {
     return writer_->PathFor(fmt::format("truth/terrain/{}_{}.{}", name, when, ending));
   };
   for (const GroundRaster raster : scenario_.record.rasters) {
-    if (when == kStart && IsChange(raster)) continue;  // nothing yet
+    if (when == kStart && IsChange(raster)) continue;  // no change at the start
     ground_.WriteGeoTiff(path(NameOf(raster), "tif"), raster, scenario_.origin,
                          scenario_.record.columns_per_pixel);
   }

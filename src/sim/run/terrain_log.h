@@ -7,24 +7,24 @@
 
 namespace tera {
 
-/// Writes what a recording keeps of the ground (TerrainRecord) to truth/terrain/.
+/// Writes a recording's ground records (TerrainRecord) to truth/terrain/.
 class TerrainLog {
  public:
-  /// Keeps references. Changes count from the start of the simulation whose `ground` it is.
+  /// Keeps references. Changes are relative to the start of the simulation of `ground`.
   TerrainLog(const Scenario& scenario, const Soil& ground, DatasetWriter* writer);
 
-  /// After each step, which led to `t_ns`.
+  /// Call after each step; `t_ns` is its end.
   void Write(TimeNs t_ns);
   void Finish();
 
  private:
-  /// All files, their names ending in `when`.
+  /// Writes all files, with names that end in `when`.
   void WriteAll(const std::string& when);
 
   const Scenario& scenario_;
   const Soil& ground_;
   DatasetWriter* writer_;
-  std::int64_t next_ = 1;  ///< of the multiples of the period
+  std::int64_t next_ = 1;  ///< next multiple of the period
 };
 
 }  // namespace tera

@@ -8,21 +8,21 @@
 
 namespace tera {
 
-/// The channels of what really happens in a scenario, in their order: of each machine commands,
-/// pose, joints and cylinders, of each obstacle its bed.
+/// The truth channels of a scenario, in order: commands, pose, joints and cylinders of each
+/// machine, then the bed of each obstacle.
 std::vector<ChannelInfo> TruthChannels(const Scenario& scenario);
 
-/// Writes what really happened: commands of every machine, poses, joints, loads and cylinders, and
-/// what lies in the beds of obstacles.
+/// Writes the truth: commands of every machine, poses, joints, loads and cylinders, and the loads
+/// of obstacles' beds.
 ///
-/// Model   one row for each step. The physics step finds the rates that carry the pose from one
-///         row to the next, so that those of the middle between two steps are known; a row holds
-///         the mean of the rates before and after it, which is second order at its own time.
+/// Model   one row for each step. The physics step gives the rates that carry the pose from one row
+///         to the next, valid midway between them. A row holds the mean of the rates before and
+///         after it, which is second order at its own time.
 class TruthLog {
  public:
   TruthLog(const Scenario& scenario, MeasurementSink* sink);
 
-  /// The state `before` a step that led to `after`, and the levers in force in between.
+  /// The state `before` a step, the state `after` it, and the levers in force in between.
   void Write(const Instant& before, const Instant& after);
 
  private:
@@ -34,9 +34,9 @@ class TruthLog {
   void WriteStates(const Instant& now, const Instant& next);
 
   MeasurementSink* sink_;
-  std::size_t soils_;  ///< how many soils the site has
+  std::size_t soils_;  ///< number of the site's soils
   std::vector<Channels> channels_;
-  std::vector<std::optional<ChannelId>> beds_;  ///< of each obstacle
+  std::vector<std::optional<ChannelId>> beds_;  ///< one per obstacle
 };
 
 }  // namespace tera

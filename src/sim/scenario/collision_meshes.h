@@ -5,9 +5,8 @@
 
 namespace tera {
 
-/// Turns the collision meshes of a machine's links into boxes: each the box around its mesh along
-/// the axes of the mesh's own frame, 1 mm thick at least. A file that cannot be read is a fault of
-/// `urdf` in `config`.
+/// Replaces the collision meshes of a machine's links by boxes along the axes of each mesh's own
+/// frame, at least 1 mm thick. An unreadable file is a fault of `urdf` in `config`.
 void SetCollisionMeshes(const ConfigMap& config, MachineModel* model);
 
 }  // namespace tera

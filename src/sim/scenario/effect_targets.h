@@ -10,11 +10,11 @@
 
 namespace tera {
 
-/// Something of a machine that mechanisms act on, by its name in YAML.
+/// A target of mechanisms on a machine, by its name in YAML.
 struct NamedTarget {
-  std::string name;  ///< of a joint, running gear, pump, sensor or axis, "encoders/boom"; "base"
+  std::string name;  ///< joint, running gear, pump, sensor or axis, "encoders/boom"; "base"
   EffectTarget kind;
-  std::span<const Mechanism> library;  ///< in which its mechanisms are
+  std::span<const Mechanism> library;  ///< library of its mechanisms
 };
 
 /// The target of the whole machine's motion.
@@ -24,7 +24,7 @@ inline constexpr std::string_view kBaseTarget = "base";
 std::vector<NamedTarget> TargetsOf(const MachineModel& model,
                                    const std::vector<SensorDescription>& sensors);
 
-/// Whether a mapping stands at `key`, if anything; a word or a number there is a fault.
+/// True if `key` has a mapping or is absent. A word or a number there is a fault.
 bool IsMappingOf(std::string_view need, const ConfigMap& config, std::string_view key);
 
 }  // namespace tera

@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// The rectangle of ground that something takes up.
+/// An occupied rectangle of ground.
 ///
 /// Frames  W; turned by `yaw_rad` from x towards y.
 struct Footprint {
@@ -20,8 +20,8 @@ struct Footprint {
   std::array<Vec2, 4> Corners_W_m() const;
 };
 
-/// Whether two come nearer to each other than `gap_m`, by the axes that may separate them; at
-/// corners that face each other a little sooner.
+/// Whether two footprints are closer than `gap_m`, by the separating axes. Facing corners count as
+/// closer a little sooner.
 ///
 /// Source  Gottschalk, Lin and Manocha 1996, "OBBTree", for the test.
 bool Meet(const Footprint& a, const Footprint& b, double gap_m);

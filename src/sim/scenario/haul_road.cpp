@@ -8,21 +8,21 @@
 namespace tera {
 namespace {
 
-constexpr double kBeyond_m = 500;  // it goes on over the site's border, as roads do
+constexpr double kBeyond_m = 500;  // the road continues beyond the site's border
 
 Vec2 LeftOf(const Vec2& from_m, const Vec2& to_m) {
   const Vec2 way = (to_m - from_m).normalized();
   return {-way.y(), way.x()};
 }
 
-/// A point of the middle line, and the way to its left.
+/// A point of the middle line, and the direction to its left.
 struct Station {
   double way_m;
   Vec2 p_m, left;
 };
 
-/// Stations along the middle from `before_m` ahead of its begin to as far past its end, its bend
-/// rounded over `round_m` on each leg.
+/// Stations along the middle line from `before_m` ahead of its begin to as far past its end. The
+/// bend is rounded over `round_m` on each leg.
 std::vector<Station> StationsOf(const HaulRoad& road, double before_m, double step_m,
                                 double round_m) {
   const Vec2 first = road.bend_m - road.begin_m, last = road.end_m - road.bend_m;
@@ -34,7 +34,7 @@ std::vector<Station> StationsOf(const HaulRoad& road, double before_m, double st
     if (std::abs(from_bend_m) >= reach_m) {
       return Vec2(road.bend_m + from_bend_m * (from_bend_m < 0 ? in : out));
     }
-    // A parabola that leaves both legs along them (a Bezier curve of the second degree).
+    // A parabola tangent to both legs (a Bezier curve of the second degree).
     const double t = 0.5 * (from_bend_m / reach_m + 1);
     return Vec2(road.bend_m - (1 - t) * (1 - t) * reach_m * in + t * t * reach_m * out);
   };
@@ -117,7 +117,7 @@ std::vector<Windrow> WindrowsOf(const HaulRoad& road, double least_m, double mos
         const double height_m = least_m + (most_m - least_m) * shares(drawn++);
         const double aside_m = side * (0.5 * road.width_m + 0.5 * (shares(drawn++) - 0.3));
         const Vec2 out_m = aside_m * LeftOf(from_m, to_m);
-        if (end_m - way_m >= kShortest_m) {  // the last one may find no room
+        if (end_m - way_m >= kShortest_m) {  // the last ridge may not fit
           windrows.push_back(
               {from_m + way_m * along + out_m, from_m + end_m * along + out_m, height_m});
         }

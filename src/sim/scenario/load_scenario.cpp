@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// Lays what `randomise:` draws over the scenario, and takes it out of what is written.
+/// Overlays the values that `randomise:` draws, and removes it from the written text.
 void LayEpisode(std::uint64_t episode, Config* config) {
   const ConfigMap root = config->root();
   if (!root.Has("randomise")) {
@@ -29,7 +29,7 @@ void LayEpisode(std::uint64_t episode, Config* config) {
                     root.Place("randomise")});
   config->LayOver(values);
   config->LeaveOut("randomise");
-  config->LeaveOut("seed");  // which is read again in its order
+  config->LeaveOut("seed");  // read again later, to keep the order of the text
 }
 
 }  // namespace

@@ -10,17 +10,18 @@
 
 namespace tera {
 
-/// A valid scenario and the text that gives it again.
+/// A valid scenario and its complete text.
 struct LoadedScenario {
   Scenario scenario;
   std::string resolved_yaml;
 };
 
-/// Reads a scenario with `key.path=value` overrides; below them, over the scenario's own, the
-/// mapping `effects:` of each file of `effects`, the later above the earlier. Throws InputError
-/// with every fault. Files that it names may have `moved`. What the scenario's `randomise:` draws
-/// for an episode (randomise.h) lies below the overrides; the text has the values in place, and
-/// what they were drawn for under `drawn:`.
+/// Reads a scenario. Layers, the highest first: `overrides` (key.path=value); the mapping
+/// `effects:` of each file of `effects`, later files above earlier ones; the values that
+/// `randomise:` draws for the episode (randomise.h); the scenario. The text contains the drawn
+/// values, and lists them under `drawn:`. Files that the scenario names may have `moved`.
+///
+/// Throws  InputError with every fault.
 LoadedScenario LoadScenario(const std::filesystem::path& file,
                             const std::vector<std::string>& overrides,
                             const std::vector<std::string>& effects = {},

@@ -15,7 +15,7 @@
 namespace tera {
 namespace {
 
-/// Height and tilt of the ground under a rectangle of half extents `half_m` about `xy`.
+/// Height and tilt of the ground under a rectangle of half extents `half_m` about `xy_m`.
 Pose RestingPose(const TerrainSurface& ground, const Vec2& xy_m, double yaw_rad,
                  const Vec2& half_m) {
   const Mat3 R_yaw = RotationFromRpy(0, 0, yaw_rad);
@@ -44,7 +44,7 @@ Vec2 FootprintHalf(const MachineModel& model) {
   return half;
 }
 
-/// What a key of a machine's start says, of joints that turn or of those that slide.
+/// A start key's meaning, for turning or for sliding joints.
 struct StartPlaces {
   std::string_view key, unit, other_key;
   bool slide;
@@ -53,7 +53,7 @@ struct StartPlaces {
 constexpr StartPlaces kStartPlaces[] = {{"joints_deg", "deg", "joints_m", false, kDeg},
                                         {"joints_m", "m", "joints_deg", true, 1}};
 
-/// The joint that a start names, if it moves as the key says.
+/// The joint that a start names, if it is of the key's kind.
 std::optional<int> JointOfStart(const ConfigMap& start, const StartPlaces& places,
                                 const std::string& name, const MachineModel& model) {
   const int joint = model.JointIndex(name);
@@ -81,12 +81,12 @@ std::optional<int> JointOfStart(const ConfigMap& start, const StartPlaces& place
   return joint;
 }
 
-/// Angles or, of prismatic joints, ways.
+/// Angles, or positions of prismatic joints.
 void ReadStartPlaces(const ConfigMap& start, const MachineModel& model, std::vector<double>* q) {
   for (const StartPlaces& places : kStartPlaces) {
     const std::size_t before = FaultCount(start);
     const auto given = start.NamedNumbers(places.key, Any(std::string(places.unit)));
-    if (FaultCount(start) != before) continue;  // what is no number has no limits
+    if (FaultCount(start) != before) continue;  // a faulty value needs no check of its limits
     for (const auto& [name, value] : given) {
       const std::optional<int> joint = JointOfStart(start, places, name, model);
       if (!joint) continue;

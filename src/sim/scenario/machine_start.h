@@ -6,12 +6,12 @@
 
 namespace tera {
 
-/// Where a machine begins, by its key `start`: place and heading on the level, angles of its joints
-/// (`joints_deg`) and, of those that slide, ways (`joints_m`). A joint that there is not, that
-/// moves otherwise than its key says, follows another or would be beyond its limits is a fault.
+/// Reads a machine's `start`: position and heading, joint angles (`joints_deg`) and, for sliding
+/// joints, positions (`joints_m`). A joint is a fault if it is unknown, of the other kind, a
+/// follower, or beyond its limits.
 void ReadStart(const ConfigMap& config, MachinePlacement* placement);
 
-/// Sets a machine down at its place: height and tilt of the ground under its tracks or wheels.
+/// Sets height and tilt of a machine from the ground under its tracks or wheels.
 void SetOnGround(const TerrainSurface& ground, MachinePlacement* placement);
 
 }  // namespace tera

@@ -20,15 +20,15 @@
 namespace tera {
 namespace {
 
-constexpr std::uint32_t kMostTries = 1000;  ///< of a free place
+constexpr std::uint32_t kMostTries = 1000;  ///< for a free place
 constexpr double kMostOfAKind = 100;
 /// Run over rise of a heap's foot: the shallowest repose of the shipped soils is about 30 deg.
 constexpr double kFootOverHeight = 1.8;
 
 constexpr double kFurthest_m = 1e5;
-constexpr double kGauge_m = 2, kRut_m = 0.35;  ///< of tracks, where an entry does not say
+constexpr double kGauge_m = 2, kRut_m = 0.35;  ///< default track dimensions
 
-/// Draws one kind after the other, and remembers what is taken.
+/// Draws one kind after the other and keeps track of occupied places.
 class SitePlanner {
  public:
   SitePlanner(const ConfigMap& entry, const SiteDraw& draw);
@@ -56,9 +56,9 @@ class SitePlanner {
   }
   Spread SpreadAt(const ConfigMap& config, const char* key, const Range& range) const;
   int Count(const ConfigMap& config, const std::string& kind) const;
-  /// One of a list; of an empty one, which is a fault, nothing is drawn.
+  /// One of a list; nothing for an empty list, which is a fault.
   std::string OneOf(const ConfigMap& config, const char* key, const Stream& stream);
-  /// A free place for a rectangle, which is then taken; a fault and nothing where there is none.
+  /// Reserves a free place for a rectangle; a fault and nothing if there is none.
   std::optional<Footprint> Place(const ConfigMap& config, const std::string& kind,
                                  const Stream& stream, const Vec2& half_m, bool follows_road);
   bool IsWithin(const Vec2& p_W_m) const;
@@ -134,7 +134,7 @@ std::optional<Footprint> SitePlanner::Place(const ConfigMap& config, const std::
                                             const Stream& stream, const Vec2& half_m,
                                             bool follows_road) {
   if (reads_only_) return std::nullopt;
-  constexpr double kStray_rad = 4 * kDeg, kAcross = 0.25;  // share of those across the road
+  constexpr double kStray_rad = 4 * kDeg, kAcross = 0.25;  // share placed across the road
   for (std::uint32_t k = 0; k < kMostTries; ++k) {
     const auto draw = [&](std::uint32_t what) { return Share(stream, kPlaces + 4 * k + what); };
     Footprint wanted{.middle_W_m = Vec2(x_m_.At(draw(0)), y_m_.At(draw(1))),
@@ -159,7 +159,7 @@ void SitePlanner::ForEach(const char* kind, const DrawOne& draw_one) {
   const auto config = entry_.OptionalMap(kind);
   if (!config) return;
   const int count = Count(*config, kind);
-  // Even of none the keys are read, so that a mistyped one is told in every episode.
+  // The keys are read even for a count of zero, so that every episode reports typing errors.
   reads_only_ = count == 0;
   for (int n = 1; n <= std::max(count, 1); ++n) {
     draw_one(*config, StreamOf(fmt::format("{}/{}", kind, n)), n);
@@ -168,7 +168,7 @@ void SitePlanner::ForEach(const char* kind, const DrawOne& draw_one) {
 
 double Degrees(double yaw_rad) { return std::remainder(yaw_rad, 2 * kPi) / kDeg; }
 
-/// From one side of the area to the other, with one bend in the middle.
+/// A road from one side of the area to the other, with one bend in the middle.
 void SitePlanner::Road() {
   const auto config = entry_.OptionalMap("haul_road");
   if (!config) return;
@@ -196,7 +196,7 @@ void SitePlanner::Road() {
   }
 }
 
-/// Soil that was spilled or spread, under all else.
+/// Spilled or spread soil, below all other things.
 void SitePlanner::Patches() {
   ForEach("patches", [&](const ConfigMap& config, const Stream& stream, int) {
     const double size_m =
@@ -211,7 +211,7 @@ void SitePlanner::Patches() {
   });
 }
 
-/// Ruts of machines that came in over one of the sides and went on as they liked.
+/// Ruts of machines that entered over a side and took a random path.
 void SitePlanner::Tracks() {
   ForEach("tracks", [&](const ConfigMap& config, const Stream& stream, int) {
     const auto [gauge_m, rut_m] = ReadRutSize(config, kGauge_m, kRut_m);
@@ -237,8 +237,8 @@ void SitePlanner::Tracks() {
   });
 }
 
-/// Its soil, its ruts and the ridges along it, as far as these are asked for. Returns how far those
-/// reach beyond its edges.
+/// Adds the road's soil, ruts and ridges, if requested. Returns their reach beyond the road's
+/// edges.
 double SitePlanner::DressRoad(const ConfigMap& config, const HaulRoad& road,
                               const std::string& soil) {
   const auto shares = [&](const std::string& of) -> ShareRow {
@@ -255,7 +255,7 @@ double SitePlanner::DressRoad(const ConfigMap& config, const HaulRoad& road,
     const double aside_m = std::max(0.5 * (road.width_m - gauge_m - rut_m), 0.0);
     for (int n = 1; n <= count; ++n) {
       const ShareRow share = shares(fmt::format("ruts/{}", n));
-      constexpr std::uint32_t kDepth = 5000;  // behind those of its path
+      constexpr std::uint32_t kDepth = 5000;  // after those of its path
       ruts_.push_back(fmt::format("{{path_m: {}, gauge_m: {}, width_m: {}, depth_m: {:.4f}}}",
                                   OutlineText(PathAlong(road, aside_m, share)), gauge_m, rut_m,
                                   depth_m.At(share(kDepth))));

@@ -9,28 +9,27 @@
 
 namespace tera {
 
-/// What a site is drawn from.
+/// Inputs of a random site.
 struct SiteDraw {
   std::uint64_t seed = 0, episode = 0;
-  /// What stands there already: the scenario as it is written, and what other entries drew before.
+  /// Existing things: the scenario as written, and the draws of other entries.
   const ConfigMap* scenario = nullptr;
   const std::vector<Config::GivenValue>* drawn = nullptr;
 };
 
-/// The ground and the things of a building site, drawn at random: values for `terrain.regions`,
-/// `terrain.pits`, `terrain.ruts`, `terrain.piles` and `obstacles`, each the scenario's own list
-/// and behind it what is drawn, as pairs of key and YAML.
+/// The ground and the things of a building site, drawn at random. Returns pairs of key and YAML for
+/// `terrain.regions`, `terrain.pits`, `terrain.ruts`, `terrain.piles` and `obstacles`. Each value
+/// is the scenario's own list followed by the drawn items.
 ///
 /// Frames  W.
-/// Model   A haul road crosses the area `x_m`, `y_m` with one bend; trenches, berms, stockpiles,
-///         runs of fence panels, and parked or strewn things follow, one after the other, each as
-///         the rectangle that it takes up, at a place where it keeps `gap_m` from all others, from
-///         the obstacles and piles that the scenario has, and `clear_m` from where machines start.
-///         Each has its own stream, "randomise/site/<kind>/<number>", so that how many of one kind
-///         there are moves another only where both want one place. Berms and fences run along
-///         the road, if there is one, or across it.
-/// Omits   that a drawn obstacle stands on a slope, that a pile's foot reaches further downhill.
-/// Faults  at the entry: what is no such key, and where no free place is found.
+/// Model   A haul road crosses the area `x_m`, `y_m` with one bend. Trenches, berms, stockpiles,
+///         runs of fence panels, and parked or scattered things follow in this order. Each occupies
+///         a rectangle at a free place: `gap_m` from all others and from the scenario's obstacles
+///         and piles, and `clear_m` from machine starts. Each has its own stream,
+///         "randomise/site/<kind>/<number>", so the count of one kind moves another only if both
+///         want the same place. Berms and fences run along the road, if there is one, or across it.
+/// Omits   slopes under drawn obstacles, and the longer downhill foot of a pile.
+/// Faults  at the entry: unknown keys, and things without a free place.
 std::vector<std::pair<std::string, std::string>> DrawSite(const ConfigMap& entry,
                                                           const SiteDraw& draw);
 

@@ -20,7 +20,7 @@
 namespace tera {
 namespace {
 
-constexpr int kMostDraws = 1000;  ///< of a place that is far enough from all others
+constexpr int kMostDraws = 1000;  ///< tries for a place that keeps its distance from all others
 constexpr std::array<std::string_view, 5> kKinds = {"key", "together", "keys", "places", "site"};
 constexpr std::array<std::string_view, 5> kOfKey = {"uniform", "log_uniform", "normal", "integer",
                                                     "choice"};
@@ -71,7 +71,7 @@ class Draw {
   std::vector<Config::GivenValue> values_;
 };
 
-/// The key of `entry` that is one of several; a fault where there is none, or more.
+/// The only one of `keys` in `entry`; a fault if there is none, or more.
 std::optional<std::string_view> OneOf(const ConfigMap& entry,
                                       std::span<const std::string_view> keys) {
   std::optional<std::string_view> found;
@@ -97,7 +97,7 @@ void Draw::Entry(const ConfigMap& entry) {
   if (*kind == "site") WholeSite(entry);
 }
 
-/// The index that is drawn of `count`, by `weights` if there are any.
+/// A random index below `count`, by `weights` if there are any.
 std::size_t Draw::Chosen(const ConfigMap& entry, std::size_t count, const Stream& stream) const {
   if (count == 0) return 0;
   std::vector<double> weights(count, 1.0);
@@ -115,7 +115,7 @@ std::size_t Draw::Chosen(const ConfigMap& entry, std::size_t count, const Stream
   return count - 1;
 }
 
-/// A normal number, cut by `within`, with the share of its distribution below it.
+/// A normal number, cut by `within`. `share` is its cumulative probability.
 double Draw::Normal(const ConfigMap& entry, double share) const {
   const std::vector<double> of = entry.Numbers("normal", Any(""), 2, 2);
   if (of.size() != 2 || of[1] <= 0) {
@@ -135,7 +135,7 @@ double Draw::Normal(const ConfigMap& entry, double share) const {
       return of[0];
     }
   }
-  // Far out in a tail shares round to 0 or 1, where the quantile is infinite.
+  // Far out in a tail, shares round to 0 or 1, where the quantile is infinite.
   constexpr double kLeast = std::numeric_limits<double>::min();
   constexpr double kMost = 1 - std::numeric_limits<double>::epsilon() / 2;
   const double drawn = quantile(normal, std::clamp(below.At(share), kLeast, kMost));
@@ -156,7 +156,7 @@ void Draw::OneKey(const ConfigMap& entry) {
   } else if (*kind == "normal") {
     Give(entry, key, NumberText(Normal(entry, share)));
   } else if (*kind == "integer") {
-    constexpr double kLargest = 9e15;  // whole numbers that doubles hold
+    constexpr double kLargest = 9e15;  // integers that doubles hold exactly
     const Interval of = IntervalAt(entry, "integer", Between(-kLargest, kLargest, ""));
     const double drawn = std::floor(of.lower) + std::floor(share * (of.upper - of.lower + 1));
     if (of.lower != std::floor(of.lower) || of.upper != std::floor(of.upper)) {
@@ -203,7 +203,7 @@ void Draw::Correlated(const ConfigMap& entry) {
   const auto n = static_cast<Eigen::Index>(count);
   const Eigen::MatrixXd alike = Eigen::MatrixXd::Constant(n, n, correlation) +
                                 (1 - correlation) * Eigen::MatrixXd::Identity(n, n);
-  // Of a semidefinite matrix too: all alike where the correlation is 1.
+  // Also handles a semidefinite matrix: all numbers are equal at a correlation of 1.
   const auto factor = alike.ldlt();
   Eigen::VectorXd drawn(n);
   const Stream stream = StreamOf(fmt::format("{}", fmt::join(keys, " ")));
@@ -267,7 +267,7 @@ void Draw::WholeSite(const ConfigMap& entry) {
   for (auto& [key, yaml] : DrawSite(site, draw)) {
     lists.push_back({key, std::move(yaml), fmt::format("{} (drawn)", entry.Place())});
   }
-  // Below what others draw for items of the same lists.
+  // Below the draws of other entries for items of the same lists.
   values_.insert(values_.begin(), lists.begin(), lists.end());
 }
 

@@ -9,15 +9,14 @@
 
 namespace tera {
 
-/// `effects:` of a scenario, for all its machines; without a value where it has none.
+/// `effects:` of a scenario, for all its machines; nothing without the key.
 std::optional<ConfigMap> ReadScenarioEffects(const ConfigMap& scenario);
 
 /// Reads the effects of one machine into its model and its sensors: `effects:` of the machine's
 /// mapping and, over it, the mapping of the machine's name in `scenario_effects`. Targets are the
 /// names of joints, running gears, pumps and sensors, of one axis of a set of encoders
-/// "encoders/boom", and `base` for the motion of the whole machine. Faults go to the mappings, each
-/// to the one that has what is wrong. What effects come to is judged only where the machine's own
-/// description is `sound`.
+/// "encoders/boom", and `base` for the motion of the whole machine. Each fault goes to its own
+/// mapping. The combined effects are checked only if the machine's own description is `sound`.
 void ReadMachineEffects(const ConfigMap& machine, const std::optional<ConfigMap>& scenario_effects,
                         const std::string& name, bool sound, MachineModel* model,
                         std::vector<SensorDescription>* sensors);

@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-/// Mechanisms of how tracks slip, which the soil's shear brings about by itself.
+/// Mechanisms of track slip, which the soil's shear already produces.
 constexpr std::string_view kOfSlip[] = {"track_slip",      "slope_slip", "side_slip",
                                         "effective_gauge", "icr_shift",  "rolling_resistance",
                                         "digging_force"};
@@ -25,13 +25,13 @@ GroundModel ReadGroundModel(const ConfigMap& config) {
   return GroundModel::kTerramechanics;
 }
 
-/// Reports something of an effect of the base, which the machine of the entry `config` has.
+/// Reports a fault of a base effect of the machine in the entry `config`.
 void FaultOfBase(const ConfigMap& config, std::string_view mechanism, const std::string& finding) {
   const ConfigMap base = config.MapOrFile("machine").Map("effects").Map("base");
   base.Fault(mechanism, fmt::format("'{}' {}", mechanism, finding));
 }
 
-/// Whether the root stands on running gear to its left and to its right.
+/// Whether the root stands on running gear on its left and its right.
 bool StandsOnTracks(const MachineModel& model) {
   bool left = false, right = false, on_root = true;
   for (std::size_t g = 0; g < model.ground_tools.gears.size(); ++g) {
@@ -41,7 +41,7 @@ bool StandsOnTracks(const MachineModel& model) {
   return left && right && on_root && model.gauge_m > 0 && !model.fixed_base;
 }
 
-/// The force on a tool of the root link is not told from that on the running gear.
+/// The force on a tool of the root link cannot be separated from that on the running gear.
 void CheckTools(const ConfigMap& config, const MachineModel& model) {
   for (const Shovel& shovel : model.ground_tools.shovels) {
     if (shovel.link != 0) continue;

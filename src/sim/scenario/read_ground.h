@@ -6,17 +6,17 @@
 
 namespace tera {
 
-/// Reads `ground` of a scenario's machine, whose effects `model` has already, and lays down how it
-/// meets the soil. Faults go to `config`, the machine's entry: another word, a machine without left
-/// and right running gear; and to effects of tracks that the choice has no place for.
+/// Reads `ground` of a scenario's machine and sets its soil contact model. `model` must already
+/// have its effects. Faults go to `config`, the machine's entry: an unknown word, a machine without
+/// left and right running gear, and track effects that the choice does not support.
 void ReadGround(const ConfigMap& config, MachineModel* model);
 
-/// Reports a terrain_height among the effects of `model`, the machine of the entry `config`, that
-/// lies wholly beyond `site`.
+/// Reports terrain_height effects of `model`, the machine of the entry `config`, that lie wholly
+/// off `site`.
 void CheckRaisedGround(const ConfigMap& config, const MachineModel& model,
                        const TerrainSurface& site);
 
-/// Raises the ground as terrain_height among the effects of `model` says.
+/// Raises the ground by the model's terrain_height effects.
 void RaiseGround(const MachineModel& model, Site* site);
 
 }  // namespace tera

@@ -17,7 +17,7 @@
 namespace tera {
 namespace {
 
-constexpr double kLowSun_deg = 2;  ///< below it the sky's own model does not hold
+constexpr double kLowSun_deg = 2;  ///< the sky model does not hold below it
 constexpr double kLampLight_klx = 0.03;
 constexpr double kSunAzimuth_deg = 150, kSunElevation_deg = 42;  ///< a fair morning
 
@@ -31,7 +31,7 @@ Vec3 ReadToSun(const ConfigMap& config) {
           std::cos(azimuth_rad) * std::cos(elevation_rad), std::sin(elevation_rad)};
 }
 
-/// What a light meter on level ground says, and no less than under the lamps of a site.
+/// Exposure value of a light meter on level ground, at least that under a site's lamps.
 double MeteredEv100(const Environment& environment) {
   const double sin_height = std::max(environment.to_sun_W.z(), 0.0);
   const double sky_klx = ClearSkyIlluminance_lx(std::asin(environment.to_sun_W.z())) / 1000;
@@ -41,7 +41,8 @@ double MeteredEv100(const Environment& environment) {
   return Ev100OfIlluminance(std::max(left * level_klx, kLampLight_klx));
 }
 
-/// The sun's place and light at a time, and the sky's where the sun's place does not give it.
+/// Sets the sun's position and light at a time, and the sky's light if the sun's position does not
+/// give it.
 void SetDaylight(const ConfigMap& config, const SiteOrigin& origin, Environment* environment) {
   const std::string text = config.Text("time");
   for (const char* key : {"sun_azimuth_deg", "sun_elevation_deg"}) {

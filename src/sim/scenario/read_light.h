@@ -12,13 +12,13 @@
 
 namespace tera {
 
-/// The key `environment` of a scenario: sun, sky and air.
+/// Reads the key `environment` of a scenario: sun, sky and air.
 Environment ReadEnvironment(const ConfigMap& config, const SiteOrigin& origin);
 
 /// The scenario's machine of that name, or null.
 using MachineOfName = std::function<const MachineModel*(const std::string& name)>;
 
-/// The key `lamps` of a scenario.
+/// Reads the key `lamps` of a scenario.
 std::vector<ScenarioLamp> ReadLamps(const ConfigMap& config, const MachineOfName& machine_of);
 
 }  // namespace tera

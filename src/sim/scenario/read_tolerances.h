@@ -10,17 +10,16 @@
 
 namespace tera {
 
-/// `tolerances:` of a scenario, for all its machines; without a value where it has none.
+/// `tolerances:` of a scenario, for all its machines; nothing without the key.
 std::optional<ConfigMap> ReadScenarioTolerances(const ConfigMap& scenario);
 
-/// Reads what the owner of one machine takes as expected: `tolerances:` of the machine's mapping
-/// and, over it, the mapping of the machine's name in `scenario_tolerances`. Each is written as the
-/// effect of that mechanism would be, with half widths in place of numbers, of any of its
-/// parameters:
+/// Reads the tolerances of one machine: `tolerances:` of the machine's mapping and, over it, the
+/// mapping of the machine's name in `scenario_tolerances`. The syntax is that of effects, with half
+/// widths as the values of any parameters:
 ///
 ///     tolerances: {boom: {rate_gain: {gain: 0.06}}, imu_boom: {mount_rotation: {roll_deg: 0.5}}}
 ///
-/// Faults, negative and unknown ones included, go to the mappings.
+/// Faults, including negative and unknown values, go to the mappings.
 Tolerances ReadMachineTolerances(const ConfigMap& machine,
                                  const std::optional<ConfigMap>& scenario_tolerances,
                                  const std::string& name, const MachineModel& model,

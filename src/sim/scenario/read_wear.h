@@ -5,8 +5,7 @@
 
 namespace tera {
 
-/// The mapping `wear` of a scenario, a machine or an obstacle: what it leaves out is as in
-/// `of_all`.
+/// Reads the mapping `wear` of a scenario, a machine or an obstacle. `of_all` has the defaults.
 Wear ReadWear(const ConfigMap& config, const Wear& of_all);
 
 }  // namespace tera

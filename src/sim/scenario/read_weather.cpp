@@ -14,7 +14,7 @@ namespace {
 constexpr double kMostWind_mps = 40, kMostRain_mmph = 200;
 constexpr double kMostWater_m = 0.5, kMostSnow_m = 0.5;
 constexpr double kMostCells = 4e6;
-constexpr double kLeastCloud = 0.5;  ///< under which rain falls
+constexpr double kLeastCloud = 0.5;  ///< smallest cloud cover with rain
 constexpr double kWarmestSnow_degc = 5, kColdestRain_degc = -10;
 constexpr double kVisibleContrast = 0.02;  ///< Koschmieder's
 
@@ -66,7 +66,7 @@ void CheckSky(const ConfigMap& config, const Environment& environment) {
                            kLeastCloud));
 }
 
-/// Visibility through fog and rain at once: extinctions add.
+/// Visibility through fog and rain together: extinctions add.
 double VisibilityInRain_m(double visibility_m, const Rain& rain) {
   const double one_m = -std::log(kVisibleContrast);
   return one_m / (one_m / visibility_m + rain.Extinction_1pm());

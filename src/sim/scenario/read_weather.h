@@ -5,8 +5,8 @@
 
 namespace tera {
 
-/// Wind, rain, snow and dust of the key `environment`; rain takes its part of the visibility of
-/// `environment`, whose sky is known. Weather that contradicts itself is a fault.
+/// Reads wind, rain, snow and dust of the key `environment`. Rain reduces the visibility of
+/// `environment`, whose sky is already read. Contradictory weather is a fault.
 void ReadWeather(const ConfigMap& config, Environment* environment);
 
 }  // namespace tera

@@ -25,17 +25,18 @@
 namespace tera {
 namespace {
 
-/// A month; a longer run is a mistyped one.
+/// A month; a longer run is a typing error.
 constexpr double kLongest_s = 31 * 86400.0;
-constexpr double kMostSeed = 9e15;  ///< below 2^53: every YAML reader keeps it exactly
-constexpr double kSlowest_hz = 100, kFastest_hz = 5000;  ///< steps that machines and soil bear
+constexpr double kMostSeed = 9e15;  ///< below 2^53, so every YAML reader keeps it exactly
+constexpr double kSlowest_hz = 100,
+                 kFastest_hz = 5000;  ///< step rates at which machines and soil are stable
 constexpr double kSlowestPoses_hz = 0.01;
 constexpr double kDefaultRate_hz = 500, kDefaultSettle_s = 1.5, kLongestSettle_s = 60;
 constexpr double kLeastWheel_m = 0.05, kLargestWheel_m = 3;
 constexpr double kLeastBed_m = 0.3, kLargestBed_m = 30;
 constexpr SiteOrigin kDefaultOrigin = {47.3763, 8.5477, 460.0};
 
-/// Whether the types of all sensors are known; without those that are not.
+/// Whether the types of all sensors are known. `sensors` gets only the known ones.
 bool ReadSensors(const ConfigMap& config, const MachineModel& model,
                  std::vector<SensorDescription>* sensors) {
   const auto rig = config.Has("rig") ? std::optional(config.MapOrFile("rig")) : std::nullopt;
@@ -68,19 +69,19 @@ bool ReadSensors(const ConfigMap& config, const MachineModel& model,
   return all_known;
 }
 
-/// What a scenario says of all its machines by their names.
+/// The scenario's settings for its machines, by name.
 struct OfAllMachines {
   std::optional<ConfigMap> effects, tolerances;
   AbsentMeshes absent = AbsentMeshes::kFault;
 };
 
-/// `without_meshes`, which is written where it is given alone.
+/// Reads `without_meshes`. The resolved text has the key only if it is given.
 AbsentMeshes ReadAbsentMeshes(const ConfigMap& config) {
   const bool without = config.Has("without_meshes") && config.Boolean("without_meshes", false);
   return without ? AbsentMeshes::kLeftOut : AbsentMeshes::kFault;
 }
 
-/// Lets what acts on the parts of a machine be where nothing is known of one of them.
+/// Skips the settings of a machine's parts if one of them is unknown.
 void LeaveTargetsUnread(const ConfigMap& description, const OfAllMachines& all,
                         const std::string& name) {
   for (const char* key : {"effects", "tolerances"}) description.Has(key);
@@ -89,14 +90,14 @@ void LeaveTargetsUnread(const ConfigMap& description, const OfAllMachines& all,
   }
 }
 
-/// Lets the keys be that are about a machine whose description was refused.
+/// Skips the keys of a machine whose description has faults.
 void LeaveUnread(const ConfigMap& config, const ConfigMap& description, const OfAllMachines& all,
                  const std::string& name) {
   for (const char* key : {"start", "operator", "rig", "ground"}) config.Has(key);
   LeaveTargetsUnread(description, all, name);
 }
 
-/// A machine but for its height and tilt, which wait until all have shaped the ground.
+/// A machine without its height and tilt, which follow after all machines have shaped the ground.
 ScenarioMachine ReadMachineEntry(const ConfigMap& config, const OfAllMachines& all) {
   ScenarioMachine machine;
   machine.placement.name = config.Text("name");
@@ -125,7 +126,7 @@ ScenarioMachine ReadMachineEntry(const ConfigMap& config, const OfAllMachines& a
   return machine;
 }
 
-/// Raises the ground as effects say, and sets the machines on it.
+/// Raises the ground by the machines' effects, and sets the machines on it.
 void PlaceOnGround(Site* site, std::vector<ScenarioMachine>* machines) {
   for (const ScenarioMachine& machine : *machines) RaiseGround(machine.placement.model, site);
   for (ScenarioMachine& machine : *machines) SetOnGround(site->surface(), &machine.placement);
@@ -140,7 +141,8 @@ SoilBed ReadBed(const ConfigMap& config) {
   return bed;
 }
 
-/// `wheels`, nodes of the obstacle's own mesh file; nothing is written where it has none.
+/// Reads `wheels`, nodes of the obstacle's own mesh file. The resolved text has the key only if it
+/// is given.
 void ReadWheels(const ConfigMap& config, ScenarioObstacle* obstacle) {
   if (!config.Has("wheels")) return;
   for (const ConfigMap& item : config.List("wheels")) {
@@ -198,8 +200,7 @@ ScenarioObstacle ReadObstacle(const ConfigMap& config, const Wear& wear) {
   return obstacle;
 }
 
-/// The site's origin: written in the scenario, else that of the terrain's GeoTIFF, else a fixed
-/// place.
+/// The site's origin: from the scenario, else from the terrain's GeoTIFF, else a default.
 SiteOrigin ReadOrigin(const ConfigMap& config, const Site& terrain) {
   SiteOrigin origin = kDefaultOrigin;
   if (terrain.georeference()) origin = *terrain.georeference();
@@ -239,7 +240,7 @@ Scenario ReadScenario(const ConfigMap& config) {
   Scenario scenario;
   scenario.name = config.Text("name");
   scenario.seed = SeedOf(config);
-  config.Has("randomise");  // drawn by LoadScenario
+  config.Has("randomise");  // handled by LoadScenario
   if (const auto drawn = config.OptionalMap("drawn")) {
     drawn->Integer("episode", AtLeast(0, ""));
     scenario.drawn = drawn->Texts("values");

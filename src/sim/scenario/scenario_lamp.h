@@ -6,7 +6,7 @@
 
 namespace tera {
 
-/// A spotlight on a machine's link, or on a mast that nobody sees.
+/// A spotlight on a machine's link, or on an invisible mast.
 ///
 /// Frames  P the link, or W with heights above the ground; L the lamp, its beam along x.
 struct ScenarioLamp {

@@ -22,7 +22,7 @@ constexpr double kLargestScale = 1e4;
 
 using Placement = Eigen::Affine3d;
 
-/// Puts a mesh of the file where the site has it.
+/// Moves a mesh of the file to its pose on the site.
 void Place(const Placement& X_WG, Mesh* mesh) {
   const Eigen::Affine3f X = X_WG.cast<float>();
   const Eigen::Matrix3f turn = X.linear() / std::cbrt(X.linear().determinant());
@@ -32,7 +32,7 @@ void Place(const Placement& X_WG, Mesh* mesh) {
   }
 }
 
-/// A node of the file (all of it without a name) in W; nothing after a fault at `key`.
+/// A node of the file (the whole file without a name) in W; nothing after a fault at `key`.
 std::optional<Mesh> Load(const ConfigMap& config, std::string_view key,
                          const std::filesystem::path& file, const std::string& node,
                          const Placement& X_WG, SiteMesh* site) {
@@ -73,18 +73,18 @@ Extent ExtentOf(const Mesh& mesh) {
   return extent;
 }
 
-/// Vertices along an axis over `size_m`, an odd number, so that W's origin is one.
+/// Number of vertices along `size_m`: odd, so that W's origin is a vertex.
 int VerticesOver(double size_m, double cell_m) {
   return 2 * static_cast<int>(std::floor(0.5 * size_m / cell_m + 1e-9)) + 1;
 }
 
-/// The largest rectangle about W's origin that the mesh has ground for, or what the terrain says.
+/// The terrain's size, or the largest rectangle about W's origin that the mesh covers.
 Vec2 SiteSize_m(const ConfigMap& terrain, const Extent& extent) {
   if (terrain.Has("size_m")) return terrain.Vector2("size_m", Positive("m"));
   return 2 * extent.high_m.cwiseMin(-extent.low_m);
 }
 
-/// The ground that a mesh's top is; a fault where some of the site has nothing below it.
+/// The ground from a mesh's top. A site with uncovered parts is a fault.
 void SetGround(const ConfigMap& config, const ConfigMap& terrain, const Mesh& mesh,
                SiteMesh* site) {
   const double cell_m =

@@ -15,24 +15,24 @@
 
 namespace tera {
 
-/// A part of a site's mesh that is seen as it is: a wall, a building.
+/// A visible part of a site's mesh: a wall, a building.
 ///
 /// Frames  W.
 struct SiteMeshPart {
-  std::string name;  ///< of its instance
+  std::string name;  ///< name of its instance
   SemanticClass label = SemanticClass::kStructure;
   bool is_solid = true;  ///< machines collide with it
   Mesh mesh;
 };
 
-/// A real place as a mesh, what `environment.mesh` names.
+/// A real place as a mesh, named by `environment.mesh`.
 ///
 /// Frames  W; the file's axes (glTF's y up turned to z up) placed by `xyz_m` and `rpy_deg`, after
 ///         `scale`.
-/// Model   Parts stand as they are, with their textures. With `ground`, the top of a node (or of
-///         all) is the ground before anything has moved: heights every `cell_m`, drawn in the
-///         mesh's colours as long as it is undisturbed.
-/// Omits   overhangs of the ground: what lies below its top is soil.
+/// Model   Parts keep their shape and textures. With `ground`, the top of a node (or of the whole
+///         mesh) is the initial ground: heights every `cell_m`, drawn in the mesh's colours until
+///         disturbed.
+/// Omits   overhangs of the ground: everything below its top is soil.
 struct SiteMesh {
   std::vector<SiteMeshPart> parts;
   Textures textures;
@@ -43,9 +43,9 @@ struct SiteMesh {
   SiteWalls Walls() const;
 };
 
-/// Reads `file`, `xyz_m`, `rpy_deg`, `scale`, `parts` and `ground`; null after a fault, which goes
-/// to `config`. `terrain` says how much of the ground is the site, by `size_m`; without it, as much
-/// about W's origin as the mesh has.
+/// Reads `file`, `xyz_m`, `rpy_deg`, `scale`, `parts` and `ground`. A fault goes to `config` and
+/// gives null. `size_m` of `terrain` is the size of the site; by default it is as large about W's
+/// origin as the mesh.
 std::shared_ptr<const SiteMesh> ReadSiteMesh(const ConfigMap& config, const ConfigMap& terrain);
 
 }  // namespace tera

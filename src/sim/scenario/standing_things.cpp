@@ -11,10 +11,10 @@
 namespace tera {
 namespace {
 
-constexpr double kObstacle_m = 1.5;  ///< to each side of an obstacle that is there
+constexpr double kObstacle_m = 1.5;  ///< half width of an existing obstacle
 constexpr double kPileFootOverHeight = 1.8;
 
-/// A mapping of its own for YAML on one line; its faults are told where it is read.
+/// Config of one line of YAML. Its faults are reported where it is read.
 std::optional<Config> Alone(const std::string& yaml) {
   try {
     return Config::FromText(yaml, "");
@@ -23,7 +23,7 @@ std::optional<Config> Alone(const std::string& yaml) {
   }
 }
 
-/// The place that was drawn for a key, the last of several.
+/// The place drawn for a key, the last of several.
 std::optional<Vec2> DrawnPlace(const std::vector<Config::GivenValue>& drawn,
                                const std::string& key) {
   for (auto value = drawn.rbegin(); value != drawn.rend(); ++value) {

@@ -16,7 +16,8 @@ namespace {
 constexpr double kUnixEpoch_jd = 2440587.5;
 constexpr double kSecondsPerDay = 86400;
 
-/// Saemundsson's, of the true height; it fades out below the horizon, where nobody sees it.
+/// Saemundsson's refraction for the true height; fades out below the horizon, where it has no
+/// effect.
 double Refraction_deg(double height_deg) {
   constexpr double kGone_deg = -2, kFade_deg = 1, kMinutes = 60;
   if (height_deg <= kGone_deg) return 0;

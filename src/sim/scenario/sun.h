@@ -6,12 +6,13 @@
 
 namespace tera {
 
-/// The unit vector to the sun from a place on earth, in W (x east, y north, z up).
+/// The unit vector from a place on earth to the sun, in W (x east, y north, z up). `utc_ns` counts
+/// from 1970-01-01.
 ///
-/// Model   the sun's apparent place by libnova (Meeus 1998), of the observer on the ellipsoid, with
-///         refraction at 10 degrees Celsius and 1010 hPa (Saemundsson 1986) down to the horizon.
-/// Omits   parallax (9 seconds of arc), the deflection of the vertical.
-/// `utc_ns` counts from 1970-01-01; UT1 - UTC, below a second, is taken as 0.
+/// Model   the sun's apparent position by libnova (Meeus 1998), for an observer on the ellipsoid,
+///         with refraction at 10 degrees Celsius and 1010 hPa (Saemundsson 1986) down to the
+///         horizon.
+/// Omits   parallax (9 seconds of arc), the deflection of the vertical, UT1 - UTC (below a second).
 Vec3 ToSun(TimeNs utc_ns, const SiteOrigin& origin);
 
 /// Illuminance of the sun in a clear sky on a plane that faces it, klx.
@@ -23,15 +24,14 @@ double ClearSunIlluminance_klx(double sin_height);
 
 /// Illuminance of a clear, moonless sky on level ground, without the sun itself, lx.
 ///
-/// Model   by day that of the IES's clear sky, 0.8 + 15.5 sqrt(sin h) klx; below h = 5 degrees the
-///         sun's and the sky's together by the polynomials of the source, which above the horizon
-///         is the sky's nearly alone; from 18 degrees below the horizon on that of the stars.
+/// Model   by day the IES's clear sky, 0.8 + 15.5 sqrt(sin h) klx. Below h = 5 degrees the sum of
+///         sun and sky by the source's polynomials; above the horizon the sky dominates it there.
+///         From 18 degrees below the horizon on, the stars.
 /// Source  IES (above), eq. 10; Janiczek and DeYoung 1987, "Computer programs for sun and moon
 ///         illuminance", U.S. Naval Observatory Circular 171, table 1.
 double ClearSkyIlluminance_lx(double height_rad);
 
-/// The exposure value at ISO 100 that a light meter with the calibration constant C = 250 gives for
-/// an illuminance (ISO 2720).
+/// Exposure value at ISO 100 of a light meter with the calibration constant C = 250 (ISO 2720).
 double Ev100OfIlluminance(double illuminance_klx);
 
 }  // namespace tera

@@ -17,11 +17,11 @@ constexpr GroundRaster kAllRasters[] = {GroundRaster::kHeight, GroundRaster::kCh
                                         GroundRaster::kSoilClass};
 constexpr GroundRaster kDefaultRasters[] = {GroundRaster::kHeight, GroundRaster::kChange,
                                             GroundRaster::kDensity, GroundRaster::kSoilClass};
-constexpr int kDefaultPixels = 4001;  ///< to a side; a larger raster is asked for by pixel_m
-constexpr double kMostCubes = 5e6;    ///< of one box: 145 MB
+constexpr int kDefaultPixels = 4001;  ///< to a side; pixel_m allows a larger raster
+constexpr double kMostCubes = 5e6;    ///< cubes in one box: 145 MB
 constexpr double kShortest_s = 0.01, kLongestInterval_s = 1e6;
 
-/// How many cells of the site a length is, which must be a whole number.
+/// A length in cells of the site, which must be a whole number.
 int CellsIn(const ConfigMap& config, std::string_view key, const TerrainGrid& site,
             double otherwise_m) {
   constexpr double kMost_m = 100, kRounding = 1e-6;
@@ -57,7 +57,7 @@ std::vector<GroundRaster> ReadRasters(const ConfigMap& config) {
   return rasters;
 }
 
-/// Reports a box without inside, beyond the site, or of too many cubes.
+/// Reports a box that is empty, off the site, or has too many cubes.
 void CheckBox(const ConfigMap& config, const VoxelBox& box, const TerrainGrid& site) {
   if ((box.high_W_m.array() <= box.low_W_m.array()).any()) {
     config.Fault("high_m", "needs to lie above low_m along x, y and z");

@@ -10,7 +10,7 @@
 
 namespace tera {
 
-/// What a recording keeps of the ground, at the start, at the end, and from time to time.
+/// Ground records of a recording, at the start, at the end, and periodically.
 struct TerrainRecord {
   struct Voxels {
     std::string name;

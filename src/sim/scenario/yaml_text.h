@@ -5,14 +5,13 @@
 
 #include "core/motion.h"
 
-/// Values as they stand in YAML, for items of a scenario that are drawn.
+/// Values in YAML syntax, for drawn items of a scenario.
 
 namespace tera {
 
-/// A text in quotes, whatever characters it has.
+/// A quoted text with any characters.
 std::string QuotedText(const std::string& text);
-/// A name as it is; one with other characters than a name has in quotes, for whoever looks it up to
-/// refuse.
+/// A name, quoted if it has characters that a name cannot have. The lookup then refuses it.
 std::string NameText(const std::string& name);
 /// "[x, y]", to a millimetre.
 std::string PointText(const Vec2& p_m);

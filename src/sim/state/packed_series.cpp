@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kDegrees = 3;
 
-/// Differences are taken modulo 2^64, so that no pair of numbers overflows.
+/// Difference modulo 2^64, so that no pair of numbers overflows.
 std::int64_t Minus(std::int64_t a, std::int64_t b) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
 }
@@ -20,7 +20,7 @@ std::int64_t Plus(std::int64_t a, std::int64_t b) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
 }
 
-// A number's bits are its sign and its magnitude.
+// The bits of a number are sign and magnitude.
 template <typename Int>
 Int Ordered(Int bits) {
   return bits < 0 ? ~(bits & std::numeric_limits<Int>::max()) : bits;
@@ -89,7 +89,7 @@ bool PackedSeries::Unpack(const Block& block, std::size_t rows, std::size_t* str
   if (*stream + kStreams > block.size() || block[*stream].size() != columns) return false;
   const std::string& degrees = block[*stream];
   const std::string* planes = &block[*stream + 1];
-  // A count that the text of a damaged block claims may be beyond all bounds.
+  // A damaged block may claim any row count.
   if (columns > 0 && rows > planes[0].size() / columns) return false;
   for (std::size_t p = 0; p < sizeof(double); ++p) {
     if (planes[p].size() != rows * columns) return false;

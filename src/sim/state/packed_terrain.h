@@ -12,38 +12,38 @@
 
 namespace tera {
 
-/// What is packed of changes, each a stream of its own.
+/// The streams of packed ground changes.
 enum class TerrainStream {
-  kCounts,    ///< of each step: refined tiles, vertices, grains
-  kTiles,     ///< refined
-  kPlaces,    ///< of vertices, from one to the next
-  kCovers,    ///< of vertices, what differs
-  kNumbers,   ///< of grains, beside those of the step before
-  kNewborn,   ///< radius, soil and moisture of grains not seen before
-  kHeights0,  ///< of vertices, beside the height before, by weight
+  kCounts,    ///< per step: numbers of refined tiles, vertices and grains
+  kTiles,     ///< refined tiles
+  kPlaces,    ///< index differences between consecutive vertices
+  kCovers,    ///< changed bits of vertex covers
+  kNumbers,   ///< grain numbers, relative to the previous step
+  kNewborn,   ///< radius, soil and moisture of new grains
+  kHeights0,  ///< vertex heights minus the previous height, by byte weight
   kHeights1,
   kHeights2,
   kHeights3,
-  kPoints0,  ///< of grains, beside the place that their flight predicts, by weight
+  kPoints0,  ///< grain positions minus their predicted flight, by byte weight
   kPoints1,
   kPoints2,
   kPoints3,
   kCount
 };
 
-/// The flight of each grain so far, by which the next place is predicted.
+/// The flight of each grain so far, for the prediction of its next position.
 ///
-/// Model   a parabola through the last three places, of all that carry a grain's number.
+/// Model   a parabola through the last three positions of the grain number.
 class GrainFlights {
  public:
   struct Flight {
     TerrainSurface::Grain last;
-    std::array<std::array<std::int64_t, 3>, 3> past = {};  ///< of each axis, the newest first
+    std::array<std::array<std::int64_t, 3>, 3> past = {};  ///< per axis, the newest first
     int known = 0;
   };
-  /// That of a grain of this number, which may be new.
+  /// The flight of a grain number, which may be new.
   Flight& Of(std::uint16_t number) { return flights_[number]; }
-  /// Ordered bits of the place of a flight's next grain along an axis.
+  /// Ordered bits of the predicted next position along an axis.
   static std::int64_t Predict(const Flight& flight, int axis);
   static void Remember(const TerrainSurface::Grain& grain, Flight* flight);
 
@@ -51,12 +51,12 @@ class GrainFlights {
   std::map<std::uint16_t, Flight> flights_;
 };
 
-/// Changes of the ground, step by step, packed without loss.
+/// Packs changes of the ground, step by step, without loss.
 class TerrainPacker {
  public:
-  /// Adds one change, found against `known` before it.
+  /// Adds one change relative to `known`.
   void Add(const TerrainChange& change, const TerrainSurface& known);
-  /// Adds the streams of all changes since the last call.
+  /// Appends the streams of all changes since the last call.
   void Take(Block* block);
 
  private:
@@ -64,18 +64,18 @@ class TerrainPacker {
 
   std::array<std::string, static_cast<std::size_t>(TerrainStream::kCount)> streams_;
   GrainFlights flights_;
-  std::vector<std::uint16_t> numbers_;  ///< of the grains of the step before
+  std::vector<std::uint16_t> numbers_;  ///< grain numbers of the previous step
 };
 
-/// Gives packed changes again.
+/// Unpacks changes of the ground.
 class TerrainUnpacker {
  public:
   static constexpr std::size_t kStreams = static_cast<std::size_t>(TerrainStream::kCount);
 
-  /// Takes the streams of a block from `*stream` on, which is moved behind them. False where they
-  /// are not there.
+  /// Takes the streams of a block from `*stream` on and advances `*stream` past them. Returns false
+  /// if they are missing.
   bool Load(Block* block, std::size_t* stream);
-  /// The next change of a ground that is `known` before it. False where the streams hold none, or
+  /// The next change relative to the ground `known`. Returns false if the streams hold none, or
   /// none of that ground.
   bool Next(const TerrainSurface& known, TerrainChange* change);
 

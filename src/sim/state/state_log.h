@@ -14,26 +14,26 @@
 
 namespace tera {
 
-/// Where a dataset keeps the evolution of its scene, if it does.
+/// A dataset's optional file with the evolution of its scene.
 inline constexpr char kStateFile[] = "truth/state.blocks";
 
-/// Keeps how a scene evolved, so that other sensors can measure it without physics and soil
-/// (StatePlayback): everything that moves, at every step of the physics, and every change of the
+/// Records a scene's evolution, so that other sensors can measure it without physics and soil
+/// (StatePlayback). It keeps all moving bodies at every step of the physics and every change of the
 /// visible ground, without loss.
 ///
-/// Model   a file of blocks (dataset/files/block_file.h) of a second each. Numbers of a step as
-///         state_rows.h says, packed as a series; changes of the ground beside those numbers. The
-///         header says the version and of which scenario it is.
+/// Model   a file of blocks (dataset/files/block_file.h) of a second each. The numbers of a step
+///         (state_rows.h) are packed as a series, followed by the changes of the ground. The header
+///         has the version and identifies the scenario.
 class StateLog {
  public:
-  /// `state` is that of the run's start. Keeps a reference to `scenario`; `resolved_yaml` is its
-  /// text in the dataset.
+  /// `state` is the state at the run's start. Keeps a reference to `scenario`; `resolved_yaml` is
+  /// its text in the dataset.
   StateLog(const Scenario& scenario, const std::string& resolved_yaml,
            const std::filesystem::path& file, const WorldState& state);
 
-  /// The world after one more step.
+  /// Adds the world after one more step.
   void Add(const WorldState& state);
-  /// After the last step.
+  /// Call after the last step.
   void Commit();
   std::int64_t bytes() const { return file_.bytes(); }
 
@@ -45,12 +45,12 @@ class StateLog {
   BlockFileWriter file_;
   PackedSeries series_;
   std::vector<double> rows_;
-  std::size_t count_ = 0;  ///< of rows
+  std::size_t count_ = 0;  ///< number of rows
   TerrainTracker tracker_;
   TerrainPacker terrain_;
 };
 
-/// Throws InputError where the state of a dataset was not kept.
+/// Throws InputError if the dataset has no state.
 void RequireState(const std::filesystem::path& dataset);
 
 /// The header of a scenario's state file.

@@ -13,21 +13,23 @@
 
 namespace tera {
 
-/// A scene as it evolved in a run whose state was kept (StateLog), step by step, without physics
-/// and soil: to the bit what the sensors of that run saw.
+/// Plays a recorded scene (StateLog) step by step without physics and soil. The sensors' view is
+/// bit-identical to that of the run.
 ///
-/// Omits   what no sensor measures: see state_rows.h.
+/// Omits   quantities that no sensor measures: see state_rows.h.
 class StatePlayback {
  public:
-  /// Stands at the start of the run. Keeps a reference to `scenario`, which may have other sensors
-  /// than the run had; `resolved_yaml` is the text of the run's own scenario. Throws InputError
-  /// where the file is missing, damaged, of another version or of another scenario, as Step does.
+  /// Starts at the start of the run. Keeps a reference to `scenario`, which may have other sensors
+  /// than the run; `resolved_yaml` is the text of the run's own scenario.
+  ///
+  /// Throws  InputError if the file is missing, damaged, of another version or of another scenario,
+  ///         as Step does.
   StatePlayback(const Scenario& scenario, const std::string& resolved_yaml,
                 const std::filesystem::path& file);
   StatePlayback(Scenario&&, const std::string&, const std::filesystem::path&) = delete;
 
-  /// Goes on by one step of the physics. False at the end of the run, behind which there is one
-  /// step more, as Run::Finish takes it.
+  /// Advances by one step of the physics. Returns false at the end of the run; one more step
+  /// follows for Run::Finish.
   bool Step();
 
   WorldStep last_step() const { return {previous_, state_, ground_}; }
@@ -44,7 +46,7 @@ class StatePlayback {
   BlockFileReader file_;
   PackedSeries series_;
   TerrainUnpacker terrain_;
-  std::vector<double> rows_;  ///< of the block at hand
+  std::vector<double> rows_;  ///< rows in the current block
   std::size_t columns_, count_ = 0, next_ = 0;
   std::int64_t step_ = 0;
   Instant previous_, state_;

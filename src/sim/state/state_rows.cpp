@@ -26,7 +26,7 @@ void ForVelocities(BodyType& body, Visit visit) {
   ForAll(body.w_WB_radps, visit);
 }
 
-/// Visits all numbers of a row, in their order.
+/// Visits all numbers of a row in order.
 template <typename InstantType, typename Visit>
 void ForRow(InstantType& state, Visit visit) {
   for (auto& machine : state.machines) {
@@ -62,7 +62,7 @@ void ForLinkMotions(InstantType& state, Visit visit) {
   }
 }
 
-/// As many loads as a machine has shovels, of as many soils as the site has.
+/// Sizes the loads: one per shovel, with one mass per soil of the site.
 void SizeLoads(const Scenario& scenario, std::size_t m, MachineState* machine) {
   machine->shovel_load.resize(scenario.machines[m].placement.model.ground_tools.shovels.size());
   for (SoilReaction::Load& load : machine->shovel_load) {
@@ -70,7 +70,7 @@ void SizeLoads(const Scenario& scenario, std::size_t m, MachineState* machine) {
   }
 }
 
-/// As many of everything as the scenario has.
+/// A state sized for the scenario.
 Instant EmptyState(const Scenario& scenario) {
   Instant state;
   for (std::size_t m = 0; m < scenario.machines.size(); ++m) {
@@ -104,7 +104,7 @@ std::size_t StateColumns(const Scenario& scenario) {
 
 void AppendStateRow(const Scenario& scenario, const Instant& state, std::vector<double>* rows) {
   const std::size_t before = rows->size();
-  Instant padded = state;  // before the first step of a run nothing is known of its loads
+  Instant padded = state;  // loads are empty until the first step
   for (std::size_t m = 0; m < padded.machines.size(); ++m) {
     SizeLoads(scenario, m, &padded.machines[m]);
   }

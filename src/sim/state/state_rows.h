@@ -8,24 +8,24 @@
 
 namespace tera {
 
-/// The numbers of one step from which the world but for its ground follows, given the step before:
-/// of each machine the pose and the velocities of its root, positions and rates of joints and
-/// running gear, loads of shovels; poses of obstacles; what lies in beds.
+/// The numbers that determine the world, except its ground, from one step to the next. Per machine:
+/// pose and velocities of the root, positions and rates of joints and running gear, loads of
+/// shovels. Also poses of obstacles and loads of beds.
 ///
-/// Omits  efforts, forces, levers, cylinders, sinkage and slip, which no sensor measures, and the
-///        soils that a load is of.
+/// Omits   efforts, forces, levers, cylinders, sinkage and slip, which no sensor measures, and the
+///         soils of a load.
 
-/// How many there are of a scenario.
+/// Number of columns for a scenario.
 std::size_t StateColumns(const Scenario& scenario);
-/// Appends those of `state`.
+/// Appends the row of `state`.
 void AppendStateRow(const Scenario& scenario, const Instant& state, std::vector<double>* rows);
-/// Moves `state` on by a step of `dt_s`, to where `row` has it. Time is left as it was.
+/// Advances `state` by a step of `dt_s` to the values of `row`. The time does not change.
 void AdvanceByRow(const Scenario& scenario, std::span<const double> row, double dt_s,
                   Instant* state);
 
-/// What the first step follows from: motion of all links, accelerations included.
+/// Motion of all links with accelerations: the input of the first step.
 std::vector<double> LinkMotions(const Instant& state);
-/// A state in which links move so. False where the numbers are not those of the scenario.
+/// A state with this motion of the links. Returns false if the numbers do not fit the scenario.
 bool StartFrom(const Scenario& scenario, const std::vector<double>& link_motions, Instant* state);
 
 }  // namespace tera

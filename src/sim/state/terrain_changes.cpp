@@ -24,7 +24,7 @@ TerrainChange TerrainTracker::Find(const TerrainSurface& now) {
 
 void TerrainTracker::CompareTile(const TerrainSurface& now, int a, int b,
                                  TerrainChange* change) const {
-  if (!now.IsRefined(a, b)) return;  // it is as it was at the start
+  if (!now.IsRefined(a, b)) return;  // unchanged since the start
   if (!known_.IsRefined(a, b)) change->refined_tiles.push_back(now.tile_index(a, b));
   constexpr int kCells = TerrainGrid::kTileCells;
   const int i_end = a == now.tiles_x() - 1 ? now.nx : (a + 1) * kCells;

@@ -7,31 +7,31 @@
 
 namespace tera {
 
-/// What one step did to the visible ground.
+/// Change of the visible ground in one step.
 ///
 /// Frames  W.
 struct TerrainChange {
   struct At {
     int i = 0, j = 0;
-    TerrainSurface::Vertex vertex;  ///< as it is from now on
+    TerrainSurface::Vertex vertex;  ///< new value
   };
-  std::vector<int> refined_tiles;  ///< whose vertices have places of their own from now on
-  std::vector<At> vertices;        ///< tile by tile, row by row in each
-  std::vector<TerrainSurface::Grain> grains;  ///< all that move now
+  std::vector<int> refined_tiles;             ///< tiles whose vertices get their own positions
+  std::vector<At> vertices;                   ///< tile by tile, row by row in each
+  std::vector<TerrainSurface::Grain> grains;  ///< all moving grains
 };
 
-/// Brings `ground` to where the change leads. Gives every tile that changes another version.
+/// Applies the change to `ground`. Each changed tile gets a new version.
 void Apply(const TerrainChange& change, TerrainSurface* ground);
 
-/// Finds what changes of a ground from step to step.
+/// Finds the changes of a ground from step to step.
 class TerrainTracker {
  public:
-  /// `ground` as its reader knows it already.
+  /// `ground` is the reader's initial ground.
   explicit TerrainTracker(const TerrainSurface& ground);
 
-  /// The differences of `now` from the ground as it is known.
+  /// The differences of `now` from the known ground.
   TerrainChange Find(const TerrainSurface& now);
-  /// From now on the ground is known as the change leaves it.
+  /// Applies the change to the known ground.
   void Accept(const TerrainChange& change) { Apply(change, &known_); }
   const TerrainSurface& known() const { return known_; }
 
@@ -39,7 +39,7 @@ class TerrainTracker {
   void CompareTile(const TerrainSurface& now, int a, int b, TerrainChange* change) const;
 
   TerrainSurface known_;
-  std::vector<std::uint32_t> version_;  ///< of each tile of the other when it was last compared
+  std::vector<std::uint32_t> version_;  ///< version of each tile of `now` at its last comparison
 };
 
 }  // namespace tera

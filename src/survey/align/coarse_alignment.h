@@ -7,9 +7,9 @@
 
 namespace tera {
 
-/// The move that brings points B near points A, by PCL's GICP: gates are halved from `gate_m` down
-/// to `least_gate_m`, each search beginning where the last one ended. Nothing where PCL finds too
-/// few partners or does not converge. Points count from near by, since PCL computes in floats.
+/// The pose that brings points B near points A, by PCL's GICP. Gates halve from `gate_m` down to
+/// `least_gate_m`; each search starts from the last pose. Returns nothing if PCL finds too few
+/// partners or does not converge. Coordinates should be small, since PCL computes in floats.
 ///
 /// Source  Segal, Haehnel, Thrun 2009, "Generalized-ICP".
 std::optional<Pose> AlignByGicp(const std::vector<Vec3>& a_m, const std::vector<Vec3>& b_m,

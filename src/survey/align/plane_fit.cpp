@@ -28,7 +28,7 @@ std::vector<Partner> FindPartners(const PlaneMap& a, const std::vector<Vec3>& b_
   return partners;
 }
 
-/// Tukey's weights, with a scale from the median of the sizes.
+/// Tukey's weights, scaled by the median absolute residual.
 std::vector<double> Weights(const std::vector<Partner>& partners) {
   constexpr double kOfNormal = 1.4826, kTukey = 4.685, kLeastScale_m = 1e-4;
   std::vector<double> sizes;
@@ -42,14 +42,14 @@ std::vector<double> Weights(const std::vector<Partner>& partners) {
   return weights;
 }
 
-/// Derivative of a distance along `normal` by the six motions.
+/// Derivative of a distance along `normal` with respect to the six motions.
 Vec6 Derivative(const PlaneFit& fit, const Vec3& p_m, const Vec3& normal) {
   Vec6 derivative;
   derivative << normal, (p_m - fit.centre_m).cross(normal) / fit.reach_m;
   return derivative;
 }
 
-/// Blocks are cubes twice as large as the neighbourhoods of planes.
+/// Blocks are cubes twice as large as the neighbourhoods of the planes.
 double BlockEdge_m(const std::vector<Partner>& partners) {
   std::vector<double> radii;
   for (const Partner& partner : partners) radii.push_back(partner.plane->radius_m);
@@ -57,7 +57,7 @@ double BlockEdge_m(const std::vector<Partner>& partners) {
   return std::max(4 * Median(radii), kLeast_m);
 }
 
-/// Of two covariances the larger along each direction.
+/// The larger of two covariances along each direction.
 Mat6 LargerOf(const Mat6& a, const Mat6& b) {
   constexpr double kFloor = 1e-12;
   const Mat6 base = a + (kFloor * a.trace() + 1e-300) * Mat6::Identity();
@@ -67,12 +67,12 @@ Mat6 LargerOf(const Mat6& a, const Mat6& b) {
   return back * ratios.eigenvalues().cwiseMax(1.0).asDiagonal() * back.transpose();
 }
 
-/// Covariance of the gradient by noise of each point for itself: B's by its own distance, A's by
-/// how far its point lifts all planes that it is of.
+/// Covariance of the gradient from independent noise of each point: B's by its own residual, A's by
+/// its influence on all planes that contain it.
 Mat6 ScatterOfPoints(const PlaneMap& a, const std::vector<Partner>& partners,
                      const std::vector<double>& weights, const PlaneFit& fit) {
   Mat6 scatter = Mat6::Zero();
-  // Of each point of A, the gradient by its own place.
+  // The gradient's derivative with respect to each point of A.
   using ByPlace = Eigen::Matrix<double, 6, 3>;
   std::vector<ByPlace> by_point(a.points_m().size(), ByPlace::Zero());
   for (std::size_t k = 0; k < partners.size(); ++k) {
@@ -90,7 +90,7 @@ Mat6 ScatterOfPoints(const PlaneMap& a, const std::vector<Partner>& partners,
   return scatter;
 }
 
-/// The same by what blocks of neighbours have in common, whatever its cause.
+/// Covariance of the gradient from errors that blocks of neighbours share, whatever their cause.
 Mat6 ScatterOfBlocks(const std::vector<Partner>& partners, const std::vector<double>& weights,
                      const PlaneFit& fit) {
   std::vector<Vec3> at_m;
@@ -152,7 +152,7 @@ PlaneFit FitPlanes(const PlaneMap& a, const std::vector<Vec3>& b_m, double gate_
 }
 
 ToldMotions SplitMotions(const PlaneFit& fit) {
-  // Below this share of the best direction's information it is arithmetic, not geometry.
+  // Below this share of the largest information a value is rounding, not geometry.
   constexpr double kFloor = 1e-6, kLeastSignal = 0.5;
   const double most = Eigen::SelfAdjointEigenSolver<Mat6>(fit.information).eigenvalues()[5];
   const Mat6 floor = std::max(kFloor * most, 1e-12) * Mat6::Identity();

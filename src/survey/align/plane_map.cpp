@@ -7,9 +7,9 @@ namespace tera {
 namespace {
 
 constexpr int kNeighbours = 16;
-/// Largest variance across a plane over the smaller one in it.
+/// Flatness: largest variance across a plane, relative to the smaller variance in it.
 constexpr double kFlat = 0.04;
-/// Least of the smaller variance in a plane over the larger one: less is a line.
+/// Breadth: least ratio of the variances in a plane. Narrower neighbourhoods are lines.
 constexpr double kBroad = 0.02;
 
 LocalPlane PlaneOf(const std::vector<Vec3>& p_m, const pcl::Indices& neighbours, double radius_m) {
@@ -30,7 +30,7 @@ LocalPlane PlaneOf(const std::vector<Vec3>& p_m, const pcl::Indices& neighbours,
   plane.is_plane = variance[0] <= kFlat * variance[1] && variance[1] > kBroad * variance[2];
   plane.spread_across_m2 = variance[1];
   plane.spread_along_m2 = variance[2];
-  // Three numbers of a plane were taken from the points.
+  // The plane uses three degrees of freedom.
   plane.noise_m2 = variance[0] * count / (count - 3);
   plane.points = neighbours;
   return plane;

@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// A unit that numbers may be in where others are in metres.
+/// A length unit that a file may use instead of metres.
 struct LengthUnit {
   const char* name;
   double m;
@@ -40,8 +40,8 @@ double SizeOf(const std::vector<Vec3>& p_m) {
   return (box.high_m - box.low_m).norm();
 }
 
-/// How much of each lies on the other, where this is no chance; else 0. One floor lies on another
-/// at any scale that is not far off.
+/// Sum of both overlaps for a meaningful fit, else 0. A floor fits another floor at any similar
+/// scale, so an open result counts only at a very different scale.
 double FitOf(const Registration& found, double scale) {
   constexpr double kLeastOverlap = 0.5, kFarOff = 0.1;
   const bool is_told = found.status == RegistrationStatus::kRegistered ||
@@ -59,7 +59,7 @@ struct UnitFit {
 
 std::optional<UnitFit> FindUnit(const std::vector<Vec3>& a_m, const std::vector<Vec3>& b_m,
                                 const RegistrationRequest& request, const Registration& found) {
-  constexpr double kMostRatio = 20;  // of sizes, of a scan and the survey that it is of
+  constexpr double kMostRatio = 20;  // largest ratio between the sizes of a scan and its survey
   const double a_size_m = SizeOf(a_m), b_size_m = SizeOf(b_m);
   const auto are_alike = [](double one_m, double other_m) {
     return one_m < kMostRatio * other_m && other_m < kMostRatio * one_m;
@@ -102,7 +102,7 @@ std::vector<std::string> RegistrationHints(const std::vector<Vec3>& a_m,
                                            const std::vector<Vec3>& b_m,
                                            const RegistrationRequest& request,
                                            const Registration& found) {
-  // A floor that lies on another leaves motions open, whatever stands on the two.
+  // An open result with a high overlap is a floor on a floor: the clouds are placed.
   constexpr double kMostOfFloor = 0.9;
   std::vector<std::string> hints;
   const bool is_placed = found.status == RegistrationStatus::kRegistered ||

@@ -7,12 +7,11 @@
 
 namespace tera {
 
-/// Why two clouds that were not registered may not lie on each other, as sentences: one of them
-/// fits when it is scaled as another unit would scale it, or lies as far from the other as
-/// coordinates of a map do.
+/// Sentences that say why two clouds could not be registered. Either one cloud fits at the scale of
+/// another unit, or the clouds lie as far apart as map coordinates do.
 ///
-/// Model   each of the two is taken in millimetres, centimetres and feet, where it is then not far
-///         smaller or larger than the other, and registered anew, as Register does.
+/// Model   each cloud is scaled from millimetres, centimetres and feet if the two then have similar
+///         sizes, and Register aligns the pair again.
 std::vector<std::string> RegistrationHints(const std::vector<Vec3>& a_m,
                                            const std::vector<Vec3>& b_m,
                                            const RegistrationRequest& request,

@@ -30,7 +30,7 @@ Json PoseOf(const Pose& X_AB) {
   return pose;
 }
 
-/// Those of x, y, z, roll, pitch and yaw that are not observed of the point of B at `at_A_m`.
+/// The axes among x, y, z, roll, pitch and yaw that are not observed at `at_A_m`.
 Json NotObserved(const Registration& registration, const Vec3& at_A_m) {
   Json names = Json::array();
   const auto observed = registration.ObservedAt(at_A_m);

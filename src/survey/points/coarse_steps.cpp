@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kFineStep_m = 0.02;
 
-/// One coordinate of every `stride`-th point, in order.
+/// One coordinate of every `stride`-th point, sorted.
 std::vector<double> Sorted(const PointCloud& cloud, int axis, std::size_t stride) {
   std::vector<double> values_m;
   for (std::size_t k = 0; k < cloud.p_m.size(); k += stride) {
@@ -20,7 +20,7 @@ std::vector<double> Sorted(const PointCloud& cloud, int axis, std::size_t stride
   return values_m;
 }
 
-/// The least distance between two that differ; 0 where none do.
+/// The least distance between two different values; 0 if all are equal.
 double LeastDistance(const std::vector<double>& sorted_m) {
   constexpr double kSame_m = 1e-6;
   double least_m = 0;
@@ -37,7 +37,7 @@ double FloatStep_m(double value_m) {
   return std::nextafter(size, std::numeric_limits<float>::infinity()) - size;
 }
 
-/// Whether all are floats, but for what a file's own steps round.
+/// Whether all values are floats, within the file's own rounding.
 bool AreFloats(const std::vector<double>& values_m, double rounded_m) {
   const double same_m = 1e-6 + 0.5 * rounded_m;
   return std::all_of(values_m.begin(), values_m.end(), [&](double value_m) {
@@ -45,7 +45,7 @@ bool AreFloats(const std::vector<double>& values_m, double rounded_m) {
   });
 }
 
-/// Whether more than three points stand at a place of the plane, on average.
+/// Whether places in the plane hold more than three points on average.
 bool SharePlaces(const PointCloud& cloud) {
   constexpr std::size_t kShared = 3;
   std::vector<std::pair<double, double>> places_m;
@@ -55,7 +55,7 @@ bool SharePlaces(const PointCloud& cloud) {
   return cloud.p_m.size() > kShared * static_cast<std::size_t>(end - places_m.begin());
 }
 
-/// Where x and y are both single precision or both of few digits, the coarser of them.
+/// The coarser step of x and y if both are single precision or both have few digits.
 std::optional<CoarseSteps> StepsOfDigits(const PointCloud& cloud) {
   constexpr double kLarge_m = 1e5;
   constexpr std::size_t kSample = 20'000;
@@ -70,11 +70,11 @@ std::optional<CoarseSteps> StepsOfDigits(const PointCloud& cloud) {
     if (size_m > kLarge_m && least_m > kFineStep_m && (!few || least_m > few->step_m)) {
       few = {name, least_m, ""};
     }
-    // A sample may miss the least distance of floats.
+    // A sample may miss the least distance between floats.
     if (are_floats && least_m > FloatStep_m(size_m)) {
       least_m = LeastDistance(Sorted(cloud, axis, 1));
     }
-    constexpr double kNear_m = 1e-4;  // floats of a local axis are never that far apart
+    constexpr double kNear_m = 1e-4;  // floats on a local axis are always closer
     are_single = are_single && are_floats && least_m <= std::max(kNear_m, FloatStep_m(size_m));
     if (!single || FloatStep_m(size_m) > single->step_m) single = {name, FloatStep_m(size_m), ""};
   }

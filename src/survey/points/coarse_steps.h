@@ -7,20 +7,19 @@
 
 namespace tera {
 
-/// Steps in which a cloud's coordinates lie because the numbers of its file have too few digits.
+/// Coordinate steps of a cloud whose file stores too few digits.
 struct CoarseSteps {
   char axis = 'x';
   double step_m = 0;
   std::string cause;  ///< with the remedy, for messages
 };
 
-/// The coarsest steps of x, y and z, where they exceed 0.02 m.
+/// The coarsest steps of x, y and z if they exceed 0.02 m.
 ///
-/// Model   LAS has them as its scale. Others have them where x and y went through single precision:
-///         every coordinate is a float, and those of both axes lie as near to each other as floats
-///         of their size can, which a regular grid's do not. Coordinates written with too few
-///         digits have them too: steps of coordinates over 100 km, with more than three points at a
-///         place.
+/// Model   For LAS, the steps are its scale. Elsewhere, x and y may have passed through single
+///         precision. Then every coordinate is a float, and the least distances on both axes equal
+///         the spacing of floats of that size; those of a regular grid do not. Coordinates over 100
+///         km with more than three points at a place were written with too few digits.
 /// Omits   clouds of a few points.
 std::optional<CoarseSteps> FindCoarseSteps(const PointCloud& cloud);
 

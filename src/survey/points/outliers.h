@@ -6,12 +6,13 @@
 
 namespace tera {
 
-/// Which points stand alone: birds, dust, reflections in puddles.
+/// Rule for isolated points: birds, dust, reflections in puddles.
 ///
-/// Model   Points are put into cubes of `edge_m`, so that density counts for nothing; a cube is an
-///         outlier where the mean distance to its `neighbours` next ones is more than `sigmas`
-///         standard deviations above the mean of all (PCL's StatisticalOutlierRemoval), and more
-///         than `spacings` times the median: on a regular grid even corners are far by deviations.
+/// Model   Points are grouped into cubes of `edge_m`, so density has no effect. A cube is an
+///         outlier if the mean distance to its `neighbours` nearest cubes exceeds two bounds. One
+///         is `sigmas` standard deviations above the mean of all cubes (PCL's
+///         StatisticalOutlierRemoval). The other is `spacings` times the median, since on a regular
+///         grid even corners exceed the first.
 /// Source  Rusu et al. 2008, "Towards 3D point cloud based object maps for household environments".
 struct OutlierRule {
   double edge_m = 0.1;
@@ -20,7 +21,7 @@ struct OutlierRule {
   double spacings = 2;
 };
 
-/// True for each point that is one.
+/// True for each point that is an outlier.
 std::vector<bool> FindOutliers(const std::vector<Vec3>& p_m, const OutlierRule& rule);
 
 }  // namespace tera

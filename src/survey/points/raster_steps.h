@@ -6,8 +6,8 @@
 
 namespace tera {
 
-/// A raster's points without those beside a step: where one of the eight pixels around is higher or
-/// lower by more than a pixel. There a wall stands, of which a raster knows neither place nor side.
+/// Drops a raster's points at steps: points with one of eight neighbours higher or lower by more
+/// than a pixel. A wall stands there, and a raster knows neither its place nor its side.
 std::vector<Vec3> WithoutSteps(const std::vector<Vec3>& p_m, const Vec2& pixel_m);
 
 }  // namespace tera

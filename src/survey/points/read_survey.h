@@ -13,26 +13,26 @@ namespace tera {
 
 /// A survey's points.
 ///
-/// Frames  the map's plane where it is of one, east, north and up; else the file's own frame.
+/// Frames  the map plane (east, north, up) if the survey has a map; else the file's own frame.
 struct Survey {
   std::vector<Vec3> p_m;
   std::optional<MapReference> map;
-  std::int64_t left_out = 0;    ///< without a place, marked as noise, or gaps of a raster
-  std::optional<Vec2> pixel_m;  ///< of a raster
+  std::int64_t left_out = 0;    ///< points without coordinates, noise points and raster gaps
+  std::optional<Vec2> pixel_m;  ///< for rasters
   std::vector<std::string> warnings;
 };
 
-/// How a survey is to be read.
+/// Options for reading a survey.
 struct SurveyReading {
-  std::string map;        ///< the reference system, where the file names none that is read
-  bool is_local = false;  ///< that the coordinates are of no map, whatever such a file names
-  double coarsest_step_m = 0.02;  ///< least difference of coordinates that will do
+  std::string map;                ///< reference system for a file that names none that can be read
+  bool is_local = false;          ///< coordinates have no map, whatever the file names
+  double coarsest_step_m = 0.02;  ///< largest acceptable step of the coordinates
 };
 
-/// Reads .pcd, .ply and .las as point clouds, .tif and .tiff as elevation rasters.
+/// Reads .pcd, .ply and .las as point clouds, and .tif and .tiff as elevation rasters.
 ///
-/// Throws InputError for two reference systems, for coordinates that lie far from where the system
-/// is meant for, and for a cloud with coarse_steps.h of more than is wanted.
+/// Throws  InputError for two reference systems, for coordinates far outside the system's area, and
+///         for coordinate steps (coarse_steps.h) above `coarsest_step_m`.
 Survey ReadSurvey(const std::filesystem::path& file, const SurveyReading& how = {});
 
 }  // namespace tera

@@ -6,15 +6,15 @@
 
 namespace tera {
 
-/// Points by the cubes of a lattice that they lie in.
+/// Points grouped by the cubes of a lattice.
 struct Voxels {
-  std::vector<int> of_point;  ///< number of each point's cube; cubes are numbered without gap
+  std::vector<int> of_point;  ///< cube of each point; cubes are numbered without gaps
   std::vector<int> count;     ///< points in each cube
-  std::vector<Vec3> mean_m;   ///< of each cube's points
+  std::vector<Vec3> mean_m;   ///< mean of each cube's points
 };
 
-/// Cubes of `edge_m`, in the order of their places (z, then y, then x), so that equal points give
-/// equal numbers whatever their order.
+/// Groups points into cubes of `edge_m`. Cubes are numbered by position (z, then y, then x), so the
+/// order of the points has no effect.
 Voxels GroupByVoxel(const std::vector<Vec3>& p_m, double edge_m);
 
 }  // namespace tera

@@ -8,9 +8,9 @@
 
 namespace tera {
 
-/// Squares over a survey, row by row from the south, x fastest.
+/// Square cells over a survey, row by row from the south, x fastest.
 struct CellGrid {
-  Vec2 low_m = Vec2::Zero();  ///< south-western corner of the first
+  Vec2 low_m = Vec2::Zero();  ///< south-western corner of the first cell
   double cell_m = 1;
   int nx = 0, ny = 0;
 
@@ -18,7 +18,7 @@ struct CellGrid {
   std::size_t At(int i, int j) const { return static_cast<std::size_t>(j) * nx + i; }
   bool Has(int i, int j) const { return i >= 0 && j >= 0 && i < nx && j < ny; }
   Vec2 MiddleOf(int i, int j) const { return low_m + cell_m * Vec2(i + 0.5, j + 0.5); }
-  /// Column or row of a place; of one on the upper border, the last.
+  /// Column or row of a coordinate. The upper border belongs to the last.
   int Column(double x_m) const {
     return std::clamp(static_cast<int>(std::floor((x_m - low_m.x()) / cell_m)), 0, nx - 1);
   }
@@ -28,7 +28,7 @@ struct CellGrid {
   std::size_t CellOf(const Vec3& p_m) const { return At(Column(p_m.x()), Row(p_m.y())); }
 };
 
-/// Squares of `cell_m` that hold all points, from a multiple of it on.
+/// Cells of `cell_m` that hold all points. The corner is a multiple of `cell_m`.
 inline CellGrid GridOver(const std::vector<Vec3>& p_m, double cell_m) {
   Vec2 low_m = p_m.front().head<2>(), high_m = low_m;
   for (const Vec3& p : p_m) {
@@ -43,7 +43,7 @@ inline CellGrid GridOver(const std::vector<Vec3>& p_m, double cell_m) {
   return grid;
 }
 
-/// What an unknown height is.
+/// NaN marks an unknown height.
 inline bool IsKnown(float height_m) { return !std::isnan(height_m); }
 
 }  // namespace tera

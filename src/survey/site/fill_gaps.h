@@ -6,12 +6,12 @@
 
 namespace tera {
 
-/// Gives a height to each cell that has none (NaN).
+/// Fills each unknown height (NaN).
 ///
-/// Model   the membrane that hangs in the gap: Laplace's equation over the unknown cells, their
-///         known neighbours as its border, level across the grid's own border. A plane about a gap
-///         goes through it unchanged. At least one cell must be known.
-/// Source  conjugate gradients from a guess by halved grids.
+/// Model   a membrane over the gap: Laplace's equation over the unknown cells, with their known
+///         neighbours as boundary. Its slope is zero across the grid's border. A plane around a gap
+///         continues through it. At least one cell must be known.
+/// Source  conjugate gradients, started from coarser grids.
 void FillGaps(const CellGrid& grid, std::vector<float>* height_m);
 
 }  // namespace tera

@@ -21,8 +21,8 @@ bool IsClear(const SurveySite& site, const Vec2& place_m, double clearance_m) {
   });
 }
 
-/// Height of the ground's highest place about one over its lowest; nothing where less than four
-/// fifths were measured.
+/// Height range of the ground around a place. Returns nothing if less than four fifths of it were
+/// measured.
 std::optional<double> ReliefAround(const SurveySite& site, const Vec2& place_m, double radius_m) {
   const CellGrid& grid = site.terrain.grid;
   double lowest_m = std::numeric_limits<double>::infinity(), highest_m = -lowest_m;
@@ -54,7 +54,7 @@ void ForPlaces(const CellGrid& grid, Visit visit) {
 }  // namespace
 
 std::optional<Vec2> FindFreePlace(const SurveySite& site, const PlaceNeed& need) {
-  constexpr double kPerMetre = 0.01;  ///< of relief, what a metre further out counts
+  constexpr double kPerMetre = 0.01;  ///< relief that weighs as much as one metre from the middle
   const Vec2 middle_m = site.terrain.grid.low_m + 0.5 * SizeOf(site.terrain.grid);
   std::optional<Vec2> best;
   double best_cost = std::numeric_limits<double>::infinity();

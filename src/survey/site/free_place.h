@@ -6,18 +6,18 @@
 
 namespace tera {
 
-/// What a machine needs about itself.
+/// Free space that a machine needs.
 struct PlaceNeed {
-  double radius_m = 2.5;       ///< of level ground that was measured
-  double clearance_m = 4;      ///< from things and the survey's border
+  double radius_m = 2.5;       ///< radius of the level, measured ground
+  double clearance_m = 4;      ///< distance from things and the survey's border
   double most_relief_m = 0.5;  ///< between the highest and the lowest ground of the circle
 };
 
-/// The most level place for a machine, nearer to the middle of two that are alike; nothing where
-/// there is none. In the site's plane.
+/// The most level place for a machine, in the site's plane. Distance from the middle decides
+/// between similar places. Returns nothing if no place fits.
 std::optional<Vec2> FindFreePlace(const SurveySite& site, const PlaceNeed& need);
 
-/// The place for a mast: on measured ground, away from things, as far from the middle as there is.
+/// The place for a mast: the measured ground farthest from the middle that is clear of things.
 Vec2 FindOverlook(const SurveySite& site);
 
 }  // namespace tera

@@ -16,10 +16,10 @@
 namespace tera {
 namespace {
 
-constexpr double kLargestSite_m = 2000;  ///< that a scenario can have
+constexpr double kLargestSite_m = 2000;  ///< limit of a scenario
 
-/// A place near the points from which floats are exact enough: in whole steps of hundred metres, or
-/// of a raster the corner of a pixel, so that cells are its pixels.
+/// An origin near the points, so that floats are exact enough. It is a multiple of 100 m; for a
+/// raster it is a pixel's corner, so cells are pixels.
 Vec3 BaseOf(const Survey& survey) {
   constexpr double kStep_m = 100;
   Vec3 sum = Vec3::Zero();
@@ -56,7 +56,7 @@ Vec2 RequireSite(const std::filesystem::path& file, const std::vector<Vec3>& p_m
   return 0.5 * (low_m + high_m).head<2>();
 }
 
-/// Refuses a survey without a map that does not lie about its origin.
+/// Refuses a survey without a map that lies far from its origin.
 void RequireAboutOrigin(const std::filesystem::path& file, const Vec2& middle_m) {
   if (middle_m.norm() <= kLargestSite_m) return;
   throw InputError(file.string(),
@@ -67,10 +67,10 @@ void RequireAboutOrigin(const std::filesystem::path& file, const Vec2& middle_m)
                                 middle_m.x(), middle_m.y(), middle_m.norm() / 1000)});
 }
 
-/// Refuses a flat survey that stands upright, as one whose y points up.
+/// Refuses a flat survey that stands upright, such as one with y up.
 ///
-/// Model   the direction in which the points spread least, where they do so to less than a quarter
-///         of any other, lies within 60 deg of z: no ground that machines work on is as steep.
+/// Model   A survey is flat if its spread in one direction is less than a quarter of the spread in
+///         any other. That direction must lie within 60 deg of z: work sites are less steep.
 void RequireUpright(const std::filesystem::path& file, const std::vector<Vec3>& p_m) {
   constexpr double kFlat = 0.25, kSteepest_rad = 60 * kDeg;
   Vec3 sum_m = Vec3::Zero();
@@ -102,7 +102,7 @@ std::vector<Vec3> WithoutOutliers(const std::vector<Vec3>& p_m, const OutlierRul
   return kept_m;
 }
 
-/// Moves a site to where its survey lies.
+/// Moves a site back to the survey's coordinates.
 void Move(const Vec3& by_m, SurveySite* site) {
   site->terrain.grid.low_m += by_m.head<2>();
   for (float& z : site->terrain.height_m) z = static_cast<float>(z + by_m.z());
@@ -142,7 +142,7 @@ SurveySite MakeSurveySite(const std::filesystem::path& file, const SiteRequest& 
                                          : std::nullopt;
   const double cell_m = CellSize(file, p_m, wanted_m);
 
-  // Windows of the filter are some twenty squares at most.
+  // Keeps the filter's windows to about twenty squares.
   constexpr double kSquares = 20;
   const GroundRule rule = {.square_m = std::max(cell_m, request.largest_thing_m / kSquares),
                            .largest_thing_m = request.largest_thing_m,

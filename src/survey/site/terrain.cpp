@@ -9,9 +9,10 @@
 namespace tera {
 namespace {
 
-/// Points of a thing so near the ground tell of a wall, beside which ground cannot be told from it.
+/// Points of a thing below this height indicate a wall. Ground next to a wall cannot be separated
+/// from it.
 constexpr float kWallFoot_m = 1.0F;
-/// A gap no wider than twice this belongs to what was surveyed.
+/// A gap up to twice this width belongs to the surveyed area.
 constexpr double kSurveyReach_m = 1.0;
 
 std::vector<float> MediansOfGround(const CellGrid& grid, const std::vector<Vec3>& p_m,
@@ -33,7 +34,7 @@ std::vector<float> MediansOfGround(const CellGrid& grid, const std::vector<Vec3>
 }
 
 std::vector<bool> Widened(const CellGrid& grid, const std::vector<bool>& cells, int reach) {
-  // Rows first, then columns: a square about each cell.
+  // Rows first, then columns: a square around each cell.
   std::vector<bool> rows(grid.size(), false), both(grid.size(), false);
   for (int j = 0; j < grid.ny; ++j) {
     for (int i = 0; i < grid.nx; ++i) {
@@ -52,7 +53,7 @@ std::vector<bool> Widened(const CellGrid& grid, const std::vector<bool>& cells, 
   return both;
 }
 
-/// Cells that are reached from the grid's border without crossing what was surveyed.
+/// Cells that connect to the grid's border without crossing the surveyed area.
 std::vector<bool> Beyond(const CellGrid& grid, const std::vector<bool>& surveyed) {
   std::vector<bool> beyond(grid.size(), false);
   std::deque<std::array<int, 2>> edge;

@@ -7,15 +7,15 @@
 
 namespace tera {
 
-/// Where a terrain's heights come from. The numbers are those of mask.tif.
+/// Source of a terrain height. The values are those of mask.tif.
 enum class HeightSource : std::uint8_t {
-  kMeasured = 0,     ///< the median of the ground's points in the cell
+  kMeasured = 0,     ///< median of the ground points in the cell
   kFilled = 1,       ///< no points; the membrane over the gap (fill_gaps.h)
-  kUnderThing = 2,   ///< a thing stands there, or within a cell; the membrane again
-  kBeyondSurvey = 3  ///< outside of what was surveyed; the membrane, which runs out level
+  kUnderThing = 2,   ///< a thing stands within a cell of it; the membrane again
+  kBeyondSurvey = 3  ///< outside the survey; the membrane, which runs out level
 };
 
-/// Heights of the ground by cells, without gaps, and what each rests on.
+/// Ground heights by cell, without gaps, and the source of each.
 struct SurveyTerrain {
   CellGrid grid;
   std::vector<float> height_m;
@@ -26,8 +26,8 @@ struct SurveyTerrain {
   std::int64_t CountOf(HeightSource kind) const;
 };
 
-/// The terrain of a survey in cells. `above_m` says of each point how high it is above the ground;
-/// up to 0 it is ground (ground_filter.h).
+/// The terrain of a survey. `above_m` is the height of each point above the ground; ground points
+/// have at most 0 (ground_filter.h).
 SurveyTerrain MakeTerrain(const std::vector<Vec3>& p_m, const std::vector<float>& above_m,
                           double cell_m);
 

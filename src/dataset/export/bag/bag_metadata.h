@@ -8,7 +8,7 @@
 
 namespace tera {
 
-/// What a rosbag2 bag holds, for its metadata.yaml.
+/// Contents of a rosbag2 bag, for its metadata.yaml.
 struct BagMetadata {
   struct CountedTopic {
     Topic topic;
@@ -24,10 +24,10 @@ struct BagMetadata {
   void Count(std::size_t topic, TimeNs t_ns);
 };
 
-/// The text of metadata.yaml, version 5, which ROS 2 Humble writes and later ones read.
+/// The text of metadata.yaml, version 5, which ROS 2 Humble writes and later versions read.
 std::string MetadataYaml(const BagMetadata& bag);
 
-/// The list of one profile that a bag keeps for each topic (rmw's numbers).
+/// A topic's list of one profile in a bag (rmw's numbers).
 std::string QosProfiles(const TopicQuality& quality);
 
 }  // namespace tera

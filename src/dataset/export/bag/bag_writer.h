@@ -8,11 +8,11 @@
 
 namespace tera {
 
-/// How a topic was offered: history, reliability and durability as ROS 2 numbers them.
+/// Quality of service of a topic: history, reliability and durability in ROS 2's numbers.
 struct TopicQuality {
   int depth = 10;
   bool reliable = true;
-  bool latched = false;  ///< also to who comes later
+  bool latched = false;  ///< also delivered to late subscribers
 };
 
 struct Topic {
@@ -21,16 +21,16 @@ struct Topic {
   TopicQuality quality;
 };
 
-/// A bag of ROS messages that is being written. Topics come before the first message, messages in
+/// Writes a bag of ROS messages. All topics are added before the first message; messages come in
 /// order of time.
 class BagWriter {
  public:
   virtual ~BagWriter() = default;
 
   virtual ros::WireForm form() const = 0;
-  /// The number that Write takes.
+  /// Returns the number for Write.
   virtual std::size_t AddTopic(const Topic& topic) = 0;
-  /// `t_ns` from 0.
+  /// `t_ns` is at least 0.
   virtual void Write(std::size_t topic, TimeNs t_ns, std::string_view message) = 0;
   virtual void Finish() = 0;
 };

@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-/// Of zstd, the level that keeps up with a disk.
+/// zstd level that keeps up with a disk.
 constexpr int kZstdLevel = 1;
 
 std::string ByZstd(std::string_view bytes) {

@@ -10,7 +10,7 @@ enum class BagCompression { kZstd, kLz4, kNone };
 /// "zstd", "lz4", or empty.
 std::string_view NameOf(BagCompression compression);
 
-/// `bytes` as one frame of the compression, with what its own readers need to check it.
+/// `bytes` as one compressed frame, with a checksum if its readers need one.
 ///
 /// Source  RFC 8878 by libzstd; the LZ4 frame format 1.6 by liblz4.
 std::string Compressed(BagCompression compression, std::string_view bytes);

@@ -8,7 +8,7 @@
 
 namespace tera {
 
-/// Appends a whole number to `bytes`, low byte first.
+/// Appends an integer to `bytes`, low byte first.
 template <std::unsigned_integral T>
 void AppendNumber(T value, std::string* bytes) {
   std::array<char, sizeof(T)> parts;
@@ -18,7 +18,7 @@ void AppendNumber(T value, std::string* bytes) {
   bytes->append(parts.data(), parts.size());
 }
 
-/// Its length in 32 bits, then the text.
+/// Appends the text's length in 32 bits, then the text.
 inline void AppendText(std::string_view text, std::string* bytes) {
   AppendNumber(static_cast<std::uint32_t>(text.size()), bytes);
   bytes->append(text);

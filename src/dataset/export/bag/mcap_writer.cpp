@@ -29,7 +29,7 @@ enum Opcode : std::uint8_t {
   kDataEnd = 0x0F
 };
 
-/// What stands before a record's content.
+/// The opcode and length before a record's content.
 std::string RecordHead(std::uint8_t opcode, std::size_t content_bytes) {
   std::string head;
   AppendNumber(opcode, &head);
@@ -47,7 +47,7 @@ std::uint32_t Crc(std::uint32_t crc, std::string_view bytes) {
   return libdeflate_crc32(crc, bytes.data(), bytes.size());
 }
 
-/// A map's bytes behind their number.
+/// Appends a map: its length in bytes, then its entries.
 void AppendMap(const std::string& entries, std::string* bytes) { AppendText(entries, bytes); }
 
 }  // namespace
@@ -112,14 +112,14 @@ void McapWriter::Write(std::size_t topic, TimeNs t_ns, std::string_view message)
   const auto log_ns = static_cast<std::uint64_t>(t_ns);
   std::string& records = chunk_.records;
   chunk_.places[id].emplace_back(log_ns, records.size());
-  // The message's fields go straight into the chunk: messages are large.
+  // Large messages go straight into the chunk, without a copy.
   constexpr std::uint64_t kFieldBytes = 2 + 4 + 8 + 8;
   AppendNumber(static_cast<std::uint8_t>(kMessage), &records);
   AppendNumber(kFieldBytes + message.size(), &records);
   AppendNumber(id, &records);
   AppendNumber(static_cast<std::uint32_t>(messages_.at(topic)), &records);
   AppendNumber(log_ns, &records);
-  AppendNumber(log_ns, &records);  // published
+  AppendNumber(log_ns, &records);  // publish time
   records.append(message);
   ++messages_[topic];
   chunk_.span.Include(log_ns);
@@ -154,7 +154,7 @@ void McapWriter::AppendChunk(const Chunk& chunk) {
   AppendNumber(chunk.crc, &content);
   AppendText(NameOf(compression_), &content);
   AppendNumber(entry.packed_bytes, &content);
-  // In pieces, as the last is large.
+  // Written in pieces, since the last is large.
   Append(RecordHead(kChunk, content.size() + packed.size()));
   Append(content);
   Append(packed);
@@ -235,7 +235,7 @@ void McapWriter::WriteSummary() {
   write_group(kChunkIndex, chunk_indexes);
   const auto offset_start = static_cast<std::uint64_t>(file_.bytes());
   Append(offsets);
-  // The summary's checksum takes in the footer as far as itself.
+  // The summary's checksum covers the footer up to the checksum itself.
   constexpr std::uint64_t kFooterBytes = 8 + 8 + 4;
   std::string footer;
   AppendNumber(static_cast<std::uint8_t>(kFooter), &footer);

@@ -15,17 +15,16 @@
 
 namespace tera {
 
-/// An MCAP file of profile `ros2`: messages in compressed chunks with an index of each, and at the
-/// end schemas, channels, statistics and the index of the chunks, found by offsets.
+/// Writes an MCAP file of profile `ros2`: messages in compressed chunks, each with an index, and a
+/// summary at the end. The summary has schemas, channels, statistics, the chunk index and offsets.
 ///
-/// Model   a chunk ends when it holds kChunkBytes, and is compressed on another thread while the
-///         next ones are filled; only these, two for each thread, and 40 bytes or so of each
-///         earlier one for the index, are in memory. CRC-32 of each chunk, of the data and of the
-///         summary.
+/// Model   a chunk ends at kChunkBytes and is compressed on another thread while the next ones
+///         fill. Memory holds these chunks, two per thread, and about 40 bytes of index for each
+///         earlier one. CRC-32 of each chunk, of the data and of the summary.
 /// Source  "MCAP file format specification", mcap.dev, version 0.
 class McapWriter : public BagWriter {
  public:
-  /// Throws InputError where the file cannot be written, as every call does.
+  /// Throws InputError if the file cannot be written, as every call does.
   McapWriter(const std::filesystem::path& file, BagCompression compression, int threads);
 
   ros::WireForm form() const override { return ros::WireForm::kCdr; }
@@ -41,28 +40,28 @@ class McapWriter : public BagWriter {
     std::map<std::uint16_t, std::uint64_t> index_offsets;
     std::uint64_t index_length = 0, packed_bytes = 0, bytes = 0;
   };
-  /// First and last time of some messages.
+  /// First and last time of a set of messages.
   struct TimeSpan {
     std::uint64_t first_ns = 0, last_ns = 0;
     bool empty = true;
     void Include(std::uint64_t t_ns);
   };
-  /// Messages on their way into the file.
+  /// Messages of one chunk.
   struct Chunk {
     std::string records;
     TimeSpan span;
-    /// By channel: time and place of each message.
+    /// Time and offset of each message, by channel.
     std::map<std::uint16_t, std::vector<std::pair<std::uint64_t, std::uint64_t>>> places;
-    // When it has ended.
+    // Set when the chunk ends.
     std::uint32_t crc = 0;
-    std::string packed;  ///< the records compressed, where they are
+    std::string packed;  ///< the compressed records, if compressed
   };
 
   void Append(std::string_view bytes);
   void AppendRecord(std::uint8_t opcode, std::string_view content);
-  /// Begins to compress the chunk that has been filled.
+  /// Starts the compression of the full chunk.
   void EndChunk();
-  /// With its index.
+  /// Appends the chunk and its index.
   void AppendChunk(const Chunk& chunk);
   void WriteSummary();
   std::string Statistics() const;
@@ -70,15 +69,15 @@ class McapWriter : public BagWriter {
 
   CheckedFile file_;
   BagCompression compression_;
-  std::uint32_t crc_ = 0;  ///< of everything since the start of the file or of the summary
+  std::uint32_t crc_ = 0;  ///< since the start of the file or of the summary
   std::map<std::string_view, std::uint16_t> schemas_;
   std::string schema_records_, channel_records_;
-  std::vector<std::uint64_t> messages_;  ///< by channel, so far
-  Chunk chunk_;                          ///< being filled
+  std::vector<std::uint64_t> messages_;  ///< count per channel so far
+  Chunk chunk_;                          ///< current chunk
   TimeSpan span_;
   std::vector<ChunkEntry> chunks_;
-  bool defined_ = false;    ///< schemas and channels stand in the first chunk
-  InOrder<Chunk> packing_;  ///< the chunks before it
+  bool defined_ = false;    ///< the first chunk has the schemas and channels
+  InOrder<Chunk> packing_;  ///< earlier chunks
 };
 
 }  // namespace tera

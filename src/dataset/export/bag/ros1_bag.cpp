@@ -4,7 +4,7 @@
 
 namespace tera {
 
-/// A bag of ROS 1: NAME.bag.
+/// Writes a ROS 1 bag: NAME.bag.
 void ExportBag(ExportJob* job) {
   Ros1BagWriter bag(job->folder / (job->name + ".bag"));
   RosTopics(job, &bag).WriteAll();

@@ -12,14 +12,14 @@
 
 namespace tera {
 
-/// A bag of ROS 1, format 2.0: messages in chunks, each followed by an index of each connection in
-/// it, and at the end the connections and where the chunks are.
+/// Writes a ROS 1 bag, format 2.0: messages in chunks, each followed by an index per connection.
+/// Connections and chunk offsets are at the end.
 ///
 /// Omits   compression of chunks.
 /// Source  "Bags/Format/2.0" of the ROS 1 wiki.
 class Ros1BagWriter : public BagWriter {
  public:
-  /// Throws InputError where the file cannot be written, as every call does.
+  /// Throws InputError if the file cannot be written, as every call does.
   explicit Ros1BagWriter(const std::filesystem::path& file) : file_(file) {}
 
   ros::WireForm form() const override { return ros::WireForm::kRos1; }
@@ -28,7 +28,7 @@ class Ros1BagWriter : public BagWriter {
   void Finish() override;
 
  private:
-  /// Where a chunk is, and how many messages of each connection it has.
+  /// A chunk's offset and its message count per connection.
   struct Chunk {
     std::uint64_t position = 0;
     TimeNs first_ns = 0, last_ns = 0;
@@ -38,11 +38,13 @@ class Ros1BagWriter : public BagWriter {
   void Append(const std::string& bytes);
   void EndChunk();
 
-  CountedFile file_;  ///< all behind the first record, which says where the connections are
+  CountedFile
+      file_;  ///< everything after the first record, which has the offset of the connections
   std::uint64_t bytes_ = 0;
-  std::string connections_;                     ///< their records
-  std::string chunk_;                           ///< the records of the one that is being filled
-  std::map<std::uint32_t, std::string> index_;  ///< of it: time and place of each message
+  std::string connections_;  ///< their records
+  std::string chunk_;        ///< records of the current chunk
+  std::map<std::uint32_t, std::string>
+      index_;  ///< time and offset of each message in the current chunk
   Chunk current_;
   std::vector<Chunk> chunks_;
   std::uint32_t topics_ = 0;

@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// Writes all messages; returns what the bag then holds.
+/// Writes all messages and returns the bag's contents.
 BagMetadata WriteMessages(ExportJob* job, BagWriter* bag) {
   RosTopics topics(job, bag);
   BagMetadata metadata;
@@ -22,7 +22,7 @@ BagMetadata WriteMessages(ExportJob* job, BagWriter* bag) {
 
 }  // namespace
 
-/// A bag of ROS 2: NAME_0.mcap or NAME_0.db3, and metadata.yaml beside it.
+/// Writes a ROS 2 bag: NAME_0.mcap or NAME_0.db3, with metadata.yaml.
 void ExportRosbag2(ExportJob* job) {
   const bool mcap = job->options.storage == BagStorage::kMcap;
   const std::string file = job->name + "_0." + (mcap ? "mcap" : "db3");

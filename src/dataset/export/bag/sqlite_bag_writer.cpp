@@ -56,8 +56,7 @@ SqliteBagWriter::SqliteBagWriter(const std::filesystem::path& file)
     : database_(std::make_unique<Database>()) {
   database_->file = file;
   database_->Require(sqlite3_open(file.c_str(), &database_->handle));
-  // The folder gets its name only when the file is whole, so that nothing is lost without a
-  // journal.
+  // No journal is needed: the folder gets its name only when the file is complete.
   database_->Execute("PRAGMA journal_mode=OFF; PRAGMA synchronous=OFF;");
   database_->Execute(kTables);
   database_->insert =

@@ -8,13 +8,13 @@
 
 namespace tera {
 
-/// A SQLite 3 file as the storage `sqlite3` of rosbag2 writes it, schema version 3: tables topics,
+/// Writes a SQLite 3 file in rosbag2's storage format `sqlite3`, schema version 3: tables topics,
 /// messages, schema and metadata, with an index of times.
 ///
 /// Source  ros2/rosbag2, branch humble, rosbag2_storage_default_plugins.
 class SqliteBagWriter : public BagWriter {
  public:
-  /// Throws InputError where the file cannot be written, as every call does.
+  /// Throws InputError if the file cannot be written, as every call does.
   explicit SqliteBagWriter(const std::filesystem::path& file);
   ~SqliteBagWriter() override;
 
@@ -22,7 +22,7 @@ class SqliteBagWriter : public BagWriter {
   std::size_t AddTopic(const Topic& topic) override;
   void Write(std::size_t topic, TimeNs t_ns, std::string_view message) override;
   void Finish() override;
-  /// A row of the table metadata, the text of metadata.yaml; before Finish.
+  /// Adds a row to the table metadata: the text of metadata.yaml. Call before Finish.
   void AddMetadata(const std::string& yaml);
 
  private:

@@ -59,7 +59,7 @@ std::int32_t Units(double coordinate_m) {
   return static_cast<std::int32_t>(units);
 }
 
-/// A recording that does not know its place says 0 in all.
+/// A recording with an unknown place has zeros.
 bool IsOnTheEarth(const DatasetInfo& info) {
   return info.origin_lat_deg != 0 || info.origin_lon_deg != 0 || info.origin_height_m != 0;
 }
@@ -120,7 +120,8 @@ std::string LasHeader(const MapExtent& extent, const DatasetInfo& info) {
   AppendNumber(std::uint8_t{4}, &bytes);
   AppendPadded(info.simulated ? "simulation" : "OTHER", 32, &bytes);
   AppendPadded("TERA " + std::string(TeraVersion()), 32, &bytes);
-  AppendNumber(std::uint16_t{0}, &bytes);  // day and year of creation: the same bytes every day
+  AppendNumber(std::uint16_t{0},
+               &bytes);  // day and year of creation: the bytes do not depend on the day
   AppendNumber(std::uint16_t{0}, &bytes);
   AppendNumber(kHeaderBytes, &bytes);
   AppendNumber(before_points, &bytes);

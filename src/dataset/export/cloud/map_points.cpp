@@ -21,7 +21,7 @@ MapPart PartOf(const ExportJob& job, const std::string& lidar, const PoseTrack& 
   MapPart part;
   const LidarScan scan = job.recording.LoadScan(lidar, record.t_ns);
   Pose X_WS = Pose::Identity();
-  std::optional<TimeNs> posed_ns;  // rays that leave together come together
+  std::optional<TimeNs> posed_ns;  // consecutive rays often share a time
   for (const LidarPoint& point : scan.points) {
     const TimeNs t_ns = scan.t_ns + point.time_offset_ns;
     if (posed_ns != t_ns) X_WS = track.At(t_ns);

@@ -9,7 +9,7 @@
 #include "dataset/export/counted_file.h"
 #include "dataset/export/export_job.h"
 
-// The merged map in formats of point clouds.
+// The merged map in point cloud formats.
 
 namespace tera {
 namespace {

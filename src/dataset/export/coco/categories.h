@@ -5,16 +5,16 @@
 
 namespace tera {
 
-/// COCO's number of a class: the dataset's and one, as programs take 0 for none.
+/// COCO's number of a class: the dataset's number plus one, since readers take 0 for none.
 int CategoryOf(SemanticClass label);
 
 /// "vehicle", "machine_part", ...
 const char* SupercategoryOf(SemanticClass label);
 
-/// Whether a class is of things, which can be counted; else of stuff.
+/// Whether the class is one of countable things, not of stuff.
 bool IsThing(SemanticClass label);
 
-/// The list `categories` of things alone, or of all classes as panoptic labels have them.
+/// The list `categories`: things only, or all classes for panoptic labels.
 OrderedJson ThingCategories();
 OrderedJson PanopticCategories();
 

@@ -25,19 +25,19 @@
 namespace tera {
 namespace {
 
-/// A segment of a panoptic picture. No two of a picture share a pixel.
+/// A segment of a panoptic picture. Segments of a picture share no pixel.
 struct PanopticSegment {
   SemanticClass label = SemanticClass::kSky;
-  std::uint16_t instance = 0;  ///< 0: all pixels of a class that are of no object
+  std::uint16_t instance = 0;  ///< 0: all pixels of a class without an object
   PixelBounds bounds;
   std::int64_t area_px = 0;
 };
 
-/// A picture's segments by their numbers, and the picture that has the number of each pixel as red
-/// + 256 green + 65536 blue.
+/// The segments of a picture by their numbers, and the picture of numbers as red + 256 green +
+/// 65536 blue.
 ///
-/// Model   a part of a machine is a segment of its own, of the number of its instance; pixels of no
-///         instance are one segment a class, of the number 65536 (class + 1). No pixel is void.
+/// Model   a part of a machine is a segment with the number of its instance. Pixels without an
+///         instance form one segment per class, numbered 65536 (class + 1). No pixel is void.
 /// Source  COCO, "Panoptic segmentation" of its data format.
 struct PanopticPicture {
   Image<std::uint8_t> rgb;
@@ -48,7 +48,7 @@ std::uint32_t SegmentNumber(std::uint16_t instance, std::uint8_t label) {
   return instance != 0 ? instance : (label + 1u) << 16;
 }
 
-/// Makes the segment at its first pixel.
+/// The segment with this number, created at its first pixel.
 PanopticSegment& SegmentAt(std::uint32_t number, std::uint16_t instance, std::uint8_t label,
                            const InstanceTable& table, const std::filesystem::path& file,
                            PanopticPicture* picture) {
@@ -61,7 +61,7 @@ PanopticSegment& SegmentAt(std::uint32_t number, std::uint16_t instance, std::ui
   return place->second;
 }
 
-/// Throws InputError about `file`, the picture of instances, where an object is not in the table.
+/// Throws InputError about `file`, the picture of instances, if an object is not in the table.
 PanopticPicture PanopticOf(const LabelledFrame& frame, const InstanceTable& table,
                            const std::filesystem::path& file) {
   PanopticPicture picture;
@@ -134,7 +134,7 @@ OrderedJson ImageJson(std::int64_t id, const ExportJob& job, const std::string& 
   return image;
 }
 
-/// What a box of the recording tells of an object beyond its pixels.
+/// Adds the 3-D data of a recorded box.
 void AddBox(const ObjectBox& box, OrderedJson* annotation) {
   const Vec3 &p = box.X_CO.translation(), &size = box.size_O_m;
   const Quat q = UnitQuaternion(box.X_CO);
@@ -144,23 +144,22 @@ void AddBox(const ObjectBox& box, OrderedJson* annotation) {
                              {"size_O_m", {size.x(), size.y(), size.z()}}};
 }
 
-/// An object of an image; its number and its category as one with key points are given when it is
-/// written.
+/// An object of an image. Its number and its key point category are assigned on writing.
 struct ObjectAnnotation {
   OrderedJson json;
-  std::optional<ObjectBox> box;  ///< where it has key points
+  std::optional<ObjectBox> box;  ///< set if it has key points
 };
 
-/// What the files of annotations have of an image.
+/// An image's entries in the annotation files.
 struct ImageAnnotations {
   TimeNs t_ns = 0;
   std::string camera;
-  bool was_written = false;  ///< its pictures were whole already
+  bool was_written = false;  ///< its pictures exist already
   std::vector<ObjectAnnotation> objects;
   OrderedJson segments;
 };
 
-/// The files of annotations and what numbers their entries.
+/// The annotation files and the numbering of their entries.
 class CocoFiles {
  public:
   explicit CocoFiles(ExportJob* job)
@@ -195,7 +194,7 @@ class CocoFiles {
     keypoints_.BeginList("annotations");
   }
 
-  /// Writes an image's pictures, unless they are there; on any thread.
+  /// Writes an image's pictures unless they exist. Runs on any thread.
   ImageAnnotations WritePictures(const std::string& camera, TimeNs t_ns, bool was_written) const {
     const LabelledFrame frame = LoadLabels(job_->recording, camera, t_ns);
     const fs::path rgb = FrameFile(job_->recording, camera, "rgb", t_ns);
@@ -210,7 +209,7 @@ class CocoFiles {
     return {t_ns, camera, was_written, Objects(frame, instances), Segments(picture)};
   }
 
-  /// Of the image after the one before.
+  /// Adds the next image.
   void Add(ImageAnnotations image) {
     ++image_;
     for (ObjectAnnotation& object : image.objects) {
@@ -298,14 +297,13 @@ class CocoFiles {
 
 }  // namespace
 
-/// images/CAMERA_<t_ns>.png, annotations/instances.json with a mask of each object,
-/// annotations/keypoints.json where objects have key points, and annotations/panoptic.json with the
-/// pictures annotations/panoptic/CAMERA_<t_ns>.png, of the cameras that have colour, classes and
+/// Writes images/CAMERA_<t_ns>.png, annotations/instances.json with a mask of each object,
+/// annotations/keypoints.json if objects have key points, and annotations/panoptic.json with the
+/// pictures annotations/panoptic/CAMERA_<t_ns>.png. It covers the cameras with colour, classes and
 /// instances.
 ///
 /// Source  COCO, "Data format": object and keypoint detection and panoptic segmentation; Lin et al.
-/// 2014,
-///         "Microsoft COCO: Common objects in context"; Kirillov et al. 2019, "Panoptic
+///         2014, "Microsoft COCO: Common objects in context"; Kirillov et al. 2019, "Panoptic
 ///         segmentation".
 void ExportCoco(ExportJob* job) {
   const std::vector<std::string> cameras =

@@ -8,18 +8,18 @@
 
 namespace tera {
 
-/// The kinds of key points that objects have, each a category of COCO's.
+/// Kinds of key points, each a COCO category.
 ///
-/// Model   persons with COCO's 17 points are of the category `person` of the other files, their
-///         points in COCO's order. Objects of one class whose points bear other names, in other
-///         order, are a category of their own, "vehicle_1" and on, numbered from 1001.
+/// Model   persons with COCO's 17 points have the category `person` of the other files, with their
+///         points in COCO's order. Objects of a class with other point names or another order get
+///         their own category, "vehicle_1" and on, numbered from 1001.
 /// Source  COCO, "Keypoint detection" of its data format.
 class KeypointCategories {
  public:
-  /// The members `category_id`, `keypoints` and `num_keypoints` of an object's annotation: x, y and
-  /// v of each point, v 2 seen, 1 hidden, 0 (and x, y 0) beyond the picture.
+  /// Adds `category_id`, `keypoints` and `num_keypoints` to an object's annotation: x, y and v of
+  /// each point. v is 2 for visible, 1 for hidden, 0 (with x, y 0) for points outside the picture.
   void Annotate(const ObjectBox& box, OrderedJson* annotation);
-  /// The list `categories` of all that were used.
+  /// The list `categories` of all used categories.
   OrderedJson Json() const;
   bool empty() const { return categories_.empty(); }
 

@@ -17,10 +17,10 @@
 namespace tera {
 namespace {
 
-/// A receiver's file, and where it has one the receiver that it makes a pair with.
+/// A receiver's file, and its pair with another receiver if there is one.
 struct Receiver {
   std::unique_ptr<CheckedFile> file;
-  std::optional<AntennaPair> pair;  ///< of the first of two
+  std::optional<AntennaPair> pair;  ///< for the first of the two
   std::size_t second = 0;
   GnssSample last;
   bool measured = false;
@@ -48,21 +48,21 @@ bool HasFixAt(const Receiver& receiver, TimeNs t_ns) {
   return receiver.measured && receiver.last.t_ns == t_ns && receiver.last.fix != GnssFix::kNone;
 }
 
-/// The heading, once both of a pair have measured at this time.
+/// Appends the heading when both receivers of a pair have measured at this time.
 void AppendHeading(TimeNs t_ns, std::vector<Receiver>* receivers) {
   for (Receiver& first : *receivers) {
     if (!first.pair) continue;
     const Receiver& second = (*receivers)[first.second];
     if (!HasFixAt(first, t_ns) || !HasFixAt(second, t_ns)) continue;
     first.file->Append(Hdt(first.pair->Heading_rad(first.last, second.last)));
-    first.measured = false;  // said once
+    first.measured = false;  // prevents a repetition
   }
 }
 
 }  // namespace
 
-/// MACHINE/RECEIVER.nmea with GGA, RMC and GST of each sample, GST where there is a fix; HDT in the
-/// file of the first of a machine's two receivers.
+/// Writes MACHINE/RECEIVER.nmea with GGA and RMC for each sample, and GST for each fix. The first
+/// of a machine's two receivers also has HDT.
 void ExportNmea(ExportJob* job) {
   const std::vector<std::string> paths = job->recording.ChannelsOf(kGnssChannel);
   RequireAny(paths, *job, "GNSS receiver");

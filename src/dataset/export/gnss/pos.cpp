@@ -13,7 +13,7 @@
 namespace tera {
 namespace {
 
-/// RTKLIB's number for a quality.
+/// RTKLIB's number of a fix quality.
 int QualityOf(GnssFix fix) {
   switch (fix) {
     case GnssFix::kRtkFixed:
@@ -55,8 +55,8 @@ std::string Line(TimeNs utc_ns, const GnssSample& s) {
 
 }  // namespace
 
-/// MACHINE/RECEIVER.pos: a line for each sample with a fix. Covariances, satellites, age and ratio,
-/// which a recording does not hold, are 0, as RTKLIB writes what it does not know.
+/// Writes MACHINE/RECEIVER.pos: a line for each sample with a fix. A recording lacks covariances,
+/// satellites, age and ratio; these are 0, RTKLIB's value for unknown.
 ///
 /// Source  RTKLIB 2.4.2 manual, appendix B.1, "Positioning solution file".
 void ExportPos(ExportJob* job) {

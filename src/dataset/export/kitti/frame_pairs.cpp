@@ -6,7 +6,7 @@
 namespace tera {
 namespace {
 
-/// Channels of the stream; of equal times the scan comes first.
+/// Channels of the stream; at equal times the scan comes first.
 constexpr std::size_t kLidar = 0;
 
 }  // namespace

@@ -6,20 +6,19 @@
 
 namespace tera {
 
-/// A scan and the picture that was taken while it was.
+/// A scan and a picture taken during it.
 struct FramePair {
   TimeNs picture_ns = 0, scan_ns = 0;
 };
 
-/// The frames of an export, in order of time: each scan during which there was a picture, with the
-/// one nearest to its middle. Scans without one, and pictures beside, are left out. One of each is
-/// in memory.
+/// Pairs each scan with the picture nearest to its middle, in order of time. Scans without a
+/// picture during them, and other pictures, are left out. Memory holds one of each.
 class FramePairs {
  public:
   FramePairs(ExportJob* job, const std::string& camera, const std::string& lidar,
              TimeNs scan_period_ns);
 
-  /// False at the end.
+  /// Returns false at the end.
   bool Next(FramePair* pair);
 
  private:

@@ -19,11 +19,11 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// How far a calibration that is to hold throughout may be off: what links that bend and poses
-/// between samples make of a mount that does not move.
+/// Tolerance of a constant calibration. Bending links and interpolated poses make a fixed mount
+/// vary this much.
 constexpr double kSteadyWithin_m = 0.005, kSteadyWithin_rad = 0.1 * kDeg;
 
-/// Those that were asked for, each once.
+/// The requested layouts, each once.
 std::vector<KittiLayout> LayoutsOf(const ExportOptions& options) {
   const std::vector<KittiLayout>& asked = options.kitti_layouts;
   std::vector<KittiLayout> layouts;
@@ -52,7 +52,7 @@ std::unique_ptr<KittiLayoutWriter> Made(KittiLayout layout, const ExportJob& job
   return nullptr;
 }
 
-/// The first of `layouts` that is among `some`; null: none.
+/// The first of `layouts` that is among `some`, or null.
 const KittiLayoutName* FirstOf(const std::vector<KittiLayout>& layouts,
                                std::initializer_list<KittiLayout> some) {
   for (const KittiLayoutName& entry : kKittiLayouts) {
@@ -68,7 +68,7 @@ const KittiLayoutName* FirstOf(const std::vector<KittiLayout>& layouts,
 void WriteLinked(const std::vector<fs::path>& places, std::string_view bytes) {
   for (std::size_t k = 0; k < places.size(); ++k) {
     std::error_code failed;
-    // What a stopped export has left of a frame that was not whole.
+    // Files that a stopped export has left of an incomplete frame.
     fs::remove(places[k], failed);
     if (k > 0) fs::create_hard_link(places.front(), places[k], failed);
     if (k == 0 || failed) WriteWholeFile(places[k], bytes);
@@ -95,7 +95,7 @@ class KittiExport {
 
   const KittiRig& rig() const { return rig_; }
 
-  /// The frame after the one before, with nothing read yet.
+  /// The next frame, without data.
   KittiFrame Begin(const FramePair& pair) {
     KittiFrame frame;
     frame.number = number_++;
@@ -107,9 +107,9 @@ class KittiExport {
     return frame;
   }
 
-  /// Reads a frame and writes the files that are of it alone; on any thread.
+  /// Reads a frame and writes its own files. Runs on any thread.
   KittiFrame WriteFiles(KittiFrame frame) const {
-    // The labels of tracks are one file for all frames, which is made anew.
+    // The track labels are one file for all frames, which is always rewritten.
     const bool has_labels = frame.is_written ? tracked_ : labelled_;
     if (has_labels) frame.labels = Labels(frame.times.picture_ns);
     if (frame.is_written) return frame;
@@ -120,7 +120,7 @@ class KittiExport {
     return frame;
   }
 
-  /// In order of frames.
+  /// Called in order of frames.
   void Add(const KittiFrame& frame) {
     for (const auto& writer : writers_) writer->Add(frame);
     if (!frame.is_written) log_->Written(rig_.lidar.path, frame.number, FilesOf(frame.number));
@@ -131,7 +131,7 @@ class KittiExport {
   }
 
  private:
-  /// The file of a kind that a layout cannot do without.
+  /// A file that a layout requires.
   fs::path Needed(std::string_view kind, TimeNs t_ns, const KittiLayoutName& layout) const {
     const fs::path file = FrameFile(job_.recording, rig_.camera, kind, t_ns);
     std::error_code ignored;
@@ -182,7 +182,7 @@ class KittiExport {
                        rig_.lens, MachineOf(rig_.camera));
   }
 
-  /// A picture as it is, which must have the size that sensor.yaml says.
+  /// A picture with the size in sensor.yaml, else an InputError.
   template <typename T>
   const Image<T>& Sized(const Image<T>& picture, const fs::path& file) const {
     if (picture.width_px == rig_.lens.width_px && picture.height_px == rig_.lens.height_px) {
@@ -209,13 +209,12 @@ class KittiExport {
   }
 
   const ExportJob& job_;
-  ExportJob* log_;  ///< the same, which is told what is whole
+  ExportJob* log_;  ///< the same job, to mark complete frames
   std::vector<KittiLayout> layouts_;
   KittiRig rig_;
   Rectifier rectifier_;
   InstanceTable table_;
-  /// One of the layouts that have labels, depth, pictures, one calibration for all, and tracks;
-  /// null: none.
+  /// A layout with labels, depth, pictures, a constant calibration, and tracks; or null.
   const KittiLayoutName *labelled_, *deep_, *pictured_, *steady_, *tracked_;
   std::vector<std::unique_ptr<KittiLayoutWriter>> writers_;
   Pose X_CS_first_ = Pose::Identity();
@@ -224,8 +223,9 @@ class KittiExport {
 
 }  // namespace
 
-/// raw/, object/, tracking/, odometry/ and depth/, or those that --layout names: one camera and one
-/// lidar, a frame for each scan during which there was a picture, all of it at the picture's time.
+/// Writes raw/, object/, tracking/, odometry/ and depth/, or the layouts of --layout: one camera
+/// and one lidar, with a frame for each scan that has a picture. All data of a frame are at the
+/// picture's time.
 ///
 /// Source  Geiger et al. 2013, "Vision meets robotics: the KITTI dataset", and the development kits
 ///         of its raw data and benchmarks; depth: Uhrig et al. 2017, "Sparsity invariant CNNs".

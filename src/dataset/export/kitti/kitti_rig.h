@@ -9,30 +9,30 @@
 
 namespace tera {
 
-/// The lidar that --lidar names, else the first. Throws InputError where there is none.
+/// The lidar that --lidar names, else the first. Throws InputError if there is none.
 std::string ChosenLidar(const ExportJob& job);
 
-/// The optical frame C in the frame S of a camera or of another sensor: z of C is x of S, x of C is
-/// -y of S.
+/// The optical frame C in the frame S of a camera or another sensor: z of C is x of S, x of C is -y
+/// of S.
 Pose OpticalAxesInSensor();
 
-/// The lidar of an export, where it was, and on what it is mounted.
+/// The exported lidar with its poses and its mounting.
 struct KittiLidar {
   std::string path;
-  TimeNs period_ns = 0;  ///< of a scan
+  TimeNs period_ns = 0;  ///< duration of a scan
   Pose X_PS;             ///< in the link that carries it
   SensorPoses poses;
 };
 
-/// ChosenLidar. Throws InputError where there is none, or where
-/// its rate, its mounting or its place is not known.
+/// Reads ChosenLidar. Throws InputError if there is none, or if its rate, mounting or pose is
+/// unknown.
 KittiLidar ReadKittiLidar(ExportJob* job);
 
-/// The camera and the lidar of an export.
+/// The exported camera and lidar.
 ///
 /// Frames  W world, C the camera's optical frame (x right, y down, z forward), S the lidar's (x
-///         forward, y left, z up), P the link that carries the lidar. These are KITTI's camera,
-///         Velodyne and GPS/IMU.
+///         forward, y left, z up), P the link that carries the lidar. C, S and P are KITTI's
+///         camera, Velodyne and GPS/IMU.
 struct KittiRig {
   std::string camera;
   CameraLens lens;
@@ -43,8 +43,8 @@ struct KittiRig {
   Pose X_WS(TimeNs t_ns) const { return lidar.poses.X_WS.At(t_ns); }
 };
 
-/// The camera that --camera names, else the first, and the lidar. Throws InputError as above, and
-/// where the lens is not known or is one that no pinhole can stand for.
+/// Reads the camera that --camera names, else the first, and the lidar. Throws InputError as above,
+/// and if the lens is unknown or has no pinhole equivalent.
 KittiRig ReadKittiRig(ExportJob* job);
 
 }  // namespace tera

@@ -6,7 +6,7 @@
 #include "core/time.h"
 #include "dataset/format/sensor_sheet.h"
 
-/// Numbers as KITTI's text files have them: separated by blanks, matrices row after row.
+/// Numbers in KITTI's text format: separated by blanks, matrices row by row.
 
 namespace tera {
 

@@ -8,7 +8,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// Frames by themselves, each with its own calibration.
+/// Independent frames, each with its own calibration.
 class ObjectLayout : public KittiLayoutWriter {
  public:
   ObjectLayout(const ExportJob& job, const KittiRig& rig)

@@ -17,7 +17,8 @@ fs::path Made(const fs::path& folder) {
   return folder;
 }
 
-/// Sequence 00; its world is the camera's frame at the first picture, its time 0 that picture's.
+/// Sequence 00. Its world is the camera's frame at the first picture, its time 0 the time of that
+/// picture.
 class OdometryLayout : public KittiLayoutWriter {
  public:
   OdometryLayout(const ExportJob& job, const KittiRig& rig)
@@ -60,7 +61,7 @@ class OdometryLayout : public KittiLayoutWriter {
   Pose X_CW_first_ = Pose::Identity();
 };
 
-/// Depth along the axis, in 256ths of a metre; 0 where there is none.
+/// Depth along the axis, in 256ths of a metre; 0 without a measurement.
 class DepthLayout : public KittiLayoutWriter {
  public:
   DepthLayout(const ExportJob& job, const KittiRig& rig)

@@ -11,7 +11,7 @@ namespace tera {
 namespace {
 
 constexpr TimeNs kLeastHalfWindow_ns = 10'000'000;
-constexpr int kLocked = 4;  ///< the navigation status of a unit whose answer is complete
+constexpr int kLocked = 4;  ///< navigation status of a complete solution
 
 std::string Numbers(const Vec3& v) {
   return fmt::format(" {:.12f} {:.12f} {:.12f}", v.x(), v.y(), v.z());

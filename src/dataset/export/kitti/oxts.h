@@ -18,21 +18,20 @@ struct BodyMotion {
   Vec3 w_B_radps = Vec3::Zero();
 };
 
-/// Of a body B that a sensor is fixed to, by the poses of the sensor around an instant.
+/// Motion of a body B from the poses of a sensor fixed to it.
 ///
-/// Model   positions as a parabola, rotations as a steady turn, through poses half a window before
-///         and after; the window is twice as long as poses are apart and at least 20 ms, and lies
-///         within the recording.
+/// Model   positions follow a parabola, rotations a steady turn, through poses half a window
+///         earlier and later. The window is twice the interval of the poses, at least 20 ms, and
+///         lies within the recording.
 BodyMotion MotionAt(const SensorPoses& poses, const Pose& X_SB, TimeNs t_ns);
 
-/// What an inertial and satellite unit without errors at B's origin, x forward, y left and z up,
-/// would say, in the 30 numbers of KITTI's raw data.
+/// The 30 numbers of KITTI's raw data for an error-free inertial and satellite unit at B's origin,
+/// x forward, y left and z up.
 ///
-/// Model   latitude, longitude (deg), height above the ellipsoid; roll, pitch, yaw with
-///         R_WB = Rz(yaw) Ry(pitch) Rx(roll); velocity to north and east, then forward, left and
-///         up, where forward is level; specific force along B and along these; angular rate about B
-///         and about these. Accuracies, satellites and modes are 0, the navigation status 4
-///         (locked).
+/// Model   latitude, longitude (deg), height above the ellipsoid; roll, pitch, yaw with R_WB =
+///         Rz(yaw) Ry(pitch) Rx(roll); velocity to north and east, then forward, left and up, where
+///         forward is level; specific force along B and along these; angular rate about B and about
+///         these. Accuracies, satellites and modes are 0, the navigation status 4 (locked).
 /// Source  Geiger et al. 2013, "Vision meets robotics: the KITTI dataset", and the `dataformat.txt`
 ///         of its raw data.
 std::string OxtsRow(const BodyMotion& motion, const DatasetInfo& info);

@@ -19,15 +19,15 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// How many points there are of each class.
+/// Number of points of each class.
 using ClassCounts = std::array<std::int64_t, kSemanticClasses.size()>;
 
-/// No ray hits the sky; SemanticKITTI's 0 is what has no label.
+/// The sky's number 0 is SemanticKITTI's "no label", since no ray hits the sky.
 std::string_view NameOfClass(const SemanticClassInfo& info) {
   return info.label == SemanticClass::kSky ? "unlabeled" : info.name;
 }
 
-/// A map of the classes' numbers in YAML, with what `value` gives of each.
+/// A YAML map from the classes' numbers to `value` of each.
 template <typename Value>
 std::string ClassMap(std::string_view key, const Value& value) {
   std::string text = fmt::format("{}:\n", key);
@@ -37,8 +37,8 @@ std::string ClassMap(std::string_view key, const Value& value) {
   return text;
 }
 
-/// What the development kit reads of the classes: their names, colours (blue, green, red), shares
-/// of all points, the numbers to learn, which are the same, and which of these is to be ignored.
+/// The classes for the development kit: names, colours (blue, green, red), shares of all points,
+/// learning numbers (unchanged), and the ignored one.
 std::string ClassesYaml(const ClassCounts& counts) {
   std::int64_t all = 0;
   for (const std::int64_t count : counts) all += count;
@@ -78,7 +78,7 @@ std::string LabelBytes(const LidarScan& scan, const fs::path& file, ClassCounts*
   return bytes;
 }
 
-/// Counts the points of a scan that was written before.
+/// Counts the points of an existing scan file.
 void CountLabels(const fs::path& labels, ClassCounts* counts) {
   const std::string bytes = ReadWholeFile(labels);
   for (std::size_t at = 0; at + sizeof(std::uint32_t) <= bytes.size();
@@ -87,15 +87,15 @@ void CountLabels(const fs::path& labels, ClassCounts* counts) {
   }
 }
 
-/// What is left to do of a scan when its files are written.
+/// A scan with written files.
 struct WrittenScan {
   TimeNs t_ns = 0;
-  bool was_written = false;  ///< before this export went on
+  bool was_written = false;  ///< by a stopped export
   fs::path points, labels;
   ClassCounts counts{};
 };
 
-/// Writes the files of a scan, unless they are there; on any thread.
+/// Writes the files of a scan unless they exist. Runs on any thread.
 void WriteScan(const Recording& recording, const std::string& lidar, const PoseTrack& X_WS,
                WrittenScan* written) {
   if (written->was_written) return CountLabels(written->labels, &written->counts);
@@ -123,11 +123,12 @@ fs::path MadeFolder(const fs::path& folder) {
 
 }  // namespace
 
-/// sequences/00: velodyne, labels, calib.txt, poses.txt and times.txt; semantic-kitti.yaml, with
-/// the dataset's classes. One lidar; each scan as if it was taken at once at its first ray.
+/// Writes sequences/00 (velodyne, labels, calib.txt, poses.txt and times.txt) and
+/// semantic-kitti.yaml with the dataset's classes. One lidar; each scan is motion-corrected to its
+/// first ray.
 ///
-/// Frames  poses of a camera 0 that stands at the lidar's origin (x right, y down, z forward), in
-///         its own frame at the first scan; `Tr` from the lidar's frame into it.
+/// Frames  poses of a camera 0 at the lidar's origin (x right, y down, z forward), in its own frame
+///         at the first scan; `Tr` from the lidar's frame into it.
 /// Source  Behley et al. 2019, "SemanticKITTI", and its development kit.
 void ExportSemanticKitti(ExportJob* job) {
   const std::string lidar = ChosenLidar(*job);

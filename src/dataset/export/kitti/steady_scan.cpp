@@ -11,8 +11,8 @@ namespace tera {
 std::vector<LidarPoint> SteadyScan(const LidarScan& scan, const PoseTrack& X_WS, TimeNs t_ns) {
   std::vector<LidarPoint> points = scan.points;
   const Pose X_SW = X_WS.At(t_ns).inverse();
-  Pose X_SR = Pose::Identity();    // of the sensor when the ray left
-  std::optional<TimeNs> posed_ns;  // rays that leave together come together
+  Pose X_SR = Pose::Identity();    // sensor pose at the ray's time
+  std::optional<TimeNs> posed_ns;  // consecutive rays often share a time
   for (LidarPoint& point : points) {
     const TimeNs ray_ns = scan.t_ns + point.time_offset_ns;
     if (posed_ns != ray_ns) X_SR = X_SW * X_WS.At(ray_ns);

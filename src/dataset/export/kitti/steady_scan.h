@@ -5,10 +5,10 @@
 
 namespace tera {
 
-/// A scan as a lidar that stood still at `t_ns` would have taken it: each point, which is in the
-/// sensor's frame at the time of its own ray, in that of `t_ns`.
+/// A scan corrected for the sensor's motion: each point moves from the sensor's frame at its own
+/// ray to the frame at `t_ns`.
 ///
-/// Omits   the motion of what was seen.
+/// Omits   the motion of the targets.
 std::vector<LidarPoint> SteadyScan(const LidarScan& scan, const PoseTrack& X_WS, TimeNs t_ns);
 
 /// KITTI's bytes of points: x, y, z in m and intensity as 32-bit floats, low byte first.

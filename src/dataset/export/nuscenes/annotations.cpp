@@ -25,7 +25,7 @@ const ObjectBox* BoxOf(const std::vector<ObjectBox>& boxes, std::uint16_t instan
   return found != boxes.end() ? &*found : nullptr;
 }
 
-/// The frame on the other side of `t_ns` than its nearest one.
+/// The frame on the other side of `t_ns` than its nearest frame.
 std::optional<std::size_t> OtherSide(const std::vector<TimeNs>& t_ns, std::size_t nearest,
                                      TimeNs at_ns) {
   if (t_ns[nearest] < at_ns && nearest + 1 < t_ns.size()) return nearest + 1;
@@ -51,7 +51,7 @@ class CameraView {
   TimeNs apart_ns() const { return std::abs(camera_.t_ns[nearest_] - t_ns_); }
   const std::vector<ObjectBox>& boxes() const { return boxes_; }
 
-  /// Of one of boxes().
+  /// For one of boxes().
   Pose X_WO(const ObjectBox& box) const {
     const TimeNs near_ns = camera_.t_ns[nearest_];
     const Pose near = camera_.X_WF(near_ns) * box.X_CO;

@@ -18,24 +18,23 @@ struct AnnotatedObject {
   SemanticClass label = SemanticClass::kSky;
   Pose X_WO = Pose::Identity();
   Vec3 size_O_m = Vec3::Zero();
-  double visibility = 0;  ///< the greatest of all cameras
+  double visibility = 0;  ///< the maximum over the cameras
   std::int64_t lidar_points = 0;
 };
 
-/// What the pictures nearest to `t_ns`, at most `most_apart_ns` from it, show: objects that are
-/// part of nothing, the machine itself and what it carries left out.
+/// Objects in the pictures nearest to `t_ns`, at most `most_apart_ns` from it. Only top-level
+/// objects count, without the machine itself and its load.
 ///
-/// Model   a box is in W where the camera saw it, at the time of the picture; between the last
-///         picture before `t_ns` and the first after it, both of which have it, on the straight way
-///         from one to the other.
+/// Model   a box has the pose in W at the time of the picture. If the last picture before `t_ns`
+///         and the first after it both have the box, its pose is interpolated linearly.
 std::vector<AnnotatedObject> ObjectsAt(const Recording& recording, const NuScenesRig& rig,
                                        TimeNs t_ns, TimeNs most_apart_ns);
 
-/// Adds how many of `points_W_m` lie within each object's box.
+/// Counts the points of `points_W_m` in each object's box.
 void CountPoints(const std::vector<Vec3>& points_W_m, std::vector<AnnotatedObject>* objects);
 
-/// The tables `sample_annotation` and `instance` of a scene. An annotation is written when the
-/// next of its object is known.
+/// Writes the tables `sample_annotation` and `instance` of a scene. An annotation is written when
+/// the next annotation of its object is known.
 class AnnotationWriter {
  public:
   AnnotationWriter(const NuTokens& tokens, std::size_t scene, NuTables* tables)
@@ -59,7 +58,7 @@ class AnnotationWriter {
   std::map<std::uint16_t, Track> tracks_;
 };
 
-/// Token of the level that a visible share is of: up to 40, 60, 80 and 100 %.
+/// Token of a visibility level: up to 40, 60, 80 and 100 %.
 std::string VisibilityToken(double visibility);
 
 }  // namespace tera

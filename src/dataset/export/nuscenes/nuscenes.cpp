@@ -14,7 +14,7 @@
 namespace tera {
 namespace {
 
-/// The names of the dataset's classes that are of a category.
+/// Names of the dataset's classes in a category.
 std::string ClassesOf(std::size_t category) {
   if (category == kNuScenesEgo) return "the machine that carries the sensors, and its load";
   std::string classes;
@@ -46,8 +46,8 @@ void WriteVisibilities(NuTables* tables) {
   }
 }
 
-/// nuScenes' programs need a map of where one can drive; a recording does not say where, so this
-/// one of a single pixel says nowhere.
+/// nuScenes' programs need a map of the drivable area, which a recording does not have. A single
+/// pixel means nowhere.
 void WriteMap(const ExportJob& job, const NuTokens& tokens, std::size_t logs, NuTables* tables) {
   const std::string token = tokens.Of(NuTable::kMap, 0, 0), file = "maps/" + token + ".png";
   MakeFolder(job.folder / "maps");
@@ -62,8 +62,8 @@ void WriteMap(const ExportJob& job, const NuTokens& tokens, std::size_t logs, Nu
 
 }  // namespace
 
-/// v1.0-tera/ with the tables, samples/ and sweeps/ with pictures and points, lidarseg/ and maps/:
-/// a log and a scene for each machine that carries cameras or lidars.
+/// Writes v1.0-tera/ with the tables, samples/ and sweeps/ with pictures and points, lidarseg/ and
+/// maps/: a log and a scene for each machine with cameras or lidars.
 ///
 /// Source  Caesar et al. 2020, "nuScenes: a multimodal dataset for autonomous driving", and the
 ///         development kit's `schema_nuscenes.md`.

@@ -9,8 +9,8 @@
 namespace tera {
 
 /// The categories of nuScenes in order of their index, which is the byte of a labelled point.
+/// nuScenes' programs accept only these names, since they have a colour for each.
 ///
-/// Its programs know these names, and no others: they have a colour for each.
 /// Source  Fong et al. 2022, "Panoptic nuScenes", and the development kit's `color_map.py`.
 inline constexpr std::array<std::string_view, 32> kNuScenesCategories = {
     "noise",
@@ -46,10 +46,10 @@ inline constexpr std::array<std::string_view, 32> kNuScenesCategories = {
     "static.vegetation",
     "vehicle.ego"};
 
-/// Index of "vehicle.ego": the machine that carries the sensors, and what it carries.
+/// Index of "vehicle.ego": the machine that carries the sensors, and its load.
 inline constexpr std::uint8_t kNuScenesEgo = 31;
 
-/// Index of the category that stands for a class.
+/// Index of the category of a class.
 std::uint8_t NuScenesCategoryOf(SemanticClass label);
 
 }  // namespace tera

@@ -10,18 +10,18 @@
 
 namespace tera {
 
-/// A camera or a lidar of a machine, as nuScenes has it.
+/// A camera or a lidar of a machine in nuScenes' format.
 ///
 /// Frames  F the frame of the measurements: a camera's optical frame (x right, y down, z forward),
-///         of a lidar its own (x forward, y left, z up).
+///         or a lidar's own frame (x forward, y left, z up).
 struct NuScenesSensor {
   std::string path;                ///< "digger/front"
   std::string channel;             ///< "CAM_FRONT"
-  std::optional<CameraLens> lens;  ///< of a camera
-  bool has_boxes = false;          ///< of a camera
-  TimeNs delay_ns = 0;             ///< of a scan: from its first ray to its middle
-  std::vector<TimeNs> t_ns;        ///< of its frames; of scans the middle
-  SensorPoses poses;               ///< of its own frame S
+  std::optional<CameraLens> lens;  ///< for a camera
+  bool has_boxes = false;          ///< for a camera
+  TimeNs delay_ns = 0;             ///< for a scan: from its first ray to its middle
+  std::vector<TimeNs> t_ns;        ///< times of its frames, for scans their middle
+  SensorPoses poses;               ///< poses of its own frame S
   Pose X_SF = Pose::Identity();
 
   bool is_camera() const { return lens.has_value(); }
@@ -32,14 +32,14 @@ struct NuScenesSensor {
 struct NuScenesRig {
   std::string machine;
   PoseTrack X_WB;
-  std::vector<NuScenesSensor> sensors;  ///< lidars before cameras
+  std::vector<NuScenesSensor> sensors;  ///< lidars come first
 };
 
-/// All machines with lidars or with cameras that have colour and a lens that a pinhole can stand
-/// for, as far as they have frames; each has at least one.
+/// All machines with sensors: lidars, and cameras with colour and a lens with a pinhole equivalent.
+/// Sensors without frames are left out; each machine has at least one sensor.
 ///
-/// Throws InputError where the place of a sensor or its machine is not known, or where two sensors
-/// of a machine would have one channel.
+/// Throws  InputError if the pose of a sensor or its machine is unknown, or if two sensors of a
+///         machine have the same channel.
 std::vector<NuScenesRig> ReadNuScenesRigs(ExportJob* job);
 
 }  // namespace tera

@@ -13,7 +13,7 @@
 
 namespace tera {
 
-/// The tables of nuScenes. The number is part of the tokens of their rows.
+/// The tables of nuScenes. The tokens of their rows contain the number.
 enum class NuTable : std::uint8_t {
   kCategory,
   kAttribute,
@@ -31,24 +31,24 @@ enum class NuTable : std::uint8_t {
   kLidarseg
 };
 
-/// Names of rows: 32 hexadecimal digits, of which the first tell the recording, so that rows of two
-/// exports may stand in one table. They follow from a row's place alone, so that a row can name the
-/// one after it before that is written.
+/// Tokens of rows: 32 hexadecimal digits. The first digits identify the recording, so that rows of
+/// two exports may share a table. A token depends only on a row's position, so that a row can name
+/// the next one in advance.
 class NuTokens {
  public:
   explicit NuTokens(const Recording& recording);
 
-  /// Of row `entry` of list `list` of a table.
+  /// Token of row `entry` of list `list` of a table.
   std::string Of(NuTable table, std::size_t list, std::int64_t entry) const;
-  /// As Of; empty, as nuScenes has what is not there, unless `entry` is from 0 to `count` - 1.
+  /// As Of, but empty (nuScenes' value for none) unless `entry` is from 0 to `count` - 1.
   std::string IfAny(NuTable table, std::size_t list, std::int64_t entry, std::int64_t count) const;
 
  private:
   std::string recording_;
 };
 
-/// All tables as files of a folder, NAME.json, each a list of objects that may be larger than
-/// memory.
+/// Writes all tables as files of a folder, NAME.json, each a list of objects that may be larger
+/// than memory.
 class NuTables {
  public:
   explicit NuTables(const std::filesystem::path& folder);
@@ -58,10 +58,10 @@ class NuTables {
 
  private:
   std::map<NuTable, CheckedFile> files_;
-  std::set<NuTable> begun_;  ///< those that have a row
+  std::set<NuTable> begun_;  ///< tables with rows
 };
 
-/// Three numbers, and w, x, y, z with w >= 0, as nuScenes has them.
+/// Three numbers, and w, x, y, z with w >= 0, in nuScenes' format.
 OrderedJson TranslationJson(const Pose& pose);
 OrderedJson RotationJson(const Pose& pose);
 

@@ -13,7 +13,7 @@
 namespace tera {
 namespace {
 
-/// How far a sensor may move against its machine before it counts as mounted anew.
+/// A sensor that moves farther against its machine counts as remounted.
 constexpr double kSameMount_m = 1e-4, kSameMount_rad = 1e-5;
 constexpr TimeNs kNoScan_ns = std::numeric_limits<TimeNs>::min();
 
@@ -122,7 +122,7 @@ void NuScenesScene::WriteSamples() {
 
 void NuScenesScene::WriteAnnotations() {
   AnnotationWriter annotations(tokens_, scene_, tables_);
-  std::vector<std::vector<TimeNs>> scans_ns(samples_ns_.size());  // of each sensor, or none
+  std::vector<std::vector<TimeNs>> scans_ns(samples_ns_.size());  // per sensor, or none
   for (std::size_t s = 0; s < rig_.sensors.size(); ++s) {
     if (rig_.sensors[s].is_camera()) continue;
     for (std::size_t f = 0; f < frames_[s].size(); ++f) {

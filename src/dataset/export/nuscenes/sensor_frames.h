@@ -11,22 +11,22 @@
 
 namespace tera {
 
-/// What the files of a sensor's frames hold. The recording and the sensor outlive it.
+/// File contents of a sensor's frames. The recording and the sensor must outlive it.
 class SensorFrames {
  public:
   SensorFrames(const Recording& recording, const NuScenesSensor& sensor);
 
-  // Of a camera.
-  /// The PNG of a picture as a pinhole would have taken it; the recording's own bytes where the
-  /// lens is one. Throws InputError where it is missing or has another size than the lens.
+  // Cameras.
+  // The PNG of a rectified picture; for a pinhole lens the recording's own bytes. Throws InputError
+  // if it is missing or its size differs from the lens.
   std::string PictureBytes(TimeNs t_ns) const;
 
-  // Of a lidar.
-  /// A scan's points as if all had been taken in its middle, `t_ns`.
+  // Lidars.
+  // A scan's points, motion-corrected to its middle, `t_ns`.
   std::vector<LidarPoint> Points(TimeNs t_ns) const;
   std::vector<Vec3> InWorld(const std::vector<LidarPoint>& points, TimeNs t_ns) const;
-  /// A byte for each point: the category of its class, or of the machine itself where it is of one
-  /// of the instances `own`. Throws InputError where a class is none.
+  /// One byte per point: the category of its class, or the ego category for the instances `own`.
+  /// Throws InputError for an unknown class.
   std::string Categories(const std::vector<LidarPoint>& points, TimeNs t_ns,
                          const std::set<std::uint16_t>& own) const;
 

@@ -10,21 +10,21 @@
 
 namespace tera {
 
-/// The objects that a recording's dataset.yaml lists.
+/// The objects in a recording's dataset.yaml.
 class InstanceTable {
  public:
   struct Entry {
     std::string name;
     SemanticClass label = SemanticClass::kSky;
-    std::uint16_t parent = 0;  ///< 0: part of nothing
+    std::uint16_t parent = 0;  ///< 0: top-level object
   };
 
-  /// Throws InputError where an object is of a class that is none, or is a part of itself.
+  /// Throws InputError if an object has an unknown class, or is a part of itself.
   explicit InstanceTable(const Recording& recording);
 
-  /// Throws InputError, about `file` that has the number, where dataset.yaml lists no such object.
+  /// Throws InputError about `file`, which has the number, if dataset.yaml lists no such object.
   const Entry& Of(std::uint16_t instance, const std::filesystem::path& file) const;
-  /// The object and the wholes that it is a part of, smallest first.
+  /// The object and the wholes that contain it, smallest first.
   const std::vector<std::uint16_t>& WithWholes(std::uint16_t instance,
                                                const std::filesystem::path& file) const;
 

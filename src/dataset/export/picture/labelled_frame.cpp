@@ -27,9 +27,9 @@ constexpr std::string_view kPngStart("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR", 16);
                    {FaultKind::kMalformed, "not a whole PNG; need one, write the file again"});
 }
 
-/// Whether chunks, each with the sum of its bytes, follow one another from IHDR to IEND.
+/// Whether chunks with valid lengths and checksums run from IHDR to IEND.
 bool HasWholeChunks(std::string_view png) {
-  constexpr std::size_t kSignatureBytes = 8, kAround = 12;  // length, name and sum of a chunk
+  constexpr std::size_t kSignatureBytes = 8, kAround = 12;  // length, name and checksum of a chunk
   for (std::size_t at = kSignatureBytes; png.size() - at >= kAround;) {
     const std::size_t length = PngNumberAt(png, at);
     if (length > png.size() - at - kAround) return false;

@@ -9,12 +9,12 @@
 
 namespace tera {
 
-/// A picture of a camera and what is labelled in it, without colour and depth.
+/// The labels of a camera's picture, without colour and depth.
 struct LabelledFrame {
   TimeNs t_ns = 0;
   Image<std::uint8_t> semantic;   ///< SemanticClass
   Image<std::uint16_t> instance;  ///< 0: none
-  std::vector<ObjectBox> boxes;   ///< empty where none were recorded
+  std::vector<ObjectBox> boxes;   ///< empty if none were recorded
 };
 
 bool IsThere(const std::filesystem::path& file);
@@ -27,17 +27,17 @@ std::filesystem::path FrameFile(const Recording& recording, const std::string& c
 std::vector<std::string> CamerasWith(const Recording& recording,
                                      const std::vector<std::string_view>& kinds);
 
-/// Throws InputError where a picture is missing, is not whole, or has another size than its fellow
-/// or a class that is none.
+/// Throws InputError if a picture is missing or incomplete, if the sizes differ, or for an unknown
+/// class.
 LabelledFrame LoadLabels(const Recording& recording, const std::string& camera, TimeNs t_ns);
 
 struct PictureSize {
   int width_px = 0, height_px = 0;
 };
-/// By the beginning of a PNG file. Throws InputError where it is none.
+/// Read from the PNG's header. Throws InputError if it is not a PNG.
 PictureSize SizeOfPng(const std::filesystem::path& file);
 
-/// The bytes of a PNG file as they are. Throws InputError where it cannot be read or is cut off.
+/// The bytes of a PNG file. Throws InputError if it cannot be read or is truncated.
 std::string ReadWholePng(const std::filesystem::path& file);
 
 }  // namespace tera

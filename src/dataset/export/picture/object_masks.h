@@ -10,7 +10,7 @@
 
 namespace tera {
 
-/// The least rectangle of pixels that holds some; bounds inclusive.
+/// The bounding rectangle of some pixels; bounds inclusive.
 struct PixelBounds {
   int x_min_px = 0, y_min_px = 0, x_max_px = -1, y_max_px = -1;
 
@@ -26,9 +26,9 @@ struct ObjectMask {
   PixelBounds bounds;
 };
 
-/// Masks of all objects that can be seen in a picture of instances, by their numbers; a whole has
-/// the pixels of its parts. Throws InputError about `file`, the picture's, where it has a number
-/// that the table has not.
+/// Masks of all visible objects in a picture of instances, by their numbers. A whole includes the
+/// pixels of its parts. Throws InputError about `file`, the picture, for a number that the table
+/// lacks.
 std::map<std::uint16_t, ObjectMask> ObjectMasks(const Image<std::uint16_t>& instances,
                                                 const InstanceTable& table,
                                                 const std::filesystem::path& file);

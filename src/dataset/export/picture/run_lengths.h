@@ -6,19 +6,19 @@
 
 namespace tera {
 
-/// A mask as lengths of runs, column after column from the left, each from the top.
+/// A mask as run lengths, column by column from the left, each from the top.
 ///
-/// Model   run 0 is of pixels outside, run 1 of pixels inside, and so on; run 0 may be empty.
+/// Model   run 0 is outside, run 1 inside, and so on; run 0 may be empty.
 /// Source  COCO API, `maskApi.h`.
 class RunLengths {
  public:
-  /// `count` pixels inside from pixel `first` on, which is not before the end of the last run.
+  /// Adds `count` inside pixels from pixel `first` on, which is not before the end of the last run.
   void Add(std::int64_t first, std::int64_t count);
-  /// Pixels inside.
+  /// Number of inside pixels.
   std::int64_t area_px() const { return area_px_; }
-  /// COCO's compressed text of the runs of a picture of `pixels`: each run from the fourth on less
-  /// the one two before it, in groups of five bits, lowest first, the sixth bit set where more
-  /// follow, plus 48.
+  /// COCO's compressed text of the runs of a picture of `pixels`. Each run from the fourth on is
+  /// stored minus the run two before it. It is split into groups of five bits, lowest first, with
+  /// the sixth bit as continuation, plus 48.
   std::string Compressed(std::int64_t pixels) const;
 
  private:

@@ -12,23 +12,23 @@
 
 namespace tera {
 
-/// The layer that programs of grid maps draw.
+/// The layer that grid map programs draw.
 inline constexpr std::string_view kElevationLayer = "elevation";
 
-/// The rasters that a recording keeps of its ground at one time, by their layers' names in a grid
-/// map: elevation, change, mass_change, density, soil_class.
+/// A recording's ground rasters at one time, by their grid map layers: elevation, change,
+/// mass_change, density, soil_class.
 struct GroundSnapshot {
   TimeNs t_ns = 0;
   std::map<std::string, std::filesystem::path> layers;
 };
 
-/// Those of truth/terrain, in order of time; none where there is no such folder. The end's time is
-/// the recording's duration.
+/// The snapshots in truth/terrain, in order of time; none without the folder. The end's time is the
+/// recording's duration.
 std::vector<GroundSnapshot> GroundSnapshotsOf(const Recording& recording);
 
-/// A snapshot as grid map in the world, its stamp `stamp_ns`.
+/// A snapshot as grid map in the world, with the stamp `stamp_ns`.
 ///
-/// Throws InputError where a raster cannot be read or lies otherwise than the others.
+/// Throws  InputError if a raster cannot be read or has another extent than the others.
 ros::GridMap GridMapOf(const GroundSnapshot& snapshot, TimeNs stamp_ns, const ReadGround& read);
 
 }  // namespace tera

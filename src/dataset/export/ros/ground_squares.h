@@ -16,7 +16,7 @@ struct GroundSquares {
   Vec2 low_W_m = Vec2::Zero();  ///< south-western corner of the first square
   double square_m = 1;
   int nx = 0, ny = 0;
-  std::vector<float> values;  ///< row by row from the south, x fastest; NaN: not known
+  std::vector<float> values;  ///< row by row from the south, x fastest; NaN: unknown
 };
 
 /// Reads the raster `file` of a recording's ground as the layer of that name. Throws InputError.

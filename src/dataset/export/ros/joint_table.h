@@ -13,19 +13,19 @@
 
 namespace tera {
 
-/// Where a table has the numbers of a joint, a running gear or a cylinder.
+/// Columns of a joint, a running gear or a cylinder in a table.
 struct JointColumns {
   std::string name;
   std::size_t position = 0, rate = 0, effort = 0;
 };
 
-/// Where a column stands.
+/// Index of a column.
 std::optional<std::size_t> ColumnOf(const std::vector<std::string>& columns,
                                     const std::string& column);
 std::string WithoutEnding(const std::string& text, std::string_view ending);
 
-/// What of a table has all of a position, a rate and an effort, by the endings of their columns, in
-/// the order of the positions.
+/// Items of a table with a position, a rate and an effort, found by the columns' endings, in the
+/// order of the positions.
 std::vector<JointColumns> JointColumnsOf(const std::vector<std::string>& columns,
                                          std::string_view position_ending,
                                          std::string_view rate_ending,

@@ -9,11 +9,10 @@
 
 namespace tera {
 
-/// How the links of a machine hang together, as far as transforms need it, and what its own
-/// messages speak of.
+/// The kinematic tree of a machine for transforms, with its tool and levers for its own messages.
 ///
-/// Frames  P parent link, J joint frame (X_PJ at position 0 is where the child's frame stands), L
-///         the link that carries the tool, T the tool: the middle of its cutting edge, axes of L.
+/// Frames  P parent link, J joint frame (X_PJ is the child's frame at position 0), L the link that
+///         carries the tool, T the tool: the middle of its cutting edge, axes of L.
 struct JointTree {
   enum class Motion { kNone, kTurns, kSlides };
   struct Joint {

@@ -25,7 +25,7 @@
 
 namespace tera {
 
-// The qualities of service that docs/reference/ros2.md offers topics with.
+// Qualities of service in docs/reference/ros2.md.
 inline constexpr TopicQuality kSensorData = {5, false, false};
 inline constexpr TopicQuality kLarge = {2, true, false};
 inline constexpr TopicQuality kState = {10, true, false};
@@ -33,39 +33,39 @@ inline constexpr TopicQuality kManyTransforms = {100, true, false};
 inline constexpr TopicQuality kLatched = {1, true, true};
 inline constexpr TopicQuality kLatest = {1, false, false};
 
-/// A recording as the ROS topics and frames of docs/reference/ros2.md, written to a bag.
+/// Writes a recording as the ROS topics and frames of docs/reference/ros2.md to a bag.
 ///
-/// Model   a message is written at the time at which its measurement was available; its stamp is
-///         the time at which it was valid. Times before 0 are sent as 0, as ROS has none.
+/// Model   a message is written at the time of its availability; its stamp is the time of validity.
+///         Times below 0 are sent as 0, since ROS has none.
 class RosTopics {
  public:
-  /// Keeps references. Throws InputError where two topics would have one name.
+  /// Keeps references. Throws InputError if two topics have the same name.
   RosTopics(ExportJob* job, BagWriter* bag);
 
   /// All messages in order of time.
   void WriteAll();
   const std::vector<Topic>& topics() const { return topics_; }
-  /// Is told each message that is written.
+  /// Sets a callback for each written message.
   void OnWrite(std::function<void(std::size_t topic, TimeNs t_ns)> told) {
     told_ = std::move(told);
   }
 
  private:
-  /// Where a record of a channel goes.
+  /// Consumer of a channel's records.
   using Take = std::function<void(const Record&)>;
   using TopicId = std::size_t;
-  /// A message as it stands in the bag.
+  /// A serialised message.
   struct WireMessage {
     TopicId topic = 0;
     TimeNs t_ns = 0;
     std::string bytes;
   };
 
-  /// Where pictures of a kind go.
+  /// Topic of a kind of picture.
   struct PictureTopic {
     std::string kind;
     TopicId topic = 0;
-    const LabelChannel* label = nullptr;  ///< of rgb and depth none
+    const LabelChannel* label = nullptr;  ///< null for rgb and depth
   };
 
   void AddChannels();
@@ -85,22 +85,22 @@ class RosTopics {
   TopicId AddTopic(const std::string& name, const TopicQuality& quality);
   template <typename Message>
   WireMessage Wire(TopicId topic, TimeNs t_ns, const Message& message) const;
-  /// Behind those that come before it.
+  /// Queues a message after all earlier ones.
   template <typename Message>
   void Write(TopicId topic, TimeNs t_ns, const Message& message) {
     messages_->GiveResult({Wire(topic, t_ns, message)});
   }
-  /// Messages of a camera's frame; on any thread.
+  /// Messages of a camera's frame. Runs on any thread.
   std::vector<WireMessage> CompressedPictures(const std::string& path, const Record& record,
                                               const std::vector<PictureTopic>& pictures,
                                               const std::string& frame_id) const;
   std::vector<WireMessage> RawPictures(const std::string& path, const Record& record,
                                        const std::vector<PictureTopic>& pictures,
                                        const std::string& frame_id) const;
-  /// To the bag.
+  /// Writes to the bag.
   void Put(const std::vector<WireMessage>& messages);
   void AddTake(const std::string& path, Take take);
-  /// Any row, by the names of its columns.
+  /// Any row, by its column names.
   Take JointStateTake(const std::string& topic, const std::string& frame_id,
                       const TopicQuality& quality);
   /// A pose in the world.
@@ -108,7 +108,7 @@ class RosTopics {
   std::vector<std::string> ColumnsOf(const std::string& path) const;
   bool IsMachine(const std::string& body) const;
   std::string RootFrameOf(const std::string& machine) const;
-  /// Clock and ground up to a time, in order.
+  /// Writes clock and ground up to a time, in order.
   void WriteClockUntil(TimeNs t_ns);
   void WriteGroundUntil(TimeNs t_ns);
 
@@ -118,11 +118,11 @@ class RosTopics {
   std::set<std::string> names_;
   std::vector<StreamedChannel> channels_;
   std::map<std::string, std::vector<Take>> takes_;  ///< by channel
-  std::unique_ptr<RecordStream> stream_;            ///< while all is written
-  /// On their way to the bag, in order: frames are decoded side by side.
+  std::unique_ptr<RecordStream> stream_;            ///< set while writing
+  /// Pending messages in order. Frames are decoded in parallel.
   std::unique_ptr<InOrder<std::vector<WireMessage>>> messages_;
   TopicId clock_, transforms_, static_transforms_, ground_ = 0;
-  std::deque<GroundSnapshot> snapshots_;  ///< that were not written yet
+  std::deque<GroundSnapshot> snapshots_;  ///< pending snapshots
   std::int64_t next_tick_ = 0;
   std::function<void(std::size_t, TimeNs)> told_;
 };

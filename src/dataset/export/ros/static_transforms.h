@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// What of a recording's frames does not move: fixed joints and machines that stand fast, sensors
-/// on their links, optical frames of cameras.
+/// The static transforms of a recording: fixed joints and stationary machines, sensors on their
+/// links, optical frames of cameras.
 std::vector<ros::TransformStamped> StaticTransforms(ExportJob* job);
 
 }  // namespace tera

@@ -10,8 +10,8 @@
 namespace tera {
 namespace {
 
-/// The columns of EuRoC's ground truth as far as they are known: without biases, and without
-/// velocities where a reference has none.
+/// The known columns of EuRoC's ground truth: without biases, and without velocities if the
+/// reference has none.
 constexpr char kPoseHeader[] =
     "#timestamp [ns],p_RS_R_x [m],p_RS_R_y [m],p_RS_R_z [m],q_RS_w [],q_RS_x [],q_RS_y [],q_RS_z "
     "[]";
@@ -38,8 +38,8 @@ std::string ImuRow(TimeNs stamp_ns, const ImuSample& imu) {
 
 }  // namespace
 
-/// For each body whose pose is known, NAME/state_groundtruth_estimate0/data.csv; for each inertial
-/// unit, MACHINE/IMU/data.csv with EuRoC's columns.
+/// Writes NAME/state_groundtruth_estimate0/data.csv for each body with known poses, and
+/// MACHINE/IMU/data.csv with EuRoC's columns for each inertial unit.
 ///
 /// Source  Burri et al. 2016, "The EuRoC micro aerial vehicle datasets"; the ASL dataset format.
 void ExportEuroc(ExportJob* job) {

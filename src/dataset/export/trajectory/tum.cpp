@@ -10,7 +10,7 @@
 
 namespace tera {
 
-/// One text file for each body whose pose is known: time in s, position, quaternion x y z w.
+/// Writes one text file for each body with known poses: time in s, position, quaternion x y z w.
 ///
 /// Source  "File Formats" of the RGB-D SLAM dataset and benchmark, TU Munich.
 void ExportTum(ExportJob* job) {

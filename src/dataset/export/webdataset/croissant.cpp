@@ -68,7 +68,7 @@ void AddFiles(const ExportJob& job, const SensorArchives& sensor, OrderedJson* d
   }
 }
 
-/// A record for each file of a part: the sample that it belongs to, and what it holds.
+/// A record for each file of a part: its sample, and its contents.
 OrderedJson Records(const SensorArchives& sensor, const std::string& ending) {
   const std::string set = PartId(sensor, ending), id = set + "/records";
   const OrderedJson key = {

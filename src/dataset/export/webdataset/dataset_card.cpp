@@ -30,7 +30,7 @@ std::int64_t SamplesOf(const SensorArchives& sensor) {
   return samples;
 }
 
-/// What the hub reads: a configuration for each sensor.
+/// The hub's metadata: a configuration for each sensor.
 std::string FrontMatter(const ExportJob& job, const CardFacts& facts,
                         const std::vector<SensorArchives>& sensors) {
   std::string text = fmt::format(

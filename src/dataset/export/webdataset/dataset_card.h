@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// What no dataset holds of itself and who publishes it must say.
+/// Facts that only the publisher of a dataset knows.
 struct CardFacts {
   std::string description, license, url, date_published, version;
   std::string creator;
@@ -27,18 +27,18 @@ struct SensorArchives {
     std::int64_t samples = 0, bytes = 0;
   };
   std::string sensor, name;          ///< "excavator1/front", "excavator1_front"
-  std::vector<std::string> endings;  ///< of the parts of its samples, "rgb.png"
+  std::vector<std::string> endings;  ///< endings of its samples' parts, "rgb.png"
   std::vector<Archive> archives;
 };
 
-/// croissant.json: the archives with their digests, in them a set of files for each part, and the
-/// records that these are.
+/// croissant.json: the archives with their digests, a set of files in them for each part, and the
+/// records.
 ///
 /// Source  MLCommons, "Croissant Format Specification", version 1.1.
 std::string CroissantJson(const ExportJob& job, const CardFacts& facts,
                           const std::vector<SensorArchives>& sensors);
 
-/// README.md: a dataset card with the metadata that Hugging Face's hub reads.
+/// README.md: a dataset card with metadata for Hugging Face's hub.
 std::string CardText(const ExportJob& job, const CardFacts& facts,
                      const std::vector<SensorArchives>& sensors);
 

@@ -14,43 +14,42 @@
 
 namespace tera {
 
-/// A part of a sample: what its file's name ends in, "rgb.png", and its bytes.
+/// A part of a sample: the ending of its file's name, "rgb.png", and its bytes.
 struct SamplePart {
   std::string ending, bytes;
 };
 
-/// Samples of one sensor in tar archives of about one size, NAME-000000.tar and on, and their list,
-/// NAME.json, as WIDS reads it. One sample is in memory.
+/// Writes samples of one sensor to tar archives of similar size, NAME-000000.tar and on, and their
+/// list in WIDS format, NAME.json. Memory holds one sample.
 ///
 /// Source  "The WebDataset Format"; `wids` of the same project.
 class Shards {
  public:
-  /// NAME is the sensor's FlatName. Archives that an export which was stopped has left whole are
-  /// counted in.
+  /// NAME is the sensor's FlatName. Complete archives of a stopped export are reused.
   Shards(const std::filesystem::path& folder, const std::string& sensor, std::int64_t most_bytes);
 
-  /// Parts are NAME/<t_ns in 20 digits>.ENDING. A sample is never split: one that is larger than an
-  /// archive may be has one of its own.
+  /// Parts are NAME/<t_ns in 20 digits>.ENDING. A sample is never split: one that exceeds the
+  /// archive size gets its own archive.
   void Add(TimeNs t_ns, const std::vector<SamplePart>& parts);
-  /// Whether the sample of this time is in such an archive. Samples come in order of time.
+  /// Whether a reused archive has the sample of this time. Samples come in order of time.
   bool Has(TimeNs t_ns) const { return last_ns_ && t_ns <= *last_ns_; }
   void Commit();
-  /// What was committed.
+  /// The committed archives.
   const SensorArchives& archives() const { return archives_; }
 
  private:
   std::string FileName() const;
   void CommitShard();
   void AddEnding(const std::string& ending);
-  /// Counts an archive of these files in; false where they are not named as samples are.
+  /// Adds an existing archive with these files; false if they are not named as samples.
   bool TakeArchive(const std::vector<std::string>& names);
 
   std::filesystem::path folder_;
   std::int64_t most_bytes_;
   SensorArchives archives_;
   std::unique_ptr<TarWriter> shard_;
-  std::int64_t samples_ = 0;       ///< in the shard that is open
-  std::optional<TimeNs> last_ns_;  ///< of the archives that were there
+  std::int64_t samples_ = 0;       ///< in the open shard
+  std::optional<TimeNs> last_ns_;  ///< last sample in the reused archives
 };
 
 }  // namespace tera

@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// The names of the files in a whole archive of TarWriter, in their order and without their folder.
-/// Nothing where there is no archive, or where it was cut off.
+/// The file names in a complete archive of TarWriter, in order and without their folder. Nothing
+/// without an archive, or for a truncated one.
 std::optional<std::vector<std::string>> NamesInTar(const std::filesystem::path& archive);
 
 }  // namespace tera

@@ -8,20 +8,20 @@
 
 namespace tera {
 
-/// An archive of files as POSIX ustar: without owners and with time 0, so that the same files are
-/// the same bytes.
+/// Writes an archive of files as POSIX ustar, without owners and with time 0, so that equal files
+/// give equal bytes.
 ///
 /// Source  IEEE Std 1003.1-2017, "pax", section "ustar Interchange Format".
 class TarWriter {
  public:
   explicit TarWriter(const std::filesystem::path& path) : file_(path) {}
 
-  /// The file "folder/name". Throws InputError where a name is longer than the format has room for:
-  /// 155 and 100 bytes.
+  /// Adds the file "folder/name". Throws InputError if a name exceeds the format's 155 and 100
+  /// bytes.
   void Add(std::string_view folder, std::string_view name, std::string_view bytes);
-  /// What a file of so many bytes takes.
+  /// Space of a file with this many bytes.
   static std::int64_t SpaceOf(std::size_t bytes);
-  /// The size with the bytes that Commit adds.
+  /// The size including the bytes that Commit adds.
   std::int64_t bytes() const;
   void Commit();
 

@@ -20,7 +20,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// The list that a file of boxes holds.
+/// The list in a file of boxes.
 OrderedJson BoxesIn(const fs::path& file) {
   try {
     return OrderedJson::parse(ReadWholeFile(file)).at("boxes");
@@ -102,10 +102,10 @@ class SensorSamples {
 
 }  // namespace
 
-/// Of each camera and lidar MACHINE_SENSOR-000000.tar and on, MACHINE_SENSOR.json that lists them,
+/// Writes for each camera and lidar MACHINE_SENSOR-000000.tar and on, the list MACHINE_SENSOR.json,
 /// and its sensor.yaml. A sample is an exposure (rgb.png, depth.png, semantic.png, instance.png,
-/// normal.png, as far as it has them) or a scan (points.npy), with json: time, place, boxes. With
-/// --card also README.md and croissant.json.
+/// normal.png, those that it has) or a scan (points.npy), with json: time, pose, boxes. With --card
+/// also README.md and croissant.json.
 void ExportWebdataset(ExportJob* job) {
   std::vector<std::string> sensors = job->recording.SensorsOf(ChannelForm::kPictures);
   const std::size_t cameras = sensors.size();

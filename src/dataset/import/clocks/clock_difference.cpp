@@ -13,20 +13,20 @@ namespace tera {
 namespace {
 
 constexpr double kLeastCorrelation = 0.85, kLeastOfStretch = 0.8;
-/// A motion has so many times its own width of the correlation's peak, or chance may make one.
+/// Least length of the compared segment, in widths of the correlation's peak; with less, a peak may
+/// be chance.
 constexpr double kFewestEvents = 20;
 constexpr std::size_t kFewestStretches = 5;
 constexpr double kSegment_s = 600, kMostLag_s = 60;
 constexpr double kShortestStretch_s = 8, kLongestStretch_s = 60, kStretches = 12;
 constexpr double kLeastAverage_s = 0.1;
 
-/// 97.5 % of Student's distribution: what a deviation in units of its own estimate stays below 19
-/// times in 20. Source: Student 1908; tables of the distribution.
+/// 97.5 % quantile of Student's t distribution. Source: Student 1908; tables of the distribution.
 double Student(std::size_t freedom) {
   constexpr std::array<double, 11> kTable = {12.71, 12.71, 4.30, 3.18, 2.78, 2.57,
                                              2.45,  2.36,  2.31, 2.26, 2.23};
   if (freedom < kTable.size()) return kTable[freedom];
-  return 1.96 + 2.5 / static_cast<double>(freedom);  // within 0.02 of it from there on
+  return 1.96 + 2.5 / static_cast<double>(freedom);  // within 0.02 from there on
 }
 
 struct Line {
@@ -34,7 +34,7 @@ struct Line {
   double origin_bound = 0, slope_bound = 0;
 };
 
-/// A weighted straight line through lags over the stamps of the channel, from `origin_s` on.
+/// A weighted straight line through lags over the channel's stamps, from `origin_s` on.
 Line Fitted(const std::vector<Stretch>& stretches, double origin_s) {
   const auto n = static_cast<Eigen::Index>(stretches.size());
   Eigen::MatrixX2d X(n, 2);
@@ -57,7 +57,7 @@ Line Fitted(const std::vector<Stretch>& stretches, double origin_s) {
           t * std::sqrt(variance * inverse(1, 1))};
 }
 
-/// Those that lie near the line that most lie on.
+/// The stretches near the line through the majority.
 std::vector<Stretch> WithoutOutliers(const std::vector<Stretch>& stretches, const Line& line,
                                      double origin_s) {
   constexpr double kSigmas = 4, kSigmaOfMedian = 1.4826, kLeast_s = 1e-3;
@@ -73,7 +73,7 @@ std::vector<Stretch> WithoutOutliers(const std::vector<Stretch>& stretches, cons
   return kept;
 }
 
-/// The pair of series that correlates best, and at which lag.
+/// The pair of series with the best correlation, and its lag.
 struct BestPair {
   const MotionSeries* reference = nullptr;
   const MotionSeries* channel = nullptr;
@@ -101,7 +101,8 @@ double AverageOf_s(const BestPair& pair) {
 }  // namespace
 
 bool ClockDifference::IsCertain() const {
-  constexpr double kBounds = 2;  // of many pairs of channels that are compared, none by chance
+  constexpr double kBounds =
+      2;  // factor on the bounds, against chance among many pairs of channels
   return std::abs(ahead_s) > kBounds * ahead_bound_s || std::abs(drift) > kBounds * drift_bound;
 }
 
@@ -137,7 +138,7 @@ std::optional<ClockDifference> CompareClocks(const ChannelMotion& reference,
 
 std::vector<ClockDifference> ClockDifferences(const std::vector<ChannelMotion>& channels) {
   std::vector<ClockDifference> differences;
-  std::vector<std::string> before;  // clocks
+  std::vector<std::string> before;  // earlier clocks
   for (const ChannelMotion& first : channels) {
     const auto is_before = [&](const std::string& clock) {
       return std::find(before.begin(), before.end(), clock) != before.end();

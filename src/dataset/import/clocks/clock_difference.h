@@ -8,37 +8,37 @@
 
 namespace tera {
 
-/// How the clock of `channel` differs from that of `reference`, by a motion that both have seen.
+/// Difference between the clocks of `channel` and `reference`, from a motion that both observe.
 ///
 /// Model   stamp of `channel` = stamp of `reference` + ahead_s + drift (stamp of `channel` -
-///         from_ns). Bounds hold 19 times in 20, that of `ahead_s` for stamps that are up to half
-///         an interval beside what they measured.
+///         from_ns). Bounds hold at 95 %. That of `ahead_s` allows for stamps up to half an
+///         interval off their measurements.
 struct ClockDifference {
   std::string channel, reference;
-  std::string what, reference_what;  ///< the motion as each tells it
+  std::string what, reference_what;  ///< the observed motion in each channel
   TimeNs from_ns = 0;
   double ahead_s = 0, ahead_bound_s = 0;
   double drift = 0, drift_bound = 0;  ///< s/s
   double correlation = 0;
-  int stretches = 0;  ///< of the recording that were compared
+  int stretches = 0;  ///< number of compared stretches of the recording
 
-  /// Whether the clocks differ by more than the bounds.
+  /// Whether the difference exceeds its bounds.
   bool IsCertain() const;
 };
 
-/// Compares two channels that do not have one clock.
+/// Compares two channels with different clocks.
 ///
-/// Model   of all pairs of series of one kind the one that correlates best at any lag within a
-///         minute, by ten minutes of the recording; then the lag of each of its stretches, and a
-///         straight line through them, weighted by how sharply each tells it.
-/// Omits   clocks that jump, and lags beyond a minute. Says nothing where no pair correlates by
-/// 0.85
-///         and by a sixth more than at any other lag: motions that are others, or repeat.
+/// Model   selects the pair of series of one kind with the best correlation at any lag within a
+///         minute, over ten minutes of the recording. It then fits a straight line through the lags
+///         of the pair's stretches, weighted by the sharpness of each.
+/// Omits   clocks that jump, and lags beyond a minute. Returns nothing if no pair reaches a
+///         correlation of 0.85, or if its peak exceeds that at other lags by less than a sixth, as
+///         for different or periodic motions.
 std::optional<ClockDifference> CompareClocks(const ChannelMotion& reference,
                                              const ChannelMotion& channel);
 
-/// Each clock, by the channels that have it, against those of the clocks before it in the list, by
-/// the two channels that agree best; those that differ with certainty.
+/// Compares each clock with the earlier ones in the list, by the best pair of their channels.
+/// Returns the certain differences.
 std::vector<ClockDifference> ClockDifferences(const std::vector<ChannelMotion>& channels);
 
 }  // namespace tera

@@ -5,17 +5,16 @@
 
 #include "dataset/import/clocks/motion_series.h"
 
-/// By how much one series is behind another: at the lag l, what the first tells at t the second
-/// tells at t + l.
+/// Lag l between two series: the second shows at t + l what the first shows at t.
 
 namespace tera {
 
-/// Values of a series, averaged over the same time as another's, by time in s.
+/// Values of a series by time in s, averaged over the same interval as another's.
 class SmoothSeries {
  public:
   SmoothSeries(const MotionSeries& series, double averaged_s);
 
-  /// On the straight line between two values; NaN where there is nothing.
+  /// Linear interpolation; NaN for missing values.
   float At(double t_s) const;
   double first_s() const { return first_s_; }
   double last_s() const;
@@ -27,15 +26,15 @@ class SmoothSeries {
 
 struct CoarseLag {
   double lag_s = 0;
-  double from_s = 0, length_s = 0;  ///< of the segment of the first series that was compared
+  double from_s = 0, length_s = 0;  ///< compared segment of the first series
   double correlation = 0;
-  double width_s = 0;     ///< of the correlation's peak, where it is half as high
-  bool opposite = false;  ///< signs are opposite
-  /// No other lag comes near.
+  double width_s = 0;     ///< half height width of the correlation's peak
+  bool opposite = false;  ///< the series have opposite signs
+  /// No other lag has a similar correlation.
   bool is_alone = false;
 };
 
-/// Nothing where the series have no segment in common that can be compared.
+/// Returns nothing if the series share no comparable segment.
 std::optional<CoarseLag> FindCoarseLag(const MotionSeries& first, const MotionSeries& second,
                                        double longest_segment_s, double most_lag_s);
 
@@ -43,17 +42,17 @@ std::optional<CoarseLag> FindCoarseLag(const MotionSeries& first, const MotionSe
 struct Stretch {
   double middle_s = 0;  ///< by the first series' clock
   double lag_s = 0;
-  double weight = 0;  ///< one over the variance of the lag, up to a factor
+  double weight = 0;  ///< inverse variance of the lag, up to a factor
 };
 
 class StretchedLags {
  public:
   StretchedLags(const MotionSeries& first, const MotionSeries& second, double averaged_s);
 
-  /// How long both series are there at a lag.
+  /// Duration for which both series exist at a lag.
   double overlap_s(double lag_s) const;
-  /// All stretches of a length that have motion and correlate well enough, in order of time; each
-  /// is looked for near the lag of the one beside it, from the segment of `coarse` outwards.
+  /// All stretches of a length with enough motion and correlation, in order of time. Each search
+  /// starts at the neighbour's lag, from the segment of `coarse` outwards.
   std::vector<Stretch> All(const CoarseLag& coarse, double length_s,
                            double least_correlation) const;
 

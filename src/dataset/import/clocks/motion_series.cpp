@@ -16,13 +16,12 @@ constexpr std::size_t kMostCells = 1'000'000, kFewestRows = 100;
 constexpr TimeNs kLongestGap_ns = kNsPerSecond;
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
-/// Between whose ends a receiver's velocity and the turn of its direction are taken.
+/// Half of the interval for a receiver's velocity and course rate.
 constexpr TimeNs kHalfOfVelocity_ns = 250'000'000, kHalfOfCourse_ns = 500'000'000;
-/// Slower, a receiver's noise has more part in the direction than its motion.
+/// Below this speed, noise dominates a receiver's course.
 constexpr double kLeastSpeed_mps = 0.3;
 
-/// Cells without a value, between two that have one and are near, get the straight line between
-/// them.
+/// Interpolates missing cells linearly between neighbours at most `most_cells` apart.
 void Bridge(std::size_t most_cells, std::vector<float>* values) {
   std::optional<std::size_t> before;
   for (std::size_t k = 0; k < values->size(); ++k) {
@@ -58,7 +57,7 @@ class FixTrack {
     return velocity ? velocity->norm() : kNothing;
   }
 
-  /// How fast the direction of its motion turns, rad/s.
+  /// Rate of turn of its course, rad/s.
   double CourseRateAt(TimeNs t_ns) const {
     const auto from = VelocityAt(t_ns - kHalfOfCourse_ns), to = VelocityAt(t_ns + kHalfOfCourse_ns);
     if (!from || !to || from->norm() < kLeastSpeed_mps || to->norm() < kLeastSpeed_mps) {
@@ -132,7 +131,7 @@ std::vector<MotionSeries> MotionOf(std::size_t count, const SampleOfRow<ImuSampl
 
 std::vector<MotionSeries> MotionOf(const std::vector<EncoderAxis>& axes,
                                    const std::vector<EncoderSample>& samples) {
-  constexpr std::size_t kMostSummed = 6;  // joints of a machine, of which few have more
+  constexpr std::size_t kMostSummed = 6;  // joints; few machines have more
   const MotionGrid grid(samples.size(), [&](std::size_t i) { return samples[i].t_ns; });
   if (grid.empty()) return {};
   std::vector<MotionSeries> series;

@@ -9,11 +9,11 @@
 
 namespace tera {
 
-/// What a series tells of a motion. Series of one kind can be of the same motion.
+/// Kind of motion in a series. Series of one kind can show the same motion.
 enum class MotionKind {
-  kTurn,       ///< rad/s about some axis, with a sign that depends on who tells it
-  kTurnSize,   ///< rad/s about whatever axis, without sign
-  kSpeedSize,  ///< proportional to m/s over the ground, without sign
+  kTurn,       ///< rad/s about some axis, with a channel-dependent sign
+  kTurnSize,   ///< rad/s about any axis, unsigned
+  kSpeedSize,  ///< proportional to the ground speed in m/s, unsigned
 };
 
 /// A motion over time on a grid of its channel's own clock.
@@ -21,28 +21,28 @@ struct MotionSeries {
   std::string what;  ///< "wy", "boom", "course rate"
   MotionKind kind = MotionKind::kTurn;
   TimeNs first_ns = 0, step_ns = 0;
-  /// Values are means over so long about their time already, s.
+  /// Averaging time of the values about their own time, s.
   double averaged_s = 0;
-  std::vector<float> values;  ///< NaN where the channel told nothing
+  std::vector<float> values;  ///< NaN for missing values
 
   TimeNs end_ns() const { return first_ns + step_ns * static_cast<TimeNs>(values.size()); }
 };
 
-/// What one channel tells of motions.
+/// The motions in one channel.
 struct ChannelMotion {
   std::string path;
-  std::string clock;      ///< whatever has the same has the same clock
-  double interval_s = 0;  ///< from row to row
+  std::string clock;      ///< equal for channels with the same clock
+  double interval_s = 0;  ///< between rows
   std::vector<MotionSeries> series;
 };
 
-/// Series from a channel's rows, of which there are `count`: means over steps of the median
-/// interval, at least 5 ms; between rows up to a second apart the straight line, else nothing.
+/// Series from a channel's `count` rows: means over steps of the median interval, at least 5 ms.
+/// Gaps up to a second are interpolated linearly; longer ones stay empty.
 class MotionGrid {
  public:
   MotionGrid(std::size_t count, const std::function<TimeNs(std::size_t)>& time);
 
-  /// Nothing where the channel has too few rows to tell a motion.
+  /// True if the channel has too few rows.
   bool empty() const { return step_ns_ == 0; }
   double step_s() const { return ToSeconds(step_ns_); }
   MotionSeries Series(const std::string& what, MotionKind kind,
@@ -59,15 +59,15 @@ class MotionGrid {
 template <typename Sample>
 using SampleOfRow = std::function<Sample(std::size_t row)>;
 
-/// Of an inertial unit: about each axis, and in all.
+/// Motion of an inertial unit: about each axis, and the total rate.
 std::vector<MotionSeries> MotionOf(std::size_t count, const SampleOfRow<ImuSample>& sample);
-/// Of each joint that turns, of neighbours together (a link turns by the sum of those before it),
-/// and of each by size, as a turn and as what drives the machine on.
+/// Motion of encoders. Each turning joint, and sums of neighbours, since a link turns by the sum of
+/// the preceding joints. Also each joint's magnitude, as a turn and as a drive.
 std::vector<MotionSeries> MotionOf(const std::vector<EncoderAxis>& axes,
                                    const std::vector<EncoderSample>& samples);
-/// Speed, and how fast its direction turns where it moves.
+/// Motion of a receiver: speed, and course rate while moving.
 std::vector<MotionSeries> MotionOf(const std::vector<GnssSample>& samples);
-/// Speed, turn about the world's z and turn in all.
+/// Motion of poses: speed, turn about the world's z, and total turn.
 std::vector<MotionSeries> MotionOf(std::size_t count, const SampleOfRow<TruthPose>& pose);
 
 }  // namespace tera

@@ -16,22 +16,22 @@
 
 namespace tera {
 
-/// The formats that ReadPointCloud knows, each from the bytes of a whole file. They throw
-/// InputError, and leave it to the caller to find that no point is left.
+/// Parsers of ReadPointCloud's formats, each from the bytes of a whole file. They throw InputError;
+/// the caller checks for an empty cloud.
 PointCloud ParsePcd(const std::filesystem::path& file, std::string_view bytes);
 PointCloud ParsePly(const std::filesystem::path& file, std::string_view bytes);
 PointCloud ParseLas(const std::filesystem::path& file, std::string_view bytes);
 
-/// Throws the InputError of a file that cannot be used.
+/// Throws the InputError for an unusable file.
 [[noreturn]] inline void RefuseCloud(const std::filesystem::path& file,
                                      const std::string& finding) {
   throw InputError(fmt::format("{}: {}", file.string(), finding));
 }
 
-/// Most points of a file: 2.4 GB as PointCloud.
+/// Largest number of points in a file: 2.4 GB as PointCloud.
 inline constexpr std::uint64_t kMostCloudPoints = 100'000'000;
 
-/// Refuses a number of points that is more than can be read.
+/// Refuses a number of points above kMostCloudPoints.
 inline void RequirePointCount(const std::filesystem::path& file, std::uint64_t count) {
   if (count > kMostCloudPoints) {
     RefuseCloud(file, fmt::format("{} points declared, need at most {}; thin it or cut out the "
@@ -40,7 +40,7 @@ inline void RequirePointCount(const std::filesystem::path& file, std::uint64_t c
   }
 }
 
-/// Adds a point, or counts it where it has no place.
+/// Adds a point, or counts it as without place.
 inline void AddPoint(const Vec3& p_m, PointCloud* cloud) {
   if (p_m.allFinite()) {
     cloud->p_m.push_back(p_m);
@@ -49,7 +49,7 @@ inline void AddPoint(const Vec3& p_m, PointCloud* cloud) {
   }
 }
 
-/// A number as it lies in memory, at the beginning of `bytes`; of another byte order, `swapped`.
+/// A number in memory order at the beginning of `bytes`; `swapped` reverses the bytes.
 template <typename T>
 T NumberAt(const char* bytes, bool swapped = false) {
   static_assert(std::endian::native == std::endian::little);

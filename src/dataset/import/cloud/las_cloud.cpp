@@ -7,14 +7,14 @@
 namespace tera {
 namespace {
 
-// Bytes of the public header block, where each number begins.
+// Offsets of numbers in the public header block.
 constexpr std::size_t kVersionAt = 24, kHeaderSizeAt = 94, kPointsAt = 96, kRecordsAt = 100,
                       kFormatAt = 104, kPointBytesAt = 105, kLegacyCountAt = 107, kScaleAt = 131,
                       kOffsetAt = 155, kExtendedAt = 235, kExtendedCountAt = 243, kCountAt = 247;
 constexpr std::size_t kLeastHeader = 227, kHeaderOf14 = 375;
 constexpr std::size_t kRecordHeader = 54, kExtendedHeader = 60, kUserBytes = 16;
 
-/// Least length of a record of each point format.
+/// Least record length of each point format.
 constexpr std::array<std::uint16_t, 11> kPointBytes = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
 
 class LasReader {
@@ -33,7 +33,7 @@ class LasReader {
  private:
   [[noreturn]] void Refuse(const std::string& finding) const { RefuseCloud(file_, finding); }
 
-  /// A number of the header or of a record of it, or a refusal.
+  /// A number at an offset of the file; InputError past its end.
   template <typename T>
   T At(std::uint64_t at) const {
     if (at > bytes_.size() || bytes_.size() - at < sizeof(T)) {
@@ -66,7 +66,7 @@ class LasReader {
     return count;
   }
 
-  /// The reference system by WKT, or else by GeoTIFF keys; empty where none is named.
+  /// The reference system from WKT, or else from GeoTIFF keys; empty if none is named.
   std::string MapOf() const {
     std::string wkt, keys;
     const auto take = [&](std::uint64_t at, std::uint64_t header, std::uint64_t length) {
@@ -104,8 +104,8 @@ class LasReader {
                     bytes_.size()));
   }
 
-  /// "EPSG:n" of a directory of GeoTIFF keys that names a projected or a geographic system; words
-  /// for a projected one without a code.
+  /// "EPSG:n" from a GeoTIFF key directory with a projected or geographic system; words for a
+  /// projected one without a code.
   std::string GeoKeys(std::string_view body) const {
     constexpr std::uint16_t kProjected = 3072, kGeographic = 2048, kVerticalUnits = 4099;
     constexpr std::uint16_t kMetre = 9001, kUserDefined = 32767;

@@ -8,12 +8,13 @@
 #include "core/parse_number.h"
 #include "dataset/import/cloud/cloud_bytes.h"
 
-// PCD files of any fields.
+// PCD files with any fields.
 
 namespace tera {
 namespace {
 
-constexpr std::uint64_t kMostExpanded = 264;  // times, by LZF: a run of 264 bytes takes three
+constexpr std::uint64_t kMostExpanded =
+    264;  // largest LZF expansion: a run of 264 bytes takes three
 
 struct Field {
   std::string name;
@@ -26,7 +27,7 @@ struct Header {
   std::vector<Field> fields;
   std::uint64_t points = 0, record_bytes = 0, columns = 0;
   std::string data;
-  std::size_t body = 0;  ///< where the points begin
+  std::size_t body = 0;  ///< offset of the points
 };
 
 class PcdHeaderReader {
@@ -168,7 +169,7 @@ void ReadBinary(const std::filesystem::path& file, const Header& header, std::st
   }
 }
 
-/// Stored field after field, packed by LZF after two lengths of 32 bits.
+/// Stored field by field, packed by LZF after two lengths of 32 bits.
 void ReadCompressed(const std::filesystem::path& file, const Header& header, std::string_view body,
                     PointCloud* cloud) {
   const auto axes = PlacesOf(file, header);
@@ -200,7 +201,7 @@ void ReadCompressed(const std::filesystem::path& file, const Header& header, std
   }
 }
 
-/// A line a point, a word a number, fields in their order.
+/// One line per point, one word per number, fields in their order.
 void ReadAscii(const std::filesystem::path& file, const Header& header, std::string_view body,
                PointCloud* cloud) {
   const auto axes = PlacesOf(file, header);

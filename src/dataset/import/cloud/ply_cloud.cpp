@@ -6,7 +6,7 @@
 #include "core/parse_number.h"
 #include "dataset/import/cloud/cloud_bytes.h"
 
-// PLY files, of which the vertices are read.
+// Vertices of PLY files.
 
 namespace tera {
 namespace {
@@ -58,7 +58,7 @@ double ValueAt(Scalar scalar, const char* bytes, bool swapped) {
   return NumberAt<double>(bytes, swapped);
 }
 
-/// What the header says of the vertices.
+/// The header's description of the vertices.
 struct Vertices {
   std::string form;  ///< ascii, binary_little_endian or binary_big_endian
   std::uint64_t count = 0, properties = 0, record_bytes = 0;
@@ -67,7 +67,7 @@ struct Vertices {
     std::uint64_t offset = 0, column = 0;
   };
   std::array<std::optional<Axis>, 3> axes;
-  std::size_t body = 0;  ///< where they begin in the file
+  std::size_t body = 0;  ///< offset in the file
 };
 
 class PlyHeaderReader {

@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-/// Refuses what is no point cloud whatever its name says: pointers, archives, captures.
+/// Refuses other forms, whatever the name: pointers, archives, captures.
 void RefuseOtherForms(const std::filesystem::path& file, std::string_view bytes) {
   for (const std::string_view own : {"LASF", "ply", "# .PCD", "VERSION"}) {
     if (bytes.starts_with(own)) return;

@@ -32,7 +32,7 @@ std::optional<TimeNs> OxtsTime(std::string_view text) {
   return *day_ns + *time_ns;
 }
 
-/// The numbers of a frame's file; fewer where one is none.
+/// The numbers of a frame's file, up to the first invalid one.
 std::vector<double> NumbersOf(const std::filesystem::path& file) {
   std::string text = ReadWholeFile(file);
   while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
@@ -45,7 +45,7 @@ std::vector<double> NumbersOf(const std::filesystem::path& file) {
   return numbers;
 }
 
-/// Where a frame was and how it was turned, from the first one's place.
+/// A frame's pose relative to the first frame's position.
 std::vector<NumberTable::Cell> PoseOf(const std::vector<double>& v, const SiteFrame& site) {
   const Vec3 p_m = site.ToEnu({v[kLat], v[kLon], v[kAlt]});
   const Quat q(RotationFromRpy(v[kRoll], v[kPitch], v[kYaw]));

@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-/// Digits alone, `count` of them.
+/// A number of digits only.
 std::optional<int> Digits(std::string_view text) {
   for (const char c : text) {
     if (c < '0' || c > '9') return std::nullopt;
@@ -18,7 +18,7 @@ std::optional<int> Digits(std::string_view text) {
 }  // namespace
 
 std::optional<TimeNs> DayOf(int year, int month, int day) {
-  constexpr int kFirstYear = 1970, kLastYear = 2200;  // what 64 bits of ns hold
+  constexpr int kFirstYear = 1970, kLastYear = 2200;  // range of 64 bits of ns
   const std::chrono::year_month_day date(std::chrono::year(year),
                                          std::chrono::month(static_cast<unsigned>(month)),
                                          std::chrono::day(static_cast<unsigned>(day)));
@@ -46,7 +46,7 @@ std::optional<TimeNs> SecondsOfText(std::string_view text) {
   TimeNs digit_ns = kNsPerSecond;
   for (const char c : text.substr(point + 1)) {
     if (c < '0' || c > '9') return std::nullopt;
-    digit_ns /= 10;  // what is finer than a nanosecond is cut off
+    digit_ns /= 10;  // truncates below a nanosecond
     t_ns += (c - '0') * digit_ns;
   }
   return t_ns;

@@ -9,16 +9,16 @@
 
 namespace tera {
 
-/// Of a date; nothing where there is no such day from 1970 to 2200.
+/// A date from 1970 to 2200; nothing for an invalid one.
 std::optional<TimeNs> DayOf(int year, int month, int day);
 
-/// Of "2026/05/01" or "2026-05-01".
+/// "2026/05/01" or "2026-05-01".
 std::optional<TimeNs> DateOfText(std::string_view text);
 
-/// Of "12:34:56.789", up to nine digits behind the point, exactly; second 60 is that of a leap.
+/// "12:34:56.789", with up to nine decimals, exactly. Second 60 is a leap second.
 std::optional<TimeNs> TimeOfDayText(std::string_view text);
 
-/// Of a number of seconds as text, "345600.125", exactly to the nanosecond.
+/// A number of seconds as text, "345600.125", exact to the nanosecond.
 std::optional<TimeNs> SecondsOfText(std::string_view text);
 
 /// The beginning of a week of GPS time.

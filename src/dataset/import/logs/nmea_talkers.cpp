@@ -17,7 +17,8 @@ bool Talkers::Add(std::string_view kind, std::string_view talker, const NmeaPosi
     if (s.talker == talker || s.position.time_of_day_ns != position.time_of_day_ns) continue;
     rival_[s.talker] = rival_[std::string(talker)] = true;
   }
-  constexpr std::size_t kRemembered = 32;  // receivers of one recorder are not further apart
+  constexpr std::size_t kRemembered =
+      32;  // positions; one recorder's receivers alternate more often
   said.push_back({std::string(talker), position});
   if (said.size() > kRemembered) said.pop_front();
   return is_same;

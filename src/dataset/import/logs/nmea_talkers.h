@@ -9,27 +9,27 @@
 
 #include "core/time.h"
 
-/// Receivers that write into one log of NMEA 0183.
+/// Receivers that write to one NMEA 0183 log.
 
 namespace tera {
 
-/// Where a sentence says that its receiver is.
+/// A receiver's position in a sentence.
 struct NmeaPosition {
   TimeNs time_of_day_ns = 0;
-  double quality = 0;  ///< of GGA
+  double quality = 0;  ///< GGA's quality
   std::optional<double> lat_deg, lon_deg, msl_m = std::nullopt, altitude_m = std::nullopt;
   std::optional<double> satellites, hdop;
 
   bool IsWhole() const { return quality == 0 || (lat_deg && lon_deg && (msl_m || altitude_m)); }
 };
 
-/// Sentences of one kind say of one time and talker the same; those of several talkers, that there
-/// are several receivers.
+/// Detects several receivers. Sentences of one kind, time and talker have one position; different
+/// talkers at the same times are different receivers.
 class Talkers {
  public:
-  /// Counts a position. False where the same talker says another place of the same time.
+  /// Counts a position. Returns false if the talker gives another position for the same time.
   bool Add(std::string_view kind, std::string_view talker, const NmeaPosition& position);
-  /// Those that say of the same times where they are, the one with most positions first.
+  /// Talkers with positions at the same times, the one with most positions first.
   std::vector<std::string> Rivals() const;
   std::vector<std::string> All() const;
 

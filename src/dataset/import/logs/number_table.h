@@ -12,7 +12,7 @@
 
 namespace tera {
 
-/// Rows of numbers in memory, each with its time in the column `time`, as readers of logs fill it.
+/// Rows of numbers in memory with times in the column `time`; log readers fill it.
 class NumberTable final : public RowTable {
  public:
   NumberTable(std::filesystem::path file, std::vector<std::string> columns);
@@ -21,7 +21,7 @@ class NumberTable final : public RowTable {
     std::string_view column;
     double value = 0;
   };
-  /// Columns that are not among `cells` are empty in the row. Numbers that are not finite too.
+  /// Adds a row. Columns that are not among `cells`, and numbers that are not finite, are empty.
   void AddRow(int line, TimeNs t_ns, const std::vector<Cell>& cells);
 
   std::size_t row_count() const override { return lines_.size(); }
@@ -41,41 +41,40 @@ class NumberTable final : public RowTable {
   std::map<std::string, std::size_t, std::less<>> place_of_;
   std::vector<int> lines_;
   std::vector<TimeNs> t_ns_;
-  std::vector<double> numbers_;  ///< row after row, without the time; NaN: none
+  std::vector<double> numbers_;  ///< row by row, without the time; NaN: none
 };
 
-/// Lines of a text file, one after the other, whatever its length.
+/// Reads the lines of a text file of any length.
 class LogLines {
  public:
-  /// The length of the binary frame that bytes begin with, or 0.
+  /// The length of a binary frame at the beginning of `bytes`, or 0.
   using FrameBytes = std::size_t (*)(std::string_view bytes);
 
-  /// Frames that stand before, between and behind lines are passed over; their first byte is none
-  /// of ASCII's.
+  /// Skips frames before, between and after lines; their first byte is not ASCII.
   explicit LogLines(const std::filesystem::path& file, FrameBytes frame_bytes = nullptr);
 
-  /// Without its end. False at the end of the file.
+  /// The next line without its end. Returns false at the end of the file.
   bool Next(std::string* line);
   int number() const { return number_; }
   const std::filesystem::path& file() const { return file_; }
-  /// An InputError about the line that Next gave last; with `left_out` counted there instead.
+  /// Throws an InputError about the last line, or counts it in `left_out` if given.
   void Fault(const std::string& finding, LeftOutRows* left_out) const;
 
  private:
-  /// Where a line ends that begins at `at_`: at its end, or where a frame begins.
+  /// End of the line at `at_`: its line end, or the start of a frame.
   std::size_t EndOfLine() const;
 
   std::filesystem::path file_;
   std::string text_;
   FrameBytes frame_bytes_;
   std::size_t at_ = 0;
-  int number_ = 0, ended_ = 0;  ///< of the line that Next gave; of line ends before `at_`
+  int number_ = 0, ended_ = 0;  ///< number of the last line; line ends before `at_`
 };
 
-/// A finite number that makes up the whole of a text.
+/// The finite number of a whole text.
 std::optional<double> WholeNumber(std::string_view text);
 
-/// Fields between separators; of blanks any number is one.
+/// Fields between separators; any number of blanks is one separator.
 std::vector<std::string_view> FieldsOf(std::string_view line, char separator);
 
 }  // namespace tera

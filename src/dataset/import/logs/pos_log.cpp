@@ -13,7 +13,7 @@
 namespace tera {
 namespace {
 
-/// Behind the two fields of the time, in order.
+/// In order, after the two fields of the time.
 constexpr std::array<const char*, 13> kSolutionFields = {
     "latitude", "longitude", "height", "Q",    "ns",  "sdn",  "sde",
     "sdu",      "sdne",      "sdeu",   "sdun", "age", "ratio"};
@@ -21,10 +21,10 @@ constexpr std::size_t kTimeFields = 2, kNeeded = kTimeFields + 8;  // up to sdu
 
 enum class TimeSystem { kUtc, kGps, kJapan };
 
-/// GGA's quality of RTKLIB's: fixed, float, SBAS, differential, single, precise point.
+/// GGA's quality for RTKLIB's: fixed, float, SBAS, differential, single, precise point.
 double QualityOf(double q) {
   constexpr std::array<double, 7> kQuality = {0, 4, 5, 2, 2, 1, 5};
-  // A number of another column, where a line was cut, is none of these, and may be no index at all.
+  // In a truncated line another column's number may stand here.
   if (!(q >= 0 && q < static_cast<double>(kQuality.size())) || q != std::floor(q)) return -1;
   return kQuality[static_cast<std::size_t>(q)];
 }
@@ -47,7 +47,7 @@ std::optional<TimeNs> TimeOf(std::string_view first, std::string_view second, Ti
   return system == TimeSystem::kJapan ? t_ns - kJapanAhead_ns : t_ns;
 }
 
-/// What the line of columns says of the times; a solution in other coordinates is refused.
+/// The time system in the line of columns. Other coordinate forms are refused.
 TimeSystem ReadHeader(const std::string& line, const std::filesystem::path& file, int number) {
   for (const char* other : {"x-ecef", "e-baseline"}) {
     if (line.find(other) == std::string::npos) continue;
@@ -66,7 +66,7 @@ TimeSystem ReadHeader(const std::string& line, const std::filesystem::path& file
   return line.find("JST") != std::string::npos ? TimeSystem::kJapan : TimeSystem::kUtc;
 }
 
-/// Whether a remark is the line that names the columns; others are about the program and its input.
+/// Whether a remark names the columns; other remarks describe the program and its input.
 bool NamesColumns(const std::string& line) {
   if (line.find(" : ") != std::string::npos || line.find("(lat/lon") != std::string::npos ||
       line.find("(x/y/z") != std::string::npos) {

@@ -17,9 +17,9 @@ constexpr std::array<const char*, 7> kPoseColumns = {"x", "y", "z", "qw", "qx", 
 constexpr std::size_t kKittiNumbers = 12;
 
 using Numbers = std::vector<double>;
-using PoseNumbers = std::array<double, 7>;  ///< of kPoseColumns
+using PoseNumbers = std::array<double, 7>;  ///< in the order of kPoseColumns
 
-/// Exactly where digits alone make it up, else as far as a double holds it.
+/// Exact for plain digits, else within a double's precision.
 std::optional<TimeNs> PoseTimeOf(std::string_view text, bool in_nanoseconds) {
   const auto number = WholeNumber(text);
   if (!in_nanoseconds) {
@@ -34,7 +34,7 @@ std::optional<TimeNs> PoseTimeOf(std::string_view text, bool in_nanoseconds) {
   return static_cast<TimeNs>(*number);
 }
 
-/// Three rows of a rotation and a place; nothing where that is no rotation.
+/// Three rows of a rotation and a position; nothing for an invalid rotation.
 std::optional<PoseNumbers> PoseOfRows(const Numbers& v) {
   constexpr double kSlack = 0.05;
   Mat3 R;
@@ -88,7 +88,7 @@ class TrajectoryReader {
   }
 
  private:
-  /// The pose in a line; where there is none it tells the line's fault.
+  /// The pose in a line; reports a line without one.
   std::optional<PoseNumbers> PoseOf(const std::vector<std::string_view>& fields, TimeNs* t_ns) {
     const bool is_kitti = type_ == kKittiPosesType;
     constexpr std::size_t kTimedFields = 8;
@@ -122,7 +122,7 @@ class TrajectoryReader {
   }
 
   LogLines lines_;
-  std::vector<TimeNs> times_;  ///< of the poses, where a file has them
+  std::vector<TimeNs> times_;  ///< pose times, if a file has them
   std::size_t pose_ = 0;
   const std::string& type_;
   LeftOutRows* left_out_;

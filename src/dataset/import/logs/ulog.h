@@ -10,11 +10,11 @@
 #include "dataset/import/left_out_rows.h"
 #include "dataset/import/row_table.h"
 
-/// Logs of PX4, form ULog.
+/// Logs of PX4 in ULog format.
 
 namespace tera {
 
-/// A topic as a log offers it: "vehicle_imu", or "vehicle_imu[1]" of its second instance.
+/// A topic of a log: "vehicle_imu", or "vehicle_imu[1]" for its second instance.
 struct UlogTopic {
   std::string name;
   /// Paths of its numbers, "gyro_rad[0]", "esc[2].rpm", without the padding.
@@ -22,17 +22,18 @@ struct UlogTopic {
   std::int64_t messages = 0;
 };
 
-/// All topics of a log, in order of their names. What stands behind damage is not looked at.
+/// All topics of a log, sorted by name, up to the first damage.
 ///
-/// Throws InputError where the file is no ULog or is of a version that is not known.
+/// Throws  InputError if the file is no ULog or has an unknown version.
 std::vector<UlogTopic> UlogTopics(const std::filesystem::path& file);
 
-/// The messages of a topic, a row each: `paths` of its numbers (bools are 0 and 1) beside `time`,
-/// which is the message's `timestamp`, us since the vehicle's computer was started.
+/// The messages of a topic, one row each: the numbers at `paths` (bools are 0 and 1), and `time`,
+/// the message's `timestamp`, us since the start of the vehicle's computer.
 ///
-/// Faults are InputErrors: no such topic or path, a message that is shorter than its fields, bytes
-/// that are no message, a file that ends within one; with `left_out` these are counted, and what
-/// stands behind damage of the file is not read.
+/// Faults are InputErrors: no such topic or path, a message shorter than its fields, bytes that are
+/// no message, a truncated file. With `left_out` these are counted, and the file is read up to the
+/// damage.
+///
 /// Source  PX4 user guide, "ULog File Format", version 1.
 std::unique_ptr<const RowTable> ReadUlog(const std::filesystem::path& file,
                                          const std::string& topic,

@@ -16,7 +16,7 @@ struct UlogNumber {
   double (*read)(std::string_view bytes, std::size_t at) = nullptr;
 };
 
-/// A number as it lies in bytes, low byte first; there must be enough of them.
+/// A number in bytes, low byte first; `bytes` must be long enough.
 template <typename T>
 T UlogNumberAt(std::string_view bytes, std::size_t at) {
   T value;
@@ -28,10 +28,10 @@ T UlogNumberAt(std::string_view bytes, std::size_t at) {
 /// another format.
 class UlogFormats {
  public:
-  /// Throws BadBytes where a definition has no name.
+  /// Throws BadBytes for a definition without a name.
   void Define(std::string_view text);
-  /// All numbers of a format, wherever they are nested, but for fields that pad. Throws BadBytes
-  /// where there is no such format, where it holds itself, or where no message could hold it.
+  /// All numbers of a format at any nesting, without padding. Throws BadBytes for an unknown or
+  /// recursive format, and for one larger than a message.
   std::vector<UlogNumber> NumbersOf(const std::string& format) const;
 
  private:

@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 18> kCommandWords = {
     "cmd",       "command", "commanded", "ref",      "reference", "setpoint",
     "setpoints", "sp",      "target",    "desired",  "des",       "demand",
     "goal",      "request", "soll",      "sollwert", "consigne",  "vorgabe"};
-/// Words of quantities that have a unit and are no lever.
+/// Words of quantities with a unit, which are not levers.
 constexpr std::array<std::string_view, 22> kQuantityWords = {
     "speed", "vel", "velocity",        "rate",   "angle", "pos",   "position", "pressure",
     "flow",  "rpm", "force",           "torque", "omega", "yaw",   "heading",  "deg",
@@ -43,7 +43,7 @@ bool IsCommandWord(const std::string& word) {
 
 struct Named {
   const NumbersOfColumn* column = nullptr;
-  std::vector<std::string> rest;  ///< words that say which one it is
+  std::vector<std::string> rest;  ///< words that identify the lever
   bool is_lever = false, is_command = false, has_quantity = false;
 };
 
@@ -64,7 +64,7 @@ bool IsSlew(const std::string& word) {
   return joint == "slew" || joint == "swing";
 }
 
-/// "left_track"; the joint where one word means one.
+/// "left_track"; the joint's name if a single word means a joint.
 std::string NameOfWords(const std::vector<std::string>& words) {
   const std::string joint = words.size() == 1 ? JointOfWord(words.front()) : "";
   return joint.empty() ? PlainNameOf(fmt::format("{}", fmt::join(words, "_"))) : joint;
@@ -76,7 +76,7 @@ bool IsJoint(const std::vector<std::string>& words) {
          (words.size() == 1 && !JointOfWord(words.front()).empty());
 }
 
-/// Levers of one direction each count as the joint's.
+/// The name without a direction: separate levers of the two directions belong to one joint.
 std::optional<std::pair<std::vector<std::string>, bool>> WithoutDirection(const Named& named) {
   for (const Direction& direction : kDirections) {
     for (const bool is_plus : {true, false}) {
@@ -95,7 +95,7 @@ std::optional<std::pair<std::vector<std::string>, bool>> WithoutDirection(const 
 
 bool IsLever(const Named& named) {
   if (named.rest.empty()) return false;
-  // A share has no unit but per cent, and a pulse one of time.
+  // A share has no unit except per cent, and a pulse only one of time.
   const UnitGuess unit = GuessAnyUnit(*named.column);
   if (unit.unit != "1" && unit.unit != "%" && unit.unit != "us") return false;
   if (named.is_lever) return true;
@@ -104,10 +104,10 @@ bool IsLever(const Named& named) {
   return IsJoint(named.rest) || (one_way && IsJoint(one_way->first));
 }
 
-/// How levers are counted.
+/// Encoding of lever values.
 struct LeverCoding {
-  std::string keys;    ///< behind the column
-  std::string remark;  ///< empty: as is usual
+  std::string keys;    ///< keys that follow the column
+  std::string remark;  ///< empty for the usual encoding
 };
 
 LeverCoding CodingOf(const std::vector<Named>& levers) {
@@ -118,7 +118,7 @@ LeverCoding CodingOf(const std::vector<Named>& levers) {
     most = std::max(most, levers[k].column->LargestSize());
     least = k == 0 ? levers[k].column->Least() : std::min(least, levers[k].column->Least());
   }
-  // Numbers that overshoot by some per cent are still of their kind.
+  // Allows some per cent of overshoot.
   constexpr double kMostShare = 1.5, kMostPerCent = 110, kMostThousandths = 1100;
   constexpr double kLeastPulse = 800, kMostPulse = 2200, kMostByte = 255;
   if (most <= kMostShare) return {"unit: '1'", ""};
@@ -135,7 +135,7 @@ LeverCoding CodingOf(const std::vector<Named>& levers) {
   return {"unit: '1'", "no share of full: give scale and offset"};
 }
 
-/// Per cent where the column says so, else as all levers are.
+/// Per cent if the column says so, else the encoding of all levers.
 LeverCoding CodingOf(const Named& lever, const LeverCoding& of_all) {
   return GuessAnyUnit(*lever.column).unit == "%" ? LeverCoding{"unit: '%'", ""} : of_all;
 }

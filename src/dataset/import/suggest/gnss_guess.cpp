@@ -25,7 +25,7 @@ bool AreDegreesAndMinutes(const NumbersOfColumn& column) {
                      [](double value) { return std::fmod(std::abs(value), 100) < kMinutes; });
 }
 
-/// The scale that a name tells by "e7" or "1e-7"; 0: none.
+/// The scale in a name, from "e7" or "1e-7"; 0: none.
 double ScaleOfName(std::string_view name) {
   const std::string lower = LowerCase(std::string(name));
   for (const auto& [ending, scale] :
@@ -42,8 +42,8 @@ double DegreesOf(double number, const UnitGuess& unit) {
   return degrees + (number - 100 * degrees) / kMinutes;
 }
 
-/// Whether a receiver's fixes are types, of which 3 is one in three dimensions, and no qualities as
-/// of GGA, which has 4 and 5 for RTK and never 3.
+/// Whether fix values are types, where 3 is a 3-D fix, instead of GGA qualities, which have 4 and 5
+/// for RTK and never 3.
 bool AreFixTypes(const NumbersOfColumn& fix) {
   const auto has = [&](double value) {
     return std::find(fix.values.begin(), fix.values.end(), value) != fix.values.end();
@@ -100,7 +100,7 @@ UnitGuess GuessGeodeticUnit(const NumbersOfColumn& lat, const NumbersOfColumn& l
   }
   const auto told = ToldUnit(lat, Dimension::kAngle);
   if (told && (told->unit == "rad" || fits(told->scale))) return *told;
-  // Nothing but sea lies within three degrees of 0, 0.
+  // Only sea lies within three degrees of 0, 0.
   if (most_lat <= kPi / 2 && most_lon <= kPi) {
     return {"rad", 1.0, fmt::format("the largest is {:.4g}", std::max(most_lat, most_lon))};
   }

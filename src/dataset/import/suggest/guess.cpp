@@ -21,7 +21,7 @@ double LargestOf(const std::vector<const NumbersOfColumn*>& columns) {
   return largest;
 }
 
-/// Texts that may be a name's unit: what stands in brackets, else what follows each part.
+/// Possible unit texts of a name: the text in brackets, else the text after each part.
 std::vector<std::string_view> UnitTextsOf(std::string_view name) {
   const std::size_t open = name.find_first_of("[("), close = name.find_last_of("])");
   if (open != std::string_view::npos && close != std::string_view::npos && close > open) {
@@ -95,7 +95,7 @@ UnitGuess GuessAccelerationUnit(const std::vector<const NumbersOfColumn*>& axes)
   if (is_about(kStandardGravity_mps2)) return {"m/s2", 1.0, ""};
   if (is_about(1.0)) return {"g", 1.0, ""};
   if (is_about(1e3)) return {"g", 1e-3, ""};
-  constexpr double kLeastCounts = 100;  // of one g
+  constexpr double kLeastCounts = 100;  // for one g
   std::string doubt =
       fmt::format("the median vector is {:.4g} long, as gravity is in no unit", length);
   if (length > kLeastCounts) doubt += fmt::format("; counts of g / {:.4g}?", length);
@@ -105,7 +105,7 @@ UnitGuess GuessAccelerationUnit(const std::vector<const NumbersOfColumn*>& axes)
 UnitGuess GuessAngleUnit(const std::vector<const NumbersOfColumn*>& angles) {
   if (const auto unit = ToldUnit(*angles.front(), Dimension::kAngle)) return *unit;
   const double largest = LargestOf(angles);
-  // A joint of a slewing machine may turn on, but not by this much.
+  // A slewing joint may turn on, but not this far.
   if (largest > 8 * kPi) return {"deg", 1.0, ""};
   const std::string size = fmt::format("the largest is {:.4g}", largest);
   if (largest > 2 * kPi) return {"deg", 1.0, size};
@@ -143,7 +143,7 @@ std::vector<std::string> WordsOfName(std::string_view name) {
   const std::string_view bare = name.substr(0, name.find_first_of("[("));
   for (std::size_t k = 0; k < bare.size(); ++k) {
     const auto c = static_cast<unsigned char>(bare[k]);
-    // Letters beyond ASCII are bytes with the highest bit.
+    // Bytes of non-ASCII letters have the highest bit.
     const bool is_letter = std::isalpha(c) != 0 || c >= 0x80;
     const bool is_hump = is_letter && k > 0 && std::isupper(c) != 0 &&
                          std::islower(static_cast<unsigned char>(bare[k - 1])) != 0;
@@ -160,7 +160,7 @@ std::string StemOfName(std::string_view name) {
     const auto byte = static_cast<unsigned char>(c);
     if (std::isalnum(byte) != 0 || byte >= 0x80) stem += static_cast<char>(std::tolower(byte));
   }
-  // A single letter is a unit only as a word of its own: "alt_m", and not "heading".
+  // A single letter is a unit only as a separate word: "alt_m", not "heading".
   const std::string_view bare = name.substr(0, name.find_first_of("[("));
   for (const std::string_view text : UnitTextsOf(bare)) {
     const bool is_plain = text.size() > 1 || text == "m" || text == "g";
@@ -218,7 +218,7 @@ std::string JointOfAngle(const NumbersOfColumn& column) {
   for (const std::string_view ending : {"angle", "position", "pos"}) {
     if (word.ends_with(ending)) word.resize(word.size() - ending.size());
   }
-  // Another unit makes it a stroke, a pressure or a voltage.
+  // With another unit it is a stroke, a pressure or a voltage.
   const bool is_unit_of_angle = ToldUnit(column, Dimension::kAngle).has_value();
   const bool has_other_unit = !column.unit.empty() && column.unit != "-" && column.unit != "1";
   const bool is_other = !is_unit_of_angle && (has_other_unit || GuessAnyUnit(column).unit != "1");
@@ -241,7 +241,7 @@ std::string JointOfRate(const NumbersOfColumn& column) {
   std::string joint;
   bool is_rate = false;
   for (const std::string& word : WordsOfName(column.name)) {
-    // A speed may be a cylinder's or a track's, and a share of the fastest.
+    // A speed may belong to a cylinder or a track, or be a share of the fastest.
     if (word == "speed" && !told) return "";
     const auto is_in = [&](const auto& words) {
       return std::find(words.begin(), words.end(), word) != words.end();

@@ -24,7 +24,7 @@ bool HasOneOf(const std::vector<std::string>& words, const std::array<std::strin
   });
 }
 
-/// The joint or lever that words name, "left_track" of "left" and "travel"; empty: none.
+/// The joint or lever that words name, "left_track" for "left" and "travel"; empty: none.
 std::string JointOf(const std::vector<std::string>& words) {
   const auto has = [&](std::string_view word) {
     return std::find(words.begin(), words.end(), word) != words.end();
@@ -106,7 +106,7 @@ std::string BagChannels::AddNumber(const SeenTopic& seen, TakenNames* names) {
     return "";
   }
   AngleGuess angle = role == Role::kRate ? AngleGuess{} : GuessAngle(numbers);
-  // ROS means rad.
+  // ROS's unit is rad.
   if (!angle.unit.is_known()) angle.unit.unit = "rad";
   if (role == Role::kUnknown) {
     angle.unit.doubt +=
@@ -121,7 +121,7 @@ std::string BagChannels::AddNumber(const SeenTopic& seen, TakenNames* names) {
 }
 
 std::string BagChannels::CommandsYaml(bool trusts_far, TimeNs* first_ns) const {
-  constexpr double kMostOfFull = 1.5;  // beyond it, -1 to 1 is not what was logged
+  constexpr double kMostOfFull = 1.5;  // a larger value excludes the range -1 to 1
   std::string yaml;
   for (const Lever& lever : levers_) {
     RuleGuesses rules = lever.rules;

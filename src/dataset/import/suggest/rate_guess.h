@@ -7,20 +7,19 @@
 
 namespace tera {
 
-/// Columns that show how far a thing turns beside its rates. All have as many numbers as there
-/// are times; where they do not, they show nothing.
+/// Columns that show the turn besides the rates. They count only if all have a number at each time.
 struct TurnWitness {
   std::vector<TimeNs> t_ns;
   /// The specific force along the axes of the rates, in any unit; empty: none.
   std::vector<const NumbersOfColumn*> forces = {};
-  /// The angles that the rates are those of, in their order; null: none.
+  /// The angles of the rates, in their order; null: none.
   std::vector<const NumbersOfColumn*> angles = {};
 };
 
-/// rad/s or deg/s: as a column's unit or name tells, by how far gravity or an angle turns beside
-/// the rates, or by a size that no machine has in rad/s; else unknown, with what was seen.
+/// rad/s or deg/s, from the first of: a column's unit or name; the turn of gravity or of an angle;
+/// magnitudes that no machine has in rad/s. Otherwise unknown, with the observation.
 ///
-/// Model   rates of which a tenth is beyond 20 are no rad/s, and beyond 1146 no deg/s either.
+/// Model   rates with a tenth above 20 are not rad/s, and above 1146 not deg/s either.
 UnitGuess GuessRateUnit(const std::vector<const NumbersOfColumn*>& rates,
                         const TurnWitness& witness = {});
 

@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-/// Points in text look as any table of numbers does, but for the name.
+/// Point text files look like tables of numbers; only the name identifies them.
 void RefusePoints(const std::filesystem::path& log) {
   const std::string ending = LowerCase(log.extension().string());
   if (ending != ".xyz" && ending != ".pts" && ending != ".neu") return;

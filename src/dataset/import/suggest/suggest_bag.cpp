@@ -44,7 +44,7 @@ class Census : public BagVisitor {
 
  private:
   std::vector<SeenTopic> topics_;
-  std::vector<std::size_t> numbers_;  ///< of topics_, by the number that Take has
+  std::vector<std::size_t> numbers_;  ///< index in topics_, by Take's number
 };
 
 std::string OneLine(std::string text) {
@@ -52,8 +52,8 @@ std::string OneLine(std::string text) {
   return text;
 }
 
-/// How likely a topic of poses is that of the machine, the least the likeliest; nothing for those
-/// of its parts, of sensors and of goals.
+/// Rank of a topic of poses as the machine's pose, the lowest the likeliest; nothing for parts,
+/// sensors and goals.
 std::optional<int> RankOfPose(const SeenTopic& seen) {
   constexpr std::array<std::string_view, 5> kTypes = {
       "nav_msgs/Odometry", "geometry_msgs/PoseWithCovarianceStamped", "geometry_msgs/PoseStamped",
@@ -104,7 +104,7 @@ class BagGuess {
     return is_folder ? std::filesystem::absolute(log_).parent_path().filename() : log_.stem();
   }
 
-  /// The first word of the topics' names where they share one.
+  /// The first word of the topics' names if they share one.
   std::string Machine() const {
     std::set<std::string> words;
     for (const SeenTopic& seen : census_.topics()) {
@@ -119,7 +119,7 @@ class BagGuess {
     return words.size() == 1 && !words.begin()->empty() ? PlainNameOf(*words.begin()) : "machine";
   }
 
-  /// The likeliest topic of the machine's pose that can be read.
+  /// The likeliest readable topic of the machine's pose.
   void FindPose() {
     std::vector<std::pair<int, const SeenTopic*>> candidates;
     for (const SeenTopic& seen : census_.topics()) {
@@ -147,7 +147,7 @@ class BagGuess {
                     seen.Rate(), why_not == "-" ? "" : "; " + OneLine(why_not));
   }
 
-  /// Why a topic makes no channel; "-" where nothing is to be said of it.
+  /// The reason why a topic gives no channel; "-" for no remark.
   std::string Add(const SeenTopic& seen) {
     const std::string& type = seen.topic.type;
     if (type == kPointCloudType || HoldsPackets(type)) return AddLidar(seen);

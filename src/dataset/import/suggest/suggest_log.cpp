@@ -44,7 +44,7 @@ std::int64_t CountOf(const RowTable& table, const std::vector<const char*>& colu
 
 using IsValidRow = std::function<bool(std::size_t row)>;
 
-/// At the first valid row that has a place; nothing where none has.
+/// The origin at the first valid row with a position; nothing without one.
 std::optional<std::string> OriginOf(const RowTable& table,
                                     const std::vector<const char*>& lat_lon_height,
                                     const IsValidRow& is_valid) {
@@ -53,7 +53,7 @@ std::optional<std::string> OriginOf(const RowTable& table,
     const auto number = [&](int k) {
       return table.Number(row, table.Column(lat_lon_height[static_cast<std::size_t>(k)]));
     };
-    if (number(0) == 0 && number(1) == 0) continue;  // no receiver with a fix is there
+    if (number(0) == 0 && number(1) == 0) continue;  // 0, 0 means no fix
     return OriginYaml(number(0), number(1), number(2), "the first row with a fix");
   }
   return std::nullopt;
@@ -84,7 +84,7 @@ std::string PosYaml(const fs::path& log, const RowTable& table) {
          "gnss:\n  - name: gnss\n" + rules.Yaml();
 }
 
-/// Rows that say of no fix, or of one that is no measurement.
+/// Rules that exclude rows without a fix, or with one that is no measurement.
 RuleGuesses RulesOfNmea(const RowTable& table, const char* height) {
   std::int64_t without_fix = 0, not_measured = 0, without_height = 0;
   for (std::size_t row = 0; row < table.row_count(); ++row) {
@@ -168,15 +168,15 @@ std::string KittiYaml(const fs::path& timestamps, const RowTable& table) {
 
 struct EurocFile {
   fs::path file;
-  std::string name;                  ///< of its folder
-  std::vector<std::string> columns;  ///< as its first line names them behind the '#'
+  std::string name;                  ///< name of its folder
+  std::vector<std::string> columns;  ///< in its first line after the '#'
 
   bool Has(const std::string& column) const {
     return std::find(columns.begin(), columns.end(), column) != columns.end();
   }
 };
 
-/// The names in a first line "#timestamp [ns],w_RS_S_x [rad s^-1]", with blanks or none around.
+/// The names in a first line "#timestamp [ns],w_RS_S_x [rad s^-1]", with or without blanks.
 std::vector<std::string> EurocColumnsOf(const fs::path& file) {
   constexpr std::string_view kBlanks = " \t\r";
   std::string header;
@@ -191,8 +191,8 @@ std::vector<std::string> EurocColumnsOf(const fs::path& file) {
   return columns;
 }
 
-/// Files below a folder whose names end so; those that are nearer to the folder first, as what is
-/// of the machine stands before what is of its parts.
+/// Files below a folder with this ending. Files near the folder come first, since the machine's
+/// files precede those of its parts.
 std::vector<fs::path> FilesBelow(const fs::path& folder, std::string_view ending) {
   constexpr int kDeepest = 5;
   std::vector<fs::path> files;
@@ -211,7 +211,7 @@ std::vector<fs::path> FilesBelow(const fs::path& folder, std::string_view ending
   return files;
 }
 
-/// All NAME/data.csv below a folder whose first column is a time.
+/// All NAME/data.csv below a folder with a time as the first column.
 std::vector<EurocFile> EurocFilesOf(const fs::path& folder) {
   std::vector<EurocFile> files;
   for (const fs::path& path : FilesBelow(folder, "data.csv")) {
@@ -223,7 +223,7 @@ std::vector<EurocFile> EurocFilesOf(const fs::path& folder) {
   return files;
 }
 
-/// The first trajectory in the form of TUM below a folder; nothing where there is none.
+/// The first trajectory in TUM's form below a folder; nothing without one.
 std::string TumFolderYaml(const fs::path& folder) {
   std::string yaml, others;
   for (const fs::path& file : FilesBelow(folder, ".tum")) {
@@ -253,7 +253,7 @@ std::string EurocTimeYaml(const EurocFile& file, std::string_view indent) {
   return fmt::format("{}time: {{column: \"{}\", unit: ns}}\n", indent, file.columns.front());
 }
 
-/// The ground truth's pose before those of other instruments.
+/// The ground truth's pose, or else that of another instrument.
 const EurocFile* EurocPoseOf(const std::vector<EurocFile>& files, const EurocColumns& columns) {
   const EurocFile* pose = nullptr;
   for (const EurocFile& file : files) {

@@ -53,7 +53,7 @@ class TableGuess {
   }
 
   std::string Yaml() {
-    // One after the other: what one takes is none of those behind it.
+    // Each step takes columns, which later steps cannot use.
     std::string channels;
     if (long_) {
       channels = SignalsYaml(csv_, layout_, *long_);
@@ -97,7 +97,7 @@ class TableGuess {
     const std::vector<std::size_t> first = RowsOfSignal(csv_, *long_, long_->signals.front());
     time_ = GuessTime(csv_, first, NumbersOf(csv_, layout_, first), /*has_header=*/true);
   }
-  /// The column of one of these stems that is not taken yet.
+  /// The first free column with one of these stems.
   const NumbersOfColumn* Find(const std::vector<std::string>& stems) const {
     for (const std::string& stem : stems) {
       for (const NumbersOfColumn& column : columns_) {
@@ -138,7 +138,7 @@ class TableGuess {
     }
     return yaml;
   }
-  /// The channel's `valid_if`, where a row may repeat its time or lack one of the columns.
+  /// The channel's `valid_if`, if a row may repeat its time or lack one of the columns.
   std::string Rules(const ColumnList& columns, std::string_view indent = "    ",
                     const std::string& more = "") const {
     std::vector<std::string> rules;
@@ -154,7 +154,7 @@ class TableGuess {
     if (rules.empty()) return "";
     return fmt::format("{}valid_if: [{}]\n", indent, fmt::join(rules, ", "));
   }
-  /// Columns that have their numbers in the same rows, group by group.
+  /// Groups of columns with numbers in the same rows.
   static std::vector<ColumnList> ByGaps(const ColumnList& columns) {
     std::vector<ColumnList> groups;
     for (const NumbersOfColumn* column : columns) {
@@ -292,7 +292,7 @@ class TableGuess {
     return yaml;
   }
 
-  /// A table of commands; those of one name keep that of their column.
+  /// A table of commands. Lines with equal names use their column's name.
   std::string CommandTable(const std::string& name, std::vector<CommandLine> lines) {
     if (lines.empty()) return "";
     ColumnList all;
@@ -322,7 +322,7 @@ class TableGuess {
     return levers + CommandTable("setpoints", GuessSetpoints(Left()));
   }
 
-  /// The columns that are left become tables, in units that are told or unknown.
+  /// The remaining columns become tables, in known units or the placeholder.
   std::string Others() {
     std::string yaml;
     std::set<std::string> names;

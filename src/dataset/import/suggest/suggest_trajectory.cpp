@@ -13,7 +13,7 @@
 #include "dataset/import/suggest/suggest.h"
 #include "dataset/import/table_text.h"
 
-// Guesses about a text file of poses without names of its columns.
+// Guesses about a pose text file without column names.
 
 namespace tera {
 namespace {
@@ -36,7 +36,7 @@ std::vector<double> NumbersOfLine(const std::string& line) {
   return numbers;
 }
 
-/// Nothing where a line is not of as many numbers as the first.
+/// Returns nothing if a line has another count of numbers than the first.
 std::optional<PoseLines> PoseLinesOf(const std::filesystem::path& file) {
   constexpr std::size_t kMostLines = 1000;
   PoseLines lines;
@@ -46,7 +46,7 @@ std::optional<PoseLines> PoseLinesOf(const std::filesystem::path& file) {
     if (line.starts_with('#') && lines.rows.empty()) lines.remark = line;
     if (line.empty() || line.starts_with('#')) continue;
     const std::vector<double> row = NumbersOfLine(line);
-    const bool is_last = stream.eof();  // it may be cut off
+    const bool is_last = stream.eof();  // may be truncated
     if (row.empty() || (!lines.rows.empty() && row.size() != lines.rows.front().size())) {
       if (is_last) break;
       return std::nullopt;
@@ -83,8 +83,8 @@ std::string TrajectoryTop(const std::filesystem::path& log) {
       PlainNameOf(log.stem().string()), YamlWord(log.string()));
 }
 
-/// The line of the form, by the order that a remark names, else by how the two forms are written;
-/// where neither tells, one that the import asks about.
+/// The line `form`: from the order in a remark, else from the notation of the two forms; otherwise
+/// a placeholder that the import refuses.
 std::string FormYaml(const PoseLines& lines, bool in_nanoseconds) {
   const auto place_of = [&](const char* tum, const char* euroc) {
     return std::min(lines.remark.find(tum), lines.remark.find(euroc));
@@ -99,7 +99,7 @@ std::string FormYaml(const PoseLines& lines, bool in_nanoseconds) {
   return "form: tum_or_euroc   # fill in: tum (s, qx qy qz qw) or euroc (ns, qw qx qy qz)\n";
 }
 
-/// KITTI's times of a file of poses: times.txt beside it, or of its sequence.
+/// KITTI's times for a pose file: times.txt next to it, or of its sequence.
 std::filesystem::path TimesBeside(const std::filesystem::path& log) {
   const std::filesystem::path folder = log.parent_path();
   std::error_code ignored;
@@ -146,7 +146,7 @@ std::optional<std::string> SuggestForTrajectory(const std::filesystem::path& log
   for (std::size_t k = 1; k < lines->rows.size(); ++k) {
     if (lines->rows[k][0] <= lines->rows[k - 1][0]) return std::nullopt;
   }
-  constexpr double kLeast_ns = 1e12;  // seconds of no clock
+  constexpr double kLeast_ns = 1e12;  // too large for seconds of any clock
   const bool in_nanoseconds = lines->rows.front()[0] > kLeast_ns;
   const double first_s = lines->rows.front()[0] * (in_nanoseconds ? 1e-9 : 1);
   return TrajectoryTop(log) + (first_s > kLeastEpoch_s ? "zero: start\n" : "") + "pose:\n  " +

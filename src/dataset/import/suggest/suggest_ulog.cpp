@@ -9,7 +9,7 @@
 #include "dataset/import/suggest/guess.h"
 #include "dataset/import/suggest/suggest.h"
 
-// Guesses about a log of PX4.
+// Guesses about a PX4 log.
 
 namespace tera {
 namespace {
@@ -33,7 +33,7 @@ std::string UlogColumnsYaml(const Columns& columns, const std::string& unit) {
   return yaml;
 }
 
-/// "sensor_combined", of the topic "sensor_combined" or "sensor_combined[1]".
+/// "sensor_combined", for the topic "sensor_combined" or "sensor_combined[1]".
 bool IsOf(const UlogTopic& topic, const std::string& format) {
   return topic.name == format || topic.name.starts_with(format + "[");
 }
@@ -43,10 +43,10 @@ std::string HeadYaml(const UlogTopic& topic) {
                      YamlWord(topic.name));
 }
 
-/// How versions of PX4 name a receiver's place.
+/// Names of a receiver's position in versions of PX4.
 struct GpsFields {
   const char *lat, *lon, *height;  ///< above the ellipsoid
-  double deg, m;                   ///< in one of the fields' units
+  double deg, m;                   ///< per unit of the fields
   const char *angle_unit, *height_unit;
 };
 constexpr std::array<GpsFields, 2> kGpsFields = {
@@ -61,7 +61,7 @@ const GpsFields* GpsFieldsOf(const UlogTopic& topic) {
   return nullptr;
 }
 
-/// The origin at the first row with a fix; nothing where none has one.
+/// The origin at the first row with a fix; nothing without one.
 std::string OriginOfGps(const std::filesystem::path& log, const UlogTopic& topic,
                         const GpsFields& f, bool has_fix_type) {
   std::vector<std::string> paths = {f.lat, f.lon, f.height};

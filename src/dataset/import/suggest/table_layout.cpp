@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kHeadLines = 400;
 
-/// The kind of content that a field holds.
+/// The kind of content of a field.
 enum class FieldKind { kNothing, kNumber, kCalendar, kText };
 
 FieldKind KindOfField(std::string_view field, const NumberForm& numbers) {
@@ -30,7 +30,7 @@ FieldKind KindOfField(std::string_view field, const NumberForm& numbers) {
 }
 bool IsValue(FieldKind kind) { return kind == FieldKind::kNumber || kind == FieldKind::kCalendar; }
 
-/// A line that is not empty, by one separator.
+/// A non-empty line, split by one separator.
 struct SplitLine {
   int number = 0;  ///< in its file
   bool is_remark = false;
@@ -70,7 +70,7 @@ bool IsUnitWord(std::string_view field) {
   return std::find(kOthers.begin(), kOthers.end(), bare) != kOthers.end();
 }
 
-/// Whether fields are units, of which some are known.
+/// Whether fields are units, at least some of them known.
 bool AreUnits(const std::vector<std::string_view>& fields) {
   std::size_t named = 0, known = 0;
   for (const std::string_view field : fields) {
@@ -81,7 +81,7 @@ bool AreUnits(const std::vector<std::string_view>& fields) {
   return named > 0 && 2 * known >= named;
 }
 
-/// No field is a value, but for the unit 1 among others.
+/// No field is a value, except the unit 1 among others.
 bool HasWordsOnly(const SplitLine& line) {
   for (std::size_t k = 0; k < line.fields.size(); ++k) {
     if (IsValue(line.kinds[k]) && (line.fields[k] != "1" || !AreUnits(line.fields))) return false;
@@ -89,7 +89,7 @@ bool HasWordsOnly(const SplitLine& line) {
   return true;
 }
 
-/// One way to read the head, and the block of rows that it finds.
+/// One interpretation of the head, and its block of rows.
 struct Reading {
   char separator = ',';
   NumberForm numbers;
@@ -131,7 +131,7 @@ struct Reading {
     return !line.is_remark && std::any_of(line.kinds.begin(), line.kinds.end(), IsValue);
   }
 
-  /// How many columns of two lines hold the same kind, or nothing.
+  /// The number of columns in which two lines have the same kind of content.
   static std::size_t Agreeing(const SplitLine& a, const SplitLine& b) {
     std::size_t agreeing = 0;
     for (std::size_t k = 0; k < std::max(a.kinds.size(), b.kinds.size()); ++k) {
@@ -165,7 +165,7 @@ struct Reading {
     PreferRowsBelowNames(blocks);
   }
 
-  /// A first row with a word in the place of a number is a row as well.
+  /// A first row with a word in place of a number is also a row.
   void TakeRowsWithWords() {
     while (first > 0 && end > first && HasValue(lines[first - 1])) {
       const SplitLine &above = lines[first - 1], &row = lines[first];
@@ -178,7 +178,7 @@ struct Reading {
     }
   }
 
-  /// Whether a line of as many words as the row has fields stands right above it.
+  /// Whether the line directly above has as many words as the row has fields.
   bool HasNames(std::size_t row) const {
     for (std::size_t k = row; k-- > 0;) {
       const std::size_t fields = lines[k].fields.size();
@@ -189,8 +189,8 @@ struct Reading {
     return false;
   }
 
-  /// A row of another width parts a table in blocks. The largest one without names of its own
-  /// gives way to the first with names, or to one of its form at the top of the file.
+  /// A row of another width splits a table into blocks. If the largest block has no names of its
+  /// own, the first block with names, or one of its form at the top of the file, is used.
   void PreferRowsBelowNames(const std::vector<Block>& blocks) {
     if (end == first || HasNames(first)) return;
     constexpr std::size_t kFewRows = 3;
@@ -206,7 +206,7 @@ struct Reading {
     }
   }
 
-  /// Texts among values are what a wrong separator leaves.
+  /// Texts among values indicate a wrong separator.
   void Weigh(std::size_t begin, std::size_t block_end) {
     double sum = 0;
     for (std::size_t k = begin; k < block_end; ++k) {
@@ -241,7 +241,7 @@ std::optional<Reading> BestReading(const std::vector<HeadLine>& head, const Give
   return best;
 }
 
-/// Lines of words before the block, in their order: names, and units behind them.
+/// Lines of words before the block in order: names, and units after them.
 std::vector<std::size_t> HeaderLines(const Reading& reading) {
   std::vector<std::size_t> lines;
   constexpr std::size_t kMost = 4;
@@ -296,7 +296,7 @@ std::optional<TableLayout> FindTableLayout(std::string_view text, const GivenFor
   form.separator = reading->separator;
   form.numbers = reading->numbers;
   std::vector<std::size_t> header = HeaderLines(*reading);
-  // Names are the last line that is not one of units.
+  // The names are the last line other than units.
   std::size_t names = header.empty() ? 0 : header.size() - 1;
   while (names > 0 && AreUnits(reading->lines[header[names]].fields)) --names;
   header.erase(header.begin(), header.begin() + static_cast<std::ptrdiff_t>(names));
@@ -339,7 +339,7 @@ std::vector<NumbersOfColumn> NumbersOf(const CsvFile& csv, const TableLayout& la
       ++(csv.IsPresent(row, c) ? numbers.words : numbers.missing);
       numbers.gaps = numbers.gaps * kDigestFactor + row + 1;
     }
-    // A few numbers among more words are words too.
+    // A few numbers among more words count as words.
     if (numbers.words > numbers.values.size()) numbers.values.clear();
     columns.push_back(std::move(numbers));
   }

@@ -11,28 +11,28 @@
 
 namespace tera {
 
-/// How a table is written as far as its keys `csv:` say so.
+/// The part of a table's syntax in the keys `csv:`.
 struct GivenForm {
   CsvForm form;
-  std::set<std::string> keys;  ///< which of them are there
+  std::set<std::string> keys;  ///< the given keys
 };
 
-/// By key.path=value texts of `csv:`; others are a fault.
+/// From key.path=value texts of `csv:`; others are a fault.
 GivenForm GivenFormOf(const std::vector<std::string>& overrides);
 
-/// How a foreign table is written.
+/// Syntax of a foreign table.
 struct TableLayout {
   CsvForm form;
-  /// The texts in the line of units behind the names, column by column; empty: there is none.
+  /// The texts in the line of units after the names, by column; empty without such a line.
   std::vector<std::string> units;
-  char found_separator = ',';  ///< by CsvFile itself
+  char found_separator = ',';  ///< CsvFile's own choice
 
-  /// "csv: {...}\n" with what CsvFile does not find by itself, or nothing.
+  /// "csv: {...}\n" with the keys that CsvFile does not find itself, or nothing.
   std::string Yaml() const;
 };
 
-/// Finds the largest block of rows of one form among the first lines, and the names before it.
-/// It does not look for what is `given`. Nothing where there is no such block.
+/// Finds the largest uniform block of rows among the first lines, and the names before it. Keys in
+/// `given` are not searched. Nothing without such a block.
 std::optional<TableLayout> FindTableLayout(std::string_view text, const GivenForm& given);
 
 /// Numbers of all columns in these rows.

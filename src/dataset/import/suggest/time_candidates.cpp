@@ -15,7 +15,7 @@ bool IsAmong(const std::string& word, std::initializer_list<std::string_view> wo
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// Words of counters and of times that are no time of the row.
+/// Words of counters and of times other than the row's.
 bool NamesNoTime(const std::vector<std::string>& words) {
   return std::any_of(words.begin(), words.end(), [](const std::string& word) {
     return IsAmong(word, {"count",     "counter",  "index",   "idx",      "seq",       "sequence",
@@ -27,7 +27,7 @@ bool NamesNoTime(const std::vector<std::string>& words) {
 
 // --- Numbers.
 
-/// A count of seconds that begins elsewhere than in 1970, by the size of its numbers.
+/// A count of seconds from an epoch other than 1970, identified by magnitude.
 struct Epoch {
   double least, most;  ///< years 2000 to 2100, in its unit
   const char* unit;
@@ -49,17 +49,17 @@ constexpr Epoch kEpochs[] = {
      "units of 100 ns since the year 1, as .NET has them"},
 };
 
-/// Rows of one log are not hours apart, as a counter's are that happens to be of an epoch's size.
+/// A log's rows are not hours apart, unlike those of a counter of an epoch's magnitude.
 bool StepsAsALog(const NumbersOfColumn& column, const Epoch& epoch) {
   constexpr double kLongest_s = 3600;
   return std::abs(column.MedianStep()) * epoch.scale * FindUnit(epoch.unit)->factor <= kLongest_s;
 }
 
-/// By size; days only where the name says a date or a time, since such numbers are no rarity.
+/// By magnitude. Days also need a date or time name, since such numbers are common.
 const Epoch* EpochOf(const NumbersOfColumn& column, bool is_named) {
   if (column.values.empty()) return nullptr;
   const double first = column.values.front(), last = column.values.back();
-  // .NET's ticks lie within what would be ns of 1990, before any epoch of a log.
+  // .NET's ticks have the magnitude of ns in 1990, earlier than any log's epoch.
   for (const Epoch& epoch : kEpochs) {
     const bool is_days = std::string_view(epoch.unit) == "day";
     const bool has_fractions = std::any_of(column.values.begin(), column.values.end(),
@@ -73,8 +73,8 @@ const Epoch* EpochOf(const NumbersOfColumn& column, bool is_named) {
   return nullptr;
 }
 
-/// Whether the name says GPS and the size is that of a time before July 2027 since 1980, which is
-/// one before July 2017 since 1970. GPS time is ahead of UTC by 18 s from 2017 on.
+/// Whether the name says GPS and the magnitude is that of a time before July 2027 since 1980, equal
+/// to one before July 2017 since 1970. GPS time is ahead of UTC by 18 s from 2017 on.
 bool MayCountFrom1980(const NumbersOfColumn& column, const Epoch& epoch) {
   constexpr double kMost_s = 1.5e9;
   const std::vector<std::string> words = WordsOfName(column.name);
@@ -107,7 +107,7 @@ TimeCandidate OfEpoch(const NumbersOfColumn& column, const Epoch& epoch) {
   return candidate;
 }
 
-/// Whether all numbers may be times of day by their digits, 224610.12, as receivers write them.
+/// Whether all numbers can be times of day in receivers' digits, 224610.12.
 bool AreClockDigits(const NumbersOfColumn& column) {
   constexpr double kLeast = 10000, kMost = 240000, kPair = 100, kSixty = 60;
   return column.LargestSize() >= kLeast &&
@@ -117,7 +117,7 @@ bool AreClockDigits(const NumbersOfColumn& column) {
          });
 }
 
-/// A column whose name says time.
+/// A column with a time name.
 TimeCandidate OfNamed(const NumbersOfColumn& column) {
   if (const Epoch* epoch = EpochOf(column, true)) return OfEpoch(column, *epoch);
   TimeCandidate candidate{.columns = {column.name}};
@@ -142,7 +142,7 @@ TimeCandidate OfNamed(const NumbersOfColumn& column) {
   }
   const bool has_fractions = std::any_of(column.values.begin(), column.values.end(),
                                          [](double value) { return value != std::round(value); });
-  // The steps of machine loggers; milliseconds of a fast one last too long as seconds.
+  // Steps of machine loggers. Milliseconds of a fast logger, taken as seconds, last too long.
   constexpr double kLeast_s = 2e-3, kMost_s = 0.5, kLongest_s = 6 * 3600;
   const bool is_long =
       !column.values.empty() && column.values.back() - column.values.front() > kLongest_s;
@@ -159,7 +159,7 @@ TimeCandidate OfNamed(const NumbersOfColumn& column) {
   return candidate;
 }
 
-/// Whole seconds and the nanoseconds beyond them, as stamps of ROS are written.
+/// Integer seconds and nanoseconds, as ROS stamps are written.
 std::optional<TimeCandidate> OfSecondsAndNanoseconds(const std::vector<NumbersOfColumn>& columns) {
   for (const NumbersOfColumn& nanos : columns) {
     for (const std::string_view ending : {"nanosec", "nsecs", "nsec"}) {
@@ -306,13 +306,13 @@ std::vector<TimeCandidate> CalendarCandidates(const CsvFile& csv,
   }
   for (const CalendarColumn& date : found) {
     for (const CalendarColumn& clock : found) {
-      // A date may stand beside midnights.
+      // A separate date column may have midnight as its time.
       if (most(date.dates + date.both) && most(clock.clocks)) {
         candidates.push_back(OfCalendar(date, clock.name));
       }
     }
   }
-  // A date whose order is to be told is no reason to go without it.
+  // A date with an ambiguous order is still preferred.
   const bool asks_for_order = std::any_of(candidates.begin(), candidates.end(),
                                           [](const TimeCandidate& one) { return one.to_fill_in; });
   for (const CalendarColumn& column : found) {

@@ -8,24 +8,23 @@
 
 namespace tera {
 
-/// The time that a table seems to have.
+/// The guessed time of a table.
 struct TimeGuess {
-  /// "time: {column: t, unit: s}\n" and what goes with it; where the time is not known, a `time:`
-  /// that the import refuses until it is filled in, with a remark of what was seen.
+  /// "time: {column: t, unit: s}\n" with its companions. For an unknown time, a `time:` placeholder
+  /// that the import refuses, with a remark on the observations.
   std::string yaml;
-  std::vector<std::string> columns;  ///< it is made of
-  std::vector<TimeNs> t_ns;          ///< of the rows; empty where it is not known of all
-  /// The item of `valid_if` that leaves out rows which repeat the time of the row before; empty
-  /// where there are none.
+  std::vector<std::string> columns;  ///< columns with the time
+  std::vector<TimeNs> t_ns;          ///< row times; empty unless all are known
+  /// The `valid_if` item that excludes rows with a repeated time; empty without any.
   std::string rule;
-  /// The lines of the longest part of a file whose times begin anew in between, as where a logger
-  /// was started anew; 0: from the first, to the last.
+  /// Lines of the longest part of a file with restarting times, as from a restarted logger; 0: from
+  /// the first, to the last.
   int first_line = 0, last_line = 0;
-  std::string parts;  ///< remarks on them
+  std::string parts;  ///< remarks on the parts
 };
 
-/// By names that say time, dates, and sizes of an epoch; never by a column that always increases
-/// alone. `rows` are those to look at, `columns` all of the table with the numbers of these rows.
+/// Guesses the time by names, dates, and magnitudes of an epoch, never by a monotonic column alone.
+/// `rows` are those to examine; `columns` are all columns with the numbers of these rows.
 TimeGuess GuessTime(const CsvFile& csv, const std::vector<std::size_t>& rows,
                     const std::vector<NumbersOfColumn>& columns, bool has_header);
 

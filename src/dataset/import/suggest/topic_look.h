@@ -9,40 +9,40 @@
 
 namespace tera {
 
-/// Where the messages of a topic have their times, and how these go on.
+/// The times of a topic's messages, and their continuity.
 struct TopicTimes {
-  std::string stamp;  ///< the path of their own; empty: they have none
+  std::string stamp;  ///< path of their own stamp; empty: none
   TimeSteps own_steps, log_steps;
   std::int64_t unfilled = 0;  ///< own times of 0
   TimeNs first_own_ns = 0, first_log_ns = 0, last_log_ns = 0;
-  std::vector<TimeNs> t_ns;  ///< of all messages, their own where they go on, else the recorder's
-  TimeNs ahead_ns = 0;       ///< the first message's time of recording less its own
+  std::vector<TimeNs> t_ns;  ///< times of all messages: their own if usable, else the recorder's
+  TimeNs ahead_ns = 0;       ///< recording time minus own time of the first message
 
-  /// Whether their own times go on.
+  /// Whether their own times are usable.
   bool HasStamps() const;
   /// Whether these are of another clock than the recorder's.
   bool IsFar() const;
 };
 
-/// The text of a mapping on the time of a channel, and on the rows that it leaves out for it.
+/// A mapping's text on the time of a channel, and on rows left out for it.
 struct TimeChoice {
-  std::string yaml;  ///< a line without indent, "time: {...}   # guessed: ...", or nothing
+  std::string yaml;  ///< an unindented line "time: {...}   # guessed: ...", or nothing
   TimeNs first_ns = 0;
 };
-/// Their own times where these go on, else when they were recorded, else by their number; far ones
-/// only where `trusts_far`.
+/// Their own times if usable, else the recording times, else the message number. Times of another
+/// clock are used only if `trusts_far`.
 TimeChoice ChooseTime(const TopicTimes& times, bool trusts_far, RuleGuesses* rules);
 
 /// Numbers of a topic's messages.
 class TopicLook {
  public:
-  /// `paths` as of TopicTable; `stamp` the path of their own times, or nothing.
+  /// `paths` as in TopicTable; `stamp` is the path of their own times, or empty.
   TopicLook(const std::filesystem::path& bag, const BagTopic& topic, const std::string& stamp,
             const std::vector<std::string>& paths, UnpackedFiles* unpacked);
 
   std::size_t rows() const { return table_.row_count(); }
   const TopicTimes& times() const { return times_; }
-  /// By the place of its path; nothing where the message has no number there.
+  /// By the index of its path; nothing if the message has no number there.
   std::optional<double> At(std::size_t row, std::size_t path) const {
     return table_.NumberIfAny(row, path);
   }

@@ -10,7 +10,7 @@
 
 namespace tera {
 
-/// All rows of a channel without fault.
+/// All valid rows of a channel.
 struct ScannedTable {
   std::vector<std::string> columns;
   std::vector<ScannedRow> rows;
@@ -20,30 +20,29 @@ ScannedTable ReadTable(const LintJob& job, const std::string& channel);
 /// First and last row of a window.
 using RowWindow = std::pair<std::size_t, std::size_t>;
 
-/// Length of a window: long enough for noise to average out, short enough for a machine to turn by
-/// less than half a revolution in it.
+/// Length of a window: long enough to average noise, short enough that a machine turns by less than
+/// half a revolution.
 inline constexpr TimeNs kWindow_ns = kNsPerSecond / 2;
 
-/// Windows of kWindow_ns one after the other, without those in which rows are missing for half of
-/// it.
+/// Consecutive windows of kWindow_ns, without those with rows missing for half of it.
 std::vector<RowWindow> WindowsOf(const std::vector<ScannedRow>& rows);
 
-/// Two accounts of the same changes, window by window.
+/// Compares two sources of the same changes, window by window.
 ///
-/// Model  a window counts where either account changes by more than twice `floor`; it is
-///        contradicted where the two differ by more than `floor` and kShare of the larger change.
-///        The accounts contradict each other where more than half of the windows that count are,
-///        so that slip, shocks and single jumps do not decide.
+/// Model   a window counts if either source changes by more than twice `floor`. It is contradicted
+///         if the two differ by more than `floor` and by more than kShare of the larger change. The
+///         sources contradict each other if more than half of the counting windows are
+///         contradicted, so that slip, shocks and single jumps do not decide.
 class ChangeVote {
  public:
   explicit ChangeVote(double floor) : floor_(floor) {}
 
-  /// Sizes of the changes and of their difference; `line` is that of the window's last row.
+  /// Magnitudes of the changes and of their difference; `line` is that of the window's last row.
   void Add(int line, double first, double second, double difference);
   bool IsContradicted() const { return 2 * contradicted_ > counted_; }
-  /// Of the first window that is contradicted.
+  /// Line of the first contradicted window.
   int line() const { return line_; }
-  /// What it is that contradicts; `first` and `second` name the accounts.
+  /// Text of the contradiction; `first` and `second` name the sources.
   std::string Summary(std::string_view first, std::string_view second, std::string_view unit) const;
 
  private:

@@ -4,7 +4,7 @@
 
 #include "dataset/lint/lint_job.h"
 
-// dataset.yaml, as far as it can be read and yet be wrong.
+// Semantic faults of a readable dataset.yaml.
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -59,7 +59,8 @@ void CheckInstances(LintJob* job) {
   }
 }
 
-/// No recording of a machine is older, and times in ms or us that are taken as ns are.
+/// Detects times in ms or us taken for ns, which give a date earlier than any recording of a
+/// machine.
 void CheckEpoch(LintJob* job) {
   constexpr TimeNs kYear1990_ns = 631'152'000 * kNsPerSecond;
   const std::optional<RecordingEpoch>& epoch = job->recording().info().epoch;

@@ -13,19 +13,20 @@
 namespace tera {
 namespace {
 
-/// Encoders resolve a tenth of a degree and tenths of a millimetre; what their rates' noise adds
-/// over a window lies below that.
+/// Encoders resolve a tenth of a degree and tenths of a millimetre; the integrated noise of their
+/// rates over a window is smaller.
 constexpr double kJointFloor_rad = 0.02, kTravelFloor_m = 0.005;
-/// Ten revolutions at the first row, or a wheel of a metre at 100 m/s: no joint of a machine.
+/// No joint of a machine exceeds these: ten revolutions at the first row, or a wheel of a metre at
+/// 100 m/s.
 constexpr double kMostFirstAngle_rad = 20 * kPi, kMostRate_radps = 100;
-/// A cab swings round at 14 rev/min at most.
+/// A cab slews at 14 rev/min at most.
 constexpr double kMostSwing_radps = 1.5;
-/// A zero position that is off by 10 degrees, or 10 cm, is one that nobody has set.
+/// A zero position off by 10 degrees, or 10 cm, was never set.
 constexpr double kTruthTolerance_rad = 10 * kDeg, kTruthTolerance_m = 0.1;
 
 /// One joint of an encoder's table.
 struct Joint {
-  std::string column;  ///< of its position
+  std::string column;  ///< position column
   std::size_t position = 0, rate = 0;
   bool linear = false;
 };
@@ -60,7 +61,7 @@ void CheckRates(LintJob* job, const std::string& channel, const ScannedTable& ta
              vote.Summary(joint.column, table.columns[joint.rate], joint.linear ? "m" : "rad")});
 }
 
-/// The rows to which a joint's angle jumps.
+/// Rows at which a joint's angle jumps.
 std::vector<std::size_t> JumpsOfJoint(const ScannedTable& table, const Joint& joint) {
   if (joint.linear) return {};
   std::vector<double> angles;
@@ -81,8 +82,8 @@ void CheckJumps(LintJob* job, const std::string& channel, const ScannedTable& ta
   }
 }
 
-/// Whether a joint can be beyond a turn when a recording begins: a wheel, which turns on and on, or
-/// a cab, which swings. One that stays where it is, or moves to and fro faster than a cab, cannot.
+/// Whether a joint can exceed a turn at the start of a recording: a wheel, which turns on, or a
+/// cab, which slews. A joint at rest, or one that oscillates faster than a cab, cannot.
 bool CanBeBeyondATurn(const ScannedTable& table, const Joint& joint) {
   constexpr double kOnAndOn = 0.8, kLeastTravel_rad = 0.1;
   double path_rad = 0, fastest_radps = 0;
@@ -111,7 +112,7 @@ void CheckRadians(LintJob* job, const std::string& channel, const ScannedTable& 
   if (start_rad > kMostFirstAngle_rad || (start_rad > 2 * kPi && !CanBeBeyondATurn(table, joint))) {
     find(first, joint.position, "rad at the first row, beyond a turn");
   }
-  // Differences over a jump are no rates: encoders.jump tells of it.
+  // Difference quotients across a jump are not rates; encoders.jump reports the jump.
   const std::vector<std::size_t> jumps = JumpsOfJoint(table, joint);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const bool is_of_jump = std::any_of(jumps.begin(), jumps.end(), [&](std::size_t jump) {
@@ -123,7 +124,7 @@ void CheckRadians(LintJob* job, const std::string& channel, const ScannedTable& 
   }
 }
 
-/// The value of a column at a time, of the nearest row; nothing outside of the table.
+/// A column's value in the nearest row; nothing outside the table.
 std::optional<double> NearestValue(const ScannedTable& table, std::size_t column, TimeNs t_ns) {
   const auto after = std::lower_bound(table.rows.begin(), table.rows.end(), t_ns,
                                       [](const ScannedRow& row, TimeNs t) { return row.t_ns < t; });

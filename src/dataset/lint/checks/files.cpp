@@ -6,16 +6,16 @@
 #include "dataset/lint/checks/frames.h"
 #include "dataset/lint/lint_job.h"
 
-// Which files are there, and which should be.
+// Existing files, compared with the expected ones.
 
 namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// Files that belong to no channel.
+/// Files outside all channels.
 const std::set<std::string> kFilesOfAll = {"dataset.yaml", "scenario.yaml", kFrameHashesName,
                                            "overview.png", "overview.mp4",  "truth/state.blocks"};
-/// Where files may have any name.
+/// Folder with arbitrary file names.
 constexpr std::string_view kTerrainFolder = "truth/terrain";
 
 bool IsSensor(const LintJob& job, const std::string& channel) {
@@ -54,7 +54,7 @@ std::set<std::string> NamesIn(const fs::path& folder) {
   return names;
 }
 
-/// Holds one folder of frames to the list of them, both ways.
+/// Compares one folder of frames with the list of them, both ways.
 void CompareFrames(LintJob* job, const std::string& channel, const FrameFolder& folder,
                    const std::vector<FrameRow>& frames) {
   std::error_code ignored;
@@ -85,7 +85,7 @@ void CheckFrames(LintJob* job, const std::string& channel,
   for (const FrameFolder& folder : folders) CompareFrames(job, channel, folder, frames);
 }
 
-/// Files and folders that the format knows.
+/// Files and folders of the format.
 class KnownFiles {
  public:
   explicit KnownFiles(const LintJob& job) : files_(kFilesOfAll) {
@@ -102,7 +102,7 @@ class KnownFiles {
 
   bool HasFile(const std::string& file) const { return files_.contains(file); }
   bool HasFolder(const std::string& folder) const { return folders_.contains(folder); }
-  /// Folders whose files something else looks at.
+  /// Folders whose files another check examines.
   bool IsHeldElsewhere(const std::string& folder) const { return frames_.contains(folder); }
 
  private:

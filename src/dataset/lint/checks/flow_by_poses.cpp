@@ -11,18 +11,18 @@
 #include "dataset/lint/checks/sensor_poses.h"
 #include "dataset/lint/lint_job.h"
 
-// The flow of the ground, which follows from distance and the poses of the camera.
+// Compares the flow of the ground with distance and the camera's poses.
 
 namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// Pictures of a camera that are compared, spread over the recording, and every how many pixels of
-/// a row and of a column: a wrong sign, order or pose shows everywhere.
+/// Number of compared pictures of a camera, spread over the recording, and pixel steps along rows
+/// and columns. A wrong sign, order or pose shows everywhere.
 constexpr std::size_t kMostFlowPictures = 20;
 constexpr int kPixelStep = 5;
-/// Flow is rounded to 1/64 px and distance to 1 mm; poses are recorded at another rate than
-/// pictures are taken and are interpolated, which at 1 rad/s^2 and 50 Hz is a tenth of a pixel.
+/// Flow is rounded to 1/64 px and distance to 1 mm. Poses are interpolated between their own times,
+/// which costs a tenth of a pixel at 1 rad/s^2 and 50 Hz.
 constexpr double kTolerance_px = 0.5, kToleranceShare = 0.1, kLeastAgreeing = 0.5;
 constexpr int kFewestPixels = 50;
 
@@ -30,11 +30,11 @@ struct FlowAgreement {
   int compared = 0, agreeing = 0;
 };
 
-/// What a camera sees of the ground at one time, and where it was then and before.
+/// A camera's view of the ground at one time, with its pose then and previously.
 struct FlowView {
   Image<std::uint16_t> flow, distance, instance;
   Image<std::uint8_t> semantic;
-  Pose X_PreviousNow;  ///< of the camera's frame S
+  Pose X_PreviousNow;  ///< in the camera's frame S
 
   bool IsGround(int x, int y) const {
     return instance.at(x, y) == 0 &&
@@ -61,7 +61,7 @@ void Compare(const FlowView& view, const CameraLens& lens, FlowAgreement* agreem
   }
 }
 
-/// False where a picture is damaged or of another size, which other rules tell.
+/// Returns false for a damaged picture or one of another size, which other rules report.
 bool Read(const LintJob& job, const std::string& camera, TimeNs t_ns, const CameraLens& lens,
           FlowView* view) {
   const auto file = [&](std::string_view folder) {

@@ -15,17 +15,17 @@ struct FrameRow {
   std::string filename;
 };
 
-/// The frames that a camera's or lidar's data.csv names, but for rows that cannot be read.
+/// The frames in a camera's or lidar's data.csv, without unreadable rows.
 std::vector<FrameRow> FramesOf(const LintJob& job, const std::string& channel);
 
-/// A folder of a camera's or lidar's frames and the ending of its files' names.
+/// A folder of a camera's or lidar's frames and the extension of its files.
 struct FrameFolder {
   std::string_view name, ending;
 };
 
-/// All folders that docs/reference/dataset.md knows of a camera.
+/// All camera folders of docs/reference/dataset.md.
 std::vector<FrameFolder> PictureFolderNames();
-/// Those in which a camera has at least one file.
+/// The folders in which a camera has at least one file.
 std::vector<FrameFolder> UsedPictureFolders(const LintJob& job, const std::string& camera);
 inline constexpr FrameFolder kScanFolder = {"scans", "pcd"};
 

@@ -9,7 +9,7 @@
 #include "dataset/lint/checks/frames.h"
 #include "dataset/lint/lint_job.h"
 
-// frames.sha256: one line a file, "<64 hexadecimal digits>  <name>", as of sha256sum.
+// frames.sha256: one line per file, "<64 hexadecimal digits>  <name>", in sha256sum's format.
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kDigits = 64;
 constexpr std::string_view kBetween = "  ";
 
-/// Files of channels, by name, and the descriptions. Left out is what other programs may write
+/// Files of channels, by name, and the descriptions. Excludes files that other programs may write
 /// (overview.png) and frames.sha256 itself.
 std::set<std::string> HashedFiles(const LintJob& job) {
   std::set<std::string> files;

@@ -12,20 +12,20 @@
 namespace tera {
 namespace {
 
-/// A machine's median acceleration is small beside gravity; units mistaken for each other (g,
-/// mm/s2) are ten times off.
+/// A machine's median acceleration is small compared with gravity; wrong units (g, mm/s2) are off
+/// by ten.
 constexpr double kLeastGravityShare = 0.5, kMostGravityShare = 2;
-/// In a window of half a second: a bias of 0.1 rad/s, which no gyroscope of use has, and the noise
-/// of poses from lidar registration.
+/// For a window of half a second: a bias of 0.1 rad/s, beyond any usable gyroscope, and the noise
+/// of lidar registration poses.
 constexpr double kAngleFloor_rad = 0.05;
-/// Where joints may lie between root and unit, only what no joint explains: a machine that turns by
-/// a part of this, and a unit by many times as much.
+/// With possible joints between root and unit, only ratios of their turns beyond any joint's effect
+/// count. Windows in which the root turns less do not count.
 constexpr double kMostRatio = 20, kRootTurn_rad = 0.05;
-/// Of the mean specific force in the world: biases, scale errors and tilt of the mount stay below
-/// a tenth of gravity, a wrong axis is gravity off.
+/// For the mean specific force in the world: biases, scale errors and mount tilt stay below a tenth
+/// of gravity; a wrong axis is off by gravity.
 constexpr double kUpTolerance_mps2 = 1;
 
-/// What an inertial unit measured in one row.
+/// An inertial unit's measurement in one row.
 struct ImuRow {
   Vec3 w_S_radps, f_S_mps2;
 };
@@ -35,8 +35,8 @@ ImuRow ImuOf(const ScannedRow& row) {
   return {Vec3(v[0], v[1], v[2]), Vec3(v[3], v[4], v[5])};
 }
 
-/// Judges a unit by itself; false where it has no gravity, of which it tells. Beside poses imu.up
-/// and imu.rates judge its axes and rates, and the axes of a simulation are those of its scenario.
+/// Judges a unit by itself. Returns false after reporting missing gravity. With poses, imu.up and
+/// imu.rates judge its axes and rates. A simulation's axes are those of its scenario.
 bool CheckConventions(LintJob* job, const std::string& channel, const ScannedTable& table,
                       const std::optional<SensorPoses>& poses) {
   if (table.rows.empty()) return true;
@@ -77,7 +77,7 @@ void CheckGravity(LintJob* job, const std::string& channel, const ScannedTable& 
        fmt::format("the median specific force is {:.4g} m/s2", share * kStandardGravity_mps2)});
 }
 
-/// What the gyroscope makes of a window: each row is the mean rate since the row before.
+/// The rotation of a window from the gyroscope; each row is the mean rate since the previous row.
 Mat3 TurnByGyroscope(const std::vector<ScannedRow>& rows, const RowWindow& window) {
   Mat3 R = Mat3::Identity();
   for (std::size_t i = window.first + 1; i <= window.second; ++i) {
@@ -89,7 +89,7 @@ Mat3 TurnByGyroscope(const std::vector<ScannedRow>& rows, const RowWindow& windo
   return R;
 }
 
-/// Of a unit in degrees per second, turns would wrap; the sum of sizes does not.
+/// Sum of the rotation magnitudes, which does not wrap for a unit in degrees per second.
 double PathByGyroscope(const std::vector<ScannedRow>& rows, const RowWindow& window) {
   double path_rad = 0;
   for (std::size_t i = window.first + 1; i <= window.second; ++i) {
@@ -112,7 +112,7 @@ void CheckTurns(LintJob* job, const std::string& channel, const ScannedTable& ta
     const Mat3 by_poses = begin->linear().transpose() * end->linear();
     const Mat3 by_unit = TurnByGyroscope(table.rows, window);
     const double turn_rad = AngleOf(by_poses), path_rad = PathByGyroscope(table.rows, window);
-    // Beyond half a revolution the difference of turns wraps, that of sizes does not.
+    // Beyond half a revolution the difference of rotations wraps, that of magnitudes does not.
     const double wrong_rad =
         path_rad > kPi ? path_rad - turn_rad : AngleOf(by_poses.transpose() * by_unit);
     vote.Add(table.rows[window.second].line, turn_rad, path_rad > kPi ? path_rad : AngleOf(by_unit),
@@ -144,7 +144,7 @@ double MostSpeed(const std::vector<PoseRow>& poses) {
   return most_mps;
 }
 
-/// Mean specific force in W is gravity and the change of velocity over the time.
+/// The mean specific force in W must equal gravity plus the change of velocity over the time.
 void CheckUp(LintJob* job, const std::string& channel, const ScannedTable& table,
              const SensorPoses& sensor) {
   if (sensor.of_root) return;

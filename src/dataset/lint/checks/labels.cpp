@@ -37,7 +37,7 @@ void CheckInstances(LintJob* job, const PictureSet& set) {
   }
 }
 
-/// What the panoptic picture says otherwise than the other two.
+/// Differences between the panoptic picture and the other two.
 void CheckPanoptic(LintJob* job, const PictureSet& set) {
   const CameraFrame& frame = set.frame;
   if (frame.panoptic.empty()) return;
@@ -73,7 +73,7 @@ void CheckAgreement(LintJob* job, const PictureSet& set) {
   }
   for (const auto& [pair, count] : counts) {
     const DatasetInfo::Instance* listed = job->InstanceOf(pair.first);
-    if (listed == nullptr || !job->HasClass(pair.second)) continue;  // told by other rules
+    if (listed == nullptr || !job->HasClass(pair.second)) continue;  // other rules report it
     const std::string name = job->ClassName(pair.second);
     if (name == listed->label) continue;
     job->Find(

@@ -18,7 +18,7 @@ using PictureSize = std::optional<std::pair<int, int>>;
 
 const FrameFolder kBoxes = {"boxes", "json"};
 
-/// Runs `read`; what it cannot read is a finding.
+/// Runs `read`; a failure is a finding.
 bool Reads(LintJob* job, RuleId rule, const PictureSet& set, const FrameFolder& folder,
            const std::function<void()>& read) {
   job->Applies(rule);
@@ -27,7 +27,7 @@ bool Reads(LintJob* job, RuleId rule, const PictureSet& set, const FrameFolder& 
     return true;
   } catch (const InternalError&) {
     throw;
-  } catch (const std::exception& e) {  // OpenCV refuses some headers in its own words
+  } catch (const std::exception& e) {  // OpenCV throws its own exceptions for some headers
     job->Find(rule, set.camera, set.In(folder, e.what()));
     return false;
   }
@@ -52,7 +52,7 @@ void ReadOne(LintJob* job, const PictureSet& set, const FrameFolder& folder, Pic
              Image<T>* picture, const Read& read) {
   const fs::path file = job->Path(FrameFile(set.camera, folder, set.row.t_ns));
   std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) return;  // files.missing tells
+  if (!fs::is_regular_file(file, ignored)) return;  // files.missing reports it
   ++job->statistics().pictures;
   if (Reads(job, "pictures.readable", set, folder, [&] { read(file, picture); })) {
     HoldToSize(job, set, folder, size, picture);

@@ -14,10 +14,10 @@ namespace {
 
 /// Receivers give degrees with seven decimals, which is 1 cm on the ground.
 constexpr double kGeodesyTolerance_m = 0.02;
-/// How far an antenna is from its machine's root, on the bucket of a large excavator.
+/// Largest distance of an antenna from its machine's root, on the bucket of a large excavator.
 constexpr double kReach_m = 20;
-/// Beside its own place, what a receiver may be off: 5 of its standard deviations and 10 m, which a
-/// single-point solution has.
+/// A receiver's error limit, besides an unknown lever arm: 5 of its standard deviations plus the 10
+/// m of a single-point solution.
 constexpr double kSigmas = 5, kSinglePoint_m = 10;
 
 /// Columns of docs/reference/dataset.md.

@@ -10,12 +10,12 @@
 #include "dataset/lint/checks/stamps.h"
 #include "dataset/lint/lint_job.h"
 
-// Every row of every channel, whatever it holds.
+// Every row of every channel of any type.
 
 namespace tera {
 namespace {
 
-/// Axes of an encoder by its header; empty where that is none of an encoder.
+/// Axes of an encoder from its header; empty for another header.
 std::vector<EncoderAxis> AxesOf(const std::vector<std::string>& columns) {
   constexpr std::string_view kAngle = "_rad", kTravel = "_m";
   std::vector<EncoderAxis> axes;
@@ -29,7 +29,7 @@ std::vector<EncoderAxis> AxesOf(const std::vector<std::string>& columns) {
   return axes;
 }
 
-/// What is wrong with a header, or nothing.
+/// The fault of a header, or nothing.
 std::string HeaderFault(std::string_view type, ChannelForm form, const RowScan& scan) {
   const std::vector<std::string>& columns = scan.columns();
   const std::string found = TableHeader(columns);

@@ -16,7 +16,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// What is said of one scan.
+/// Place of findings in one scan.
 struct ScanPlace {
   LintJob* job;
   const std::string& lidar;
@@ -81,7 +81,7 @@ void Tell(DatasetStatistics* statistics, const std::vector<LidarPoint>& points) 
 void CheckScan(const ScanPlace& place, double rate_hz) {
   std::error_code ignored;
   const fs::path path = place.job->Path(place.file);
-  if (!fs::is_regular_file(path, ignored)) return;  // files.missing tells
+  if (!fs::is_regular_file(path, ignored)) return;  // files.missing reports it
   place.job->Applies("scans.readable");
   std::vector<LidarPoint> points;
   try {

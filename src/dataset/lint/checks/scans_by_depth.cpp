@@ -11,31 +11,31 @@
 #include "dataset/lint/checks/sensor_poses.h"
 #include "dataset/lint/lint_job.h"
 
-// Points of a lidar where a depth picture of the same machine and time shows them.
+// Compares lidar points with a depth picture of the same machine and time.
 
 namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// Points are compared that were measured this long before or after the picture, which is a
-/// revolution of the usual 10 Hz: poses are those of each point's own time, and where the mounts
-/// alone are known, a link that turns at 1 rad/s moves points by no more than kDepthToleranceShare.
+/// Largest time between point and picture: half a revolution at the usual 10 Hz. Poses are those of
+/// each point's own time. With mounts alone, a link that turns at 1 rad/s moves points by at most
+/// kDepthToleranceShare.
 constexpr TimeNs kSameTime_ns = 50'000'000;
-/// So many pictures of a pair of sensors, spread over the recording: a wrong mount or unit shows in
-/// each of them.
+/// Number of compared pictures for a pair of sensors, spread over the recording. A wrong mount or
+/// unit shows in each.
 constexpr std::size_t kMostDepthPictures = 20;
-/// Noise of stereo cameras and of lidars, and edges; parallax and the time between them put some
-/// points off by more, most of them not.
+/// Covers noise of stereo cameras and lidars, and edges. Parallax and the time difference move some
+/// points by more, but not most of them.
 constexpr double kTolerance_m = 0.15, kDepthToleranceShare = 0.05, kLeastAgreeingPoints = 0.5;
 constexpr int kFewestPoints = 50;
 
-/// A camera beside a lidar.
+/// A camera and a lidar.
 struct Pair {
   std::string camera, lidar;
   CameraLens lens;
   FrameFolder folder;  ///< distance/, which has no noise, or depth/
   std::optional<SensorPoses> camera_poses, lidar_poses;
-  std::optional<Pose> X_CamLidar;  ///< where both are fixed to the same link
+  std::optional<Pose> X_CamLidar;  ///< set if both are fixed to the same link
 
   /// Pose of the lidar at one time in the camera's frame S at another.
   std::optional<Pose> PoseOfLidar(TimeNs picture_ns, TimeNs point_ns) const {
@@ -82,7 +82,7 @@ void Compare(const Pair& pair, const Image<std::uint16_t>& picture, TimeNs pictu
   }
 }
 
-/// Readings that a damaged file does not stop: other rules tell it.
+/// Returns false for a damaged file, which other rules report.
 template <typename Read>
 bool CanRead(const Read& read) {
   try {
@@ -93,7 +93,7 @@ bool CanRead(const Read& read) {
   }
 }
 
-/// The scans that were under way within kSameTime_ns of a picture.
+/// The scans in progress within kSameTime_ns of a picture.
 std::vector<FrameRow> ScansAt(const std::vector<FrameRow>& scans, TimeNs picture_ns) {
   std::vector<FrameRow> found;
   for (std::size_t i = 0; i < scans.size(); ++i) {
@@ -134,7 +134,7 @@ void ComparePair(LintJob* job, const Pair& pair) {
                          agreement.agreeing, agreement.compared, agreement.pictures)});
 }
 
-/// Nothing where the camera's lens is another or it is not known where both were.
+/// Returns nothing for an unsupported lens or unknown poses.
 std::optional<Pair> MakePair(const LintJob& job, const std::string& camera,
                              const std::string& lidar) {
   const auto camera_sheet = job.SheetOf(camera), lidar_sheet = job.SheetOf(lidar);

@@ -10,18 +10,18 @@
 namespace tera {
 namespace {
 
-/// A row is missing where the interval is nearer to two periods than to one.
+/// A row is missing if the interval is nearer to two periods than to one.
 constexpr double kGapPeriods = 1.5;
-/// Real clocks are off by parts in 10^4 and the format writes rates of imports with six digits; a
-/// wrong rate or unit is off by much more than this.
+/// Real clocks are off by parts in 10^4, and the format writes rates of imports with six digits. A
+/// wrong rate or unit is off by much more.
 constexpr double kRateTolerance = 0.05;
-/// A table without a rate of its own has one where this share of its intervals lies within
-/// kRegularTolerance of the median; others are written when something changes.
+/// A table without a stated rate is regular if this share of its intervals is within
+/// kRegularTolerance of the median. Other tables are written on changes.
 constexpr double kRegularShare = 0.9, kRegularTolerance = 0.1;
-/// A channel may begin and end this many periods within the recording (the first row of a mean is
-/// one period late), and a real one this share of it.
+/// Allowed margin of a channel at both ends of the recording, in periods; the first row of a mean
+/// is one period late. For a real recording it is a share of its length.
 constexpr double kSparePeriods = 2, kSpareShare = 0.1;
-/// Fewer intervals tell no rate.
+/// Fewer intervals give no rate.
 constexpr std::size_t kFewestIntervals = 4;
 
 std::vector<TimeNs> IntervalsOf(const StampScan& stamps) {
@@ -40,7 +40,7 @@ bool IsRegular(const std::vector<TimeNs>& intervals, TimeNs median_ns) {
   return static_cast<double>(near) >= kRegularShare * static_cast<double>(intervals.size());
 }
 
-/// False where the stamps follow another rate than the sheet's.
+/// Returns false if the stamps follow another rate than the sheet's.
 bool CheckRate(LintJob* job, const std::string& channel, double rate_hz, TimeNs median_ns) {
   job->Applies("stamps.rate");
   const double found_hz = 1 / ToSeconds(median_ns);
@@ -56,7 +56,8 @@ void CheckGaps(LintJob* job, const std::string& channel, const StampScan& stamps
   job->Applies("stamps.gap");
   for (std::size_t i = 1; i < stamps.t_ns.size(); ++i) {
     const double interval_s = ToSeconds(stamps.t_ns[i] - stamps.t_ns[i - 1]);
-    const bool is_behind_fault = stamps.lines[i] != stamps.lines[i - 1] + 1;  // which rows.* tell
+    const bool is_behind_fault =
+        stamps.lines[i] != stamps.lines[i - 1] + 1;  // rows.* report the fault
     if (interval_s <= kGapPeriods * period_s || is_behind_fault) continue;
     job->Find("stamps.gap", channel,
               {job->RowsOf(channel), stamps.lines[i],
@@ -78,7 +79,7 @@ void CheckCoverage(LintJob* job, const std::string& channel, const StampScan& st
     return;
   }
   const double first_s = ToSeconds(stamps.t_ns.front()), last_s = ToSeconds(stamps.t_ns.back());
-  // A real recording counts from its own zero: of it only the span is known.
+  // A real recording counts from its own zero: only its span is known.
   const double begin_s = info.simulated ? 0 : first_s;
   if (first_s < begin_s - spare_s || last_s > begin_s + info.duration_s + spare_s) {
     find(stamps.lines.back(),

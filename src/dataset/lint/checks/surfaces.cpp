@@ -6,15 +6,15 @@
 #include "core/types/surface_normal.h"
 #include "dataset/lint/checks/picture_set.h"
 
-// What pixels say of the surfaces that they show.
+// Consistency of depth, normals and flow.
 
 namespace tera {
 namespace {
 
 constexpr std::uint8_t kSky = static_cast<std::uint8_t>(SemanticClass::kSky);
-/// Depth is rounded to whole millimetres, distance as well.
+/// Depth and distance are rounded to whole millimetres.
 constexpr int kRounding_mm = 2;
-/// A depth camera's noise may put single pixels behind what they show, not most of them.
+/// A depth camera's noise may put single pixels behind the surface, but not most of them.
 constexpr double kMostBehind = 0.5;
 /// Half a step of 1/32767 on each of three axes is 2.6e-5; the shader computes in single precision.
 constexpr double kNormalTolerance = 1e-4;

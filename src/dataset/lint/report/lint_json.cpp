@@ -12,10 +12,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr char kSarifSchema[] =
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
-/// Name under which SARIF's places are relative to the dataset.
+/// SARIF's name for the base of paths relative to the dataset.
 constexpr char kBaseId[] = "DATASET";
 
-/// Text of messages may hold what stood in a broken file; JSON is UTF-8 whatever it was.
+/// Replaces invalid UTF-8, which messages may quote from a broken file.
 std::string Dumped(const Json& json) {
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
 }
@@ -86,7 +86,7 @@ Json SarifRules() {
 }
 
 Json SarifResult(const LintFinding& finding, const LintPlace& place) {
-  // A finding of the whole dataset without a file of its own is one of dataset.yaml.
+  // A finding without a file is placed in dataset.yaml.
   const std::string file = place.file.empty() ? "dataset.yaml" : place.file;
   Json physical = {{"artifactLocation", {{"uri", UriOf(file)}, {"uriBaseId", kBaseId}}}};
   if (place.line > 0) physical["region"] = {{"startLine", place.line}};

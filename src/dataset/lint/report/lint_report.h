@@ -4,27 +4,27 @@
 
 #include "dataset/lint/lint.h"
 
-/// A lint as text.
+/// Text forms of a lint.
 
 namespace tera {
 
 /// For a terminal: findings worst first, each with its first places and its remedy, then one line
-/// that says what was looked at.
+/// on the checked data.
 std::string LintTable(const LintReport& report);
 
-/// All rules: id, severity, what must hold and the remedy, as a table in Markdown.
+/// All rules as a Markdown table: id, severity, requirement and remedy.
 std::string LintRulesTable();
 
-/// The whole report: docs/reference/lint.md says what is in it.
+/// The complete report, described in docs/reference/lint.md.
 std::string LintJson(const LintReport& report);
 
-/// The report for programs that show findings of analysers beside files.
+/// The report for programs that show analysers' findings in files.
 ///
 /// Source  OASIS, "Static Analysis Results Interchange Format (SARIF) Version 2.1.0".
 std::string LintSarif(const LintReport& report);
 
-/// A page of what the dataset holds: channels, classes, ranges, and the findings' table. It needs
-/// nothing but itself.
+/// A self-contained page of the dataset's contents: channels, classes, ranges, and the table of
+/// findings.
 std::string LintStatisticsPage(const LintReport& report);
 
 }  // namespace tera

@@ -12,28 +12,28 @@
 
 namespace tera {
 
-/// Draws which body each pixel shows (body_picture.h).
+/// Draws the visible body of each pixel (body_picture.h).
 ///
-/// Model   the nodes once more over a finished picture's depth, each pixel kept where the node is
-///         what the depth is of; behind a lens the nearest pixel's, as for labels.
+/// Model   draws the nodes again over a finished image's depth and keeps pixels of equal depth.
+///         With a lens, the nearest pixel counts, as for labels.
 class BodyPass {
  public:
-  /// Over the picture of `view` in `p`, for which nodes and grains, if any, were placed.
+  /// Draws over the image of `view` in `p`. `nodes` and `grains`, if any, must be placed for it.
   void Draw(const View& view, const Pictures& p, const NodeRenderer& nodes,
             const GrainRenderer* grains);
-  /// What Draw gave last, read.
+  /// Reads the result of the last Draw.
   Image<std::uint16_t> Read() const;
 
-  /// Begins a camera's own picture behind a lens.
+  /// Clears the camera's image behind a lens.
   void ClearLens(int width_px, int height_px);
-  /// Takes what Draw gave last as view `view` of the lens.
+  /// Resamples the result of the last Draw as view `view` of the lens.
   void DrawLens(const Lens& lens, int view);
   Image<std::uint16_t> ReadLens() const;
 
  private:
   struct Target {
     int width_px = 0, height_px = 0;
-    unsigned depth = 0;  ///< texture that is attached
+    unsigned depth = 0;  ///< attached texture
     GlObject body, framebuffer;
   };
   static void Fit(int width_px, int height_px, unsigned depth, Target* target);

@@ -6,14 +6,14 @@
 
 namespace tera {
 
-/// What a picture of the nodes was drawn from, so that it need not be drawn again.
+/// State of the nodes in a drawn image, to avoid a redundant draw.
 class DrawnScene {
  public:
-  /// Nothing was drawn yet.
+  /// No state.
   DrawnScene() = default;
   explicit DrawnScene(const SceneState& state) : X_WB_(state.X_WB), shapes_(state.shapes) {}
 
-  /// Whether all bodies stand there, and all meshes that change are as they were.
+  /// True if all bodies and deforming meshes equal the drawn state.
   bool IsOf(const SceneState& state) const;
 
  private:

@@ -22,7 +22,7 @@ GlObject MakeVolume(unsigned format, int nx, int ny, int nz, int wrap) {
   return texture;
 }
 
-/// What is left of a displacement within a period of the eddies.
+/// Displacement modulo the period of the eddies.
 Vec3 WithinPeriod(const Vec3& p_m) {
   constexpr double kPeriod_m = DustEddies::kPeriod_m;
   return p_m - kPeriod_m * (p_m / kPeriod_m).array().floor().matrix();
@@ -105,7 +105,7 @@ void DustPass::Draw(const View& view, const DustVolume& dust, const Daylight& da
   screen_.Draw();
 
   glBindFramebuffer(GL_FRAMEBUFFER, p.sky_target.id());
-  glDepthMask(GL_FALSE);  // of the depth that is read
+  glDepthMask(GL_FALSE);  // the pass reads depth
   glViewport(0, 0, view.width_px, view.height_px);
   blend_.Use();
   glBindTextureUnit(1, half.light.id());

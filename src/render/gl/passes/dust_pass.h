@@ -12,17 +12,17 @@
 
 namespace tera {
 
-/// Dust over a picture: what is behind it is dimmed, and it shines in the light of sun and sky.
+/// Dust over an image: it attenuates the background and scatters the light of sun and sky.
 ///
-/// Model   radiance L' = L exp(-tau) + integral of S exp(-tau') d tau' along the ray up to what the
-///         pixel shows, marched in steps of MarchStep_m at half the picture's size and laid over it
-///         by depth. S = w (E p(theta) exp(-t) + m + E / (4 pi) (1 - exp(-t)) exp(-b t)): w what is
-///         scattered, E the sun's illuminance, p Henyey and Greenstein's function, t the optical
-///         depth of dust towards the sun, m the mean radiance of the sky and of the ground below
-///         it; the last term stands for light that was scattered before, with b = kDiffuseLoss
-///         (this project's estimate).
-/// Omits   shadows of ground and machines on dust, light of lamps in it, fog before it, the eddies'
-///         part in t.
+/// Model   radiance L' = L exp(-tau) + integral of S exp(-tau') d tau' along the ray to the visible
+///         surface. Marching uses steps of MarchStep_m at half resolution; a depth-aware blend
+///         upsamples it. S = w (E p(theta) exp(-t) + m + E / (4 pi) (1 - exp(-t)) exp(-b t)). w is
+///         the single-scattering albedo, E the sun's illuminance and p the Henyey-Greenstein phase
+///         function. t is the optical depth of dust towards the sun, m the mean radiance of sky and
+///         ground. The last term represents multiple scattering, with b = kDiffuseLoss (this
+///         project's estimate).
+/// Omits   shadows of ground and machines on dust, lamp light in dust, fog in front of it, the
+///         eddies' part in t.
 /// Source  Henyey and Greenstein 1941; single scattering: Max 1995, "Optical models for direct
 ///         volume rendering", eq. 15.
 class DustPass {
@@ -30,13 +30,13 @@ class DustPass {
   static constexpr double kDiffuseLoss = 0.3;
 
   DustPass();
-  /// Lays the dust over the radiance of `p`, if `view` sees any.
+  /// Draws the dust over the radiance of `p` if dust is in `view`.
   void Draw(const View& view, const DustVolume& dust, const Daylight& daylight, const Pictures& p);
 
  private:
   struct HalfPicture {
     int width_px, height_px;
-    GlObject light;  ///< radiance of the dust, and what it lets pass
+    GlObject light;  ///< radiance and transmittance of the dust
     GlObject target;
   };
   void Send(const DustVolume& dust, const Vec3& to_sun_W);

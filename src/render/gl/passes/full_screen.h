@@ -3,21 +3,21 @@
 #include "render/gl/gl_objects.h"
 #include "render/gl/view.h"
 
-/// What passes over each pixel of a picture share.
+/// Common parts of full-screen passes.
 
 namespace tera {
 
-/// Covers all pixels of the viewport once. Its vertices are those of fullscreen.vert.
+/// Covers all pixels of the viewport once, with the vertices of fullscreen.vert.
 class FullScreen {
  public:
-  /// With the program and the framebuffer in use.
+  /// Uses the current program and framebuffer.
   void Draw() const;
 
  private:
   GlObject no_vertices_ = MakeVertexArray();
 };
 
-/// Uniforms that turn pixels and depths of a view back into positions.
+/// Sets the uniforms that convert pixels and depths of a view to positions.
 void SetView(const View& view, const Program& program);
 
 }  // namespace tera

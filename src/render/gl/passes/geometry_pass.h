@@ -9,13 +9,13 @@
 
 namespace tera {
 
-/// Draws what each pixel shows, before any light: colour, normal, label and depth of the nearest
-/// opaque surface.
+/// Draws colour, normal, label and depth of the nearest opaque surface of each pixel, without
+/// lighting.
 class GeometryPass {
  public:
-  /// Begins a picture with the nodes as they were placed for `view`.
+  /// Starts an image with the nodes placed for `view`.
   void DrawNodes(const View& view, const NodeRenderer& nodes, const Pictures& p) const;
-  /// Goes on with the ground and the clods over it.
+  /// Adds the ground and the clods over it.
   void DrawGround(const View& view, const TerrainRenderer& terrain,
                   const GrainRenderer& grains) const;
 

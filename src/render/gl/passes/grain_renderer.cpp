@@ -13,7 +13,7 @@
 namespace tera {
 namespace {
 
-// Attributes of node.vert.
+// Vertex attributes of node.vert.
 constexpr GLuint kPosition = 0, kNormal = 1, kAlbedo = 2, kRoughness = 3, kFirstRow = 4, kLabel = 7;
 constexpr GLuint kCornerBuffer = 0, kPoseBuffer = 1;
 constexpr float kRough = 0.95f;
@@ -24,7 +24,7 @@ struct Corner {
   Eigen::Vector3f position, normal;
 };
 
-/// Three corners for each face, with its normal.
+/// Three corners per face, with the face normal.
 std::vector<Corner> FlatCorners() {
   std::vector<Corner> corners;
   const GrainShape& grain = UnitGrain();
@@ -59,7 +59,7 @@ GrainRenderer::GrainRenderer(const std::vector<SoilAppearance>& soils)
 }
 
 void GrainRenderer::Place(const TerrainSurface& terrain, const Vec3& eye_W_m) {
-  std::map<std::pair<int, int>, std::vector<PoseRows>> by_colour;  // soil and moisture
+  std::map<std::pair<int, int>, std::vector<PoseRows>> by_colour;  // key: soil and moisture
   for (const TerrainSurface::Grain& grain : terrain.grains()) {
     Eigen::Affine3f X_WG = GrainToWorld(grain);
     X_WG.pretranslate(-eye_W_m.cast<float>());

@@ -9,16 +9,16 @@
 
 namespace tera {
 
-/// Draws soil in the air, clod by clod.
+/// Draws airborne soil, clod by clod.
 class GrainRenderer {
  public:
   explicit GrainRenderer(const std::vector<SoilAppearance>& soils);
 
-  /// Takes the clods of `terrain` as seen from `eye_W_m`.
+  /// Places the clods of `terrain` relative to `eye_W_m`.
   void Place(const TerrainSurface& terrain, const Vec3& eye_W_m);
-  /// Draws them with node.vert and node.frag in use, labelled as terrain.
+  /// Draws the clods, labelled as terrain, with node.vert and node.frag in use.
   void Draw() const;
-  /// Since construction.
+  /// Number since construction.
   std::int64_t triangles_drawn() const { return triangles_drawn_; }
 
  private:

@@ -9,11 +9,11 @@
 
 namespace tera {
 
-/// Lamps on the GPU, each with the shadows that the nodes cast from it.
+/// Lamps on the GPU, with shadows of the nodes.
 ///
-/// Model   one depth texture with a perspective picture of the nodes for each lamp, side by side,
-///         drawn again only when a node has moved.
-/// Omits   shadows of the ground, light that lamps scatter in fog, their own glare.
+/// Model   one depth texture with one perspective image of the nodes per lamp, side by side. It is
+///         redrawn only when a node has moved.
+/// Omits   shadows of the ground, light that lamps scatter in fog, lamp glare.
 class LampLights {
  public:
   explicit LampLights(const std::vector<Lamp>& lamps);

@@ -31,7 +31,7 @@ void RequireRays(const CameraIntrinsics& camera) {
            camera.width_px, camera.height_px)});
 }
 
-/// The point of depth 1 that each pixel sees, row by row.
+/// The point of depth 1 on each pixel's ray, row by row.
 std::vector<std::optional<Vec3>> RaysOf(const CameraIntrinsics& camera) {
   std::vector<std::optional<Vec3>> rays;
   for (int v = 0; v < camera.height_px; ++v) {
@@ -40,9 +40,9 @@ std::vector<std::optional<Vec3>> RaysOf(const CameraIntrinsics& camera) {
   return rays;
 }
 
-/// Directions of a cube's faces: ahead, right, left, below, above, behind, each turned about its
-/// own axis: rows of its pixels that ran along the lens' would lie beside them by the same part of
-/// a pixel over long stretches, and all of an edge there would be off by that part.
+/// Orientations of a cube's faces: ahead, right, left, below, above, behind. Each face is rotated
+/// about its own axis. Without rotation, pixel rows parallel to the lens's rows would share one
+/// sub-pixel offset, which would shift whole edges.
 std::array<Mat3, 6> CubeFaces(double turn_rad) {
   const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
   const auto facing = [&](const Vec3& right, const Vec3& down, const Vec3& ahead) {
@@ -54,7 +54,7 @@ std::array<Mat3, 6> CubeFaces(double turn_rad) {
           facing(x, -z, y), facing(x, z, -y), facing(-x, y, -z)};
 }
 
-/// The views that the rays need, without their pinholes, and which each ray belongs to.
+/// The required views, without pinholes, and the view of each ray.
 struct Split {
   std::vector<LensView> views;
   std::vector<int> view_of_ray;
@@ -84,7 +84,7 @@ Split SplitBetweenViews(const CameraIntrinsics& camera,
   return split;
 }
 
-/// Lens pixels for each pixel of a pinhole with the same focal length, at a ray (x, y, 1) of the
+/// Pixel density of the lens relative to a pinhole of equal focal length, at a ray (x, y, 1) of the
 /// view: the larger stretch.
 double Stretch(const CameraIntrinsics& c, const Mat3& R_CV, const Vec2& ray) {
   constexpr double kStep = 1e-4;
@@ -100,7 +100,7 @@ double Stretch(const CameraIntrinsics& c, const Mat3& R_CV, const Vec2& ray) {
   return jacobian.jacobiSvd().singularValues()[0];
 }
 
-/// The part of a view's plane that its rays meet, and how finely the lens sees there.
+/// Bounding box of the rays in a view's plane, and the lens's largest stretch there.
 struct Field {
   Eigen::AlignedBox2d box;
   double stretch = 1.0;
@@ -121,12 +121,12 @@ CameraIntrinsics PinholeOf(const CameraIntrinsics& camera, const Field& field, i
   return pinhole;
 }
 
-/// Gives the views the pinholes that hold their rays.
+/// Sets pinholes that contain the views' rays.
 void FitPinholes(const CameraIntrinsics& camera, const std::vector<std::optional<Vec3>>& rays,
                  Split* split) {
-  constexpr int kProbe_px = 16;  // stretch varies slowly over the picture
+  constexpr int kProbe_px = 16;  // the stretch varies slowly over the image
   constexpr int kMargin_px = 2;
-  constexpr int kSeamMargin_px = 32;  // what is near across a seam shades, too
+  constexpr int kSeamMargin_px = 32;  // surfaces just across a seam also cause shading
   std::vector<Field> fields(split->views.size());
   for (std::size_t i = 0; i < rays.size(); ++i) {
     if (!rays[i]) continue;

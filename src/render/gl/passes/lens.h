@@ -7,32 +7,32 @@
 
 namespace tera {
 
-/// One pinhole picture of those that a lens's picture is taken from.
+/// One of the pinhole images that make up a lens image.
 ///
-/// Frames  V the view's own optical frame, which stands in the camera's eye.
+/// Frames  V the view's own optical frame, with its origin at the camera's eye.
 struct LensView {
   Mat3 R_CV = Mat3::Identity();
   CameraIntrinsics pinhole;
 };
 
-/// A lens that distorts as pinhole pictures that cover its field, and a map from the lens' pixels
-/// to theirs.
+/// A distorting lens as pinhole images that cover its field, with a map from lens pixels to pinhole
+/// pixels.
 ///
-/// Model   one picture where no ray leaves the axis by more than kWidestOfOne_rad, and of
-///         perspective lenses always; else the faces of a cube that have rays, each cut to them,
-///         and turned a little so that their pixels and the lens' do not run along each other.
-///         The pictures are finer than the lens' own by kOversampling where the lens is finest, so
-///         that the nearest pixel's label is never further off than 0.4 px.
+/// Model   a single image for perspective lenses, and for lenses without a ray beyond
+///         kWidestOfOne_rad from the axis. Other lenses use the cube faces that contain rays,
+///         cropped to these rays. A small rotation keeps the faces' pixel rows from running along
+///         the lens's rows. The images are finer than the lens image by kOversampling at its finest
+///         point, so the nearest label pixel is at most 0.4 px away.
 class Lens {
  public:
-  /// Throws InputError if the lens folds the picture over or a perspective one turns rays beyond
-  /// CameraIntrinsics::kWidestTangent from the axis.
+  /// Throws InputError if the lens folds the image over, or if a perspective lens has rays beyond
+  /// CameraIntrinsics::kWidestTangent.
   explicit Lens(const CameraIntrinsics& camera);
 
   const CameraIntrinsics& camera() const { return camera_; }
   const std::vector<LensView>& views() const { return views_; }
-  /// Texture of the source of each pixel: its position x and y, its view, of pixels without light
-  /// -1, and its depth in the camera's picture over that in the view's.
+  /// Texture with the source of each pixel: position x and y, view (-1 for dark pixels), and depth
+  /// in the camera's image over depth in the view.
   const GlObject& map() const { return map_; }
 
   static constexpr double kOversampling = 1.25;

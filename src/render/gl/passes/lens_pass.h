@@ -7,12 +7,12 @@
 
 namespace tera {
 
-/// From the pinhole pictures of a lens to the camera's own.
+/// Resamples a lens's pinhole images to the camera's image.
 class LensPass {
  public:
-  /// Begins a camera's own picture, with normals or without.
+  /// Clears the camera's image, with or without normals.
   void Clear(const LensPictures& to, bool normals) const;
-  /// Fills what of it comes from view `view` of the lens, whose picture is `from`.
+  /// Fills the pixels that view `view` of the lens supplies, from its image `from`.
   void Draw(const Lens& lens, int view, bool normals, const Pictures& from,
             const LensPictures& to) const;
 

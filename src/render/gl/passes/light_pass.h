@@ -8,28 +8,28 @@
 
 namespace tera {
 
-/// How much light falls on what each pixel shows, taken from the shading of a picture.
+/// Illuminance of the visible surface of each pixel, from the shading pass.
 ///
-/// Model   illuminance in lx of sun, sky and lamps, and the share of the sun that arrives; zero
-///         where no surface is. Behind a lens that of the nearest pixel, as for labels.
-/// Omits   glass: what lies behind it is what is lit.
+/// Model   illuminance in lx of sun, sky and lamps, and the arriving fraction of the sun; zero
+///         without a surface. With a lens, the nearest pixel counts, as for labels.
+/// Omits   glass: the surface behind it counts.
 class LightPass {
  public:
-  /// The framebuffer for the shading of `p`, empty: radiance goes where it always does.
+  /// Empty framebuffer for the shading of `p`; radiance has its usual target.
   unsigned TargetOf(const Pictures& p);
-  /// What was drawn there last, for a picture with that exposure.
+  /// Reads the last result, for an image with that exposure.
   Image<float> Read(double exposure) const;
 
-  /// Begins a camera's own picture behind a lens.
+  /// Clears the camera's image behind a lens.
   void ClearLens(int width_px, int height_px);
-  /// Takes what was drawn last as view `view` of the lens.
+  /// Resamples the last result as view `view` of the lens.
   void DrawLens(const Lens& lens, int view);
   Image<float> ReadLens(double exposure) const;
 
  private:
   struct Target {
     int width_px = 0, height_px = 0;
-    unsigned radiance = 0;  ///< texture that is attached
+    unsigned radiance = 0;  ///< attached texture
     GlObject light, framebuffer;
   };
   static void Fit(int width_px, int height_px, unsigned radiance, unsigned depth, Target* target);

@@ -15,13 +15,13 @@ namespace {
 struct Vertex {
   float position_m[3];
   std::int16_t normal[4];
-  std::uint8_t albedo_opacity[4];      // albedo as square roots, to spend 8 bits where eyes see
+  std::uint8_t albedo_opacity[4];      // square roots of the albedo match the eye's resolution
   std::uint8_t roughness_metallic[4];  // the last two are unused
   float uv[2];
 };
 
 struct NodeInstance {
-  float pose_rows[3][4];  // (x, y, z) along W relative to the eye, from mesh coordinates
+  float pose_rows[3][4];  // mesh coordinates to eye-relative W axes
   std::uint32_t label;
 };
 
@@ -48,7 +48,7 @@ void AppendIndices(const MeshPart& part, std::uint32_t first_vertex,
   for (std::uint32_t index : part.indices) indices->push_back(first_vertex + index);
 }
 
-/// Rows of the pose, of the instance.
+/// Instance attributes: rows of the pose.
 void DescribePoses(GLuint array) {
   for (GLuint row = 0; row < 3; ++row) {
     glEnableVertexArrayAttrib(array, 4 + row);
@@ -91,7 +91,7 @@ Eigen::Affine3d NodeToWorld(const SceneNode& node, const SceneState& state) {
 
 }  // namespace
 
-/// Vertices and indices on their way into buffers.
+/// Vertices and indices to upload.
 struct NodeRenderer::Collected {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
@@ -254,7 +254,7 @@ void NodeRenderer::Place(const SceneState& state, const Vec3& eye_W_m, const Vie
                        instances.data());
 }
 
-/// Draws triangles for a node with the array that is bound.
+/// Draws a node's triangles with the bound array.
 void NodeRenderer::DrawBatch(int node, int first_vertex, const Batch& batch) const {
   const auto offset = static_cast<std::uintptr_t>(batch.first_index) * sizeof(std::uint32_t);
   glDrawElementsInstancedBaseVertexBaseInstance(GL_TRIANGLES, batch.index_count, GL_UNSIGNED_INT,
@@ -271,7 +271,8 @@ void NodeRenderer::DrawNode(int node, Surface surface) const {
   }
 }
 
-/// Of closed surfaces half the triangles, the counter-clockwise ones, if that is asked for.
+/// Draws closed and open surfaces. `half_of_closed` culls the clockwise triangles of closed
+/// surfaces.
 void NodeRenderer::DrawBare(int node, Surface surface, bool half_of_closed) const {
   const GpuMesh& mesh = MeshOf(model_.nodes[node]);
   const Bare& bare = surface == Surface::kOpaque ? mesh.bare_opaque : mesh.bare_glass;
@@ -346,7 +347,7 @@ void NodeRenderer::DrawInstance(std::uint16_t instance, const View& view) const 
   const auto draw = [&](const std::vector<Placed>& placed, Surface surface) {
     for (const Placed& one : placed) {
       if (model_.nodes[one.node].instance != instance) continue;
-      // What the near plane cuts is no longer closed.
+      // A surface cut by the near plane is no longer closed.
       const double ahead_m = (one.centre_W_m - view.eye_W_m).dot(view.R_WC.col(2));
       DrawBare(one.node, surface, ahead_m - one.radius_m > view.near_m);
     }

@@ -14,62 +14,62 @@ namespace tera {
 
 /// Draws the meshes of the scene's nodes.
 ///
-/// Model   all meshes lie in one vertex and one index buffer, each that changes in buffers of its
-///         own; each node drawn is one entry of an instance buffer that holds its pose relative to
-///         the eye and its label. Where only places matter (shadows, silhouettes), the triangles
-///         are drawn from positions alone, of which each is there once (Weld).
+/// Model   one vertex and one index buffer hold all constant meshes; each deforming mesh has its
+///         own buffers. An instance buffer has one entry per drawn node, with its eye-relative pose
+///         and its label. Passes that need only positions (shadows, silhouettes) draw welded
+///         positions (Weld).
 class NodeRenderer {
  public:
   explicit NodeRenderer(const SceneModel& model);
 
   enum class Surface { kOpaque, kGlass };
 
-  /// Takes meshes that change as they are in `state`.
+  /// Updates deforming meshes to `state`.
   void Reshape(const SceneState& state);
 
-  /// Nodes as they stand in `state`, relative to `eye_W_m`; those that `view` (if any) cannot see
-  /// are left out. Opaque nodes are ordered from near to far, glass from far to near.
+  /// Places the nodes of `state` relative to `eye_W_m` and omits nodes outside `view`, if given.
+  /// Opaque nodes are ordered near to far, glass nodes far to near.
   void Place(const SceneState& state, const Vec3& eye_W_m, const View* view);
-  /// Draws what Place found, with the program in use: attributes 0 position, 1 normal, 2 albedo
-  /// (square roots) and opacity, 3 roughness and metallic; 4 to 6 rows of the pose, 7 the label,
-  /// 8 texture coordinates.
+  /// Draws the placed nodes with the current program. Attributes: 0 position, 1 normal, 2 square
+  /// root of albedo and opacity, 3 roughness and metallic, 4 to 6 rows of the pose, 7 label, 8
+  /// texture coordinates.
   void Draw(Surface surface) const;
-  /// Draws the opaque ones as `view` shows them with `plain` and, where a material has textures,
-  /// with `textured`, both of which know the view; worn ones with programs of their own.
+  /// Draws the opaque nodes as seen in `view`: textured materials with `textured`, others with
+  /// `plain`, both already set to the view. Worn nodes use their own programs.
   void DrawOpaque(const Program& plain, const Program& textured, const View& view) const;
-  /// Draws what gives light, with `program`, which is in use.
+  /// Draws emissive surfaces with `program`, which is current.
   void DrawLights(const Program& program) const;
-  /// Draws what Place found, opaque and glass, each node with its body's number plus 1 as `u_body`
-  /// of `program`, which is in use.
+  /// Draws the placed opaque and glass nodes with `program`, which is current. Its uniform `u_body`
+  /// is the node's body index plus 1.
   void DrawBodies(const Program& program) const;
-  /// Draws the opaque nodes that `wanted` accepts by themselves and their bounding spheres:
-  /// attributes 0 and 4 to 6 only. Of the closed surfaces of those that `is_whole`, none of which
-  /// the near plane cuts, only triangles are drawn that run counter-clockwise in the picture.
+  /// Draws the opaque nodes that `wanted` accepts by node and bounding sphere; uses only attributes
+  /// 0 and 4 to 6. Nodes that `is_whole` accepts must not cross the near plane. Their closed
+  /// surfaces draw only counter-clockwise triangles.
   using Wanted =
       std::function<bool(const SceneNode& node, const Vec3& centre_W_m, double radius_m)>;
   void DrawOpaqueIf(const Wanted& wanted, const Wanted& is_whole) const;
-  /// Draws the nodes of one instance only, glass and opaque, into its silhouette in `view`:
-  /// attributes 0 and 4 to 6 only.
+  /// Draws the opaque and glass nodes of one instance into its silhouette in `view`; uses only
+  /// attributes 0 and 4 to 6.
   void DrawInstance(std::uint16_t instance, const View& view) const;
 
-  /// Whether anything of glass was placed.
+  /// True if a glass node is placed.
   bool has_glass() const { return !placed_glass_.empty(); }
-  /// Whether anything in the scene gives light.
+  /// True if the scene has emissive surfaces.
   bool has_lights() const { return has_lights_; }
-  /// Since construction.
+  /// Number since construction.
   std::int64_t triangles_drawn() const { return triangles_drawn_; }
 
-  /// The box of all nodes of the scene along the axes of `R_LW`, over all of `state`.
+  /// Box of all nodes of `state` along the axes of `R_LW`.
   Eigen::AlignedBox3d BoundsAlong(const Mat3& R_LW, const SceneState& state) const;
 
  private:
-  /// Triangles of one material, or of all plain ones of a surface.
+  /// Triangles of one material, or of all plain materials of a surface type.
   struct Batch {
     Surface surface = Surface::kOpaque;
-    int look = TextureBank::kPlain;  ///< in the bank of textures
+    int look = TextureBank::kPlain;  ///< index in the texture bank
     int first_index = 0, index_count = 0;
   };
-  /// Triangles of positions alone, those of closed surfaces apart.
+  /// Position-only triangles, separated into closed and open surfaces.
   struct Bare {
     Batch closed, open;
   };
@@ -81,7 +81,7 @@ class NodeRenderer {
                          [&](const Batch& batch) { return batch.surface == surface; });
     }
     Eigen::AlignedBox3d box_G_m;
-    const GlObject* array = nullptr;  ///< of the buffers that it lies in
+    const GlObject* array = nullptr;  ///< vertex array of its buffers
     Bare bare_opaque, bare_glass;
     int first_bare_vertex = 0;
     const GlObject* bare_array = nullptr;
@@ -90,7 +90,7 @@ class NodeRenderer {
     GlObject vertices, indices, array;
     GlObject bare_vertices, bare_indices, bare_array;
   };
-  /// A mesh that changes, as it was taken last.
+  /// A deforming mesh in its last uploaded state.
   struct GpuShape {
     std::shared_ptr<const ShapedMesh> taken;
     GpuMesh mesh;
@@ -104,7 +104,7 @@ class NodeRenderer {
     double radius_m;
   };
 
-  /// The mesh of a node, which is nothing where its shape is.
+  /// The mesh of a node; empty for an invisible shape.
   const GpuMesh& MeshOf(const SceneNode& node) const {
     return node.shape >= 0 ? shapes_[node.shape].mesh : meshes_[node.mesh];
   }
@@ -115,12 +115,12 @@ class NodeRenderer {
 
   const SceneModel& model_;
   TextureBank textures_;
-  std::optional<WornSurfaces> worn_;  ///< where a node is
+  std::optional<WornSurfaces> worn_;  ///< only with a worn node
   bool has_lights_ = false;
   std::vector<GpuMesh> meshes_;
   std::vector<GpuShape> shapes_;
   GlObject instances_;
-  GpuBuffers constant_;  ///< of the meshes that do not change
+  GpuBuffers constant_;  ///< buffers of the constant meshes
   std::vector<Placed> placed_opaque_, placed_glass_;
   mutable std::int64_t triangles_drawn_ = 0;
 };

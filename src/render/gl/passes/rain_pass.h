@@ -11,10 +11,10 @@
 
 namespace tera {
 
-/// Streaks of falling drops over a picture, before what is behind them.
+/// Streaks of falling drops over an image, in front of the background.
 ///
-/// Model   FallingDrops; a drop shines with kShare of the mean radiance around it, which it gathers
-///         from a wide cone.
+/// Model   FallingDrops. A drop gathers light from a wide cone and has the fraction kShare of the
+///         surrounding mean radiance.
 /// Source  Garg and Nayar 2007, "Vision and rain", section 3 (about 0.94 of the mean radiance in a
 ///         cone of 165 degrees).
 class RainPass {
@@ -28,8 +28,8 @@ class RainPass {
   FallingDrops drops_;
   Program program_{"rain.vert", "rain.frag"};
   GlObject vertices_, array_ = MakeVertexArray();
-  std::size_t room_ = 0;                  ///< vertices that the buffer holds
-  std::vector<Eigen::Vector4f> corners_;  ///< x, y and depth of the picture, share covered
+  std::size_t room_ = 0;                  ///< capacity of the buffer, in vertices
+  std::vector<Eigen::Vector4f> corners_;  ///< image x, y and depth, covered fraction
 };
 
 }  // namespace tera

@@ -11,26 +11,27 @@
 
 namespace tera {
 
-/// What lights the surfaces of a picture.
+/// Light sources of an image.
 struct Lights {
   const Daylight& daylight;
   const ShadowMap& sun_shadows;
   const LampLights& lamps;
-  const GroundTextures* ground;  ///< whose shadow falls on surfaces too; null: there is none
+  const GroundTextures* ground;  ///< source of the ground's shadow on surfaces; null without ground
 };
 
-/// Shades what each pixel shows: its radiance under sun, sky and lamps.
+/// Shades the visible surfaces: radiance under sun, sky and lamps.
 ///
-/// Model   the share of the sky that near surfaces leave open is found at half the picture's size
-///         and smoothed; then each pixel where something was drawn is lit once.
+/// Model   ambient occlusion is computed at half resolution and smoothed. Each pixel with a surface
+///         is then lit once.
 class ShadingPass {
  public:
-  /// `has_lamps` compiles what lamps need.
+  /// `has_lamps` compiles the lamp shading.
   explicit ShadingPass(bool has_lamps);
 
-  /// What near surfaces leave open of the sky. Leaves the viewport on the whole picture.
+  /// Computes the sky fraction that near surfaces leave visible. Sets the viewport to the whole
+  /// image.
   void Occlude(const View& view, const Pictures& p) const;
-  /// Radiance into `target`, a framebuffer over the depth of `p`.
+  /// Writes radiance to `target`, a framebuffer with the depth of `p`.
   void Shade(const View& view, const Lights& lights, const Pictures& p, unsigned target) const;
 
  private:
@@ -38,7 +39,7 @@ class ShadingPass {
   Program blur_{"fullscreen.vert", "blur.frag"};
   Program shade_;
   FullScreen screen_;
-  GlObject no_ground_;  ///< a shadow that falls on nothing
+  GlObject no_ground_;  ///< a shadow below every surface
 };
 
 }  // namespace tera

@@ -10,9 +10,9 @@ namespace {
 
 constexpr int kNearSide_px = 1536, kFarSide_px = 1024;
 constexpr double kNearRadius_m = 9.0;
-constexpr double kSnap_m = 4.0;  // of the near picture's centre, so that it seldom moves
+constexpr double kSnap_m = 4.0;  // grid of the near image's centre, so that it seldom moves
 constexpr double kMargin_m = 0.5;
-constexpr std::size_t kKept = 6;  ///< pictures of what stands: a rig has cameras at a few places
+constexpr std::size_t kKept = 6;  ///< cached static images; a rig has cameras at few places
 constexpr int kWidth_px = kNearSide_px + kFarSide_px,
               kHeight_px = std::max(kNearSide_px, kFarSide_px);
 
@@ -66,13 +66,13 @@ void ShadowMap::Update(const SceneState& state, const Vec3& eye_W_m, NodeRendere
   drawn_centre_W_m_ = centre_W_m;
 }
 
-/// Lays the pictures about `centre_W_m` and what there is.
+/// Sets the boxes of the images: around `centre_W_m`, and around all nodes.
 void ShadowMap::Cover(const Vec3& centre_W_m, const Eigen::AlignedBox3d& all_L_m) {
   Eigen::AlignedBox3d all = all_L_m;
   if (all.isEmpty()) all.extend(Vec3::Zero());
   far_.box_L_m = {all.min() - Vec3::Constant(kMargin_m), all.max() + Vec3::Constant(kMargin_m)};
   const Vec3 centre_L_m = R_LW_ * centre_W_m;
-  near_.box_L_m = far_.box_L_m;  // along the light: everything that may cast
+  near_.box_L_m = far_.box_L_m;  // along the light: all possible occluders
   for (int k = 0; k < 2; ++k) {
     near_.box_L_m.min()[k] = std::max(centre_L_m[k] - kNearRadius_m, far_.box_L_m.min()[k]);
     near_.box_L_m.max()[k] = std::min(centre_L_m[k] + kNearRadius_m, far_.box_L_m.max()[k]);
@@ -83,7 +83,7 @@ void ShadowMap::Cover(const Vec3& centre_W_m, const Eigen::AlignedBox3d& all_L_m
   }
 }
 
-/// Whether a body moves that had not moved before.
+/// Marks moved bodies; true if a body moves for the first time.
 bool ShadowMap::TakeMoved(const SceneState& state) {
   if (first_poses_.size() != state.X_WB.size()) {
     first_poses_ = state.X_WB;
@@ -123,21 +123,21 @@ const ShadowMap::Standing& ShadowMap::StandingFor(const NodeRenderer& nodes) {
   return standing_.emplace_back(std::move(made));
 }
 
-/// Draws what stands, or what moves, from the sun.
+/// Draws the static or the moving nodes from the sun.
 void ShadowMap::Draw(const GlObject& framebuffer, const NodeRenderer& nodes, bool standing) const {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
   const auto is_wanted = [&](const SceneNode& node) {
     return standing == (node.shape < 0 && !has_moved_[static_cast<std::size_t>(node.body)]);
   };
-  // Seen from the sun, a shadow lies where its node is: what the fine picture holds whole, the
-  // coarse one does not need, and what lies outside the fine one cannot shade within it.
-  const auto gap_m = [&](const Vec3& centre_W_m) {  // from the fine picture's border, inwards
+  // Seen from the sun, a shadow coincides with its node. The coarse image therefore omits nodes
+  // that lie completely in the fine image. Nodes outside the fine image cast no shadow within it.
+  const auto gap_m = [&](const Vec3& centre_W_m) {  // distance inside the fine image's border
     const Vec2 p_L = (R_LW_ * centre_W_m).head<2>();
     const Vec2 low = p_L - near_.box_L_m.min().head<2>(),
                high = near_.box_L_m.max().head<2>() - p_L;
     return std::min(low.minCoeff(), high.minCoeff());
   };
-  // The pictures hold all of each node along its rays: their near plane cuts none.
+  // The images contain each node's whole extent along the light, so the near plane cuts none.
   const auto is_whole = [](const SceneNode&, const Vec3&, double) { return true; };
   AimAt(near_);
   nodes.DrawOpaqueIf([&](const SceneNode& node, const Vec3& c,
@@ -169,7 +169,7 @@ void ShadowMap::Bind(unsigned unit, const Vec3& eye_W_m, const Program& program)
   const double width_px = kWidth_px, height_px = kHeight_px;
   const auto matrix = [&](const Picture& picture) {
     const Vec3 size = picture.box_L_m.sizes(), low = picture.box_L_m.min();
-    Eigen::Matrix4d unit_L = Eigen::Matrix4d::Identity();  // the picture's box to [0, 1]
+    Eigen::Matrix4d unit_L = Eigen::Matrix4d::Identity();  // maps the image's box to [0, 1]
     for (int k = 0; k < 3; ++k) {
       unit_L(k, k) = 1 / size[k];
       unit_L(k, 3) = -low[k] / size[k];

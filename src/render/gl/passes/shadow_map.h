@@ -7,28 +7,27 @@
 
 namespace tera {
 
-/// Shadows that the nodes cast from the sun. (The ground's own shadow is a texture of its own, see
-/// GroundTextures.)
+/// Sun shadows of the nodes. GroundTextures holds the ground's own shadow.
 ///
 /// Frames  L sun's frame: z towards the sun, origin at W's.
-/// Model   one depth texture with two orthographic pictures of the nodes side by side: a fine one
-///         of those near the camera, a coarse one of all. Drawn again only when a node has moved:
-///         what bodies that have never moved cast is kept for the last few places of the camera,
-///         and what others cast drawn over a copy of it, which gives the same texels.
+/// Model   one depth texture with two orthographic images of the nodes: a fine image near the
+///         camera and a coarse image of all nodes. It is redrawn only when a node has moved.
+///         Shadows of static bodies are cached for the last camera positions; moving bodies are
+///         drawn over a copy, with identical texels.
 class ShadowMap {
  public:
   explicit ShadowMap(const Vec3& to_sun_W);
 
   void Update(const SceneState& state, const Vec3& eye_W_m, NodeRenderer* nodes);
-  /// Binds the texture to `unit` and tells `program` how positions relative to the eye map to it.
+  /// Binds the texture to `unit` and sets the uniforms that map eye-relative positions to it.
   void Bind(unsigned unit, const Vec3& eye_W_m, const Program& program) const;
 
  private:
   struct Picture {
     int left_px, side_px;         ///< its square in the texture
-    Eigen::AlignedBox3d box_L_m;  ///< what it covers
+    Eigen::AlignedBox3d box_L_m;  ///< covered volume
   };
-  /// The shadows of what stands, for pictures of these boxes.
+  /// Shadows of static nodes, for images of these boxes.
   struct Standing {
     Eigen::AlignedBox3d near_box_L_m, far_box_L_m;
     GlObject texture, framebuffer;
@@ -43,9 +42,9 @@ class ShadowMap {
   Program program_{"shadow.vert", "shadow.frag"};
   GlObject texture_, framebuffer_;
   Picture near_, far_;
-  std::vector<Standing> standing_;  ///< the one used last at the end
+  std::vector<Standing> standing_;  ///< most recently used last
   std::vector<Pose> first_poses_;
-  std::vector<bool> has_moved_;  ///< for each body
+  std::vector<bool> has_moved_;  ///< one per body
   DrawnScene drawn_;
   Vec3 drawn_centre_W_m_ = Vec3::Zero();
 };

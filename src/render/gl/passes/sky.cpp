@@ -11,30 +11,30 @@ namespace tera {
 namespace {
 
 constexpr double kMinSunHeight_rad = 2.0 * kDeg;
-constexpr double kGroundAlbedo = 0.22;  // of the bounce light from below
-// Haze over the sky: density falls with this scale height; a share of the fog's extinction, since
-// fog lies lower than haze; the last keeps the path along the horizon finite.
+constexpr double kGroundAlbedo = 0.22;  // for the light reflected from below
+// Haze over the sky. Its density falls with this scale height. Its extinction is a fraction of the
+// fog's, because fog lies lower. The last constant keeps the path along the horizon finite.
 constexpr double kHazeScaleHeight_m = 1200.0;
 constexpr double kHazeShare = 0.02;
 constexpr double kHazeHorizon = 0.004;
-constexpr double kVisibleContrast = 0.02;  // Koschmieder's, at the visibility
-// Clouds: noise over a plane, which the horizon term keeps from shrinking to nothing far away.
-constexpr float kCloudCover = 0.5f;     // noise above this is cloud
-constexpr float kCloudEdge = 0.25f;     // of noise, from clear to dense
-constexpr float kCloudOpacity = 0.75f;  // of a dense one
-constexpr double kCloudScale = 0.16;    // of the noise's period, per tangent of the zenith angle
+constexpr double kVisibleContrast = 0.02;  // Koschmieder's contrast threshold at the visibility
+// Clouds: noise over a plane; the horizon term limits its compression at low elevation.
+constexpr float kCloudCover = 0.5f;     // noise above this value is cloud
+constexpr float kCloudEdge = 0.25f;     // noise range from clear to dense
+constexpr float kCloudOpacity = 0.75f;  // opacity of a dense cloud
+constexpr double kCloudScale = 0.16;    // noise periods per tangent of the zenith angle
 constexpr double kCloudHorizon = 0.12;  // added to the sine of elevation
 constexpr double kCloudStretch = 0.6;   // along y
 constexpr double kCloudFade = 6;        // clouds fade in over 1 / this sine of elevation
-const Vec2 kCloudOffset(0.31, 0.67);    // a fair part of the noise
-constexpr float kCloudSun = 0.22f;      // of the sun's illuminance that a cloud sends down
-constexpr float kCloudZenith = 0.5f;    // of the zenith's radiance
-// Clouds of a cover that is given.
-constexpr float kGivenEdge = 0.08f;           // of noise, from clear to dense
-constexpr float kGivenContrast = 0.5f;        // of their luminance, by the noise
-constexpr float kOvercastHorizon = 1 / 3.0f;  // of the zenith's luminance
+const Vec2 kCloudOffset(0.31, 0.67);    // offset to a suitable part of the noise
+constexpr float kCloudSun = 0.22f;      // fraction of the sun's illuminance
+constexpr float kCloudZenith = 0.5f;    // fraction of the zenith's radiance
+// Clouds of a given cover.
+constexpr float kGivenEdge = 0.08f;           // noise range from clear to dense
+constexpr float kGivenContrast = 0.5f;        // luminance contrast by the noise
+constexpr float kOvercastHorizon = 1 / 3.0f;  // fraction of the zenith's luminance
 
-/// Perez' five coefficients, linear in turbidity.
+/// Perez's five coefficients, linear in turbidity.
 struct Perez {
   double a, b, c, d, e;
 
@@ -83,7 +83,7 @@ Eigen::Vector3f RgbFromYxy(double luminance, double x, double y) {
 
 double Luminance(const Vec3& rgb) { return rgb.dot(Vec3(0.2126, 0.7152, 0.0722)); }
 
-/// Sunlight after the atmosphere, with luminance 1.
+/// Colour of sunlight after the atmosphere, with luminance 1.
 Vec3 SunColour(double turbidity, double height_rad) {
   const double height_deg = height_rad / kDeg;
   const double air_mass =
@@ -106,7 +106,8 @@ Vec3 TexelDirection(int column, int row) {
   return {horizontal * std::cos(azimuth_rad), horizontal * std::sin(azimuth_rad), z};
 }
 
-/// The light of a sky on level ground: the integral of radiance times height over the upper half.
+/// Illuminance of level ground by a sky: integral of radiance times the sine of elevation over the
+/// upper hemisphere.
 template <typename RadianceOf>
 Eigen::Vector3f LevelSum(const RadianceOf& radiance_of) {
   constexpr int kAzimuths = 64, kHeights = 32;
@@ -174,7 +175,8 @@ float Sky::CloudNoise(const Vec3& d) const {
                          kCloudOffset.y() + d.y() * reach * kCloudStretch);
 }
 
-/// The threshold of which `cover` of the sky's solid angle lies above, and the clouds' luminance.
+/// Finds the noise threshold exceeded in the fraction `cover` of the sky, and the clouds'
+/// luminance.
 void Sky::FitClouds(double cover) {
   std::vector<float> noise;
   LevelSum([&](const Vec3& d) {
@@ -221,8 +223,7 @@ Eigen::Vector3f Sky::CloudySky(const Vec3& direction_W) const {
   return (1 - share) * ClearSky(direction_W) + share * CloudRadiance(direction_W);
 }
 
-/// Least squares of a + b c + c c^2 over the sky a little above the horizon; clouds are those of
-/// the mean.
+/// Fits a + b c + c c^2 by least squares to the sky slightly above the horizon, with mean clouds.
 void Sky::FitAirlight() {
   constexpr int kSamples = 64;
   constexpr double kHeightAboveHorizon = 0.06;
@@ -270,7 +271,7 @@ void Sky::Paint(double fog_visibility_m) {
     for (int column = 0; column < kWidth; ++column) {
       const Vec3 d = TexelDirection(column, row);
       Eigen::Vector3f radiance = cloud_cover_ ? CloudySky(d) : ThinClouds(d);
-      // Haze of exponential density: optical depth to the zenith times the air mass.
+      // Haze of exponential density: zenith optical depth times the air mass.
       const double haze =
           1 - std::exp(-extinction_1pm * kHazeScaleHeight_m * kHazeShare / (d.z() + kHazeHorizon));
       radiance += static_cast<float>(haze) * (Airlight(d) - radiance);
@@ -289,7 +290,7 @@ Eigen::Vector3f Sky::Radiance(const Vec3& direction_W) const {
 
 void Sky::ProjectDiffuse() {
   constexpr int kAzimuths = 64, kHeights = 64;
-  // Sky irradiance on level ground gives the bounce.
+  // Sky irradiance on level ground determines the light reflected from the ground.
   Eigen::Vector3f level = Eigen::Vector3f::Zero();
   const float solid = static_cast<float>(2 * kPi / kAzimuths * 2.0 / kHeights);
   for (int pass = 0; pass < 2; ++pass) {
@@ -297,7 +298,7 @@ void Sky::ProjectDiffuse() {
     if (pass == 1) {
       ground_ = (level + sun_lx_ * static_cast<float>(to_sun_W_.z())) *
                 static_cast<float>(kGroundAlbedo / kPi);
-      // Ground has the colour of soil, or of the snow on it.
+      // The ground has the colour of soil, or of its snow cover.
       ground_ = ground_.cwiseProduct(Eigen::Vector3f(1.2f, 0.98f, 0.78f));
       if (snow_share_ > 0) {
         const Eigen::Vector3f white = (level + sun_lx_ * static_cast<float>(to_sun_W_.z()))
@@ -328,8 +329,8 @@ void Sky::ProjectDiffuse() {
       }
     }
   }
-  // Convolution with the cosine lobe over pi: 1, 2/3, 1/4 for bands 0, 1, 2; and the basis'
-  // constants, so that the shader evaluates plain polynomials.
+  // Convolution with the cosine lobe over pi: 1, 2/3, 1/4 for bands 0, 1, 2. The factors include
+  // the basis constants, so that the shader evaluates plain polynomials.
   const float scale[9] = {0.282095f,         0.488603f * 2 / 3, 0.488603f * 2 / 3,
                           0.488603f * 2 / 3, 1.092548f / 4,     1.092548f / 4,
                           0.315392f / 4,     1.092548f / 4,     0.546274f / 4};

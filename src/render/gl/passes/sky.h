@@ -9,21 +9,20 @@
 
 namespace tera {
 
-/// Daylight: what the sky radiates into every direction, and the sun's light.
+/// Daylight: radiance of the sky in each direction, and sunlight.
 ///
-/// Frames  W. Radiances are luminances per colour channel (linear sRGB primaries) in cd/m2; the
-///         sun's illuminance in lx on a surface facing it.
-/// Model   Preetham's clear sky for the turbidity and the sun's height, thin clouds laid over it
-///         (seeded noise, part of the scenery and not of the measurement), and towards the horizon
-///         the airlight that the fog's visibility gives. The sun's colour is what Rayleigh and
-///         aerosol extinction leave at its air mass, scaled to the illuminance asked for.
-///         With a cover c of clouds, the noise's highest c of the sky are cloud, whose luminance
-///         goes with height as (1 + 2 sin h) / 3 of that at the zenith (CIE's overcast sky), and is
-///         such that level ground has 1 - 0.75 c^3.4 of the clear sky's illuminance; the sun is
-///         seen for 1 - c of the time, of which the mean is taken.
-///         A sky illuminance that is given scales the clear sky.
-/// Omits   the colours of twilight (the sky's pattern and colour are those of a sun at
-///         kMinSunHeight_rad), ozone, shadows of single clouds.
+/// Frames  W. Radiances are luminances per colour channel (linear sRGB primaries) in cd/m2. The
+///         sun's illuminance is in lx on a surface facing it.
+/// Model   Preetham's clear sky for turbidity and sun elevation. Thin clouds of seeded noise lie
+///         over it, as part of the scenery. Towards the horizon, the airlight follows from the
+///         fog's visibility. Rayleigh and aerosol extinction at the sun's air mass determine its
+///         colour, scaled to the given illuminance. A cloud cover c turns the fraction c of the sky
+///         with the highest noise into cloud. Its luminance varies with elevation h as
+///         (1 + 2 sin h) / 3 of the zenith's (CIE overcast sky). Its scale gives level ground
+///         1 - 0.75 c^3.4 of the clear sky's illuminance. The sun's light is scaled by 1 - c, the
+///         mean over time. A given sky illuminance scales the clear sky.
+/// Omits   twilight colours (below kMinSunHeight_rad the sky keeps its pattern and colour at that
+///         elevation), ozone, shadows of single clouds.
 /// Source  Preetham, Shirley, Smits 1999, "A practical analytic model for daylight", appendix;
 ///         Ramamoorthi, Hanrahan 2001, "An efficient representation for irradiance environment
 ///         maps", eq. 13; Kasten, Young 1989 for the air mass; Kasten, Czeplak 1980, "Solar and
@@ -40,14 +39,15 @@ class Sky {
   const Vec3& to_sun_W() const { return to_sun_W_; }
 
   /// Texels (r, g, b) in cd/m2: column u over azimuth [0, 2 pi) from +x, row v over
-  /// sqrt(sin(height)) from the horizon up, clouds included.
+  /// sqrt(sin(elevation)) from the horizon up, clouds included.
   const std::vector<Eigen::Vector3f>& texels() const { return texels_; }
-  /// Irradiance / pi of a surface with normal n, ground bounce included: the nine coefficients of
-  /// the polynomial (1, y, z, x, xy, yz, 3z2-1, xz, x2-y2).
+  /// Irradiance / pi of a surface with normal n, including light reflected from the ground. The
+  /// nine coefficients belong to the polynomial (1, y, z, x, xy, yz, 3z2-1, xz, x2-y2).
   const std::array<Eigen::Vector3f, 9>& diffuse() const { return diffuse_; }
-  /// Radiance of the fog in a horizontal direction h: a + b (h . s) + c (h . s)^2, s the sun's.
+  /// Radiance of the fog in a horizontal direction h: a + b (h . s) + c (h . s)^2, s the sun's
+  /// direction.
   const std::array<Eigen::Vector3f, 3>& airlight() const { return airlight_; }
-  /// Mean of the sky near the zenith and of sunlit ground, for reflections.
+  /// Mean radiance of the sky near the zenith, and of sunlit ground, for reflections.
   const Eigen::Vector3f& zenith() const { return zenith_; }
   const Eigen::Vector3f& ground() const { return ground_; }
 
@@ -56,7 +56,7 @@ class Sky {
   void SetIlluminance(double level_lx);
   void FitClouds(double cover);
   float CloudNoise(const Vec3& direction_W) const;
-  /// Share of a direction's light that is a cloud's, and that cloud's radiance.
+  /// Cloud fraction in a direction, and the radiance of the cloud.
   float CloudShare(const Vec3& direction_W) const;
   Eigen::Vector3f CloudRadiance(const Vec3& direction_W) const;
   Eigen::Vector3f ThinClouds(const Vec3& direction_W) const;
@@ -69,11 +69,11 @@ class Sky {
 
   Vec3 to_sun_W_;
   double turbidity_;
-  float sky_scale_ = 1;                ///< of the clear sky
-  std::optional<double> cloud_cover_;  ///< of Environment
-  float cloud_threshold_ = 0;          ///< of the noise
+  float sky_scale_ = 1;                ///< factor on the clear sky
+  std::optional<double> cloud_cover_;  ///< see Environment
+  float cloud_threshold_ = 0;          ///< noise threshold of clouds
   float cloud_zenith_cdpm2_ = 0;       ///< luminance of a cloud at the zenith
-  float snow_share_;                   ///< of the ground around
+  float snow_share_;                   ///< snow-covered fraction of the surrounding ground
   LatticeNoise cloud_noise_;
   Eigen::Vector3f sun_lx_, zenith_, ground_;
   std::vector<Eigen::Vector3f> texels_;

@@ -11,7 +11,7 @@ void SkyAndGlass::Draw(const View& view, const Daylight& daylight, const NodeRen
   DrawGlass(view, daylight, nodes, p);
 }
 
-/// Adds the light that surfaces give themselves, where they are what is seen.
+/// Adds the emission of visible surfaces.
 void SkyAndGlass::AddOwnLight(const View& view, const Daylight& daylight, const NodeRenderer& nodes,
                               const Pictures& p) const {
   if (!nodes.has_lights()) return;
@@ -34,7 +34,7 @@ void SkyAndGlass::DrawSky(const View& view, const Daylight& daylight, const Pict
   glBindFramebuffer(GL_FRAMEBUFFER, p.sky_target.id());
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
-  glDepthFunc(GL_EQUAL);  // only where nothing was drawn
+  glDepthFunc(GL_EQUAL);  // only without a surface
   sky_.Use();
   daylight.BindSky(0, sky_);
   daylight.Light(sky_);

@@ -9,11 +9,10 @@
 
 namespace tera {
 
-/// What a picture shows beside lit surfaces: their own light, the sky behind them, glass before
-/// them.
+/// Additions to the lit surfaces of an image: emission, sky behind them, glass in front of them.
 class SkyAndGlass {
  public:
-  /// Over the radiance of `p`; glass takes labels and normals as well.
+  /// Draws over the radiance of `p`; glass also writes labels and normals.
   void Draw(const View& view, const Daylight& daylight, const NodeRenderer& nodes,
             const Pictures& p) const;
 

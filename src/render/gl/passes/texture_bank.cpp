@@ -10,8 +10,8 @@
 namespace tera {
 namespace {
 
-constexpr float kMostAnisotropy = 8;  ///< pictures on ground-like faces are seen at a slant
-constexpr unsigned kFirstUnit = 10;   ///< of the textures; other passes have those below
+constexpr float kMostAnisotropy = 8;  ///< ground-like faces appear at grazing angles
+constexpr unsigned kFirstUnit = 10;   ///< first texture unit; other passes use the units below
 
 GLint ModeOf(Texture::Wrap wrap) {
   if (wrap == Texture::Wrap::kMirror) return GL_MIRRORED_REPEAT;

@@ -10,16 +10,16 @@
 
 namespace tera {
 
-/// Textures of materials on the GPU, with mipmaps; a picture that several materials use is there
-/// once.
+/// Material textures on the GPU, with mipmaps; several materials share an image.
 class TextureBank {
  public:
-  /// A material's number, or kPlain where nothing of it varies and it gives no light.
+  /// Index of a material; kPlain for a material without textures and emission.
   static constexpr int kPlain = -1;
   int Add(const Material& material);
 
   bool gives_light(int number) const { return number != kPlain && looks_[number].gives_light; }
-  /// Sets what node.frag, with TEXTURED, and emissive.frag read of a material that is not plain.
+  /// Sets the inputs of node.frag with TEXTURED, and of emissive.frag, for a material that is not
+  /// plain.
   void Bind(int number, const Program& program) const;
 
  private:

@@ -6,7 +6,7 @@
 
 namespace tera {
 
-/// From radiance to sRGB, or of a linear picture to itself, with smooth edges.
+/// Converts radiance to sRGB, or keeps a linear image linear, and smooths edges.
 class TonePass {
  public:
   void Draw(const Pictures& p) const;

@@ -13,7 +13,7 @@ constexpr int kSide = WearNoise::kSide;
 constexpr std::size_t kCells = static_cast<std::size_t>(kSide) * kSide * kSide;
 constexpr double kDeviation = 0.2;
 
-/// Random values of a lattice of `period` points a side, seen at kSide points a side.
+/// Random lattice of `period` points per side, resampled to kSide points per side.
 class Octave {
  public:
   Octave(const std::string& name, int period) : period_(period) {
@@ -67,7 +67,7 @@ std::vector<float> Sum(const std::string& name, int coarsest, int octaves) {
   return sum;
 }
 
-/// To mean 1/2 and kDeviation.
+/// Scales to mean 1/2 and standard deviation kDeviation.
 void Standardise(std::vector<float>* values) {
   double mean = 0, square = 0;
   for (const float v : *values) mean += v / static_cast<double>(kCells);

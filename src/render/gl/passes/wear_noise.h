@@ -5,11 +5,12 @@
 
 namespace tera {
 
-/// Noise in a periodic cube, for marks that are fixed to a body.
+/// Noise in a periodic cube, for marks fixed to a body.
 ///
-/// Model   two channels of value noise: sums of random lattices, each of half the weight of the
-///         next coarser one, blended by quintic steps and scaled to mean 1/2 and deviation 0.2. The
-///         first is coarse (4 to 32 lattice points a side), the second fine (16 and 32).
+/// Model   two channels of value noise: sums of random lattices with quintic blending. Each lattice
+///         has half the weight of the next coarser lattice. The sum has mean 1/2 and deviation 0.2.
+///         The first channel is coarse (4 to 32 lattice points per side), the second fine (16 and
+///         32).
 /// Source  Perlin 2002, "Improving noise" (the quintic step).
 struct WearNoise {
   static constexpr int kSide = 64;

@@ -8,9 +8,9 @@
 namespace tera {
 namespace {
 
-constexpr unsigned kNoiseUnit = 9;  // below those of materials
+constexpr unsigned kNoiseUnit = 9;  // below the units of materials
 constexpr double kMudSaturation = 0.35;
-constexpr double kGreyDust = 0.35;  // how far the colour of fine dust is from the soil's to grey
+constexpr double kGreyDust = 0.35;  // blend of fine dust from the soil's colour to grey
 
 GlObject NoiseTexture() {
   const WearNoise noise = MakeWearNoise();
@@ -34,9 +34,9 @@ Eigen::Vector3f Root(const Vec3& albedo) {
   return albedo.cwiseMax(0.0).cwiseMin(1.0).cwiseSqrt().cast<float>();
 }
 
-/// Where in the noise a body lies, so that equal parts are not worn alike.
+/// Offset of a body in the noise, so that equal parts wear differently.
 Eigen::Vector3f PlaceInNoise(int body) {
-  const Vec3 steps(0.7548776662, 0.5698402909, 0.3819660113);  // irrational: no two bodies alike
+  const Vec3 steps(0.7548776662, 0.5698402909, 0.3819660113);  // irrational: all bodies differ
   const Vec3 at = (body + 1) * steps;
   return (at - Vec3(at.array().floor())).cast<float>();
 }

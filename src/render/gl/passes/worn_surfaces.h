@@ -7,15 +7,15 @@ namespace tera {
 
 /// Draws nodes with dust, mud, scratches and rust.
 ///
-/// Model   node.frag with wear.glsl: colour, roughness and metallic of each pixel change by where
-///         it is on its body; normals, depth and labels do not.
-/// Omits   thickness: mud stands on no outline. Glass stays clean.
+/// Model   node.frag with wear.glsl: colour, roughness and metallic of each pixel depend on its
+///         position on the body; normals, depth and labels do not change.
+/// Omits   thickness: mud does not change outlines. Glass stays clean.
 class WornSurfaces {
  public:
   WornSurfaces();
-  /// Takes this projection from now on.
+  /// Sets the projection of subsequent draws.
   void SetView(const Eigen::Matrix4f& clip_from_relative) const;
-  /// The program for a worn node, in use and told all about it; with textures or without.
+  /// Activates the program for a worn node and sets its uniforms; with or without textures.
   const Program& Use(const SceneNode& node, bool textured) const;
 
  private:

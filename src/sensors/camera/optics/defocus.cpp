@@ -8,9 +8,9 @@ namespace tera {
 namespace {
 
 constexpr int kTile_px = 16;
-constexpr float kBehind = 1.01f;  // of a depth: further than that lies behind it
+constexpr float kBehind = 1.01f;  // depth factor beyond which a surface lies behind
 
-/// Of each pixel the number of its kernel, and its depth with nothing at infinity.
+/// Kernel number and depth of each pixel; missing depth is infinite.
 struct Discs {
   Image<std::uint16_t> number;
   Image<float> depth_m;
@@ -26,7 +26,7 @@ Discs DiscsOf(const ThinLens& lens, const Image<float>& depth_m) {
   return discs;
 }
 
-/// For each tile how far its pixels have to look for discs that reach them.
+/// Distance around each tile within which discs may reach its pixels.
 Image<int> LooksOf(const Discs& discs) {
   const int nx = (discs.number.width_px + kTile_px - 1) / kTile_px;
   const int ny = (discs.number.height_px + kTile_px - 1) / kTile_px;
@@ -52,7 +52,7 @@ Image<int> LooksOf(const Discs& discs) {
   return look;
 }
 
-/// Light with the share of a pixel that it covers.
+/// Light with the covered fraction of a pixel.
 struct Layer {
   Eigen::Vector3f light = Eigen::Vector3f::Zero();
   float cover = 0;
@@ -101,15 +101,15 @@ int DiscKernels::NumberOf(double radius_px) {
 }
 
 int DiscKernels::ReachOf(int number) {
-  // Pixel k has light where k - 1/2 < radius.
+  // Pixel k receives light if k - 1/2 < radius.
   return number == 0 ? 0 : static_cast<int>(std::ceil(double(number) / kStepsPerPixel + 0.5)) - 1;
 }
 
 DiscKernels::DiscKernels(double most_radius_px) {
   for (int number = 0; number <= NumberOf(most_radius_px); ++number) {
     const int side = ReachOf(number) + 1;
-    // A pixel's light comes from all of its area, too, whose variance is 1 / 12 either way where a
-    // disc's is radius^2 / 4.
+    // A pixel's light comes from its whole area, of variance 1 / 12 per axis; a disc has
+    // radius^2 / 4.
     const double radius_px = std::sqrt(
         std::max(double(number * number) / (kStepsPerPixel * kStepsPerPixel) - 1.0 / 3, 0.0));
     std::vector<float> quarter(static_cast<std::size_t>(side) * side, 0);

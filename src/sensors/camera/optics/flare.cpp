@@ -12,7 +12,7 @@ Flare::Flare(const FlareModel& model, const CameraIntrinsics& camera, const Stre
   for (int k = 0; k < model.ghosts; ++k) {
     const auto index = static_cast<std::uint64_t>(k);
     const auto number = [&](std::uint32_t which) { return draw.Uniform(index, which); };
-    const double side = number(0) < 0.75 ? -1 : 0.6;  // most lie across the middle
+    const double side = number(0) < 0.75 ? -1 : 0.6;  // most ghosts lie opposite the source
     const Vec3 tint = Vec3(0.3 + number(3), 0.3 + number(4), 0.3 + number(5));
     ghosts_.push_back({.place = side * (0.15 + 1.1 * number(1)),
                        .radius = 0.015 * std::exp2(3 * number(2)),
@@ -26,7 +26,7 @@ void Flare::Apply(const Vec2& source_px, const Vec3& illuminance_lx, Image<float
     const Vec2 middle_px = centre_px + ghost.place * (source_px - centre_px);
     const double radius_px = ghost.radius * camera_.fx_px;
     const double soft_px = std::max(0.12 * radius_px, 1.0);
-    // A rim that falls in a straight line by as much on both sides keeps all but soft^2 / 12.
+    // A linear symmetric rim preserves the integral up to soft^2 / 12.
     const double area_px = kPi * (radius_px * radius_px + soft_px * soft_px / 12);
     const double solid_angle_sr = area_px / (camera_.fx_px * camera_.fy_px);
     const Vec3 light_cdpm2 = model_.reflectance * model_.reflectance / solid_angle_sr *

@@ -9,27 +9,28 @@
 
 namespace tera {
 
-/// Ghosts of a small bright source that is in the picture.
+/// Ghosts of a small bright source in the image.
 ///
-/// Model   light that is reflected by one surface and again by another makes a picture of the round
-///         pupil at m (x - c) + c, x the source's place, c the principal point. It has the square
-///         of the reflectance of the source's light, spread evenly over the ghost, whose rim is
-///         soft. Places m, sizes and tints of a lens are drawn from the camera's stream.
-/// Omits   real lenses' surfaces; ghosts cut by rims, and those of sources beyond the picture.
-/// Source  the linear place and the reflectances: Lee and Eisemann 2013, "Practical real-time
+/// Model   light reflected by two lens surfaces forms an image of the round pupil at m (x - c) + c,
+///         with the source at x and the principal point c. The ghost has the squared reflectance
+///         times the source's light, spread uniformly with a soft rim. The camera's stream supplies
+///         positions m, sizes and tints.
+/// Omits   surfaces of real lenses; ghosts cut by rims; ghosts of sources outside the image.
+/// Source  the linear position and the reflectances: Lee and Eisemann 2013, "Practical real-time
 ///         lens-flare rendering".
 class Flare {
  public:
   Flare(const FlareModel& model, const CameraIntrinsics& camera, const Stream& draw);
 
-  /// Adds the ghosts of a source that lights a plane before the lens with `illuminance_lx`.
+  /// Adds the ghosts of a source that illuminates a plane in front of the lens with
+  /// `illuminance_lx`.
   void Apply(const Vec2& source_px, const Vec3& illuminance_lx, Image<float>* picture) const;
 
  private:
   struct Ghost {
     double place;   ///< m
-    double radius;  ///< of the focal length
-    Vec3 tint;      ///< of mean 1
+    double radius;  ///< fraction of the focal length
+    Vec3 tint;      ///< mean 1
   };
 
   FlareModel model_;

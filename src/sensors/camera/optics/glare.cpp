@@ -14,7 +14,8 @@ cv::Mat View(const std::vector<float>& values, int width, int height) {
   return {height, width, CV_32FC1, const_cast<float*>(values.data())};
 }
 
-/// What falls on a pixel at that offset: the mean over parts of it where the law bends within one.
+/// Scattered fraction on a pixel at that offset: a mean over pixel parts where the law curves
+/// within a pixel.
 double SharePerPixel(const ScatterLaw& law, int dx, int dy, const Vec2& step_rad) {
   const int parts = std::max(std::abs(dx), std::abs(dy)) <= 3 ? 8 : 1;
   double sum = 0;
@@ -29,7 +30,7 @@ double SharePerPixel(const ScatterLaw& law, int dx, int dy, const Vec2& step_rad
 
 ScatterLaw::ScatterLaw(const GlareModel& model)
     : core_rad_(model.core_deg * kDeg), power_(0.5 * model.slope) {
-  // The integral of 2 pi t (1 + (t / core)^2)^-power from 0 to 1 rad.
+  // Integral of 2 pi t (1 + (t / core)^2)^-power from 0 to 1 rad.
   const double widest = 1 + 1 / (core_rad_ * core_rad_);
   const double sum = std::abs(power_ - 1) < 1e-9
                          ? std::log(widest)

@@ -8,12 +8,12 @@
 
 namespace tera {
 
-/// How a lens scatters light from one direction into others.
+/// Angular distribution of the light that a lens scatters.
 ///
-/// Model   of the light s is scattered, evenly about its direction: per steradian at the angle t
-///         C (1 + (t / core)^2)^(-slope / 2), C such that all of it arrives within 1 rad. Slope 2
-///         is the law of Stiles and Holladay; s is about the veiling glare index, 1 to 3 % of
-///         lenses for photography.
+/// Model   the lens scatters the fraction s of the light, symmetrically about its direction. The
+///         radiant share per steradian at angle t is C (1 + (t / core)^2)^(-slope / 2). C
+///         normalizes the integral within 1 rad. Slope 2 is the law of Stiles and Holladay; s is
+///         about the veiling glare index, 1 to 3 % for photographic lenses.
 /// Source  Stiles and Holladay's E / t^2: Vos 1984, "Disability glare - a state of the art report";
 ///         index: ISO 9358; the form: Harvey 1976, "Light-scattering characteristics of optical
 ///         surfaces".
@@ -21,35 +21,36 @@ class ScatterLaw {
  public:
   explicit ScatterLaw(const GlareModel& model);
 
-  /// Of the scattered light, per steradian.
+  /// Fraction of the scattered light per steradian.
   double At(double angle_rad) const;
 
  private:
   double core_rad_, power_, scale_;
 };
 
-/// Light in a picture that its lens scatters from one part over the others.
+/// Veiling glare: light that the lens scatters from one image region over the others.
 ///
-/// Model   a share s of each pixel's light is spread by ScatterLaw, angles being those about the
-///         axis for all of the picture. What comes from beyond its borders is as bright as its
-///         mean. Found on a coarser picture, of which a pixel is no larger than the law's core.
-/// Omits   of wide lenses how far apart directions are off the axis.
+/// Model   ScatterLaw spreads a fraction s of each pixel's light. The whole image uses the angular
+///         scale on the axis. The surroundings of the image are as bright as its mean. The
+///         convolution runs on a coarser image, whose pixels are at most as large as the law's
+///         core.
+/// Omits   the off-axis angular scale of wide lenses.
 class PictureGlare {
  public:
   PictureGlare(const GlareModel& model, const CameraIntrinsics& camera);
 
-  /// `sources` is what scatters; what is left of `picture` and what comes to it is put together.
+  /// Adds the scattered light of `sources` to the unscattered light of `picture`.
   void Apply(const Image<float>& sources, Image<float>* picture) const;
 
  private:
   GlareModel model_;
-  int coarser_, width_, height_;           ///< of the coarser picture
-  int padded_width_, padded_height_;       ///< for its transform
-  std::vector<float> spectrum_, covered_;  ///< of the kernel; its sum over the picture, by pixel
+  int coarser_, width_, height_;           ///< size of the coarser image
+  int padded_width_, padded_height_;       ///< size for its transform
+  std::vector<float> spectrum_, covered_;  ///< kernel's spectrum; its sum over the image
 };
 
-/// Adds what the lens scatters of a small bright source at `to_source_C`, which lights a plane
-/// before the lens that faces it with `illuminance_lx`.
+/// Adds the scattered light of a small bright source at `to_source_C`. The source illuminates a
+/// facing plane in front of the lens with `illuminance_lx`.
 void AddSourceGlare(const GlareModel& model, const std::vector<Vec3>& rays_C,
                     const Vec3& to_source_C, const Vec3& illuminance_lx, Image<float>* picture);
 

@@ -10,10 +10,10 @@ namespace tera {
 namespace {
 
 constexpr double kSunRadius_rad = 0.2665 * kDeg;
-constexpr double kSunDrawn_rad = 0.45 * kDeg;  // of its disc in the picture, soft edge and all
-constexpr float kBesideSun_cdpm2 = 2e4;        // the most that is taken for sky there
+constexpr double kSunDrawn_rad = 0.45 * kDeg;  // radius in the image, including the soft edge
+constexpr float kBesideSun_cdpm2 = 2e4;        // upper bound of sky luminance near the sun
 
-/// A pinhole that looks at the sun's disc alone.
+/// A pinhole whose field is the sun's disc.
 CameraIntrinsics SunFinder() {
   constexpr int kSide_px = 24;
   CameraIntrinsics lens{.width_px = kSide_px, .height_px = kSide_px};

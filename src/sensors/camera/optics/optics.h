@@ -16,14 +16,14 @@
 
 namespace tera {
 
-/// What a camera's lens and glass do to the luminance of a scene.
+/// Effect of a camera's lens and glass on the scene's luminance.
 ///
-/// Model   In this order: the scene is blurred by distance, dirt on the glass takes its share, the
-///         lens scatters, and ghosts of the sun come on top. The sun counts by its illuminance and
-///         by the share of its disc that the eye sees past all things, drawn as a small picture of
-///         its own; in the picture itself its disc is far too dark, and scatters nothing.
-/// Omits   ghosts of lamps, which scatter as bright parts of the picture. Glass counts as opaque
-///         before the sun.
+/// Model   in this order: defocus by distance, attenuation by dirt on the glass, scattering in the
+///         lens, and ghosts of the sun. The sun contributes its illuminance times the visible
+///         fraction of its disc, which a separate small image determines. The disc in the main
+///         image is far too dark and scatters nothing.
+/// Omits   ghosts of lamps, which scatter like other bright image regions. Glass in front of the
+///         sun counts as opaque.
 class Optics {
  public:
   Optics(const OpticsModel& model, const CameraIntrinsics& camera, double f_number, double pixel_um,
@@ -32,11 +32,11 @@ class Optics {
   /// `depth_m` is exact, `picture` in cd/m^2.
   void Apply(const SeenScene& scene, const Image<float>& depth_m, Rasterizer* rasterizer,
              Image<float>* picture) const;
-  /// The label picture of soiled glass, PixelOfShare of what comes through.
+  /// Label image of soiled glass: PixelOfShare of the transmittance.
   Image<std::uint8_t> SoilingLabel() const;
 
  private:
-  /// Of the sun on a plane before the lens that faces it.
+  /// Illuminance of the sun on a plane in front of the lens that faces it.
   Vec3 SunBeforeLens_lx(const SeenScene& scene, const Vec3& to_sun_C, Rasterizer* rasterizer) const;
   void Scatter(const Vec3& to_sun_C, const Vec3& sun_lx, Image<float>* picture) const;
 
@@ -47,10 +47,10 @@ class Optics {
   std::optional<PictureGlare> glare_;
   std::optional<Flare> flare_;
   std::optional<Soiling> soiling_;
-  std::vector<Vec3> rays_C_;  ///< of the pixels, where the sun may scatter
+  std::vector<Vec3> rays_C_;  ///< rays of the pixels, if sunlight may scatter
 };
 
-/// 0 to 255 for 0 to 1.
+/// Maps 0..1 to 0..255.
 std::uint8_t PixelOfShare(double share);
 
 }  // namespace tera

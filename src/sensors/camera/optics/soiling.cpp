@@ -10,8 +10,8 @@
 namespace tera {
 namespace {
 
-constexpr double kSpeckSpread = 0.6, kDropSpread = 0.45;  // of the logarithm of sizes
-constexpr double kSlopeAtRim = 0.8;                       // of a drop: radius over its sphere's
+constexpr double kSpeckSpread = 0.6, kDropSpread = 0.45;  // deviation of the logarithm of sizes
+constexpr double kSlopeAtRim = 0.8;  // slope of a drop's rim: its radius over its sphere's radius
 constexpr double kMostDisc_px = 400;
 
 cv::Mat View(const Image<float>& picture) {
@@ -19,7 +19,7 @@ cv::Mat View(const Image<float>& picture) {
           const_cast<float*>(picture.data.data())};
 }
 
-/// Calls `visit(x, y, from_middle_px)` for the pixels of a square about a spot.
+/// Calls `visit(x, y, from_middle_px)` for the pixels of a square around a spot.
 template <typename Visit>
 void ForPixelsAbout(const Image<float>& picture, const Vec2& middle_px, double reach_px,
                     const Visit& visit) {
@@ -79,7 +79,7 @@ void Soiling::AddFilm(double film, const std::string& stream_name) {
   const double over_px = 1.0 / std::max(camera_.width_px, camera_.height_px);
   for (int y = 0; y < film_.height_px; ++y) {
     for (int x = 0; x < film_.width_px; ++x) {
-      const double density = 2 * double(noise.At(x * over_px, y * over_px));  // about 1
+      const double density = 2 * double(noise.At(x * over_px, y * over_px));  // mean about 1
       film_.at(x, y) *= static_cast<float>(std::clamp(1 - film * density, 0.0, 1.0));
     }
   }
@@ -146,7 +146,7 @@ void Soiling::Spread(Image<float>* picture) const {
 void Soiling::Apply(const Vec3& sun_lx, Image<float>* picture) const {
   Image<float> through(picture->width_px, picture->height_px, 3), covered = drops_;
   if (!drops_.empty()) {
-    // What drops show, spread with its own share of the pixels.
+    // Image that the drops show, blurred together with the drops' coverage.
     cv::Mat shown = View(through);
     cv::remap(View(*picture), shown, View(source_px_), cv::noArray(), cv::INTER_LINEAR,
               cv::BORDER_REFLECT);

@@ -9,22 +9,22 @@
 
 namespace tera {
 
-/// A film of dust, specks of dirt and drops of water on the glass before a lens.
+/// A film of dust, specks of dirt and drops of water on the glass in front of a lens.
 ///
-/// Frames  places on the glass in pixels of the picture: one at x mm from the axis covers the pixel
-///         that is f x / distance from the principal point. Angular lenses stand behind a dome.
-/// Model   What lies on the glass is far out of focus: its picture is spread over a disc of the
-///         diameter A / distance, A the pupil's. A film is denser and thinner by smooth noise about
-///         its mean; a speck is a patch with an uneven rim that takes most of the light. Of the
-///         light that a film takes, kScattered arrives evenly from the whole picture, and of the
-///         sun's on the glass as from a diffuse sheet; of what a speck takes kSpeckScattered. A
-///         drop is a cap of a sphere of water, which turns rays by (n - 1) times its slope: it
-///         shows the scene small and upside down. Places, sizes (log-normal) and shapes are drawn
-///         from the camera's stream; they stay.
-/// Omits   colours of dirt; dispersion and reflections of drops; drops that run; rays through a
-///         drop that would be turned by more than its slope allows.
-/// Source  the pupil's disc and attenuation plus scattered light: Gu, Ramamoorthi, Belhumeur,
-///         Nayar 2009, "Removing image artifacts due to dirty camera lenses and thin occluders";
+/// Frames  positions on the glass are in image pixels: a position x mm off the axis covers the
+///         pixel at f x / distance from the principal point. Angular lenses stand behind a dome.
+/// Model   matter on the glass is far out of focus: its image is spread over a disc of diameter
+///         A / distance, A the pupil's. A film's density varies by smooth noise about its mean. A
+///         speck is a patch with an uneven rim that absorbs most of the light. The film scatters
+///         the fraction kScattered of the light it removes, a speck kSpeckScattered. Scattered
+///         light comes uniformly from the whole image, and from the sun as through a diffuse sheet.
+///         A drop is a spherical cap of water that deflects rays by (n - 1) times its slope: it
+///         shows the scene small and upside down. The camera's stream supplies positions, sizes
+///         (log-normal) and shapes; they are constant.
+/// Omits   colours of dirt; dispersion and reflections of drops; running drops; rays through a drop
+///         that would deflect by more than its slope allows.
+/// Source  the pupil's disc and attenuation plus scattered light: Gu, Ramamoorthi, Belhumeur, Nayar
+///         2009, "Removing image artifacts due to dirty camera lenses and thin occluders";
 ///         refraction by a thin prism: any textbook of optics.
 class Soiling {
  public:
@@ -32,11 +32,12 @@ class Soiling {
   Soiling(const SoilingModel& model, const CameraIntrinsics& camera, double pupil_mm,
           const Stream& draw, const std::string& stream_name);
 
-  /// The share of a pixel's own light that comes through, undeviated.
+  /// Undeviated transmittance of the glass per pixel.
   const Image<float>& transmitted() const { return transmitted_; }
-  /// Diameter of the disc that a point on the glass makes.
+  /// Diameter of the disc of a point on the glass.
   double disc_px() const { return disc_px_; }
-  /// Where in the picture a drop's pixel looks, from its middle, and its radius (of a sphere).
+  /// Image point that a drop's pixel shows, relative to the drop's centre. `sphere_mm` is the
+  /// radius of the drop's sphere.
   static Vec2 Turned_px(const Vec2& from_middle_px, double px_per_mm, double focal_px,
                         double sphere_mm);
 
@@ -60,11 +61,11 @@ class Soiling {
 
   CameraIntrinsics camera_;
   double px_per_mm_, disc_px_;
-  Image<float> film_;         ///< share that a film lets through
-  Image<float> specks_;       ///< and that specks do
-  Image<float> drops_;        ///< share of drops
-  Image<float> source_px_;    ///< 2 channels: what a drop's pixel shows
-  Image<float> transmitted_;  ///< of all
+  Image<float> film_;         ///< transmittance of the film
+  Image<float> specks_;       ///< transmittance of the specks
+  Image<float> drops_;        ///< covered fraction by drops
+  Image<float> source_px_;    ///< 2 channels: image point that a drop's pixel shows
+  Image<float> transmitted_;  ///< total transmittance
 };
 
 }  // namespace tera

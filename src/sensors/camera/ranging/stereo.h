@@ -13,30 +13,29 @@
 
 namespace tera {
 
-/// How a stereo camera finds its depth.
+/// Stereo matching of a depth camera.
 struct StereoModel {
-  int disparities_px = 96;                ///< range that is searched, from 0; a multiple of 16
-  int block_px = 5;                       ///< side of the window that is compared; odd
-  int uniqueness_percent = 8;             ///< by which the best match must beat the second best
-  double noise_dn = 1;                    ///< 1 sigma of a grey level of 0..255 of each eye
+  int disparities_px = 96;                ///< search range from 0; a multiple of 16
+  int block_px = 5;                       ///< side of the matching window; odd
+  int uniqueness_percent = 8;             ///< margin of the best match over the second best
+  double noise_dn = 1;                    ///< 1 sigma of each eye's grey level in 0..255
   std::optional<DotProjector> projector;  ///< none: passive
 };
 
 void Serialize(ModelArchive* archive, StereoModel* model);
 
-/// Depth of two eyes, matched.
+/// Depth by stereo matching of two eyes.
 ///
-/// Frames  left eye at the camera's C, which the depth is of, right eye at x = baseline in C, both
-///         with the camera's intrinsics, which have no distortion.
-/// Model   Each eye is rendered, lit by scene and dot projector, exposed so that the mean of
-///         the left one is kMean of its range, where there is light enough, with noise and 8 bits.
-///         Disparities are those of OpenCV's semi-global block matching with a check from left to
-///         right and speckles left out, in steps of 1/16 px; depth is f b / disparity. 0 where
-///         nothing matches: surfaces that one eye alone sees, without texture, repeated, or nearer
-///         than f b / disparities; and the left rim of the picture, where the range does not fit
-///         in.
-/// Omits   infrared reflectances, which are those of visible light; blur and distortion of the
-///         eyes, their misalignment; filters that smooth depth and fill holes.
+/// Frames  left eye at the camera's C, the frame of the depth; right eye at x = baseline in C. Both
+///         eyes have the camera's intrinsics, without distortion.
+/// Model   each eye is rendered under scene light and dot projector, with noise and 8 bits. In
+///         sufficient light, the exposure sets the left eye's mean to kMean of its range. OpenCV's
+///         semi-global block matching finds disparities in steps of 1/16 px, with left-right check
+///         and speckle filter. Depth is f b / disparity. Depth is 0 without a match: surfaces
+///         visible to one eye, untextured, repetitive, or nearer than f b / disparities. It is also
+///         0 at the left rim of the image, which the search range leaves.
+/// Omits   infrared reflectances, which equal the visible reflectances; blur, distortion and
+///         misalignment of the eyes; filters that smooth depth and fill holes.
 /// Source  Hirschmueller 2008, "Stereo processing by semiglobal matching and mutual information";
 ///         OpenCV 4.6, StereoSGBM.
 class Stereo {
@@ -44,9 +43,9 @@ class Stereo {
   Stereo(const StereoModel& model, const CameraIntrinsics& camera, double baseline_m,
          std::uint64_t seed, const std::string& stream_name);
 
-  /// Depth of picture k.
+  /// Depth of image k.
   Image<float> Measure(std::int64_t k, const SeenScene& scene, Rasterizer* rasterizer) const;
-  /// What an eye sees: 8-bit grey of both, left and right.
+  /// 8-bit grey images of both eyes.
   struct Eyes {
     Image<std::uint8_t> left, right;
   };

@@ -11,9 +11,9 @@ namespace tera {
 namespace {
 
 constexpr double kLight_mps = 299792458;
-constexpr double kDarkest_lx = 1e-4;  // of the scene's light, from which reflectance is told
+constexpr double kDarkest_lx = 1e-4;  // scene light below which reflectance is undetermined
 
-/// Phase of light that has gone `way_m`.
+/// Phase of light after the path `way_m`.
 Phasor After(double way_m, double frequency_hz) {
   return std::polar(1.0, 2 * kPi * frequency_hz * way_m / kLight_mps);
 }
@@ -22,7 +22,7 @@ double CosineTo(const LitPatch& patch, const Vec3& to_C) {
   return std::max(0.0, patch.normal_C.dot(to_C.normalized()));
 }
 
-/// The same lens, `times` as fine.
+/// The same lens with `times` the resolution.
 CameraIntrinsics Finer(const CameraIntrinsics& lens, int times) {
   CameraIntrinsics finer = lens;
   finer.width_px *= times;
@@ -55,8 +55,7 @@ Phasor LightOver(const std::vector<LitPatch>& others, const LitPatch& at, double
   for (const LitPatch& other : others) {
     const Vec3 way_C_m = at.p_C_m - other.p_C_m;
     const double d_m = way_C_m.norm();
-    // A patch that is near for its size counts as the disc that it is: never more than all it
-    // sends.
+    // A near patch counts as a disc of its area, which bounds the exchange by its total emission.
     if (!other.exists() || !(d_m > 0)) continue;
     const double r_m = other.p_C_m.norm();
     const double lit = CosineTo(other, -other.p_C_m) / (r_m * r_m);
@@ -109,10 +108,10 @@ std::vector<LitPatch> TimeOfFlight::PatchesOf(const std::vector<LitPatch>& parts
       const int u = (2 * x + wide_px) * model_.parts / 2, v = (2 * y + high_px) * model_.parts / 2;
       LitPatch patch = parts[static_cast<std::size_t>(v) * finer_.width_px + u];
       if (!patch.exists()) continue;
-      // A cell of the picture sees dx dy z^3 / (f^2 r) of a plane that faces it.
+      // An image cell covers dx dy z^3 / (f^2 r) of a facing plane.
       const double z_m = patch.p_C_m.z(), r_m = patch.p_C_m.norm();
       const double facing = CosineTo(patch, -patch.p_C_m);
-      if (facing < 0.05) continue;  // all but edge-on
+      if (facing < 0.05) continue;  // nearly edge-on
       patch.area_m2 =
           wide_px * high_px * z_m * z_m * z_m / (camera_.fx_px * camera_.fy_px * r_m * facing);
       patches.push_back(patch);
