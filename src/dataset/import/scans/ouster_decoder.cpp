@@ -56,7 +56,8 @@ class OusterDecoder : public PacketDecoder {
  private:
   void RequireOwn(const UnitPacket& packet) const {
     if (packet.bytes.size() == sheet_.packet_bytes()) {
-      if (sheet_.is_legacy || PacketNumber<std::uint8_t>(packet.bytes, 0) == 1) return;
+      if (sheet_.is_legacy) return;
+      if (PacketNumber<std::uint8_t>(packet.bytes, 0) == 1) return RequireOwnSerial(packet);
       RefusePacket(packet,
                    "is of another kind than 1, the lidar's; need the packets of the unit "
                    "that the metadata describe",
@@ -69,6 +70,19 @@ class OusterDecoder : public PacketDecoder {
                     "were read from it then",
                     packet.bytes.size(), sheet_.profile, sheet_.beams, sheet_.packet_bytes()),
         FaultKind::kInconsistent);
+  }
+
+  /// Packets of a like unit have the same size. Their header has its serial number in 40 bits.
+  void RequireOwnSerial(const UnitPacket& packet) const {
+    constexpr std::uint64_t k40Bits = 0xff'ffff'ffff;
+    if (sheet_.is_fusa) return;  // whose header differs
+    const std::uint64_t serial = PacketNumber<std::uint64_t>(packet.bytes, 7) & k40Bits;
+    if (serial == sheet_.serial || serial == 0 || sheet_.serial == 0) return;
+    RefusePacket(packet,
+                 fmt::format("is of the unit {}, the metadata are of {} {}; give the metadata that "
+                             "were read from that unit",
+                             serial, sheet_.product, sheet_.serial),
+                 FaultKind::kInconsistent);
   }
 
   std::uint32_t FrameOf(const UnitPacket& packet) const {

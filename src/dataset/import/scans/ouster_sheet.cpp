@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -197,6 +198,8 @@ OusterSheet ReadOusterSheet(const std::filesystem::path& file) {
   ReadFormat(reader, &sheet);
   ReadBeams(reader, &sheet);
   sheet.product = reader.Text(reader.Find("sensor_info", "prod_line"), "Ouster");
+  const std::string serial = reader.Text(reader.Find("sensor_info", "prod_sn"), "");
+  std::from_chars(serial.data(), serial.data() + serial.size(), sheet.serial);
   if (const Json* port = reader.Find("config_params", "udp_port_lidar")) {
     sheet.port = reader.Integer(port, "udp_port_lidar", 1, 65535);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -24,8 +25,9 @@ struct OusterPixel {
 ///
 /// Source  Ouster Firmware User Manual, "Sensor metadata", "Lidar data" and "Coordinate frames".
 struct OusterSheet {
-  std::string product;  ///< "OS-1-128"
-  std::string profile;  ///< "RNG15_RFL8_NIR8"; "LEGACY" has no header
+  std::string product;       ///< "OS-1-128"
+  std::uint64_t serial = 0;  ///< of the unit; 0: not known
+  std::string profile;       ///< "RNG15_RFL8_NIR8"; "LEGACY" has no header
   bool is_legacy = false, is_fusa = false;
   OusterPixel pixel;
   int columns_per_packet = 16, columns_per_frame = 1024, beams = 0;

@@ -336,6 +336,14 @@ TEST_F(LidarImportTest, PacketsAndMetadataOfAnOusterMustFit) {
   File("os.pcap",
        PcapByHand().Packet(1, packet(2, 0), 7502).Packet(1.1, packet(1, 0), 7502).bytes());
   ExpectFault(kOuster, FaultKind::kInconsistent, "os.pcap: packet 2");
+  // Another unit of the same size.
+  std::string metadata = OusterMetadata("RNG15_RFL8_NIR8"), of_another = packet(1, 0);
+  File("os.json", metadata.insert(1, R"("prod_sn": "992137000142", )"));
+  File("os.pcap", PcapByHand().Packet(1, of_another, 7502).bytes());
+  Import(kOuster);  // it does not say
+  PutAt(&of_another, 7, std::uint32_t{1000});
+  File("os.pcap", PcapByHand().Packet(1, of_another, 7502).bytes());
+  ExpectFault(kOuster, FaultKind::kInconsistent, "os.pcap: packet 1");
   // Two frames of the same stamps.
   File("os.pcap",
        PcapByHand().Packet(1, packet(2, 0), 7502).Packet(1.1, packet(3, 0), 7502).bytes());
