@@ -12,7 +12,7 @@ namespace tera {
 ///
 /// Model   for each joint or track that a lever drives, the shift of its rate, up to 0.5 s, at
 ///         which the rate that the scenario predicts explains most of it. It is a lead if it is
-///         0.03 s or more and leaves at most half of what the unshifted prediction leaves
+///         0.04 s or more and leaves at most half of what the unshifted prediction leaves
 ///         unexplained. The result is the mean, where at least two encoders move and all of them
 ///         agree to a quarter.
 /// Omits   clocks that drift; a lead that single joints have.
