@@ -14,6 +14,18 @@
 
 namespace tera {
 
+/// How a soil holds water and lets it through; nothing of what is no soil, as pavement.
+///
+/// Model   suction (S_e^(n/(1-n)) - 1)^(1/n) / alpha, S_e = (S - S_r) / (1 - S_r) of the degree of
+///         saturation S.
+/// Source  van Genuchten 1980, Soil Sci. Soc. Am. J. 44.
+struct SoilWater {
+  double residual = 0;          ///< S_r
+  double alpha_1pm = 0, n = 0;  ///< alpha for suction as a height of water
+  double conductivity_mps = 0;  ///< hydraulic, saturated
+  bool holds() const { return alpha_1pm > 0; }
+};
+
 /// Mechanical and visible properties of one soil.
 ///
 /// Source  values of the shipped soils: see the notes in config/soils/; parameters as in McKyes
@@ -43,6 +55,7 @@ struct SoilType {
   double shear_modulus_m = 0;       ///< K
   double compression_index = 0.05;  ///< C_c: void ratio lost for each tenfold pressure
   double moisture = 0;              ///< degree of saturation, 0..1
+  SoilWater water;
   // Appearance.
   Vec3 albedo = Vec3(0.3, 0.22, 0.15);  ///< linear RGB when dry
   double grain_size_m = 0.01;           ///< of visible detail, and of the flow's inertial number

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "core/units.h"
@@ -18,6 +19,65 @@ constexpr double kSolids_kgpm3 = 2650, kWater_kgpm3 = 1000;
 constexpr double kBorne_pa = 10e3;       ///< pressure that undisturbed soil near the surface knows
 constexpr double kFirmnessPower = 12.4;  ///< ln(160 / 13) / ln(1.75 / 1.43)
 constexpr double kLocalShear = 2.0 / 3;  ///< Terzaghi's reduction of cohesion and tan(phi)
+
+constexpr double kAirCutOff = 0.85;  ///< degree of saturation from which pore air is occluded
+constexpr double kPass_s = 1;        ///< a machine over its own length
+constexpr double kUndrained = 0.1, kDrained = 0.4;  ///< time factors
+
+/// Water in soils of the twelve textures: mean of the United States' soils.
+/// Source: Carsel and Parrish 1988, Water Resources Research 24(5).
+struct Texture {
+  const char* name;
+  double theta_r, theta_s, alpha_1pcm, n, conductivity_cmpd;
+};
+constexpr Texture kTextures[] = {
+    {"sand", 0.045, 0.43, 0.145, 2.68, 712.8},
+    {"loamy_sand", 0.057, 0.41, 0.124, 2.28, 350.2},
+    {"sandy_loam", 0.065, 0.41, 0.075, 1.89, 106.1},
+    {"loam", 0.078, 0.43, 0.036, 1.56, 24.96},
+    {"silt", 0.034, 0.46, 0.016, 1.37, 6.0},
+    {"silt_loam", 0.067, 0.45, 0.020, 1.41, 10.8},
+    {"sandy_clay_loam", 0.100, 0.39, 0.059, 1.48, 31.44},
+    {"clay_loam", 0.095, 0.41, 0.019, 1.31, 6.24},
+    {"silty_clay_loam", 0.089, 0.43, 0.010, 1.23, 1.68},
+    {"sandy_clay", 0.100, 0.38, 0.027, 1.23, 2.88},
+    {"silty_clay", 0.070, 0.36, 0.005, 1.09, 0.48},
+    {"clay", 0.068, 0.38, 0.008, 1.09, 4.8},
+};
+
+/// Key `texture`; none is a soil that neither takes in nor gives off water.
+SoilWater ReadWater(const ConfigMap& config) {
+  constexpr double kPerMetre = 100, kDay_s = 86400;
+  const std::string name = config.Choice(
+      "texture",
+      {"none", "sand", "loamy_sand", "sandy_loam", "loam", "silt", "silt_loam", "sandy_clay_loam",
+       "clay_loam", "silty_clay_loam", "sandy_clay", "silty_clay", "clay"},
+      "none");
+  for (const Texture& t : kTextures) {
+    if (name != t.name) continue;
+    return {t.theta_r / t.theta_s, t.alpha_1pcm * kPerMetre, t.n,
+            t.conductivity_cmpd / kPerMetre / kDay_s};
+  }
+  return {};
+}
+
+BearingFactors GeneralShear(double tan_phi) {
+  constexpr double kLeastTan = 1e-3;  // below it N_c has its limit pi + 2
+  const double t = std::max(tan_phi, kLeastTan);
+  const double phi = std::atan(t);
+  const double n_q = std::exp(kPi * t) * std::pow(std::tan(kPi / 4 + phi / 2), 2);
+  return {
+      .n_c = (n_q - 1) / t, .n_q = n_q, .n_gamma = 2 * (n_q + 1) * t, .friction_angle_rad = phi};
+}
+
+/// Share of friction that a load leaves which lasts as long as a pass, under gear of that width.
+double FrictionOfAPass(const SoilType& soil, double width_m) {
+  const double filled = std::clamp((soil.moisture - kAirCutOff) / (1 - kAirCutOff), 0.0, 1.0);
+  const double weight_npm3 = kWater_kgpm3 * kStandardGravity_mps2;
+  const double time = soil.water.conductivity_mps * soil.young_modulus_pa * kPass_s /
+                      (weight_npm3 * width_m * width_m);
+  return 1 - filled * std::clamp((kDrained - time) / (kDrained - kUndrained), 0.0, 1.0);
+}
 
 fs::path SoilFolder() { return DataRoot() / "config" / "soils"; }
 
@@ -55,6 +115,7 @@ SoilType ReadSoilType(const ConfigMap& config) {
   soil.compression_index =
       config.Number("compression_index", Between(0, 1, "(void ratio)"), soil.compression_index);
   soil.moisture = config.Number("moisture", Between(0, 1, "(degree of saturation)"));
+  soil.water = ReadWater(config);
   soil.albedo = config.Vector3("albedo", Between(0, 1, ""), soil.albedo);
   soil.grain_size_m = config.Number("grain_size_m", Between(1e-5, 1, "m"), soil.grain_size_m);
   return soil;
@@ -110,12 +171,7 @@ double FirmnessAt(double density_share) {
 }
 
 BearingFactors LocalShear(double friction_angle_rad) {
-  constexpr double kLeastTan = 1e-3;  // below it N_c has its limit pi + 2
-  const double t = std::max(kLocalShear * std::tan(friction_angle_rad), kLeastTan);
-  const double phi = std::atan(t);
-  const double n_q = std::exp(kPi * t) * std::pow(std::tan(kPi / 4 + phi / 2), 2);
-  return {
-      .n_c = (n_q - 1) / t, .n_q = n_q, .n_gamma = 2 * (n_q + 1) * t, .friction_angle_rad = phi};
+  return GeneralShear(kLocalShear * std::tan(friction_angle_rad));
 }
 
 double BearingPressure_pa(const SoilType& soil, double width_m, double depth_m) {
@@ -123,6 +179,21 @@ double BearingPressure_pa(const SoilType& soil, double width_m, double depth_m) 
   const double weight_npm3 = soil.bank_density_kgpm3 * kStandardGravity_mps2;
   return kLocalShear * soil.cohesion_pa * n.n_c +
          weight_npm3 * (depth_m * n.n_q + 0.5 * width_m * n.n_gamma);
+}
+
+BearingLimit LimitUnderGear(const SoilType& soil, double width_m) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  if (!soil.water.holds()) return {kNone, 0};
+  const double weight_npm3 = soil.bank_density_kgpm3 * kStandardGravity_mps2;
+  const double left = FrictionOfAPass(soil, width_m);
+  const auto limit = [&](double friction_rad, double cohesion_pa) {
+    const BearingFactors n = GeneralShear(left * std::tan(friction_rad));
+    return BearingLimit{cohesion_pa * n.n_c + 0.5 * weight_npm3 * width_m * n.n_gamma,
+                        weight_npm3 * n.n_q};
+  };
+  const BearingLimit internal = limit(soil.friction_angle_rad, soil.cohesion_pa);
+  const BearingLimit shear = limit(soil.shear_friction_rad, soil.shear_cohesion_pa);
+  return internal.at_surface_pa > shear.at_surface_pa ? internal : shear;
 }
 
 }  // namespace tera

@@ -38,13 +38,14 @@ double PressedDensity_kgpm3(const SoilType& soil, double pressure_pa);
 /// table 6.3: 1.43 and 1.75 t/m^3).
 double FirmnessAt(double density_share);
 
-/// Bearing factors of a strip footing for local shear (soil that compresses before it fails: two
-/// thirds of tan phi): Reissner's N_q, Prandtl's N_c and Vesic's N_gamma.
-/// Source: Terzaghi 1943; Das, Principles of Foundation Engineering, ch. 3.
+/// Bearing factors of a strip footing: Reissner's N_q, Prandtl's N_c and Vesic's N_gamma.
+/// Source: Das, Principles of Foundation Engineering, ch. 3.
 struct BearingFactors {
   double n_c, n_q, n_gamma;
-  double friction_angle_rad;  ///< the reduced one
+  double friction_angle_rad;  ///< the one to which they belong
 };
+/// For local shear (soil that compresses before it fails): those of two thirds of tan phi.
+/// Source: Terzaghi 1943.
 BearingFactors LocalShear(double friction_angle_rad);
 
 /// Terzaghi's bearing pressure of a strip `width_m` wide pressed in at `depth_m`, for local shear
@@ -52,5 +53,22 @@ BearingFactors LocalShear(double friction_angle_rad);
 /// c N_c + rho g depth N_q + rho g width N_gamma / 2, with Reissner's N_q, Prandtl's N_c and
 /// Vesic's N_gamma. Source: Terzaghi 1943; Das, Principles of Foundation Engineering, ch. 3.
 double BearingPressure_pa(const SoilType& soil, double width_m, double depth_m);
+
+/// The most that soil bears under running gear of width b, whatever Bekker's fit says beyond it.
+struct BearingLimit {
+  double at_surface_pa, per_depth_papm;
+
+  double At_pa(double depth_m) const { return at_surface_pa + per_depth_papm * depth_m; }
+};
+
+/// Model   general shear, c N_c + rho g (depth N_q + b N_gamma / 2), the greater one of the soil's
+///         two strengths. A pass is too short for fine soil to drain, and water that fills its
+///         pores then takes the load: friction fades as the pores' air is cut off, from a degree of
+///         saturation of 0.85 on, to none at 1, wholly where T = K_s E t / (gamma_w b^2) < 0.1 and
+///         not at all where it is more than 0.4, t = 1 s. Without friction it is Prandtl's (2 + pi)
+///         c. What holds no water (pavement) has no limit.
+/// Source  Prandtl 1920, Reissner 1924; T: Vermeer and Meier 1998 (PLAXIS, Reference Manual); air:
+///         Fredlund and Rahardjo 1993, Soil Mechanics for Unsaturated Soils, ch. 2.
+BearingLimit LimitUnderGear(const SoilType& soil, double width_m);
 
 }  // namespace tera

@@ -21,6 +21,7 @@ Plate::Plate(const SoilType& soil, const ContactPatch& patch)
       width_m_(PlateWidth_m(patch)),
       rebound_papm_(Rebound_papm(soil, width_m_)),
       heave_reach_m_(HeaveReach_m(soil, width_m_)),
+      limit_(LimitUnderGear(soil, width_m_)),
       modulus_npm_n2_(static_cast<float>(BekkerPressure_pa(soil, width_m_, 1))),
       exponent_(static_cast<float>(soil.sinkage_exponent)) {
   const double one_npm = BulldozingResistance_n(soil, 1, 1);
@@ -29,9 +30,15 @@ Plate::Plate(const SoilType& soil, const ContactPatch& patch)
   pushed_npm2_ = one_npm - pushed_npm3_;
 }
 
+double Plate::Pressure_pa(double z_m) const {
+  if (z_m <= 0) return 0;
+  return std::min(BekkerPressure_pa(*soil_, width_m_, z_m), limit_.At_pa(z_m));
+}
+
 bool Plate::Bears(double pressure_pa, double z_m) const {
   constexpr double kSure = 1e-4;
   if (z_m <= 0) return pressure_pa <= 0;
+  if (pressure_pa > limit_.At_pa(z_m)) return false;
   const double about_pa = modulus_npm_n2_ * std::pow(static_cast<float>(z_m), exponent_);
   if (pressure_pa < (1 - kSure) * about_pa) return true;
   if (pressure_pa > (1 + kSure) * about_pa) return false;
@@ -43,7 +50,7 @@ double Plate::DampedPressure_pa(double share, double pen_m, double bearing_m,
   const double stiffness_papm = share * rebound_papm_;
   double pressure_pa = stiffness_papm * pen_m;
   if (!Bears(pressure_pa, bearing_m)) {
-    pressure_pa = BekkerPressure_pa(*soil_, width_m_, bearing_m);
+    pressure_pa = Pressure_pa(bearing_m);
   }
   const double damping =
       2 * kDampingRatio * std::sqrt(stiffness_papm * pressure_pa / kStandardGravity_mps2);
@@ -58,16 +65,26 @@ double Plate::PlasticSinkage_m(double share, double ease, double pressed_m, doub
   double low = 0, high = pen_m, ds = pen_m;
   for (int step = 0; step < kSteps; ++step) {
     const double z = pressed_m + ds;
-    const double p = BekkerPressure_pa(*soil_, width_m_, ease * z);
-    const double residual = p - stiffness_papm * (pen_m - ds);
+    const double bekker_pa = BekkerPressure_pa(*soil_, width_m_, ease * z);
+    const double limit_pa = limit_.At_pa(ease * z);
+    const double residual = std::min(bekker_pa, limit_pa) - stiffness_papm * (pen_m - ds);
     (residual > 0 ? high : low) = ds;
-    const double slope = stiffness_papm + soil_->sinkage_exponent * p / std::max(z, kClose_m);
+    const double slope =
+        bekker_pa > limit_pa
+            ? stiffness_papm + ease * limit_.per_depth_papm
+            : stiffness_papm + soil_->sinkage_exponent * bekker_pa / std::max(z, kClose_m);
     double next = ds - residual / slope;
     if (next <= low || next >= high) next = 0.5 * (low + high);
     if (std::abs(next - ds) < kClose_m) break;
     ds = next;
   }
   return ds;
+}
+
+double Plate::PressingWork_jpm2(double from_m, double to_m) const {
+  const double bekker_jpm2 =
+      BekkerWork_jpm2(*soil_, width_m_, to_m) - BekkerWork_jpm2(*soil_, width_m_, from_m);
+  return std::min(bekker_jpm2, (to_m - from_m) * limit_.At_pa(0.5 * (from_m + to_m)));
 }
 
 double Plate::BulldozingWork_jpm2(double from_m, double to_m) const {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/types/ground_tools.h"
+#include "soil/columns/soil_type.h"
 #include "soil/soil.h"
 
 namespace tera {
@@ -21,15 +22,19 @@ class Plate {
   double rebound_papm() const { return rebound_papm_; }
   /// How far beside it soil heaves, see HeaveReach_m.
   double heave_reach_m() const { return heave_reach_m_; }
-  /// Whether Bekker's pressure at z_m is at least `pressure_pa`. Single precision tells in nearly
-  /// all cases.
+  /// Pressure of the ground at sinkage `z_m`: Bekker's, at most what the soil bears
+  /// (LimitUnderGear).
+  double Pressure_pa(double z_m) const;
+  /// Whether that is at least `pressure_pa`. Single precision tells in nearly all cases.
   bool Bears(double pressure_pa, double z_m) const;
   /// Pressure of the ground on a point that is `pen_m` in it and goes further at `into_mps`, s k_e
-  /// pen at most Bekker's at a depth of `bearing_m`, damped. `share` is s.
+  /// pen at most Pressure_pa at a depth of `bearing_m`, damped. `share` is s.
   double DampedPressure_pa(double share, double pen_m, double bearing_m, double into_mps) const;
-  /// Solves s k_e (pen - ds) = p_Bekker(ease (pressed + ds)) for ds by safeguarded Newton steps; 0
-  /// where the ground bears the plate elastically. Of `ease` see Rolling.
+  /// Solves s k_e (pen - ds) = Pressure_pa(ease (pressed + ds)) for ds by safeguarded Newton steps;
+  /// 0 where the ground bears the plate elastically. Of `ease` see Rolling.
   double PlasticSinkage_m(double share, double ease, double pressed_m, double pen_m) const;
+  /// Work per unit area of pressing from sinkage `from_m` to `to_m`, near by.
+  double PressingWork_jpm2(double from_m, double to_m) const;
   /// Work per unit area of pushing soil aside from sinkage `from_m` to `to_m`.
   double BulldozingWork_jpm2(double from_m, double to_m) const;
 
@@ -38,6 +43,7 @@ class Plate {
   double width_m_;
   double rebound_papm_;  ///< k_e
   double heave_reach_m_;
+  BearingLimit limit_;
   float modulus_npm_n2_, exponent_;
   double pushed_npm2_, pushed_npm3_;  ///< bulldozing resistance over width: its terms in z and z^2
 };

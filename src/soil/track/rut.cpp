@@ -152,13 +152,12 @@ double Rut::Sink(const Under& column, double pen_m, const BodyState& body, doubl
       forward * (1 - std::clamp(v_W.z() * foot.n_W.z() * dt_s / plastic_m, 0.0, 1.0));
   const double is_m = was_m + plastic_m;
   const double firmness = static_cast<double>(ground->skin(k).firmness);
-  const double bekker_jpm2 = BekkerWork_jpm2(plate.soil(), plate.width_m(), is_m) -
-                             BekkerWork_jpm2(plate.soil(), plate.width_m(), was_m);
-  const double pressure_pa = firmness * BekkerPressure_pa(plate.soil(), plate.width_m(), is_m);
+  const double pressure_pa = firmness * plate.Pressure_pa(is_m);
   Lower(k, {plastic_m / -foot.n_W.z(), kInfluenceDepths * patch.width_m, pressure_pa},
         BesideOf(column, plate, ground->cell_m()), ground);
   return firmness * ground->area_m2() *
-         (moved_on * bekker_jpm2 + came_along * plate.BulldozingWork_jpm2(was_m, is_m));
+         (moved_on * plate.PressingWork_jpm2(was_m, is_m) +
+          came_along * plate.BulldozingWork_jpm2(was_m, is_m));
 }
 
 void Rut::Lower(ColumnId k, const Pressing& pressing, const Beside& beside, Columns* ground) {

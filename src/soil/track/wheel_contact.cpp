@@ -104,9 +104,8 @@ void WheelContact::Sink(ColumnId k, const Rim::Over& rim, double down, const Vec
                        entry_rad, share);
   const double plastic_m = plate.PlasticSinkage_m(down, bears, pressed_m, pen_m);
   if (plastic_m <= 0) return;
-  const double pressure_pa =
-      static_cast<double>(ground->skin(k).firmness) *
-      BekkerPressure_pa(plate.soil(), plate.width_m(), bears * (pressed_m + plastic_m));
+  const double pressure_pa = static_cast<double>(ground->skin(k).firmness) *
+                             plate.Pressure_pa(bears * (pressed_m + plastic_m));
   const auto [i, j] = ground->PlaceOf(k);
   const double out_m = 0.5 * rim_.width_m + ground->cell_m() - std::abs(rim.across_m);
   const Vec2 out_W = std::copysign(1.0, rim.across_m) * left_W.normalized();
