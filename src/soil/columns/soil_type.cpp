@@ -111,6 +111,16 @@ SoilType ReadSoilType(const ConfigMap& config) {
   soil.shear_friction_rad =
       kDeg * config.Number("shear_friction_deg", angle, soil.friction_angle_rad / kDeg);
   soil.shear_cohesion_pa = config.Number("shear_cohesion_pa", AtLeast(0, "Pa"), soil.cohesion_pa);
+  const auto require_strength = [&config](const char* key, double friction_rad,
+                                          double cohesion_pa) {
+    if (friction_rad > 0 || cohesion_pa > 0) return;
+    config.Fault(key, {FaultKind::kOutOfRange,
+                       "0, beside a cohesion of 0, is soil without strength; need either above 0"});
+  };
+  require_strength("friction_angle_deg", soil.friction_angle_rad, soil.cohesion_pa);
+  if (config.Has("shear_friction_deg") || config.Has("shear_cohesion_pa")) {
+    require_strength("shear_friction_deg", soil.shear_friction_rad, soil.shear_cohesion_pa);
+  }
   soil.shear_modulus_m = config.Number("shear_modulus_m", Between(1e-4, 0.5, "m"));
   soil.compression_index =
       config.Number("compression_index", Between(0, 1, "(void ratio)"), soil.compression_index);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "core/error.h"
@@ -12,6 +13,7 @@
 #include "soil/site/geotiff.h"
 #include "soil/site/read_profiles.h"
 #include "soil/site/relief.h"
+#include "soil/site/seepage.h"
 #include "soil/site/soil_catalogue.h"
 
 namespace tera {
@@ -224,6 +226,29 @@ void Heap(const PilePlan& pile, Columns* columns) {
   }
 }
 
+/// Wets the ground, and piles as the ground of their soil.
+void LetItRain(const ConfigMap& config, const std::vector<WeatherSpell>& weather, SitePlan* plan) {
+  constexpr double kBottom_m = std::numeric_limits<double>::infinity();
+  std::vector<GroundProfile> profiles = plan->ground.profiles;
+  for (const PilePlan& pile : plan->piles) {
+    const SoilType& soil = plan->soils[pile.soil];
+    profiles.push_back(GroundProfile(
+        {{kBottom_m, pile.soil, static_cast<float>(soil.moisture), LooseDensity_kgpm3(soil)}}));
+  }
+  if (!Wet(weather, &plan->soils, &profiles)) {
+    config.Fault("weather_before",
+                 {FaultKind::kOutOfRange,
+                  "makes more than 255 kinds of soil of different moisture; need fewer soils or "
+                  "strata, or no weather before"});
+    return;
+  }
+  const auto piles = profiles.begin() + static_cast<std::ptrdiff_t>(plan->ground.profiles.size());
+  for (std::size_t n = 0; n < plan->piles.size(); ++n) {
+    plan->piles[n].soil = (piles + static_cast<std::ptrdiff_t>(n))->strata().front().soil;
+  }
+  plan->ground.profiles.assign(profiles.begin(), piles);
+}
+
 }  // namespace
 
 SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed,
@@ -251,6 +276,9 @@ SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed,
   plan.pits = ReadPits(config, ground.grid);
   plan.ruts = ReadRuts(config);
   plan.soils = soils.soils();
+  if (const auto weather = ReadWeatherBefore(config); !weather.empty() && !plan.soils.empty()) {
+    LetItRain(config, weather, &plan);
+  }
 
   const Relief relief = ReadRelief(config, seed);
   double spacing_m = TerrainGrid::kTileCells * ground.grid.cell_m;  // planes need no more

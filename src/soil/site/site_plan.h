@@ -30,8 +30,8 @@ struct SitePlan {
 };
 
 /// Reads `size_m cell_m soil soils layers soil_classes custom_soils strips regions relief geotiff
-/// piles pits ruts`. Faults go to `config`; a GeoTIFF that cannot be used is one of them, and one
-/// beside `given`, which is the ground in its place.
+/// piles pits ruts weather_before`. Faults go to `config`; a GeoTIFF that cannot be used is one of
+/// them, and one beside `given`, which is the ground in its place.
 SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed,
                   const std::optional<GivenGround>& given = std::nullopt);
 

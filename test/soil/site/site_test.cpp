@@ -213,6 +213,13 @@ TEST(Site, EveryFaultOfATerrainIsNamed) {
       "size_m: [4, 4]\nsoil: mine\ncustom_soils:\n  - {preset: "
       "tera:config/soils/dirt.yaml, name: mine, ";
   EXPECT_THAT(FaultsOf(dirt + "cohesion_pa: 10}\n"), testing::IsEmpty());
+  EXPECT_THAT(FaultsOf(dirt + "moisture: 1.2}\n"),
+              HasFault(kOutOfRange, "custom_soils[0].moisture"));
+  EXPECT_THAT(FaultsOf(dirt + "friction_angle_deg: 0, cohesion_pa: 0}\n"),
+              HasFault(kOutOfRange, "custom_soils[0].friction_angle_deg"));
+  EXPECT_THAT(FaultsOf(dirt + "shear_friction_deg: 0, shear_cohesion_pa: 0}\n"),
+              HasFault(kOutOfRange, "custom_soils[0].shear_friction_deg"));
+  EXPECT_THAT(FaultsOf(dirt + "texture: mud}\n"), HasFault(kNoSuchName, "custom_soils[0].texture"));
   EXPECT_THAT(FaultsOf(dirt + "bank_density_kgpm3: -5}\n"),
               HasFault(kOutOfRange, "bank_density_kgpm3"));
   EXPECT_THAT(FaultsOf(dirt + "friction_angle_deg: 90}\n"),
