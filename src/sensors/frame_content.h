@@ -16,9 +16,10 @@ struct PictureContent {
   double depth_min_m = 0.1, depth_max_m = 20.0;
 };
 
-/// Content of a scanning sensor: rays per scan, each with at most one point.
+/// Content of a scanning sensor: rays per scan, each with at most `returns` points.
 struct ScanContent {
   int rings = 0, columns = 0;
+  int returns = 1;
 };
 
 }  // namespace tera

@@ -25,6 +25,8 @@ struct SensorDescription;
 struct SensedAir {
   const DustVolume* dust = nullptr;  ///< null: no dust
   double rain_mmph = 0;
+  double snowfall_mmph = 0;
+  double visibility_m = 0;  ///< in fog and haze; 0: not stated, clear
 };
 
 /// Inputs of an image other than poses, at the end of a step.

@@ -77,7 +77,10 @@ double SampleBytes(const SensorDescription& sensor, const MachineModel& machine)
     }
     bytes += of_pixel * pictures->intrinsics.width_px * pictures->intrinsics.height_px;
   }
-  if (kind.scans) bytes += kPoint_bytes * kind.scans(sensor).rings * kind.scans(sensor).columns;
+  if (kind.scans) {
+    const ScanContent scan = kind.scans(sensor);
+    bytes += kPoint_bytes * scan.rings * scan.columns * scan.returns;
+  }
   return bytes;
 }
 

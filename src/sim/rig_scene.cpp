@@ -58,7 +58,12 @@ Shapes RigScene::ShapesNow() const {
 SensedAir RigScene::air() const {
   SensedAir air;
   if (dust_) air.dust = &dust_->volume();
-  if (scenario_ != nullptr) air.rain_mmph = scenario_->environment.weather.rain_mmph;
+  if (scenario_ != nullptr) {
+    const Weather& weather = scenario_->environment.weather;
+    air.rain_mmph = weather.rain_mmph;
+    air.snowfall_mmph = weather.snowfall_mmph;
+    air.visibility_m = weather.visibility_m;
+  }
   return air;
 }
 

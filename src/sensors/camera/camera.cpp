@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/check.h"
@@ -120,7 +121,15 @@ Image<float> Camera::Dust(const SceneAt& scene_at, TimeNs t_ns, const Rasterizer
   return DustOpticalDepths(*rays_, scene_at(t_ns), depth_m);
 }
 
-Image<float> Camera::Range(std::int64_t k, const SceneAt& scene_at, const Image<float>& dust,
+Image<float> Camera::Air(const Rasterizer& rasterizer, Image<float> dust,
+                         const Image<float>& depth_m) {
+  const double extinction_1pm = rasterizer.model().environment.weather.Extinction_1pm();
+  if (extinction_1pm <= 0) return dust;
+  if (!rays_) rays_.emplace(model_.intrinsics);
+  return AirOpticalDepths(*rays_, extinction_1pm, std::move(dust), depth_m);
+}
+
+Image<float> Camera::Range(std::int64_t k, const SceneAt& scene_at, const Image<float>& air,
                            Image<float> depth_m, Rasterizer* rasterizer) const {
   if (stereo_) return stereo_->Measure(k, scene_at(clock_.Due(k)), rasterizer);
   if (time_of_flight_) return time_of_flight_->Measure(k, scene_at(clock_.Due(k)), rasterizer);
@@ -128,7 +137,7 @@ Image<float> Camera::Range(std::int64_t k, const SceneAt& scene_at, const Image<
     const auto first = static_cast<std::uint64_t>(k) * depth_m.data.size();
     const double scale_1pm =
         model_.disparity_noise_px / (model_.intrinsics.fx_px * model_.baseline_m);
-    AddDisparityNoise(scale_1pm, depth_noise_, first, dust, rasterizer->workers(), &depth_m);
+    AddDisparityNoise(scale_1pm, depth_noise_, first, air, rasterizer->workers(), &depth_m);
   }
   return depth_m;
 }
@@ -170,7 +179,7 @@ CameraFrame Camera::Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer*
   CameraFrame frame = See(scene_at, clock_.Due(k), rasterizer, beside);
   frame.t_ns = clock_.Due(k);
   Label(scene_at, *rasterizer, beside, &frame);
-  const Image<float> dust = Dust(scene_at, frame.t_ns, *rasterizer, frame.depth_m);
+  Image<float> dust = Dust(scene_at, frame.t_ns, *rasterizer, frame.depth_m);
   if (!dust.empty()) frame.dust_optical_depth = DustLabel(dust);
   if (optics_) {
     optics_->Apply(scene_at(frame.t_ns), frame.depth_m, rasterizer, &luminance.cdpm2);
@@ -188,8 +197,9 @@ CameraFrame Camera::Measure(std::int64_t k, const SceneAt& scene_at, Rasterizer*
   if (!model_.depth) {
     frame.depth_m = {};
   } else {
-    frame.depth_m = Range(k, scene_at, dust, std::move(frame.depth_m), rasterizer);
-    if (!dust.empty()) LoseDepthInDust(dust, &frame.depth_m);
+    const Image<float> air = Air(*rasterizer, std::move(dust), frame.depth_m);
+    frame.depth_m = Range(k, scene_at, air, std::move(frame.depth_m), rasterizer);
+    if (!air.empty()) LoseDepthInAir(air, &frame.depth_m);
     LimitDepth(model_, rasterizer->workers(), &frame.depth_m);
   }
   ForEachLabel(frame, [&](const LabelChannel& channel, auto& picture) {

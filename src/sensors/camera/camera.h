@@ -100,8 +100,10 @@ class Camera {
   /// Optical depth of dust in front of each pixel's surface; empty if unused.
   Image<float> Dust(const SceneAt& scene_at, TimeNs t_ns, const Rasterizer& rasterizer,
                     const Image<float>& depth_m);
-  /// Depth sensor output of image k from exact depth, through `dust`.
-  Image<float> Range(std::int64_t k, const SceneAt& scene_at, const Image<float>& dust,
+  /// Optical depth of all that is in the air in front of each pixel's surface; empty in clear air.
+  Image<float> Air(const Rasterizer& rasterizer, Image<float> dust, const Image<float>& depth_m);
+  /// Depth sensor output of image k from exact depth, through `air`.
+  Image<float> Range(std::int64_t k, const SceneAt& scene_at, const Image<float>& air,
                      Image<float> depth_m, Rasterizer* rasterizer) const;
   /// sRGB of image k; the exposure control meters the image.
   Image<std::uint8_t> Sense(const Image<float>& luminance_cdpm2, std::int64_t k);

@@ -1,5 +1,6 @@
 #include "sensors/camera/dust_sight.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -34,7 +35,19 @@ Image<std::uint16_t> DustLabel(const Image<float>& optical_depth) {
   return label;
 }
 
-void LoseDepthInDust(const Image<float>& optical_depth, Image<float>* depth_m) {
+Image<float> AirOpticalDepths(const PixelRays& rays, double extinction_1pm, Image<float> dust,
+                              const Image<float>& depth_m) {
+  if (dust.empty()) dust = Image<float>(depth_m.width_px, depth_m.height_px);
+  for (int y = 0; y < depth_m.height_px; ++y) {
+    for (int x = 0; x < depth_m.width_px; ++x) {
+      const double range_m = double(depth_m.at(x, y)) * rays.at(x, y).norm();
+      dust.at(x, y) += static_cast<float>(extinction_1pm * std::max(range_m, 0.0));
+    }
+  }
+  return dust;
+}
+
+void LoseDepthInAir(const Image<float>& optical_depth, Image<float>* depth_m) {
   static const auto most = static_cast<float>(-std::log(kLeastContrast));
   for (std::size_t i = 0; i < depth_m->data.size(); ++i) {
     if (optical_depth.data[i] > most) depth_m->data[i] = 0;

@@ -24,10 +24,15 @@ Image<float> DustOpticalDepths(const PixelRays& rays, const SeenScene& scene,
 /// The label dust_optical_depth.
 Image<std::uint16_t> DustLabel(const Image<float>& optical_depth);
 
-/// Residual contrast below which stereo matching fails in dust: 5 %, the threshold of the
+/// Optical depth of the air in front of each pixel's surface: of `extinction_1pm` everywhere, and
+/// of `dust` if it is not empty. Zero for the sky.
+Image<float> AirOpticalDepths(const PixelRays& rays, double extinction_1pm, Image<float> dust,
+                              const Image<float>& depth_m);
+
+/// Residual contrast below which depth is lost in the air: 5 %, the threshold of the
 /// meteorological optical range (WMO-No. 8, 2018, part I, 9.1.1).
 inline constexpr double kLeastContrast = 0.05;
 /// Removes depth at pixels below kLeastContrast.
-void LoseDepthInDust(const Image<float>& optical_depth, Image<float>* depth_m);
+void LoseDepthInAir(const Image<float>& optical_depth, Image<float>* depth_m);
 
 }  // namespace tera

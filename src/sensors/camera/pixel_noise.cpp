@@ -63,7 +63,7 @@ void ForEachDraw(const UniformBits& noise, std::uint64_t first, std::size_t pixe
 /// 2^16 quantiles reach 4.3 sigma. Their steps stay below the stored millimetre wherever draws are
 /// frequent.
 void AddDisparityNoise(double scale_1pm, const UniformBits& noise, std::uint64_t first,
-                       const Image<float>& dust, Workers* workers, Image<float>* depth_m) {
+                       const Image<float>& air, Workers* workers, Image<float>* depth_m) {
   static const NormalQuantiles<16> normal(workers);
   constexpr int kUnused = UniformBits::kBits - normal.kBits;
   const auto scale = static_cast<float>(scale_1pm);
@@ -71,7 +71,7 @@ void AddDisparityNoise(double scale_1pm, const UniformBits& noise, std::uint64_t
     float& z_m = depth_m->data[i];
     if (z_m <= 0) return;
     float disparity_off = scale * z_m * normal[draw >> kUnused];
-    if (!dust.empty()) disparity_off *= std::exp(dust.data[i]);
+    if (!air.empty()) disparity_off *= std::exp(air.data[i]);
     const float disparity_left = 1 - disparity_off;
     z_m = disparity_left > 0 ? z_m / disparity_left : 0;
   });

@@ -10,10 +10,10 @@ namespace tera {
 
 /// Divides each non-zero depth z by 1 - s z n, n standard normal. s is the disparity noise over
 /// focal length and baseline. Far away, where the noise exceeds the disparity, the result is no
-/// measurement. `dust` holds the optical depth per pixel, or is empty; the noise grows as dust
+/// measurement. `air` holds the optical depth per pixel, or is empty; the noise grows as the air
 /// reduces the contrast. Pixel i uses draw `first` + i.
 void AddDisparityNoise(double scale_1pm, const UniformBits& noise, std::uint64_t first,
-                       const Image<float>& dust, Workers* workers, Image<float>* depth_m);
+                       const Image<float>& air, Workers* workers, Image<float>* depth_m);
 
 /// Adds N(0, sigma^2), in levels of 255, to each colour, and clips. Pixel i uses draw `first` + i.
 void AddRgbNoise(double sigma, const UniformBits& noise, std::uint64_t first, Workers* workers,

@@ -2,115 +2,142 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/units.h"
 #include "render/air/dust_volume.h"
-#include "render/air/rain.h"
+#include "render/air/weather.h"
 
 namespace tera {
 namespace {
 
-constexpr double kDropStep_m = 0.05;
-constexpr double kFarthestDrop_m = 40;
-// Lanes of the random draws.
-constexpr std::uint32_t kStart = 0, kDrop = 1, kSize = 2;
+constexpr double kStep_m = 0.05;
+constexpr double kFarthestParticle_m = 40;
+// Lanes of the random draws. A kind of particle has two.
+constexpr std::uint32_t kStart = 0, kDrop = 1, kFlake = 3, kFogStart = 5, kFogNoise = 6;
 
 }  // namespace
 
-AirEchoes::AirEchoes(const Limits& limits, const SensedAir& air, const Stream& draws)
-    : dust_(air.dust != nullptr && !air.dust->occupied_W_m.isEmpty() ? air.dust : nullptr),
-      rain_mmph_(air.rain_mmph),
-      limits_(limits),
+AirEchoes::AirEchoes(const RangeEquation& equation, const Ranges& ranges, const SensedAir& air,
+                     const Stream& draws)
+    : equation_(equation),
+      ranges_(ranges),
+      dust_(air.dust != nullptr && !air.dust->occupied_W_m.isEmpty() ? air.dust : nullptr),
       draws_(draws) {
-  if (rain_mmph_ <= 0) return;
-  extinction_1pm_ = Rain(rain_mmph_).Extinction_1pm();
-  if (limits_.least_power > 0) FindDrops();
+  const double fog_1pm = FogExtinction_1pm(air.visibility_m);
+  const Rain rain(air.rain_mmph);
+  const Snowfall snow(air.snowfall_mmph);
+  extinction_1pm_ = fog_1pm + rain.Extinction_1pm() + snow.Extinction_1pm();
+  if (!equation_.limits()) return;
+  fog_reflectance_ = kPi * FogBackscatter_1pmsr(fog_1pm) * ranges_.pulse_m;
+  if (rain.Extinction_1pm() > 0) Meet(rain, Rain::kLidarRatio_sr, kDrop);
+  if (snow.Extinction_1pm() > 0) Meet(snow, Snowfall::kLidarRatio_sr, kFlake);
 }
 
-double AirEchoes::BeamArea_m2(double range_m) {
-  const double diameter_m = kBeam_m + kDivergence_rad * range_m;
-  return 0.25 * kPi * diameter_m * diameter_m;
-}
-
-/// Diameter of the smallest detectable drop at that range.
-double AirEchoes::LeastDrop_m(double range_m) const {
-  const double least_echo = limits_.least_power * range_m * range_m;
+double AirEchoes::LeastDiameter_m(const Falling& falling, double range_m) const {
   const double two_way = std::exp(-2 * extinction_1pm_ * range_m);
-  return std::sqrt(2 * kDropRatio_sr * BeamArea_m2(range_m) * least_echo / (kPi * kPi * two_way));
+  const double least = equation_.LeastAir(range_m) / two_way;
+  const double area_m2 = equation_.BeamArea_m2(range_m);
+  return std::sqrt(2 * falling.ratio_sr * area_m2 * least) / (kPi * falling.sizes.swelling());
 }
 
-void AirEchoes::FindDrops() {
-  const Rain rain(rain_mmph_);
-  const double end_m = std::min(limits_.max_range_m, kFarthestDrop_m);
+void AirEchoes::Meet(FallingParticles sizes, double ratio_sr, std::uint32_t lane) {
+  Falling falling{sizes, ratio_sr, lane, {}};
+  const double end_m = std::min(ranges_.max_m, kFarthestParticle_m);
   double sum = 0;
-  for (double r_m = 0; r_m < end_m; r_m += kDropStep_m) {
-    drops_before_.push_back(sum);
-    const double middle_m = r_m + 0.5 * kDropStep_m;
-    if (middle_m < limits_.min_range_m) continue;
-    const double least_m = LeastDrop_m(middle_m);
-    if (least_m > Rain::kLargest_m) break;
-    sum += BeamArea_m2(middle_m) * rain.CountAbove_1pm3(least_m) * kDropStep_m;
+  for (double r_m = 0; r_m < end_m; r_m += kStep_m) {
+    falling.before.push_back(sum);
+    const double middle_m = r_m + 0.5 * kStep_m;
+    if (middle_m < ranges_.min_m) continue;
+    const double least_m = LeastDiameter_m(falling, middle_m);
+    if (least_m > FallingParticles::kLargest_m) break;
+    sum += equation_.BeamArea_m2(middle_m) * sizes.CountAbove_1pm3(least_m) * kStep_m;
   }
-  drops_before_.push_back(sum);
+  falling.before.push_back(sum);
+  falling_.push_back(std::move(falling));
 }
 
-void AirEchoes::MeetDust(const Ray& ray, double range_m, std::uint64_t number,
-                         Passage* passage) const {
+double AirEchoes::DustDepth(const Ray& ray, double range_m) const {
+  if (dust_ == nullptr) return 0;
+  return OpticalDepth(*dust_, ray.origin_W_m.cast<double>(), ray.direction_W.cast<double>(),
+                      range_m);
+}
+
+double AirEchoes::TwoWay(const Ray& ray, double range_m) const {
+  return std::exp(-2 * (extinction_1pm_ * range_m + DustDepth(ray, range_m)));
+}
+
+void AirEchoes::AddDust(const Ray& ray, double range_m, std::uint64_t number,
+                        std::vector<Echo>* echoes) const {
   const Vec3 origin_W_m = ray.origin_W_m.cast<double>(), unit_W = ray.direction_W.cast<double>();
   const DustySpan span = SpanOf(*dust_, origin_W_m, unit_W, range_m);
   if (span.from_m >= span.to_m) return;
   const double step_m = MarchStep_m(*dust_);
   double depth = 0;
-  double r_m = span.from_m + step_m * draws_.Uniform(number, kStart);
+  Echo strongest;
   // A random first step keeps the ranges of returns off a lattice.
-  double length_m = r_m - span.from_m;
+  double length_m = step_m * draws_.Uniform(number, kStart);
   for (double from_m = span.from_m; from_m < span.to_m;
        from_m += length_m, length_m = std::min(step_m, span.to_m - from_m)) {
-    r_m = from_m + 0.5 * length_m;
+    const double r_m = from_m + 0.5 * length_m;
     const double extinction_1pm = dust_->Extinction_1pm(origin_W_m + r_m * unit_W);
     const double passed = depth + 0.5 * extinction_1pm * length_m;
     depth += extinction_1pm * length_m;
-    if (r_m < limits_.min_range_m) continue;
-    const Echo echo{r_m,
-                    kPi * extinction_1pm / DustVolume::kLidarRatio_sr * kPulse_m *
-                        std::exp(-2 * (passed + extinction_1pm_ * r_m)),
-                    SemanticClass::kDust};
-    const double least = passage->echo ? passage->echo->power() : limits_.least_power;
-    if (echo.power() > least) passage->echo = echo;
+    if (r_m < ranges_.min_m) continue;
+    const double reflectance = kPi * extinction_1pm / DustVolume::kLidarRatio_sr * ranges_.pulse_m *
+                               std::exp(-2 * (passed + extinction_1pm_ * r_m));
+    const double power = equation_.Power(reflectance, r_m);
+    if (reflectance > equation_.LeastAir(r_m) && power > strongest.power) {
+      strongest = {r_m, power, SemanticClass::kDust, 0, true};
+    }
   }
-  passage->two_way *= std::exp(-2 * depth);
+  if (strongest.power > 0) echoes->push_back(strongest);
 }
 
-void AirEchoes::MeetDrop(const Ray& ray, double range_m, std::uint64_t number,
-                         Passage* passage) const {
-  if (drops_before_.empty()) return;
-  const double met = -std::log(draws_.Uniform(number, kDrop));
-  const auto after = std::upper_bound(drops_before_.begin(), drops_before_.end(), met);
-  if (after == drops_before_.end() || after == drops_before_.begin()) return;
-  const auto step = static_cast<double>(after - drops_before_.begin() - 1);
+void AirEchoes::AddFog(const Ray& ray, double range_m, std::uint64_t number,
+                       std::vector<Echo>* echoes) const {
+  const double noise = equation_.LeastPower() / kThresholdToNoise;
+  double r_m = ranges_.min_m + draws_.Uniform(number, kFogStart) * ranges_.pulse_m;
+  Echo strongest;
+  for (std::uint32_t lane = kFogNoise; r_m < range_m; r_m += ranges_.pulse_m, ++lane) {
+    const double two_way = std::exp(-2 * extinction_1pm_ * r_m);
+    const double reflectance = fog_reflectance_ * two_way;
+    // Beyond, the signal is weaker still.
+    if (reflectance < 0.5 * equation_.LeastAir(r_m)) break;
+    const double power = equation_.Power(reflectance, r_m) + noise * draws_.Gaussian(number, lane);
+    if (power < equation_.Power(equation_.LeastAir(r_m), r_m) || power <= strongest.power) continue;
+    strongest = {r_m, power, SemanticClass::kRain, 0, true};
+  }
+  if (strongest.power <= 0) return;
+  strongest.power *= std::exp(-2 * DustDepth(ray, strongest.range_m));
+  echoes->push_back(strongest);
+}
+
+void AirEchoes::AddParticle(const Falling& falling, const Ray& ray, double range_m,
+                            std::uint64_t number, std::vector<Echo>* echoes) const {
+  const std::vector<double>& before = falling.before;
+  const double met = -std::log(draws_.Uniform(number, falling.lane));
+  const auto after = std::upper_bound(before.begin(), before.end(), met);
+  if (after == before.end() || after == before.begin()) return;
+  const auto step = static_cast<double>(after - before.begin() - 1);
   const double share = (met - *(after - 1)) / (*after - *(after - 1));
-  const double r_m = (step + share) * kDropStep_m;
+  const double r_m = (step + share) * kStep_m;
   if (r_m >= range_m) return;
   const double diameter_m =
-      Rain(rain_mmph_).DiameterAt(LeastDrop_m(r_m), draws_.Uniform(number, kSize));
-  const double dust = dust_ ? OpticalDepth(*dust_, ray.origin_W_m.cast<double>(),
-                                           ray.direction_W.cast<double>(), r_m)
-                            : 0;
-  const Echo echo{r_m,
-                  kPi * kPi * diameter_m * diameter_m / (2 * kDropRatio_sr * BeamArea_m2(r_m)) *
-                      std::exp(-2 * (extinction_1pm_ * r_m + dust)),
-                  SemanticClass::kRain};
-  if (echo.power() <= limits_.least_power) return;
-  if (!passage->echo || echo.power() > passage->echo->power()) passage->echo = echo;
+      falling.sizes.swelling() * falling.sizes.DiameterAt(LeastDiameter_m(falling, r_m),
+                                                          draws_.Uniform(number, falling.lane + 1));
+  const double reflectance = kPi * kPi * diameter_m * diameter_m /
+                             (2 * falling.ratio_sr * equation_.BeamArea_m2(r_m)) * TwoWay(ray, r_m);
+  if (reflectance <= equation_.LeastAir(r_m)) return;
+  echoes->push_back({r_m, equation_.Power(reflectance, r_m), SemanticClass::kRain, 0, true});
 }
 
-AirEchoes::Passage AirEchoes::Along(const Ray& ray, double range_m, std::uint64_t number) const {
-  Passage passage;
-  passage.two_way = std::exp(-2 * extinction_1pm_ * range_m);
-  if (dust_ != nullptr) MeetDust(ray, range_m, number, &passage);
-  MeetDrop(ray, range_m, number, &passage);
-  if (limits_.least_power <= 0) passage.echo.reset();
-  return passage;
+void AirEchoes::Add(const Ray& ray, double range_m, std::uint64_t number,
+                    std::vector<Echo>* echoes) const {
+  if (!equation_.limits()) return;
+  if (dust_ != nullptr) AddDust(ray, range_m, number, echoes);
+  if (fog_reflectance_ > 0) AddFog(ray, range_m, number, echoes);
+  for (const Falling& falling : falling_) AddParticle(falling, ray, range_m, number, echoes);
 }
 
 }  // namespace tera

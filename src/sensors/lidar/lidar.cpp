@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <string_view>
 
 #include "core/check.h"
 #include "core/units.h"
@@ -33,10 +34,25 @@ struct SweptScan {
   double Azimuth(int column) const { return kPi + Spin(model) * column / model.columns; }
 };
 
-/// Relative power of the weakest return; 0 without a limit.
-double LeastPower(const LidarModel& model) {
-  const double R10_m = model.range_at_10_percent_m;
-  return R10_m > 0 ? kDarkTarget / (R10_m * R10_m) : 0.0;
+/// Of a lidar without a stated beam: Velodyne VLP-16 user manual, section 4.2 and appendix.
+constexpr double kUsualDivergence_rad = 0.003;
+constexpr double kUsualPulse_m = 0.75;  ///< of 5 ns
+constexpr double kLight_mps = 299792458;
+constexpr int kRing = 6;                                     ///< sub-rays around the axis
+constexpr double kAxisWeight = 0.5, kRingWeight = 1 / 12.0;  ///< of the energy
+
+/// Sub-rays of a beam around its axis.
+std::vector<Vec3> SubRays(const Vec3& axis, const LidarBeam& beam) {
+  std::vector<Vec3> rays = {axis};
+  if (beam.sub_rays == 1) return rays;
+  const double angle_rad = beam.divergence_rad / std::sqrt(2 * std::log(2.0));
+  const Vec3 across = axis.unitOrthogonal(), up = axis.cross(across);
+  for (int k = 0; k < kRing; ++k) {
+    const double turn = 2 * kPi * k / kRing;
+    rays.push_back(std::cos(angle_rad) * axis +
+                   std::sin(angle_rad) * (std::cos(turn) * across + std::sin(turn) * up));
+  }
+  return rays;
 }
 
 Vec3 Direction(double elevation_rad, double azimuth_rad) {
@@ -61,11 +77,37 @@ void Serialize(ModelArchive* archive, LidarModel* m) {
                  "not beyond min_range_m; need min_range_m < max_range_m");
   archive->Visit("range_noise_m", &m->range_noise_m, AtLeast(0, "m"));
   archive->Visit("range_at_10_percent_m", &m->range_at_10_percent_m, AtLeast(0, "m"));
+  archive->Visit("range_at_80_percent_m", &m->range_at_80_percent_m, Positive("m"));
+  archive->Check(m->range_at_80_percent_m.value_or(1e9) > m->range_at_10_percent_m,
+                 "range_at_80_percent_m",
+                 "not beyond range_at_10_percent_m; a bright target is seen farther");
+  archive->Visit("range_noise_at_limit_m", &m->range_noise_at_limit_m, AtLeast(0, "m"));
+  archive->Visit("beam", &m->beam);
+}
+
+RangeEquation::RangeEquation(const LidarModel& model) {
+  const LidarBeam beam = model.beam.value_or(LidarBeam{.divergence_rad = kUsualDivergence_rad});
+  aperture_m_ = beam.aperture_m;
+  divergence_rad_ = beam.divergence_rad;
+  near_m_ = aperture_m_ / divergence_rad_;
+  surface_near_m_ = model.beam ? near_m_ : 0;
+  dark_range_m_ = model.range_at_10_percent_m;
+  const double bright_m = model.range_at_80_percent_m.value_or(0);
+  if (bright_m <= 0) return;
+  if (dark_range_m_ <= 0) {
+    const double nearer = std::sqrt(kBrightTarget / kDarkTarget);
+    dark_range_m_ = (bright_m + surface_near_m_) / nearer - surface_near_m_;
+  } else {
+    bright_exponent_ = std::log(kBrightTarget / kDarkTarget) / std::log(bright_m / dark_range_m_);
+  }
 }
 
 Lidar::Lidar(const LidarModel& model, const SampleClock& clock, TimeNs latency_ns,
              std::uint64_t seed, const std::string& stream_name)
     : model_(model),
+      equation_(model),
+      pulse_m_(model.beam ? 0.5 * kLight_mps * model.beam->pulse_s : kUsualPulse_m),
+      sub_rays_(model.beam ? model.beam->sub_rays : 1),
       clock_(clock),
       latency_ns_(latency_ns),
       range_noise_(seed, stream_name + "/range"),
@@ -79,34 +121,41 @@ Lidar::Lidar(const LidarModel& model, const SampleClock& clock, TimeNs latency_n
     const double offset_s = model_.firing_offset_s[b];
     TERA_CHECK(offset_s >= 0 && offset_s < column_s, offset_s, column_s);
     const double turned_rad = Spin(model_) * clock_.rate_hz * offset_s;
-    beams_.push_back(
-        {.d_H = Direction(model_.elevation_rad[b], model_.azimuth_offset_rad[b] + turned_rad),
-         .offset_ns = FromSeconds(offset_s)});
+    const Vec3 axis_H =
+        Direction(model_.elevation_rad[b], model_.azimuth_offset_rad[b] + turned_rad);
+    beams_.push_back({.d_H = model_.beam ? SubRays(axis_H, *model_.beam) : std::vector{axis_H},
+                      .offset_ns = FromSeconds(offset_s)});
   }
 }
 
-/// A surface's echo attenuated by the air, or a stronger echo from the air; `hit` then holds the
-/// position of the latter.
-double Lidar::Through(const AirEchoes& air, const Ray& ray, std::uint64_t number, double echo,
-                      RayHit* hit) {
-  const double range_m = hit->hit ? hit->range_m : ray.max_range_m;
-  const AirEchoes::Passage passage = air.Along(ray, range_m, number);
-  echo *= passage.two_way;
-  const double power = hit->hit ? echo / (range_m * range_m) : 0.0;
-  if (!passage.echo || passage.echo->power() <= power) return echo;
-  hit->hit = true;
-  hit->range_m = static_cast<float>(passage.echo->range_m);
-  hit->label = passage.echo->label;
-  hit->instance = 0;
-  return passage.echo->echo;
+/// A return: where it is, and the reflectance across the beam that it shows.
+struct Lidar::Return {
+  double range_m, reflectance, power;
+  SemanticClass label;
+  std::uint16_t instance;
+};
+
+/// Orders returns as the receiver picks them, and keeps as many as it reports.
+void Lidar::Pick(const std::optional<LidarBeam>& beam, std::vector<Return>* returns) {
+  if (returns->size() < 2) return;
+  const std::string_view pick = beam ? std::string_view(beam->pick) : "strongest";
+  std::stable_sort(returns->begin(), returns->end(), [&](const Return& a, const Return& b) {
+    if (pick == "first") return a.range_m < b.range_m;
+    return pick == "last" ? a.range_m > b.range_m : a.power > b.power;
+  });
+  const std::size_t most = beam ? beam->returns : 1;
+  if (returns->size() > most) returns->resize(most);
 }
 
 /// One block of columns of a revolution, from poses to points.
 struct Lidar::Block {
-  std::vector<Ray> rays;
-  std::vector<Vec3> d_S;
+  std::vector<Ray> rays;  ///< all sub-rays of a pulse in sequence
+  std::vector<Vec3> d_S;  ///< one per pulse
   std::vector<TimeNs> since_start_ns;
   std::vector<RayHit> hits;
+  // Of one pulse.
+  std::vector<Echo> echoes, peaks;
+  std::vector<Return> returns;
 };
 
 void Lidar::Aim(std::int64_t k, int begin, int end, const PoseTrack& X_WS, Block* block) const {
@@ -126,52 +175,95 @@ void Lidar::Aim(std::int64_t k, int begin, int end, const PoseTrack& X_WS, Block
     const double per_ns = 1.0 / static_cast<double>(next_ns - column_ns);
     for (const Beam& beam : beams_) {
       const double s = per_ns * static_cast<double>(beam.offset_ns);
-      const Vec3 d_S = R_SH * beam.d_H;
-      const Vec3 d_W = X_begin.linear() * d_S + s * (turn * d_S);
       const TimeNs since_ns = column_ns + beam.offset_ns - sweep.start_ns;
-      block->d_S.push_back(d_S);
+      block->d_S.push_back(R_SH * beam.d_H.front());
       block->since_start_ns.push_back(since_ns);
-      block->rays.push_back({.origin_W_m = (X_begin.translation() + s * shift).cast<float>(),
-                             .direction_W = d_W.cast<float>(),
-                             .max_range_m = static_cast<float>(model_.max_range_m),
-                             .time = static_cast<float>(static_cast<double>(since_ns) / span_ns)});
+      for (const Vec3& d_H : beam.d_H) {
+        const Vec3 d_S = R_SH * d_H;
+        const Vec3 d_W = X_begin.linear() * d_S + s * (turn * d_S);
+        block->rays.push_back(
+            {.origin_W_m = (X_begin.translation() + s * shift).cast<float>(),
+             .direction_W = d_W.cast<float>(),
+             .max_range_m = static_cast<float>(model_.max_range_m),
+             .time = static_cast<float>(static_cast<double>(since_ns) / span_ns)});
+      }
     }
     X_begin = X_end;
   }
   block->hits.resize(block->rays.size());
 }
 
-void Lidar::Detect(std::int64_t k, int begin, const AirEchoes& air, const Block& block,
+void Lidar::Receive(std::size_t i, std::uint64_t number, const AirEchoes& air, Block* block) const {
+  block->echoes.clear();
+  block->returns.clear();
+  double farthest_m = 0;
+  for (std::size_t j = 0; j < sub_rays_; ++j) {
+    const Ray& ray = block->rays[i * sub_rays_ + j];
+    const RayHit& hit = block->hits[i * sub_rays_ + j];
+    const double r_m = hit.hit ? hit.range_m : ray.max_range_m;
+    farthest_m = std::max(farthest_m, r_m);
+    if (!hit.hit || r_m < model_.min_range_m) continue;
+    const double cosine = -hit.normal_W.dot(ray.direction_W);
+    double reflectance = hit.reflectance * std::max(cosine, 0.0);
+    if (air.any()) reflectance *= air.TwoWay(ray, r_m);
+    const double power = equation_.Power(reflectance, r_m);
+    if (model_.beam) {
+      const double weight = sub_rays_ == 1 ? 1 : j == 0 ? kAxisWeight : kRingWeight;
+      block->echoes.push_back({r_m, weight * power, hit.label, hit.instance, false});
+    } else if (reflectance >= equation_.LeastSurface(r_m)) {
+      block->returns.push_back({r_m, reflectance, power, hit.label, hit.instance});
+    }
+  }
+  if (air.any()) air.Add(block->rays[i * sub_rays_], farthest_m, number, &block->echoes);
+  if (model_.beam) {
+    FindPeaks(&block->echoes, pulse_m_, &block->peaks);
+  } else {
+    block->peaks = block->echoes;
+  }
+  for (const Echo& peak : block->peaks) {
+    const double r_m = peak.range_m, reflectance = equation_.Reflectance(peak.power, r_m);
+    if (reflectance < (peak.is_air ? equation_.LeastAir(r_m) : equation_.LeastSurface(r_m)))
+      continue;
+    block->returns.push_back({r_m, reflectance, peak.power, peak.label, peak.instance});
+  }
+  Pick(model_.beam, &block->returns);
+}
+
+void Lidar::Detect(std::int64_t k, int begin, const AirEchoes& air, Block* block,
                    std::vector<LidarPoint>* points) const {
   const std::size_t beams = model_.elevation_rad.size();
   const auto first = (static_cast<std::uint64_t>(k) * model_.columns + begin) * beams;
-  const double least_power = LeastPower(model_);
-  for (std::size_t i = 0; i < block.hits.size(); ++i) {
-    RayHit hit = block.hits[i];
-    const double cosine = -hit.normal_W.dot(block.rays[i].direction_W);
-    double echo = hit.reflectance * std::max(cosine, 0.0);
-    if (air.any()) echo = Through(air, block.rays[i], first + i, echo, &hit);
-    if (!hit.hit || hit.range_m < model_.min_range_m) continue;
-    const double r_m = hit.range_m;
-    if (echo < least_power * r_m * r_m) continue;
-    double measured_m = r_m;
-    if (model_.range_noise_m > 0)
-      measured_m += model_.range_noise_m * range_noise_.Gaussian(first + i);
-    const Eigen::Vector3f p_S = (measured_m * block.d_S[i]).cast<float>();
-    points->push_back({.x_m = p_S.x(),
-                       .y_m = p_S.y(),
-                       .z_m = p_S.z(),
-                       .intensity = static_cast<float>(std::min(echo, 1.0)),
-                       .time_offset_ns = static_cast<std::uint32_t>(block.since_start_ns[i]),
-                       .ring = static_cast<std::uint16_t>(i % beams),
-                       .instance = hit.instance,
-                       .label = static_cast<std::uint8_t>(hit.label)});
+  for (std::size_t i = 0; i < block->d_S.size(); ++i) {
+    Receive(i, first + i, air, block);
+    for (std::size_t n = 0; n < block->returns.size(); ++n) {
+      const Return& found = block->returns[n];
+      const double sigma_m = RangeSigma_m(found.range_m, found.reflectance);
+      double measured_m = found.range_m;
+      if (sigma_m > 0) {
+        measured_m += sigma_m * range_noise_.Gaussian(first + i, static_cast<std::uint32_t>(n));
+      }
+      const Eigen::Vector3f p_S = (measured_m * block->d_S[i]).cast<float>();
+      points->push_back({.x_m = p_S.x(),
+                         .y_m = p_S.y(),
+                         .z_m = p_S.z(),
+                         .intensity = static_cast<float>(std::min(found.reflectance, 1.0)),
+                         .time_offset_ns = static_cast<std::uint32_t>(block->since_start_ns[i]),
+                         .ring = static_cast<std::uint16_t>(i % beams),
+                         .instance = found.instance,
+                         .label = static_cast<std::uint8_t>(found.label)});
+    }
   }
+}
+
+double Lidar::RangeSigma_m(double range_m, double reflectance) const {
+  if (!model_.range_noise_at_limit_m) return model_.range_noise_m;
+  const double weakness = std::min(1.0, equation_.LeastSurface(range_m) / reflectance);
+  return std::hypot(model_.range_noise_m, *model_.range_noise_at_limit_m * std::sqrt(weakness));
 }
 
 LidarScan Lidar::Measure(std::int64_t k, const PoseTrack& X_WS, const RayScene& scene, int threads,
                          const SensedAir& air) const {
-  const AirEchoes echoes({model_.min_range_m, model_.max_range_m, LeastPower(model_)}, air,
+  const AirEchoes echoes(equation_, {model_.min_range_m, model_.max_range_m, pulse_m_}, air,
                          air_draws_);
   const int blocks = (model_.columns + kColumnsPerBlock - 1) / kColumnsPerBlock;
   std::vector<std::vector<LidarPoint>> points(blocks);
@@ -183,7 +275,7 @@ LidarScan Lidar::Measure(std::int64_t k, const PoseTrack& X_WS, const RayScene& 
       const int end = std::min(begin + kColumnsPerBlock, model_.columns);
       Aim(k, begin, end, X_WS, &block);
       scene.Trace(block.rays, block.hits, 1);
-      Detect(k, begin, echoes, block, &points[b]);
+      Detect(k, begin, echoes, &block, &points[b]);
     }
   };
   RunOnThreads(std::min(threads, blocks), work);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,12 +8,11 @@
 #include "core/random.h"
 #include "core/types/measurement.h"
 #include "render/rays/ray_scene.h"
+#include "sensors/lidar/pulse_train.h"
+#include "sensors/lidar/range_equation.h"
 #include "sensors/sampling.h"
 
 namespace tera {
-
-/// Reflectance of the dark target in data sheet ranges.
-inline constexpr double kDarkTarget = 0.1;
 
 class AirEchoes;
 
@@ -26,6 +26,9 @@ struct LidarModel {
   double min_range_m = 0.3, max_range_m = 120;
   double range_noise_m = 0;          ///< 1 sigma at strong return
   double range_at_10_percent_m = 0;  ///< data sheet's range on a 10 % target; 0: no power limit
+  std::optional<double> range_at_80_percent_m;
+  std::optional<double> range_noise_at_limit_m;  ///< 1 sigma at the weakest detected return
+  std::optional<LidarBeam> beam;                 ///< none: a thin ray
 };
 
 void Serialize(ModelArchive* archive, LidarModel* model);
@@ -34,15 +37,22 @@ void Serialize(ModelArchive* archive, LidarModel* model);
 ///
 /// Frames  W world; S sensor, x forward, y left, z up. Ray k leaves p_WS(t_k) along R_WS(t_k)
 ///         d_S,k. A revolution starts at -x, so that its seam lies behind.
-/// Model   each ray has its own time and pose. The relative power is rho cos(theta) / r^2; a return
-///         needs at least the power of a 10 % target at `range_at_10_percent_m`. Range is r + N(0,
-///         sigma^2); ray i of revolution k draws its noise at index k * rays + i. Intensity is rho
-///         cos(theta). Dust and rain weaken returns and produce their own (AirEchoes).
-/// Omits   beam divergence at surfaces, multiple returns, noise growth at weak power, crosstalk,
-///         fog; points for rays without a return.
-/// Source  the radar equation for a target that fills the beam and scatters diffusely, as in Wagner
-///         et al. 2006, "Gaussian decomposition and calibration of a novel small-footprint
-///         full-waveform digitising airborne laser scanner"; each preset names its data sheet.
+/// Model   each pulse has its own time and pose. Power and threshold are RangeEquation's, the air
+/// is
+///         that of AirEchoes. A thin ray reports its strongest echo. A beam has a Gaussian profile
+///         and is sampled by seven rays: its axis with half of the energy, and a twelfth on each of
+///         six at the angle w = D / sqrt(2 ln 2) of 1/e^2 of the intensity, D the full angle at
+///         half power. This is exact for fields up to the fifth degree across the beam. Its echoes
+///         add up (FindPeaks); peaks above the threshold are returns, in the order of `pick`.
+///         Range is r + N(0, s0^2 + s1^2 P_least / P) with the deviations s0 of strong and s1 of
+///         barely detected returns; pulse i of revolution k draws at index k * pulses + i, its
+///         second return in the next lane. Intensity is rho cos(theta) exp(-2 tau) of what a peak
+///         shows.
+/// Omits   retroreflectors, mirrors, crosstalk, detections of noise alone, elliptical beams; points
+///         for pulses without a return.
+/// Source  quadrature: Stroud 1971, "Approximate calculation of multiple integrals", E_2^{r^2} 5-1;
+///         noise: the deviation falls as the root of signal to noise, as in Kilic et al. 2021,
+///         "Lidar light scattering augmentation (LISA)", eq. 6; each preset names its data sheet.
 class Lidar {
  public:
   /// Lowest rate at which LidarPoint::time_offset_ns holds all offsets of a revolution: 2^32 ns are
@@ -60,20 +70,27 @@ class Lidar {
                     const SensedAir& air = {}) const;
 
  private:
+  struct Return;
   struct Block;
   void Aim(std::int64_t k, int begin, int end, const PoseTrack& X_WS, Block* block) const;
-  static double Through(const AirEchoes& air, const Ray& ray, std::uint64_t number, double echo,
-                        RayHit* hit);
-  void Detect(std::int64_t k, int begin, const AirEchoes& air, const Block& block,
+  /// Returns of pulse i of a block, of the number `number`, in the order in which they are
+  /// reported.
+  void Receive(std::size_t i, std::uint64_t number, const AirEchoes& air, Block* block) const;
+  static void Pick(const std::optional<LidarBeam>& beam, std::vector<Return>* returns);
+  double RangeSigma_m(double range_m, double reflectance) const;
+  void Detect(std::int64_t k, int begin, const AirEchoes& air, Block* block,
               std::vector<LidarPoint>* points) const;
 
-  /// A beam in the head frame H at the start of its column.
+  /// A beam in the head frame H at the start of its column: its axis, then its other sub-rays.
   struct Beam {
-    Vec3 d_H;
+    std::vector<Vec3> d_H;
     TimeNs offset_ns;
   };
 
   LidarModel model_;
+  RangeEquation equation_;
+  double pulse_m_;            ///< length of the pulse's full width in range
+  std::size_t sub_rays_ = 1;  ///< per beam
   SampleClock clock_;
   TimeNs latency_ns_;
   Stream range_noise_, air_draws_;

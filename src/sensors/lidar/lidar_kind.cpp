@@ -131,7 +131,8 @@ std::optional<Ranging> LidarRanging(const SensorDescription& sensor) {
 
 ScanContent LidarScans(const SensorDescription& sensor) {
   const auto& lidar = std::get<LidarModel>(sensor.model);
-  return {static_cast<int>(lidar.elevation_rad.size()), lidar.columns};
+  return {static_cast<int>(lidar.elevation_rad.size()), lidar.columns,
+          lidar.beam ? lidar.beam->returns : 1};
 }
 
 }  // namespace

@@ -38,10 +38,8 @@ ViewField ViewOf(const LidarModel& model, double rate_hz) {
     return 1.0 / (column_rad * (std::sin(*above) - std::sin(*(above - 1))));
   };
   view.is_flat = borders_rad.empty() || borders_rad.back() <= borders_rad.front();
-  view.reach_m = [model](double returned) {
-    if (model.range_at_10_percent_m <= 0) return model.max_range_m;
-    const double power_m = model.range_at_10_percent_m * std::sqrt(returned / kDarkTarget);
-    return std::min(model.max_range_m, power_m);
+  view.reach_m = [equation = RangeEquation(model), most_m = model.max_range_m](double returned) {
+    return std::min(most_m, equation.Reach_m(returned));
   };
   view.nearest_m = view.min_distance_m = model.min_range_m;
   view.max_distance_m = model.max_range_m;

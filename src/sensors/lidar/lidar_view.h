@@ -9,9 +9,10 @@ namespace tera {
 ///
 /// Model   beams at elevations e_i and n columns yield 1 / ((sin e+ - sin e-) 2 pi / n) points per
 ///         steradian per revolution; e- and e+ are the midpoints to the neighbouring beams. A
-///         surface that returns the fraction q of the light is visible up to r10 sqrt(q / 0.1).
-///         Glass returns points and hides the surfaces behind it (RayScene). Beams of a single
-///         elevation span no solid angle: such a field is flat.
+///         surface that returns the fraction q of the light is visible up to
+///         RangeEquation::Reach_m(q), r10 sqrt(q / 0.1) of a thin ray, in clear air. Glass returns
+///         points and hides the surfaces behind it (RayScene). Beams of a single elevation span no
+///         solid angle: such a field is flat.
 /// Omits   azimuth offsets of single beams, which shift points without a change in density.
 /// Source  radar equation as in Lidar.
 ViewField ViewOf(const LidarModel& model, double rate_hz);

@@ -11,12 +11,11 @@
 namespace tera {
 namespace {
 
-constexpr double kMostWind_mps = 40, kMostRain_mmph = 200;
+constexpr double kMostWind_mps = 40, kMostRain_mmph = 200, kMostSnowfall_mmph = 20;
 constexpr double kMostWater_m = 0.5, kMostSnow_m = 0.5;
 constexpr double kMostCells = 4e6;
 constexpr double kLeastCloud = 0.5;  ///< smallest cloud cover with rain
 constexpr double kWarmestSnow_degc = 5, kColdestRain_degc = -10;
-constexpr double kVisibleContrast = 0.02;  ///< Koschmieder's
 
 DustModel ReadDust(const ConfigMap& config) {
   DustModel dust;
@@ -41,6 +40,11 @@ void CheckTemperature(const ConfigMap& config, const Weather& weather) {
   const std::optional<double> degc =
       config.OptionalNumber("temperature_degc", Between(-60, 60, "C"));
   if (!degc) return;
+  if (weather.snowfall_mmph > 0 && *degc > kWarmestSnow_degc) {
+    config.Fault("snowfall_mmph", {FaultKind::kOutOfRange,
+                                   fmt::format("snow falls at {} C; need at most {} C, or no snow",
+                                               *degc, kWarmestSnow_degc)});
+  }
   if (weather.snow_depth_m > 0 && *degc > kWarmestSnow_degc) {
     config.Fault("snow_depth_m", {FaultKind::kOutOfRange,
                                   fmt::format("snow lies on the ground at {} C; need at most {} C, "
@@ -55,21 +59,27 @@ void CheckTemperature(const ConfigMap& config, const Weather& weather) {
 }
 
 void CheckSky(const ConfigMap& config, const Environment& environment) {
-  if (environment.weather.rain_mmph <= 0) return;
   const double cover = environment.cloud_cover.value_or(0);
   if (cover >= kLeastCloud) return;
-  config.Fault("rain_mmph",
-               fmt::format("rain falls from {}; need cloud_cover of at least {}, or no rain",
-                           environment.cloud_cover
-                               ? fmt::format("a sky with cloud_cover {}", cover)
-                               : std::string("a sky without cloud_cover, which is clear"),
-                           kLeastCloud));
+  const auto check = [&](const char* key, const char* what, double rate_mmph) {
+    if (rate_mmph <= 0) return;
+    config.Fault(
+        key, fmt::format("{0} falls from {1}; need cloud_cover of at least {2}, or no {0}", what,
+                         environment.cloud_cover
+                             ? fmt::format("a sky with cloud_cover {}", cover)
+                             : std::string("a sky without cloud_cover, which is clear"),
+                         kLeastCloud));
+  };
+  check("rain_mmph", "rain", environment.weather.rain_mmph);
+  check("snowfall_mmph", "snow", environment.weather.snowfall_mmph);
 }
 
-/// Visibility through fog and rain together: extinctions add.
-double VisibilityInRain_m(double visibility_m, const Rain& rain) {
+/// Visibility through fog and what falls together: extinctions add.
+double VisibilityTogether_m(double visibility_m, const Weather& weather) {
+  const double falling_1pm =
+      Rain(weather.rain_mmph).Extinction_1pm() + Snowfall(weather.snowfall_mmph).Extinction_1pm();
   const double one_m = -std::log(kVisibleContrast);
-  return one_m / (one_m / visibility_m + rain.Extinction_1pm());
+  return one_m / (one_m / visibility_m + falling_1pm);
 }
 
 }  // namespace
@@ -81,15 +91,16 @@ void ReadWeather(const ConfigMap& config, Environment* environment) {
   };
   weather.wind.speed_mps = number("wind_mps", Between(0, kMostWind_mps, "m/s"));
   weather.wind.from_rad = number("wind_from_deg", Between(-360, 360, "deg")) * kDeg;
+  if (config.Has("visibility_m")) weather.visibility_m = environment->fog_visibility_m;
   weather.rain_mmph = number("rain_mmph", Between(0, kMostRain_mmph, "mm/h"));
+  weather.snowfall_mmph = number("snowfall_mmph", Between(0, kMostSnowfall_mmph, "mm/h"));
   weather.puddle_depth_m = number("puddle_depth_m", Between(0, kMostWater_m, "m"));
   weather.snow_depth_m = number("snow_depth_m", Between(0, kMostSnow_m, "m"));
   if (const auto dust = config.OptionalMap("dust")) weather.dust = ReadDust(*dust);
   CheckTemperature(config, weather);
   CheckSky(config, *environment);
-  if (weather.rain_mmph > 0) {
-    environment->fog_visibility_m =
-        VisibilityInRain_m(environment->fog_visibility_m, Rain(weather.rain_mmph));
+  if (weather.rain_mmph > 0 || weather.snowfall_mmph > 0) {
+    environment->fog_visibility_m = VisibilityTogether_m(environment->fog_visibility_m, weather);
   }
 }
 

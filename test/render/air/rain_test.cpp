@@ -57,5 +57,26 @@ TEST(Rain, DropsFallAsGunnAndKinzerMeasured) {
   EXPECT_NEAR(Rain::FallSpeed_mps(4e-3), 8.83, 0.15);
 }
 
+TEST(Snowfall, ItsWaterIsGunnAndMarshallsMoment) {
+  // pi rho N0 / L^4 with N0 = 3800 / (m^3 mm) and L = 2.55 / mm of 1 mm/h: 0.282 g/m^3.
+  constexpr double kStep_m = 2e-6;
+  const Snowfall snow(1);
+  double water_kgpm3 = 0;
+  for (double d = 0; d < 0.02; d += kStep_m) {
+    const double count = snow.CountAbove_1pm3(d) - snow.CountAbove_1pm3(d + kStep_m);
+    water_kgpm3 += count * 1000 * kPi / 6 * std::pow(d + 0.5 * kStep_m, 3);
+  }
+  EXPECT_NEAR(water_kgpm3, 0.282e-3, 0.002e-3);
+}
+
+TEST(Snowfall, OfOneMillimetreLeavesTheVisibilityOfModerateSnow) {
+  // Moderate snow is one in which 0.5 to 1 km are seen (WMO-No. 306, code 4677; observers relate it
+  // to 1 mm/h and more of water). At the visibility 2 % of the contrast is left.
+  const double visibility_m = std::log(50.0) / Snowfall(1).Extinction_1pm();
+  EXPECT_GT(visibility_m, 500);
+  EXPECT_LT(visibility_m, 1000);
+  EXPECT_EQ(Snowfall(0).Extinction_1pm(), 0);
+}
+
 }  // namespace
 }  // namespace tera

@@ -60,9 +60,20 @@ TEST(DustSight, DepthIsLostWhereFivePercentOfTheContrastIsLeft) {
   Image<float> tau(2, 1), depth_m(2, 1);
   depth_m.data = {7, 7};
   tau.data = {2.9f, 3.1f};  // -ln 0.05 is 2.996
-  LoseDepthInDust(tau, &depth_m);
+  LoseDepthInAir(tau, &depth_m);
   EXPECT_EQ(depth_m.data[0], 7);
   EXPECT_EQ(depth_m.data[1], 0);
+}
+
+TEST(DustSight, FogAddsItsExtinctionTimesTheWayToEachSurface) {
+  Image<float> depth_m(40, 30), dust(40, 30);
+  depth_m.at(3, 20) = 6;
+  dust.at(3, 20) = 0.25f;
+  const Image<float> tau = AirOpticalDepths(PixelRays(Lens()), 0.1, dust, depth_m);
+  EXPECT_NEAR(tau.at(3, 20), 0.25 + 0.6 * std::hypot(1.0, -16.5 / 30, 5.5 / 30), 1e-5);
+  EXPECT_EQ(tau.at(4, 20), 0) << "the sky";
+  EXPECT_NEAR(AirOpticalDepths(PixelRays(Lens()), 0.1, {}, depth_m).at(3, 20), tau.at(3, 20) - 0.25,
+              1e-6);
 }
 
 }  // namespace

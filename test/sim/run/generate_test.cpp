@@ -391,5 +391,41 @@ TEST(Generate, ResolvedScenarioInTheDatasetGeneratesItAgain) {
   ExpectSame(first, ReadAll(out));
 }
 
+/// The scenario above with its driver on tracks, cameras of all kinds and weather.
+std::string InWeather(const std::string& weather) {
+  const std::string camera =
+      "preset: tera:config/sensors/realsense_d435i.yaml, link: upper, xyz_m: [0.8, 0.3, 1.8], "
+      "rpy_deg: [0, 30, 0], width_px: 64, height_px: 48, rate_hz: 2, labels: false, ";
+  std::string text = ScenarioText(
+      "{type: waypoints, waypoints: [{xy_m: [3, 0]}], speed_mps: 1.0}",
+      "{name: disparity, " + camera + "rgb: false}, {name: stereo, " + camera +
+          "rgb: false, disparity_noise_px: 0, stereo: {disparities_px: 16}}, {name: flight, " +
+          camera + "rgb: false, disparity_noise_px: 0, time_of_flight: {}},");
+  text += "environment: {cloud_cover: 1" + weather + "}\n";
+  const std::string ground = "soil: dirt}";
+  return text.replace(text.find(ground), ground.size(),
+                      "custom_soils: [{preset: 'tera:config/soils/dirt.yaml', name: dry, moisture: "
+                      "0.01}], soil: dry}");
+}
+
+TEST(Generate, AllThatIsInTheAirReachesEverySensorThatLooksThroughIt) {
+  const Files clear = Generated("clear", InWeather(""));
+  for (const auto& [name, weather] : std::map<std::string, std::string>{
+           {"fog", ", visibility_m: 40"},
+           {"rain", ", rain_mmph: 40"},
+           {"snow", ", snowfall_mmph: 5"},
+           {"dust", ", wind_mps: 8, wind_from_deg: 270, dust: {emission_factor: 1000}"}}) {
+    const Files files = Generated(name, InWeather(weather));
+    for (const std::string sensor : {"camera", "disparity", "stereo", "flight", "lidar"}) {
+      bool differs = false;
+      for (const auto& [file, bytes] : files) {
+        if (!file.starts_with("excavator1/" + sensor + "/") || file.ends_with(".yaml")) continue;
+        differs = differs || !clear.contains(file) || clear.at(file) != bytes;
+      }
+      EXPECT_TRUE(differs) << name << " leaves " << sensor << " as it is";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tera

@@ -79,5 +79,29 @@ TEST(ReadWeather, RefusesWhatIsOutOfRange) {
               HasFault(kOutOfRange, "environment.dust.cell_m"));
 }
 
+TEST(ReadWeather, OnlyAStatedVisibilityIsFog) {
+  EXPECT_EQ(ReadEnvironment("").weather.visibility_m, 0);
+  EXPECT_EQ(ReadEnvironment("").weather.Extinction_1pm(), 0);
+  const Environment fog = ReadEnvironment("visibility_m: 150");
+  EXPECT_EQ(fog.weather.visibility_m, 150);
+  EXPECT_NEAR(fog.weather.Extinction_1pm(), std::log(50.0) / 150, 1e-12);
+  // Rain takes its part of the picture's visibility, not of the fog's.
+  const Environment both = ReadEnvironment("visibility_m: 150, rain_mmph: 25, cloud_cover: 1");
+  EXPECT_EQ(both.weather.visibility_m, 150);
+  EXPECT_NEAR(both.weather.Extinction_1pm(), std::log(50.0) / 150 + 2.77e-3, 1e-5);
+  EXPECT_NEAR(both.fog_visibility_m, std::log(50.0) / both.weather.Extinction_1pm(), 1e-6);
+}
+
+TEST(ReadWeather, SnowFallsFromCloudsInTheCold) {
+  EXPECT_EQ(ReadEnvironment("snowfall_mmph: 2, cloud_cover: 1").weather.snowfall_mmph, 2);
+  EXPECT_THAT(ScenarioFaults(SiteWithWeather("snowfall_mmph: 2")),
+              HasFaultAt("environment.snowfall_mmph"));
+  EXPECT_THAT(
+      ScenarioFaults(SiteWithWeather("snowfall_mmph: 2, cloud_cover: 1, temperature_degc: 12")),
+      HasFault(kOutOfRange, "environment.snowfall_mmph"));
+  EXPECT_THAT(ScenarioFaults(SiteWithWeather("snowfall_mmph: 50, cloud_cover: 1")),
+              HasFault(kOutOfRange, "environment.snowfall_mmph"));
+}
+
 }  // namespace
 }  // namespace tera

@@ -17,7 +17,6 @@ constexpr double kGroundAlbedo = 0.22;  // for the light reflected from below
 constexpr double kHazeScaleHeight_m = 1200.0;
 constexpr double kHazeShare = 0.02;
 constexpr double kHazeHorizon = 0.004;
-constexpr double kVisibleContrast = 0.02;  // Koschmieder's contrast threshold at the visibility
 // Clouds: noise over a plane; the horizon term limits its compression at low elevation.
 constexpr float kCloudCover = 0.5f;     // noise above this value is cloud
 constexpr float kCloudEdge = 0.25f;     // noise range from clear to dense

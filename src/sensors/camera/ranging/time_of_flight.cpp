@@ -5,6 +5,8 @@
 
 #include "core/types/surface_normal.h"
 #include "core/units.h"
+#include "render/air/rain.h"
+#include "render/air/weather.h"
 #include "sensors/camera/ranging/dot_projector.h"
 
 namespace tera {
@@ -16,6 +18,33 @@ constexpr double kDarkest_lx = 1e-4;  // scene light below which reflectance is 
 /// Phase of light after the path `way_m`.
 Phasor After(double way_m, double frequency_hz) {
   return std::polar(1.0, 2 * kPi * frequency_hz * way_m / kLight_mps);
+}
+
+/// What the air does to the camera's own light.
+struct LitAir {
+  double extinction_1pm;
+  Phasor scattered;  ///< light that the air returns, in the unit of DirectLight
+
+  double TwoWay(double range_m) const { return std::exp(-2 * extinction_1pm * range_m); }
+};
+
+LitAir LitAirOf(const Weather& weather, double frequency_hz) {
+  constexpr double kNearest_m = 0.1;  // nearer, the lamp's light does not meet the eye's field
+  constexpr double kGrowth = 1.02;    // of steps
+  constexpr double kFarthest_m = 50;
+  const double fog_1pm = FogExtinction_1pm(weather.visibility_m);
+  const double rain_1pm = Rain(weather.rain_mmph).Extinction_1pm();
+  const double snow_1pm = Snowfall(weather.snowfall_mmph).Extinction_1pm();
+  const double back_1pmsr = FogBackscatter_1pmsr(fog_1pm) + rain_1pm / Rain::kLidarRatio_sr +
+                            snow_1pm / Snowfall::kLidarRatio_sr;
+  LitAir air{fog_1pm + rain_1pm + snow_1pm, 0};
+  if (air.extinction_1pm <= 0) return air;
+  for (double r_m = kNearest_m; r_m < kFarthest_m; r_m *= kGrowth) {
+    const double middle_m = r_m * std::sqrt(kGrowth), step_m = r_m * (kGrowth - 1);
+    air.scattered += kPi * back_1pmsr * step_m * air.TwoWay(middle_m) / (middle_m * middle_m) *
+                     After(2 * middle_m, frequency_hz);
+  }
+  return air;
 }
 
 double CosineTo(const LitPatch& patch, const Vec3& to_C) {
@@ -126,6 +155,7 @@ Image<float> TimeOfFlight::Measure(std::int64_t k, const SeenScene& scene,
   const std::vector<LitPatch> patches =
       model_.multipath ? PatchesOf(parts) : std::vector<LitPatch>{};
   const double f_hz = model_.frequency_hz;
+  const LitAir air = LitAirOf(rasterizer->model().environment.weather, f_hz);
   Image<float> depth_m(camera_.width_px, camera_.height_px);
   const auto first = static_cast<std::uint64_t>(k) * depth_m.data.size();
   for (int y = 0; y < camera_.height_px; ++y) {
@@ -134,7 +164,7 @@ Image<float> TimeOfFlight::Measure(std::int64_t k, const SeenScene& scene,
       for (int j = 0; j < model_.parts * model_.parts; ++j) {
         const int u = x * model_.parts + j % model_.parts, v = y * model_.parts + j / model_.parts;
         const LitPatch& part = parts[static_cast<std::size_t>(v) * finer_.width_px + u];
-        if (part.exists()) sum += DirectLight(part, f_hz);
+        if (part.exists()) sum += air.TwoWay(part.p_C_m.norm()) * DirectLight(part, f_hz);
       }
       sum /= model_.parts * model_.parts;
       const int middle = model_.parts / 2;
@@ -142,8 +172,10 @@ Image<float> TimeOfFlight::Measure(std::int64_t k, const SeenScene& scene,
           parts[static_cast<std::size_t>(y * model_.parts + middle) * finer_.width_px +
                 x * model_.parts + middle];
       if (model_.multipath && at.exists()) {
-        sum += at.reflectance * LightOver(patches, at, f_hz) * After(at.p_C_m.norm(), f_hz);
+        sum += air.TwoWay(at.p_C_m.norm()) * at.reflectance * LightOver(patches, at, f_hz) *
+               After(at.p_C_m.norm(), f_hz);
       }
+      sum += air.scattered;
       const std::uint64_t pixel = first + static_cast<std::uint64_t>(y) * camera_.width_px + x;
       if (model_.noise > 0 && sum != Phasor(0)) {
         sum += model_.noise * Phasor(noise_.Gaussian(pixel, 0), noise_.Gaussian(pixel, 1));

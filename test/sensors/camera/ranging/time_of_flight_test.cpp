@@ -194,5 +194,24 @@ TEST_F(CameraBeforeWalls, NoiseIsThatOfThePhasorsPhase) {
   EXPECT_LT(reflectance, 0.65);  // with its sheen
 }
 
+// The air returns light from nearby, whose phase is near zero: it draws that of a wall within half
+// of the ambiguity range nearer, the more, the less of the wall's own light is left.
+TEST_F(CameraBeforeWalls, FogDrawsAWallNearer) {
+  const auto depth_m = [](double visibility_m) {
+    SceneModel model = OneBodyEach({WallMesh(20, 0.5)});
+    model.environment.weather.visibility_m = visibility_m;
+    Rasterizer rasterizer(model, {});
+    SeenScene seen;
+    seen.X_WC = MakePose({0, 0, 40}, 0, 0, 0) * OpticalInSensor();
+    seen.state.X_WB = {MakePose({2.5, 0, 40})};
+    return double(
+        TimeOfFlight(Plain(), Lens(), 1, "m/camera").Measure(0, seen, &rasterizer).at(47, 35));
+  };
+  const double clear_m = depth_m(0), haze_m = depth_m(300), fog_m = depth_m(50);
+  EXPECT_NEAR(clear_m, 2.5, 2e-3);
+  EXPECT_LT(haze_m, clear_m - 0.01);
+  EXPECT_LT(fog_m, haze_m - 0.05);
+}
+
 }  // namespace
 }  // namespace tera
