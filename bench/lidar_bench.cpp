@@ -1,10 +1,16 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "core/config/config.h"
 #include "core/stopwatch.h"
 #include "dig_site.h"
+#include "sensors/sensor.h"
 #include "verdict.h"
 
 // The quickstart's lidar (64 beams, 1024 columns, 10 Hz) during a cut.
@@ -18,10 +24,10 @@ constexpr double kScansPerSecond = 10;
 /// sensor's rays for Embree alone.
 class Revolution {
  public:
-  Revolution()
+  Revolution() : Revolution(std::get<LidarModel>(RoofLidar().model)) {}
+  explicit Revolution(const LidarModel& model)
       : site_(TheDigSite()),
-        sensor_(site_.sensors()[site_.IndexOf("lidar_roof")]),
-        model_(std::get<LidarModel>(sensor_.model)),
+        model_(model),
         lidar_(model_, Clock(), 0, 1, "bench"),
         scene_(site_.model()) {
     const std::size_t s = site_.IndexOf("lidar_roof");
@@ -44,12 +50,17 @@ class Revolution {
     }
     scene_.Update(poses, To().ground, To().scene.shapes);
   }
-  LidarScan Measure(int threads) const { return lidar_.Measure(0, track_, scene_, threads); }
+  LidarScan Measure(int threads, const SensedAir& air = {}) const {
+    return lidar_.Measure(0, track_, scene_, threads, air);
+  }
   void TraceBareSingly() { scene_.TraceBareSingly(rays_, ranges_m_); }
   void TraceBareInPackets() { scene_.TraceBareInPackets(rays_, ranges_m_); }
   double rays() const { return static_cast<double>(rays_.size()); }
 
  private:
+  static const SensorDescription& RoofLidar() {
+    return TheDigSite().sensors()[TheDigSite().IndexOf("lidar_roof")];
+  }
   const Instant& From() const { return site_.instants()[4]; }
   const Instant& To() const { return site_.instants()[5]; }
   SampleClock Clock() const { return {kScansPerSecond, From().scene.t_ns}; }
@@ -69,8 +80,7 @@ class Revolution {
   }
 
   const DigSite& site_;
-  const SensorDescription& sensor_;
-  const LidarModel& model_;
+  LidarModel model_;
   Lidar lidar_;
   RayScene scene_;
   PoseTrack track_;
@@ -128,6 +138,53 @@ BENCHMARK(LidarScanWithUpdate)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond)
     ->MinTime(2);
+
+LidarModel PresetLidar(const std::string& name) {
+  const Config config = Config::FromText(
+      "s: {name: l, link: u, preset: 'tera:config/sensors/" + name + ".yaml'}", "bench");
+  const SensorDescription sensor = ReadSensor(config.root().Map("s"));
+  config.Finish();
+  return std::get<LidarModel>(sensor.model);
+}
+
+/// A preset's scan of the dig site in weather: points, and those that the air returned, over the
+/// pulses.
+void LidarInAir(benchmark::State& state, const std::string& preset, const SensedAir& air) {
+  const Revolution revolution(PresetLidar(preset));
+  LidarScan scan;
+  for (auto _ : state) scan = revolution.Measure(1, air);
+  const auto of_air = std::count_if(
+      scan.points.begin(), scan.points.end(),
+      [](const LidarPoint& p) { return p.label == static_cast<int>(SemanticClass::kRain); });
+  state.counters["points_percent"] =
+      100 * static_cast<double>(scan.points.size()) / revolution.rays();
+  state.counters["of_air_percent"] = 100 * static_cast<double>(of_air) / revolution.rays();
+  state.counters["pulses_ps"] = benchmark::Counter(
+      revolution.rays() * static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
+
+const bool kLidarsInAir = [] {
+  const std::vector<std::pair<std::string, SensedAir>> airs = {{"clear", {}},
+                                                               {"rain_2", {.rain_mmph = 2}},
+                                                               {"rain_10", {.rain_mmph = 10}},
+                                                               {"rain_25", {.rain_mmph = 25}},
+                                                               {"snowfall_1", {.snowfall_mmph = 1}},
+                                                               {"fog_2000", {.visibility_m = 2000}},
+                                                               {"fog_500", {.visibility_m = 500}},
+                                                               {"fog_150", {.visibility_m = 150}},
+                                                               {"fog_50", {.visibility_m = 50}},
+                                                               {"fog_15", {.visibility_m = 15}}};
+  for (const std::string preset :
+       {"os1_64", "os1_128", "vlp16", "os1_32", "os0_128", "vlp32c", "hdl64e"}) {
+    for (const auto& [name, air] : airs) {
+      benchmark::RegisterBenchmark(("LidarInAir/" + preset + "/" + name).c_str(), LidarInAir,
+                                   preset, air)
+          ->Unit(benchmark::kMillisecond)
+          ->Iterations(1);
+    }
+  }
+  return true;
+}();
 
 }  // namespace
 }  // namespace tera::bench
