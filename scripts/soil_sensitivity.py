@@ -37,7 +37,7 @@ UNRANKED = {"bank_fallen_m3", "track_free_slip_percent"}  # the one stands or fa
 # Groups of figures that a constant may act on, by its folder: a tool does nothing to a bare track.
 GROUPS = {"src/sim": ("dig",), "src/physics": ("dig",), CATALOGUE: ("tool", "track", "flow", "dig"),
           "src/soil/tool": ("tool", "dig"), "src/soil/track": ("track", "dig"), "src/soil/flow": ("tool", "flow", "dig"),
-          "src/soil/columns": ("tool", "track", "flow", "dig")}
+          "src/soil/columns": ("tool", "track", "flow", "dig"), "src/soil/site": ()}  # of weather before, which none has
 
 MOVED_BY = """#pragma once
 #include <cstdlib>
