@@ -20,8 +20,8 @@ AxisParameters AxisOf(const Effects& effects, const ActuatorEffort& effort) {
   return axis;
 }
 
-/// Lever arms and displacements are known at this many positions of a joint's travel; between them
-/// they are straight to 1e-4 of themselves.
+/// Number of tabulated positions over a joint's travel. Linear interpolation between them keeps
+/// lever arms and displacements within 1e-4 relative.
 constexpr int kArms = 129;
 
 template <typename ValueAt>
@@ -35,7 +35,7 @@ OverTravel Tabulate(const Joint& joint, const ValueAt& value_at) {
   return table;
 }
 
-/// The arms of the first cylinder that moves the joint, over its travel.
+/// Tabulates the lever arm of the joint's first cylinder over its travel.
 void AddOwnCylinder(const MachineModel& model, std::size_t joint, KinematicGainParameters* gain) {
   for (const Cylinder& cylinder : model.cylinders) {
     if (cylinder.joint != static_cast<int>(joint)) continue;
@@ -45,14 +45,14 @@ void AddOwnCylinder(const MachineModel& model, std::size_t joint, KinematicGainP
   }
 }
 
-/// Whether cylinders with a bore move the joint.
+/// Whether a cylinder with a bore drives the joint.
 bool HasDrivingCylinder(const MachineModel& model, std::size_t joint) {
   return std::any_of(model.cylinders.begin(), model.cylinders.end(), [&](const Cylinder& c) {
     return c.joint == static_cast<int>(joint) && c.bore_m > 0;
   });
 }
 
-/// What the cylinders with a bore take that move the joint, or else its own displacement.
+/// Displacement of the joint's driving cylinders, or else the joint's own constant.
 void SetDisplacement(const MachineModel& model, std::size_t joint, AxisParameters* axis) {
   const Joint& j = model.joints[joint];
   if (!HasDrivingCylinder(model, joint)) {

@@ -5,13 +5,13 @@
 
 #include "physics/description/machine.h"
 
-/// What levers drive, counted as the chain of actuation does: joints first, then running gears.
+/// Axes that levers drive, in the order of the actuation chain: joints first, then running gears.
 
 namespace tera {
 
 std::string NameOfAxis(const MachineModel& model, std::size_t axis);
 
-/// The axis of that name, -1 where the machine has none.
+/// Index of the axis of that name, or -1.
 int AxisNamed(const MachineModel& model, const std::string& name);
 
 /// Whether a lever of the machine drives the axis.

@@ -8,9 +8,10 @@
 namespace tera {
 namespace {
 
-/// A command is remembered for its delay at steps of this rate or slower.
+/// Fastest step rate, which sizes the ring of past commands for the delay.
 constexpr double kFastest_hz = 5000;
-/// A message due at the instant of a step is taken in it, whatever the rounding of the quotient.
+/// Tolerance, in messages, against rounding of the quotient: a message due at the instant of a step
+/// counts in it.
 constexpr double kRounding = 1e-9;
 
 std::int64_t MessageAt(double t_s, double period_s, double phase) {
@@ -84,8 +85,8 @@ double CommandTiming::Delay(double command, double dt_s) {
 }
 
 double CommandTiming::Spread(double command, double dt_s) {
-  // Of a box as wide as the delays with one as wide as the step: the width of what they make
-  // together, and no command before it is given.
+  // The box of delays and the box of a step have together the variance of one box this wide. The
+  // bound keeps commands from acting before they are given.
   const double width_s = std::min(
       std::sqrt(12 * parameters_.delay_spread_s * parameters_.delay_spread_s + dt_s * dt_s),
       2 * parameters_.delay_s + dt_s);
@@ -102,12 +103,12 @@ void CommandTiming::Remember(double value) {
   past_[newest_] = value;
 }
 
-/// What was remembered so many steps before the newest; fewer than all that there is room for.
+/// The value remembered `steps` steps before the newest. The ring bounds `steps`.
 double CommandTiming::Past(std::size_t steps) const {
   return past_[steps <= newest_ ? newest_ - steps : newest_ + past_.size() - steps];
 }
 
-/// Sum of all commands over time, up to so many steps before the end of the newest one.
+/// Sum of all commands over time, up to `steps` steps before the end of the newest one.
 double CommandTiming::SumBefore_s(double steps) const {
   const auto whole = static_cast<std::size_t>(std::max(0.0, steps));
   TERA_CHECK(whole + 2 <= past_.size(), steps, parameters_.delay_s);

@@ -4,14 +4,14 @@
 
 namespace tera {
 
-/// The position of a joint from the stroke of one of the cylinders that move it.
+/// Position of a joint from the stroke of one of its cylinders.
 ///
-/// Model   the length between the pins (ReachOf) less the shortest over the joint's travel, solved
-///         by bisection; beyond the travel straight on from its end.
-/// Machines are read only where cylinders pass no dead centre, so that there is one such position.
+/// Model   the length between the pins (ReachOf) minus the shortest over the joint's travel, solved
+///         by bisection; extrapolated linearly beyond the travel.
+/// The solution is unique, since the readers refuse machines whose cylinders pass a dead centre.
 double JointOfStroke(const MachineModel& model, const Cylinder& cylinder, double stroke_m);
 
-/// The strokes at the ends of the joint's travel, the shorter one first, m.
+/// Strokes at the ends of the joint's travel, the shorter one first, m.
 struct StrokeRange {
   double least_m = 0, most_m = 0;
 };

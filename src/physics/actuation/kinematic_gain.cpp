@@ -11,7 +11,7 @@ constexpr double kMostGain = 10;
 double LeverArm_m(const KinematicGainParameters& p, double position_rad) {
   if (!p.arms_m.values.empty()) return p.arms_m.At(position_rad);
   const double angle_rad = p.angle_at_zero_rad + position_rad;
-  // The law of cosines, in a form that no rounding makes negative.
+  // Law of cosines, in a form that rounding cannot make negative.
   const double half = std::sin(0.5 * angle_rad), difference_m = p.barrel_m - p.rod_m;
   const double length_m =
       std::sqrt(difference_m * difference_m + 4 * p.barrel_m * p.rod_m * half * half);

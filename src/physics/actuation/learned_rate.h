@@ -9,10 +9,10 @@
 
 namespace tera {
 
-/// The way in which a lever moved last, -1 or 1; 0 at neutral.
+/// Direction of a lever's last motion, -1 or 1; 0 at neutral.
 ///
-/// Model   a held lever trembles: it has moved where it is more than 0.01 from where it was
-///         followed to.
+/// Model   hysteresis of 0.01 against the tremor of a held lever: a motion counts where the lever
+///         is more than 0.01 from the followed position.
 class LeverWay {
  public:
   double Step(double lever) {
@@ -28,25 +28,25 @@ class LeverWay {
   double followed_ = 0, way_ = 0;
 };
 
-/// What a learned effect of an axis may depend on over a step, its rate aside. The lever is that of
-/// the variable's axis, all else is of the axis that the effect acts on.
+/// Inputs of a learned effect over a step, apart from the rate. The lever is that of the variable's
+/// axis; position and load are those of the affected axis.
 struct LearnedInput {
   double lever = 0, position_rad = 0, load_nm = 0, time_s = 0;
 };
 
-/// A learned effect at the end of an axis's chain, behind load_friction.
+/// A learned effect at the end of an axis's chain, after load_friction.
 ///
-/// Model   share: w' = w (1 + c(x)), c >= -1; added: w' = w + c(x), but c no more than |w| either
-///         way. So what a learned effect takes at most stops the axis and never turns it back, and
-///         what stands still without it, as under neutral levers, stands still with it.
-/// Omits   oil and power, which the pumps share out before it.
+/// Model   share: w' = w (1 + c(x)), c >= -1; added: w' = w + c(x), |c| <= |w|. A learned effect
+///         can therefore stop the axis but never reverse it. An axis at rest, as under neutral
+///         levers, stays at rest.
+/// Omits   oil and power, which the pumps share out earlier.
 class LearnedRate {
  public:
   explicit LearnedRate(LearnedEffect effect) : effect_(std::move(effect)) {}
 
   bool ReadsLoad() const { return effect_.variable.kind == LearnedVariable::Kind::kLoad; }
   std::size_t lever_axis() const { return effect_.variable.axis; }
-  /// What becomes of `rate_radps`, which the rest of the chain asks for over a step.
+  /// Corrected rate for `rate_radps`, the demand of the rest of the chain over a step.
   double Step(double rate_radps, const LearnedInput& input);
 
  private:
@@ -54,9 +54,9 @@ class LearnedRate {
   LeverWay way_;
 };
 
-/// The variables that a learned effect of an axis (joints first, then gears) may depend on, as a
-/// simulation and a replay know them: levers of all axes and their ways; its own position, load and
-/// rate; time from the start of the scenario.
+/// Variables that a learned effect of an axis (joints first, then gears) may depend on. Simulation
+/// and replay both know them: levers of all axes and their directions; the axis's own position,
+/// load and rate; time since the start of the scenario.
 std::vector<LearnedVariable> LearnedVariablesOf(const MachineModel& model, std::size_t axis);
 
 /// The learned effect of an axis, or nullptr.

@@ -7,20 +7,21 @@ namespace tera {
 namespace {
 
 constexpr double kZeroCelsius_k = 273.15;
-/// Oil ISO VG 46: the grade's middle at 40 C by ISO 3448, and what makers' sheets give at 100 C for
-/// a viscosity index of about 100 (6.7 to 6.9).
+/// Oil ISO VG 46: the grade's midpoint at 40 C by ISO 3448, and makers' data sheets at 100 C for a
+/// viscosity index of about 100 (6.7 to 6.9).
 constexpr double kWarm_degc = 40, kWarm_cst = 46;
 constexpr double kHot_degc = 100, kHot_cst = 6.8;
-/// In the chart's law for all but the thinnest oils, ASTM D341.
+/// Constant of ASTM D341 for all but the thinnest oils.
 constexpr double kChartShift_cst = 0.7;
-constexpr double kReference_degc = kWarm_degc;  ///< at which leak and viscous friction are stated
+constexpr double kReference_degc = kWarm_degc;  ///< temperature of the stated leak and viscous
+                                                ///< friction
 
 /// Ratio of the oil's viscosity to that at the reference temperature.
 double ViscosityRatio(double oil_degc) {
   return OilViscosity_cst(oil_degc) / OilViscosity_cst(kReference_degc);
 }
 
-/// Near a dead centre a cylinder counts as if it could do this share of its rated effort.
+/// Least effort near a dead centre, as a share of a cylinder's rated effort.
 constexpr double kWeakest = 0.1;
 
 OverTravel NotBelow(double least, OverTravel table) {
@@ -135,7 +136,7 @@ void LoadFriction::Prepare(double dt_s) {
 }
 
 double LoadFriction::Leak(double load_nm, double position_rad) const {
-  // Friction that holds part of a load keeps that part off the oil.
+  // The oil does not carry the part of a load that friction holds.
   const AxisFriction held = Friction(0);
   const double on_oil_nm =
       load_nm - std::clamp(load_nm, -held.against_positive_nm, held.against_negative_nm);
@@ -159,7 +160,7 @@ double LoadFriction::Droop(double rate_radps, double load_nm, double position_ra
 }
 
 double LoadFriction::DriveFriction(double rate_radps) {
-  // Friction of the rate at the start of the step; no more of it than brings the joint to rest.
+  // Friction at the rate of the start of the step, at most as much as brings the joint to rest.
   const double x = slid_radps_ / parameters_.slide_stribeck_radps;
   const double lost = parameters_.lost_radps * (1 + (parameters_.breakaway - 1) * std::exp(-x * x));
   const double without = rate_radps + slide_keeps_ * (slid_radps_ - rate_radps);

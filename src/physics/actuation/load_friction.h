@@ -7,43 +7,44 @@
 
 namespace tera {
 
-/// The most that an actuator can do in either direction, magnitudes over its travel.
+/// Greatest effort of an actuator in either direction, magnitudes over its travel.
 struct ActuatorEffort {
   OverTravel positive_nm{.values = {0}}, negative_nm{.values = {0}};
   /// At mid-travel, the mean of both directions.
   double rated_nm = 0;
 
-  /// An actuator with the same effort in both directions, all over its travel.
+  /// An actuator with the same effort in both directions and over all its travel.
   static ActuatorEffort Constant(double effort_nm);
 };
 
-/// What load and friction do to an actuator. As built, nothing. Efforts are newtons and rates
-/// metres a second for a joint that slides.
+/// Effects of load and friction on an actuator; the defaults have none. For a prismatic joint,
+/// efforts are newtons and rates metres per second.
 struct LoadFrictionParameters {
-  /// The efforts at which it stands still in either direction; no values: none.
+  /// Stall efforts in either direction; no values: none.
   OverTravel stall_positive_nm, stall_negative_nm;
   double droop_response_s = 0;
-  /// Yield to a load that pushes it the negative way, or the positive; no values: none.
+  /// Rate of yield per load that pushes in the negative direction, or the positive; no values:
+  /// none.
   OverTravel drift_negative_radpspnm, drift_positive_radpspnm;
   double coulomb_nm = 0, viscous_nmsprad = 0;
   double stribeck_nm = 0, stribeck_radps = 1;
   double more_positive_nm = 0, more_negative_nm = 0;
   double more_positive_nmsprad = 0, more_negative_nmsprad = 0;
   double offset_nm = 0;
-  double lost_radps = 0;            ///< of its rate to dry friction, by a drive that gives way
+  double lost_radps = 0;            ///< rate lost to dry friction by a compliant drive
   double slide_s = 0;               ///< inertia over that drive's damping
-  double breakaway = 1;             ///< friction at rest over that in sliding ..
-  double slide_stribeck_radps = 1;  ///< .. which it has beyond this rate
+  double breakaway = 1;             ///< static over sliding friction
+  double slide_stribeck_radps = 1;  ///< rate above which sliding friction holds
   double flex_radps = 0, flex_damping = 0, compliance_radpnm = 0;
 };
 
-/// `effort` is what the actuator can do: it stalls there where no number is given, and there its
-/// leak is stated.
+/// `effort` is the actuator's own: the stall effort where the effect gives no number, and the
+/// reference of its leak.
 LoadFrictionParameters LoadFrictionOf(const Effects& effects, const ActuatorEffort& effort);
 
-/// What opposes the motion of an axis over a step: dry friction, which also holds it at rest, with
-/// at most these magnitudes in either direction, and the viscous one, which belongs to the rate at
-/// the end of the step.
+/// Friction against an axis over a step. The dry part has at most these magnitudes in either
+/// direction, and also holds the axis at rest. The viscous part belongs to the rate at the end of
+/// the step.
 struct AxisFriction {
   double against_positive_nm = 0, against_negative_nm = 0;
   double viscous_nmsprad = 0;
@@ -54,46 +55,47 @@ struct AxisFriction {
 
 /// Slot `load_friction` of one joint or gear.
 ///
-/// Frames  The load is the effort that the joint needs at a steady rate beside that against its
-///         own friction, positive where it must be pushed towards larger positions.
-/// Model   pressure_droop: v = v0 sqrt((ps - pL) / ps) with pL / ps the load and the friction
-///         against v0 over the effort at which the actuator stalls, which without a number is the
-///         most it can do where it stands in that direction, seen through a first-order lag of the
-///         oil's compression; an aiding load makes it faster. The pressure that accelerates
-///         masses is no load: it is gone within I v0 / ps, some milliseconds. sag: a leak lets the
-///         joint yield at a rate proportional to the load beyond what friction holds, w = drift
-///         (rated / E)^2 load / rated with E the most it can do where it stands against that load:
-///         pressure is load over area and lever arm, and so is the rate over the leak.
-///         drive_friction: dry friction that the drive has no stiffness to ignore; it pushes the
-///         more the more its rate falls short, T dw/dt = u - w - r(w) sgn w, r = lost (1 + (b - 1)
-///         exp(-(w / w_s)^2)), and stands still until |u| is over b times what is lost in sliding.
-///         structural_flex: the rate passes a filter of second order, w_n^2 / (s^2 + 2 z w_n s +
-///         w_n^2), and so does the angle -c L by which a load L bends the link. Friction: F = F_c +
-///         F_s exp(-(w / w_s)^2) + c |w| (coulomb_friction, stribeck_friction, viscous_friction),
-///         and more of F_c and c by direction (asymmetric_friction); it opposes motion, and holds a
-///         joint at rest with at most F(0). effort_offset: a constant effort that the actuator must
-///         make up for, whichever way the joint moves.
-/// Omits   that what bends a flexible link includes its own acceleration, presliding displacement,
-/// dependence of friction
-///         on load; `payload` is a mass of the
-///         machine's links (see AddPayloads).
-/// Source  Merritt 1967, "Hydraulic control systems", ch. 3 (orifice, laminar leak); Armstrong-
-///         Helouvry et al. 1994, "A survey of models, analysis tools and compensation methods for
-///         the control of machines with friction".
+/// Frames  The load is the effort that a steady rate needs without the joint's own friction. It is
+///         positive where the joint must be pushed towards larger positions.
+/// Model   pressure_droop: v = v0 sqrt((ps - pL) / ps). pL / ps is load plus friction against v0,
+///         over the stall effort, seen through a first-order lag of the oil's compression. Without
+///         a number, the stall effort is the actuator's greatest at that position in that
+///         direction. An assisting load makes the joint faster. The pressure that accelerates
+///         masses is no load: it vanishes within I v0 / ps, some milliseconds.
+///         sag: a leak lets the joint yield in proportion to the load that friction does not hold,
+///         w = drift (rated / E)^2 load / rated. E is the greatest effort at that position against
+///         that load. Both pressure and rate go with 1 / (area times lever arm), hence the square.
+///         drive_friction: dry friction in a compliant drive, whose push grows with the missing
+///         rate. T dw/dt = u - w - r(w) sgn w, r = lost (1 + (b - 1) exp(-(w / w_s)^2)). It stands
+///         still until |u| exceeds b times the loss in sliding.
+///         structural_flex: the rate passes the second-order filter w_n^2 / (s^2 + 2 z w_n s +
+///         w_n^2), and so does the angle -c L by which a load L bends the link.
+///         Friction: F = F_c + F_s exp(-(w / w_s)^2) + c |w| (coulomb_friction, stribeck_friction,
+///         viscous_friction), with F_c and c greater in one direction (asymmetric_friction). It
+///         opposes motion, and holds a joint at rest with at most F(0).
+///         effort_offset: a constant effort that the actuator must also supply, whichever way the
+///         joint moves.
+/// Omits   the share of a flexible link's own acceleration in its bending; presliding displacement;
+///         dependence of friction on load. `payload` is a mass of the machine's links (see
+///         AddPayloads).
+/// Source  Merritt 1967, "Hydraulic control systems", ch. 3 (orifice, laminar leak);
+///         Armstrong-Helouvry et al. 1994, "A survey of models, analysis tools and compensation
+///         methods for the control of machines with friction".
 class LoadFriction {
  public:
   explicit LoadFriction(const LoadFrictionParameters& parameters);
 
   /// Whether the rate depends on the load.
   bool ReadsLoad() const;
-  /// Rate over a step of `dt_s` when the actuator alone would run at `rate_radps`.
+  /// Rate over a step of `dt_s`, for an actuator that alone would run at `rate_radps`.
   double Step(double rate_radps, double load_nm, double position_rad, double dt_s) {
     return acts_ ? Act(rate_radps, load_nm, position_rad, dt_s) : rate_radps;
   }
 
-  /// The constant effort that the joint needs besides.
+  /// Constant effort that the joint also needs.
   double Offset_nm() const { return parameters_.offset_nm; }
-  /// Friction of a joint that moves at `rate_radps`; at rest, the viscous one of both directions.
+  /// Friction of a joint that moves at `rate_radps`; at rest, the viscous coefficients of both
+  /// directions.
   AxisFriction Friction(double rate_radps) const;
 
  private:
@@ -102,18 +104,19 @@ class LoadFriction {
   double Droop(double rate_radps, double load_nm, double position_rad);
   double Leak(double load_nm, double position_rad) const;
   double DriveFriction(double rate_radps);
-  /// One step of a value that follows another as the link swings.
+  /// One step of the link's second-order filter, from `*value` towards `towards`.
   void Swing(double towards, double* value, double* change) const;
   double Flex(double rate_radps, double load_nm);
 
   LoadFrictionParameters parameters_;
-  bool acts_;              ///< on the rate
-  double pressed_nm_ = 0;  ///< load as the pressure shows it
+  bool acts_;              ///< whether the rate is affected
+  double pressed_nm_ = 0;  ///< load as the oil pressure shows it
   double slid_radps_ = 0;
   double flexed_radps_ = 0, flexed_change_radps2_ = 0;  ///< state of the filter
-  std::optional<double> bent_rad_;                      ///< by the load; none before the first step
+  std::optional<double> bent_rad_;                      ///< angle of bending; none before the first
+                                                        ///< step
   double bending_radps_ = 0;
-  double dt_s_ = 0;  ///< for which the following hold
+  double dt_s_ = 0;  ///< step for which the following values hold
   double response_step_ = 1, slide_keeps_ = 0, flex_cos_ = 1, flex_sin_ = 0;
 };
 

@@ -6,11 +6,11 @@
 
 namespace tera {
 
-/// A quantity over a joint's position: one value for all, or values at equal steps from the first
-/// position to the last, straight between them and constant beyond.
+/// A quantity over a joint's position: one constant value, or values at equal steps from the first
+/// position to the last. Linear between them, constant beyond.
 struct OverTravel {
   double first_rad = 0, last_rad = 0;
-  std::vector<double> values;  ///< not empty where it is used
+  std::vector<double> values;  ///< never empty when evaluated
 
   double At(double position_rad) const {
     if (values.size() < 2) return values.front();

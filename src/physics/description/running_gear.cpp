@@ -11,11 +11,11 @@ namespace {
 /// Approximate patch length: three cells of the default terrain, so that neighbouring patches act
 /// on neighbouring ground.
 constexpr double kBottomPatch_m = 0.16;
-constexpr double kLeastPatch_m = 1e-6;  ///< shorter patches are rounding errors
-/// Largest patch angle of a nose from straight down; patches divide it evenly.
+constexpr double kLeastPatch_m = 1e-6;  ///< shorter parts of the bottom run are rounding errors
+/// Angle of a nose, from straight down to its upper end; the patches divide it evenly.
 constexpr double kNoseAngle_rad = 80 * kDeg;
 constexpr int kNosePatches = 4;
-/// Largest patch angle of a tyre to either side of straight down.
+/// Contact angle of a tyre to either side of straight down; the patches divide it evenly.
 constexpr double kTyreAngle_rad = 50 * kDeg;
 constexpr int kTyrePatches = 9;
 /// Segments of the shoes' path around half a sprocket.

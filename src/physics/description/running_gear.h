@@ -27,9 +27,10 @@ struct WheelSetShape {
   double width_m = 0;
 };
 
-/// Patches of the bottom run from rear to front, with the noses that rise around sprocket and
-/// idler. The noses let a track climb and level out. Pressure peaks occur under the road wheels,
-/// from half a pitch in front of the first to half a pitch behind the last.
+/// Patches of a track from rear to front: the rear nose, the bottom run and the front nose. The
+/// noses rise around sprocket and idler, and let a track climb and level out. Patches of the bottom
+/// run within half a pitch of a road wheel carry their position to it, for the pressure peaks
+/// there.
 std::vector<ContactPatch> TrackPatches(const TrackShape& track);
 
 /// Patches of the lower part of every wheel, each tangent to the tyre.

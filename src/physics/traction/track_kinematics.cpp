@@ -37,9 +37,10 @@ double SlipOf(double speed_mps, double thrust, double slope, const TrackGeometry
   return std::clamp(slip, -1.0, 1.0);
 }
 
-/// Lower bound on cos(tilt) for a machine on its side or its back. The tracks keep this fraction of
-/// the weight, and side slopes keep this base. Thrust over load and slopes stay finite; slip, at
-/// most 1, reaches its bounds much earlier.
+/// Lower bound on the cosine of the tilt, for a machine on its side or its back. The tracks keep at
+/// least this fraction of the weight, and the side slope's base is at least this fraction of its
+/// length. Thrust over load and the side slope thus stay finite. Slip, at most 1, reaches its
+/// bounds much earlier. The slope along the tracks, the tangent of the pitch, has no such bound.
 constexpr double kLeastUpright = 1e-6;
 
 /// Excess of `size` over `holding`, with the sign of `size`.
