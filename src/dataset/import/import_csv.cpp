@@ -21,7 +21,7 @@
 namespace tera {
 namespace {
 
-constexpr double kEpoch_s = 1e8;  ///< times beyond are counted from an epoch, not from a start
+constexpr double kEpoch_s = 1e8;  ///< greater times count from an epoch, not from a start
 
 Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options, UnpackedFiles* unpacked) {
   Mapping mapping{.options = options, .unpacked = unpacked};
@@ -33,7 +33,7 @@ Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options, Unpacked
     top.Fault("machine", "'truth' is a folder that every recording has; choose another");
   }
   for (const char* shared : {"file", "time", "csv", "talker"})
-    top.Has(shared);  // if each channel has its own
+    top.Has(shared);  // each channel may have its own
   if (top.Has("cameras")) {
     top.Fault("cameras",
               "pictures of logs do not come in by a mapping; need them written into the "
@@ -41,7 +41,7 @@ Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options, Unpacked
   }
   mapping.starts_at_zero = top.Choice("zero", {"start", "as_written"}, "as_written") == "start";
   mapping.epoch = ReadEpoch(top, /*may_count_from_1970=*/true);
-  top.Has("machine_model");  // asked for by encoders that need it
+  top.Has("machine_model");  // read later, by encoders that need it
   if (const auto origin = top.OptionalMap("origin")) {
     mapping.info.origin_lat_deg = origin->Number("lat_deg", Between(-90, 90, "deg"));
     mapping.info.origin_lon_deg = origin->Number("lon_deg", Between(-180, 180, "deg"));
@@ -78,15 +78,15 @@ Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options, Unpacked
   return mapping;
 }
 
-/// The zero of the recording in the files' times.
+/// Zero of the recording, in the files' times.
 struct FoundZero {
   TimeNs zero_ns = 0;
-  ClockScale clock = ClockScale::kUnknown;  ///< that all files have
+  ClockScale clock = ClockScale::kUnknown;  ///< common to all files
 };
 
-/// The earliest time of all rows that come in; 0 where none does.
+/// Earliest time of all imported rows; 0 without rows.
 FoundZero FirstOf(const Mapping& mapping, const ImportOptions& options) {
-  // Whether a row comes in is known when its channel has been made of it.
+  // Only reading its channel tells whether a row is imported.
   ImportRun run(options, nullptr, 0);
   for (const ImportJob& job : mapping.jobs) job(&run);
   const ClockScale clock = run.Clock();
@@ -98,7 +98,7 @@ FoundZero FirstOf(const Mapping& mapping, const ImportOptions& options) {
   return {first_ns.value_or(0), clock};
 }
 
-/// When the recording's times are 0, as far as the mapping or the size of the files' times tells.
+/// Epoch of the recording's zero, from the mapping or else from the size of the files' times.
 std::optional<RecordingEpoch> EpochOf(const Mapping& mapping, const FoundZero& zero) {
   if (mapping.epoch) {
     return RecordingEpoch{mapping.epoch->since_1970_ns + zero.zero_ns, mapping.epoch->clock};
@@ -107,8 +107,8 @@ std::optional<RecordingEpoch> EpochOf(const Mapping& mapping, const FoundZero& z
   return RecordingEpoch{zero.zero_ns, zero.clock};
 }
 
-/// An epoch that the mapping says must go with its files' times, and dataset.yaml must read it
-/// back.
+/// Throws where the mapping's epoch contradicts the files' times, or where dataset.yaml could not
+/// read it back.
 void RequireReadableEpoch(const ConfigMap& top, const Mapping& mapping, const FoundZero& zero,
                           const std::optional<RecordingEpoch>& epoch) {
   if (!epoch) return;
@@ -181,7 +181,7 @@ bool NamesAMachine(const std::filesystem::path& mapping) {
   return false;
 }
 
-/// A log in the place of its mapping is the first mistake of many.
+/// Throws where a log is given in place of a mapping, a frequent mistake of beginners.
 void RequireNoLog(const std::filesystem::path& mapping) {
   const std::string ending = LowerCase(mapping.extension().string());
   const bool is_yaml = ending == ".yaml" || ending == ".yml" || ending == ".json";

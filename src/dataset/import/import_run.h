@@ -35,7 +35,7 @@ class ImportRun {
                              const std::vector<TimeNs>& t_ns, const LeftOutRows& left_out);
   /// The channel that Read told of last.
   ImportedChannel* last() { return &report_.channels.back(); }
-  /// What the channel that Read told of last tells of motions, for the comparison of clocks.
+  /// Adds the motion series of the latest channel from Read, for the comparison of clocks.
   void AddMotion(const RowSource& source, std::vector<MotionSeries> series);
   /// None where nothing is to be written.
   DatasetWriter* writer() const { return writer_; }
@@ -91,13 +91,13 @@ class ColumnKeys {
   std::string element_;  ///< of the source
 };
 
-/// What sensor.yaml can say of a sensor that was not simulated.
+/// Content of sensor.yaml for a sensor that was not simulated.
 struct ImportedSensor {
   std::string type, name;
   std::string link;  ///< empty where the mapping does not say where the sensor was
   Pose X_LS = Pose::Identity();
 };
-/// Of a channel's `name` and `mount`.
+/// Reads a channel's `name` and `mount`.
 ImportedSensor ReadSensorMount(const ConfigMap& config, const std::string& type);
 std::string SensorText(const ImportedSensor& sensor, const RowSource& source,
                        const std::vector<MappedRow>& rows);

@@ -10,11 +10,11 @@
 #include "core/time.h"
 #include "dataset/import/bag/unpacked_file.h"
 
-/// Bags of ROS messages, read from their beginning to their end.
+/// Bags of ROS messages, read in file order.
 
 namespace tera {
 
-/// A place from which on a bag cannot be read; what stands before it can.
+/// Damage of a bag from some place on; the content before it is readable.
 class BagDamage : public InputError {
  public:
   using InputError::InputError;
@@ -30,48 +30,47 @@ struct BagTopic {
 };
 
 struct BagMessage {
-  TimeNs log_ns = 0;  ///< when it was recorded
+  TimeNs log_ns = 0;  ///< time of recording
   std::string_view bytes;
 };
 
-/// Who reads a bag.
+/// Receiver of a bag's topics and messages.
 class BagVisitor {
  public:
   virtual ~BagVisitor() = default;
   enum class Wish { kSkip, kTake, kEnough };
-  /// Asked of each topic before its messages; of a topic that was offered twice, or that stands in
-  /// several files, more than once.
+  /// Called for each topic before its messages. Repeats are possible, for a topic that is announced
+  /// twice or stands in several files.
   virtual Wish Wants(const BagTopic& topic) = 0;
-  /// A message of a topic that was wanted: the one that Wants was asked of as `number`, from 0.
-  /// False: it is enough.
+  /// A message of a wanted topic. `number` counts the calls of Wants from 0. False stops the
+  /// reading.
   virtual bool Take(std::size_t number, const BagMessage& message) = 0;
 };
 
-/// Shows a bag's topics and messages in the order of the file, no more than a chunk of them in
-/// memory: an MCAP file, a SQLite 3 file of rosbag2, a ROS 1 bag, the metadata.yaml of a rosbag2
-/// folder or that folder, whose files are read one after the other. A file that was compressed as a
-/// whole by zstd, whatever its name is, is read from `unpacked`.
+/// Passes a bag's topics and messages to `visitor` in file order, with at most one chunk in memory.
+/// Reads an MCAP file, a SQLite 3 file of rosbag2, a ROS 1 bag, a rosbag2 folder or its
+/// metadata.yaml. A folder's files follow one another. A file compressed as a whole by zstd,
+/// whatever its name, is read from `unpacked`.
 ///
-/// Throws InputError where there is no bag, and BagDamage where its bytes are not as its format
-/// says; with `to_the_damage` what can be read behind some damage is read too.
+/// Throws InputError where there is no bag, and BagDamage where its bytes violate its format. With
+/// `to_the_damage`, the readable content after some damage is read too.
 void ReadBag(const std::filesystem::path& bag, UnpackedFiles* unpacked, BagVisitor* visitor,
              bool to_the_damage);
 
-/// In the folder of a rosbag2, the list of its files.
+/// File name of the list of files in a rosbag2 folder.
 inline constexpr const char* kBagMetadata = "metadata.yaml";
 
 /// The files of a bag, in order.
 std::vector<std::filesystem::path> FilesOfBag(const std::filesystem::path& bag);
 
-/// Whether a file is to be read as a bag: by its name (.mcap, .db3, .bag, these with .zstd or .zst
-/// behind them, metadata.yaml or a folder that has it), or by its first bytes, which are those of a
-/// bag or of something that zstd compressed as a whole.
+/// Whether a file is a bag: by its name (.mcap, .db3, .bag, each also with .zstd or .zst;
+/// metadata.yaml or its folder), or by its first bytes, those of a bag or of a zstd frame.
 bool LooksLikeBag(const std::filesystem::path& file);
 
 /// "sensor_msgs/Imu" of "sensor_msgs/msg/Imu".
 std::string ShortTypeName(std::string_view type);
 
-// The formats, of one file each. False where the visitor has had enough.
+// Readers of one file each. They return false when the visitor stops.
 bool ReadMcapFile(const std::filesystem::path& file, BagVisitor* visitor);
 bool ReadRos1BagFile(const std::filesystem::path& file, BagVisitor* visitor);
 bool ReadSqliteBagFile(const std::filesystem::path& file, BagVisitor* visitor, bool to_the_damage);

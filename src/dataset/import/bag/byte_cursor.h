@@ -9,8 +9,7 @@
 
 namespace tera {
 
-/// Bytes that are not what their format or their schema says. Whoever knows the place makes an
-/// InputError of it.
+/// Bytes that violate their format or schema. The caller adds the place and throws InputError.
 struct BadBytes {
   std::string finding;
 };
@@ -41,7 +40,7 @@ class ByteCursor {
     }
     return value;
   }
-  /// Its length in 32 bits, then the text.
+  /// A text after its length in 32 bits.
   std::string_view Text() { return Bytes(Number<std::uint32_t>()); }
 
  private:

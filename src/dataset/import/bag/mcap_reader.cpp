@@ -68,7 +68,7 @@ class McapReader {
     return head_;
   }
 
-  /// Reads of the records only what is needed: messages of other topics may be large.
+  /// Reads only the needed part of a record, since messages of other topics may be large.
   bool TakeRecordAt(std::uint8_t opcode, std::uint64_t at, std::uint64_t length) {
     if (opcode == kMessage) {
       ByteCursor id(record_ = file_.Read(at, std::min<std::uint64_t>(length, 2)));
@@ -133,7 +133,7 @@ class McapReader {
   bool TakeChannel(ByteCursor record) {
     const auto id = record.Number<std::uint16_t>();
     const auto schema_id = record.Number<std::uint16_t>();
-    if (channels_.contains(id)) return true;  // the summary has them again
+    if (channels_.contains(id)) return true;  // the summary repeats the channels
     BagTopic topic{.name = std::string(record.Text())};
     topic.message_encoding = record.Text();
     const auto schema = schemas_.find(schema_id);
@@ -164,7 +164,7 @@ class McapReader {
     if (!IsWanted(id)) return true;
     record.Number<std::uint32_t>();  // sequence
     const auto log_ns = record.Number<std::uint64_t>();
-    record.Number<std::uint64_t>();  // when it was sent
+    record.Number<std::uint64_t>();  // time of publication
     if (log_ns > static_cast<std::uint64_t>(std::numeric_limits<TimeNs>::max())) {
       throw BadBytes{fmt::format("a message's time is {} ns", log_ns)};
     }
@@ -173,7 +173,7 @@ class McapReader {
   }
 
   struct Channel {
-    std::size_t number = 0;  ///< that the visitor knows it by
+    std::size_t number = 0;  ///< the topic's number for the visitor
     bool wanted = false;
   };
 

@@ -13,17 +13,17 @@
 
 namespace tera {
 
-/// What is wanted of one element of a field, or of the field itself where it has one.
+/// Wanted parts of one element of a field, or of the field itself where it is no array.
 struct MessageReader::Element {
   std::optional<std::uint32_t> index;
-  std::string label;  ///< instead of an index; of a transform its frames
+  std::string label;  ///< selects the element instead of an index; for a transform its frames
   std::vector<std::size_t> columns;
-  std::unique_ptr<Node> below;  ///< of a message
+  std::unique_ptr<Node> below;  ///< parts of a nested message
 };
 
-/// What is wanted of a message.
+/// Wanted parts of a message.
 struct MessageReader::Node {
-  std::vector<std::vector<Element>> fields;  ///< by field
+  std::vector<std::vector<Element>> fields;  ///< one list for each field
   bool has_labels = false;
 };
 
@@ -93,7 +93,7 @@ std::string PairOf(std::string_view parent, std::string_view child) {
   return bare(parent) + ">" + bare(child);
 }
 
-/// Which elements of a field a step means.
+/// Resolves the element that a step of a path selects.
 void RequireElement(const MessageSchema& schema, const MessageType& type, std::size_t f,
                     const Step& step, std::optional<std::uint32_t>* index, std::string* label) {
   const MessageField& field = type.fields[f];
@@ -176,7 +176,7 @@ void MessageReader::Add(const std::string& path, std::size_t column) {
   }
 }
 
-/// One message from its first byte to its last.
+/// Parses one message from its first byte to its last.
 class MessageReader::Walk {
  public:
   Walk(const MessageSchema& schema, std::string_view message, std::vector<MessageCell>* cells)
@@ -185,7 +185,7 @@ class MessageReader::Walk {
     bytes_ = message;
   }
 
-  /// The labels of the message itself are returned.
+  /// Returns the labels of this message.
   std::vector<std::string_view> Message(const MessageType& type, const Node* node) {
     std::vector<std::string_view> labels;
     for (std::size_t f = 0; f < type.fields.size(); ++f) {
@@ -198,11 +198,11 @@ class MessageReader::Walk {
     return labels;
   }
 
-  /// Adds the frames of all transforms that Message comes to.
+  /// Collects the frames of all transforms within the message.
   void CollectPairs(std::vector<std::string>* pairs) { pairs_ = pairs; }
 
   void RequireEnd() const {
-    // Some writers fill up to a multiple of four.
+    // Some writers pad to a multiple of four.
     const std::size_t most = is_cdr_ ? 3 : 0;
     if (bytes_.size() - at_ <= most) return;
     throw BadBytes{
@@ -298,7 +298,7 @@ class MessageReader::Walk {
                                count, bytes_.size() - at_)};
   }
 
-  /// The frames of the transform that stands here, which is still to be read then.
+  /// Frames of the transform at the current position, which stays unread.
   std::string FramesAt(const MessageType& type) {
     std::pair<std::string_view, std::string_view> frames;
     const std::size_t begin = at_;
@@ -326,7 +326,7 @@ class MessageReader::Walk {
     return nullptr;
   }
 
-  /// Numbers or times, of which those that are not wanted are passed over.
+  /// Reads numbers or times, and skips the unwanted ones.
   void Plain(FieldKind kind, std::uint64_t count, const std::vector<Element>* wanted,
              const std::vector<std::string_view>& labels) {
     const FieldKindTraits& traits = TraitsOf(kind);
@@ -399,7 +399,8 @@ class MessageReader::Walk {
   std::string_view bytes_;
   std::size_t at_ = 0;
   std::vector<MessageCell>* cells_;
-  std::pair<std::string_view, std::string_view>* frames_ = nullptr;  ///< where they go
+  std::pair<std::string_view, std::string_view>* frames_ = nullptr;  ///< receives the frames of a
+                                                                     ///< transform
   std::vector<std::string>* pairs_ = nullptr;
 };
 

@@ -12,29 +12,30 @@ namespace tera {
 
 /// One field of a message.
 struct MessageCell {
-  std::optional<double> number;  ///< none where the message has no such element
-  TimeNs stamp_ns = 0;           ///< of a time or a duration, exactly
+  std::optional<double> number;  ///< none where the message lacks the element
+  TimeNs stamp_ns = 0;           ///< exact value of a time or a duration
 };
 
-/// A field by its path: names between points, an element of an array or a sequence in brackets, by
-/// its index from 0, by what the text at the same place of the sequence `name` beside it says, or
-/// of transforms by their frames: "linear_acceleration.x", "position[2]", "position[boom]",
-/// "header.stamp", "transforms[odom>base_link].transform.translation.x".
+/// Reads fields by path: names between points, and an element of an array or a sequence in
+/// brackets. The element is given by its index from 0, by its text in the sequence `name` of the
+/// same message, or for transforms by their frames. Examples: "linear_acceleration.x",
+/// "position[2]", "position[boom]", "header.stamp",
+/// "transforms[odom>base_link].transform.translation.x".
 class MessageReader {
  public:
-  /// BadBytes for a path that the schema has not, that leads to no number and no time, or to an
-  /// element beyond an array.
+  /// Throws BadBytes for a path that is not in the schema, that leads to neither number nor time,
+  /// or that exceeds an array.
   MessageReader(MessageSchema schema, const std::vector<std::string>& paths);
   ~MessageReader();
 
-  /// The cells of a message, as many as there are paths. BadBytes where its bytes are not as the
-  /// schema says; no more of them is read than there is.
+  /// Reads the cells of a message, one for each path. Throws BadBytes where the bytes violate the
+  /// schema, and never reads beyond their end.
   ///
-  /// Model   the forms of Serializer, of CDR also the big-endian one.
+  /// Model   the wire forms of Serializer, and big-endian CDR.
   void Read(std::string_view message, std::vector<MessageCell>* cells) const;
-  /// What the sequence `name` of a message says, which labels its other sequences.
+  /// Texts of the sequence `name` of a message, which label its other sequences.
   std::vector<std::string> Labels(std::string_view message) const;
-  /// The frames of a message's transforms, "odom>base_link", without the '/' that ROS 1 put first.
+  /// Frames of a message's transforms, "odom>base_link", without the leading '/' of ROS 1.
   std::vector<std::string> FramePairs(std::string_view message) const;
   bool IsStamp(std::size_t path) const { return is_stamp_[path]; }
 

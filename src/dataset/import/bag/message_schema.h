@@ -8,7 +8,7 @@
 #include "dataset/import/bag/bag_source.h"
 #include "dataset/ros/serializer.h"
 
-/// What a message is made of, as the definition that a bag carries says.
+/// Structure of a message, from the definition in its bag.
 
 namespace tera {
 
@@ -31,7 +31,7 @@ enum class FieldKind : std::uint8_t {
   kMessage
 };
 
-/// "float64", and how many bytes one takes and aligns to: 0 where that is not fixed.
+/// Name, such as "float64", size and alignment in bytes; 0 where these are not fixed.
 struct FieldKindTraits {
   std::string_view name;
   std::uint32_t bytes = 0, alignment = 0;
@@ -43,8 +43,8 @@ struct MessageField {
   std::string name;
   FieldKind kind = FieldKind::kUint8;
   Arity arity = Arity::kOne;
-  std::uint32_t count = 1;  ///< of an array
-  std::size_t type = 0;     ///< of kMessage: in MessageSchema::types
+  std::uint32_t count = 1;  ///< elements of an array
+  std::size_t type = 0;     ///< index in MessageSchema::types of a kMessage
 };
 
 struct MessageType {
@@ -61,9 +61,9 @@ struct MessageSchema {
   bool HasHeader() const;
 };
 
-/// The schema of a topic: from the bag's definition in the forms `ros2msg` and `ros1msg`, else from
-/// TERA's own of the type. BadBytes for a definition that cannot be read, that contains itself or
-/// is nested too deep, and for a type that neither the bag nor TERA knows.
+/// The schema of a topic, from the bag's definition in the forms `ros2msg` and `ros1msg`, else from
+/// TERA's own definition of the type. Throws BadBytes for a definition that is unreadable, contains
+/// itself or is nested too deep, and for a type unknown to both.
 ///
 /// Source  "ROS 2 message definitions (.msg)" and "msg" of the ROS 1 wiki.
 MessageSchema SchemaOf(const BagTopic& topic);

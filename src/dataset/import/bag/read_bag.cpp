@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Counts on from file to file, so that the numbers of topics differ.
+/// Numbers topics across files, so that their numbers stay distinct.
 class Renumbered : public BagVisitor {
  public:
   explicit Renumbered(BagVisitor* visitor) : visitor_(visitor) {}
@@ -35,7 +35,7 @@ class Renumbered : public BagVisitor {
   std::size_t asked_ = 0, before_ = 0;
 };
 
-/// Its first bytes, which tell of its form.
+/// First bytes of a file, which identify its format.
 std::string FirstBytes(const fs::path& file) {
   constexpr std::uint64_t kMagicBytes = 7;
   BagFile bytes(file);
@@ -44,7 +44,7 @@ std::string FirstBytes(const fs::path& file) {
 
 using FileReader = bool (*)(const fs::path& file, BagVisitor* visitor, bool to_the_damage);
 
-/// None where these are not a bag's first bytes.
+/// Reader for a file with these first bytes; none if they are not a bag's.
 FileReader ReaderOf(std::string_view first) {
   if (first.starts_with("\x89MCAP")) {
     return
@@ -92,15 +92,15 @@ bool ReadPackedFile(const fs::path& packed, const UnpackedFile& file, BagVisitor
 
 bool ReadFile(const fs::path& file, UnpackedFiles* unpacked, BagVisitor* visitor,
               bool to_the_damage) {
-  // By the bytes: whoever compresses a file may name it as he likes.
+  // By content, since the name of a compressed file is arbitrary.
   if (!IsZstdFrame(FirstBytes(file))) return ReadPlainFile(file, visitor, to_the_damage);
   return ReadPackedFile(file, unpacked->Of(file), visitor, to_the_damage);
 }
 
 /// The files that the metadata.yaml of a rosbag2 folder names.
 std::vector<fs::path> FilesOf(const fs::path& metadata) {
-  // What else stands there depends on the version of the recorder and does not matter: it is not
-  // Finished, which would tell of unknown keys.
+  // Other content depends on the recorder's version and does not matter. Finished is not called,
+  // since it would report unknown keys.
   const Config config = Config::FromFile(metadata);
   const auto bag = config.root().OptionalMap("rosbag2_bagfile_information");
   std::vector<fs::path> files;
@@ -149,7 +149,7 @@ void ReadBag(const fs::path& bag, UnpackedFiles* unpacked, BagVisitor* visitor,
       if (!ReadFile(file, unpacked, &numbered, to_the_damage)) return;
     } catch (const BagDamage& found) {
       if (!to_the_damage) throw;
-      // The files behind it may be whole.
+      // Later files may be whole.
       if (!damage) damage = found;
     }
   }

@@ -23,7 +23,7 @@ enum Operation : std::uint8_t {
   kConnection = 0x07
 };
 
-/// Fields of a header, "name=value" behind their length.
+/// Fields of a header: "name=value", each after its length.
 class Fields {
  public:
   explicit Fields(std::string_view bytes) {
@@ -90,7 +90,7 @@ class Ros1BagReader {
 
  private:
   struct Connection {
-    std::size_t number = 0;  ///< that the visitor knows it by
+    std::size_t number = 0;  ///< the topic's number for the visitor
     bool wanted = false;
   };
 
@@ -168,7 +168,7 @@ class Ros1BagReader {
 
   bool TakeConnection(const Fields& header, std::string_view data) {
     const auto id = header.Number<std::uint32_t>("conn");
-    if (connections_.contains(id)) return true;  // the index has them again
+    if (connections_.contains(id)) return true;  // the index repeats the connections
     const Fields fields(data);
     const BagVisitor::Wish wish =
         visitor_->Wants({.name = std::string(header.Text("topic")),

@@ -12,8 +12,7 @@
 #include "dataset/import/bag/unpack.h"
 
 // Source  ros2/rosbag2, rosbag2_storage_default_plugins (Humble) and rosbag2_storage_sqlite3
-// (Jazzy),
-//         whose table message_definitions is of schema version 4.
+//         (Jazzy). The latter's table message_definitions has schema version 4.
 
 namespace tera {
 namespace {
@@ -24,15 +23,14 @@ class SqliteBagReader {
  public:
   SqliteBagReader(const std::filesystem::path& file, BagVisitor* visitor, bool to_the_damage)
       : file_(file), visitor_(visitor) {
-    BagFile(file).Read(0, 0);  // whether there is a file that can be read
+    BagFile(file).Read(0, 0);  // throws if the file is not readable
     sqlite3* handle = nullptr;
     const char* access = IsUnpackedFile(file) ? SqliteWholeFile() : nullptr;
     const int status = sqlite3_open_v2(file.c_str(), &handle, SQLITE_OPEN_READONLY, access);
     database_.reset(handle);
     Require(status);
     sqlite3_limit(handle, SQLITE_LIMIT_LENGTH, static_cast<int>(kMostPieceBytes));
-    // What a file defines beside its tables is not run; a file that was cut off may be read so far
-    // as it goes.
+    // Views and triggers of the file do not run. A truncated file stays readable up to its end.
     Execute("PRAGMA trusted_schema=OFF; PRAGMA cell_size_check=ON;");
     if (to_the_damage) Execute("PRAGMA writable_schema=ON;");
   }
@@ -51,7 +49,7 @@ class SqliteBagReader {
 
  private:
   struct Topic {
-    std::size_t number = 0;  ///< that the visitor knows it by
+    std::size_t number = 0;  ///< the topic's number for the visitor
     std::string name;
     bool wanted = false;
   };
@@ -72,7 +70,7 @@ class SqliteBagReader {
     Require(sqlite3_prepare_v2(database_.get(), sql, -1, &statement, nullptr));
     return {statement, &sqlite3_finalize};
   }
-  /// Whether there is another row.
+  /// Advances; false after the last row.
   bool Step(const Statement& statement) const {
     const int status = sqlite3_step(statement.get());
     Require(status);
@@ -86,14 +84,17 @@ class SqliteBagReader {
                : std::string(static_cast<const char*>(text), static_cast<std::size_t>(bytes));
   }
 
-  /// SQLite does not miss pages that it does not come to, nor the end of the last one.
+  /// Throws for a truncated file. SQLite does not notice missing pages that it does not reach, nor
+  /// a cut last page.
   ///
   /// Source  "Database File Format", sqlite.org: size of a page at 16, number of pages at 28.
   void RequireWhole() const {
     constexpr std::uint64_t kHeadBytes = 100, kLargestPage = 65536;
     BagFile file(file_);
     const std::string head = file.Read(0, std::min(file.size(), kHeadBytes));
-    if (std::filesystem::exists(file_.string() + "-wal")) return;  // which may hold the rest
+    if (std::filesystem::exists(file_.string() + "-wal"))
+      return;  // the -wal file may hold the
+               // rest
     const auto number = [&](std::size_t at, std::size_t bytes) {
       std::uint64_t value = 0;
       for (std::size_t k = at; k < at + bytes; ++k) {
@@ -117,7 +118,7 @@ class SqliteBagReader {
     return Step(query);
   }
 
-  /// By type; empty before schema version 4.
+  /// Definitions by type; empty before schema version 4.
   std::map<std::string, std::pair<std::string, std::string>> Definitions() const {
     std::map<std::string, std::pair<std::string, std::string>> definitions;
     if (!HasTable("message_definitions")) return definitions;
@@ -148,7 +149,7 @@ class SqliteBagReader {
     return true;
   }
 
-  /// A topic at a time: of the others' messages SQLite then passes over the data.
+  /// Shows one topic after the other, so that SQLite skips the data of unwanted messages.
   bool ShowMessages() const {
     const Statement query =
         Prepare("SELECT timestamp, data, id FROM messages WHERE topic_id = ? ORDER BY id");
@@ -158,7 +159,7 @@ class SqliteBagReader {
       sqlite3_bind_int64(query.get(), 1, id);
       std::optional<std::int64_t> before;
       for (std::int64_t row = 1; Step(query); ++row) {
-        // Pages that are reached twice would show their rows without end.
+        // A damaged file may link a page twice, and would repeat its rows without end.
         const std::int64_t id_of_row = sqlite3_column_int64(query.get(), 2);
         if (before && id_of_row <= *before) Require(SQLITE_CORRUPT);
         before = id_of_row;

@@ -4,11 +4,12 @@
 
 namespace tera {
 
-/// SQLite's access to a database of one whole file that nobody changes, by its path as it is, for
-/// sqlite3_open_v2 to read only.
+/// Name of an SQLite access (VFS) to a read-only database in one unchanging file, for
+/// sqlite3_open_v2.
 ///
-/// Model   SQLite's own access follows no links, and looks for a journal and for locks beside the
-///         file. Here the path may be one of UnpackedFile, which leads to a file without a name.
+/// Model   SQLite's default access follows no links, and looks for a journal and locks next to the
+///         file. Here the path may be that of an UnpackedFile, which links to a file without a
+///         name.
 const char* SqliteWholeFile();
 
 }  // namespace tera

@@ -31,7 +31,7 @@ std::optional<StandardColumn> StandardColumnOf(std::string_view type, std::strin
 inline constexpr std::string_view kImuType = "sensor_msgs/Imu";
 inline constexpr std::string_view kFixType = "sensor_msgs/NavSatFix";
 inline constexpr std::string_view kJointType = "sensor_msgs/JointState";
-/// Of kFixType: whether its covariance is known, not 0.
+/// Field of kFixType: whether the covariance is known, nonzero if so.
 inline constexpr const char* kCovarianceTypePath = "position_covariance_type";
 
 /// Whether the messages of a type are lists of transforms: tf2_msgs/TFMessage, tf/tfMessage.

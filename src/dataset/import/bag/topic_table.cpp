@@ -50,7 +50,7 @@ FoundTopic FindTopic(const std::filesystem::path& bag, const std::string& name,
   try {
     ReadBag(bag, unpacked, &finder, /*to_the_damage=*/true);
   } catch (const BagDamage&) {
-    // Whoever reads the topic's messages is told of it; without the topic it is the first to tell.
+    // The reader of the topic's messages reports the damage. Without the topic nobody else would.
     if (!found.topic && found.names.empty()) throw;
   }
   return found;
@@ -68,7 +68,7 @@ std::string MessagePlace(const std::filesystem::path& bag, const BagTopic& topic
   return fmt::format("{}: {} message {}", bag.string(), topic.name, number);
 }
 
-/// Puts messages into the table's columns.
+/// Writes messages into the table's columns.
 class TopicTable::Filler : public BagVisitor {
  public:
   Filler(TopicTable* table, LeftOutRows* left_out) : table_(table), left_out_(left_out) {
@@ -102,7 +102,7 @@ class TopicTable::Filler : public BagVisitor {
   }
 
  private:
-  /// Several publishers of one topic may have definitions of their own.
+  /// Each publisher of a topic may have its own definition.
   std::shared_ptr<const MessageReader> ReaderOf(const BagTopic& topic) {
     try {
       auto reader = std::make_shared<const MessageReader>(SchemaOf(topic), paths_);

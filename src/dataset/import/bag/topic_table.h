@@ -12,30 +12,31 @@
 namespace tera {
 
 inline constexpr const char* kHeaderStamp = "header.stamp";
-/// The column of when messages were recorded.
+/// Column of the messages' recording times.
 inline constexpr const char* kLogTime = "log_time";
 
 struct FoundTopic {
   std::optional<BagTopic> topic;
-  std::vector<std::string> names;  ///< of all topics, where it was not found
+  std::vector<std::string> names;  ///< all topics, where the name was not found
 };
 
-/// Looks a topic up, in no more of the bag than that needs. Damage counts as the bag's end.
+/// Looks up a topic, reading as little of the bag as possible. Damage counts as the bag's end.
 FoundTopic FindTopic(const std::filesystem::path& bag, const std::string& name,
                      UnpackedFiles* unpacked);
 
-/// Whether a topic's messages begin with a header. False where its definition cannot be read.
+/// Whether a topic's messages begin with a header; false where its definition is unreadable.
 bool HasHeader(const BagTopic& topic);
 
 /// "log.mcap: /imu message 12"
 std::string MessagePlace(const std::filesystem::path& bag, const BagTopic& topic, int number);
 
-/// Fields of a topic's messages, in memory, a row a message: of the messages only these are kept.
+/// Fields of a topic's messages in memory, one row for each message. Nothing else of the messages
+/// is kept.
 class TopicTable final : public RowTable {
  public:
-  /// `paths` as of MessageReader, or kLogTime. Faults: what ReadBag and MessageReader do not like;
-  /// with `left_out`, messages that cannot be read are added to it, and so is damage, before which
-  /// all is read.
+  /// `paths` as in MessageReader, or kLogTime. Throws the faults of ReadBag and MessageReader. With
+  /// `left_out`, unreadable messages and damage are added to it instead, and all content before the
+  /// damage is read.
   TopicTable(const std::filesystem::path& bag, const BagTopic& topic,
              const std::vector<std::string>& paths, UnpackedFiles* unpacked, LeftOutRows* left_out);
 
@@ -56,7 +57,7 @@ class TopicTable final : public RowTable {
     std::string path;
     std::vector<std::optional<double>> numbers;
     bool is_stamp = false;
-    std::vector<TimeNs> stamps_ns;  ///< of times
+    std::vector<TimeNs> stamps_ns;  ///< for columns of times
   };
 
   std::filesystem::path bag_;

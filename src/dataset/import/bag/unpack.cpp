@@ -15,8 +15,7 @@ namespace {
 
 constexpr std::size_t kStepBytes = std::size_t{1} << 20;
 
-/// Room for more at the end of `bytes`: never for more than one byte beyond `most`, which tells
-/// that there is too much.
+/// Extends `bytes` in steps, at most to `most` + 1; the extra byte reveals an excess.
 std::size_t Grow(std::string* bytes, std::uint64_t most) {
   const std::size_t had = bytes->size();
   const std::uint64_t step = std::clamp<std::uint64_t>(had, 1, kStepBytes * 64);
@@ -34,7 +33,7 @@ void RequireSize(std::uint64_t found, std::uint64_t declared) {
   throw BadBytes{fmt::format("the bytes cannot be unpacked by {}: {}", library, reason)};
 }
 
-/// All of a zstd stream, no more than `most` + 1 bytes.
+/// Unpacks a zstd stream, at most `most` + 1 bytes.
 std::string ByZstd(std::string_view packed, std::uint64_t most) {
   const std::unique_ptr<ZSTD_DStream, decltype(&ZSTD_freeDStream)> stream(ZSTD_createDStream(),
                                                                           &ZSTD_freeDStream);

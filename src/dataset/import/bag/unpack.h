@@ -6,14 +6,13 @@
 
 namespace tera {
 
-/// Chunks and messages as they were before compression; the memory grows with what is there, not
-/// with what is declared. BadBytes where they cannot be unpacked or are not of the `size` that is
-/// declared.
+/// Decompress chunks and messages. Memory grows with the actual content, not with the declared
+/// size. Throw BadBytes for bad data, or where the result has not the declared `size`.
 std::string UnpackedZstd(std::string_view packed, std::uint64_t size);
 std::string UnpackedLz4(std::string_view packed, std::uint64_t size);
 std::string UnpackedBzip2(std::string_view packed, std::uint64_t size);
 
-/// A frame of zstd that declares its own size or none, up to kMostPieceBytes.
+/// Decompresses a zstd frame, with or without a declared size, up to kMostPieceBytes.
 std::string UnpackedZstd(std::string_view packed);
 bool IsZstdFrame(std::string_view bytes);
 

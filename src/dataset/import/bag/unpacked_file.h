@@ -7,12 +7,11 @@
 
 namespace tera {
 
-/// A bag's file that was compressed as a whole by zstd, unpacked as long as this lives.
+/// A bag's file compressed as a whole by zstd, unpacked for the lifetime of this object.
 ///
-/// Model   written piece by piece into a file without a name on the disk of the folder for
-///         temporary files: the system takes its room back when this program ends, however it does.
-///         Bytes that unpack to more than a thousand times as many, or to more than that disk has
-///         room for, are not believed.
+/// Model   written piece by piece into a file without a name in the folder for temporary files. The
+///         system frees its space when this program ends, however it does. Content that expands
+///         more than a thousandfold, or beyond the disk's free space, is refused.
 /// Throws  InputError where it cannot be read or there is no room.
 class UnpackedFile {
  public:
@@ -21,11 +20,11 @@ class UnpackedFile {
   UnpackedFile(const UnpackedFile&) = delete;
   UnpackedFile& operator=(const UnpackedFile&) = delete;
 
-  /// The path by which this program, and no other, opens it: a link in /proc to no name.
+  /// Path for this program alone: a link in /proc to the unnamed file.
   const std::filesystem::path& path() const { return path_; }
-  /// What is wrong with the packed bytes from some place on; what stands before it is there.
+  /// Damage of the packed bytes from some place on; the content before it is unpacked.
   const std::optional<std::string>& damage() const { return damage_; }
-  /// A message about this file as one about the packed one.
+  /// Rewrites a message about this file as one about the packed file.
   std::string OfPacked(const std::string& message) const;
 
  private:
@@ -37,17 +36,17 @@ class UnpackedFile {
   std::optional<std::string> damage_;
 };
 
-/// Whether a path is that of such a file.
+/// Whether a path is that of an UnpackedFile.
 bool IsUnpackedFile(const std::filesystem::path& path);
 
-/// The unpacked files of those who read bags more than once, as an import does for each channel:
-/// each is unpacked when it is first asked for and is kept, as it was then, as long as this lives.
+/// Unpacked files for repeated reading, as an import does for each channel. Each is unpacked on
+/// first use, and kept unchanged for the lifetime of this object.
 class UnpackedFiles {
  public:
   const UnpackedFile& Of(const std::filesystem::path& packed);
 
  private:
-  std::map<std::filesystem::path, UnpackedFile> files_;  ///< by the packed ones' absolute paths
+  std::map<std::filesystem::path, UnpackedFile> files_;  ///< key: absolute path of the packed file
 };
 
 }  // namespace tera

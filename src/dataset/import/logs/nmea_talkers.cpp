@@ -18,7 +18,7 @@ bool Talkers::Add(std::string_view kind, std::string_view talker, const NmeaPosi
     rival_[s.talker] = rival_[std::string(talker)] = true;
   }
   constexpr std::size_t kRemembered =
-      32;  // positions; one recorder's receivers alternate more often
+      32;  // latest positions of a kind; receivers in one log alternate within fewer
   said.push_back({std::string(talker), position});
   if (said.size() > kRemembered) said.pop_front();
   return is_same;

@@ -23,8 +23,9 @@ struct NmeaPosition {
   bool IsWhole() const { return quality == 0 || (lat_deg && lon_deg && (msl_m || altitude_m)); }
 };
 
-/// Detects several receivers. Sentences of one kind, time and talker have one position; different
-/// talkers at the same times are different receivers.
+/// Detects several receivers in one log. Sentences of one kind, time and talker have one position;
+/// different talkers at the same times are different receivers. Both are judged among the latest
+/// sentences of a kind.
 class Talkers {
  public:
   /// Counts a position. Returns false if the talker gives another position for the same time.

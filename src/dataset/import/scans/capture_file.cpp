@@ -32,7 +32,7 @@ Capture OpenCapture(const std::filesystem::path& file) {
   return capture;
 }
 
-/// Network byte order.
+/// Reads a number in network byte order.
 std::uint32_t BigEndian(std::string_view bytes, std::size_t at, std::size_t count) {
   std::uint32_t value = 0;
   for (std::size_t k = 0; k < count; ++k) {
@@ -43,7 +43,7 @@ std::uint32_t BigEndian(std::string_view bytes, std::size_t at, std::size_t coun
 
 constexpr std::uint32_t kIpv4 = 0x0800, kIpv6 = 0x86dd;
 
-/// The Internet packet in a frame of the link, empty where it holds none.
+/// The IP packet in a link-layer frame; empty where it holds none.
 std::string_view InternetOf(int link, std::string_view frame) {
   constexpr std::size_t kEthernetType = 12, kTypeBytes = 2, kTagBytes = 4;
   constexpr std::size_t kCooked = 16, kCooked2 = 20, kLoopback = 4;
@@ -64,12 +64,12 @@ std::string_view InternetOf(int link, std::string_view frame) {
   return {};
 }
 
-/// What an Internet packet carries of UDP: all of it, or a fragment.
+/// UDP payload of an IP packet, whole or as a fragment.
 struct Carried {
   std::string_view bytes;
   bool is_fragment = false, is_last = true;
   std::size_t offset = 0;
-  std::string key;  ///< of the datagram that a fragment is of
+  std::string key;  ///< identifies the datagram of a fragment
 };
 
 std::optional<Carried> UdpOf(std::string_view packet) {
@@ -86,7 +86,7 @@ std::optional<Carried> UdpOf(std::string_view packet) {
   }
   const std::size_t head = 4 * (BigEndian(packet, 0, 1) & 0xF);
   const std::size_t total = BigEndian(packet, 2, 2);
-  // Of packets that the network card cut up, the length may stand as 0.
+  // With segmentation offload, the length field may be 0.
   const std::size_t end = total == 0 ? packet.size() : std::min(total, packet.size());
   if (head < kHead4 || head > end) return std::nullopt;
   const std::uint32_t flags = BigEndian(packet, 6, 2);
@@ -96,10 +96,10 @@ std::optional<Carried> UdpOf(std::string_view packet) {
                  std::string(packet.substr(12, 8)) + std::string(packet.substr(4, 2))};
 }
 
-/// Joins the fragments of datagrams, whichever order they come in.
+/// Reassembles fragmented datagrams, in any order of arrival.
 class Fragments {
  public:
-  /// The datagram that this fragment makes whole, if it does.
+  /// The datagram that this fragment completes, if it does.
   std::optional<std::string> Add(const Carried& carried) {
     if (pending_.size() > kMostPending) pending_.erase(pending_.begin());
     Pending& pending = pending_[carried.key];
@@ -124,7 +124,7 @@ class Fragments {
   std::map<std::string, Pending> pending_;
 };
 
-/// What UDP carries to which port.
+/// A UDP datagram and its destination port.
 struct Datagram {
   int port = 0;
   std::string_view bytes;
@@ -140,7 +140,7 @@ std::optional<Datagram> DatagramOf(std::string_view udp) {
   return Datagram{static_cast<int>(BigEndian(udp, 2, 2)), udp.substr(kHead, end - kHead), is_cut};
 }
 
-/// Goes through a capture.
+/// Iterates over a capture.
 class CaptureReader {
  public:
   explicit CaptureReader(const std::filesystem::path& file)
@@ -155,7 +155,7 @@ class CaptureReader {
     }
   }
 
-  /// The next datagram of UDP; nothing at the end. Its bytes last until the next call.
+  /// The next UDP datagram; nothing at the end. Its bytes last until the next call.
   std::optional<Datagram> Next() {
     pcap_pkthdr* head = nullptr;
     const u_char* data = nullptr;

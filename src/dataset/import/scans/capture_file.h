@@ -7,24 +7,25 @@
 
 namespace tera {
 
-/// What was seen in a capture: the number of datagrams by the UDP port that they go to.
+/// Number of datagrams for each destination port.
 using PortCounts = std::map<int, std::int64_t>;
 
-/// Shows the UDP datagrams to one port of a capture of a network, one in memory at a time.
+/// Passes the UDP datagrams to one port of a network capture to `take`, with one in memory at a
+/// time.
 ///
 /// Model   pcap and pcapng of Ethernet (with VLAN tags), Linux's cooked forms, loopback and raw IP;
-///         IPv4 and IPv6. Fragments of IPv4 are joined; those of a datagram that lacks one are
+///         IPv4 and IPv6. Fragments of IPv4 are joined. A datagram that lacks a fragment is
 ///         dropped, as the receiver's system would.
 /// Omits   fragments of IPv6, tunnels, checksums.
-/// Throws  InputError where the file is no such capture or is cut off within a packet; the latter
-///         goes to `leave_out`. Nothing to the port is a fault that names the ports that are there.
+/// Throws  InputError where the file is no such capture. A file that ends within a packet goes to
+///         `leave_out`. A port without datagrams is a fault, which names the ports that have some.
 void ReadCapture(const std::filesystem::path& file, int port, const LeaveOut& leave_out,
                  const TakePacket& take);
 
 /// Whether the file's first bytes are those of a capture.
 bool LooksLikeCapture(const std::filesystem::path& file);
 
-/// The ports of the first `most_packets` packets.
+/// Datagrams for each port among the first `most_packets` packets.
 PortCounts PortsOfCapture(const std::filesystem::path& file, std::int64_t most_packets);
 
 }  // namespace tera

@@ -15,16 +15,17 @@
 namespace tera {
 namespace {
 
-constexpr double kWholeTurn = 0.95;  ///< of which a scan is one that is not cut off
+constexpr double kWholeTurn = 0.95;  ///< least share of a turn of a whole scan; less counts as cut
+                                     ///< off
 
-/// A lidar of a mapping.
+/// One lidar of a mapping.
 struct LidarPlan {
   std::string folder;
   ImportedSensor sensor;
   LidarSource source;
 };
 
-/// What came in of it.
+/// Counts of the imported scans.
 struct ScanTally {
   std::vector<TimeNs> t_ns;
   std::int64_t rays = 0, points = 0, second_returns = 0, cut = 0;
@@ -79,7 +80,7 @@ std::string LidarSheet(const LidarPlan& plan, const std::vector<TimeNs>& t_ns) {
          fmt::format("imported_from: {}\n", YamlQuoted(plan.source.file.filename().string()));
 }
 
-/// Goes through the scans, and writes them where there is a writer.
+/// Reads the scans, and writes them where there is a writer.
 class LidarImport {
  public:
   LidarImport(const LidarPlan& plan, ImportRun* run) : plan_(plan), run_(run) {}
@@ -107,7 +108,7 @@ class LidarImport {
     ImportedChannel* told = run_->AddFrames(plan_.folder, plan_.source.file.filename().string(),
                                             tally_.t_ns, left_out_);
     told->remarks = RemarksOn(tally_, plan_.source);
-    // The rate is known when all scans are.
+    // The rate is known only after all scans.
     if (writer != nullptr) {
       WriteWholeFile(writer->PathFor(plan_.folder + "/sensor.yaml"),
                      LidarSheet(plan_, tally_.t_ns));

@@ -21,14 +21,14 @@
 namespace tera {
 namespace {
 
-/// A unit whose packets are read.
+/// A lidar model with a packet decoder.
 struct LidarUnit {
   std::string name, model_yaml;
-  int port = 2368;  ///< of Velodyne and Hesai, where the mapping does not say
+  int port = 2368;  ///< default UDP port of Velodyne and Hesai
   std::function<std::unique_ptr<PacketDecoder>(const DecodeOptions&, TakeScan)> make;
 };
 
-/// Beams from the top down, azimuths counterclockwise from above.
+/// The pattern's YAML: beams from the top down, azimuths counterclockwise from above.
 std::string PatternYaml(const std::vector<double>& elevation_deg,
                         const std::vector<double>& azimuth_deg, int columns) {
   const std::vector<std::uint16_t> rings = RingsOf(elevation_deg);
@@ -78,7 +78,7 @@ LidarUnit PandarOf(const PandarAngles& angles) {
       }};
 }
 
-/// A mapping's keys of a lidar.
+/// Reads the keys of a lidar in a mapping.
 class LidarKeys {
  public:
   LidarKeys(const ConfigMap& channel, const ConfigMap& top, UnpackedFiles* unpacked)
@@ -87,7 +87,7 @@ class LidarKeys {
   LidarSource Read() {
     LidarSource source = ReadAny();
     if (source.read) return source;
-    // What was not come to behind a fault is not unknown.
+    // Keys that a fault left unread are not unknown.
     for (const char* key :
          {"topic", "unit", "metadata", "port", "corrections", "returns", "time", "stamp",
           "duration_s", "time_field", "time_unit", "full_intensity", "times"}) {
@@ -116,7 +116,7 @@ class LidarKeys {
     return source_;
   }
 
-  /// `unit` or `metadata`, of which `makes` names those that fit; none where neither is there.
+  /// Reads `unit` or `metadata`, among the units in `makes`; none where both are absent.
   std::optional<LidarUnit> ReadUnit(std::initializer_list<std::string_view> makes) {
     if (std::find(makes.begin(), makes.end(), "ouster") != makes.end() &&
         (channel_.Has("metadata") || makes.size() == 1)) {
@@ -145,7 +145,7 @@ class LidarKeys {
     }
   }
 
-  /// `time`: by whose clock, and later by how much. Returns the column.
+  /// Reads `time`, its clock and offset. Returns the column.
   std::string ReadTime(std::initializer_list<std::string_view> columns,
                        std::string_view otherwise) {
     const auto time = channel_.OptionalMap("time");
@@ -164,7 +164,7 @@ class LidarKeys {
     return options;
   }
 
-  /// Feeds packets of whichever container to a decoder.
+  /// Feeds packets of any container to a decoder.
   using ReadAll = std::function<void(ScanReading*, const TakePacket&)>;
   static std::function<void(ScanReading*)> Decoding(const LidarUnit& unit,
                                                     const DecodeOptions& options, ReadAll all) {

@@ -12,22 +12,22 @@
 
 namespace tera {
 
-/// How a source is read, and who takes what it holds.
+/// Options and receivers of a reading.
 struct ScanReading {
   bool skips_bad = false;
   LeaveOut leave_out;
   TakeScan take;
-  std::int64_t pieces = 0;  ///< packets, messages or files that were read, good or bad
+  std::int64_t pieces = 0;  ///< packets, messages or files read, good or bad
 };
 
-/// Where the scans of one lidar of a mapping come from.
+/// Source of the scans of one lidar in a mapping.
 struct LidarSource {
   std::filesystem::path file;  ///< or the folder
-  std::string unit;            ///< "VLP-16"; empty where only points are known
-  std::string model_yaml;      ///< the pattern of its beams as sensor.yaml has it, where known
-  double offset_s = 0;         ///< of the mapping's `time`
+  std::string unit;            ///< "VLP-16"; empty where the file holds points alone
+  std::string model_yaml;      ///< beam pattern as in sensor.yaml, where known
+  double offset_s = 0;         ///< from the mapping's `time`
   bool keeps_seconds = false;  ///< second returns are points too
-  std::string remark;          ///< of what points lack, where that is known from the mapping
+  std::string remark;          ///< what the points lack, as far as the mapping tells
   std::function<void(ScanReading* reading)> read;
 };
 

@@ -11,7 +11,7 @@
 
 namespace tera {
 
-/// Goes through the bytes of a ROS message in the order of its fields, never beyond their end.
+/// Reads the bytes of a ROS message in the order of its fields, never beyond their end.
 /// Faults are BadBytes.
 ///
 /// Model   plain CDR, little-endian, as ROS 2 writes it; or the packed form of ROS 1.
@@ -56,9 +56,9 @@ class MessageCursor {
     }
     return TimeNs{seconds} * kNsPerSecond + nanoseconds;
   }
-  /// The stamp of the std_msgs/Header that stands here.
+  /// Reads a std_msgs/Header and returns its stamp.
   TimeNs HeaderStamp() {
-    if (!is_cdr_) Number<std::uint32_t>();  // its sequence
+    if (!is_cdr_) Number<std::uint32_t>();  // sequence number
     const TimeNs stamp_ns = Time();
     Text();
     return stamp_ns;

@@ -27,7 +27,7 @@ class OusterDecoder : public PacketDecoder {
     RequireOwn(packet);
     const std::uint32_t frame = FrameOf(packet);
     if (frame_ && frame != *frame_) {
-      // Numbers begin anew at 65 536; a packet that was delayed is of a frame just before.
+      // Frame numbers wrap at 65 536; a delayed packet belongs to the previous frame.
       const auto later = static_cast<std::int16_t>(static_cast<std::uint16_t>(frame - *frame_));
       if (later < 0) {
         RefusePacket(
@@ -72,10 +72,11 @@ class OusterDecoder : public PacketDecoder {
         FaultKind::kInconsistent);
   }
 
-  /// Packets of a like unit have the same size. Their header has its serial number in 40 bits.
+  /// The size of packets cannot distinguish units of one model. Their header has a serial number in
+  /// 40 bits.
   void RequireOwnSerial(const UnitPacket& packet) const {
     constexpr std::uint64_t k40Bits = 0xff'ffff'ffff;
-    if (sheet_.is_fusa) return;  // whose header differs
+    if (sheet_.is_fusa) return;  // its header differs
     const std::uint64_t serial = PacketNumber<std::uint64_t>(packet.bytes, 7) & k40Bits;
     if (serial == sheet_.serial || serial == 0 || sheet_.serial == 0) return;
     RefusePacket(packet,
@@ -138,7 +139,7 @@ class OusterDecoder : public PacketDecoder {
   UnitReturn ReturnOf(std::string_view pixel, std::size_t number) const {
     if (number >= sheet_.pixel.returns.size()) return {};
     const OusterPixel::Return& at = sheet_.pixel.returns[number];
-    // Three bytes are left where the last range is one of 15 bits.
+    // A last range of 15 bits may have only three bytes left.
     std::uint32_t range = PacketNumber<std::uint16_t>(pixel, at.range_at);
     if (at.range_at + sizeof range <= pixel.size()) {
       range = PacketNumber<std::uint32_t>(pixel, at.range_at);

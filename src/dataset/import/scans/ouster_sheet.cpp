@@ -31,7 +31,7 @@ const std::map<std::string, OusterPixel>& Profiles() {
   return profiles;
 }
 
-/// Looks keys up at the top, or in the group that newer firmware puts them in.
+/// Looks up keys at the top, or in the group of newer firmware.
 class SheetReader {
  public:
   explicit SheetReader(const std::filesystem::path& file) : file_(file.string()) {
@@ -46,7 +46,7 @@ class SheetReader {
     if (json_.contains(group) && json_[group].is_object()) at = &json_[group];
     return at->contains(key) ? &(*at)[key] : nullptr;
   }
-  /// Of the group that describes packets, by both its names.
+  /// A key of the group that describes packets, under either of its names.
   const Json* Format(const std::string& key) const {
     for (const char* group : {"lidar_data_format", "data_format"}) {
       if (json_.contains(group) && json_[group].is_object() && json_[group].contains(key)) {
@@ -107,7 +107,7 @@ Pose PoseOf(const std::vector<double>& rows_mm) {
   return X;
 }
 
-/// "1024x10": columns of a turn and turns a second.
+/// Parses "1024x10": columns per turn and turns per second.
 void ReadMode(const SheetReader& reader, OusterSheet* sheet) {
   const Json* value = reader.Find("config_params", "lidar_mode");
   const std::string mode = reader.Text(value, "");

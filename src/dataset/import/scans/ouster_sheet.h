@@ -10,7 +10,7 @@
 
 namespace tera {
 
-/// How a pixel lies in a packet of one profile. Places are bytes from the pixel's first.
+/// Layout of a pixel in a packet of one profile, in bytes from the pixel's start.
 struct OusterPixel {
   std::size_t bytes = 0;
   std::uint32_t range_mask = 0;
@@ -21,29 +21,29 @@ struct OusterPixel {
   std::vector<Return> returns;  ///< the stronger first
 };
 
-/// What the metadata of an Ouster say.
+/// Metadata of an Ouster.
 ///
 /// Source  Ouster Firmware User Manual, "Sensor metadata", "Lidar data" and "Coordinate frames".
 struct OusterSheet {
   std::string product;       ///< "OS-1-128"
-  std::uint64_t serial = 0;  ///< of the unit; 0: not known
+  std::uint64_t serial = 0;  ///< 0: not known
   std::string profile;       ///< "RNG15_RFL8_NIR8"; "LEGACY" has no header
   bool is_legacy = false, is_fusa = false;
   OusterPixel pixel;
   int columns_per_packet = 16, columns_per_frame = 1024, beams = 0;
-  int first_column = 0, last_column = 0;  ///< of the window that the unit sends
+  int first_column = 0, last_column = 0;  ///< window that the unit sends
   double rate_hz = 10;
   int port = 7502;
-  std::vector<double> altitude_rad, azimuth_rad;  ///< of beams
-  double beam_x_m = 0, beam_z_m = 0;              ///< of the beams' origin in the lidar's frame
+  std::vector<double> altitude_rad, azimuth_rad;  ///< one for each beam
+  double beam_x_m = 0, beam_z_m = 0;              ///< beams' origin in the lidar's frame
   Pose X_SL = Pose::Identity();                   ///< lidar's frame in the sensor's
 
   std::size_t column_bytes() const;
   std::size_t packet_bytes() const;
 };
 
-/// Reads the metadata as the sensor's HTTP interface and Ouster's programs write them, old and new
-/// form. Throws InputError for what is missing, contradicts itself or is a profile not known.
+/// Reads metadata as the sensor's HTTP interface and Ouster's programs write them, in the old and
+/// the new form. Throws InputError for missing keys, contradictions and unknown profiles.
 OusterSheet ReadOusterSheet(const std::filesystem::path& file);
 
 }  // namespace tera

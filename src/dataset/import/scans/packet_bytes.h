@@ -11,7 +11,7 @@ namespace tera {
 
 static_assert(std::endian::native == std::endian::little, "packets of lidars are little-endian");
 
-/// The little-endian number at a place of a packet whose length is known to suffice.
+/// Little-endian number at byte `at` of a packet; the caller ensures the length.
 template <typename T>
 T PacketNumber(std::string_view bytes, std::size_t at) {
   TERA_CHECK(at + sizeof(T) <= bytes.size(), at, bytes.size());
@@ -20,7 +20,7 @@ T PacketNumber(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-/// Of calibrated reflectivities in 8 bits.
+/// Full scale of calibrated reflectivities in 8 bits.
 inline constexpr float kFullReflectivity = 255.0F;
 
 }  // namespace tera

@@ -7,21 +7,21 @@
 
 namespace tera {
 
-/// How packets become scans.
+/// Options of decoding packets into scans.
 struct DecodeOptions {
   ReturnsKept returns = ReturnsKept::kStrongest;
-  bool by_unit_clock = false;  ///< else by when packets were received
+  bool by_unit_clock = false;  ///< else by the receiver's
 };
 
-/// Makes scans of the packets of one unit, in the order in which they were received.
+/// Decodes the packets of one unit into scans, in the order of reception.
 ///
 /// Frames  points in the sensor's frame S, x forward, y left, z up.
 class PacketDecoder {
  public:
   virtual ~PacketDecoder() = default;
-  /// Throws InputError, of the packet's place, for one that is not of this unit.
+  /// Throws InputError with the packet's place for a packet of another unit.
   virtual void Take(const UnitPacket& packet) = 0;
-  /// Hands on the last scan.
+  /// Passes on the last scan.
   virtual void Finish() = 0;
 };
 

@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// Bytes of the array `data` in one packet of a message.
+/// Size of the array `data` in one packet of a message.
 constexpr std::size_t kVelodyneBytes = 1206, kPandarBytes = 1500;
 
 bool IsOuster(std::string_view type) {
@@ -48,7 +48,7 @@ class MessageVisitor : public BagVisitor {
   int number_ = 0;
 };
 
-/// Of a message that holds several packets, each with its stamp.
+/// Reads a message with several packets, each with its own stamp.
 void TakeScanMessage(const BagTopic& topic, const BagMessage& message, const std::string& place,
                      const LeaveOut& leave_out, const TakePacket& take) {
   const bool has_size = topic.type == kPandarType;

@@ -36,7 +36,7 @@ PandarAngles ReadPandarAngles(const std::filesystem::path& file) {
     int laser = 0;
     double elevation_deg = 0, azimuth_deg = 0;
     if (std::sscanf(line.c_str(), "%d , %lf , %lf", &laser, &elevation_deg, &azimuth_deg) != 3) {
-      if (number == 1) continue;  // names of the columns
+      if (number == 1) continue;  // header
       if (line.find_first_not_of(" \t\r") == line.npos) continue;
       throw InputError(fmt::format("{}:{}", file.string(), number),
                        {FaultKind::kMalformed,

@@ -12,9 +12,9 @@
 namespace tera {
 namespace {
 
-/// A scan lasts no longer than the slowest lidar's turn, and hardly less than a thousandth.
+/// Bounds of a scan's duration: above the slowest lidar's turn, and about a thousandth of it.
 constexpr double kLongestScan_s = 4, kShortestScan_s = 1e-3;
-/// A time of this many seconds and more counts from 1970.
+/// Times from this value on, in seconds, count from 1970.
 constexpr double kSinceEpoch_s = 1e8;
 
 template <typename T>
@@ -101,7 +101,8 @@ double RecordReader::TimeUnit_s(double largest) const {
   if (form_.time_unit_s) return *form_.time_unit_s;
   if (time_->type != 'F') return kNs;
   if (time_->bytes == 4 || largest < kSinceEpoch_s) return 1;
-  // Since 1970, 1e8 s are 1973 and 1e12 s are not yet: what is larger is in smaller units.
+  // As seconds since 1970, 1e8 is in 1973 and 1e12 far in the future. Larger values have smaller
+  // units.
   constexpr double kMost_s = 1e12, kMost_us = 1e17;
   return largest < kMost_s ? 1 : largest < kMost_us ? kUs : kNs;
 }
@@ -129,7 +130,7 @@ std::vector<TimeNs> RecordReader::Times(TimeNs stamp_ns) const {
   }
   const double unit_s = TimeUnit_s(*most);
   const double length_s = (*most - *least) * unit_s;
-  // Whole numbers may count ns or us; floats that were not s would make a scan far too long.
+  // Integers may count ns or us. Floats in another unit than s would make the scan far too long.
   const double shortest_s = time_->type == 'F' ? 0 : kShortestScan_s;
   if (records_.count > 1 && !(length_s >= shortest_s && length_s <= kLongestScan_s)) {
     Fail({FaultKind::kOutOfRange,
@@ -138,7 +139,7 @@ std::vector<TimeNs> RecordReader::Times(TimeNs stamp_ns) const {
                       length_s, time_->name, unit_s, shortest_s, kLongestScan_s)});
   }
   const bool is_absolute = *most * unit_s >= kSinceEpoch_s;
-  // Offsets are counted from the smallest, which a double holds to the nanosecond.
+  // Differences from the smallest value are small enough for a double to hold to the nanosecond.
   const double from = is_absolute ? std::floor(*least) : 0;
   const TimeNs from_ns = is_absolute ? std::llround(from) * std::llround(unit_s * 1e9) : stamp_ns;
   std::vector<TimeNs> times_ns;
@@ -155,7 +156,7 @@ std::vector<float> RecordReader::Intensities() const {
   const double full = form_.full_intensity.value_or(is_byte ? 255 : 1);
   for (std::size_t k = 0; k < records_.count; ++k) {
     const double value = Number(*intensity_, k) / full;
-    // What is not finite belongs to a point without a place.
+    // A point with a non-finite value has no position.
     if (!std::isfinite(value)) continue;
     if (value < 0 || value > 1) {
       Fail({FaultKind::kOutOfRange,

@@ -11,7 +11,7 @@
 
 namespace tera {
 
-/// One field of the points of a message or a file.
+/// One field of the points in a message or file.
 struct RecordField {
   std::string name;
   char type = 'F';  ///< F floating, U unsigned, I signed
@@ -27,25 +27,28 @@ struct PointRecords {
   std::string place;  ///< for faults
 };
 
-/// What a mapping says of points whose fields do not tell it.
+/// Properties of points that the mapping adds to their fields.
 struct PointForm {
   enum class Stamp { kUnknown, kFirst, kLast };
-  Stamp stamp = Stamp::kUnknown;         ///< the ray of which the scan's stamp is the time
+  Stamp stamp = Stamp::kUnknown;         ///< ray that the scan's stamp refers to
   std::optional<double> duration_s;      ///< from the first ray to the last
-  std::string time_field;                ///< empty: by its name
-  std::optional<double> time_unit_s;     ///< of the time field; none: by its type and size
-  std::optional<double> full_intensity;  ///< of the file; none: by its type
+  std::string time_field;                ///< empty: found by name
+  std::optional<double> time_unit_s;     ///< unit of the time field; none: by type and size
+  std::optional<double> full_intensity;  ///< intensity of full scale; none: by type
 };
 
-/// Makes a scan of records.
+/// Converts records to a scan.
 ///
-/// Frames  that of the file, in metres; TERA's S where the mapping's mount is that of the file's
+/// Frames  that of the file, in metres. It is TERA's S if the mapping's mount refers to the file's
 ///         frame.
-/// Model   x, y, z; intensity or reflectivity, of 8 bits over 255, others over `full_intensity`,
-///         without which they must lie in 0 to 1; ring, line, channel or laser_id; time of t, time,
-///         timestamp, time_stamp or offset_time: whole numbers are ns since the stamp, floats of 4
-///         bytes s since it, of 8 bytes s since it, or s, us or ns since 1970 by their size. Points
-///         that are not finite, or at the origin, are rays without a return.
+/// Model   position: x, y, z.
+///         intensity or reflectivity: over 255 if of 8 bits, else over `full_intensity`. Without
+///         that key the values must lie in 0 to 1.
+///         ring, line, channel or laser_id.
+///         time: t, time, timestamp, time_stamp or offset_time. Integers are ns since the stamp.
+///         Floats of 4 bytes are s since it. Floats of 8 bytes are s since it, or s, us or ns since
+///         1970 by their size.
+///         Points that are not finite, or at the origin, are rays without a return.
 /// Throws  InputError where a field is missing, or where the times cannot be those of a scan.
 class RecordReader {
  public:

@@ -7,21 +7,21 @@
 
 #include "core/types/measurement.h"
 
-/// What decoders of packets share: a revolution that is being collected, and its time.
+/// Revolution in progress and its clock, shared by the packet decoders.
 
 namespace tera {
 
-/// A scan as a unit gave it.
+/// One scan of a unit.
 struct UnitScan {
   LidarScan scan;
-  std::string place;  ///< of its first packet or message, for faults
-  double turn = 1;    ///< how much of a whole turn it covers
+  std::string place;  ///< first packet or message, for faults
+  double turn = 1;    ///< covered share of a whole turn
   std::int64_t rays = 0;
-  std::int64_t second_returns = 0;  ///< of the rays, whether they are kept or not
+  std::int64_t second_returns = 0;  ///< rays with two returns, kept or not
 };
 using TakeScan = std::function<void(UnitScan scan)>;
 
-/// Which of a ray's returns become points.
+/// Choice of the returns that become points.
 enum class ReturnsKept { kStrongest, kAll };
 
 /// One return of a ray.
@@ -30,15 +30,16 @@ struct UnitReturn {
   std::uint8_t reflectivity = 0;
 };
 
-/// Turns the unit's own times into those of the scans.
+/// Converts the unit's times to those of the scans.
 ///
-/// Model   by the unit's clock itself; or by the receiver's: the first packet of a scan counts as
-///         received when its first ray left, and the unit's clock goes on from there.
+/// Model   by the unit's clock, unchanged; or by the receiver's. In the latter case the first
+///         packet of a scan counts as received when its first ray left, and later times follow the
+///         unit's clock.
 class UnitClock {
  public:
   explicit UnitClock(bool is_unit) : is_unit_(is_unit) {}
 
-  /// At the first packet of a scan.
+  /// Synchronises the clocks at the first packet of a scan.
   void Anchor(TimeNs received_ns, TimeNs unit_ns) {
     if (!is_unit_) ahead_ns_ = received_ns - unit_ns;
   }
@@ -50,19 +51,19 @@ class UnitClock {
   TimeNs ahead_ns_ = 0;
 };
 
-/// Collects the points of one scan after the other.
+/// Collects the points of scans one after another.
 class Revolution {
  public:
   explicit Revolution(TakeScan take) : take_(std::move(take)) {}
 
   bool is_empty() const { return rays_ == 0; }
   void Begin(std::string place) { place_ = std::move(place); }
-  /// A ray that left at `t_ns`, whether it came back or not.
+  /// A ray that left at `t_ns`, with or without a return.
   void AddRay(TimeNs t_ns);
   void AddPoint(const LidarPoint& point, TimeNs t_ns);
   void CountSecondReturn() { ++second_returns_; }
-  /// Hands the scan on and begins anew. Points are in the order of their times. Throws InputError
-  /// where they lie further apart than LidarPoint can say.
+  /// Passes on the scan and starts the next. Points are sorted by time. Throws InputError where
+  /// their times exceed the range of LidarPoint.
   void End(double turn);
 
  private:
@@ -78,11 +79,11 @@ class Revolution {
   std::int64_t rays_ = 0, second_returns_ = 0;
 };
 
-/// The returns of one ray that become points: none, one, or with kAll two of different ranges.
-/// Where one is kept it is the stronger, of equals the nearer.
+/// Returns of one ray that become points: none, one, or with kAll two at different ranges. A single
+/// return is the stronger one, or the nearer of equally strong ones.
 std::vector<UnitReturn> KeptReturns(const UnitReturn& a, const UnitReturn& b, ReturnsKept kept);
 
-/// Rings of beams by their elevations, 0 at the top.
+/// Rings of beams by descending elevation, 0 at the top.
 std::vector<std::uint16_t> RingsOf(const std::vector<double>& elevations);
 
 }  // namespace tera

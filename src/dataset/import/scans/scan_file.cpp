@@ -28,7 +28,7 @@ std::string EndingOf(const fs::path& file) { return LowerCase(file.extension().s
 
 bool IsDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// "2.pcd" before "10.pcd".
+/// Natural order: "2.pcd" before "10.pcd".
 bool IsBefore(const fs::path& a_path, const fs::path& b_path) {
   const std::string a = a_path.filename().string(), b = b_path.filename().string();
   std::size_t i = 0, j = 0;
@@ -104,7 +104,7 @@ void RequireBody(const fs::path& file, std::size_t found, std::size_t need) {
                          need, found));
 }
 
-/// Records of the body in which each field stands for all points before the next.
+/// Decompresses a body, and converts it from field-major to point-major order.
 std::string Unpacked(const fs::path& file, const PcdHead& head, std::string_view body) {
   std::uint32_t sizes[2] = {};
   RequireBody(file, body.size(), sizeof sizes);
@@ -112,7 +112,7 @@ std::string Unpacked(const fs::path& file, const PcdHead& head, std::string_view
   body.remove_prefix(sizeof sizes);
   RequireBody(file, body.size(), sizes[0]);
   std::string columns(head.points * head.step, '\0');
-  constexpr std::size_t kMostExpanded = 512;  // LZF packs no better
+  constexpr std::size_t kMostExpanded = 512;  // limit of LZF's compression
   const bool fits = sizes[1] == columns.size() && columns.size() <= kMostExpanded * sizes[0];
   if (!columns.empty() &&
       (!fits || lzf_decompress(body.data(), sizes[0], columns.data(), sizes[1]) != sizes[1])) {
@@ -130,7 +130,7 @@ std::string Unpacked(const fs::path& file, const PcdHead& head, std::string_view
   return records;
 }
 
-/// Numbers of a table in text as records of doubles; changes the fields to these.
+/// Converts a text table to records of doubles, and changes the fields accordingly.
 std::string FromText(const fs::path& file, PcdHead* head, const std::string& body) {
   std::istringstream words(body);
   std::string records;
@@ -226,7 +226,7 @@ std::optional<TimeNs> StampOfName(const fs::path& file) {
     return IsDigit(c) || c == '.';
   });
   if (!is_number) return std::nullopt;
-  constexpr std::size_t kSecondsDigits = 10;  // from 2001 to 2286
+  constexpr std::size_t kSecondsDigits = 10;  // years 2001 to 2286
   constexpr TimeNs kLeastStamp_s = 100'000'000;
   if (point != name.npos) return point >= kSecondsDigits ? SecondsOfText(name) : std::nullopt;
   if (name.size() < kSecondsDigits || name.size() > kSecondsDigits + 9) return std::nullopt;
@@ -238,7 +238,7 @@ std::optional<TimeNs> StampOfName(const fs::path& file) {
                                         {10, TimeNs{1'000'000'000}}}) {
     if (name.size() != static_cast<std::size_t>(digits)) continue;
     const TimeNs t_ns = *number * unit_ns;
-    // 0000000010 counts files.
+    // Smaller numbers, such as 0000000010, are indices of files.
     return t_ns >= kLeastStamp_s * kNsPerSecond ? std::optional(t_ns) : std::nullopt;
   }
   return std::nullopt;
@@ -257,7 +257,7 @@ std::vector<TimeNs> ReadScanTimes(const fs::path& file) {
     std::optional<TimeNs> t_ns;
     if (whole && *whole >= kNanoseconds) t_ns = *whole;
     if (!t_ns) t_ns = SecondsOfText(line);
-    // KITTI's odometry has 1.037875e-01.
+    // KITTI's odometry writes 1.037875e-01.
     if (const auto seconds = ParseNumber<double>(line); !t_ns && seconds) {
       t_ns = FromSeconds(*seconds);
     }

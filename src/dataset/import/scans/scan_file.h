@@ -8,11 +8,11 @@
 
 namespace tera {
 
-/// The scans of a folder, .pcd and .bin, in the order of their names; numbers in names count by
-/// their values. InputError where there is none.
+/// Scan files of a folder, .pcd and .bin, in natural order of their names. Throws InputError where
+/// there are none.
 std::vector<std::filesystem::path> ScanFilesOf(const std::filesystem::path& folder);
 
-/// One of them.
+/// Reads one scan file.
 ///
 /// Model   .pcd: PCD 0.7, ascii, binary and binary_compressed, with the fields of RecordReader;
 ///         .bin: KITTI's Velodyne scans, x, y, z and reflectance (0 to 1) as floats of 4 bytes.
@@ -21,12 +21,12 @@ std::vector<std::filesystem::path> ScanFilesOf(const std::filesystem::path& fold
 ///         dataformat.
 UnitScan ReadScanFile(const std::filesystem::path& file, const PointForm& form, TimeNs stamp_ns);
 
-/// The time that a scan's name says: digits are ns, us, ms or s since 1970 by their number, or with
-/// a point "1403636579.763555" s; a name of fewer digits has none.
+/// Time in a scan's file name. Digits are ns, us, ms or s since 1970, by their number; a point
+/// marks seconds, as in "1403636579.763555". A name with fewer digits has no time.
 std::optional<TimeNs> StampOfName(const std::filesystem::path& file);
 
-/// The times of the scans: a line each, of seconds (1403636579.763555), of ns where it is whole and
-/// beyond 1e17, or a date with a time of day, as KITTI has them.
+/// Reads scan times, one on each line: seconds (1403636579.763555), ns for an integer above 1e17,
+/// or a date with a time of day, as KITTI writes.
 std::vector<TimeNs> ReadScanTimes(const std::filesystem::path& file);
 
 }  // namespace tera

@@ -5,7 +5,7 @@ namespace {
 
 constexpr double kFiring_us = 2.304;
 
-/// Firings of `at_once` lasers, one after the other.
+/// Start times of groups of `at_once` lasers that fire together, group by group.
 std::vector<double> FiringTimes(int lasers, int at_once) {
   std::vector<double> times_us;
   for (int n = 0; n < lasers; ++n) times_us.push_back(kFiring_us * (n / at_once));

@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 15> kValueNames = {
     "reading", "raw", "counts", "count",    "adc", "rawvalue", "rohwert"};
 constexpr std::array<std::string_view, 4> kUnitNames = {"unit", "units", "einheit", "unité"};
 
-/// The unit of a signal whose rows have several.
+/// Unit of a signal whose rows differ in unit.
 constexpr std::string_view kChangingUnit = "-?-";
 
 template <std::size_t n>

@@ -16,10 +16,12 @@ struct TurnWitness {
   std::vector<const NumbersOfColumn*> angles = {};
 };
 
-/// rad/s or deg/s, from the first of: a column's unit or name; the turn of gravity or of an angle;
-/// magnitudes that no machine has in rad/s. Otherwise unknown, with the observation.
+/// rad/s or deg/s, or unknown with the observation. The first evidence that decides counts, in this
+/// order: a column's unit or name; rates that are all zero, taken as rad/s; the turn of gravity;
+/// the turn of an angle; magnitudes.
 ///
-/// Model   rates with a tenth above 20 are not rad/s, and above 1146 not deg/s either.
+/// Model   magnitudes: rates with a tenth above 20 are deg/s, unless the unit of the specific force
+///         is unknown too, as in a table of counts. With a tenth above 1146 they are neither.
 UnitGuess GuessRateUnit(const std::vector<const NumbersOfColumn*>& rates,
                         const TurnWitness& witness = {});
 

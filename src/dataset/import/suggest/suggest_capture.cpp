@@ -5,7 +5,7 @@
 #include "dataset/import/suggest/guess.h"
 #include "dataset/import/suggest/suggest.h"
 
-// Guesses about a capture of a network.
+// Suggestions for a network capture.
 
 namespace tera {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 constexpr std::int64_t kLookedAt = 5000;  ///< packets
 constexpr int kOusterPort = 7502, kVelodynePort = 2368;
 
-/// The entry of a lidar whose packets go to kVelodynePort, by the first of them.
+/// Mapping name of the lidar that sends to kVelodynePort, from its first packet.
 std::string UnitOfPacket(std::string_view bytes) {
   constexpr std::size_t kVelodyneBytes = 1206, kLeastPandar = 1068, kMostPandar = 1072;
   if (bytes.size() == kVelodyneBytes && bytes.back() == 0x22) return "vlp16";
@@ -24,7 +24,7 @@ std::string UnitOfPacket(std::string_view bytes) {
 }
 
 std::string FirstUnit(const std::filesystem::path& log) {
-  /// Ends the reading.
+  /// Thrown to end the reading.
   struct Enough {};
   std::string unit = "unknown";
   try {
