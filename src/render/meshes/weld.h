@@ -20,8 +20,9 @@ struct Welded {
 ///
 /// Model   corners at bit-identical positions merge; degenerate triangles are dropped. A surface is
 ///         a set of triangles connected by corners. It is closed if opposite traversals of each
-///         edge balance and it faces outwards. An outside ray crosses equally many of its front and
-///         back faces, a front face first.
+///         edge balance and its signed volume is positive: it faces outwards on the whole. A ray
+///         from outside then crosses equally many of its front and back faces. The first is a front
+///         face if no part of the surface is turned inside out.
 Welded Weld(const std::vector<const MeshPart*>& parts);
 
 }  // namespace tera

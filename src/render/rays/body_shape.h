@@ -7,18 +7,20 @@
 
 namespace tera {
 
-/// Meshes of one body, or of several identical bodies.
+/// Meshes of one body B, or of several bodies that share one scene. A node places the geometry G of
+/// one mesh in B.
 struct BodyShape {
-  std::vector<int> meshes;  ///< one per node; meshes, X_BG and scale identify identical shapes
+  std::vector<int> meshes;  ///< one per node, as X_BG and scale
   std::vector<Pose> X_BG;
   std::vector<double> scale;
-  EmbreeScene scene;
+  EmbreeScene scene;  ///< vertices in B, m
   struct Part {
     int node;  ///< index in the body's list of nodes
     float reflectance, opacity;
   };
   std::vector<Part> parts;  ///< indexed by geometry id within `scene`
 
+  /// Whether meshes, X_BG and scale are equal, so that one scene serves both bodies.
   bool Alike(const BodyShape& o) const;
 };
 

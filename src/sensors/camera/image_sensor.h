@@ -50,8 +50,7 @@ inline constexpr double kHotPixel = 200;
 /// Photons of daylight from 400 to 700 nm per second, square metre and lux.
 ///
 /// Source  Thimijan and Heins 1983, "Photometric, radiometric, and quantum light units of measure":
-/// 54
-///         lux of sun and sky are one micromole of photons.
+///         54 lux of sun and sky are one micromole of photons.
 inline constexpr double kPhotonsPerLuxSecond = 6.02214076e23 * 1e-6 / 54;
 
 /// Conversion from luminance to digital images.

@@ -30,9 +30,10 @@ void Serialize(ModelArchive* archive, ImuModel* model);
 /// Frames  W world, B body, S sensor at X_BS.
 /// Model   the poses of S define the motion, so that the readings agree with an adjacent camera.
 ///         Over a step, w_S = log(R_0^T R_1) / dt and f_S = R_SW ((v_1 - v_0) / dt - g_W). v at a
-///         step boundary interpolates the adjacent chord velocities. Each sample is the mean over
-///         its own interval (t - T, t], as in a strapdown unit with internal integration. White
-///         noise sigma / sqrt(T) and a bias random walk follow. Sample k >= 1 is due at
+///         step boundary interpolates the adjacent chord velocities. The first v is the state's;
+///         the last one follows from a constant acceleration over the last step. Each sample is the
+///         mean over its own interval (t - T, t], as in a strapdown unit with internal integration.
+///         White noise sigma / sqrt(T) and a bias random walk follow. Sample k >= 1 is due at
 ///         clock.Due(k).
 ///
 /// The model does not use the accelerations of the state. The physics step finds the rates that
@@ -55,7 +56,7 @@ class Imu {
   /// due in the previous step, whose end velocity depends on this step. Steps must be contiguous.
   void Advance(TimeNs t0_ns, const BodyState& begin, TimeNs t1_ns, const BodyState& end,
                const Vec3& gravity_W_mps2, std::vector<ImuSample>* samples);
-  /// Appends the samples of the last step, whose end velocity follows from its own acceleration.
+  /// Appends the samples of the last step, with a constant acceleration over it.
   void Finish(std::vector<ImuSample>* samples);
 
  private:

@@ -48,8 +48,8 @@ class DiscKernels {
 /// Model   each pixel's light is spread over its disc. A pixel gathers three layers. The light of
 ///         nearer surfaces covers its own surface's light, by the sum of their kernel shares. Its
 ///         own surface's light covers the background. The mean of the background within its own
-///         disc represents the occluded background. Surfaces are separate if their depths differ by
-///         a hundredth.
+///         disc represents the occluded background; without any, its own surface does. Surfaces are
+///         separate if their depths differ by a hundredth.
 /// Omits   diffraction; non-circular discs; light beyond kMostRadius_px.
 Image<float> Defocused(const ThinLens& lens, const DiscKernels& kernels,
                        const Image<float>& depth_m, const Image<float>& luminance_cdpm2);

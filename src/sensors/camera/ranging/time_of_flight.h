@@ -57,8 +57,8 @@ Phasor LightOver(const std::vector<LitPatch>& others, const LitPatch& at, double
 ///         the camera's light by exp(-2 tau) and add the light that they scatter back, from 0.1 m
 ///         on: the sum of pi b exp(-2 a r) / r^2 dr, with extinction a and back-scatter b.
 /// Omits   light after several bounces, mirrors, scattering in the lens, dimming by dust, the
-/// distance between eye
-///         and lamp, motion within a measurement, background light, wiggling of the correlation.
+///         distance between eye and lamp, motion within a measurement, background light, wiggling
+///         of the correlation.
 /// Source  Hansard, Lee, Choi and Horaud 2012, "Time-of-flight cameras: principles, methods and
 ///         applications", eqs. (1.1) to (1.12); one bounce: Fuchs 2010, "Multipath interference
 ///         compensation in time-of-flight camera images".
