@@ -10,9 +10,8 @@
 
 namespace tera {
 
-/// A folder of this test alone, in this process alone, since tests run side by side and one after
-/// the other; of all that is asked for outside of tests there is one. They go when the process
-/// ends.
+/// A folder of this test in this process alone, since tests run in parallel and in sequence. Calls
+/// outside of tests share one folder. All are removed when the process ends.
 inline const std::filesystem::path& OwnFolder() {
   struct Folder {
     std::filesystem::path path;

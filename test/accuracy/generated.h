@@ -13,7 +13,7 @@
 #include "physics/description/machine.h"
 #include "sim/run/generate.h"
 
-// A dataset written and read back, and the truth in it: what a user of the files has, nothing more.
+// A dataset written and read back, with its truth: a user's view of the files.
 
 namespace tera {
 
@@ -76,7 +76,7 @@ class LinkTruth {
     return row != poses_.end() && row->t_ns == t_ns ? static_cast<int>(row - poses_.begin()) : -1;
   }
 
-  /// Pose of a link in row `row`, or where it would be `ahead_s` later at that row's rates.
+  /// Pose of a link in row `row`, or extrapolated by `ahead_s` at that row's rates.
   Pose LinkPose(const std::string& link, int row, double ahead_s = 0) const {
     const TruthPose& root = poses_.at(row);
     std::vector<double> q_rad;

@@ -4,10 +4,10 @@
 
 namespace tera {
 
-/// Number that an environment variable sets, else the usual one.
+/// Value of an environment variable, or `usual`.
 double FromEnvironment(const char* name, double usual);
 
-/// Whether there is neither infinity nor NaN in anything that a machine's state tells.
+/// Whether all values of a machine's state are finite.
 bool IsFinite(const MachineState& state);
 
 /// Angle between the undercarriage's z axis and the vertical.

@@ -11,8 +11,8 @@
 
 namespace tera {
 
-/// The lowest that the ground has been so far, place by place: what lies deeper is in soil that no
-/// tool has ever opened, however much soil has been heaped upon it.
+/// Lowest height of the ground so far at each place. Soil below it was never opened by a tool,
+/// however much soil lies above it.
 class UnopenedGround {
  public:
   explicit UnopenedGround(const TerrainSurface& ground)
@@ -28,8 +28,8 @@ class UnopenedGround {
     }
   }
 
-  /// How far a point is in the unopened ground: the shortest way to a place that it does not fill,
-  /// a stride to the side not counted.
+  /// Depth of a point in unopened ground: the shortest distance to a place outside it, with a
+  /// tolerance of one stride sideways.
   double DepthOf_m(const Vec3& p_W_m) const {
     constexpr double kStride_m = 0.2, kFarthest_m = 0.7, kStep_m = 0.1;
     double depth_m = lowest_.HeightAt(p_W_m.x(), p_W_m.y()) - p_W_m.z();
@@ -46,7 +46,7 @@ class UnopenedGround {
     return depth_m;
   }
 
-  /// Index into the site's soils of the ground as it was at (x, y), a vertex's nearest.
+  /// Index into the site's soils of the original ground at (x, y), by the nearest vertex.
   int SoilAt(double x_m, double y_m) const {
     const auto vertex = [&](double at_m, double origin_m, int count) {
       return std::clamp(static_cast<int>(std::lround((at_m - origin_m) / lowest_.cell_m)), 0,

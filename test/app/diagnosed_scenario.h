@@ -16,7 +16,7 @@ namespace tera {
 using Json = nlohmann::json;
 using Names = std::vector<std::string>;
 
-/// Curves and turns either way, forwards and backwards, 61 s.
+/// Curves and turns in both directions, forwards and backwards, 61 s.
 inline std::string TrackLevers() {
   std::ostringstream csv;
   csv << "t_s,left_track,right_track\n0,0,0\n";
@@ -33,7 +33,7 @@ inline std::string TrackLevers() {
   return csv.str();
 }
 
-/// Leaves of a recording what was measured alone.
+/// Removes the truth of a recording, and keeps the measurements.
 inline void RemoveTruth(const std::filesystem::path& recording) {
   std::filesystem::remove_all(recording / "truth");
   std::ifstream file(recording / "dataset.yaml");
@@ -45,7 +45,7 @@ inline void RemoveTruth(const std::filesystem::path& recording) {
   std::ofstream(recording / "dataset.yaml") << kept;
 }
 
-/// A scenario, its recordings, and what is found in them by a few candidates.
+/// A scenario, its recordings, and the diagnosis with few candidates.
 class DiagnoseByScenario : public testing::Test {
  protected:
   void Write(const std::string& name, const std::string& text) const {
@@ -54,7 +54,7 @@ class DiagnoseByScenario : public testing::Test {
   void Record(const std::string& out, const Arguments& more = {}) const {
     Run({"generate", "scenario.yaml", "--out", out}, more);
   }
-  /// What was found, "unexplained" included.
+  /// The findings, "unexplained" included.
   Names Diagnose(const std::string& recording, const std::string& out,
                  const Arguments& more = {}) const {
     Run({"diagnose", "scenario.yaml", recording, "--library", "library.yaml", "--out", out}, more);

@@ -8,21 +8,21 @@
 
 #include "dataset/files/checked_file.h"
 
-/// A recording of a boom that nothing simulated: levers, and what an encoder would measure of a
-/// joint that follows them as told.
+/// A recording of a boom without any simulation: levers, and an encoder on a joint with a given
+/// response.
 
 namespace tera {
 
-/// The boom of tb235: full rates up and down, rad/s.
+/// Full rates of tb235's boom up and down, rad/s.
 inline constexpr double kUp_radps = 25.8 * 3.14159265358979323846 / 180;
 inline constexpr double kDown_radps = 30.8 * 3.14159265358979323846 / 180;
 
-/// 1 for a while from 0 on, with flanks of 0.2 s, which a boom's motor follows.
+/// Pulse of 1 for `hold_s` from time 0, with flanks of 0.2 s that a boom's motor follows.
 inline double HandMadePulse(double t_s, double hold_s) {
   return std::clamp(std::min(t_s, 0.2 + hold_s - t_s) / 0.2, 0.0, 1.0);
 }
 
-/// Strokes of many sizes with rests, the same for all.
+/// Strokes of many sizes with rests, equal for all recordings.
 inline double HandMadeLever(double t_s) {
   constexpr double kSizes[] = {0.2, 0.5, 0.9, 0.3, 0.7, 0.15, 1.0, 0.4, 0.6, 0.25, 0.8, 0.35};
   constexpr double kPeriod_s = 2.8;
@@ -35,13 +35,13 @@ inline double HandMadeLever(double t_s) {
 struct HandMade {
   double duration_s = 42, period_s = 0.02;
   double noise_radps = 0.003;
-  double clock_s = 0;  ///< of the encoder, ahead of that of the commands
+  double clock_s = 0;  ///< encoder's clock ahead of that of the commands
   std::function<double(double)> valve = [](double lever) { return lever; };
   double rate_factor = 1, position_factor = 1, lever_factor = 1;
   unsigned seed = 1;
 };
 
-/// Writes it to a new folder.
+/// Writes the recording to a new folder.
 inline void WriteHandMade(const std::filesystem::path& folder, const HandMade& made) {
   namespace fs = std::filesystem;
   fs::create_directories(folder / "excavator1" / "encoders");
@@ -56,7 +56,7 @@ inline void WriteHandMade(const std::filesystem::path& folder, const HandMade& m
   commands << "t_ns,boom\n";
   encoders << "t_ns,boom_rad,boom_radps\n";
   unsigned state = made.seed;
-  const auto noise = [&] {  // uniform, of the standard deviation asked for
+  const auto noise = [&] {  // uniform, with the stated standard deviation
     state = state * 1664525u + 1013904223u;
     return made.noise_radps * std::sqrt(12.0) * (state / 4294967296.0 - 0.5);
   };
@@ -75,7 +75,7 @@ inline void WriteHandMade(const std::filesystem::path& folder, const HandMade& m
   }
 }
 
-/// A scenario that the recording is held to: a boom that follows its lever at once.
+/// The scenario that the recording is compared with: a boom that follows its lever at once.
 inline constexpr const char* kHandMadeScenario = R"(
 name: boom
 duration_s: 42
@@ -89,7 +89,7 @@ machines:
 effects: {excavator1: {boom: {actuator_ring: none}}}
 )";
 
-/// A valve that does nothing up to 0.1.
+/// A valve with a dead zone up to 0.1.
 inline double DeadTo0_1(double lever) {
   return std::copysign(std::max(0.0, std::abs(lever) - 0.1), lever);
 }

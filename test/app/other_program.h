@@ -4,11 +4,11 @@
 #include <optional>
 #include <string>
 
-/// Programs that nobody of this project wrote, and those that judge its output.
+/// Foreign programs, and programs that check TERA's output.
 
 namespace tera {
 
-/// What a program writes to its standard output, or nothing where it fails.
+/// Standard output of a program, or nothing where it fails.
 inline std::optional<std::string> OutputOf(const std::string& command) {
   std::FILE* const pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) return std::nullopt;

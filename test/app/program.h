@@ -16,7 +16,7 @@ namespace tera {
 
 using Arguments = std::vector<std::string>;
 
-/// How a run ended.
+/// Result of a run.
 struct Outcome {
   int status = -1;  ///< exit status, or -1 where a signal ended it
   int signal = 0;
@@ -30,15 +30,14 @@ struct Surroundings {
 
 extern const char* const kTera;
 
-/// A run of the program with its standard output and error in files: no terminal. `program` is
-/// another of this project's.
+/// A run of `program` with its standard output and error in files, so without a terminal.
 class TeraProcess {
  public:
   TeraProcess(const Arguments& arguments, const Surroundings& surroundings,
               const std::string& program = kTera);
   TeraProcess(const TeraProcess&) = delete;
   TeraProcess& operator=(const TeraProcess&) = delete;
-  /// Ends a run that nobody waited for.
+  /// Ends a run that was not waited for.
   ~TeraProcess();
 
   bool Running();
@@ -52,7 +51,7 @@ class TeraProcess {
   int wait_status_ = 0;
 };
 
-/// A run to its end. A dataset that it wrote is held to the rules of `tera lint`.
+/// Runs to the end. A dataset that it wrote must pass `tera lint`.
 Outcome RunTera(const Arguments& arguments, const Surroundings& surroundings);
 
 /// A run on a terminal of `columns`; `out` holds all that appears there.
@@ -62,9 +61,9 @@ Outcome RunTeraOnTerminal(const Arguments& arguments, const std::filesystem::pat
 /// Every file and folder below `root`.
 std::set<std::string> Entries(const std::filesystem::path& root);
 
-/// A rover at rest, 0.4 s, with an IMU and with what `more_sensors` says.
+/// A rover at rest, 0.4 s, with an IMU and the sensors in `more_sensors`.
 std::string SmallScenario(const std::string& more_sensors = "");
-/// Sensors to put in there.
+/// Sensors for SmallScenario.
 extern const char* const kCamera;
 extern const char* const kLidar;
 

@@ -9,12 +9,11 @@
 #include "app/program.h"
 #include "dataset/compare/compare.h"
 
-/// A stretch of a recorded drive, imported, and beside it the simulated machine under the commands
-/// of that stretch.
+/// A segment of a recorded drive, imported, and the simulated machine under the same commands.
 
 namespace tera {
 
-/// The rows of a DRIVE recording from `begin_s` to `end_s`, time counted from `begin_s`.
+/// Copies the rows of a DRIVE recording from `begin_s` to `end_s`; time counts from `begin_s`.
 inline void CutDrive(const std::filesystem::path& from, double begin_s, double end_s,
                      const std::filesystem::path& to) {
   std::ifstream in(from);
@@ -44,7 +43,7 @@ inline void ImportAndReplay(const std::filesystem::path& csv, double duration_s,
   EXPECT_EQ(run.status, 0) << run.err;
 }
 
-/// What a channel's column differs by, b - a.
+/// Difference b - a of a channel's column.
 inline ChannelDifference DifferenceOf(const Comparison& comparison, const std::string& column) {
   for (const ChannelDifference& d : comparison.machines.at(0).channels) {
     if (d.column == column) return d;

@@ -9,13 +9,13 @@
 
 #include "app/program.h"
 
-/// How the program takes bad input: exit status 2, one message that says where, what and what to
-/// do, and nothing left behind.
+/// Response of the program to bad input: exit status 2, one message with place, finding and remedy,
+/// and no files left behind.
 
 namespace tera {
 
-/// Runs the program in `scratch`, where it must refuse its input with one line like `message` and
-/// leave everything as it was.
+/// Runs the program in `scratch`. It must refuse its input with one line like `message`, and change
+/// no file.
 inline void ExpectRefused(const ScratchDirectory& scratch, const Arguments& arguments,
                           const testing::Matcher<const std::string&>& message,
                           const std::map<std::string, std::string>& environment = {}) {
@@ -28,7 +28,7 @@ inline void ExpectRefused(const ScratchDirectory& scratch, const Arguments& argu
   EXPECT_EQ(Entries(scratch.path()), before);
 }
 
-/// A scenario that neither check nor generate may take.
+/// Expects check and generate to refuse a scenario.
 inline void ExpectScenarioRefused(const ScratchDirectory& scratch, const std::string& scenario,
                                   const testing::Matcher<const std::string&>& message) {
   WriteWholeFile(scratch.path() / "small.yaml", scenario);

@@ -14,8 +14,8 @@
 namespace testing_architecture {
 
 struct Include {
-  std::string file;    ///< as it is included: "render/gl/passes/lens.h", "blind/plant/plant.h"
-  std::string folder;  ///< the first of its path
+  std::string file;    ///< as written: "render/gl/passes/lens.h", "blind/plant/plant.h"
+  std::string folder;  ///< first folder of its path
   std::string header;
   std::string Text() const { return file + " includes " + header; }
 };
@@ -26,7 +26,7 @@ inline std::vector<Include> IncludesIn(const std::string& file, std::istream& te
   const std::regex line_form(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
   std::smatch match;
   for (std::string line; std::getline(text, line);) {
-    if (line.find('#') == line.npos) continue;  // searching by the form is slow
+    if (line.find('#') == line.npos) continue;  // the regular expression is slow
     if (std::regex_search(line, match, line_form)) {
       includes.push_back({file, file.substr(0, file.find('/')), match[1]});
     }

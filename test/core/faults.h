@@ -10,13 +10,13 @@
 
 #include "core/error.h"
 
-/// Tests of bad input ask for the kind of each fault and its place, never for the sentence.
+/// Tests of bad input check the kind and place of each fault, never its sentence.
 
 namespace tera {
 
 using FaultsMatcher = ::testing::Matcher<const std::vector<InputFault>&>;
 
-/// The faults of what `read` reads, or nothing.
+/// The faults that `read` throws, or nothing.
 template <typename Read>
 std::vector<InputFault> FaultsIn(const Read& read) {
   try {
@@ -27,8 +27,8 @@ std::vector<InputFault> FaultsIn(const Read& read) {
   return {};
 }
 
-/// `end` is the last part of `place`, in whole components: of "run/a.csv:3: k[0].x" for instance
-/// "x", "k[0].x", "a.csv:3: k[0].x". A line, a column and an item after it need not be named.
+/// Whether `end` is the last part of `place`, in whole components. For "run/a.csv:3: k[0].x", that
+/// may be "x", "k[0].x" or "a.csv:3: k[0].x". A trailing line, column or index may be left out.
 inline bool EndsIn(std::string place, const std::string& end) {
   while (!place.ends_with(end)) {
     const bool is_item = place.ends_with(']');
@@ -45,8 +45,8 @@ inline bool EndsIn(std::string place, const std::string& end) {
          std::string(" ./:[").find(before.back()) != std::string::npos;
 }
 
-/// The place, or one of the places within which it lies ("site.yaml:1:10: geotiff" of one in a
-/// file that the key names), ends in `end`.
+/// Whether the place, or an enclosing place, ends in `end`. "site.yaml:1:10: geotiff" encloses a
+/// place in the file that its key names.
 inline bool LiesAt(const std::string& place, const std::string& end) {
   for (std::size_t at = place.find(": "); at != place.npos; at = place.find(": ", at + 1)) {
     if (EndsIn(place.substr(0, at), end)) return true;
@@ -78,7 +78,7 @@ inline auto ThrowsFault(FaultKind kind, const std::string& place = "") {
       ::testing::Property("faults", &InputError::faults, HasFault(kind, place)));
 }
 
-/// One line that a program prints is "place: finding", the place ending in `place`.
+/// A printed line is "place: finding", and its place ends in `place`.
 MATCHER_P(TellsOf, place, "") {
   std::istringstream lines(arg);
   for (std::string line; std::getline(lines, line);) {

@@ -12,11 +12,11 @@
 
 #include "core/error.h"
 
-/// What all fuzz targets do: they put bytes into a file and let a reader read it.
+/// Common part of all fuzz targets: writes bytes to a file and lets a reader read it.
 
 namespace tera {
 
-/// A folder of this process alone: the one that scripts/fuzz.sh has made in memory, or another.
+/// A folder of this process alone: in memory by scripts/fuzz.sh, or another.
 inline const std::filesystem::path& FuzzFolder() {
   static const std::filesystem::path folder = [] {
     const char* const given = std::getenv("TERA_FUZZ_FOLDER");
@@ -37,8 +37,8 @@ inline void Put(const std::string& name, const std::uint8_t* data, std::size_t s
       .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
 }
 
-/// An InputError is what a reader answers to input that cannot be read; all else that it throws,
-/// and a failed check, ends the process, which is a finding.
+/// A reader answers unreadable input with an InputError. Any other exception, and a failed check,
+/// ends the process and is a finding.
 inline void Read(const std::function<void()>& reader) {
   try {
     reader();
@@ -46,7 +46,7 @@ inline void Read(const std::function<void()>& reader) {
   }
 }
 
-/// The same, in a file of that name.
+/// The same with a file of that name.
 inline int ReadAsFile(const std::string& name, const std::uint8_t* data, std::size_t size,
                       const std::function<void(const std::filesystem::path& file)>& reader) {
   Put(name, data, size);

@@ -20,7 +20,7 @@ class PointCubes {
     for (std::size_t i = 0; i < points_m.size(); ++i) cubes_[CubeOf(points_m[i])].push_back(i);
   }
 
-  /// Takes out all that lie within an edge of point `i`.
+  /// Removes all points within an edge of point `i`.
   std::vector<std::size_t> TakeNear(std::size_t i) {
     std::vector<std::size_t> near;
     const auto [x, y, z] = CubeOf(points_m_[i]);
@@ -51,12 +51,12 @@ class PointCubes {
   std::map<std::array<long, 3>, std::vector<std::size_t>> cubes_;
 };
 
-/// Euclidean clusters: two points are of one where a way leads from one to the other by steps of
-/// `tolerance_m` at most from point to point. Only those of `least` points and more.
+/// Euclidean clusters: two points belong together if steps of at most `tolerance_m` from point to
+/// point connect them. Only clusters of `least` points or more.
 ///
 /// Source  Rusu, Semantic 3D Object Maps for Everyday Manipulation in Human Living Environments
-///         (2009), as pcl::EuclideanClusterExtraction has it; they are the same to the point
-///         (pcl_clusters_test, built where the Point Cloud Library is installed).
+///         (2009), as in pcl::EuclideanClusterExtraction. pcl_clusters_test, built where the Point
+///         Cloud Library is installed, shows equality point by point.
 inline std::vector<Cluster> EuclideanClusters(const std::vector<Vec3>& points_m, double tolerance_m,
                                               std::size_t least) {
   PointCubes left(points_m, tolerance_m);

@@ -14,7 +14,7 @@
 #include "layout/sight/sighting.h"
 #include "sim/simulation.h"
 
-/// Level sites with boxes on them, and what looks at them.
+/// Level sites with boxes, and their viewers.
 
 namespace tera {
 
@@ -39,7 +39,7 @@ struct BoxInH {
   bool is_glass = false;
 };
 
-/// A machine of parts that are boxes about H, without levers that anyone moves.
+/// A machine of boxes about H, without any levers moved.
 struct PartInH {
   std::string label;
   Vec3 low_m, high_m;
@@ -124,7 +124,7 @@ class LookedAtSite {
   Sighting sighting_;
 };
 
-/// Looks everywhere, alike, without end.
+/// Looks in all directions alike, without limit.
 inline ViewField EverywhereAlike(double per_steradian = 1e9) {
   ViewField field;
   field.per_steradian = [per_steradian](const Vec3&) { return per_steradian; };

@@ -16,7 +16,7 @@
 #include "layout/resense.h"
 #include "sim/scenario/load_scenario.h"
 
-/// People around a machine that stands, scans of them, and a plain detector of people.
+/// People around a machine at rest, scans of them, and a simple detector of people.
 
 namespace tera {
 
@@ -26,8 +26,8 @@ inline constexpr int kPeopleOfRing = 3;
 /// Radii about the machine on which people go, from beside it to the end of the near zone.
 inline std::vector<double> PeopleRings_m() { return {3.5, 5, 7, 9, 11, 13}; }
 
-/// Upright and without a step, along a third of a ring; the inner two not before the machine, where
-/// its bucket is.
+/// Upright and without a step, along a third of a ring. The inner two rings leave out the bucket's
+/// area in front of the machine.
 inline std::string PersonOnRing(int ring, int one) {
   constexpr double kThird_deg = 360.0 / kPeopleOfRing, kShift_deg = 17, kSide_deg = 30;
   const double radius_m = PeopleRings_m()[static_cast<std::size_t>(ring)];
@@ -116,20 +116,19 @@ inline bool IsOfMachine(const LidarPoint& point) {
   }
 }
 
-/// A plain detector of people in one scan.
+/// A simple detector of people in one scan.
 ///
 /// Frames  H stands on the ground below the machine, level.
-/// Model   the machine's own points are known to it and left out; so is the ground, which is all
-///         below 0.2 m, and what is higher than 2.2 m. A Euclidean cluster of the rest is somebody.
-/// Source  heights that are cut off, and clusters of 5 points and more, as in Yan, Duckett and
-///         Bellotto (IROS 2017). One tolerance of 0.5 m instead of theirs, which grows with the
-///         range by 0.1 m every three metres or so: rows of 2 deg are 0.45 m from each other at
-///         13 m.
+/// Model   the machine's own points, points below 0.2 m (ground) and points above 2.2 m are
+///         removed. Each Euclidean cluster of the rest is a person.
+/// Source  height limits and clusters of 5 points and more as in Yan, Duckett and Bellotto (IROS
+///         2017). Their tolerance grows with the range by 0.1 m about every three metres; here it
+///         is a constant 0.5 m. Rows of 2 deg are 0.45 m apart at 13 m.
 struct PeopleDetector {
   double ground_m = 0.2, highest_m = 2.2, tolerance_m = 0.5;
   std::size_t least = 5;
 
-  /// What is neither of the machine nor of the ground, in H.
+  /// Points of neither the machine nor the ground, in H.
   std::vector<Vec3> Standing(const LidarScan& scan, const Pose& X_HS) const {
     std::vector<Vec3> points_H_m;
     for (const LidarPoint& point : scan.points) {

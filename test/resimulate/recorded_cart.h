@@ -14,7 +14,7 @@
 #include "resimulate/motion/recorded_motion.h"
 #include "sim/scenario/scenario.h"
 
-/// A cart with a mast that turns, and recordings of it that nothing simulated.
+/// A cart with a turning mast, and recordings of it without any simulation.
 
 namespace tera {
 
@@ -71,13 +71,13 @@ inline Scenario CartScenario(const std::filesystem::path& folder, const std::str
   return scenario;
 }
 
-/// What a recording of the cart holds.
+/// Contents of a recording of the cart.
 struct RecordedCart {
   std::vector<TimeNs> pose_t_ns, turn_t_ns;
   std::function<Pose(double t_s)> X_WB;        ///< empty: no poses
   std::function<double(double t_s)> turn_rad;  ///< empty: no encoder
   std::string machine = "real_cart";
-  /// When a camera or lidar has pictures or scans; the files themselves are not written.
+  /// Times of pictures or scans; their files are not written.
   struct Frames {
     std::string sensor, type;
     std::vector<TimeNs> t_ns;

@@ -13,7 +13,7 @@ namespace tera {
 /// A message as it came over the network: encapsulation and CDR.
 using Payload = std::vector<std::uint8_t>;
 
-/// What discovery says of a topic that somebody publishes.
+/// Discovery's description of a published topic.
 struct OfferedTopic {
   std::string type;
   bool reliable = false;
@@ -21,14 +21,14 @@ struct OfferedTopic {
   bool operator==(const OfferedTopic&) const = default;
 };
 
-/// Another participant, made with Fast DDS and sharing no code with TERA's: what a ROS 2 node on
-/// this host would be. On the loopback interface alone.
+/// Another participant in Fast DDS, which shares no code with TERA's, in place of a ROS 2 node on
+/// this host. It uses the loopback interface alone.
 class FastPeer {
  public:
   explicit FastPeer(int domain_id);
   ~FastPeer();
 
-  /// Topics and types as they are in DDS: "rt/clock", "rosgraph_msgs::msg::dds_::Clock_".
+  /// Names of topics and types in DDS: "rt/clock", "rosgraph_msgs::msg::dds_::Clock_".
   struct Wish {
     std::string topic, type;
     bool reliable = false;
@@ -36,8 +36,8 @@ class FastPeer {
   };
   void Subscribe(const Wish& wish);
 
-  /// The next message of `topic` that `accept` agrees to; those before it are gone. Nothing after
-  /// a time far beyond what even a busy machine needs.
+  /// The next message of `topic` that `accept` admits; earlier ones are discarded. Nothing after a
+  /// timeout far beyond the needs of a busy machine.
   std::optional<Payload> Next(
       const std::string& topic,
       const std::function<bool(const Payload&)>& accept = [](const Payload&) { return true; });
@@ -59,9 +59,8 @@ class FastPeer {
   std::unique_ptr<Impl> impl_;
 };
 
-/// A domain that no other test on this machine has while this process lives: the first of 1 to 100
-/// of which it gets the lock. Their ports, 7400 + 250 a domain, end below 32768, from where on the
-/// operating system hands ports out.
+/// A domain of this process alone: the first of 1 to 100 whose lock it gets. Their ports, 7400 +
+/// 250 for each domain, end below 32768, where the system's ephemeral ports begin.
 int OwnDomainId();
 
 }  // namespace tera

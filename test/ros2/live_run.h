@@ -12,15 +12,15 @@
 #include "ros2/live.h"
 #include "ros2/peer_process.h"
 
-// Whole runs of two machines, seen and driven by another DDS implementation on the loopback
-// interface. Nothing here asserts how long something takes; waits are far longer than needed.
+// Whole runs of two machines, observed and driven by another DDS implementation on the loopback
+// interface. No test asserts a duration; timeouts are far longer than needed.
 
 namespace tera {
 
 /// Two excavators, red with every kind of sensor, blue with an IMU.
 extern const char* const kTwoMachines;
 
-/// A run in a thread of its own, ended and waited for at the latest when it goes.
+/// A run in its own thread, stopped and joined at the latest by the destructor.
 class BackgroundRun {
  public:
   explicit BackgroundRun(ros::LiveRosOptions options);

@@ -26,7 +26,7 @@ class RowKeeper : public MeasurementSink {
   std::vector<RowSample> rows;
 };
 
-/// There is nothing to see.
+/// An empty scene.
 class NoScene : public SensedScene {
  public:
   const TerrainSurface& ground() const override { return ground_; }
@@ -41,8 +41,8 @@ class NoScene : public SensedScene {
   TerrainSurface ground_;
 };
 
-/// What a sensor on the link "upper" measures while the link moves for `duration_s` as `motion`
-/// gives it over time in s.
+/// Rows of a sensor on the link "upper" while the link moves for `duration_s` along `motion`, a
+/// function of time in s.
 inline std::vector<RowSample> RowsOf(const SensorDescription& sensor,
                                      const std::function<BodyState(double)>& motion,
                                      double duration_s) {

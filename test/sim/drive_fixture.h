@@ -11,7 +11,7 @@
 #include "core/units.h"
 #include "sim/simulation.h"
 
-/// One machine, its drive and the ground together, as a driver sees them.
+/// One machine, its drive and the ground together, as seen by an operator.
 
 namespace tera {
 
@@ -21,7 +21,7 @@ using NamedLevers = std::vector<std::pair<std::string, double>>;
 /// Levers as a function of time, in seconds.
 using LeverScript = std::function<NamedLevers(double)>;
 
-/// Obeys a script, which may be exchanged meanwhile.
+/// Follows a script, which may be replaced during the run.
 class ScriptedLevers : public Operator {
  public:
   explicit ScriptedLevers(std::shared_ptr<const LeverScript> script) : script_(std::move(script)) {}

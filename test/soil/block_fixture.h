@@ -59,13 +59,13 @@ struct Block {
     soil->Flow(kStep_s);
     return reaction.link_wrench[0].force_W_n;
   }
-  /// Moves as the ground and its weight make it.
+  /// Moves under the ground's reaction and its weight.
   void Move() {
     const Vec3 force_n = Act() - Vec3(0, 0, mass_kg * kStandardGravity_mps2);
     links[0].v_WB_mps += kStep_s / mass_kg * Vec3(force_n.x(), 0, force_n.z());
     links[0].X_WB.translation() += kStep_s * links[0].v_WB_mps;
   }
-  /// Sinks at a speed in proportion to the missing support, so that nothing overshoots.
+  /// Sinks at a speed in proportion to the missing support, without overshoot.
   Vec3 ActAndSinkGently() {
     const Vec3 force_n = ActAndFall();
     links[0].X_WB.translation() += kStep_s * links[0].v_WB_mps;

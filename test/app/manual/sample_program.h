@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// A program of two commands, one of which has two of its own.
+/// A program of two commands, one of which has two subcommands.
 class SampleProgram {
  public:
   SampleProgram() {

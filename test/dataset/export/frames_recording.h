@@ -41,7 +41,7 @@ inline LidarScan ScanAt(int k) {
 
 inline std::vector<JointTree> Tree() { return {JointTree{"digger", "chassis"}}; }
 
-/// A machine that moves ahead, with a lidar and a camera of small frames with every label.
+/// A machine that moves forward, with a lidar and a camera of small frames with every label.
 inline void WriteFramesRecording(const std::filesystem::path& directory) {
   DatasetWriter writer(directory, SampleInfo(), {});
   const ChannelId front = writer.AddChannel(CameraChannel("digger/front", Sheet("camera", kLens)));

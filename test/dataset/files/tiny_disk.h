@@ -10,8 +10,8 @@
 
 namespace tera {
 
-/// Puts this process, which must have one thread, into a user and mount namespace of its own,
-/// where it may mount. Whether the kernel lets it.
+/// Moves this single-threaded process into its own user and mount namespace, where it may mount.
+/// Returns whether the kernel allows it.
 inline bool EnterOwnNamespace() {
   const std::string user = "0 " + std::to_string(geteuid()) + " 1";
   const std::string group = "0 " + std::to_string(getegid()) + " 1";
@@ -27,11 +27,12 @@ inline bool EnterOwnNamespace() {
          write_to("/proc/self/gid_map", group);
 }
 
-/// A file system in memory of a stated size, for tests of full and of read-only disks. Root may
-/// mount one; others in a namespace of their own, unless kernel.unprivileged_userns_clone is 0.
+/// A file system in memory of a stated size, for tests of full and read-only disks. Root may mount
+/// one directly. Other users need their own namespace, which kernel.unprivileged_userns_clone = 0
+/// forbids.
 class TinyDisk {
  public:
-  /// `size` as tmpfs takes it: "256k".
+  /// `size` in tmpfs's notation: "256k".
   TinyDisk(const std::filesystem::path& place, const std::string& size) : place_(place) {
     std::filesystem::create_directory(place);
     const auto mount_it = [&] {

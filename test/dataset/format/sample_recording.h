@@ -17,7 +17,7 @@
 
 namespace tera {
 
-/// A new empty directory that goes away with the test.
+/// A new empty directory, removed with the test.
 class ScratchDirectory {
  public:
   ScratchDirectory() {

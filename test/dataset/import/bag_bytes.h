@@ -7,12 +7,12 @@
 #include <string_view>
 #include <vector>
 
-/// Bytes of messages and of MCAP records as their specifications lay them out, by hand: nothing of
-/// the code under test makes them.
+/// Hand-made bytes of messages and MCAP records, from their specifications, independent of the code
+/// under test.
 
 namespace tera {
 
-/// Fields of a CDR message, little-endian, each where the padding puts it.
+/// Fields of a CDR message, little-endian, with padding.
 class Cdr {
  public:
   Cdr() : bytes_("\x00\x01\x00\x00", 4) {}
@@ -35,7 +35,7 @@ class Cdr {
   Cdr& Header(std::int32_t seconds, std::uint32_t nanoseconds, std::string_view frame = "f") {
     return Add(seconds).Add(nanoseconds).Text(frame);
   }
-  /// As many as there are, without their count.
+  /// All values, without a count.
   Cdr& Numbers(const std::vector<double>& values) {
     for (const double value : values) Add(value);
     return *this;
@@ -50,7 +50,7 @@ class Cdr {
   std::string bytes_;
 };
 
-/// Packed little-endian fields, of MCAP's records.
+/// Packed little-endian fields of MCAP records.
 class Packed {
  public:
   template <typename T>
@@ -81,7 +81,7 @@ inline std::string McapRecord(std::uint8_t opcode, const std::string& content) {
 
 inline const std::string kMcapMagic("\x89MCAP0\r\n", 8);
 
-/// An MCAP file without chunks and summary of one topic, /t.
+/// An MCAP file with one topic, /t, without chunks and summary.
 class SmallMcap {
  public:
   SmallMcap(const std::string& type, const std::string& definition,
@@ -127,7 +127,7 @@ class SmallMcap {
   std::string records_;
 };
 
-/// An MCAP file without chunks and summary of several topics, whose definitions TERA knows.
+/// An MCAP file with several topics of types known to TERA, without chunks and summary.
 class TopicsMcap {
  public:
   TopicsMcap() : records_(McapRecord(0x01, Packed().Text("ros2").Text("by hand").bytes())) {}

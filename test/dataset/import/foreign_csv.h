@@ -11,7 +11,7 @@
 #include "dataset/format/sample_recording.h"
 #include "dataset/import/import_csv.h"
 
-/// Logs as other people's loggers write them, and mappings of them.
+/// Logs in foreign formats, and their mappings.
 
 namespace tera {
 
@@ -26,7 +26,7 @@ class ForeignCsv : public ::testing::Test {
     return ImportCsv(scratch_.path() / "mapping.yaml", Out(), options);
   }
 
-  /// One table of two columns, by their names.
+  /// A table with two columns.
   static std::string Table(const std::string& a, const std::string& b,
                            const std::string& name = "levels") {
     return "tables: [{name: " + name + ", columns: {a: {column: " + a +

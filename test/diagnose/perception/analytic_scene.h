@@ -16,7 +16,7 @@
 
 namespace tera::testing {
 
-/// Ground z = x gx + y gy, and what may be dug from or heaped on it; a box that stands askew.
+/// Ground z = x gx + y gy, with excavation or fill, and a box at an oblique angle.
 struct AnalyticScene {
   Vec2 slope = {0.05, -0.03};
   /// Height of the ground over the plane, level where it is not 0.
@@ -85,13 +85,13 @@ inline AnalyticHit CastInto(const AnalyticScene& scene, const Vec3& p_W_m, const
   return hit;
 }
 
-/// Turns to and fro by 0.6 rad over 6 s, rocks a little, and creeps forward.
+/// Turns back and forth by 0.6 rad over 6 s, rocks a little, and creeps forward.
 inline Pose LinkAt(double t_s) {
   return MakePose({0.05 * t_s, -0.02 * t_s, 1.6}, 0.01 * std::sin(0.9 * t_s), -0.02,
                   0.3 + 0.6 * std::sin(t_s));
 }
 
-/// Where a ray ends in the dust, for a draw in (0, 1); infinite where it comes through.
+/// Range at which dust ends a ray, for a draw in (0, 1); infinite where the ray passes.
 inline double DustStop_m(const AnalyticScene& scene, const Vec3& p_W_m, const Vec3& d_W,
                          double draw) {
   const double along_m = d_W.dot(scene.dust_W_m - p_W_m);

@@ -12,7 +12,7 @@
 
 namespace tera::testing {
 
-/// How a sensor truly differs from its description.
+/// True deviation of a sensor from its description.
 ///
 /// Frames  B link; S sensor as documented; T as it is: p_BT = p_BS + shift_B, R_BT = R_BS R(rpy).
 struct TrueSensor {

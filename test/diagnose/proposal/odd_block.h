@@ -13,7 +13,7 @@ namespace tera {
 inline constexpr std::size_t kSamples = 8000;
 inline constexpr double kNoise = 0.05;
 
-/// The toy's rate, with something added that none of its candidates does.
+/// The toy's rate plus a term that none of its candidates produces.
 struct Odd {
   Odd(std::uint64_t seed, const std::function<double(double lever, double temperature)>& added)
       : lever(ToyLever(kSamples, seed)),

@@ -15,7 +15,7 @@
 
 namespace tera {
 
-/// A base that winds over the site with stops, by formulas.
+/// A base that winds over the site with stops, in closed form.
 inline Pose BaseAt(double t_s) {
   const double moving_s = t_s - 1.5 * std::sin(2 * kPi * t_s / 12);
   const double yaw_rad = 0.9 * std::sin(0.23 * moving_s) + 0.04 * moving_s;
@@ -69,7 +69,7 @@ struct Receivers {
     real[1].effects = right;
     for (const SensorDescription& one : real) samples.push_back(SamplesOf(one, real));
   }
-  /// What a receiver would write, by the place that the formulas give.
+  /// Fixes of a receiver at the closed-form positions.
   static std::vector<GnssSample> SamplesOf(const SensorDescription& real,
                                            const std::vector<SensorDescription>& all) {
     const Vec3 p_B_m = TrueMounting(real, all).X_BT.translation();

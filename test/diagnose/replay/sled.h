@@ -10,7 +10,7 @@
 
 namespace tera {
 
-/// What a recording would hold: ideal encoders and efforts.
+/// Contents of a recording: ideal encoders and efforts.
 struct RecordedEfforts {
   TableRecording efforts;
   std::vector<NamedEncoders> encoders{{"m/encoders", {}}};

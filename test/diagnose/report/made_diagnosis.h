@@ -12,7 +12,7 @@
 #include "physics/actuation/actuation_mechanisms.h"
 #include "physics/traction/ground_mechanisms.h"
 
-/// Diagnoses made by hand, for the tests of what a report says of them.
+/// Hand-made diagnoses for the tests of reports.
 
 namespace tera {
 
@@ -25,7 +25,7 @@ inline const Mechanism& MechanismOf(std::string_view id) {
   throw std::runtime_error("no such mechanism");
 }
 
-/// 100 s of 2 Hz: 3 measured throughout; simulated 1 short with nothing, right with what was found.
+/// 100 s at 2 Hz: measured 3 throughout; simulated 1 too little without findings, exact with them.
 inline DiagnosedBlock Block(const std::string& name, const std::string& channel,
                             const std::string& unit) {
   DiagnosedBlock made;
@@ -107,7 +107,7 @@ inline Diagnosis Of(DiagnosedBlock block) {
   return diagnosis;
 }
 
-/// All that may stand beside the findings.
+/// All optional content besides the findings.
 inline Diagnosis Complete() {
   Diagnosis diagnosis = Of(BoomWithDeadBand());
   diagnosis.held_out = {{"out/second",

@@ -10,12 +10,12 @@
 #include "diagnose/search/fit/replay_block.h"
 #include "diagnose/statistics/series/simulated.h"
 
-/// A block without physics: one channel that repeats a lever, and candidates that add to it a
-/// square, a hysteresis or a delay of the lever.
+/// A block without physics: one channel that repeats a lever. Candidates add a square, a hysteresis
+/// or a delay of the lever.
 
 namespace tera {
 
-/// The mechanisms of the toy; each with one number. `twin` does what `square` does.
+/// Mechanisms of the toy, each with one number. `twin` equals `square`.
 inline const std::vector<Mechanism>& ToyMechanisms() {
   static const std::vector<Mechanism> mechanisms = {
       {"square", Slot::kLeverMap, {}, {{"size", "1", -2, 2, {}}}},
@@ -25,7 +25,7 @@ inline const std::vector<Mechanism>& ToyMechanisms() {
   return mechanisms;
 }
 
-/// What the toy's candidates make of a lever, each in turn.
+/// Response of each of the toy's candidates to a lever.
 inline std::vector<double> ToyResponse(const std::vector<double>& lever, double square, double step,
                                        double lag_s) {
   std::vector<double> y(lever.size());
@@ -43,7 +43,8 @@ inline std::vector<double> ToyLever(std::size_t size, std::uint64_t seed) {
   return LeverSeries(size, Stream(seed, "lever")).value;
 }
 
-/// A block that measures `measured` under that lever; candidates by their places in ToyMechanisms.
+/// A block with the measurement `measured` under that lever; candidates are indices into
+/// ToyMechanisms.
 inline ReplayBlock ToyBlock(const std::vector<double>& lever, const Series& measured,
                             const std::vector<std::size_t>& candidates) {
   ReplayBlock block;

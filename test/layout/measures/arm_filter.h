@@ -7,12 +7,12 @@
 
 namespace tera {
 
-/// An extended Kalman filter of an arm's coordinates, their rates and accelerations, the biases of
-/// its inertial units and the slow errors of its antennas. A unit's sample is the change of pose
-/// and velocity between two times, so that the filter keeps those of the time before.
+/// Extended Kalman filter of an arm: coordinates, rates and accelerations, biases of its inertial
+/// units and slow errors of its antennas. A unit's sample is the change of pose and velocity
+/// between two times, so the filter also keeps the state of the earlier time.
 class ArmFilter {
  public:
-  /// Starts at `start` but for errors that are drawn: of coordinates with `start_sigma`.
+  /// Starts at `start` plus random errors; coordinates have the deviation `start_sigma`.
   ArmFilter(const Arm& arm, const std::vector<SensorDescription>& rig, const ArmLaw& law,
             const ArmMotion& start, double start_sigma, std::uint64_t seed)
       : arm_(arm), n_(arm.coordinates()) {
@@ -70,7 +70,7 @@ class ArmFilter {
   }
 
  private:
-  /// F and Q of one sample: the course's own small steps, and what biases and slow errors do.
+  /// F and Q of one sample: steps of the motion, biases and slow errors.
   void MakeSteps(const ArmLaw& law) {
     const double h = kCourseStep_s, w = 1 / law.response_s;
     Mat3 small;  // of position, rate, acceleration

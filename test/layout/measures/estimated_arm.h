@@ -11,13 +11,13 @@
 #include "physics/description/machine.h"
 #include "sensors/sensor.h"
 
-// An arm whose motion is drawn at random, its sensors at work, and a filter that estimates the
-// motion from what they measure: own geometry, own differences and own steps in time, nothing of
-// what it is held against.
+// An arm with a random motion, its sensors, and a filter that estimates the motion from their
+// measurements. Geometry, derivatives and time steps are its own, independent of the code under
+// test.
 
 namespace tera {
 
-/// How the coordinates of an arm move, as the law that an estimate of them counts on has it.
+/// Statistical law of an arm's motion, which the estimate also assumes.
 struct ArmLaw {
   double response_s = 0.3;
   Eigen::VectorXd rate_sigma;  ///< stationary, of each coordinate

@@ -10,7 +10,7 @@
 #include "dataset/format/sample_recording.h"
 #include "layout/looked_at_site.h"
 
-/// A mast before a wall with a slit, behind which lies what is to be seen; searches there.
+/// A mast in front of a wall with a slit, a zone to be seen behind it, and searches there.
 
 namespace tera {
 
@@ -20,8 +20,8 @@ inline constexpr double kWallNear_m = 3, kWallFar_m = 3.2, kSlit_m = 0.3;
 inline constexpr double kZoneNear_m = 5, kZoneFar_m = 7, kZoneRight_m = 0.5, kZoneLeft_m = 2.5;
 inline constexpr double kZoneHeight_m = 0.1, kLidarHeight_m = 1.5;
 
-/// What of the zone a lidar on H's y axis does not see through the slit. A line of sight stays
-/// within the slit on the way through the wall where it does at both its faces.
+/// Part of the zone that a lidar on H's y axis does not see through the slit. A line of sight
+/// passes the wall if it is within the slit at both faces.
 inline double BlindThroughSlit_m3(double lidar_y_m) {
   constexpr int kSteps = 2000;
   double blind_m2 = 0;
@@ -84,8 +84,8 @@ class WalledSite {
         kLidarHeight_m, more));
   }
 
-  /// Two lidars on the bar, the second only where it pays, each of a cheap or a dear type; an
-  /// inertial unit that every layout has. All three at their dearest are beyond the limit.
+  /// Two lidars on the bar, the second only where it pays, each of a cheap or an expensive type; an
+  /// inertial unit in every layout. All three at their most expensive exceed the limit.
   std::filesystem::path TwoLidars(const std::string& more = "seed: 1\n") {
     std::string sensors;
     for (const auto& [name, optional] : {std::pair("first", "false"), {"second", "true"}}) {

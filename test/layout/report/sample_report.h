@@ -8,7 +8,7 @@
 
 #include "layout/layout_report.h"
 
-/// A report as an evaluation might end with, and what pages must be.
+/// A sample report of an evaluation, and requirements on pages.
 
 namespace tera {
 

@@ -9,7 +9,7 @@
 
 #include "core/types/terrain_surface.h"
 
-/// Grounds that change, for tests of what is kept of them.
+/// Changing grounds, for tests of their copies.
 
 namespace tera {
 
@@ -70,7 +70,7 @@ inline std::string Difference(const TerrainSurface& a, const TerrainSurface& b) 
   return "";
 }
 
-/// Does to a ground, step after step, whatever may happen to one.
+/// Applies every kind of change to a ground, step by step.
 class GroundAtWork {
  public:
   explicit GroundAtWork(std::uint32_t seed) : random_(seed) {}

@@ -3,7 +3,7 @@
 #include "blind/mujoco/plant/course.h"
 #include "blind/mujoco/plant/model.h"
 
-/// The 4 t machine as it is driven in the tests of what it is and of what it conceals.
+/// The 4 t machine and its drive in the tests of the plant and its concealed effects.
 
 namespace tera::blind::mujoco {
 

@@ -14,7 +14,7 @@
 
 namespace tera {
 
-/// A mapping of one lidar, and what comes of it.
+/// Imports a mapping of one lidar.
 class LidarImportTest : public ::testing::Test {
  protected:
   void File(const std::string& name, const std::string& bytes) {

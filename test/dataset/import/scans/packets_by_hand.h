@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-/// Packets of lidars and captures of them as their manuals lay them out, by hand: nothing of the
-/// code under test makes them.
+/// Hand-made lidar packets and captures, from their manuals, independent of the code under test.
 
 namespace tera {
 
@@ -40,7 +39,7 @@ inline std::string Udp(const std::string& payload, std::uint16_t port) {
          Swapped16(static_cast<std::uint16_t>(8 + payload.size())) + std::string(2, '\0') + payload;
 }
 
-/// A pcap file of Ethernet frames, a microsecond's resolution.
+/// A pcap file of Ethernet frames, with a resolution of 1 us.
 class PcapByHand {
  public:
   PcapByHand() {
@@ -92,7 +91,7 @@ class Vlp16Packet {
   std::string bytes_;
 };
 
-/// One packet of a QT64 in strongest return.
+/// One packet of a QT64 in single-return mode (strongest).
 inline std::string Qt64Packet(double azimuth_deg, std::uint32_t us, std::size_t laser,
                               std::uint16_t range, std::uint8_t reflectivity) {
   std::string bytes(1068, '\0');
@@ -111,7 +110,7 @@ inline std::string Qt64Packet(double azimuth_deg, std::uint32_t us, std::size_t 
   return bytes;
 }
 
-/// The metadata of a small Ouster of two beams and eight columns a turn, two to a packet.
+/// Metadata of a small Ouster with two beams and eight columns per turn, two in a packet.
 inline std::string OusterMetadata(const std::string& profile, const std::string& mode = "8x10") {
   return R"({"prod_line": "OS-0-2", "lidar_mode": ")" + mode +
          R"(", "beam_altitude_angles": [30, -10], "beam_azimuth_angles": [3, -3],
@@ -123,7 +122,7 @@ inline std::string OusterMetadata(const std::string& profile, const std::string&
          profile + R"("}})";
 }
 
-/// What one column holds: its number, its stamp, and the bytes of its pixels.
+/// One column: its number, its stamp and the bytes of its pixels.
 struct OusterColumn {
   std::uint16_t number = 0;
   std::uint64_t t_ns = 0;
@@ -143,7 +142,7 @@ inline std::string OusterPacket(std::uint16_t frame, const std::vector<OusterCol
   return bytes + std::string(32, '\0');
 }
 
-/// A packet of the first form, without header.
+/// A packet of the legacy profile, without header.
 inline std::string LegacyOusterPacket(std::uint16_t frame,
                                       const std::vector<OusterColumn>& columns) {
   std::string bytes;

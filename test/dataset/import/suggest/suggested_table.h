@@ -14,7 +14,7 @@
 #include "dataset/import/import_csv.h"
 #include "dataset/import/suggest/suggest.h"
 
-/// Suggestions for tables, each of which is run.
+/// Suggestions for tables; each test runs them.
 
 namespace tera {
 
@@ -25,7 +25,7 @@ class SuggestedTable : public ::testing::Test {
     yaml_ = SuggestMapping(scratch_.path() / "log.csv", overrides);
     return yaml_;
   }
-  /// The recording that the suggestion of a table makes of it, as it stands.
+  /// The recording that results from a table's suggestion, unchanged.
   Recording Imported(const std::string& text) {
     Suggest(text);
     return Import();
@@ -40,7 +40,7 @@ class SuggestedTable : public ::testing::Test {
     }
     return Recording(Out());
   }
-  /// The faults of the import for a suggestion in which something is to be filled in.
+  /// Faults of importing a suggestion with open entries.
   std::vector<InputFault> Refusal(const std::string& text) {
     WriteWholeFile(scratch_.path() / "mapping.yaml", Suggest(text));
     std::filesystem::remove_all(Out());
