@@ -4,8 +4,8 @@
 
 namespace tera::bench {
 
-/// Adds the processor time that this process spends in its lifetime to a sum: what others do on the
-/// same machine counts less than in wall-clock time.
+/// Adds this process's processor time during the object's lifetime to a sum. Other processes
+/// disturb it less than wall-clock time.
 class CpuStopwatch {
  public:
   explicit CpuStopwatch(double* sum_s) : sum_s_(sum_s), start_(std::clock()) {}

@@ -7,7 +7,7 @@
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
 
-/// The quickstart's site, which everything here is measured on.
+/// The quickstart's site, which all benchmarks use.
 
 namespace tera::bench {
 
@@ -16,21 +16,21 @@ struct ShippedScenario {
   std::string resolved_yaml;
 };
 
-/// One of config/scenarios/, by name, of its own machines' sensors only those that `keep` accepts.
+/// One of config/scenarios/, by name. `keep` selects among its machines' sensors.
 ShippedScenario Load(const std::string& name,
                      const std::function<bool(const SensorDescription&)>& keep);
 ShippedScenario Load(const std::string& name);
 /// With some values set, as on the command line.
 ShippedScenario LoadWith(const std::string& name, const std::vector<std::string>& overrides);
 
-/// What a sensor saw of the site at one instant.
+/// State of the site at one instant.
 struct Instant {
   SceneState scene;  ///< its terrain is `ground`
   TerrainSurface ground;
   std::vector<Pose> X_WS;  ///< one for each sensor asked for
 };
 
-/// The quickstart while the bucket is in the ground, at the instants of a 10 Hz camera.
+/// The quickstart with the bucket in the ground, at the instants of a 10 Hz camera.
 class DigSite {
  public:
   DigSite();
@@ -51,7 +51,7 @@ class DigSite {
   std::vector<Instant> instants_;
 };
 
-/// Made when first asked for.
+/// Created on first use.
 const DigSite& TheDigSite();
 
 }  // namespace tera::bench

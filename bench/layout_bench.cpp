@@ -8,7 +8,7 @@
 #include "scratch_folder.h"
 #include "verdict.h"
 
-// What it costs to ask what a layout sees of the quickstart.
+// Cost of the views of a layout over the quickstart.
 
 namespace tera::bench {
 namespace {

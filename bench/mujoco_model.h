@@ -16,8 +16,8 @@ struct MujocoDeleter {
 using MujocoModel = std::unique_ptr<mjModel, MujocoDeleter>;
 using MujocoData = std::unique_ptr<mjData, MujocoDeleter>;
 
-/// The machine's links and joints in MuJoCo: the same tree, inertias, stops and velocity motors
-/// limited in effort, on a free base. No geometry, so no contacts.
+/// The machine's links and joints in MuJoCo: the same tree, inertias, stops and effort-limited
+/// velocity motors, on a free base. It has no geometry, so no contacts.
 MujocoModel InMujoco(const MachineModel& machine, double dt_s);
 
 }  // namespace tera::bench

@@ -11,14 +11,14 @@
 
 namespace tera::bench {
 
-/// A scene in MuJoCo's own renderer, in an OpenGL context without a display beside TERA's.
+/// A scene in MuJoCo's own renderer, in an OpenGL context without a display, separate from TERA's.
 ///
-/// Model   every triangle of the scene's nodes, one MuJoCo mesh for each part of a mesh, on mocap
-///         bodies that follow the scene's; one directional light with a shadow picture of as many
-///         texels as TERA's two; sky; no multisampling. The ground is a height field of every
-///         kGroundStride-th vertex, as it is at the start: with TERA's levels of detail that is
-///         about as many triangles.
-/// Omits   ground that changes, soil that shovels carry, glass, land around the site, lenses.
+/// Model   every triangle of the scene's nodes, one MuJoCo mesh for each mesh part, on mocap bodies
+///         that follow the scene's; one directional light, whose shadow map has as many texels as
+///         TERA's two; sky; no multisampling. The ground is a height field of every
+///         kGroundStride-th vertex at the start, about as many triangles as TERA's levels of
+///         detail.
+/// Omits   changing ground, soil in shovels, glass, land around the site, lenses.
 class MujocoRenderer {
  public:
   static constexpr int kGroundStride = 5;
@@ -28,7 +28,7 @@ class MujocoRenderer {
   ~MujocoRenderer();
 
   enum class Output { kColourAndDepth, kAndSegments };
-  /// What a pinhole camera at X_WC sees: read back, row 0 at the bottom.
+  /// Renders a pinhole camera at X_WC and reads it back, row 0 at the bottom.
   void Render(const CameraIntrinsics& camera, const Pose& X_WC, const SceneState& state,
               Output output);
   /// Triangles of the meshes and the height field.

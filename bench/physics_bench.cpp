@@ -16,7 +16,7 @@
 namespace tera::bench {
 namespace {
 
-/// Of full lever or rate, at which everything sways.
+/// Share of full lever or rate at which every joint oscillates.
 constexpr double kSway = 0.6;
 /// Steps that go by turns to the one and the other.
 constexpr int kTurn_steps = 100;

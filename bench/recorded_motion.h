@@ -7,7 +7,7 @@
 
 namespace tera::bench {
 
-/// How the first machine of a scenario moved, step by step, for the soil to be worked alone.
+/// Motion of a scenario's first machine, step by step, for benchmarks of the soil alone.
 struct RecordedMotion {
   struct Moment {
     std::vector<BodyState> links;

@@ -26,8 +26,8 @@ namespace {
 constexpr int kSteps = 10000;
 constexpr double kBucketMean_us = 200, kBucketP95_us = 400, kTracks_us = 300;
 
-// What other programs take a step of a like task, in processor time on two cores of a virtual EPYC:
-// other hardware than that at hand.
+// Published step times of other programs on similar tasks, and processor time on two cores of a
+// virtual EPYC, a different computer from the present one.
 // Vilella's soil simulator: a bucket in 161 x 161 cells of 5 cm, no forces.
 constexpr double kVilellaBucket_us = 612;
 // Project Chrono's SCM: 4 t on two pads of 1.6 m x 0.3 m, cells of 5 cm, with and without
@@ -154,7 +154,7 @@ Columns LevelDirt() {
 }
 
 /// Time that bodies without ground need to fall for a step: what no model of clods can be below.
-/// What else runs on the machine slows it as it slows the clods beside.
+/// Reference load: other processes on the machine slow it as they slow the clods.
 class BareFall {
  public:
   explicit BareFall(std::size_t count) : bodies_(count) {}

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kMicrosecondsPerSecond = 1e6;
 
-/// What was not met so far, as it was said.
+/// Targets missed so far, in their printed form.
 std::vector<std::string>& Missed() {
   static std::vector<std::string> missed;
   return missed;

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-/// How a benchmark says how far its figure is from its target: as the label that ends its line. A
-/// program of benchmarks fails if any target is not met (RunAndJudge).
+/// A benchmark reports its figure's distance from the target as the label at the end of its line. A
+/// program of benchmarks fails if any target is missed (RunAndJudge).
 
 namespace tera::bench {
 
-/// A figure, what it must be, and in what unit. `what` names it.
+/// A figure's bound and unit. `what` names the figure.
 struct Target {
   std::string what;
   double least_or_most = 0;
@@ -19,7 +19,7 @@ struct Target {
 
 void ExpectAtLeast(const Target& target, double measured, benchmark::State* state);
 void ExpectAtMost(const Target& target, double measured, benchmark::State* state);
-/// Several of them, and a remark.
+/// Several figures, and a remark.
 struct Measured {
   Target target;
   double figure = 0;
@@ -27,11 +27,11 @@ struct Measured {
 void ExpectAtMost(const std::vector<Measured>& figures, const std::string& remark,
                   benchmark::State* state);
 
-/// The `main` of a program of benchmarks: runs those that the arguments ask for. Returns 0 if all
-/// targets were met, 1 with their names on the standard error if not, 2 for wrong arguments.
+/// The `main` of a program of benchmarks: runs those that the arguments select. Returns 0 if all
+/// targets are met, 1 with the missed ones on the standard error, 2 for wrong arguments.
 int RunAndJudge(int argc, char** argv);
 
-/// Durations of single steps, for their mean and 95th percentile.
+/// Durations of single steps, with their mean and 95th percentile.
 class StepTimes {
  public:
   void Add(double seconds) { times_s_.push_back(seconds); }

@@ -8,13 +8,13 @@
 
 namespace tera::blind {
 
-/// What is to be marked of a case: what is hidden, and what that changes.
+/// A case for the marking: hidden effects, and the changes they cause.
 struct MadeCase {
   BenchmarkCase about;
   CaseRecording recording;
 };
 
-/// Conceals, drives and measures case `number` (from 0), and writes its scenario and recording into
+/// Conceals, drives and measures case `number` (from 0). Writes its scenario and recording into
 /// `folder`.
 using Maker = std::function<MadeCase(int number, const std::filesystem::path& folder)>;
 

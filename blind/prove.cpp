@@ -32,7 +32,7 @@ void Write(const fs::path& file, const std::string& text) {
     throw InputError(fmt::format("{}: cannot be written; check the disk", file.string()));
 }
 
-/// What simpler methods reach, and what the tool does of the same.
+/// Marks the improvement of the baseline methods, and of the tool on the same cases.
 void MarkImprovement(const BenchmarkCase& c, const CaseRecording& recording, const Answer& answer,
                      const fs::path& baselines_json, Mark* mark) {
   const BaselineAnswers baselines = ReadBaselines(baselines_json);

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-/// Figures of docs/reference/soil.md that a user of the soil cares about, each computed in a second
-/// or so. scripts/soil_sensitivity.py asks how they change with the soil's constants.
+/// Figures of docs/reference/soil.md, each computed in about a second. scripts/soil_sensitivity.py
+/// measures their dependence on the soil's constants.
 
 namespace tera::bench {
 
@@ -15,7 +15,7 @@ struct Figure {
 };
 using Figures = std::vector<Figure>;
 
-/// Blade, plate and bucket that move as they are led.
+/// Blade, plate and bucket on prescribed paths.
 Figures ToolFigures(std::uint64_t seed);
 /// Piles, a column that collapses, a bank that fails.
 Figures FlowFigures(std::uint64_t seed);

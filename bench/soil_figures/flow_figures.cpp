@@ -111,7 +111,7 @@ double Runout_m() {
   return sum_m / 16;
 }
 
-/// What has come down, after 3 s, from the walls of a pit in clay, 1.4 m deep and as wide.
+/// Volume that has fallen, after 3 s, from the walls of a pit in clay, 1.4 m deep and as wide.
 double Fallen_m3(std::uint64_t seed) {
   const auto soil = MakeGround(
       "size_m: [8, 8]\nsoil: clay\n"

@@ -12,7 +12,7 @@ namespace {
 
 using namespace testing_soil;
 
-/// What a shovel on level ground feels and holds as it is led along a path.
+/// Forces and load of a shovel on a prescribed path over level ground.
 struct Led {
   std::unique_ptr<Soil> soil;
   using Each = std::function<void(double t_s, const BodyState& body, const SoilReaction& reaction)>;
@@ -87,8 +87,8 @@ Figures Dig(const std::string& soil_name, std::uint64_t seed) {
           {"dig_filled_" + soil_name + "_l", 1e3 * filled_m3}};
 }
 
-/// What is left of clay in a bucket that has been dumped; and how far the bucket, lying
-/// on its shell, goes in under 15 kN.
+/// Clay left in a bucket after dumping, and the penetration of the bucket, lying on its shell,
+/// under 15 kN.
 Figures StuckAndPressed(std::uint64_t seed) {
   double left_kg = 0;
   Led(CompactBucket(), "clay", seed, DigCycle(),

@@ -35,7 +35,7 @@ Figures Pull(const std::string& soil) {
           {"track_pull_" + soil, mean * pull_n / (kMass_kg * kStandardGravity_mps2)}};
 }
 
-/// What it loses to its shoes as it rolls freely on level sand.
+/// Speed lost to the shoes in free rolling on level sand.
 Figure FreeSlip() {
   Block block(SiteOf("sand"), Vec2(-3.5, 0.1), 0, kTracks);
   for (int k = 0; k < 500; ++k) block.Move();

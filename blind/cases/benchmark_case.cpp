@@ -105,7 +105,7 @@ class JointsDraw {
     }
   }
 
-  /// What the joints would be without each of what is hidden, the others as they are.
+  /// Sets the joints without each of the hidden effects, with the others in place.
   void TakeAway() {
     for (std::size_t i = 0; i < axes_.size(); ++i) {
       HiddenInJoint& hidden = joints_.hidden.emplace_back();

@@ -6,29 +6,29 @@
 
 namespace tera::blind {
 
-/// The machine's in scenario and recording.
+/// Name of the machine in scenario and recording.
 inline constexpr const char* kName = "digger";
 
-/// Columns over time, as a CSV file of the recording has them.
+/// Columns over time, as in a CSV file of the recording.
 struct Table {
   std::vector<std::string> columns;  ///< without t_ns
   std::vector<long long> t_ns;
   std::vector<std::vector<double>> rows;
 };
 
-/// What a hidden effect changes in a channel, over the deviation of its noise.
+/// Change of a channel by a hidden effect, over the standard deviation of its noise.
 struct Change {
   std::vector<double> t_s, over_noise;
   double Rms() const;
-  /// How long it changes the channel by more than the noise's deviation.
+  /// Duration for which the change exceeds the noise's deviation.
   double Shows_s() const;
 };
 
-/// A case as it was driven and measured.
+/// Recording of a case.
 struct CaseRecording {
   Table commands, encoders, poses;  ///< poses without columns: none
-  std::vector<Change> changes;      ///< for each of what is hidden, the others being there
-  /// RMS of what measuring adds, by the names that the tool has for its channels.
+  std::vector<Change> changes;      ///< one for each hidden effect, with the others present
+  /// RMS of the measurement noise, by the tool's names of its channels.
   std::map<std::string, double> noise_rms;
 };
 

@@ -11,16 +11,16 @@
 
 namespace tera::blind {
 
-/// One thing that is hidden: where, and how the joints would be without it.
+/// One hidden effect: its axis, and the joints without it.
 struct HiddenInJoint {
   std::size_t axis = 0;
   Forms without{};
 };
 
-/// Joints of an excavator that stands: how they are, how they are driven and measured.
+/// Joints of an excavator at rest: their forms, levers and measurement.
 struct JointsCase {
   Forms forms{};
-  Excavator excavator;  ///< its numbers off from those of the scenario
+  Excavator excavator;  ///< its numbers differ from the scenario's
   AxisValues start_rad{};
   Habit habit;
   EncoderNoise noise;
@@ -28,7 +28,7 @@ struct JointsCase {
   std::vector<HiddenInJoint> hidden;
 };
 
-/// `name` is the case's, for its streams.
+/// `name` is the case's, part of the stream names.
 CaseRecording RecordJoints(const JointsCase& joints, double duration_s, std::uint64_t seed,
                            const std::string& name);
 

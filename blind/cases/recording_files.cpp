@@ -26,7 +26,7 @@ void Write(const fs::path& file, const std::string& text) {
   }
 }
 
-/// Of a real vehicle: its effective gauge is known from elsewhere.
+/// YAML of a real vehicle, whose effective gauge is known from elsewhere.
 std::string VehicleYaml(const BenchmarkCase& c) {
   return fmt::format(R"(name: blind
 seed: 1
@@ -44,8 +44,8 @@ effects:
                      c.duration_s, kName, kVehicle, kName);
 }
 
-/// What the owner of the blind machine takes as expected: its numbers are off by up to 3 %, and
-/// what is measured is a few milliseconds late.
+/// Expected deviations of the blind machine's owner: its numbers are off by up to 3 %, and
+/// measurements are a few milliseconds late.
 std::string OwnersTolerances(const std::vector<std::string>& axes) {
   std::string text = fmt::format("tolerances:\n  {}:\n", kName);
   for (const std::string& axis : axes) {

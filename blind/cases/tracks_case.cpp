@@ -101,13 +101,13 @@ Table PosesOf(const Drive& drive, const PoseNoise& noise, const Stream& stream) 
   return table;
 }
 
-/// Of a difference of positions over the interval, and of headings.
+/// Noise of a difference of positions, and of headings, over the interval.
 double TravelNoise_m(const PoseNoise& noise) {
   return noise.position_m * std::sqrt(2 * (1 - std::pow(noise.memory, 10)));
 }
 double TurnNoise_rad(const PoseNoise& noise) { return noise.angle_rad * std::sqrt(2.0); }
 
-/// Of forward speed and turning, the louder one.
+/// Change of forward speed or turning, whichever is stronger.
 Change ChangeOf(const Drive& with, const Drive& without, const PoseNoise& noise) {
   Change change{with.t_s, {}};
   for (std::size_t k = 0; k < with.t_s.size(); ++k) {
@@ -126,7 +126,7 @@ double SlopeOf(const std::vector<double>& a, const std::vector<double>& b) {
   return ab / aa;
 }
 
-/// What a drive comes to in the parameters of the names.
+/// Sets the parameters of the names from the drive.
 void SetTruth(const TracksCase& c, const Drive& drive, Concealed* hidden) {
   const double left_m = c.tracks.radius_m * c.form.worn_left;
   const double right_m = c.tracks.radius_m * c.form.worn_right;

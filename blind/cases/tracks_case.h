@@ -11,31 +11,31 @@
 
 namespace tera::blind {
 
-/// Faults of the reference pose.
+/// Errors of the reference pose.
 struct PoseNoise {
   double position_m = 0.003, memory = 0.9;  ///< coloured
   double angle_rad = 0.001;
   double lost = 0.02;
 };
 
-/// A machine that drives: how its tracks are, how they are measured.
+/// A driving machine: its tracks and their measurement.
 struct TracksCase {
   TrackForm form;
-  std::vector<TrackForm> without;  ///< the same without each of what is hidden
-  PlainTracks tracks;              ///< numbers off from those of the scenario
+  std::vector<TrackForm> without;  ///< the form without each of the hidden effects
+  PlainTracks tracks;              ///< its numbers differ from the scenario's
   EncoderNoise noise;
   PoseNoise pose_noise;
 };
 
-/// Names of effects of tracks that the tool is asked to name.
+/// Names of track effects that the tool is to name.
 const std::vector<std::string>& NameableTrackEffects();
 
-/// Adds one of them to the tracks' form. What the effect comes to in the parameters of its name is
-/// known after the drive alone: TruthOfTracks.
+/// Adds one of them to the tracks' form. Its parameters under that name follow only from the drive:
+/// TruthOfTracks.
 Concealed HideInTracks(const std::string& name, Strength strength, const Stream& stream,
                        TrackForm* form);
 
-/// Also sets the parameters of what is hidden, by least squares over the drive without noise.
+/// Also sets the parameters of the hidden effects, by least squares over the drive without noise.
 CaseRecording RecordTracks(const TracksCase& tracks, double duration_s, std::uint64_t seed,
                            const std::string& name, std::vector<Concealed>* hidden);
 

@@ -23,7 +23,7 @@ struct Finding {
   bool unexplained() const { return mechanism == "unexplained"; }
 };
 
-/// What the tool answered.
+/// The tool's answer.
 struct Answer {
   std::vector<std::string> verdicts;
   std::vector<Finding> findings;
@@ -31,7 +31,7 @@ struct Answer {
   std::map<std::string, double> rmse_after;  ///< by channel, on held-out manoeuvres
 };
 
-/// Throws InputError where the file is not of the form that docs/reference/diagnose.md describes.
+/// Throws InputError for a file that violates the form in docs/reference/diagnose.md.
 Answer ReadAnswer(const std::filesystem::path& diagnosis_json);
 
 }  // namespace tera::blind

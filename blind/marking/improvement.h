@@ -9,24 +9,25 @@
 
 namespace tera::blind {
 
-/// Share of the improvement that an oracle reaches on held-out manoeuvres.
+/// Share of an oracle's improvement on held-out manoeuvres.
 ///
-/// Model   (e0^2 - e^2) / (e0^2 - n^2) in the channel of what is hidden in which the simulation as
-///         it is errs most beside the noise: e0 its RMSE, e the method's, n the RMS of the
-///         measurement's noise, which is all that an oracle leaves. Below 0 where a method makes
-///         things worse.
-/// Omits   that nominal numbers are off in these cases too: the oracle knows them, no method does.
+/// Model   (e0^2 - e^2) / (e0^2 - n^2). The channel is that of a hidden effect in which the
+///         unchanged simulation errs most relative to the noise. e0 is its RMSE, e the method's, n
+///         the RMS of the measurement noise, which is the oracle's residual. Negative where a
+///         method makes the error worse.
+/// Omits   deviations of nominal numbers, present in these cases too: the oracle knows them, no
+///         method does.
 ///
-/// None where e0^2 < 2 n^2, where nothing is to be gained, or the method said nothing of it.
+/// None where e0^2 < 2 n^2, since there is nothing to gain, or where the method has no answer.
 std::optional<double> ShareOfOracle(const BenchmarkCase& benchmark_case,
                                     const CaseRecording& recording, const ErrorByChannel& as_it_is,
                                     const ErrorByChannel& after);
 
-/// How a simpler method did.
+/// Result of a baseline method.
 struct MethodMark {
   std::string method;
   bool gives_findings = false, gives_names = false, found = false;
-  bool right_first = false;  ///< the name that it took first is hidden there
+  bool right_first = false;  ///< the first name in its order is hidden there
   std::optional<double> share;
 };
 

@@ -112,8 +112,8 @@ double Overlap(const std::vector<bool>& shows,
   return either > 0 ? both / either : 0;
 }
 
-/// Of the first finding: against what it names, or where that is nothing, against all that is
-/// hidden in its channel. A real drive has faults of its own to be located.
+/// Marks the location of the first finding against the effect that it names, or without one against
+/// all hidden effects in its channel. A real drive has faults of its own, which may be located too.
 void MarkPlace(const BenchmarkCase& c, const CaseRecording& recording, const Answer& answer,
                Mark* mark) {
   if (answer.findings.empty() || c.hidden.empty() || c.injected) return;

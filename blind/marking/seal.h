@@ -5,16 +5,16 @@
 
 namespace tera::blind {
 
-// Ties what was hidden to what was answered, so that neither can be changed for the other: before
-// the tool runs, the digest of the truth is written; when it has answered, that of the answer and
-// that of both texts together; only then the truth itself.
+// Binds the hidden truth to the answer, so that neither can be changed afterwards. The digest of
+// the truth is written before the tool runs. After its answer follow the digest of the answer, that
+// of both texts together, and only then the truth itself.
 
 /// Lower-case hexadecimal SHA-256 of a text.
 std::string Digest(const std::string& text);
 
 /// Writes `folder`/seal.txt with the truth's digest.
 void SealTruth(const std::string& truth, const std::filesystem::path& folder);
-/// Adds the answer's, then writes truth.json.
+/// Adds the answer's digest, then writes truth.json.
 void OpenTruth(const std::string& truth, const std::string& answer,
                const std::filesystem::path& folder);
 

@@ -8,7 +8,7 @@
 
 namespace tera::blind {
 
-/// A share of cases and where it may lie: Wilson's interval, 95 %.
+/// A share of cases with Wilson's 95 % interval.
 struct Share {
   int hits = 0, cases = 0;
   double value() const { return cases > 0 ? static_cast<double>(hits) / cases : 0; }
@@ -16,24 +16,24 @@ struct Share {
   double high() const;
 };
 
-/// One line of the table of proof.
+/// One line of the table of results.
 struct Row {
   std::string measure, target;
   bool is_share = true;
-  Share share;       ///< where it is one
-  double value = 0;  ///< else this
-  int cases = 0;     ///< that the value is from
+  Share share;       ///< used if is_share
+  double value = 0;  ///< used otherwise
+  int cases = 0;     ///< number of cases behind the value
   std::string Text() const;
 };
 
-/// One method beside others.
+/// One method in the comparison.
 struct MethodRow {
   std::string method;
-  std::optional<Share> false_alarm, right_first;  ///< of methods that give findings, or names
-  std::vector<double> shares;                     ///< of the oracle's improvement, rising
+  std::optional<Share> false_alarm, right_first;  ///< for methods that give findings, or names
+  std::vector<double> shares;                     ///< shares of the oracle's improvement, ascending
 };
 
-/// The tool and every simpler method that answered.
+/// The tool and every baseline method with an answer.
 std::vector<MethodRow> MethodsOf(const std::vector<Mark>& marks);
 std::string MethodsMarkdown(const std::vector<MethodRow>& rows);
 
@@ -43,9 +43,9 @@ std::string TableMarkdown(const std::vector<Row>& rows);
 /// Rows and all marks.
 std::string TableJson(const std::vector<Row>& rows, const std::vector<Mark>& marks,
                       std::uint64_t seed);
-/// What was hidden, what was answered.
+/// One line on a case: hidden effects and answer.
 std::string CaseLine(const Mark& mark);
-/// One such line for each case.
+/// CaseLine of every case.
 std::string CasesMarkdown(const std::vector<Mark>& marks);
 
 }  // namespace tera::blind

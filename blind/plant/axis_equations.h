@@ -8,14 +8,14 @@
 
 namespace tera::blind {
 
-/// What one joint sees of the rest at an instant.
+/// State of the rest of the machine as one joint senses it, at an instant.
 struct Surroundings {
   double t_s = 0, lever = 0, other_lever = 0;
   double load_nm = 0, inertia_kgm2 = 1;
 };
 
-/// Play that a drive with this gap sees at a reversal: the gap, and what the contact gives way to
-/// the seized pin on either side.
+/// Play of a drive with this gap at a reversal: the gap, and the deflection of the contact on the
+/// seized pin on either side.
 double Play_rad(const AxisForm& form);
 
 /// The equations of one joint: state, derivative, edges.
@@ -30,7 +30,7 @@ class AxisEquations {
 
   double angle(std::span<const double> x) const { return x[form_.line_stages + kAngle]; }
   double rate(std::span<const double> x) const { return x[form_.line_stages + kRate]; }
-  /// At rest, every spring bent by the weight.
+  /// Starts at rest, with every spring bent by the weight.
   void Start(const Surroundings& at, double q_rad, std::span<double> x) const;
 
   void Derive(const Surroundings& at, std::span<const double> x, std::span<double> dx) const;
@@ -54,7 +54,7 @@ class AxisEquations {
   double Opening(double lever) const;
   double Wanted_radps(const Surroundings& at, std::span<const double> x, double q_rad) const;
   double WithinStops(double q_rad) const;
-  /// What a motor asks of itself; it gives as much as it can.
+  /// A motor's demanded effort, within its limits.
   double Asked_nm(const Surroundings& at, double wanted_radps, double w_radps) const;
 
   const Excavator& excavator_;

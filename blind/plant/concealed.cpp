@@ -12,7 +12,7 @@
 namespace tera::blind {
 namespace {
 
-/// What a form is put together from.
+/// Inputs for making a form.
 struct Setting {
   Strength strength;
   std::size_t axis;
@@ -167,7 +167,7 @@ void DriveFriction(const Setting& s, Hidden* out) {
   const double lost_radps = s.Size(0.08, 0.045, 0.02);
   form.bristle_nm = lost_radps / (form.sliding_share * form.weak_s) * inertia_kgm2;
   out->concealed.form = "LuGre friction against a drive that gives way";
-  // What they hold at rest depends on how fast the effort grows, and so is not asked for.
+  // Static friction depends on how fast the effort grows, so the truth omits it.
   out->concealed.truth = {{"lost_radps", lost_radps}, {"time_s", form.weak_s}};
   // It sticks on the way out, and slides on the way back.
   out->concealed.variables.push_back(std::string("lever_way/") + kJoints[s.axis]);

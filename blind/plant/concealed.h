@@ -10,40 +10,41 @@
 
 namespace tera::blind {
 
-/// How much an effect changes.
+/// Size of an effect.
 enum class Strength { kStrong, kMedium, kFaint };
 std::string_view NameOf(Strength strength);
 
-/// One thing that the scenario does not know of.
+/// An effect that the scenario does not contain.
 struct Concealed {
   std::string target;                   ///< joint, or base
-  std::string name;                     ///< the answer wanted; empty: nothing that the tool knows
-  std::vector<std::string> alike;       ///< names that say the same of this form
-  std::vector<std::string> besides;     ///< names of what this form has in it besides
-  std::string form;                     ///< what it is here, in words
-  std::map<std::string, double> truth;  ///< parameters of the answer that this form comes to
-  std::vector<std::string> variables;   ///< that the error depends on, any of them
-  std::vector<std::string> channels;    ///< that show it, behind the machine's name
+  std::string name;                     ///< the correct answer; empty: no name of the tool fits
+  std::vector<std::string> alike;       ///< equivalent names of this form
+  std::vector<std::string> besides;     ///< names of further effects in this form
+  std::string form;                     ///< description of the form
+  std::map<std::string, double> truth;  ///< parameters of the answer that this form corresponds to
+  std::vector<std::string> variables;   ///< variables that the error depends on; any of them is
+                                        ///< right
+  std::vector<std::string> channels;    ///< channels that show it, without the machine's name
 };
 
-/// A form and what should be said of it.
+/// A form, with its correct answer.
 struct Hidden {
   std::size_t axis = 0;
   AxisForm form;
   Concealed concealed;
 };
 
-/// Names of the effects that the tool is asked to name.
+/// Names of the effects that the tool is to name.
 const std::vector<std::string>& NameableEffects();
 
-/// Adds an effect of that name to a joint's form. `axis` must be one that CanHave names.
+/// Adds the named effect to a joint's form. CanHave must be true for `axis`.
 Hidden Hide(const std::string& name, Strength strength, std::size_t axis, const AxisForm& onto,
             const Excavator& excavator, const AxisValues& start_rad, const Stream& stream);
 bool CanHave(std::size_t axis, const std::string& name);
-/// Whether both may be on one joint: they are different parts of it.
+/// Whether both may be on one joint: they concern different parts of it.
 bool GoTogether(const std::string& a, const std::string& b);
 
-/// Adds one of the effects that the tool has no name for.
+/// Adds an effect outside the tool's names.
 Hidden HideOutside(std::size_t axis, std::size_t other_axis, const Stream& stream);
 
 }  // namespace tera::blind

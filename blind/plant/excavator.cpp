@@ -50,7 +50,7 @@ void ReadLimits(const YAML::Node& joint, PlainAxis* axis) {
   axis->rate_negative_radps = (rate.IsSequence() ? rate[1] : rate).as<double>() * kDeg;
 }
 
-/// What moves the joint: its own effort, else that of the cylinder of its name.
+/// Reads the joint's drive: its own effort, or else that of its cylinder.
 void ReadDrive(const YAML::Node& file, const std::string& name, PlainAxis* axis) {
   const YAML::Node joint = file["joints"][name];
   if (joint["max_effort_nm"]) {

@@ -22,7 +22,7 @@ struct PlainAxis {
   Eigen::Vector3d axis;     ///< in the link that it moves
   double lower_rad = 0, upper_rad = 0, initial_rad = 0;
   double rate_positive_radps = 0, rate_negative_radps = 0;  ///< at full lever
-  double effort_nm = 0;                                     ///< what its motor or cylinder can do
+  double effort_nm = 0;                                     ///< limit of its motor or cylinder
   double mass_kg = 0;
   Eigen::Vector3d com_m;
   Eigen::Vector3d inertia_kgm2;  ///< about the centre of mass, principal
@@ -41,16 +41,16 @@ class Excavator {
   /// Throws InputError where the file lacks one of the numbers.
   static Excavator Read(const std::filesystem::path& machine_yaml);
 
-  /// Every number off by up to `share` of it, as the numbers of a machine in the field are.
+  /// Every number off by up to `share` of itself, as on a machine in the field.
   Excavator Off(double share, const Stream& stream) const;
 
   const PlainAxis& axis(std::size_t i) const { return axes_[i]; }
 
-  /// Effort that bears the weight of what is beyond each joint: the slope of the potential energy.
+  /// Effort that carries the weight beyond each joint: the slope of the potential energy.
   AxisValues Loads_nm(const AxisValues& q_rad) const;
-  /// Moment of inertia of what is beyond each joint, about it.
+  /// Moment of inertia beyond each joint, about it.
   AxisValues Inertias_kgm2(const AxisValues& q_rad) const;
-  /// Distance between the pins of a joint's cylinder over the joint's angle: its slope (m/rad).
+  /// Derivative of the distance between the pins of a joint's cylinder by the joint's angle, m/rad.
   double PinSlope_mprad(std::size_t axis, double q_rad) const;
 
  private:

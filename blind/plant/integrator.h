@@ -7,11 +7,10 @@
 
 namespace tera::blind {
 
-/// x' = f(t, x) with kinks, from one time to the next.
+/// Integrates x' = f(t, x) with kinks.
 ///
 /// Model   backward differences of variable order and step, Newton's method with a dense Jacobian
-/// by
-///         differences; steps end at the zeros of `edges`.
+///         by differences; steps end at the zeros of `edges`.
 /// Source  Hindmarsh et al. 2005, "SUNDIALS: suite of nonlinear and differential/algebraic equation
 ///         solvers"; library CVODE.
 class Integrator {
@@ -22,10 +21,10 @@ class Integrator {
   Integrator(std::vector<double> x, Derivative derivative, std::size_t edge_count, Edges edges);
   ~Integrator();
 
-  /// To `t_s`, no earlier than before. What the derivative depends on must not have changed since
-  /// the last call, but for a Restart in between.
+  /// Integrates to `t_s`, not earlier than the previous call. The derivative's parameters must be
+  /// unchanged since then, except with a Restart in between.
   std::span<const double> To(double t_s);
-  /// The derivative is another one from here on.
+  /// Call after a change of the derivative.
   void Restart();
 
  private:

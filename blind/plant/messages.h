@@ -7,16 +7,16 @@
 
 namespace tera::blind {
 
-/// What one lever's messages are when they reach the valve: each sent once a period, looked at once
-/// in a hold, late by a queue that keeps their order, followed by a spool that friction holds.
+/// Messages of one lever on their way to the valve: sent periodically, sampled with a hold, delayed
+/// by an ordered queue. A spool held by friction follows them.
 class Messages {
  public:
   Messages(const AxisForm& form, const Stream& stream) : form_(form), stream_(stream) {}
 
   void Send(double t_s, double lever);
-  /// Where the spool is by the last that had come by then; neutral before.
+  /// Position of the spool after the last message received by then; neutral before the first.
   double At(double t_s);
-  /// When the next one comes, at or after; far away where none is on its way.
+  /// Arrival of the next message, at or after this time; far in the future if there is none.
   double Next(double t_s) const;
 
  private:

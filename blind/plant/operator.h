@@ -7,15 +7,15 @@
 
 namespace tera::blind {
 
-/// How levers are moved.
+/// Style of moving levers.
 struct Habit {
   std::array<bool, kAxes> uses{};       ///< which levers at all
   double smallest = 0.06, largest = 1;  ///< of the steps
-  bool full_steps_only = false;         ///< nothing but full lever and neutral
+  bool full_steps_only = false;         ///< only full lever and neutral
 };
 
-/// Someone who moves each lever by itself: rests, steps, ramps and waves of many sizes, towards
-/// where the joint has room, and lets go before its stops.
+/// An operator who moves each lever independently: rests, steps, ramps and waves of many sizes,
+/// towards the free part of the joint's range. Releases the lever ahead of the stops.
 class Operator {
  public:
   Operator(const Excavator& excavator, const Habit& habit, const Stream& stream)

@@ -19,9 +19,9 @@ struct PlainTracks {
   PlainTracks Off(double share, const Stream& stream) const;
 };
 
-/// How the running gear departs from tracks that neither slip nor skid.
+/// Deviations of the running gear from tracks without slip and skid.
 struct TrackForm {
-  double contact = 0;  ///< share of the tracks' length that bears; 0: their middle alone
+  double contact = 0;  ///< loaded share of the tracks' length; 0: their middle alone
   double worn_left = 1, worn_right = 1;  ///< real radius over nominal
   double shear_m = 0;                    ///< shear modulus K of the ground; 0: friction alone
   double drag = 0;                       ///< rolling resistance over weight
@@ -32,7 +32,7 @@ struct TrackLevers {
   double left = 0, right = 0;
 };
 
-/// What the base did, without noise. Frames: W level, x and y of the place under the tracks'
+/// Motion of the base, without noise. Frames: W level; x and y of the point below the tracks'
 /// middle.
 struct Drive {
   double command_s = 0.02;
@@ -45,12 +45,12 @@ struct Drive {
 
 using TrackDriver = std::function<TrackLevers(double t_s)>;
 
-/// A base that its tracks push over level ground.
+/// A base on tracks on level ground.
 ///
-/// Model   a mass with a turning inertia; under each of eleven shoes a track, evenly loaded,
-///         friction against the shoe's sliding, forward and sideways as one vector, its size
-///         mu N tanh(s / s0) or, after the shear that the ground has had since the front shoe,
-///         mu N (1 - e^(-j / K)). Slip, skid and the moment that resists turning come of it.
+/// Model   a mass with a turning inertia. Each track has eleven evenly loaded shoes. Friction
+///         opposes a shoe's sliding, forward and sideways as one vector, with the magnitude mu N
+///         tanh(s / s0), or with the shear of the ground since the front shoe, mu N (1 - e^(-j /
+///         K)). Slip, skid and the turning resistance follow.
 /// Omits   slopes, load transfer, sinkage.
 /// Source  Janosi and Hanamoto 1961; Wong and Chiang 2001, "A general theory for skid steering of
 ///         tracked vehicles on firm ground".

@@ -133,8 +133,8 @@ std::vector<Manoeuvre> KindsFor(bool joints, bool tracks, bool reserve, Draws* d
   return kinds;
 }
 
-/// What owners have who did not record for a diagnosis: standstill, one turn, one straight line or
-/// slow waves.
+/// Recordings that owners have without a diagnosis in mind: standstill, one turn, one straight line
+/// or slow waves.
 void MakePoor(Draws* draws, WholeCase* out) {
   const Manoeuvre only[] = {Manoeuvre::kRest, Manoeuvre::kSpot, Manoeuvre::kStraight,
                             Manoeuvre::kSines};

@@ -7,7 +7,7 @@
 
 namespace tera::blind::mujoco {
 
-/// One draw after another from a stream.
+/// Consecutive draws from a stream.
 class Draws {
  public:
   explicit Draws(Stream stream) : stream_(stream) {}

@@ -10,34 +10,35 @@
 
 namespace tera::blind::mujoco {
 
-/// What a recording must have for an effect to show.
+/// Requirements on a recording in which the effect can show.
 struct Needs {
-  std::vector<std::size_t> joints;  ///< that are moved
+  std::vector<std::size_t> joints;  ///< joints that must move
   bool drives = false;              ///< the machine travels
-  bool level = false;               ///< ground hardly slopes
-  bool is_of_receivers = false;     ///< which the owner would make poses of: there are none then
+  bool level = false;               ///< slope of the ground is slight
+  bool is_of_receivers = false;     ///< effect of receivers; the owner's poses come from them, so
+                                    ///< the recording has none
 };
 
-/// One thing that is concealed, and how.
+/// One concealed effect.
 struct Effect {
   Concealed concealed;
   Needs needs;
   std::function<void(Forms*)> put;
   bool is_in_plant =
-      true;  ///< it changes the motion, or where sensors are; else only what they say
+      true;  ///< whether it changes the motion or a sensor's mount; otherwise only a reading
 };
 
-/// One of the forms that an effect has.
+/// Form of an effect.
 enum class Variant {
   kFirst,
   kSecond,
   kReserved  ///< kept for `--reserve`
 };
 
-/// A working form, by lot, or the reserved one.
+/// A working form at random, or the reserved one.
 Variant DrawVariant(bool reserve, Draws* draws);
 
-/// How an effect is drawn.
+/// Circumstances of drawing an effect.
 struct Draw {
   const MachineNumbers& numbers;
   Strength strength;
@@ -51,23 +52,23 @@ struct Draw {
   double Times() const;
 };
 
-/// Effects that the tool is asked to name, by what they are of. A name stands for one effect here,
-/// though the tool may use it for several sensors.
+/// Effects that the tool is to name, by their target. A name stands for one effect here, though the
+/// tool may use it for several sensors.
 const std::vector<std::string>& EffectsOfJoints();
 const std::vector<std::string>& EffectsOfTracks();
 const std::vector<std::string>& EffectsOfSensors();
 
-/// Of the joint `axis`, which CanHold the effect.
+/// Draws an effect of joint `axis`, for which CanHold is true.
 Effect DrawOfJoint(const std::string& name, std::size_t axis, const Draw& draw);
 bool CanHold(std::size_t axis, const std::string& name, Variant variant);
 Effect DrawOfTracks(const std::string& name, const Draw& draw);
 Effect DrawOfSensor(const std::string& name, const Draw& draw);
 
-/// Something that no name of the tool's says.
+/// An effect outside the tool's names.
 Effect DrawOutside(const Draw& draw);
-/// With full levers alone, several names would do.
+/// An effect that several names explain, with full levers alone.
 Effect DrawConfounded(const Draw& draw);
-/// Something that this recording cannot show.
+/// An effect that this recording cannot show.
 Effect DrawUntestable(const Draw& draw);
 
 }  // namespace tera::blind::mujoco

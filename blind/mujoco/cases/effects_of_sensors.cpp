@@ -31,8 +31,8 @@ Effect UnitMount(const Draw& draw) {
   return effect;
 }
 
-/// Of a gyro's axis, or of an accelerometer's on a link that joints tilt: where the attitude stays,
-/// a mount would do as well.
+/// Bias of a gyro's axis, or of an accelerometer's on a link that joints tilt. At a constant
+/// attitude, a mount would explain an accelerometer's bias equally.
 Effect UnitBias(const Draw& draw) {
   const bool is_gyro = draw.draws->Chance(0.5);
   const std::size_t unit = is_gyro ? draw.draws->Below(kUnits) : MovingUnit(draw);

@@ -24,7 +24,7 @@ std::pair<double, double> Travel(const Course& course, double t_s) {
   return {way_m / kInterval_s, turn_rad / kInterval_s};
 }
 
-/// What one effect changes in the channels that show it, over their noise: the largest of them.
+/// Change by one effect in the channels that show it, over their noise: the largest one.
 class Comparison {
  public:
   Comparison(const MachineNumbers& numbers, const Forms& with, const Course& course_with,
@@ -102,7 +102,7 @@ double SlopeOf(const std::vector<double>& a, const std::vector<double>& b) {
   return ab / aa;
 }
 
-/// What a drive comes to in the numbers of an effect of tracks.
+/// Sets the parameters of a track effect from the drive.
 void SetTruth(const WholeCase& c, const MachineNumbers& numbers, const Forms& forms,
               const Course& course, Concealed* hidden) {
   std::vector<double> middle, apart, forward, turn;

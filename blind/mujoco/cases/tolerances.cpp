@@ -3,7 +3,7 @@
 namespace tera::blind::mujoco {
 namespace {
 
-/// Of each tolerance, at most, so that several together stay within.
+/// Largest share of each tolerance, so that several together stay within.
 constexpr double kShare = 0.75;
 
 void DrawDrives(Draws* draws, PlantForm* out) {

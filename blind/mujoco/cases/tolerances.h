@@ -6,13 +6,13 @@
 
 namespace tera::blind::mujoco {
 
-/// A machine and its sensors as they are.
+/// Actual forms of a machine and its sensors.
 struct Forms {
   PlantForm plant;
   SensorsForm sensors;
 };
 
-/// What an owner takes for as expected. Effects are drawn as multiples of these.
+/// The owner's expected deviations. Effects are drawn as multiples of these.
 struct Tolerances {
   double rate = 0.06;       ///< at full lever, or gain by direction or angle
   double dead_band = 0.02;  ///< or dry friction, share of full lever
@@ -24,7 +24,7 @@ struct Tolerances {
 };
 inline constexpr Tolerances kTolerances{};
 
-/// A machine with nothing wrong: its oil, and everything off by something, within the tolerances.
+/// A machine without faults: its oil, and random deviations of all numbers within the tolerances.
 Forms DrawWithinTolerances(const MachineNumbers& numbers, Draws* draws);
 
 }  // namespace tera::blind::mujoco

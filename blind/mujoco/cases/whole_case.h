@@ -9,7 +9,7 @@
 
 namespace tera::blind::mujoco {
 
-/// The owner's files of a machine and its rig, and their numbers.
+/// The owner's files of a machine and its rig, with their numbers.
 struct OwnersMachine {
   std::filesystem::path machine_yaml, rig_yaml;
   MachineNumbers numbers;
@@ -17,39 +17,39 @@ struct OwnersMachine {
 
 /// One concealed case on a whole machine.
 struct WholeCase {
-  BenchmarkCase about;  ///< number, kind, strength, duration, what is hidden
+  BenchmarkCase about;  ///< number, kind, strength, duration, hidden effects
   std::vector<Effect> effects;
-  Forms within;  ///< the same machine with nothing hidden
+  Forms within;  ///< the same machine without hidden effects
   Start start;
   Habit habit;
-  bool drives = false;     ///< it has tracks' encoders; else it stands
+  bool drives = false;     ///< with track encoders; otherwise it stands
   bool has_poses = false;  ///< the owner's
 
   /// The machine with all effects, or with all but one of them.
   Forms With(std::size_t without = SIZE_MAX) const;
 };
 
-/// On which of several machines case `number` is.
+/// Index of case `number`'s machine among several.
 std::size_t MachineOfCase(std::uint64_t seed, int number, std::size_t machines);
 
-/// Case `number` (from 0). Kinds come in the shares of DrawCase without a real drive; a case lasts
-/// 60 to 120 s, or `duration_s` where that is given. Forms and manoeuvres are by lot all that are
-/// not kept for the end, with `reserve` those that are.
+/// Case `number` (from 0). The shares of kinds are those of DrawCase without a real drive. A case
+/// lasts 60 to 120 s, or `duration_s` if given. Forms and manoeuvres are drawn from those in
+/// regular use, or with `reserve` from the reserved ones.
 WholeCase DrawWholeCase(std::uint64_t seed, int number, const MachineNumbers& numbers, bool reserve,
                         std::optional<double> duration_s);
 
-/// A case as driven and measured.
+/// A driven and measured case.
 struct WholeRecording {
   Measured measured;
-  CaseRecording marks;  ///< what marking asks: changes, noise
+  CaseRecording marks;  ///< input of the marking: changes and noise
 };
 
-/// Drives and measures. What tracks do gets its numbers by the drive.
+/// Drives and measures the case. The drive sets the parameters of effects in tracks.
 WholeRecording RecordWholeCase(WholeCase* whole_case, const MachineNumbers& numbers,
                                std::uint64_t seed);
 
-/// Writes `folder`/{scenario.yaml, the owner's files, recording/} and, where it is not level,
-/// ground.tif.
+/// Writes `folder`/{scenario.yaml, the owner's files, recording/}, and ground.tif unless the ground
+/// is level.
 void WriteWholeCase(const WholeCase& whole_case, const OwnersMachine& machine,
                     const Measured& measured, const std::filesystem::path& folder);
 

@@ -151,7 +151,7 @@ Hand::Piece Hand::Ladder(const Instant& seen) {
           }};
 }
 
-/// Of up to `most` joints, each at a rhythm of its own.
+/// Waves on up to `most` joints, each with its own rhythm.
 Hand::Piece Hand::Waves(double from_hz, double to_hz, std::size_t most, const Instant& seen) {
   struct Wave {
     std::size_t axis;

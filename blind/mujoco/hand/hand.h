@@ -7,32 +7,32 @@
 
 namespace tera::blind::mujoco {
 
-/// What an operator does in one go.
+/// Manoeuvres of an operator.
 enum class Manoeuvre {
-  kLadder,     ///< one joint, levels that rise, each there and back
+  kLadder,     ///< one joint, rising levels, each forth and back
   kSines,      ///< several joints at once
   kSteps,      ///< one or two joints, any level for any time
   kCycle,      ///< reach, curl, lift, slew, dump and return, in the air
-  kChirp,      ///< a wave that gets faster
+  kChirp,      ///< a sine of rising frequency
   kReversals,  ///< one level, back and forth with sharp edges
   kDigging,    ///< dig, lift, swing, dump and return, levers that ease in and out and overlap
   kTelegraph,  ///< levers that jump from level to level at random times
-  kGrading,    ///< boom and arm together, so that the bucket goes level
+  kGrading,    ///< boom and arm together, so that the bucket moves level
   kStraight,
   kArc,
   kSpot,   ///< a turn on the spot
   kEight,  ///< a circle to the left, one to the right
   kSlalom,
-  kShunting,  ///< ahead to one side, back to the other, ahead
+  kShunting,  ///< forward to one side, back to the other, forward
   kSpiral,    ///< an arc that tightens
   kInching,   ///< short pushes, as along a trench
   kRest
 };
 
-/// Kinds that are for `--reserve` alone.
+/// Kinds for `--reserve` alone.
 bool IsReserved(Manoeuvre kind);
 bool IsOfTracks(Manoeuvre kind);
-/// All that a person does with joints, or with tracks: those of all runs, or those of the reserve.
+/// All manoeuvres with joints or with tracks: the regular ones, or the reserved ones.
 std::vector<Manoeuvre> ManoeuvresOf(bool tracks, bool reserve);
 
 /// Rises from 0 to 1 and falls to 0 again, each by a half cosine over `share` of `length_s`; its
@@ -40,23 +40,23 @@ std::vector<Manoeuvre> ManoeuvresOf(bool tracks, bool reserve);
 double Eased(double since_s, double length_s, double share);
 
 /// Levers of boom, arm and bucket that move the bucket's pin at `ahead_mps` away from the machine,
-/// level and without turning the bucket, of someone who knows where the pins are.
+/// level and with a constant bucket angle. Uses the true positions of the pins.
 PerAxis<double> LevelLevers(const MachineNumbers& numbers, const PerAxis<double>& angle_rad,
                             double ahead_mps);
 
-/// How someone works.
+/// An operator's way of working.
 struct Habit {
-  std::vector<Manoeuvre> kinds;     ///< in turn, then again
+  std::vector<Manoeuvre> kinds;     ///< in turn, repeated
   std::vector<std::size_t> joints;  ///< axes that are used
-  double largest = 1;               ///< lever
-  bool full_steps_only = false;     ///< nothing but full levers
+  double largest = 1;               ///< largest lever
+  bool full_steps_only = false;     ///< only full levers
 };
 
-/// Someone who looks at angles and at the place: keeps joints off their stops and the machine
-/// within some 20 m of the origin, rests between manoeuvres, and eases the slew in and out, since
-/// the whole machine would turn on its tracks.
+/// An operator who sees angles and position. Keeps joints off their stops and the machine within
+/// some 20 m of the origin, and rests between manoeuvres. Eases the slew in and out, since
+/// otherwise the whole machine would turn on its tracks.
 ///
-/// Frames  positive levers turn joints by their axes and drive tracks ahead.
+/// Frames  positive levers turn joints about their axes and drive tracks forward.
 class Hand {
  public:
   Hand(const MachineNumbers& numbers, const Habit& habit, const Stream& stream);
@@ -64,7 +64,7 @@ class Hand {
 
  private:
   using Levers = PerAxis<double>;
-  /// Levers by the time since it began.
+  /// Levers as a function of the time since the piece began.
   struct Piece {
     double length_s = 1;
     std::function<Levers(double since_s, const Instant& seen)> levers;
@@ -72,7 +72,7 @@ class Hand {
 
   double Between(double low, double high);
   std::size_t AnyJoint();
-  /// Towards the middle of its travel.
+  /// Sign of motion towards the middle of the travel.
   double InwardSign(std::size_t axis, const Instant& seen);
   double TravelSign(const Instant& seen);
   Piece Next(const Instant& seen);

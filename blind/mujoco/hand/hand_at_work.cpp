@@ -4,7 +4,7 @@
 
 #include "blind/mujoco/hand/hand.h"
 
-// What operators do at work, who move several levers at once and ease them in and out.
+// Manoeuvres of operators at work, who move several levers at once and ease them in and out.
 
 namespace tera::blind::mujoco {
 

@@ -9,7 +9,7 @@
 
 namespace tera::blind::mujoco {
 
-/// What a lever moves, in the order of the commands.
+/// Axes that levers move, in the order of the commands.
 enum Axis : std::size_t { kLeftTrack, kRightTrack, kSlew, kBoom, kArm, kBucket, kAxisCount };
 inline constexpr std::array<const char*, kAxisCount> kAxisNames = {
     "left_track", "right_track", "slew", "boom", "arm", "bucket"};
@@ -24,7 +24,7 @@ inline constexpr std::size_t kUnits = 4, kReceivers = 2;
 template <typename T>
 using PerAxis = std::array<T, kAxisCount>;
 
-/// Of a rigid body, about its centre of mass.
+/// Numbers of a rigid body about its centre of mass.
 struct LinkNumbers {
   double mass_kg = 0;
   Vec3 com_m = Vec3::Zero();
@@ -39,22 +39,23 @@ struct JointNumbers {
   double lower_rad = 0, upper_rad = 0;
 };
 
-/// A sensor's documented place; its axes are those of the link.
+/// A sensor's documented position; its axes are those of the link.
 struct Mount {
   std::string name;
   std::size_t link = kUndercarriage;
   Vec3 xyz_m = Vec3::Zero();
 };
 
-/// An excavator by its owner's two files, the machine's and the rig's; its oil is not in them.
+/// An excavator from its owner's two files, the machine's and the rig's. They do not contain its
+/// oil.
 ///
-/// Frames  each link's origin is its pin, the undercarriage's lies on the ground amid the tracks;
-///         x forward, y left, z up.
+/// Frames  each link's origin is its pin; the undercarriage's is on the ground in the middle of the
+///         tracks. x forward, y left, z up.
 struct MachineNumbers {
   PerAxis<OilNumbers> oil;
   std::array<LinkNumbers, kLinkCount> links;
-  PerAxis<JointNumbers> joints;       ///< of tracks unused
-  PerAxis<double> full_rate_radps{};  ///< at full lever; of a track its sprocket's
+  PerAxis<JointNumbers> joints;       ///< unused for tracks
+  PerAxis<double> full_rate_radps{};  ///< at full lever; for a track, its sprocket's
   double gauge_m = 0, contact_m = 0, radius_m = 0;
   std::array<Mount, kUnits> units;
   std::array<Mount, kReceivers> antennas;

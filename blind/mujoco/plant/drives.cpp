@@ -81,7 +81,7 @@ double Drives::Valve(std::size_t axis, double lever) {
   const DriveForm& form = forms_[axis];
   double& spool = lines_[axis].spool;
   if (form.sticking > 0 && lever != 0) {
-    // What friction holds is dragged along at a distance.
+    // Friction holds the spool, which follows the lever at a distance.
     spool = std::clamp(spool, lever - form.sticking, lever + form.sticking);
   } else {
     spool = lever;

@@ -11,20 +11,20 @@
 
 namespace tera::blind::mujoco {
 
-/// What becomes of levers on their way to MuJoCo's actuators.
+/// Path of levers to MuJoCo's actuators.
 ///
-/// Model   A message a lever's sample: lost or not (in rows, or by a Radio), late by the bus's
-///         delay, by its Arbitration and by something of its own, in order. The valve: a spool that
-///         overlaps its port or starts softly, ends, and gives more one way than the other, behind
-///         a brake. MuJoCo's filters as bus and pilot, a PilotLine. Behind them the rate that is
-///         asked of the motor: times gains by angle, load, another lever, time and warmth.
+/// Model   Each sample is a message: lost or not (in rows, or by a Radio), delayed by the bus, its
+///         Arbitration and a jitter, in order. The valve: a spool with overlap or a soft start, an
+///         end, different gains by direction, and a brake. MuJoCo's filters as bus and pilot, a
+///         PilotLine. Finally the demanded rate: gains by angle, load, another lever, time and
+///         warmth.
 class Drives {
  public:
   Drives(const MachineNumbers& numbers, const PlantForm& form, const Stream& messages);
 
-  /// A sample of all levers, at most one a step.
+  /// Sends a sample of all levers, at most once a step.
   void Send(double t_s, const PerAxis<double>& levers);
-  /// Sets what MuJoCo's actuators are told, and friction as it is now.
+  /// Sets the inputs of MuJoCo's actuators, and the current friction.
   void Command(double t_s, const PerAxis<double>& angle_rad, Model* model, mjData* data);
 
  private:
@@ -44,7 +44,7 @@ class Drives {
   bool IsLost(std::size_t axis, std::uint64_t number, double t_s);
   double Valve(std::size_t axis, double lever);
   double OpenSpool(const DriveForm& form, double spool) const;
-  /// What becomes of a rate by all but the load.
+  /// Product of all gains except the load's.
   double Gain(std::size_t axis, double t_s, double angle_rad) const;
   double AskedRate_radps(std::size_t axis, double t_s, double valve, double angle_rad,
                          const Model& model, const mjData& data);

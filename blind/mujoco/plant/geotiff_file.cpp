@@ -50,7 +50,7 @@ Field Shorts(std::uint16_t tag, const std::vector<std::uint16_t>& values) {
   return {tag, 3, static_cast<std::uint32_t>(values.size()), BytesOf(values)};
 }
 
-/// Of UTM: the meridian's arc from the equator (Snyder 1987, eq. 3-21), times 0.9996.
+/// UTM northing: the meridian's arc from the equator (Snyder 1987, eq. 3-21), times 0.9996.
 double Northing_m() {
   const double a = 6378137, f = 1 / 298.257223563, e2 = f * (2 - f), e4 = e2 * e2, e6 = e4 * e2;
   const double phi = kLatitude_deg * std::numbers::pi / 180;

@@ -6,7 +6,7 @@
 
 namespace tera::blind::mujoco {
 
-/// Ground that a machine stands on: a plane, or three waves on it.
+/// Ground under a machine: a plane, with or without three waves.
 ///
 /// Frames  W, z = Height_m(x, y); 0 at the origin where it is a plane.
 struct Ground {
@@ -19,16 +19,15 @@ struct Ground {
 
   double Height_m(double x_m, double y_m) const;
   Vec3 Normal(double x_m, double y_m) const;  ///< upwards, of length 1
-  /// Attitude of a machine that lies on it with its nose towards `yaw_rad`.
+  /// Attitude of a machine on the ground, with its nose towards `yaw_rad`.
   Quat AttitudeAt(double x_m, double y_m, double yaw_rad) const;
 };
 
-/// Where the owner's survey has its origin: on a central meridian of UTM, where east of the map is
-/// east.
+/// Origin of the owner's survey, on a central meridian of UTM, where grid east is true east.
 inline constexpr double kLatitude_deg = 47.4, kLongitude_deg = 9, kHeight_m = 430;
 
-/// The ground as an owner has it: 0.25 m from pixel to pixel, `half_m` to each side of the origin,
-/// metres above the ellipsoid, in UTM 32 N.
+/// Writes the ground as the owner has it: pixels of 0.25 m, `half_m` to each side of the origin,
+/// ellipsoidal heights in m, UTM 32 N.
 void WriteGeoTiff(const Ground& ground, double half_m, const std::filesystem::path& file);
 
 }  // namespace tera::blind::mujoco

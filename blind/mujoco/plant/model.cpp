@@ -116,7 +116,7 @@ std::string Filter(const std::string& name, const char* joint, double time_s) {
       time_s);
 }
 
-/// Of a cylinder: its oil ends where the joint does.
+/// Stroke range of a cylinder, which ends with the joint's.
 std::string Stroke(const JointNumbers& joint) {
   if (!joint.has_stops) return "";
   return fmt::format("actlimited='true' actrange='{:.12g} {:.12g}'", joint.lower_rad,
@@ -213,7 +213,7 @@ void FindNames(const MachineNumbers& numbers, const PlantForm& form, Model* out)
   }
 }
 
-/// Of each joint where the machine starts, and of a sprocket with its half of the machine.
+/// Inertia about each joint at the machine's start; for a sprocket, of half the machine.
 PerAxis<double> Inertias_kgm2(const MachineNumbers& numbers, const Model& model, mjData* data) {
   const mjModel* m = model.model.get();
   std::vector<double> full(static_cast<std::size_t>(m->nv) * m->nv);

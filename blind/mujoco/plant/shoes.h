@@ -6,18 +6,18 @@ namespace tera::blind::mujoco {
 
 /// The ground under eight shoes of each track.
 ///
-/// Model   A shoe is carried by a spring and damper along the ground's normal. Along and across the
-///         track it hangs on a bristle z: z' = v - z |V| / l, v being what it slides, V the track's
-///         speed and l a length of ground; its force k z + c z' is at most the grip times the load.
-///         So tracks stand on slopes without creeping, a thrust costs slip in proportion, and turns
-///         slide the shoes sideways. Rolling resistance pulls at the machine against its travel, as
-///         a blade does that scrapes along. Mud packs on a sprocket within kPacks_m of way.
-/// Omits   sinkage; that a shoe that slides one way holds less the other way.
+/// Model   A spring and a damper along the ground's normal support each shoe. Along and across the
+///         track it hangs on a bristle z: z' = v - z |V| / l. v is the sliding speed, V the track's
+///         speed and l a length of ground. The force k z + c z' is at most the grip times the load.
+///         So tracks hold on slopes without creep, thrust costs slip in proportion, and turns slide
+///         the shoes sideways. Rolling resistance acts against the machine's travel, and so does a
+///         scraping blade. Mud packs on a sprocket within kPacks_m of travel.
+/// Omits   sinkage; the loss of grip across the direction of sliding.
 class Shoes {
  public:
   Shoes(const MachineNumbers& numbers, const PlantForm& form, const Ground& ground, double mass_kg);
 
-  /// Adds to what is applied from outside, over the step that comes.
+  /// Adds the ground's forces to the applied ones for the coming step.
   void Push(const Model& model, mjData* data);
 
  private:
@@ -30,11 +30,11 @@ class Shoes {
     double relaxation_m = 0;
     std::array<Bristle, kShoes> bristles;
   };
-  /// Adds what one shoe does to the force and to the torque about the base's origin.
+  /// Adds one shoe's force, and its torque about the base's origin.
   void PushShoe(const Mat3& R_WB, const Vec3& p_WB_m, const Vec3& v_mps, const Vec3& w_radps,
                 std::size_t k, Side* side, Vec3* force_n, Vec3* torque_nm) const;
   double Radius_m(std::size_t side) const;
-  /// Of a blade, at the height of the ground before the tracks: no torque about that point.
+  /// Drag of a blade, at ground height in front of the tracks: no torque about that point.
   Vec3 Drag_n(const Vec3& ahead, const Vec3& v_mps) const;
 
   static constexpr double kPacks_m = 3;

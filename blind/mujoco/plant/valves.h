@@ -2,31 +2,31 @@
 
 namespace tera::blind::mujoco {
 
-/// What a spool gives that a spring holds closed until the pilot's pressure is `threshold`, and
-/// whose notch lets go softly.
+/// Opening of a spool that a spring keeps closed below the pilot pressure `threshold`, with a notch
+/// for a soft start.
 ///
-/// Model   s = lever - threshold: s - soft (1 - e^(-s / soft)), which goes towards
-///         lever - (threshold + soft). Odd in the lever.
+/// Model   s = lever - threshold: s - soft (1 - e^(-s / soft)), with the asymptote lever -
+///         (threshold + soft). Odd in the lever.
 double SoftStart(double lever, double threshold, double soft);
 
-/// How much faster a joint goes the negative way while oil from the rod's side helps to fill the
-/// other: all of `gain` where no load is against it, none from a third of the rated load on.
+/// Relative rate of a joint in the negative direction while oil from the rod's side helps to fill
+/// the other: all of `gain` without opposing load, none from a third of the rated load on.
 double Regeneration(double gain, double load_of_rated, double valve);
 
-/// What a counterbalance valve makes of a load: it costs rate where it is against the motion; what
-/// aids the motion is braked to the rate that was asked.
+/// Effect of a load with a counterbalance valve. An opposing load costs rate; an assisting load is
+/// braked to the demanded rate.
 double Counterbalance(double droop, double load_of_rated, double valve);
 
-/// A joint that falls faster than its pump fills the cylinder, and waits for its oil when the load
-/// turns round.
+/// A joint that falls faster than its pump fills the cylinder, and waits for oil when the load
+/// reverses.
 ///
-/// Model   While the load aids a negative lever, the rate is (1 + ahead) times that asked and the
-///         void grows by ahead times that asked. With the load against it nothing moves until the
-///         pump has filled the void at the rate asked. A positive lever presses the void together.
+/// Model   While the load assists a negative lever, the rate is (1 + ahead) times the demand, and
+///         the void grows by ahead times the demand. Under an opposing load nothing moves until the
+///         pump has filled the void at the demanded rate. A positive lever closes the void.
 class RunsAhead {
  public:
   explicit RunsAhead(double ahead) : ahead_(ahead) {}
-  /// Of the rate that is asked, over a step.
+  /// Actual rate for the demanded rate, over a step.
   double Rate(double asked, double load_of_rated, double step_s);
 
  private:
@@ -42,8 +42,8 @@ class HoldingBrake {
 
  private:
   double opens_s_;
-  double moved_s_ = -1e9;   ///< when the lever was last out
-  double opened_s_ = -1e9;  ///< when it is open
+  double moved_s_ = -1e9;   ///< time of the lever's last deflection
+  double opened_s_ = -1e9;  ///< time at which it is open
 };
 
 }  // namespace tera::blind::mujoco

@@ -7,24 +7,24 @@
 
 namespace tera::blind::mujoco {
 
-/// One row that came through.
+/// One recorded row.
 struct Row {
-  std::uint64_t number = 0;  ///< of the sample, lost ones counted
+  std::uint64_t number = 0;  ///< index of the sample, with lost ones counted
   double true_s = 0;
   long long t_ns = 0;  ///< its stamp
 };
 
-/// When a sensor samples, and how its logger stamps that: its own phase, jitter, rows that are lost
-/// one by one and in runs. Stamps rise. `name` is the sensor's, for its streams.
+/// Sample times of a sensor with its logger's stamps: a phase, jitter, and losses of single rows
+/// and of runs. Stamps ascend. `name` is the sensor's, part of the stream names.
 std::vector<Row> Log(double duration_s, double period_s, const ClockForm& clock,
                      const NoiseForm& noise, std::uint64_t seed, const std::string& name);
 
-/// Noise that remembers itself, for one channel: white and slow, now and then six times as much.
+/// Coloured noise of one channel: a white and a slow part, occasionally six times as strong.
 class Noise {
  public:
   Noise(std::uint64_t seed, const std::string& name, double white, double slow, double tails,
         double memory_s);
-  /// At sample `number`, `step_s` after that before.
+  /// Noise at sample `number`, `step_s` after the previous one.
   double Next(std::uint64_t number, double step_s);
 
  private:

@@ -19,7 +19,7 @@ std::array<double, 6> RawOf(const Instant& at, std::size_t unit) {
   return {w.x(), w.y(), w.z(), a.x(), a.y(), a.z()};
 }
 
-/// Of what comes with warmth.
+/// Share of an effect that grows with warmth.
 double ShareAt(double t_s, double warms_s) {
   return warms_s > 0 ? 1 - std::exp(-std::max(0.0, t_s) / warms_s) : 1;
 }

@@ -9,13 +9,13 @@ namespace tera::blind::mujoco {
 
 inline constexpr double kUnitPeriod_s = 0.01, kEncoderPeriod_s = 0.02, kReceiverPeriod_s = 0.1;
 
-/// What sensors would say without noise, by the true time.
+/// Noise-free sensor readings, by true time.
 class Readings {
  public:
   Readings(const MachineNumbers& numbers, const Course& course, const SensorsForm& form);
 
-  /// Angular rate and specific force, the mean over the period that ends at `t_s`, behind a low
-  /// pass of the second order at 35 Hz, as the data sheet says.
+  /// Angular rate and specific force: mean over the period that ends at `t_s`, after a second-order
+  /// low pass at 35 Hz, as in the data sheet.
   std::array<double, 6> Unit(std::size_t unit, double t_s) const;
   double Angle_rad(std::size_t axis, double t_s) const;
   double Rate_radps(std::size_t axis, double t_s) const;
@@ -23,7 +23,7 @@ class Readings {
   Vec3 Receiver_m(std::size_t receiver, double t_s) const;
 
  private:
-  /// From an antenna to the arm's pin, in B.
+  /// Vector from an antenna to the arm's pin, in B.
   Vec3 ToArm_m(std::size_t receiver, const Instant& at) const;
   Vec3 Reflected_m(std::size_t receiver, const Instant& at) const;
   Vec3 Shaded_m(std::size_t receiver, const Instant& at) const;
@@ -31,7 +31,7 @@ class Readings {
   const MachineNumbers& numbers_;
   const Course& course_;
   const SensorsForm& form_;
-  /// Sums over the steps of what is behind the low pass.
+  /// Cumulative sums over the steps of the low pass's output.
   std::array<std::vector<std::array<double, 6>>, kUnits> sums_;
 };
 

@@ -4,12 +4,12 @@
 
 namespace tera::blind::mujoco {
 
-/// Of a logger or sensor: its stamps are the true time and this.
+/// Clock of a logger or sensor: its stamp minus the true time.
 struct ClockForm {
   double offset_s = 0;
-  double lateness_s = 0;  ///< mean of what a stamp is late beside, exponentially distributed
-  double drift = 0;       ///< seconds a second that the offset grows
-  double set_s = 0;       ///< before this time, at which it is set, there is no offset
+  double lateness_s = 0;  ///< mean of an additional, exponentially distributed delay of stamps
+  double drift = 0;       ///< growth of the offset, s/s
+  double set_s = 0;       ///< time at which the clock is set; before it there is no offset
 
   double OffsetAt(double t_s) const { return t_s < set_s ? 0 : offset_s + drift * t_s; }
 };
@@ -22,8 +22,8 @@ struct BracketForm {
 
 struct UnitForm {
   Vec3 gyro_radps = Vec3::Zero(), accelerometer_mps2 = Vec3::Zero();  ///< bias
-  double warms_s = 0;    ///< bias comes as 1 - e^(-t / this); 0: it is there from the start
-  double knocked_s = 0;  ///< bias comes at once, at this time
+  double warms_s = 0;    ///< bias grows as 1 - e^(-t / this); 0: constant
+  double knocked_s = 0;  ///< the bias appears at this time
   ClockForm clock;
   BracketForm bracket;
 };
@@ -31,11 +31,11 @@ struct UnitForm {
 /// One axis of a set of encoders.
 struct EncoderForm {
   double zero_rad = 0;
-  double warms_s = 0;  ///< within which the zero comes; 0: it is there from the start
-  double angle_factor = 1, rate_factor = 1;  ///< below 0: counts the other way
-  double ring_rad = 0;     ///< largest error of a ring off its centre: once a turn
-  double ring_at_rad = 0;  ///< where that is
-  double wound_1prad = 0;  ///< share of the factors by which a drum's cord changes them a radian
+  double warms_s = 0;                        ///< time constant of the zero's growth; 0: constant
+  double angle_factor = 1, rate_factor = 1;  ///< negative: inverted sign
+  double ring_rad = 0;                       ///< largest error of an eccentric ring, once a turn
+  double ring_at_rad = 0;                    ///< angle of that error
+  double wound_1prad = 0;  ///< relative change of the factors per radian, by a drum's cord
   double wound_from_rad = 0;
 
   bool operator==(const EncoderForm&) const = default;
@@ -44,9 +44,9 @@ struct EncoderForm {
 struct ReceiverForm {
   ClockForm clock;
   Vec3 datum_m = Vec3::Zero();  ///< east, north, up
-  double reflected_m = 0;       ///< what the boom's reflections pull the place by, at most
-  double fringe_m = 0;          ///< over which that changes its sign; 0: it does not
-  double shaded_m = 0;          ///< what satellites hidden by the boom push it away by, at most
+  double reflected_m = 0;       ///< largest position error from the boom's reflections
+  double fringe_m = 0;          ///< distance over which that error changes sign; 0: constant
+  double shaded_m = 0;          ///< largest position error from satellites hidden by the boom
   struct Truck {
     double pull_m = 0;  ///< as it passes
     double first_s = 0, every_s = 25;
@@ -54,7 +54,7 @@ struct ReceiverForm {
   } truck;
 };
 
-/// What is random in measurements.
+/// Random errors of measurements.
 struct NoiseForm {
   double gyro_radps = 0.012, accelerometer_mps2 = 0.25;  ///< white
   double gyro_slow_radps = 0.0003, accelerometer_slow_mps2 = 0.006;
@@ -63,7 +63,7 @@ struct NoiseForm {
   double white_m = 0.007, white_up_m = 0.012, slow_m = 0.006, slow_up_m = 0.011;
   double tails = 0.004;       ///< share of samples with six times the noise
   double lost = 0.006;        ///< share of rows lost one by one
-  double bursts_1ps = 0.03;   ///< rows lost in a run, so often
+  double bursts_1ps = 0.03;   ///< rate of runs of lost rows
   double floats_1ps = 0.004;  ///< episodes without fixed ambiguities
   double jitter_s = 0.0006;   ///< of stamps
 };
