@@ -11,20 +11,19 @@
 
 namespace tera {
 
-/// The range in which a number of a mechanism is looked for; held where both ends are the same.
+/// Search range of a mechanism's parameter; fixed where both ends are equal.
 struct NumberRange {
   std::size_t index = 0;  ///< among the mechanism's parameters
   double lower = 0, upper = 0;
 };
 
-/// A user's choice of candidate mechanisms. It limits or extends the candidates that blocks have by
-/// themselves.
+/// A user's choice of candidate mechanisms, which restricts or extends each block's own candidates.
 struct CandidateLibrary {
   std::string file;
-  std::vector<std::string> only;     ///< no other mechanism is a candidate, where there are any
-  std::vector<std::string> without;  ///< mechanisms that are no candidates
-  /// Mechanisms with ranges of their own. One that is no candidate of a block by itself becomes one
-  /// wherever it can act.
+  std::vector<std::string> only;     ///< if not empty, the only admitted mechanisms
+  std::vector<std::string> without;  ///< excluded mechanisms
+  /// Mechanisms with ranges of their own. A mechanism outside a block's own candidates becomes a
+  /// candidate wherever it can act.
   std::vector<std::pair<const Mechanism*, std::vector<NumberRange>>> ranges;
 };
 
@@ -39,16 +38,16 @@ struct CandidateLibrary {
 /// fault: an unknown identifier or number, a range that is empty or beyond the mechanism's own.
 CandidateLibrary ReadCandidateLibrary(const std::filesystem::path& file);
 
-/// Whether a library leaves a mechanism among the candidates.
+/// Whether a library admits a mechanism as a candidate.
 bool Admits(const CandidateLibrary& library, std::string_view mechanism);
 
-/// Gives blocks the candidates of a library. The starts of a candidate are brought within the
-/// ranges. Throws InputError where a mechanism that is no candidate of a block by itself lacks a
-/// range for a number without default.
+/// Sets the candidates of all blocks by a library, and moves their starts into the ranges. Throws
+/// InputError for a mechanism outside a block's own candidates that lacks a range for a parameter
+/// without default.
 void ApplyLibrary(const CandidateLibrary& library, const MachineModel& model,
                   std::vector<ReplayBlock>* blocks);
 
-/// Throws InputError where a library left none of the blocks a candidate.
+/// Throws InputError where a library leaves no block any candidate.
 void RequireCandidates(const CandidateLibrary& library, const std::vector<ReplayBlock>& blocks);
 
 }  // namespace tera

@@ -7,13 +7,12 @@
 
 namespace tera {
 
-/// The samples that encoders without errors would have measured in the simulation, for the axes and
-/// times of `measured`, as far as the simulation goes. Axes that the machine lacks stay as
-/// measured.
+/// Samples of error-free encoders in the simulation, for the axes and times of `measured`, up to
+/// the simulation's end. Axes that the machine lacks keep their measurements.
 std::vector<NamedEncoders> AsSimulated(const MachineModel& model, const SimulatedCourse& course,
                                        std::vector<NamedEncoders> measured);
 
-/// The simulated poses at the times of the measured ones, as far as the simulation goes.
+/// Simulated poses at the times of the measured ones, up to the simulation's end.
 std::vector<TruthPose> AsSimulated(const SimulatedCourse& course,
                                    const std::vector<TruthPose>& measured);
 

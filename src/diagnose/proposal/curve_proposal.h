@@ -9,28 +9,29 @@
 
 namespace tera {
 
-/// What a curve is to explain, and by what.
+/// Residual to explain, and the variables to explain it by.
 struct CurveProblem {
   std::size_t channel = 0;
   const std::vector<Manoeuvre>& manoeuvres;
   const std::vector<RegimeVariable>& variables;
   const Series& residual;
-  const std::vector<double>& predicted;  ///< of the channel, which the curve may be a share of
-  /// Whether a curve may be over a variable.
+  const std::vector<double>& predicted;  ///< prediction of the channel, of which the curve may be a
+                                         ///< share
+  /// Whether a curve may depend on a variable.
   std::function<bool(const RegimeVariable&)> may_depend = [](const RegimeVariable&) {
     return true;
   };
 };
 
-/// A curve over one variable that explains what is left of a channel, if one is found that holds.
-/// It is added to the prediction, or multiplied with the prediction and added.
+/// A curve over one variable that explains a channel's residual, if one generalises. It is added to
+/// the prediction, or multiplied by the prediction and added.
 ///
-/// Model   penalised cubic B-splines (20) by least squares, for each of the variables, added and
-///         multiplied, with a ridge that draws them to 0 where nothing was seen; of a lever's way a
-///         value for each. The variable, the way and the penalty are those that leave least of the
-///         manoeuvres of TRAIN and SELECT, each fifth predicted by the others; they are then fitted
-///         to all of these. Band: 5 to 95 % of fits to manoeuvres drawn with replacement, at each
-///         place. None where FINAL gains less than a twentieth.
+/// Model   penalised cubic B-splines (20) by least squares, for each variable, additive and
+///         multiplicative. A ridge draws them to 0 where there are no samples. For a lever's
+///         direction, one value for each direction. Variable, form and penalty minimise the error
+///         over the manoeuvres of TRAIN and SELECT in five-fold cross-validation, and the curve is
+///         refitted to all of these. Band: 5 to 95 % of fits to manoeuvres drawn with replacement,
+///         pointwise. None where FINAL's RMSE falls by less than a twentieth.
 /// Omits   dependence on two variables, and terms with memory; the bias of smoothing.
 /// Source  Eilers and Marx 1996.
 std::optional<Proposal> ProposeCurve(const CurveProblem& problem, const Stream& stream);

@@ -7,15 +7,16 @@
 
 namespace tera {
 
-/// A short formula that explains what is left of a channel, if one is found that holds.
+/// A short formula that explains a channel's residual, if one generalises.
 ///
 /// Model   orthogonal matching pursuit of the whitened residual on the term library
-///         (term_library.h), beside offset, gain, delay and nominal numbers, on TRAIN and SELECT;
-///         at most three terms, each by the extended Bayesian information criterion. Stability: the
-///         same on 60 random halves of the manoeuvres; seven of ten must choose a term, or one that
-///         correlates with it by 0.95. The terms that stay are fitted anew, with standard
-///         deviations by the scatter over manoeuvres. None where FINAL gains less than a twentieth.
-/// Omits   terms with memory; a dependence that the library has not.
+///         (term_library.h), jointly with offset, gain, delay and nominal numbers, on TRAIN and
+///         SELECT. At most three terms, each accepted by the extended Bayesian information
+///         criterion. Stability: the selection is repeated on 60 random halves of the manoeuvres.
+///         Seven of ten must select a term, or one whose correlation with it is 0.95. The remaining
+///         terms are refitted, with standard deviations from the scatter over manoeuvres. None
+///         where FINAL's RMSE falls by less than a twentieth.
+/// Omits   terms with memory; dependences outside the library.
 /// Source  Pati, Rezaiifar, Krishnaprasad 1993; Meinshausen and Buehlmann 2010, "Stability
 ///         selection"; Chen and Chen 2008 (the criterion); Brunton, Proctor, Kutz 2016 (sparse
 ///         regression on a library).

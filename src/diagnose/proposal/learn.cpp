@@ -102,7 +102,7 @@ std::optional<LearnedEffect> Learner::OfCurve(const ProposedCurve& curve) const 
   return TabulatedCurve(curve, *variable, SeenOf(curve.variable));
 }
 
-/// What the replay with an effect leaves of the measurement.
+/// Residual of the replay with an effect.
 Series Learner::Left(const LearnedEffect& effect) const {
   const std::vector<double> change =
       block_.change_by_learned(diagnosis_.search.found.terms, effect)[channel_];

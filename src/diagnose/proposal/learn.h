@@ -5,16 +5,17 @@
 
 namespace tera {
 
-/// Gives a proposal the effect that a simulation can run in its place, or says why there is none.
+/// Adds to a proposal the effect that a simulation can run, or the reason why there is none.
 ///
-/// Model   the formula, if it is of one variable; the curves over the variable that the error was
-///         located by and over the proposed one, if a simulation knows them
-///         (ReplayBlock::learnable); the curve that explains most among those over what it knows.
-///         Each is taken in the place of one before it where it leaves less than nine tenths as
-///         much of SELECT. Curves are fitted to measured less predicted: what a fit of the whole
-///         block takes for nuisances, such as 2 % of the rate, is in it, for a simulation has none.
-///         What the replay makes of the effect is compared, the limits included that keep it from
-///         turning what stands (learned_rate.h). None where FINAL gains less than a twentieth.
+/// Model   candidates in this order: the formula, if it has one variable; the curves over the
+///         variable of the error's location and over the proposed one, if a simulation knows them
+///         (ReplayBlock::learnable); the best curve over the variables that a simulation knows. A
+///         later one replaces an earlier one if its RMSE on SELECT is below nine tenths. Curves are
+///         fitted to measured minus predicted. They include what a fit of the whole block assigns
+///         to nuisances, such as 2 % of the rate, for a simulation has no nuisances. The comparison
+///         uses the replay's response to the effect, including the limits that keep it from moving
+///         an axis at rest (learned_rate.h). None where FINAL's RMSE falls by less than a
+///         twentieth.
 void Learn(const ReplayBlock& block, const BlockDiagnosis& diagnosis, const Stream& stream,
            Proposal* proposal);
 

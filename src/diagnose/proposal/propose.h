@@ -7,9 +7,9 @@
 
 namespace tera {
 
-/// The proposal for what is left of a channel, if one holds: a formula, unless a curve leaves less
-/// than nine tenths of the formula's RMSE on SELECT; with the effect that a simulation can run, or
-/// why there is none (learn.h).
+/// The proposal for a channel's residual, if one generalises: a formula, unless a curve's RMSE on
+/// SELECT is below nine tenths of the formula's. Includes the effect that a simulation can run, or
+/// the reason why there is none (learn.h).
 std::optional<Proposal> Propose(const ReplayBlock& block, const BlockDiagnosis& diagnosis,
                                 std::size_t channel, const Stream& stream);
 

@@ -7,20 +7,20 @@
 
 namespace tera {
 
-/// A formula of one variable as a curve over it: each term a function of it, added, or each term
-/// the rate times such a function, as a share. None where it is neither.
+/// Tabulates a formula of one variable as a curve over it. All terms must be functions of the
+/// variable, which add up, or all the rate times such a function, which form a share. None
+/// otherwise. `predicted` is the channel's prediction, named "rate" in a formula.
 ///
 /// Model   at the centres of the variable's bins (regime_axis.h). Band: 1.645 standard deviations,
-///         those of the terms taken as independent.
-/// `predicted` is the channel's prediction, which "rate" in a formula stands for.
+///         with the terms taken as independent.
 std::optional<ProposedCurve> TabulatedFormula(const Channel& channel,
                                               const std::vector<double>& predicted,
                                               const std::vector<ProposedTerm>& terms);
 
 /// A curve as a learned effect of `variable`.
 ///
-/// Model   shares are from -1, a rate that stops, to 9. Where no `seen` sample of the variable lies
-///         in more than a quarter of its range at a stretch, the effect is 0.
+/// Model   shares are limited to -1, a rate that stops, to 9. The effect is 0 across gaps of `seen`
+///         samples wider than a quarter of the variable's range.
 LearnedEffect TabulatedCurve(const ProposedCurve& curve, const LearnedVariable& variable,
                              const std::vector<double>& seen);
 

@@ -147,7 +147,7 @@ bool WouldShow(const Detectability& seen, const std::optional<double>& number) {
          RungOf(*seen.candidate, *seen.smallest) <= RungOf(*seen.candidate, *number);
 }
 
-/// What a recording that does not have the cause says of one of that size.
+/// Result of a recording that does not have the cause, for a cause of that size.
 Kind WithoutIt(const Diagnosis& diagnosis, const SharedCause& cause,
                const std::optional<double>& number) {
   Kind kind = Kind::kNotCompared;

@@ -4,11 +4,10 @@
 
 namespace tera {
 
-/// The time from row to row of levers that a logger asks for again and again; 0 where rows come
-/// with changes alone.
+/// Interval between rows of a lever log that polls; 0 for a log with a row at each change.
 ///
-/// Model   the median; rows are asked for where one in twenty repeats the one before in all
-///         columns. What a lever did between two rows nobody knows: a change is known to half the
+/// Model   the median. A log polls if one row in twenty repeats the previous one in all columns.
+///         Changes between two rows are unknown, so the time of a change is known to half the
 ///         interval.
 double LeverInterval_s(const TableRecording& levers);
 

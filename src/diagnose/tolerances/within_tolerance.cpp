@@ -12,7 +12,7 @@ namespace {
 
 /// Standard deviations that leave 5 % of a normal distribution on one side.
 
-/// What is as expected of a candidate's number; none where nothing is stated.
+/// Expected deviation of a candidate's parameter; none if not stated.
 std::optional<Expected> ExpectedOf(const Tolerances& stated, const Candidate& candidate,
                                    const FreeParameter& free) {
   const std::size_t parameter = free.index;

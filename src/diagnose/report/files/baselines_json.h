@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// Simpler methods' answers for one block, and the RMSE of the replay as it is on FINAL.
+/// Answers of the baseline methods for one block, and the unchanged replay's RMSE on FINAL.
 struct BlockBaselines {
   std::vector<std::string> channels;
   std::vector<double> rmse_as_it_is;  ///< one for each channel

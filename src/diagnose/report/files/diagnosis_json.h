@@ -8,14 +8,14 @@ namespace tera {
 
 /// The text of diagnosis.json.
 ///
-/// Model   format: 2; format 1 had no such key, and other names for some of the others
-///         (docs/reference/diagnose.md). verdict: a list of names; findings: the weightiest first,
-///         named ones before those with mechanism "unexplained", which have no slot, target or
-///         parameters and whose held-out error is what is left; untestable: mechanisms that would
-///         not have been seen at any size. SI units and radians; times in seconds from the block's
-///         first sample; six digits; null where something is not known. regime.shape is parity and
-///         form, "odd threshold outside" where the error lives beyond [low, high].
-///         whole_simulation, next_manoeuvre: null, or what the file of levers beside it
+/// Model   format: 2. Format 1 lacked this key, and had other names for some keys
+///         (docs/reference/diagnose.md). verdict: a list of names. findings: by descending weight,
+///         named ones before those with mechanism "unexplained". The latter have no slot, target or
+///         parameters, and their held-out error is the residual. untestable: mechanisms that are
+///         undetectable at any size. SI units and radians; times in seconds from the block's first
+///         sample; six digits; null for unknown values. regime.shape is parity and form, "odd
+///         threshold outside" where the error lies beyond [low, high]. whole_simulation,
+///         next_manoeuvre: null, or the hypotheses that the accompanying file of levers
 ///         discriminates ("nothing": from no effect), with its power.
 std::string DiagnosisJson(const Diagnosis& diagnosis);
 

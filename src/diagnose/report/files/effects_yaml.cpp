@@ -93,7 +93,7 @@ std::vector<const Finding*> EffectsFound(const Diagnosis& diagnosis) {
   }
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
     for (const PerceptionFinding& found : sensor.findings) {
-      // What differs in the scene is no effect.
+      // A difference of the scene is no effect.
       if (!found.place) effects.push_back(&found.finding);
     }
   }
@@ -151,7 +151,7 @@ std::vector<std::string> LearnedLines(const LearnedProposal& learned, const std:
   return lines;
 }
 
-/// What is unexplained and in no simulation, with the reason, as comments.
+/// Comments on unexplained errors without a simulated effect, with the reason.
 std::string NotLearnedText(const Diagnosis& diagnosis) {
   std::string text;
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {

@@ -7,19 +7,19 @@
 
 namespace tera {
 
-/// The overlay with which `tera generate --effects` simulates what was found: {effects: {MACHINE:
-/// {TARGET: {MECHANISM: {PARAMETER: VALUE}}}}}, six digits, a first line that names `recording`.
+/// The overlay with which `tera generate --effects` simulates the findings: {effects: {MACHINE:
+/// {TARGET: {MECHANISM: {PARAMETER: VALUE}}}}}, six digits. The first line names `recording`.
 ///
-/// What has no name stands below it as `learned`, with its table; what of it no simulation can have
-/// is told in a comment.
+/// Unnamed effects follow as `learned`, with their tables. A comment lists those that no simulation
+/// can run.
 ///
-/// Model   parameters that were not fitted and have their default are omitted. Of two findings of
-///         one mechanism on one target the one that ranks first stands. Without findings the
-///         mapping is empty.
+/// Model   parameters that were not fitted and have their default are omitted. Among findings of
+///         one mechanism on one target, the highest-ranked counts. Without findings the mapping is
+///         empty.
 std::string EffectsYaml(const Diagnosis& diagnosis, const std::string& recording);
 
-/// The same of some findings of a machine of the scenario alone, the first of one mechanism on one
-/// target; `heading` is a comment.
+/// The same for selected findings of one machine of the scenario, with the first one of each
+/// mechanism and target; `heading` is a comment.
 std::string EffectsYaml(const std::string& scenario, const std::vector<const Finding*>& findings,
                         const std::string& heading);
 

@@ -8,21 +8,21 @@
 
 namespace tera {
 
-/// JSON whose keys keep the order in which they were written.
+/// JSON that keeps the order of its keys.
 using OrderedJson = nlohmann::ordered_json;
 
-/// Six significant digits; null for what is not finite, or not there.
+/// Six significant digits; null for a non-finite or missing value.
 OrderedJson JsonNumber(double value);
 OrderedJson JsonNumber(const std::optional<double>& value);
 
-/// Errors before and after, with the share of the variance beyond noise that was removed.
+/// Errors before and after, with the removed share of the variance beyond noise.
 OrderedJson HeldOutJson(double before, double after, const std::string& unit, double removed);
 
-/// The numbers of a finding, by their names.
+/// Parameters of a finding, by name.
 OrderedJson ParametersJson(const Finding& finding);
 
-/// A finding of a block, and of a sensor that sees: where it is, its mechanism and numbers, rivals,
-/// evidence and held-out errors.
+/// A finding of a block, a perception sensor or another sensor: location, mechanism and parameters,
+/// rivals, evidence and held-out errors.
 OrderedJson FindingJson(const DiagnosedBlock& diagnosed, const Finding& finding);
 OrderedJson FindingJson(const PerceptionDiagnosis& sensor, const PerceptionFinding& found);
 OrderedJson FindingJson(const SensorFound& found);
@@ -30,7 +30,7 @@ OrderedJson FindingJson(const SensorFound& found);
 /// An error that no mechanism explains, in the form of a finding.
 OrderedJson UnexplainedJson(const DiagnosedBlock& diagnosed, const Unexplained& unexplained);
 
-/// A mechanism that was chosen and is no finding.
+/// A mechanism that was selected but is no finding.
 OrderedJson ChosenJson(const Finding& finding);
 
 }  // namespace tera

@@ -6,8 +6,8 @@
 
 namespace tera {
 
-/// Writes beside the report the map of each sensor that has one: ground_<sensor>.tif, measured
-/// ground over simulated ground in metres. Throws InputError where it cannot be written.
+/// Writes each sensor's ground map into the report's folder: ground_<sensor>.tif, measured minus
+/// simulated ground in metres. Throws InputError where it cannot be written.
 void WriteGroundMaps(const std::filesystem::path& directory, const Diagnosis& diagnosis);
 
 }  // namespace tera

@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// The text of recordings.json: the recordings and each cause, with what every recording says of it
-/// and its numbers over all of them.
+/// The text of recordings.json: the recordings, and each cause with every recording's result and
+/// its pooled parameters.
 std::string RecordingsJson(const std::vector<std::string>& recordings,
                            const std::vector<SharedCause>& causes);
 

@@ -10,18 +10,18 @@
 
 namespace tera {
 
-/// Writes diagnosis.json, effects.yaml, report.html and, where there is one, next_manoeuvre.csv
-/// into a folder, and the ground map of each sensor that has one, as CSV and as GeoTIFF. The folder
-/// is made where it is missing; as that of a WholeFolder it appears complete. `recording` is the
-/// recording's name in the files. Throws InputError.
+/// Writes diagnosis.json, effects.yaml, report.html and, if present, next_manoeuvre.csv and the
+/// ground map of each sensor, as CSV and GeoTIFF. Creates the folder if missing; that of a
+/// WholeFolder appears when complete. `recording` is the recording's name in the files. Throws
+/// InputError.
 void WriteReport(const std::filesystem::path& directory, const Diagnosis& diagnosis,
                  const std::string& recording);
 
-/// Throws InputError where the folder exists, so that a report has nothing of an earlier run.
+/// Throws InputError where the folder exists, so that reports of two runs never mix.
 void RequireNewFolder(const std::filesystem::path& out);
 
-/// The reports of all machines of a recording, in a folder of each where there are several. It
-/// appears when it is complete.
+/// Reports of all machines of a recording, in a folder for each of several. The folder appears when
+/// it is complete.
 class ReportFolder {
  public:
   /// Throws InputError where it cannot be written.

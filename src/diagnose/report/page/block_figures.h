@@ -9,19 +9,19 @@
 
 namespace tera {
 
-/// Measured and predicted values, with nothing and with all that was found, over the worst interval
-/// of a location, or the 30 s of it with the largest error. Predictions are the measurements less
-/// the residuals, and so include the fitted nuisances (likelihood.h).
+/// Measured and predicted values, without terms and with all findings, over the worst interval of a
+/// location, or its 30 s with the largest error. Predictions are measurements minus residuals, and
+/// so include the fitted nuisances (likelihood.h).
 std::string PredictionFigure(const DiagnosedBlock& diagnosed, const Location& location);
 
 /// The same in half the width, over the 10 s with the largest error.
 std::string SmallPredictionFigure(const DiagnosedBlock& diagnosed, const Location& location);
 
-/// Bars of an error before and after, `quantity` being what errs.
+/// Bars of an error before and after; `quantity` names the erroneous quantity.
 std::string ErrorBars(const std::string& quantity, const HeldOutError& error,
                       const ReadableUnit& unit);
 
-/// The residual with nothing and with all that was found, over the whole recording.
+/// The residual without terms and with all findings, over the whole recording.
 std::string ResidualFigure(const DiagnosedBlock& diagnosed, const Location& location);
 
 /// An error as a function of a variable, with its band. `error` names the error, as the start of a
@@ -29,10 +29,10 @@ std::string ResidualFigure(const DiagnosedBlock& diagnosed, const Location& loca
 std::string RegimeFigure(const DiagnosedBlock& diagnosed, const Location& location,
                          const Regime& regime, const std::string& error);
 
-/// What was learned of a channel as a function of its variable, with its band.
+/// A channel's learned effect as a function of its variable, with its band.
 std::string LearnedFigure(const DiagnosedBlock& diagnosed, const Proposal& proposal);
 
-/// The gain of each mechanism alone on held-out samples, and of those that were found together.
+/// Held-out gain of each mechanism alone, and of the findings together.
 std::string EvidenceFigure(const DiagnosedBlock& diagnosed);
 
 /// The levers that move, over time.

@@ -77,7 +77,7 @@ std::string ProxiesText(const DiagnosedBlock& diagnosed, std::size_t channel) {
                       : fmt::format("Nearest comes {}, which is no name for it.", Listed(near));
 }
 
-/// What to record of an error that nothing explains.
+/// Recording to make for an unexplained error.
 std::string DriveText(const DiagnosedBlock& diagnosed, const Location& at) {
   if (at.regimes.empty() || at.regimes.front().variable == "time") {
     return "Record more of the driving in which the error is.";
@@ -86,7 +86,7 @@ std::string DriveText(const DiagnosedBlock& diagnosed, const Location& at) {
                      VariableText(at.regimes.front().variable, diagnosed.block));
 }
 
-/// What the next simulation has of what is left of a channel; empty where nothing was proposed.
+/// Effect in the next simulation for a channel's residual; empty without a proposal.
 std::string NextSimulationAnswer(const DiagnosedBlock& diagnosed, std::size_t channel) {
   const Proposal* proposal = ProposalFor(diagnosed, channel);
   if (proposal == nullptr) return "";
@@ -121,7 +121,7 @@ std::string SectionOf(const UnexplainedInBlock& entry) {
                      Answer("What to drive to find out", DriveText(*diagnosed, at)));
 }
 
-/// Of sensors that do not agree with each other, for no reason that is known.
+/// Section on sensors that disagree for no known reason.
 std::string SectionOf(const std::vector<const ChannelError*>& left) {
   std::vector<std::string> errors;
   for (const ChannelError* channel : left) {
@@ -136,7 +136,7 @@ std::string SectionOf(const std::vector<const ChannelError*>& left) {
       "");
 }
 
-/// Of each block, the mechanisms that this recording could not have shown.
+/// Undetectable mechanisms of each block.
 std::vector<std::string> UnseenTexts(const Diagnosis& diagnosis) {
   std::vector<std::string> texts;
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {

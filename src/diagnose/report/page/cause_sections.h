@@ -4,18 +4,18 @@
 
 #include "diagnose/diagnosis.h"
 
-// The first screen of report.html: what is wrong, in sentences for someone who uses the machine.
+// The first screen of report.html: the causes, in sentences for a machine's user.
 
 namespace tera {
 
-/// "2 causes found." or, where there is none, that nothing is wrong, or that nothing was judged.
+/// "2 causes found.", or a sentence that there is none, or that nothing was judged.
 std::string AnswerText(const Diagnosis& diagnosis);
 
-/// What must be mended before anything else: input that is missing, clocks that differ.
+/// Prerequisites to mend first: missing input, clocks that differ.
 std::string FirstThings(const Diagnosis& diagnosis);
 
-/// A section for each cause, the largest first, and for each error that nothing explains. Where
-/// there are neither: what agrees, and what could not have been seen.
+/// A section for each cause, by descending size, and for each unexplained error. Without either:
+/// the channels that agree, and the undetectable mechanisms.
 std::string CauseSections(const Diagnosis& diagnosis);
 
 }  // namespace tera

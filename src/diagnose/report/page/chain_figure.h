@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// A stage of the chain from a lever to a measurement, and what a diagnosis says of it.
+/// A stage of the chain from a lever to a measurement, with its findings.
 struct ChainStage {
   enum class Mark { kCause, kPossibleCause, kUnexplained, kMissingInput };
   /// "boom: dead band".
@@ -21,22 +21,22 @@ struct ChainStage {
   };
 
   std::string_view title;
-  std::vector<std::string> compared;  ///< joints, pumps and sensors of which it was looked at
+  std::vector<std::string> compared;  ///< joints, pumps and sensors whose data were compared
   std::vector<Entry> entries;
 
   bool Has(Mark mark) const;
 };
 
-/// Lever, valve, pump, joint, ground, sensor, each with what is wrong in it.
+/// The stages lever, valve, pump, joint, ground and sensor, each with its findings.
 ///
-/// Model   a cause is where its mechanism's slot is, and what is not told apart from it is possible
-///         where that one's is. Error that nothing explains is where it was
-///         measured: no one knows where it arises. A stage was compared where a block that was
-///         judged has candidates in it, or sensors were held against each other.
+/// Model   a cause stands at its mechanism's slot, and an indistinguishable rival is possible at
+///         its own. An unexplained error stands where it was measured, since its origin is unknown.
+///         A stage was compared if a judged block has candidates in it, or sensors were compared
+///         with each other.
 std::array<ChainStage, 6> ChainOf(const Diagnosis& diagnosis);
 
-/// The chain as one inline SVG with its key. Boxes stand in one row, two rows or three, as the
-/// screen is wide.
+/// The chain as one inline SVG with its key. Boxes stand in one, two or three rows, by the screen's
+/// width.
 std::string ChainFigure(const Diagnosis& diagnosis);
 
 }  // namespace tera

@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t kMostRegimesShown = 2;
 
-/// What the command prints: the summary and all sentences.
+/// The command's output: the summary and all sentences.
 std::string EverySentence(const Diagnosis& diagnosis) {
   std::string html;
   if (const std::string summary = SummaryOf(diagnosis); !summary.empty()) {

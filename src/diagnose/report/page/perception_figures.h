@@ -8,12 +8,11 @@
 
 namespace tera {
 
-/// A section for each sensor that was judged: its numbers, and the map of the ground where any of
-/// it differs.
+/// A section for each judged sensor: its parameters, and its map of the ground where it differs
+/// from the simulation.
 std::string PerceptionSections(const Diagnosis& diagnosis);
 
-/// The squares of a map as CSV: x_m, y_m of their middles, above_m, sigma_m, region (-1: none),
-/// seen.
+/// The cells of a map as CSV: x_m, y_m of their centres, above_m, sigma_m, region (-1: none), seen.
 std::string GroundCsv(const GroundMap& map);
 
 }  // namespace tera

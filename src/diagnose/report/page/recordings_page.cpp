@@ -49,7 +49,7 @@ std::string CauseTable(const std::vector<RecordingOnPage>& recordings,
   return table.Take();
 }
 
-/// What was found in each recording, judged on the others.
+/// Findings of each recording, tested on the others.
 std::string HeldOutTable(const std::vector<RecordingOnPage>& recordings) {
   Table table({"Found in", "Judged on", "Channel", ">RMSE without", ">with", "Unit"});
   bool any = false;

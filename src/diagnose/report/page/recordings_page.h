@@ -13,8 +13,8 @@ struct RecordingOnPage {
   const Diagnosis* diagnosis = nullptr;
 };
 
-/// The page of several recordings of one machine: what they share first, a table of causes by
-/// recordings, and what was found in each judged on the others.
+/// The page of several recordings of one machine: shared causes first, a table of causes by
+/// recordings, and the findings of each recording tested on the others.
 std::string RecordingsPage(const std::string& machine,
                            const std::vector<RecordingOnPage>& recordings,
                            const std::vector<SharedCause>& causes);

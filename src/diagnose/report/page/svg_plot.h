@@ -26,7 +26,7 @@ PlotAxis Widened(double low, double high, std::string label);
 /// Round values within an axis, 1, 2 or 5 times a power of ten apart, about `wanted` of them.
 std::vector<double> TicksOf(const PlotAxis& axis, int wanted);
 
-/// A figure with two axes. What lies beyond them is cut off.
+/// A figure with two axes. It clips everything outside them.
 class SvgPlot {
  public:
   /// `what` is the figure's label for screen readers.
@@ -41,7 +41,7 @@ class SvgPlot {
   void Band(const std::vector<PlotPoint>& low, const std::vector<PlotPoint>& high,
             std::string_view css_class);
   void Dots(const std::vector<PlotPoint>& points, std::string_view css_class);
-  /// Bars along the lower edge for how often each x was visited; the longest is a tenth of the
+  /// Bars along the lower edge for the number of samples at each x; the longest has a tenth of the
   /// height.
   void Visits(const std::vector<PlotPoint>& counts, double width_x, std::string_view css_class);
 
@@ -63,15 +63,14 @@ struct Bar {
   std::string label;
   double value = 0;
   std::string_view css_class;
-  std::string number = {};  ///< as it is written; empty: the value
+  std::string number = {};  ///< text of the value; empty: the value itself
 };
 
 /// Horizontal bars under each other, each with its label and its value.
 std::string SvgBars(const std::string& what, const std::vector<Bar>& bars, double width = 900);
 
-/// Samples as a line of at most `most` points: the lowest and the highest value of each bin of
-/// neighbours in their order, and gaps as points that are not finite. x is in seconds, y is times
-/// `factor`.
+/// Samples as a line of at most `most` points: minimum and maximum of each bin of neighbours in
+/// their order, and gaps as non-finite points. x is in seconds; y is multiplied by `factor`.
 std::vector<PlotPoint> EnvelopeOf(const Series& series, const Segment& samples, double factor,
                                   std::size_t most);
 

@@ -27,7 +27,7 @@ std::string Code(std::string_view text);
 /// A cell with a unit; empty for a plain number's.
 std::string UnitCell(std::string_view unit);
 
-/// The free parameters of findings, or the measures of those without free parameters, under a
+/// The free parameters of findings, or the measures of findings without free parameters, under a
 /// heading.
 std::string ParameterTable(const std::vector<const Finding*>& findings);
 

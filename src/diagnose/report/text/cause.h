@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// A finding, with where it was made: one of `block`, `sensor` and `seen_by` is set.
+/// A finding with its origin: one of `block`, `sensor` and `seen_by` is set.
 struct Cause {
   const Finding* finding = nullptr;
   const DiagnosedBlock* block = nullptr;
@@ -17,23 +17,23 @@ struct Cause {
 
   const Mechanism& mechanism() const { return *finding->term.candidate->mechanism; }
   const std::string& target() const { return finding->term.candidate->target; }
-  /// SI unit of the errors before and after; "px" of pictures, empty where they are not known.
+  /// SI unit of the errors before and after; "px" for pictures; empty if unknown.
   std::string ErrorUnit() const;
-  /// "boom rate": the quantity whose error falls; empty where it is not known.
+  /// "boom rate": the quantity whose error falls; empty if unknown.
   std::string Quantity() const;
-  /// How many times as large the error is without it.
+  /// Ratio of the error without the cause to that with it.
   double ErrorRatio() const;
 };
 
-/// The causes that a diagnosis names, those first without which the error grows most, as a ratio.
-/// The diagnosis must outlive the result.
+/// Causes that a diagnosis names, sorted by descending ErrorRatio. The diagnosis must outlive the
+/// result.
 std::vector<Cause> CausesOf(const Diagnosis& diagnosis);
 
-/// The channels of sensors beside each other in which error is left that no number of a sensor
-/// explains, and which no block was judged by after that.
+/// Channels of compared sensors with a residual that no sensor parameter explains, and that no
+/// block was judged by later.
 std::vector<const ChannelError*> UnexplainedOfSensors(const Diagnosis& diagnosis);
 
-/// The other candidates that do as well as what was found.
+/// Other candidates that explain as well as the finding.
 std::vector<const Candidate*> RivalsOf(const Finding& finding);
 
 }  // namespace tera

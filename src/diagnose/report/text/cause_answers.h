@@ -4,7 +4,7 @@
 
 #include "diagnose/report/text/cause.h"
 
-// What a reader asks of a cause that is named.
+// Answers to a reader's questions on a named cause.
 
 namespace tera {
 
@@ -13,7 +13,7 @@ namespace tera {
 std::string HowSureText(const Cause& cause);
 
 /// "This recording cannot tell it from: valve curve (a valve that does not open in proportion to
-/// the lever)." Where nothing else does as well it says so, with what came nearest.
+/// the lever)." Without an equal rival, the sentence says so and names the nearest one.
 std::string WhatElseText(const Cause& cause);
 
 /// "The levers in next_manoeuvre.csv (34 s; boom: steps of 0.15) tell dead band and valve curve

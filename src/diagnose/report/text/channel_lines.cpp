@@ -75,7 +75,7 @@ ChannelLine LineOf(const DiagnosedBlock& diagnosed, std::size_t c,
   return line;
 }
 
-/// Of a sensor beside the others, whose motion nothing simulated.
+/// Line of a sensor that is compared with the others, without a simulated motion.
 ChannelLine LineOf(const DiagnosedSensors& sensors, const ChannelError& error) {
   ChannelLine line{.channel = error.name, .unit = error.unit, .noise = error.noise};
   line.before = error.rms_before;

@@ -16,8 +16,8 @@ std::string SentenceOf(const HeldOutRecording& further);
 /// recorded, 50.5 → 57.1 m simulated. It does not follow in: slew rate."
 std::string SentenceOf(const WholeSimulation& whole);
 
-/// "Corrected for what the replays lack of the simulation: yaw rate 2.1 deg/s (RMS)." Corrections
-/// that the recording hardly shows are left out; empty where none is left.
+/// "Corrected for what the replays lack of the simulation: yaw rate 2.1 deg/s (RMS)." Insignificant
+/// corrections are left out; empty without any other.
 std::string SentenceOf(const std::vector<DiscrepancyCorrection>& corrections);
 
 }  // namespace tera

@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// "dead band 0.18 ± 0.02, asymmetry 0.1 ± 0.05": the mechanism and those of its numbers that were
-/// fitted and are reported.
+/// "dead band 0.18 ± 0.02, asymmetry 0.1 ± 0.05": the mechanism with its fitted and reported
+/// parameters.
 std::string NameAndNumbers(const Finding& finding);
 
 /// NameAndNumbers with the target, where the channel does not name it: "flow sharing of the main
@@ -24,11 +24,11 @@ std::vector<std::string> AlikeTexts(const Finding& finding);
 /// "chosen with p 0.0002, confirmed with p 0.001; rivals rejected: valve curve (p 0.003)".
 std::string EvidenceClause(const Finding& finding);
 
-/// Whether a free parameter is reported: of few all are, of many those that clearly differ from
-/// what they are without the finding.
+/// Whether a free parameter is reported. With few parameters all are; with many, only those that
+/// differ significantly from their value without the finding.
 bool IsReported(const Finding& finding, const FreeParameter& free);
 
-/// Whether a mechanism was chosen for a channel and not confirmed on FINAL.
+/// Whether a mechanism was selected for a channel but not confirmed on FINAL.
 bool IsUnconfirmed(const DiagnosedBlock& diagnosed, std::size_t channel);
 
 }  // namespace tera

@@ -150,7 +150,7 @@ constexpr MechanismWords kWords[] = {
      "{The} stamps its measurements {delay_s} late."},
     {"filter_delay", "smoothing filter", "a filter that smooths and delays",
      "A filter smooths what {the} measures, and makes it late by about {time_constant_s}."},
-    // Of poses that were measured.
+    // Mechanisms of measured poses.
     {"arrival_stamps", "stamping on arrival", "poses that are stamped as they arrive",
      "The recorded poses bear the times at which they arrived, not those at which they were "
      "measured."},
@@ -158,7 +158,7 @@ constexpr MechanismWords kWords[] = {
      "The recorded poses are stamped {delay_s} after they were measured."},
     {"poses/mount_rotation", "leaning map", "a map that is not level",
      "The map of the recorded poses is not level: {numbers}."},
-    // Of the scene, whose sentences have a place in them (perception_text.h).
+    // Mechanisms of the scene, whose sentences contain a place (perception_text.h).
     {"object_added", "unexpected thing", "a thing that the scenario does not have", ""},
     {"object_missing", "missing thing", "a thing that is not there", ""},
     {"dust", "dust", "dust in the air", ""},

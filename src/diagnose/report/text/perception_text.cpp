@@ -23,7 +23,7 @@ std::string_view UnitText(const PerceptionDiagnosis& diagnosis) {
   return diagnosis.unit == "m" ? "cm" : "px";
 }
 
-/// What the sensor took, and what is compared with it.
+/// Kind of data of the sensor, and its counterpart in the simulation.
 std::string_view ScansText(const PerceptionDiagnosis& diagnosis) {
   return diagnosis.unit == "m" ? "scans" : "pictures";
 }
@@ -54,7 +54,7 @@ std::string PlaceText(const PerceptionFinding& found) {
   return text + TimesText(found);
 }
 
-/// What differs in the scene, where and when.
+/// Difference of the scene, with place and time.
 std::string SceneText(const PerceptionFinding& found) {
   const std::string_view id = found.finding.term.candidate->mechanism->id;
   if (id == "object_missing") {

@@ -5,7 +5,7 @@
 
 #include "diagnose/diagnosis.h"
 
-/// What lidars and cameras show, in sentences.
+/// Findings of lidars and cameras in sentences.
 
 namespace tera {
 
@@ -14,11 +14,11 @@ namespace tera {
 std::string SentenceOf(const PerceptionDiagnosis& diagnosis, const PerceptionFinding& found);
 
 /// "The ground at (7.0, -2.0) m, 2.0 x 2.0 m, 2.0–9.0 s lies 0.4 m lower on average than in the
-/// scenario.": what a finding of the scene, which has a place, says.
+/// scenario.": sentence of a finding in the scene, with its place.
 std::string PlainSceneText(const PerceptionFinding& found);
 
-/// One for each finding; then, for each sensor, what was not confirmed, that nothing was found, or
-/// why it was not judged.
+/// One sentence for each finding. Then for each sensor: unconfirmed mechanisms, the absence of
+/// findings, or the reason why it was not judged.
 std::vector<std::string> PerceptionSentences(const std::vector<PerceptionDiagnosis>& sensors);
 
 }  // namespace tera

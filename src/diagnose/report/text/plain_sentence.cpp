@@ -122,7 +122,7 @@ const ParameterEstimate& EstimateAt(std::string_view name, const Finding& findin
   return *found;
 }
 
-/// What the scenario has of the mechanism already, as a sentence of its own.
+/// The mechanism's values in the scenario, as a sentence of its own.
 std::string PresentText(const Finding& finding) {
   const Candidate& candidate = *finding.term.candidate;
   std::vector<std::string> numbers;
@@ -135,7 +135,7 @@ std::string PresentText(const Finding& finding) {
   return numbers.empty() ? "" : fmt::format(" The scenario has {} here.", Listed(numbers));
 }
 
-/// What is not told apart from a cause, "valve curve", "delay of the stamps of the sensor imu".
+/// Indistinguishable rivals of a cause: "valve curve", "delay of the stamps of the sensor imu".
 std::vector<std::string> RivalLabels(const Cause& cause) {
   std::vector<std::string> labels;
   for (const Candidate* rival : RivalsOf(*cause.finding)) {

@@ -6,32 +6,31 @@
 
 namespace tera {
 
-/// A finding and the block in which it was made.
+/// A finding with its block.
 struct FindingInBlock {
   const DiagnosedBlock* diagnosed = nullptr;
   const Finding* finding = nullptr;
 };
 
-/// An unexplained error and the block in which it is.
+/// An unexplained error with its block.
 struct UnexplainedInBlock {
   const DiagnosedBlock* diagnosed = nullptr;
   const Unexplained* unexplained = nullptr;
 };
 
-/// The findings of a block, those that remove most of their channel's error on FINAL first. The
-/// gain in log-likelihood would rank what acts faintly in each of many manoeuvres before what is
-/// loud in a few. The diagnosis must outlive the result.
+/// Findings of a block, by descending removed error of their channel on FINAL. The gain in
+/// log-likelihood would instead rank an effect that is faint in many manoeuvres above one that is
+/// strong in few. The diagnosis must outlive the result.
 std::vector<const Finding*> RankedFindings(const DiagnosedBlock& diagnosed);
 
-/// The findings of all blocks, block by block: first the block whose findings gain most in
-/// log-likelihood on held-out samples, and within a block as above.
+/// Findings of all blocks, block by block. The block with the greatest total gain in log-likelihood
+/// on held-out samples comes first; within a block as above.
 std::vector<FindingInBlock> RankedFindings(const Diagnosis& diagnosis);
 
-/// Unexplained errors, ranked by the gain in log-likelihood of which a flexible regressor is
-/// capable.
+/// Unexplained errors, by the gain in log-likelihood that a flexible regressor reaches.
 std::vector<UnexplainedInBlock> RankedUnexplained(const Diagnosis& diagnosis);
 
-/// Whether anything is left unexplained in a channel of a block.
+/// Whether a channel of a block has an unexplained residual.
 bool IsLeft(const DiagnosedBlock& diagnosed, std::size_t channel);
 
 }  // namespace tera

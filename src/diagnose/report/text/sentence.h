@@ -11,23 +11,24 @@ namespace tera {
 /// 0.003)). Held-out RMSE 3.1 → 0.6 deg/s, 94 % of the excess variance removed. Left: 0.6 deg/s at
 /// a noise of 0.5 deg/s."
 ///
-/// Times are from the recording's start. The interval is that with the most error. "± " stands
-/// where the data hold the number; numbers that were not fitted are left out.
+/// Times count from the recording's start. The interval is that with the most error. "± " appears
+/// where the data determine the parameter; parameters that were not fitted are left out.
 std::string SentenceOf(const DiagnosedBlock& diagnosed, const Finding& finding);
 
-/// The sentence of an unexplained error: where it is, and of what it is a function.
+/// The sentence of an unexplained error: its location, and the variable it depends on.
 std::string SentenceOf(const DiagnosedBlock& diagnosed, const Unexplained& unexplained);
 
-/// The sentence of a mechanism that was chosen and not confirmed on FINAL.
+/// The sentence of a mechanism that was selected but not confirmed on FINAL.
 std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding& finding);
 
-/// The sentence of a mechanism within its tolerance, or which a tolerated one explains as well.
+/// The sentence of a mechanism within its tolerance, or of one that a tolerated mechanism explains
+/// as well.
 std::string SentenceOfExpected(const DiagnosedBlock& diagnosed, const Finding& finding);
 
-/// The sentence of what comes nearest to an unexplained error and is no name for it.
+/// The sentence of the mechanism nearest to an unexplained error, which is no name for it.
 std::string SentenceOfProxy(const DiagnosedBlock& diagnosed, const Finding& finding);
 
-/// The sentence of a block with too few manoeuvres, or for which there was no time.
+/// The sentence of a block with too few manoeuvres, or without time left.
 std::string SentenceOfUntestable(const DiagnosedBlock& diagnosed);
 
 /// The sentence of an axis that moves without its lever.

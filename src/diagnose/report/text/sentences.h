@@ -7,10 +7,11 @@
 
 namespace tera {
 
-/// The sentence where nothing was found: which channels agree, and what could not have been seen.
+/// The sentence of a diagnosis without findings: the channels that agree, and the undetectable
+/// mechanisms.
 std::string SentenceOfNothing(const Diagnosis& diagnosis);
 
-/// All sentences of a diagnosis, the weightiest first.
+/// All sentences of a diagnosis, by descending weight.
 std::vector<std::string> SentencesOf(const Diagnosis& diagnosis);
 
 }  // namespace tera

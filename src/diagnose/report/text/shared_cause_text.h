@@ -5,15 +5,16 @@
 
 #include "diagnose/recordings/shared_causes.h"
 
-// What several recordings of one machine say together, in words.
+// Joint result of several recordings of one machine, in words.
 
 namespace tera {
 
-/// "Boom: dead band", with those that fit all recordings as well: "Boom: dead band or valve curve".
+/// "Boom: dead band", with the mechanisms that fit all recordings equally: "Boom: dead band or
+/// valve curve".
 std::string HeadingOf(const SharedCause& cause);
 
-/// "0.121 ± 0.005" for each number that one recording holds, or why it holds none: "not there",
-/// "within tolerance: 0.01 ± 0.004".
+/// "0.121 ± 0.005" for each parameter that a recording determines, or the reason why there is none:
+/// "not there", "within tolerance: 0.01 ± 0.004".
 std::string CellOf(const SharedCause& cause, const CauseInRecording& one);
 
 /// "Boom: dead band in recordings 1 and 3, width 0.121 ± 0.003. Recording 2: not there, where one

@@ -24,16 +24,16 @@ ReadableUnit ReadableUnitOf(const ParameterEstimate& parameter);
 /// "3.1 deg/s", and without a unit "3.1".
 std::string WithUnit(const std::string& number, const ReadableUnit& unit);
 
-/// A number with so many significant digits and without trailing zeros: 0.18, 52300, 1.2e-07.
+/// A number with `digits` significant digits and no trailing zeros: 0.18, 52300, 1.2e-07.
 std::string Significant(double value, int digits);
-/// "0.18 ± 0.02": the deviation with one digit, two where it begins with 1, the value as far as
-/// that; without a deviation three digits.
+/// "0.18 ± 0.02": the deviation with one digit, or two if it begins with 1; the value to the same
+/// decimal place. Without a deviation three digits.
 std::string WithSigma(double value, const std::optional<double>& sigma);
 /// "p 0.003", "p < 0.0001".
 std::string ProbabilityText(double p);
 /// Whole percents: "94 %".
 std::string PercentText(double share);
-/// A time with the precision that a span of `span_s` asks for, without its unit.
+/// A time at a precision that suits a span of `span_s`, without its unit.
 std::string TimeText(double time_s, double span_s);
 /// "41–63 s and 8 more intervals".
 std::string IntervalsText(double from_s, double to_s, std::size_t more);
@@ -46,7 +46,7 @@ std::string WithoutUnit(std::string_view key);
 std::string QuantityOf(const std::string& channel);
 /// "lever" of "lever/boom" in the block of the boom, "arm lever" of "lever/arm".
 std::string VariableText(const std::string& variable, const ReplayBlock& block);
-/// SI unit of a variable beside a channel in `channel_unit`.
+/// SI unit of a variable of a channel in `channel_unit`.
 std::string UnitOfVariable(const std::string& variable, const std::string& channel_unit);
 std::string Capitalised(std::string text);
 /// "a, b and c".
