@@ -13,8 +13,8 @@
 
 namespace tera {
 
-/// The progress of a diagnosis: before a block, and after it with its diagnosis. Blocks may
-/// overlap.
+/// Reports a diagnosis's progress: before each block, and after it with its diagnosis. Blocks may
+/// overlap in time.
 struct BlockProgress {
   std::string machine;
   std::string block;
@@ -29,21 +29,21 @@ Stream StreamOf(const ReplayBlock& block, std::uint64_t seed);
 /// Search options that correct p-values for the tests of all these blocks together.
 SearchOptions WithTotalsOf(SearchOptions options, const std::vector<ReplayBlock>& blocks);
 
-/// Corrects the blocks that the discrepancies belong to; tells how.
+/// Corrects the blocks that the discrepancies belong to, and returns the corrections.
 std::vector<DiscrepancyCorrection> CorrectDiscrepancies(
     const std::vector<ReplayDiscrepancy>& discrepancy, std::uint64_t seed, int threads,
     std::vector<ReplayBlock>* blocks);
 
 using Deadline = std::chrono::steady_clock::time_point;
 
-/// Diagnoses blocks, as many at a time as there are threads, until a deadline that may be set.
-/// Calls of `progress` do not overlap.
+/// Diagnoses blocks, in as many threads as given, until an optional deadline. Calls of `progress`
+/// do not overlap.
 std::vector<DiagnosedBlock> DiagnoseBlocks(std::vector<ReplayBlock> blocks,
                                            const SearchOptions& options, std::uint64_t seed,
                                            const FollowProgress& progress,
                                            const std::optional<Deadline>& deadline = {});
 
-/// Whether some block was found to have poses that are stamped as they arrive.
+/// Whether some block's poses were found to carry arrival stamps.
 bool FindsArrivalStamps(const std::vector<DiagnosedBlock>& blocks);
 
 }  // namespace tera

@@ -20,26 +20,26 @@ struct DiagnosisOptions {
   BlockOptions blocks;
   SearchOptions search;
   std::uint64_t seed = 1;
-  std::optional<CandidateLibrary> library;  ///< limits or extends the blocks' own
-  /// Limit of the search. Blocks that are not done by then are not judged, so that the answer
-  /// depends on the computer; where the limit is not reached the answer is the same as without one.
+  std::optional<CandidateLibrary> library;  ///< restricts or extends the blocks' own candidates
+  /// Time limit of the search. Unfinished blocks are not judged, so that the answer depends on the
+  /// computer's speed. If the limit is not reached, the answer is the same as without one.
   std::optional<double> time_limit_s;
 };
 
-/// One machine of a scenario, its recording, and all else that its diagnosis needs.
+/// One machine of a scenario, its recording, and the other inputs of its diagnosis.
 struct DiagnosisCase {
   DiagnosisInput input;
   const Recording* recording = nullptr;
   std::vector<HeldOutCase> held_out;
-  SimulateMachine simulate;  ///< empty: the scenario is not to be simulated as a whole
-  std::vector<PerceptionDiagnosis> perception;  ///< of its sensors that see
+  SimulateMachine simulate;                     ///< empty: no simulation of the whole scenario
+  std::vector<PerceptionDiagnosis> perception;  ///< of its perception sensors
   SiteOrigin origin;
-  KnownPlace place;  ///< of the machine, beside its measurements
+  KnownPlace place;  ///< the machine's place, besides its measurements
 };
 
-/// Why the recording of one machine differs from its simulation: blocks, further recordings, the
-/// whole simulation and the levers to drive next. Without a simulation nothing is corrected. The
-/// stages are timed by `clock`. Throws InputError where a recording cannot be compared.
+/// Diagnoses one machine: blocks, further recordings, the whole simulation and the next manoeuvre.
+/// Without a simulation nothing is corrected. `clock` times the stages. Throws InputError where a
+/// recording cannot be compared.
 Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowProgress& progress,
                    StageClock* clock);
 

@@ -13,9 +13,9 @@ struct DiagnosedRecording {
   std::vector<Diagnosis> machines;
 };
 
-/// Diagnoses several recordings of a scenario's machines, one after the other, each by itself and
-/// with all others held out to judge what was found in it. Throws InputError where one cannot be
-/// read, is named twice, or is of the same time as another by their epochs, before any search.
+/// Diagnoses several recordings of a scenario's machines, one after the other. Each is diagnosed by
+/// itself, and its findings are tested on all others. Before any search, throws InputError for an
+/// unreadable recording, a repeated name or overlapping epochs.
 std::vector<DiagnosedRecording> DiagnoseRecordings(
     const Scenario& scenario, const std::vector<std::filesystem::path>& recordings,
     const DiagnosisTask& task, const FollowProgress& progress, StageClock* clock);

@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// A block and its diagnosis. The findings point into the block's candidates: it is moved, not
+/// A block and its diagnosis. The findings point into the block's candidates, so it is moved, never
 /// copied.
 struct DiagnosedBlock {
   DiagnosedBlock() = default;

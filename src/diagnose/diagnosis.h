@@ -19,42 +19,41 @@
 
 namespace tera {
 
-/// Why one machine's recording differs from its simulation.
+/// Diagnosis of the differences between one machine's recording and its simulation.
 struct Diagnosis {
   std::string machine;                    ///< its name in the recording
-  std::string scenario;                   ///< its name in the scenario, to which the overlay speaks
-  TimeNs start_ns = 0;                    ///< time in the recording from which all times count
-  bool levers_are_the_scenarios = false;  ///< since the recording has none
+  std::string scenario;                   ///< its name in the scenario, which the overlay uses
+  TimeNs start_ns = 0;                    ///< time in the recording to which all times refer
+  bool levers_are_the_scenarios = false;  ///< the recording has none
   std::vector<DiagnosedBlock> blocks;
-  DiagnosedSensors sensors;  ///< units, receivers, encoders and poses beside each other
-  std::vector<MissingInput> missing_input;  ///< axes whose levers explain nothing, not searched
-  /// Time by which encoders run ahead of levers; none where they do not.
+  DiagnosedSensors sensors;  ///< comparison of units, receivers, encoders and poses with each other
+  std::vector<MissingInput> missing_input;  ///< axes that their levers do not explain; not searched
+  /// Time by which encoders run ahead of levers; none without a lead.
   std::optional<double> encoder_lead_s = {};
-  std::vector<std::string> not_compared;  ///< measurements that were not compared, and why
+  std::vector<std::string> not_compared;  ///< measurements that were not compared, with the reason
   /// Samples at which loose ground may let the base lag behind its tracks.
   std::vector<ExcludedSamples> excluded_samples;
-  std::vector<PerceptionDiagnosis> perception;  ///< of sensors that measure ranges
-  /// The levers that would resolve what this recording leaves ambiguous; none where nothing is, or
-  /// no levers would.
+  std::vector<PerceptionDiagnosis> perception;  ///< of ranging sensors and cameras
+  /// Levers that would resolve this recording's ambiguities; none if there are none, or no levers
+  /// would.
   std::optional<NextManoeuvre> next;
-  std::vector<HeldOutRecording> held_out;  ///< further recordings, as they were given
-  /// Corrections of predictions for what replays lack of the simulation, one for each channel of
-  /// joints, tracks and the base.
+  std::vector<HeldOutRecording> held_out;  ///< further recordings, in the given order
+  /// Corrections of predictions for the replay's discrepancy, one for each channel of joints,
+  /// tracks and the base.
   std::vector<DiscrepancyCorrection> discrepancy_corrections;
-  std::optional<WholeSimulation> whole;  ///< none where nothing was found, or it was not asked for
-  SiteOrigin origin;                     ///< of the scenario's W on the earth, for maps
+  std::optional<WholeSimulation> whole;  ///< none without findings, or if not requested
+  SiteOrigin origin;                     ///< geodetic origin of the scenario's W, for maps
 };
 
-/// The answers of a diagnosis, of which several may hold.
+/// Verdicts of a diagnosis; several may hold.
 enum class Verdict { kNone, kNamed, kClass, kUnexplained, kUntestable };
 
 /// The verdict's name as in diagnosis.json: "named".
 std::string_view NameOf(Verdict verdict);
 
-/// The verdicts of a diagnosis: kNone where nothing was found and nothing is left of the blocks
-/// that could be judged; kNamed and kClass by the findings; kUnexplained where error is left;
-/// kUntestable where something could not be compared or judged, or a candidate would not have been
-/// seen at any size.
+/// The verdicts of a diagnosis. kNone: no finding, and no error left in the blocks that could be
+/// judged. kNamed and kClass: by the findings. kUnexplained: error is left. kUntestable: something
+/// could not be compared or judged, or a candidate is undetectable at any size.
 std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis);
 
 }  // namespace tera

@@ -12,7 +12,7 @@ namespace {
 constexpr double kLongestLead_s = 0.5;
 /// Share of the rate's energy that the best shift must explain: with less, nothing can be said.
 constexpr double kLeastExplainedShare = 0.5;
-/// What the best shift leaves unexplained, over what no shift leaves: a lead must halve it.
+/// Residual of the best shift over that without a shift; a lead must halve it.
 constexpr double kMostLeftOfUnshifted = 0.5;
 /// Difference of the leads of two encoders, over the largest: a clock gives all of them the same.
 constexpr double kMostSpread = 0.25;

@@ -7,15 +7,14 @@
 
 namespace tera {
 
-/// The time by which encoders run ahead of the levers that move their joints. Nothing moves before
-/// it is commanded to, so that a lead shows that the clocks differ.
+/// Time by which encoders run ahead of the levers that move their joints. No joint moves before its
+/// command, so a lead shows that the clocks differ.
 ///
-/// Model   for each joint or track that a lever drives, the shift of its rate, up to 0.5 s, at
-///         which the rate that the scenario predicts explains most of it. It is a lead if it is
-///         0.04 s or more and leaves at most half of what the unshifted prediction leaves
-///         unexplained. The result is the mean, where at least two encoders move and all of them
-///         agree to a quarter.
-/// Omits   clocks that drift; a lead that single joints have.
+/// Model   for each joint or track with a lever, the shift of its rate, up to 0.5 s, at which the
+///         scenario's predicted rate explains most of it. It is a lead if it exceeds 0.04 s,
+///         explains at least half and leaves at most half of the unshifted prediction's residual.
+///         The result is the mean, if at least two encoders move and all agree within a quarter.
+/// Omits   clocks that drift; a lead of single joints.
 std::optional<double> EncoderLead_s(const std::vector<ReplayBlock>& blocks);
 
 }  // namespace tera

@@ -9,12 +9,12 @@
 #include "diagnose/search/fit/replay_block.h"
 #include "physics/description/machine.h"
 
-// Checks of a recording before anything is compared with it. Each check throws InputError that says
-// where, what was found, what is needed, and which unit it may be in; nothing is ever converted.
+// Checks of a recording before any comparison. Each throws InputError with place, finding, need and
+// the likely unit; none converts anything.
 
 namespace tera {
 
-/// The place of a recording's files, for messages.
+/// Place of a recording's files, for messages.
 struct RecordedPlace {
   std::string directory, machine;
 };
@@ -30,22 +30,23 @@ void CheckClocks(const RecordedPlace& place, const TableRecording& commands,
                  const std::vector<std::vector<GnssSample>>& gnss,
                  const std::vector<TruthPose>& poses);
 
-/// Checks that no column is constant while its lever, or the joint's other column, moves, and that
-/// rates over changes of positions, and positions over the joints' limits, are no factors of units.
+/// Checks that no column is constant while its lever, or the joint's other column, moves. Checks
+/// that the ratios of rates to changes of positions, and of positions to the joints' limits, are no
+/// unit factors.
 void CheckEncoders(const RecordedPlace& place, const TableRecording& commands,
                    const std::vector<NamedEncoders>& encoders, const MachineModel& model);
 
 /// Checks that no axis of a triad is constant while another one changes, and that specific forces
-/// are about that of gravity. `channel` is the unit's folder.
+/// are about gravity. `channel` is the unit's folder.
 void CheckImu(const RecordedPlace& place, const std::string& channel,
               const std::vector<ImuSample>& samples);
 
-/// Checks that no position is constant while the machine drives, and that none is a multiple of the
-/// machine's by a factor of units. `channel` is the receiver's folder.
+/// Checks that no position is constant while the machine drives, and that none differs from the
+/// machine's by a unit factor. `channel` is the receiver's folder.
 void CheckGnss(const RecordedPlace& place, const std::string& channel,
                const std::vector<GnssSample>& samples, const std::vector<TruthPose>& poses);
 
-/// Checks that no channel is a multiple of its replay's prediction by a factor of units.
+/// Checks that no channel differs from its replay's prediction by a unit factor.
 void CheckUnitsOf(const RecordedPlace& place, const std::vector<ReplayBlock>& blocks);
 
 }  // namespace tera

@@ -5,15 +5,15 @@
 
 namespace tera {
 
-/// Stamps encoders when they measured, where the estimate names their clock and nothing that might
-/// be it instead, and the levers bear it out: else each joint would be told to answer late as well.
+/// Moves encoder stamps to the times of measurement, if the estimate names their clock without
+/// rivals and the levers confirm it. Otherwise each joint would seem to have a delay too.
 ///
-/// Model   against the sensors alone an encoder that is late is the same as all others that are
-///         early. Levers tell: rates of joints and gears as the scenario predicts them, with a
-///         factor and white noise of any size, are likelier at the times of one clock than of the
-///         other, all together. Where the levers share the encoders' clock, or say nothing, stamps
-///         stay.
+/// Model   among sensors alone, late encoders are equivalent to all other sensors being early.
+///         Levers decide: rates of joints and gears as predicted by the scenario, with a factor and
+///         white noise of any size, are jointly likelier at the times of one clock than of the
+///         other. Stamps stay if the levers share the encoders' clock, or if levers do not decide.
 /// Omits   delays of drives, which make the later stamps likelier.
+///
 /// Returns whether any stamp has changed.
 bool StampEncodersAnew(const DiagnosisInput& input, const SensorDiagnosis& estimate,
                        const BlockOptions& options, Measurements* measured);

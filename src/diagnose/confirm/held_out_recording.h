@@ -8,26 +8,27 @@
 
 namespace tera {
 
-/// One channel of a held-out recording, predicted without and with what was found in another one.
+/// One channel of a held-out recording, predicted without terms and with another recording's
+/// findings.
 struct HeldOutChannel {
   std::string channel, unit;
   double rmse_before = 0, rmse_after = 0;
-  double p = 1;  ///< of so steady a gain, by chance
+  double p = 1;  ///< p-value of so steady a gain
 };
 
-/// The validation of a diagnosis on a recording that it has not seen.
+/// Validation of a diagnosis on a held-out recording.
 struct HeldOutRecording {
   std::string recording;  ///< its name in reports
   std::vector<HeldOutChannel> channels;
-  std::vector<std::string> missing;  ///< blocks with findings whose channels it lacks
+  std::vector<std::string> missing;  ///< blocks with findings whose channels are missing in it
 };
 
-/// Validates findings on one block of a held-out recording: replays it without any term and with
-/// all that the diagnosis found in the block of the same name.
+/// Validates findings on one block of a held-out recording: replays it without any term, and with
+/// all findings of the block of the same name.
 ///
 /// Model   nuisances (likelihood.h) are fitted to the held-out recording in both cases, so that
-///         their gain counts for neither; the noise is that beside the flexible regressor. RMSE
-///         over all samples.
+///         their gain cancels. The noise is estimated with the flexible regressor. RMSE over all
+///         samples.
 std::vector<HeldOutChannel> ValidateOnBlock(const ReplayBlock& further, const Structure& found,
                                             const Stream& stream);
 

@@ -14,14 +14,13 @@
 
 namespace tera {
 
-/// A held-out recording, which nothing is fitted to, of the machine that is diagnosed.
+/// A held-out recording of the diagnosed machine, to which nothing is fitted.
 struct HeldOutCase {
   DiagnosisInput input;
   std::shared_ptr<const Recording> recording;
 };
 
-/// A held-out recording's measurements, what the simulation does in it (if it was asked), and
-/// blocks.
+/// A held-out recording's measurements, simulated course (if requested), and blocks.
 struct HeldOutBlocks {
   HeldOutCase given;
   Measurements measured;
@@ -29,19 +28,18 @@ struct HeldOutBlocks {
   std::vector<ReplayBlock> blocks;
 };
 
-/// Reads a held-out recording. Its blocks are corrected for what replays lack of the simulation,
-/// unless `simulate` is empty. Throws InputError where it cannot be compared.
+/// Reads a held-out recording. Its blocks are corrected for the replay's discrepancy, unless
+/// `simulate` is empty. Throws InputError where it cannot be compared.
 HeldOutBlocks ReadHeldOut(const HeldOutCase& given, const SimulateMachine& simulate, int threads,
                           std::uint64_t seed);
 
-/// Stamps poses and encoders of a held-out recording when they measured, where the estimate of the
-/// first recording names their clocks, as StampPosesAnew and StampEncodersAnew do; its blocks are
-/// then made anew.
+/// Moves stamps of poses and encoders of a held-out recording to their times of measurement, where
+/// the estimate of the first recording names their clocks, as StampPosesAnew and StampEncodersAnew
+/// do. Then rebuilds its blocks.
 void StampAnew(const SensorDiagnosis& estimate, int threads, std::uint64_t seed,
                HeldOutBlocks* held_out);
 
-/// Validates a diagnosis on a held-out recording, whose sensors are compared as those of the first
-/// were.
+/// Validates a diagnosis on a held-out recording, with the same sensor comparison as in the first.
 HeldOutRecording ValidateHeldOut(const std::vector<DiagnosedBlock>& diagnosed,
                                  const BlockOptions& options, std::uint64_t seed,
                                  HeldOutBlocks* held_out);

@@ -7,23 +7,23 @@
 
 namespace tera {
 
-/// Two explanations of one block, of which an experiment should tell that the first is true and not
-/// the second.
+/// Two hypotheses on one block. An experiment should show that the first is true and the second is
+/// not.
 struct RivalPair {
   Structure truth, alternative;
 };
 
-/// Explanations of one block between which a recording does not decide.
+/// Hypotheses on one block that a recording does not discriminate.
 struct AmbiguitySet {
   std::vector<std::string> members;  ///< identifiers; "nothing" for no effect
-  bool is_class = false;             ///< of a finding; else of a mechanism that was not testable
+  bool is_class = false;             ///< class of a finding; else a mechanism that was not testable
   std::vector<RivalPair> pairs;
 };
 
-/// The ambiguity sets that a diagnosis leaves of a block. Each finding's class makes one: every
-/// member against every other one and against none of them. Each mechanism that could not have been
-/// seen makes one: half of its largest size, beside all that was found, against nothing. Members of
-/// a class are fitted to TRAIN and SELECT. The terms point to the block's candidates.
+/// The ambiguity sets that a diagnosis leaves for a block. Each finding's class is one: every
+/// member against every other, and against none. Each undetectable mechanism is one: half of its
+/// largest size, added to all findings, against nothing. Members of a class are fitted to TRAIN and
+/// SELECT. The terms point to the block's candidates.
 std::vector<AmbiguitySet> AmbiguitySetsOf(const ReplayBlock& block,
                                           const BlockDiagnosis& diagnosis);
 

@@ -11,31 +11,31 @@
 
 namespace tera {
 
-/// An ambiguity set, and how surely a run of levers resolves it.
+/// An ambiguity set, and the probability that a run of levers resolves it.
 struct DiscriminatedSet {
   std::string target;                ///< joint or gear
   std::vector<std::string> members;  ///< identifiers; "nothing" for no effect
-  bool is_class = false;             ///< of a finding; else of a mechanism that was not testable
-  /// Probability that a diagnosis of the run says which member holds: the smallest over which one
-  /// does.
+  bool is_class = false;             ///< class of a finding; else a mechanism that was not testable
+  /// Probability that a diagnosis of the run identifies the true member: the minimum over the
+  /// members.
   double power = 0;
 };
 
-/// A run of levers that a recording should have to say what this one does not.
+/// A run of levers whose recording would answer this recording's open questions.
 struct NextManoeuvre {
   std::string description;  ///< what is driven
   TableRecording commands;  ///< every lever of the machine, as commands.csv has them
   double duration_s = 0;    ///< with the rest at its end
   std::vector<DiscriminatedSet> discriminated, not_discriminated;
-  /// Ambiguous joints and gears that this run has no time for.
+  /// Ambiguous joints and gears for which this run has no time.
   std::vector<std::string> deferred;
   double power = 0;  ///< the smallest over `discriminated`
 };
 
 struct NextManoeuvreOptions {
-  double rest_s = 4;     ///< of all levers at the end, which shows slow noise
+  double rest_s = 4;     ///< of all levers at the end, to show slow noise
   double step_s = 0.01;  ///< of the replay
-  double alpha = 0.01;   ///< as in SearchOptions, all tests together
+  double alpha = 0.01;   ///< as in SearchOptions, over all tests together
   std::size_t total_candidates = 0;
 };
 
@@ -45,22 +45,22 @@ struct DiagnosedAxis {
   const BlockDiagnosis* diagnosis = nullptr;
 };
 
-/// Designs the run that discriminates the explanations between which a diagnosis of joints and
-/// gears did not decide (ambiguity_set.h). Axes with a class of causes come first, then those that
-/// could not be judged, then those with mechanisms that could not be seen.
+/// Designs the run that discriminates the hypotheses left open by a diagnosis of joints and gears
+/// (ambiguity_set.h). Axes with a class of causes come first, then those that could not be judged,
+/// then those with undetectable mechanisms.
 ///
-/// Model   excitations of each axis (excitation.h) are predicted from the middle of the range that
-///         the recording shows, at least what full lever does in 0.8 s, and chosen greedily
-///         (greedy_design.h). They are driven one after another from the machine's initial
-///         position, mirrored or after a move to the middle where they would leave the range, of
-///         which a twentieth is kept free on either side. Steps are added until a diagnosis has
-///         ample manoeuvres. What has a power of a half (discrimination_power.h) counts as
+/// Model   excitations of each axis (excitation.h) are predicted from the middle of the range in
+///         the recording, which is at least the travel of full lever in 0.8 s. They are chosen
+///         greedily (greedy_design.h) and driven one after another from the machine's initial
+///         position. Where they would leave the range, less a twentieth at either end, they are
+///         mirrored or preceded by a move to the middle. Steps are added until a diagnosis has
+///         ample manoeuvres. A set with a power of 0.5 (discrimination_power.h) counts as
 ///         discriminated.
-/// Omits   the ground and the machine's own parts in the way, other than that the recording was
-///         there; base and inertial units; what moving several joints at once would show beyond the
-///         load.
+/// Omits   collisions with the ground and with the machine itself, except that the recording
+///         reached these positions; base and inertial units; effects of moving several joints at
+///         once, beyond the load.
 ///
-/// None where nothing is ambiguous or nothing of it would be discriminated.
+/// None if there is no ambiguity, or if no part of it would be discriminated.
 std::optional<NextManoeuvre> DesignNextManoeuvre(const MachineModel& model,
                                                  const std::vector<DiagnosedAxis>& blocks,
                                                  const NextManoeuvreOptions& options,

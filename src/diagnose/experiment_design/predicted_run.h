@@ -12,7 +12,7 @@
 
 namespace tera {
 
-/// A run of levers that has not been driven yet, predicted as a recording would hold it.
+/// A future run of levers, predicted in the form of a recording.
 struct PredictedRun {
   TableRecording commands;
   NamedEncoders encoders;       ///< of all joints and gears
@@ -27,19 +27,19 @@ struct PredictionSteps {
   double period_s = 0.01;  ///< of the encoders
 };
 
-/// Predicts what a machine does under moves of its levers, from given positions of its joints.
+/// Predicts a machine's motion under moves of its levers, from given positions of its joints.
 ///
-/// Model   the chain of actuation with the model's effects; a joint moves as its drive asks.
-///         Encoders measure it without noise, but for what keeps two samples from being equal.
+/// Model   the chain of actuation with the model's effects; a joint follows its drive's demand.
+///         Encoders measure it with only as much noise as keeps two samples from being equal.
 /// Omits   inertia, end stops, the ground.
 PredictedRun PredictRun(const MachineModel& model, const std::vector<LeverMove>& moves,
                         double length_s, std::vector<double> start_rad,
                         const PredictionSteps& steps);
 
-/// One run after the other, each from its own positions.
+/// Runs joined in time, each from its own positions.
 PredictedRun Concatenated(const std::vector<PredictedRun>& runs);
 
-/// The block of an axis over a predicted run; none where the run is too short for one.
+/// The block of an axis over a predicted run; none if the run is too short.
 std::optional<ReplayBlock> BlockOf(const MachineModel& model, const PredictedRun& run,
                                    std::size_t axis, double step_s);
 

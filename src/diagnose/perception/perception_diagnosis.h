@@ -12,12 +12,12 @@
 
 namespace tera {
 
-/// A finding of a sensor that measures ranges or takes pictures: of the sensor itself, everywhere
-/// and all the time, or of the scene.
+/// A finding of a ranging sensor or camera: of the sensor itself, everywhere and at all times, or
+/// of the scene.
 struct PerceptionFinding {
   /// Its errors are distances to the simulated surfaces or edges, on FINAL.
   Finding finding;
-  /// Where on the site a finding of the scene lies.
+  /// Place on the site of a finding in the scene.
   struct Place {
     Vec2 centre_W_m = Vec2::Zero(), low_W_m = Vec2::Zero(), high_W_m = Vec2::Zero();
   };
@@ -25,9 +25,9 @@ struct PerceptionFinding {
   std::vector<std::pair<double, double>> intervals_s;  ///< when; empty: all the time
 };
 
-/// Why the scans of one lidar, or the pictures of one camera, differ from the simulation of the
-/// same on the recorded trajectory. The findings point into its candidates: it is moved, not
-/// copied.
+/// Causes of the differences between one lidar's scans, or one camera's pictures, and their
+/// simulation on the recorded trajectory. The findings point into its candidates, so it is moved,
+/// never copied.
 struct PerceptionDiagnosis {
   PerceptionDiagnosis() = default;
   PerceptionDiagnosis(PerceptionDiagnosis&&) = default;
@@ -35,21 +35,21 @@ struct PerceptionDiagnosis {
 
   std::string channel;     ///< "excavator1/lidar_roof"
   std::string target;      ///< the sensor's name in the scenario
-  std::string not_judged;  ///< why; empty where it is judged
-  std::string unit = "m";  ///< of distances to what is simulated; of pictures "px"
+  std::string not_judged;  ///< reason; empty if judged
+  std::string unit = "m";  ///< of distances to the simulation; "px" for pictures
   std::size_t scans = 0;   ///< or pictures
   std::vector<Candidate> sensor_candidates;
-  std::deque<Candidate> scene_candidates;  ///< those that were found
-  double noise_rmse = 0;  ///< of the distances that a fit of all candidates of the sensor leaves
+  std::deque<Candidate> scene_candidates;  ///< candidates of the scene that were found
+  double noise_rmse = 0;  ///< of the residual distances after a fit of all the sensor's candidates
   std::vector<ParameterDetectability> detectability;  ///< of the sensor's candidates
-  GroundMap ground;  ///< under the calibration that was found; none of pictures
+  GroundMap ground;  ///< under the fitted calibration; empty for pictures
   std::vector<PerceptionFinding> findings, unconfirmed;
 
   bool is_judged() const { return not_judged.empty(); }
   bool found_nothing() const { return findings.empty(); }
 };
 
-/// The diagnosis of a sensor of which nothing can be said, for the reason `why`.
+/// The diagnosis of a sensor that cannot be judged, for the reason `why`.
 PerceptionDiagnosis NotJudged(const std::string& channel, const std::string& target,
                               const std::string& why);
 

@@ -60,7 +60,7 @@ PerceptionDiagnosis DiagnoseRanges(const Scenario& scenario, const Recording& re
   return DiagnoseScans(source, scenario.seed);
 }
 
-/// What renders pictures, where some sensor takes them. Without OpenGL these are not judged.
+/// Renderer of pictures, if some sensor takes them. Without OpenGL these are not judged.
 std::unique_ptr<PictureCaster> PainterFor(
     std::vector<RecordedSensor>* sensors,
     const std::function<std::unique_ptr<PictureCaster>()>& make) {

@@ -10,17 +10,17 @@
 
 namespace tera {
 
-/// What of a recording is looked at, and by how much of this computer.
+/// Parts of a recording to compare, and the threads to use.
 struct PerceptionOptions {
   RecordedPart part;
   int threads = 1;
 };
 
-/// Compares what the lidars and cameras of a scenario recorded with what they would see on
-/// the recorded trajectory: one list a machine, one entry for each of its sensors that the
-/// recording has. `names`: of the machines, in the recording.
+/// Compares the lidar and camera data of a recording with their simulation on the recorded
+/// trajectory: one list for each machine, with one entry for each of its recorded sensors. `names`
+/// are the machines' names in the recording.
 ///
-/// Throws InputError where a recorded file is not as it must be.
+/// Throws InputError for an invalid recorded file.
 std::vector<std::vector<PerceptionDiagnosis>> RunPerception(const Scenario& scenario,
                                                             const std::vector<std::string>& names,
                                                             const Recording& recording,

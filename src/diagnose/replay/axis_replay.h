@@ -10,16 +10,16 @@
 
 namespace tera {
 
-/// The chain of actuation alone, driven by recorded levers at measured positions and loads: the
-/// rates that the joints and gears of a machine with other effects would have had in the same
-/// place. Errors stay where they arise and do not drift.
+/// The actuation chain alone, driven by recorded levers at measured positions and loads. Gives the
+/// rates that a machine's joints and gears with other effects would have had at these positions.
+/// Errors stay where they arise and do not drift.
 ///
-/// Model   Actuation over the steps of the log. A joint moves as its drive asks, as fast as its
-///         full effort less its load accelerates the links beyond it.
-/// Omits   joints that the ground or their end stops hold up; the inertia of other joints that move
+/// Model   Actuation over the steps of the log. A joint follows its drive's demand, limited by the
+///         acceleration of the links beyond it under full effort minus load.
+/// Omits   joints that the ground or their end stops support; the inertia of other joints that move
 ///         or yield and of the gears; limits of effort by position and direction; `payload`, whose
-///         weight is not in the log's loads; the messages that `command_drops` lost, for it draws
-///         its own.
+///         weight is not in the log's loads; the messages lost by `command_drops`, which draws its
+///         own.
 class AxisReplay {
  public:
   /// Both must outlive it.
@@ -34,18 +34,17 @@ class AxisReplay {
   const AxisLog& log_;
 };
 
-/// The effects of an axis, and of the pump that feeds it.
+/// Effects of an axis, and of the pump that feeds it.
 struct AxisEffects {
   Effects axis, pump;
 };
 
-/// The chain of one axis, which a search evaluates thousands of times. The demand of the pump's
-/// other functions is fixed (pump_demand.h); an axis that several pumps feed gets all that it asks
-/// for.
+/// The chain of one axis, for the thousands of evaluations of a search. The demand of the pump's
+/// other functions is fixed (pump_demand.h). An axis fed by several pumps gets its full demand.
 class LoneAxisReplay {
  public:
-  /// The chain of the axis of one of the log's measured rates, or of some of its samples. All
-  /// arguments are copied as far as they are needed.
+  /// The chain of the axis of one of the log's measured rates, or of some of its samples. Copies
+  /// what it needs of all arguments.
   LoneAxisReplay(const MachineModel& model, const AxisLog& log, const MeasuredRate& measured);
 
   /// Nominal numbers of the axis, as factors on those of its model.
@@ -61,12 +60,11 @@ class LoneAxisReplay {
     return Predict(effects, Nominal());
   }
 
-  /// For each of the measured rate's times, whether the rate falls short of what the drive asks
-  /// for, then or since the time before, because full effort does not accelerate the masses so
-  /// fast.
+  /// For each of the measured rate's times, whether full effort is too weak to accelerate the
+  /// masses as demanded, at that time or since the previous one.
   std::vector<bool> FallsShort(const AxisEffects& effects, const Nominal& nominal) const;
 
-  /// The same, with what was learned of the axis in place of what the model has.
+  /// The same, with `learned` in place of the model's learned effect.
   LoneAxisReplay With(const LearnedEffect& learned) const;
 
   /// The model's effects.
@@ -74,7 +72,7 @@ class LoneAxisReplay {
   const std::optional<PumpDemand>& pump() const { return pump_; }
 
  private:
-  /// The rate that the drive asks for at the end of a step, and the rate that results.
+  /// The drive's demanded rate at the end of a step, and the resulting rate.
   struct Rates {
     double asked_radps = 0, rate_radps = 0;
   };
@@ -91,7 +89,7 @@ class LoneAxisReplay {
   std::vector<double> lever_, at_step_;
   std::vector<double> levers_;  ///< of all axes, steps x axes
   std::vector<AxisMotion> motion_;
-  std::vector<double> change_radpspnm_;  ///< of the rate in a step, by effort; 0: no inertia
+  std::vector<double> change_radpspnm_;  ///< change of rate per step and effort; 0: no inertia
   std::optional<PumpDemand> pump_;
 };
 

@@ -21,21 +21,21 @@ struct BaseInstant {
 struct BaseInterval {
   TimeNs from_ns = 0, to_ns = 0;  ///< stamps of the poses
   TimeNs measured_from_ns = 0,
-         measured_to_ns = 0;         ///< when they were measured, if the stamps are arrivals
+         measured_to_ns = 0;         ///< times of measurement, if the stamps are arrivals
   PlanarTwist twist;                 ///< mean, by the poses and their stamps
-  std::size_t first = 0, count = 0;  ///< instants in it; one at least
+  std::size_t first = 0, count = 0;  ///< its instants, at least one
 };
 
-/// The motion of one machine's running gear and base over time, over which the ground is replayed.
+/// Motion of one machine's running gear and base over time, input to the replay of the ground.
 ///
 /// Frames  B root link. The twist is that of the middle of the contact with the ground, forward and
 ///         left of the heading half-way, and about B's z axis.
-/// Model   rates are means over a step by the gears' angles, or, where these do not belong to the
-///         rates, linear between samples; attitudes those of the nearer pose; instant k is
-///         that of the middle of step k. Poses that are far apart in time say nothing of the path
-///         in between and bound no interval.
+/// Model   rates are means over a step from the gears' angles; where these contradict the rates,
+///         they are interpolated linearly between samples. Attitudes are those of the nearer pose.
+///         Instant k is the middle of step k. Poses far apart in time do not determine the path
+///         between them and bound no interval.
 /// Omits   the ground's forces on bucket and blade. Attitudes, and corrections for a replay's
-///         discrepancy, stay where the stamps have them, whatever these are of.
+///         discrepancy, keep the stamps' times, even if these are arrivals.
 struct BaseLog {
   static constexpr TimeNs kStep_ns = 50'000'000;  ///< rates of gears change little in it
 
@@ -45,15 +45,15 @@ struct BaseLog {
   bool may_be_arrivals = false;  ///< the stamps of poses
 };
 
-/// Whether there is a time at which all gears and the base's poses are known, as MakeBaseLog needs.
+/// Whether all gears and the base's poses are known at some common time, as MakeBaseLog requires.
 /// Throws InputError where the encoders lack a gear.
 bool HaveCommonTime(const MachineModel& model, const std::vector<NamedEncoders>& encoders,
                     const std::vector<TruthPose>& poses);
 
-/// Joints that no encoder measures stay as the model has them at first. Throws InputError where
-/// gears and poses have no time in common, or the encoders lack a gear. `interval_s` is the least
-/// length of an interval: shorter ones hold more noise than motion; `arrivals` when the poses were
-/// measured, if their stamps are those of their arrival.
+/// Joints without encoder keep the model's initial positions. Throws InputError where gears and
+/// poses have no common time, or the encoders lack a gear. `interval_s` is the least length of an
+/// interval; noise would dominate shorter ones. `arrivals` has the poses' times of measurement, if
+/// their stamps are arrivals.
 BaseLog MakeBaseLog(const MachineModel& model, const std::vector<NamedEncoders>& encoders,
                     const std::vector<TruthPose>& poses, double interval_s,
                     const std::optional<PoseTimes>& arrivals = {});

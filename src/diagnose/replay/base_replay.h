@@ -11,7 +11,7 @@ namespace tera {
 /// The meaning of the stamps of poses.
 struct PoseStamps {
   bool of_arrival = false;  ///< the stamps are of arrival, else of measurement
-  double late_s = 0;        ///< by which all stamps are late
+  double late_s = 0;        ///< delay of all stamps
 };
 
 /// Limits of the ground on a machine's acceleration.
@@ -20,24 +20,23 @@ struct Grip {
   double yaw_inertia_kgm2;  ///< of the machine; above 0
 };
 
-/// The ground slot alone, driven by the measured rates of the running gear and the base's measured
-/// attitude: the motion of the base that tracks with other effects would have caused.
+/// The ground slot alone, driven by measured rates of the running gear and the base's measured
+/// attitude. Gives the base's motion on tracks with other effects.
 ///
 /// Frames  B root link; twists as in BaseLog.
-/// Model   MoveOnTracks in every step, summed over the time between the measurements of an
-///         interval's poses, and divided by the time between their stamps for the mean twist.
-///         Where a grip is given, the machine gains and loses speed, forward and turning, no faster
-///         than friction under either side pushes its mass and turns its inertia; it begins as it
-///         was measured first.
-/// Omits   inertia sideways, gravity along a slope, limits of the motors, what friction does
-///         against turning, forces of the ground on tools.
+/// Model   MoveOnTracks in every step, summed between the measurements of an interval's poses, and
+///         divided by the time between their stamps for the mean twist. With a grip, friction under
+///         either side limits the acceleration of mass and inertia, forward and turning. The
+///         machine starts with its first measured motion.
+/// Omits   lateral inertia, gravity along a slope, limits of the motors, friction against turning,
+///         forces of the ground on tools.
 class BaseReplay {
  public:
   /// Both must outlive it.
   BaseReplay(const MachineModel& model, const BaseLog& log) : model_(model), log_(log) {}
 
-  /// Mean twists with `base` in place of the model's own effects, one an interval. Without a grip
-  /// the machine follows its tracks at once.
+  /// Mean twists with `base` in place of the model's own effects, one for each interval. Without a
+  /// grip the machine follows its tracks at once.
   std::vector<PlanarTwist> Predict(const Effects& base, const PoseStamps& stamps = {},
                                    const std::optional<Grip>& grip = {}) const;
 

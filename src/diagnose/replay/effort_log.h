@@ -10,15 +10,14 @@
 
 namespace tera {
 
-/// The measured effort of a joint's drive, and the measured motion.
+/// Measured effort of a joint's drive, and the measured motion.
 ///
-/// Model   position is smoothed by a Gaussian of -3 dB at `band_hz`; rate and acceleration are its
-///         convolutions with the Gaussian's derivatives, so that no raw signal is differentiated
-///         and none is delayed. Effort and a replay's friction pass the same Gaussian. `inertial`
-///         and `weight` are those of all links beyond the joint, moved as all joints were measured,
-///         on a machine that stands still and level; joints without encoder stay at their initial
-///         position.
-/// Omits   soil on tools, the ground, a base that moves.
+/// Model   position is smoothed by a Gaussian of -3 dB at `band_hz`. Rate and acceleration are its
+///         convolutions with the Gaussian's derivatives, so that no raw signal is differentiated or
+///         delayed. Effort and a replay's friction pass the same Gaussian. `inertial` and `weight`
+///         are those of all links beyond the joint, with the measured motion of all joints, on a
+///         level machine at rest. Joints without encoder keep their initial position.
+/// Omits   soil on tools, the ground, a moving base.
 struct EffortLog {
   std::string channel;  ///< "emps1/efforts/carriage_n"
   std::size_t joint = 0;
@@ -30,10 +29,10 @@ struct EffortLog {
   /// Gaussian over the fine steps, odd in number, of sum 1.
   std::vector<double> kernel;
 
-  /// The grid of the comparison, with four samples per period of the band, since the Gaussian
-  /// passes some of what is beyond: the fine step of each sample, and the quantities there. There
-  /// is a gap where effort or motion was not measured, and where the joint rested, since friction
-  /// then bears any load.
+  /// Grid of the comparison: the fine step of each sample, and the quantities there. It has four
+  /// samples per period of the band, since the Gaussian passes some content above it. Gaps are
+  /// where effort or motion was not measured, and where the joint rested, since static friction
+  /// then takes any load.
   TimeNs first_ns = 0;
   std::vector<std::size_t> at_fine;
   Series measured;
@@ -41,8 +40,7 @@ struct EffortLog {
 };
 
 /// One log for each column of `efforts` that names a joint of the machine with an encoder; other
-/// columns are ignored. Throws InputError where a column is of the wrong kind (_n of a joint that
-/// turns).
+/// columns are ignored. Throws InputError for a column of the wrong kind (_n for a revolute joint).
 std::vector<EffortLog> MakeEffortLogs(const MachineModel& model, const std::string& channel,
                                       const TableRecording& efforts,
                                       const std::vector<NamedEncoders>& encoders);

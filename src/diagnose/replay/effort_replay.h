@@ -7,10 +7,10 @@
 
 namespace tera {
 
-/// The effort that a joint's drive would have needed for the measured motion.
+/// Effort of a joint's drive for the measured motion.
 ///
-/// Model   effort = inertial + weight + friction(rate) + offset, with friction and offset those of
-///         the simulator's slot load_friction, through the log's Gaussian.
+/// Model   effort = inertial + weight + friction(rate) + offset, with friction and offset of the
+///         simulator's slot load_friction, through the log's Gaussian.
 /// Omits   friction at rest, where the log has gaps.
 class EffortReplay {
  public:

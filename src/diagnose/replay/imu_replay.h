@@ -8,53 +8,52 @@
 
 namespace tera {
 
-/// The means of what an inertial unit measured, and the motion of its link.
+/// Means of an inertial unit's measurements, and the motion of its link.
 ///
-/// Frames  S as documented; both quantities expressed in it.
+/// Frames  S as documented; both quantities are expressed in it.
 /// Model   turn rates are means over even intervals; interval k >= 1 ends at clock.Due(k) and is
-///         entry k - 1. Specific forces are smoothed as the replay smooths them, which knows the
+///         entry k - 1. Specific forces have the replay's smoothing, since the replay knows the
 ///         motion at the track's steps alone: in W, by a trapezoid over three steps, and turned
 ///         back into S.
 struct ImuLog {
   SampleClock clock;
-  LinkTrack track;  ///< two steps an interval, from which forces are derived
-  LinkTrack turns;  ///< eight steps an interval, from which turn rates are derived
+  LinkTrack track;  ///< two steps per interval, source of the forces
+  LinkTrack turns;  ///< eight steps per interval, source of the turn rates
   std::vector<Vec3> w_S_radps, f_S_mps2;
   std::vector<bool> known;  ///< whether both measurement and motion are known
 };
 
-/// The length of intervals over which forces can be derived from measured poses; 0 where there are
-/// hardly any poses.
+/// Shortest intervals over which measured poses yield forces; 0 with hardly any poses.
 ///
-/// Model   poses half an interval apart, of noise sigma along each axis, give accelerations of
-///         noise sqrt(6) sigma / (T/2)^2: the shortest T with at most 0.05 m/s^2. Sigma by the
+/// Model   poses half an interval apart, with noise sigma along each axis, give accelerations with
+///         noise sqrt(6) sigma / (T/2)^2. T is the shortest with at most 0.05 m/s^2. Sigma is the
 ///         robust scale of the third differences of positions, over sqrt(20).
-/// Omits   noise of poses that is slower than their steps.
+/// Omits   pose noise slower than their steps.
 double ImuInterval_s(const std::vector<TruthPose>& poses);
 
-/// The log of a unit; it has no intervals where the track is empty or the unit measured nothing
-/// meanwhile.
+/// The log of a unit, without intervals where the track is empty or the unit measured nothing
+/// within it.
 ImuLog MakeImuLog(const MachineModel& model, const SensorDescription& sensor,
                   const std::vector<ImuSample>& samples, const std::vector<NamedEncoders>& encoders,
                   const std::vector<TruthPose>& poses, double interval_s);
 
-/// The samples that an inertial unit would have measured along a measured motion.
+/// Samples of an inertial unit along a measured motion.
 ///
-/// Model   the simulator's own Imu without noise, its documented bias included, at its true mount,
-///         then ImuSlots; samples with other time stamps are interpolated between stamps. Turn
-///         rates are those of the finer track. The Imu runs four times on construction: at its
-///         documented place, and a metre from there along each axis of its link. Its specific force
-///         is linear in its place, and rotating the unit rotates its measurements, so that these
-///         four give the measurements at any mount. Linear errors act on the means over intervals,
-///         the others on eight samples an interval.
-/// Omits   motion faster than the intervals; the errors that draw random numbers (`outliers`,
-///         jitter of `latency`) act, but as drawn here.
+/// Model   the simulator's own Imu without noise, with its documented bias, at its true mount, then
+///         ImuSlots. Samples with other stamps are interpolated between stamps. Turn rates are
+///         those of the finer track. The constructor runs the Imu four times: at its documented
+///         position, and a metre away along each axis of its link. Specific force is linear in
+///         position, and rotating the unit rotates its measurements, so these four give the
+///         measurements at any mount. Linear errors act on the means over intervals, the others on
+///         eight samples per interval.
+/// Omits   motion faster than the intervals. Random errors (`outliers`, jitter of `latency`) act,
+///         but with other draws.
 class ImuReplay {
  public:
   /// Both must outlive it.
   ImuReplay(const SensorDescription& sensor, const ImuLog& log);
 
-  /// Samples at the ends of the log's intervals, with `effects` in place of the sensor's own;
+  /// Samples at the ends of the log's intervals, with `effects` in place of the sensor's own.
   /// `R_WL` is the attitude of the level frame L in a tilted map W.
   std::vector<ImuSample> Predict(const Effects& effects, const Mat3& R_WL = Mat3::Identity()) const;
 
@@ -65,11 +64,12 @@ class ImuReplay {
   struct Carried {
     std::int64_t an_interval = 1;
     std::vector<ImuSample> samples;
-    std::vector<Mat3> f_by_place_1ps2;  ///< change of the force in S by the place in the link
+    std::vector<Mat3> f_by_place_1ps2;  ///< derivative of the force in S by the position in the
+                                        ///< link
     std::vector<Mat3> R_WS;             ///< attitude of the documented unit
   };
   Carried fine_;
-  Carried means_;  ///< over intervals, enough for errors that are linear and do not delay
+  Carried means_;  ///< over intervals, sufficient for linear errors without delay
 };
 
 }  // namespace tera

@@ -7,19 +7,18 @@
 
 namespace tera {
 
-/// The motion of a link at even times.
+/// Motion of a link at even times.
 ///
 /// Frames  W of the poses, L link.
 struct LinkTrack {
   TimeNs start_ns = 0, step_ns = 0;
   std::vector<Pose> X_WL;
-  std::vector<bool> known;  ///< at each time, whether measurements are near enough
+  std::vector<bool> known;  ///< at each time, whether a measurement is near enough
 
   TimeNs t_ns(std::size_t k) const { return start_ns + static_cast<TimeNs>(k) * step_ns; }
-  /// The pose at a time, interpolated; before the first and after the last time, the pose then. The
-  /// track must have times.
+  /// Pose at a time, interpolated; outside the track, the nearest pose. The track must have times.
   Pose At(TimeNs at_ns) const;
-  /// The position of a point of the link at a time, on a straight line between two times.
+  /// Position of a point of the link at a time, linear between two times.
   Vec3 PointAt(TimeNs at_ns, const Vec3& p_L_m) const;
 };
 

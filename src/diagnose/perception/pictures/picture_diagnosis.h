@@ -7,16 +7,15 @@
 
 namespace tera {
 
-/// Whether a camera sits elsewhere, or its clock is off: `extrinsic` and `clock_offset`.
+/// Diagnoses a camera's mount and clock: `extrinsic` and `clock_offset`.
 ///
-/// Model   landmarks of picture_registration.h, searched as ranges are (registration_search.h).
-/// Where
-///         something is found, the pictures are rendered again under it, and searched again, twice.
-///         Not judged: fewer than ten blocks of time, pictures of fewer than 32 pixels
-///         either way, without contrast, fewer than 40
-///         landmarks a picture, pictures that even under the best calibration are not like
-///         the simulated ones (correlation below 0.5, edges further than a pixel).
-/// Omits   the lens, rolling shutter, and what of the scene differs.
+/// Model   landmarks of picture_registration.h, with the search for ranges (registration_search.h).
+///         After a finding, the pictures are rendered under it and searched again, twice. Not
+///         judged: fewer than ten blocks of time; pictures under 32 pixels in width or height, or
+///         without contrast; fewer than 40 landmarks per picture; pictures unlike the simulated
+///         ones even under the best calibration (correlation below 0.5, edges more than a pixel
+///         away).
+/// Omits   the lens, rolling shutter, and differences of the scene.
 PerceptionDiagnosis DiagnosePictures(const PictureSource& source, std::uint64_t seed);
 
 }  // namespace tera

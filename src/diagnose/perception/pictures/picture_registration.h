@@ -11,19 +11,19 @@
 
 namespace tera {
 
-/// Edges of simulated pictures, and how far from them the measured pictures show the same.
+/// Edges of simulated pictures, and their distances from the same edges in measured pictures.
 ///
-/// Frames  W, B, S, C as of PictureSource; T the camera as a calibration has it.
-/// Model   of each square of a thirtieth of the picture's width the pixel of the steepest
-///         brightness is a landmark, one for each degree of blur: the point in space that is seen
-///         there, at the nearest depth of its nine neighbours, since an edge belongs to what stands
-///         before. Under another calibration the landmark moves in the measured picture. Its
-///         residual, in pixels, is the difference of brightness there over the simulated slope; its
-///         derivatives are by the mean of both slopes. Brightness is that of PictureLevels. Noise:
-///         0.1 over the slope, 0.2 pixels, and in blurred pictures, whose reach what is near soon
-///         leaves, a shift of the camera by up to 0.1 m. Beyond the border of the measured picture
-///         a landmark is not judged.
-/// Omits   what comes into sight or is hidden as the camera moves; shadows that move.
+/// Frames  W, B, S, C as in PictureSource; T the camera under a calibration.
+/// Model   landmarks: in each square of a thirtieth of the picture's width, the pixel with the
+///         steepest brightness, one for each level of blur. A landmark is the point in space seen
+///         there, at the nearest depth of its nine neighbours, since an edge belongs to the
+///         foreground. Under another calibration it moves in the measured picture. Its residual, in
+///         pixels, is the difference of brightness there over the simulated slope; its derivatives
+///         use the mean of both slopes. Brightness is that of PictureLevels.
+///         Noise: 0.1 over the slope; 0.2 pixels; in blurred pictures also a shift of the camera by
+///         up to 0.1 m, since near parts soon leave the blur's reach. Landmarks beyond the measured
+///         picture's border are not judged.
+/// Omits   parts that appear or are occluded as the camera moves; moving shadows.
 /// Source  Lucas and Kanade 1981; Engel, Koltun and Cremers 2018, "Direct sparse odometry"; mean of
 ///         slopes: Benhimane and Malis 2004.
 class PictureRegistration {
@@ -48,7 +48,7 @@ class PictureRegistration {
     float value = 0;               ///< simulated brightness
     Vec2 gradient = Vec2::Zero();  ///< of it, a pixel
   };
-  /// What one square of a picture holds at each level.
+  /// Landmarks of one square of a picture, one for each level.
   using Square = std::array<std::optional<Landmark>, PictureLevels::kCount>;
   /// Where a landmark is in the measured picture.
   struct Projection {

@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// Compares recorded with rendered pictures, both reduced to 400 pixels' width at most.
+/// Compares recorded with rendered pictures, both reduced to a width of at most 400 pixels.
 PerceptionDiagnosis DiagnoseCamera(const RecordedSensor& camera, const Recording& recording,
                                    std::uint64_t seed, PictureCaster* caster);
 

@@ -13,11 +13,11 @@
 #include "resimulate/sensor_calibration.h"
 #include "resimulate/simulated_return.h"
 
-/// What a colour camera recorded, and what a simulation of it shows.
+/// Pictures of a recorded colour camera, and their simulation.
 
 namespace tera {
 
-/// One camera's pictures beside the simulation of them.
+/// Pictures of one camera with their simulation.
 ///
 /// Frames  W; B the camera's link; S the sensor as documented; C optical.
 struct PictureSource {
@@ -29,18 +29,19 @@ struct PictureSource {
   Effects present;  ///< of the camera, as the scenario has them
   std::vector<TimeNs> t_ns;
   std::vector<Image<float>> grey;  ///< measured, 0 to 1
-  /// The picture of a frame under a calibration that the camera might have; nothing where it is not
-  /// known where the camera then was.
+  /// The picture of a frame under a possible calibration of the camera; nothing if the camera's
+  /// pose at that time is unknown.
   std::function<std::optional<SimulatedPicture>(std::size_t frame,
                                                 const SensorCalibration& calibration)>
       render;
   /// Motion of the link at the frame's true time.
   std::function<std::optional<BodyState>(std::size_t frame, const SensorCalibration& calibration)>
       link_at;
-  std::function<Vec2(const Vec3& p_C_m)> project;          ///< pixel of a point before it
+  std::function<Vec2(const Vec3& p_C_m)> project;          ///< pixel of a point in front of the
+                                                           ///< camera
   std::function<std::optional<Vec3>(const Vec2& px)> ray;  ///< (x, y, 1) of a pixel
 
-  /// The calibration that the scenario has.
+  /// The scenario's calibration.
   SensorCalibration calibration() const { return CalibrationUnder(X_BS, present); }
 };
 

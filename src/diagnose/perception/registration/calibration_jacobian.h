@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// Elements of a small change of a calibration: p_BT in B, a rotation vector of T about the axes of
-/// B in radians, and the three numbers.
+/// Elements of a small change of a calibration: p_BT in B, a rotation vector of T in B's axes in
+/// radians, and the three scalar parameters.
 enum CalibrationElement {
   kShiftOfMount = 0,
   kTurnOfMount = 3,
@@ -19,12 +19,12 @@ enum CalibrationElement {
 };
 using CalibrationVector = Eigen::Matrix<double, kCalibrationElements, 1>;
 using CalibrationMatrix = Eigen::Matrix<double, kCalibrationElements, kCalibrationElements>;
-/// One row an element, one column a free parameter.
+/// One row for each element, one column for each free parameter.
 using CalibrationJacobian = Eigen::Matrix<double, kCalibrationElements, Eigen::Dynamic>;
 
-/// Derivatives of the calibration under `terms`, each in place of what is `present` of its
-/// mechanism, by the free parameters of the terms in their order: central differences. `X_BS` is
-/// the documented mount.
+/// Derivatives of the calibration by the terms' free parameters, in their order, by central
+/// differences. Each term replaces the scenario's effect of the same mechanism in `present`. `X_BS`
+/// is the documented mount.
 CalibrationJacobian JacobianOf(const Pose& X_BS, const Effects& present, const Structure& terms);
 
 }  // namespace tera

@@ -8,14 +8,15 @@
 
 namespace tera {
 
-/// How far one measured point is from what is simulated, under one calibration: in metres, in
+/// Residual of one measured point against the simulation, under one calibration: in metres, or for
 /// pictures in pixels.
 struct PointResidual {
   std::size_t scan = 0;
-  Surface surface = Surface::kUnknown;  ///< with which the point is associated
-  double distance = 0;  ///< of the point behind the simulated surface or edge, along its normal
+  Surface surface = Surface::kUnknown;  ///< surface that the point is associated with
+  double distance = 0;  ///< from the simulated surface or edge to the point, along its normal,
+                        ///< positive behind it
   double sigma = 1;     ///< of `distance`, by the model of noise
-  bool out_of_picture = false;  ///< beyond its border: not judged, and no evidence either way
+  bool out_of_picture = false;  ///< beyond the border: not judged, and no evidence either way
   CalibrationVector by_calibration = CalibrationVector::Zero();  ///< derivatives of `distance`
 
   bool is_judged() const { return IsComparable(surface); }
@@ -28,20 +29,18 @@ struct ScanPoints {
 };
 
 /// Log-density of Student's t of 4 degrees of freedom at a distance over its standard deviation,
-/// less that at 0; beyond 30 standard deviations as at 30.
+/// minus that at 0; constant beyond 30 standard deviations.
 double LogDensityAt(double distance_over_sigma);
 
-/// Log-likelihood of a point under noise of `scale` times its sigma, less that of a distance of 0;
-/// bounded, so that a ray that meets something else altogether costs 13, as does one of which
-/// nothing can be said.
+/// Log-likelihood of a point under noise of `scale` times its sigma, minus that of a distance of 0.
+/// It is bounded: a ray to another object costs 13, and so does an unjudged point.
 double LogLikelihoodOf(const PointResidual& residual, double scale);
 double LogLikelihoodOf(const std::vector<PointResidual>& residuals, double scale);
 
-/// Robust standard deviation of distances over their sigma, of points that are judged.
+/// Robust standard deviation of distances over their sigma, for judged points.
 double ScaleOf(const std::vector<PointResidual>& residuals);
 
-/// Root mean square of the nearest 95 % of the distances that are judged: the others are held to be
-/// outliers.
+/// Root mean square of the smallest 95 % of the judged distances; the rest count as outliers.
 double TrimmedRmse(const std::vector<PointResidual>& residuals);
 
 /// Weight of a point in least squares, of Student's t of the same degrees of freedom.

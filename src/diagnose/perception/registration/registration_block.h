@@ -9,24 +9,24 @@
 
 namespace tera {
 
-/// One sensor's recording beside its simulation, as a search for what acts on the sensor works on
-/// it: what ReplayBlock (search/fit/replay_block.h) is to channels of one grid, for points that are
-/// associated with simulated surfaces or edges anew wherever the sensor is moved. How many points
-/// are judged, and against what, then depends on the terms, and each has a noise of its own.
+/// One sensor's recording and simulation, as input to the search for effects on the sensor. It
+/// corresponds to ReplayBlock (search/fit/replay_block.h) of channels on one grid. Points are
+/// associated anew with simulated surfaces or edges whenever the sensor moves. The number of judged
+/// points and their associations therefore depend on the terms, and each point has its own noise.
 ///
 /// Frames  B link, S sensor as documented.
 struct RegistrationBlock {
   Pose X_BS = Pose::Identity();
   Effects present;                    ///< of the sensor, as the scenario has them
-  std::vector<Candidate> candidates;  ///< what may act on it
-  /// Residuals of points under a calibration. Level 0 is in full; each further one, up to
-  /// `coarsest`, sees differences twice as large, but less of them.
+  std::vector<Candidate> candidates;  ///< possible effects on it
+  /// Residuals of points under a calibration. Level 0 has full resolution. Each further level, up
+  /// to `coarsest`, covers twice the distance with less detail.
   std::function<std::vector<PointResidual>(const std::vector<ScanPoints>& points,
                                            const SensorCalibration& calibration, int level)>
       residuals;
   int coarsest = 0;
 
-  /// The calibration in which each term takes the place of what the scenario has of its mechanism.
+  /// The calibration in which each term replaces the scenario's effect of its mechanism.
   SensorCalibration Under(const Structure& terms) const {
     return CalibrationUnder(X_BS, WithTerms(present, terms));
   }

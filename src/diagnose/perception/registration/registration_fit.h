@@ -6,10 +6,10 @@
 
 namespace tera {
 
-/// How well the points hold one parameter of a term.
+/// Precision of one parameter of a term from the points.
 struct ParameterPrecision {
   double sigma = 0;  ///< standard deviation
-  /// Posterior over prior standard deviation: near 1 the points say nothing of it.
+  /// Posterior over prior standard deviation: near 1 the points carry no information on it.
   double prior_share = 0;
 
   bool is_determined() const { return prior_share < kUndetermined; }
@@ -22,15 +22,15 @@ struct RegistrationFit {
   std::vector<std::vector<ParameterPrecision>> precision;  ///< of each parameter of each term
 };
 
-/// Fits by Gauss and Newton, points associated anew in each of its rounds, coarse ones first: in
-/// the coarsest what turns the sensor and its clock alone, since a place is soon lost among the
-/// angles. Parameters that the points do not determine are put back to what the scenario has, held
-/// there, and the others fitted again.
+/// Fits by Gauss-Newton with new associations in each iteration, from coarse to fine. The coarsest
+/// level fits only rotation and clock, since a position is easily confused with angles.
+/// Undetermined parameters return to the scenario's values and are held there, and the others are
+/// refitted.
 ///
-/// Model   Student-t noise of 4 degrees of freedom and `scale` times each point's sigma, approached
-///         from a wide scale so that errors larger than noise are followed too; normal priors
-///         (FreeParameter::prior_sigma) about the values of `start`. Standard deviations are the
-///         larger of two: of independent points, and of the scatter of the scores of scans.
+/// Model   Student-t noise of 4 degrees of freedom and `scale` times each point's sigma. The scale
+///         starts wide, so that errors larger than the noise are followed too. Normal priors
+///         (FreeParameter::prior_sigma) about the values of `start`. A standard deviation is the
+///         larger of two: from independent points, and from the scatter of the scans' scores.
 /// Source  Chen and Medioni 1992 (distance to planes); Lange, Little and Taylor 1989 (Student-t);
 ///         Huber 1967 (scatter of scores).
 RegistrationFit FitRegistration(const RegistrationBlock& block,

@@ -234,7 +234,7 @@ class Search {
     return chosen;
   }
 
-  /// What does as well in the place of a candidate that was chosen, itself first.
+  /// Candidates that are equally good in the place of a selected one, itself first.
   std::vector<const Candidate*> RivalsOf(const Subset& chosen, std::size_t candidate) {
     std::vector<const Candidate*> rivals = {&block_.candidates[candidate]};
     for (const std::size_t other : all_) {

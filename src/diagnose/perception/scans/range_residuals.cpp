@@ -29,7 +29,7 @@ CalibrationVector DerivativeOf(const RangeSource& source, const SensorCalibratio
   const double factor = calibration.range_factor;
   derivative[kRangeBias] = -along / factor;
   derivative[kRangeFactor] = -along * (reported_m - calibration.range_bias_m) / (factor * factor);
-  // What moves with the machine tells little of time.
+  // Points on the machine itself carry little information on time.
   derivative[kClockOffset] = 0;
   if (hit.surface != Surface::kMachine) {
     const Vec3 p_W_m = PointInWorld(source, calibration, point, hit);

@@ -13,25 +13,24 @@
 #include "resimulate/simulated_return.h"
 #include "sensors/ranging.h"
 
-/// What a sensor that measures ranges measured, and what a simulation of the same rays says of it.
+/// Scans of a ranging sensor, and a simulation of the same rays.
 
 namespace tera {
 
-/// One sensor's scans beside the simulation of them.
+/// Scans of one sensor with their simulation.
 ///
-/// Frames  W; B the sensor's link; S the sensor as documented; T the sensor as a calibration has
-/// it,
-///         in which its points and rays are then meant.
+/// Frames  W; B the sensor's link; S the sensor as documented; T the sensor under a calibration,
+///         the frame of its points and rays.
 struct RangeSource {
   std::string channel;  ///< "excavator1/lidar_roof"
   std::string target;   ///< the sensor's name in the scenario
   EffectTarget kind = EffectTarget::kLidar;
-  bool planar_depth = false;  ///< what it reports is x of a point in S, not its distance
+  bool planar_depth = false;  ///< reports x of a point in S instead of its distance
   Pose X_BS = Pose::Identity();
   Effects present;      ///< of the sensor, as the scenario has them
   TimeNs start_ns = 0;  ///< of the recording
   std::vector<RangeScan> scans;
-  /// Casts rays of a scan under a calibration that the sensor might have.
+  /// Casts rays of a scan under a possible calibration of the sensor.
   std::function<std::vector<SimulatedReturn>(std::size_t scan, const SensorCalibration& calibration,
                                              const std::vector<Beam>& beams)>
       cast;
@@ -40,32 +39,32 @@ struct RangeSource {
   /// Name of an object.
   std::function<std::string(int object)> name_of;
 
-  /// The calibration that the scenario has.
+  /// The scenario's calibration.
   SensorCalibration calibration() const { return CalibrationUnder(X_BS, present); }
 };
 
-/// What the sensor reports of a point as a number: its range, or its depth.
+/// The sensor's reported number for a point: range or depth.
 double ReportedRange_m(const RangeSource& source, const Vec3& p_S_m);
 
-/// The point as it truly was in the frame T, were `calibration` the sensor's.
+/// The true position of a point in the frame T, if `calibration` were the sensor's.
 Vec3 TruePoint(const RangeSource& source, const SensorCalibration& calibration, const Vec3& p_S_m);
 
-/// The true point in W; `hit` is of its ray.
+/// The true point in W; `hit` belongs to its ray.
 Vec3 PointInWorld(const RangeSource& source, const SensorCalibration& calibration,
                   const RangePoint& point, const SimulatedReturn& hit);
 
-/// The direction of a point's ray in W; `hit` is of that ray.
+/// The direction of a point's ray in W; `hit` belongs to that ray.
 Vec3 RayDirection_W(const SensorCalibration& calibration, const RangePoint& point,
                     const SimulatedReturn& hit);
 
-/// How far the point lies behind the simulated surface that its ray meets, along the normal.
+/// Distance of the point behind the simulated surface on its ray, along the normal.
 double PointToPlane_m(const RangeSource& source, const SensorCalibration& calibration,
                       const RangePoint& point, const SimulatedReturn& hit);
 
 /// One flag for each point of each scan. An empty list flags no point.
 using PointFlags = std::vector<std::vector<bool>>;
 
-/// Flags for all points of these scans, none of them set.
+/// Flags for all points of these scans, none set.
 PointFlags NoPoints(const std::vector<RangeScan>& scans);
 
 /// The ray of a point, and those of all points of a scan.

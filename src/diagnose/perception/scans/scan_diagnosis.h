@@ -7,14 +7,14 @@
 
 namespace tera {
 
-/// Why the scans of a lidar, or the depths of a camera, differ from their simulation: what acts on
-/// the sensor, and what of the scene differs.
+/// Diagnoses differences between a lidar's scans, or a depth camera's images, and their simulation:
+/// effects on the sensor, and differences of the scene.
 ///
-/// Model   a scene that differs in a few places is believed before a sensor that differs
-///         everywhere, if the sensor is right elsewhere; else the sensor comes first
-///         (registration_search.h), and the scene is what still differs under what was found of it
-///         (scene_comparison.h), twice in turn. Not judged: fewer than ten blocks of time, fewer
-///         than 5 % of points that can be compared.
+/// Model   a scene that differs in a few places is preferred to a sensor that differs everywhere,
+///         if the sensor is right elsewhere. Otherwise the sensor comes first
+///         (registration_search.h), and the scene comparison uses its findings
+///         (scene_comparison.h), twice in turn. Not judged: fewer than ten blocks of time, or fewer
+///         than 5 % comparable points.
 PerceptionDiagnosis DiagnoseScans(const RangeSource& source, std::uint64_t seed);
 
 }  // namespace tera

@@ -109,7 +109,7 @@ std::map<Voxel, int> Clouds(const std::vector<AirReturn>& air_returns, int* coun
   return cloud;
 }
 
-/// What is known of one cloud.
+/// Counts for one cloud.
 struct CloudTally {
   std::map<std::size_t, CloudRays> blocks;
   std::vector<const AirReturn*> air_returns;

@@ -8,12 +8,12 @@
 
 namespace tera {
 
-/// Dust in the air, which reflects some rays before they reach a surface and lets others pass.
+/// Dust in the air, which reflects some rays ahead of a surface and lets others pass.
 struct DustCloud {
   Vec3 centre_W_m = Vec3::Zero(), low_W_m = Vec3::Zero(), high_W_m = Vec3::Zero();
-  std::size_t returns = 0;  ///< from within
-  double thickness_m = 0;   ///< of the returns within a cubic metre, in their thinnest direction
-  double stopped = 0;       ///< share of the rays that came to it while it was there
+  std::size_t returns = 0;  ///< returns from inside the cloud
+  double thickness_m = 0;   ///< median thickness over cubic metres, each in its thinnest direction
+  double stopped = 0;       ///< share of the rays that the cloud stopped, of those that reached it
   double p_chosen = 1, p_confirmed = 1;
   std::vector<std::pair<double, double>> intervals_s;  ///< when; empty: all the time
 };
@@ -21,19 +21,20 @@ struct DustCloud {
 /// Clouds of returns from the air.
 ///
 /// Frames  W.
-/// Model   returns 0.5 m and more before what their ray meets in the simulation, 0.3 m and more
-///         over the simulated ground, and not on the edge of an object. Voxels of half a metre that
-///         hold some, linked over one voxel's gap, make a cloud of 40 returns and more. A cloud is
-///         dust where of the rays that came to its voxels fewer than 60 % ended there, and where
-///         the returns within a cubic metre scatter by 0.1 m and more in every direction (half of
-///         the returns do). Student's t over blocks of time, their variance moderated by eight
-///         blocks that agree within a tenth, must say that more than one ray in 200 ended there:
-///         on TRAIN and SELECT at five per cent over the clouds, in the whole recording, a half, a
-///         quarter or an eighth of it; on FINAL at one per cent, of whose blocks those count that
-///         lie from the first to the last in which the others show the cloud. What stops more is a
-///         solid object.
-/// Omits   rays that the dust swallowed, of which a scan holds no point. A tree or a fence that the
-///         scenario has not passes for dust: it stops some rays at many depths too.
+/// Model   returns at least 0.5 m in front of the simulated hit of their ray, at least 0.3 m above
+///         the simulated ground, and not at an object's edge. Voxels of half a metre with such
+///         returns, linked across gaps of one voxel, form a cloud if it has 40 returns or more. A
+///         cloud is dust if fewer than 60 % of the rays that reached its voxels ended there. Half
+///         of its returns must also scatter by 0.1 m or more in every direction, within their cubic
+///         metre.
+///         Significance: more than one ray in 200 ended there, by Student's t over blocks of time,
+///         with a variance moderated by eight blocks that agree within a tenth. On TRAIN and SELECT
+///         the level is five per cent over the clouds, in the whole recording, a half, a quarter or
+///         an eighth of it. On FINAL it is one per cent, over the blocks between the first and the
+///         last in which the other parts show the cloud. A cloud that stops more rays is a solid
+///         object.
+/// Omits   rays that the dust absorbed, of which a scan has no point. A tree or fence missing in
+///         the scenario counts as dust: it also stops some rays at many depths.
 /// Source  Phillips et al. 2017, "When the dust settles: the four behaviors of lidar in the
 ///         presence of fine airborne particulates"; moderated t: Smyth 2004.
 struct Dust {

@@ -229,7 +229,7 @@ void AddIntervals(const RangeSource& source, const ScanSplit& split, const Block
   if (always) region->intervals_s.clear();
 }
 
-/// What FINAL says of a region: its errors, and a p where it is at least half as high again.
+/// Sets a region's errors on FINAL, and the p-value of at least half its height there.
 void Confirm(const std::vector<HeightDifference>& final_differences, const ScanSplit& split,
              const GroundMap& map, int index, GroundRegion* region) {
   std::vector<double> medians;

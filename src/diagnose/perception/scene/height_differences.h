@@ -8,10 +8,10 @@
 
 namespace tera {
 
-/// A square of the site by index.
+/// A cell of the site by index.
 using CellIndex = std::pair<int, int>;
 
-/// The square of side `cell_m` that a place lies in; the lower corner of (i, j) is at cell_m (i,
+/// The cell of side `cell_m` that contains a position; the lower corner of (i, j) is at cell_m (i,
 /// j).
 CellIndex CellAt(const Vec2& xy_W_m, double cell_m);
 
@@ -20,15 +20,15 @@ struct HeightDifference {
   std::size_t scan = 0, point = 0;
   CellIndex cell;
   double above_m = 0;
-  CellIndex simulated;  ///< cell of what the ray meets in the simulation
+  CellIndex simulated;  ///< cell of the ray's simulated hit
 };
 
-/// Adds those of one scan, but for points on simulated objects, on their edges, and on cliffs of
-/// the simulated ground, which a small error of the pose turns into differences of height.
+/// Adds the height differences of one scan. Leaves out points on simulated objects, on their edges,
+/// and on cliffs of the simulated ground, where a small pose error becomes a height difference.
 ///
 /// Frames  W.
 ///
-/// `scale`: of the sensor's noise over its model. `excluded`: points that something else explains.
+/// `scale`: sensor noise over its model. `excluded`: points with another explanation.
 void AddHeightDifferences(const RangeSource& source, const SensorCalibration& calibration,
                           double scale, std::size_t scan, const std::vector<bool>& excluded,
                           double cell_m, std::vector<HeightDifference>* differences);

@@ -19,7 +19,7 @@ struct RayCount {
   double all = 0, through = 0;
 };
 
-/// What rays say of one object.
+/// Counts of rays for one object.
 struct Tally {
   std::map<std::size_t, RayCount> seen, held_out;            ///< by block
   std::vector<std::pair<std::size_t, std::size_t>> through;  ///< scan and point

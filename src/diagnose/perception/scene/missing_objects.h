@@ -8,25 +8,26 @@
 
 namespace tera {
 
-/// An object of the simulation behind which the measured rays went on.
+/// A simulated object that measured rays pass through.
 struct MissingObject {
   int object = 0;
-  std::size_t rays = 0;            ///< that meet it in the simulation
-  double share = 0;                ///< of these that went on
-  Vec2 centre_W_m = Vec2::Zero();  ///< of where they meet it
+  std::size_t rays = 0;            ///< rays that hit it in the simulation
+  double share = 0;                ///< share of these that passed
+  Vec2 centre_W_m = Vec2::Zero();  ///< mean of the hits
   double p_chosen = 1, p_confirmed = 1;
   double rmse_before_m = 0;  ///< of the distances behind it, on FINAL
 };
 
-/// Obstacles of the simulation that the recording does not show where they should be.
+/// Obstacles of the simulation that the recording does not show at their places.
 ///
-/// Model   a ray that meets an obstacle in the simulation was measured behind it, or before it,
-///         where it ended 0.3 m and more further, or nearer, along the ray, and 0.15 m and more
-///         off the obstacle's surface. Of those that did not end before it the ones behind it went
-///         on. An obstacle is missing where more than half did, of 20 at least, in TRAIN and SELECT
-///         and again in FINAL, by Student's t over three blocks of time at least, whose mean is
-///         known to 0.03 at best, at one per cent over the obstacles.
-/// Omits   rays that met nothing at all, of which a scan holds no point.
+/// Model   a measured point is behind its ray's simulated obstacle if it is at least 0.3 m further
+///         along the ray, and in front if 0.3 m nearer. Either way it must be at least 0.15 m from
+///         the obstacle's surface.
+///         Among rays without a return in front, those with a point behind passed through. An
+///         obstacle is missing if more than half of at least 20 rays passed, in TRAIN and SELECT
+///         and again in FINAL. The test is Student's t over at least three blocks of time, with a
+///         standard deviation of the mean of at least 0.03, at one per cent over the obstacles.
+/// Omits   rays without any return, of which a scan has no point.
 struct MissingObjects {
   std::vector<MissingObject> objects;
   PointFlags explained;  ///< points that were measured behind one

@@ -7,12 +7,11 @@
 
 namespace tera {
 
-/// What may differ in the scene, by its measures: `terrain_height`, `object_added`,
-/// `object_missing` and `dust`. A scenario has no such effects, so that they act on no target of
-/// effects.yaml.
+/// Mechanisms of the scene, by their measures: `terrain_height`, `object_added`, `object_missing`
+/// and `dust`. A scenario has no such effects, so they have no target in effects.yaml.
 std::span<const Mechanism> SceneMechanisms();
 
-/// The one of them by that identifier, which must be there.
+/// The mechanism with that identifier, which must exist.
 const Mechanism& SceneMechanism(std::string_view id);
 
 }  // namespace tera

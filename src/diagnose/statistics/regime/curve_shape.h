@@ -8,10 +8,10 @@ namespace tera {
 
 /// The form of a regime curve.
 enum class CurveForm {
-  kNone,        ///< nothing stands out
+  kNone,        ///< no significant deviation
   kLinear,      ///< proportional to the variable
   kSmooth,      ///< proportional to |x|, x^2 or x |x|
-  kSaturating,  ///< grows up to a bend on both sides, constant beyond
+  kSaturating,  ///< grows up to a bend on both sides, constant beyond it
   kThreshold,   ///< constant up to a bend, grows beyond (dead zone)
   kStep,        ///< jumps
   kLocal,       ///< differs from a constant only within an interval about 0

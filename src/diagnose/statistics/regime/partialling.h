@@ -10,12 +10,12 @@ namespace tera {
 
 struct PartiallingOptions {
   RegimeTestOptions test;
-  double alpha = 0.01;  ///< family-wise, a step
+  double alpha = 0.01;  ///< family-wise, for each step
   std::size_t most = 4;
   int threads = 2;
 };
 
-/// One step: the variable that was selected, and the tests of all variables before that.
+/// One step: the selected variable, and the preceding tests of all variables.
 struct PartiallingStep {
   std::size_t variable = 0;
   double p_adjusted = 1;
@@ -25,13 +25,13 @@ struct PartiallingStep {
 
 struct Partialling {
   std::vector<PartiallingStep> steps;
-  std::vector<RegimeTestResult> left;  ///< of all variables, given all that were selected
+  std::vector<RegimeTestResult> left;  ///< of all variables, given the selected ones
 };
 
 /// Selects the variables that explain a residual, each given the ones selected before it.
 ///
-/// Model   forward selection: each step tests every variable that is not selected given those that
-///         are (regime_test.h), adjusts p_tail by Holm over them, and of those at or below alpha
+/// Model   forward selection. Each step tests every remaining variable given the selected ones
+///         (regime_test.h), and adjusts p_tail by Holm over them. Among those at or below alpha it
 ///         selects the one with the best criterion, the largest share of whitened energy for its
 ///         size, with twenty splines. Variables with a factor are tested given that factor: a
 ///         constant share is no dependence on the variable.

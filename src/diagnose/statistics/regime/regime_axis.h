@@ -10,14 +10,13 @@
 
 namespace tera {
 
-/// A quantity that the error may depend on, such as a lever, a joint angle, a rate, a slope or
-/// time.
+/// A quantity that the error may depend on: a lever, joint angle, rate, slope or time.
 struct RegimeVariable {
   std::string name;
   Series series;
   bool angle = false;  ///< radians, periodic with 2 pi
-  /// Factor on a function of the variable, sample by sample, such as the simulated value where the
-  /// error may be a share of it. Empty: there is no factor.
+  /// Factor on a function of the variable, sample by sample. With the simulated value as factor,
+  /// the error may be a share of it. Empty: no factor.
   std::vector<double> times = {};
 };
 

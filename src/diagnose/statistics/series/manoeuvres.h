@@ -23,17 +23,16 @@ struct Manoeuvre {
 /// and FINAL 30 %.
 ///
 /// Model   a manoeuvre is a run over which the same set of commands exceeds 2 % of full, each in
-/// one
-///         direction, with 1 s of the rest after it; what remains of the rest is a piece of its
-///         own. Runs of less than 0.5 s are joined to the one before, those of more than 3 s are
-///         cut into equal pieces. With fewer than 10 such pieces: blocks of 5 s. Pieces with the
-///         same axes and directions and the same half of amplitudes make a stratum; within each, in
-///         random order, a piece goes to the part that lacks most of its share of the stratum;
-///         where several lack as much, of all moving pieces, or of all rest. Shares are of number.
+///         one direction, with 1 s of the following rest. The remaining rest is a piece of its own.
+///         Runs under 0.5 s are joined to the previous one; those over 3 s are cut into equal
+///         pieces. With fewer than 10 such pieces: blocks of 5 s. Pieces with the same axes,
+///         directions and half of amplitudes form a stratum. Within each, in random order, a piece
+///         goes to the part that lacks most of its share of the stratum. Ties are decided by the
+///         shares of all moving pieces, or of all rest. Shares are by number.
 /// Omits   effects of a manoeuvre on the next one beyond the tail.
 ///
-/// Commands of equal length, at most 64, gaps bridged; at least one. The pieces cover every sample,
-/// in order.
+/// Needs at least one command and at most 64, of equal length, with gaps bridged. The pieces cover
+/// every sample, in order.
 std::vector<Manoeuvre> SplitByManoeuvre(const std::vector<Series>& commands, const Stream& stream);
 
 /// 1 for the samples that belong to `part`.

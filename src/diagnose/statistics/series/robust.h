@@ -8,7 +8,7 @@
 
 namespace tera {
 
-/// A normal variable lies below so many standard deviations with 95 %.
+/// The 95 % quantile of the standard normal distribution, one-sided.
 inline constexpr double kOneSided95 = 1.645;
 
 /// The largest magnitude of the values; 0 where there are none.

@@ -26,7 +26,7 @@ struct Innovations {
 ///         error is scaled down likewise, so that a segment of Gaussian noise is
 ///         whitened exactly from its first sample. log_likelihood is that of Student-t
 ///         innovations.
-/// Omits   what samples before a gap tell about those after it.
+/// Omits   information of samples before a gap on those after it.
 Innovations Whiten(const NoiseModel& noise, const Series& series);
 
 /// The whitening filter A of a noise model as a linear map: (A x)_t = x_t - sum_i ar_i x_(t-i) for

@@ -29,12 +29,12 @@ struct ChangePoints {
 /// Finds where in time innovations differ from the noise model, in level or in variance.
 ///
 /// Model   with e Student-t of `dof`: location score (dof + 1) e / (dof + e^2) and scale score
-///         (dof + 1) e^2 / (dof + e^2) - 1, both bounded and of mean 0, each brought to unit
-///         variance in cells (by the larger of theory and, where guarded, the scatter from cell to
-///         cell); least sum of squares plus a penalty for each change, exactly, by pruned dynamic
+///         (dof + 1) e^2 / (dof + e^2) - 1, both bounded and of mean 0. Each has unit variance in
+///         cells, by the larger of theory and, where guarded, the scatter from cell to cell.
+///         Minimises the sum of squares plus a penalty for each change, exactly, by pruned dynamic
 ///         programming (PELT). The penalty, 2 log(cells / alpha), bounds the probability of a
-///         change in innovations that are as modelled (chi-square tail of two degrees of freedom,
-///         union over places). A segment with more energy, or another level, than the noise by the
+///         change in innovations of the noise model (chi-square tail of two degrees of freedom,
+///         union over positions). A segment whose energy or level differs from the noise by the
 ///         same bound is a mismatch.
 /// Omits   mismatch that is quieter than the noise.
 /// Source  Killick, Fearnhead and Eckley 2012, "Optimal detection of changepoints with a linear
