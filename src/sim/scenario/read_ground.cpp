@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -16,6 +18,8 @@ namespace {
 constexpr std::string_view kOfSlip[] = {"track_slip",      "slope_slip", "side_slip",
                                         "effective_gauge", "icr_shift",  "rolling_resistance",
                                         "digging_force"};
+
+constexpr double kRoundingOfCells_m = 1e-9;
 
 GroundModel ReadGroundModel(const ConfigMap& config) {
   const std::string ground =
@@ -101,6 +105,25 @@ void CheckRaisedGround(const ConfigMap& config, const MachineModel& model,
               fmt::format("raises ground beyond the site alone; need a place within {:g} m of x "
                           "{:g} to {:g} m, y {:g} to {:g} m",
                           reach_m, low_m.x(), high_m.x(), low_m.y(), high_m.y()));
+}
+
+void CheckCells(const ConfigMap& terrain, const MachineModel& model, const Site& site) {
+  if (!terrain.Has("cell_m")) return;
+  const bool yields = std::any_of(site.soils().begin(), site.soils().end(),
+                                  [](const SoilType& soil) { return soil.water.holds(); });
+  double narrowest_m = std::numeric_limits<double>::infinity();
+  for (const RunningGear& gear : model.ground_tools.gears) {
+    for (const ContactPatch& patch : gear.patches) {
+      narrowest_m = std::min(narrowest_m, patch.width_m);
+    }
+  }
+  const double cell_m = site.surface().cell_m;
+  if (!yields || cell_m <= narrowest_m + kRoundingOfCells_m) return;
+  terrain.Fault("cell_m",
+                {FaultKind::kOutOfRange,
+                 fmt::format("{:g} m is wider than a shoe or wheel of a machine, {:.3g} m; need "
+                             "cells of at most that, or pavement (asphalt)",
+                             cell_m, narrowest_m)});
 }
 
 void RaiseGround(const MachineModel& model, Site* site) {

@@ -16,6 +16,10 @@ void ReadGround(const ConfigMap& config, MachineModel* model);
 void CheckRaisedGround(const ConfigMap& config, const MachineModel& model,
                        const TerrainSurface& site);
 
+/// Reports `cell_m` of the terrain entry that is wider than a shoe or wheel of `model`, in cells of
+/// which it would stand on points. The default is fine enough, and pavement yields nowhere.
+void CheckCells(const ConfigMap& terrain, const MachineModel& model, const Site& site);
+
 /// Raises the ground by the model's terrain_height effects.
 void RaiseGround(const MachineModel& model, Site* site);
 

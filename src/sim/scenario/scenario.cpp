@@ -274,6 +274,7 @@ Scenario ReadScenario(const ConfigMap& config) {
     scenario.machines.push_back(ReadMachineEntry(machine, all));
     scenario.machines.back().wear = ReadWear(machine, wear);
     CheckRaisedGround(machine, scenario.machines.back().placement.model, site.surface());
+    CheckCells(config.Map("terrain"), scenario.machines.back().placement.model, site);
   }
   PlaceOnGround(&site, &scenario.machines);
   scenario.site = std::make_shared<const Site>(std::move(site));

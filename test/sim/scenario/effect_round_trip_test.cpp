@@ -117,7 +117,7 @@ std::string ScenarioWith(std::string machine, std::string_view ground, const std
   if (const auto at = machine.find("GROUND"); at != machine.npos) machine.replace(at, 6, ground);
   return fmt::format(
       "name: test\nduration_s: 1\n"
-      "terrain: {{size_m: [12, 12], cell_m: 1, soil: dirt}}\n"
+      "terrain: {{size_m: [12, 12], cell_m: 0.2, soil: dirt}}\n"
       "{}effects: {{m: {{{}}}}}\n",
       machine, effects);
 }
@@ -295,7 +295,7 @@ TEST(EffectRoundTrip, WhatWasLearnedReadsAgainAndNoneTakesItAway) {
 TEST(EffectRoundTrip, ShippedExampleOfEveryEffectOfASensorReadsAgain) {
   const Config config =
       Config::FromFile("config/scenarios/quickstart.yaml",
-                       {"terrain.cell_m=0.5", "machines[0].rig=examples/effects/sensor_rig.yaml"},
+                       {"terrain.cell_m=0.25", "machines[0].rig=examples/effects/sensor_rig.yaml"},
                        {{"examples/effects/sensor_effects.yaml", "effects"}});
   ReadScenario(config.root());
   config.Finish();

@@ -52,6 +52,14 @@ TEST(ReadScenario, RefusesAMachineFileThatIsNotThere) {
               HasFault(kUnreadable));
 }
 
+TEST(ReadScenario, RefusesCellsWiderThanAShoeOnGroundThatYields) {
+  const std::string site = std::string(kSite) + kExcavator;  // tracks of 0.30 m
+  EXPECT_THAT(ScenarioFaults(site, {"terrain.cell_m=0.35"}), HasFault(kOutOfRange, "cell_m"));
+  EXPECT_THAT(ScenarioFaults(site, {"terrain.cell_m=0.3"}), testing::IsEmpty());
+  EXPECT_THAT(ScenarioFaults(site, {"terrain.cell_m=0.35", "terrain.soil=asphalt"}),
+              testing::IsEmpty());
+}
+
 TEST(ReadScenario, RefusesANegativeMassInTheMachineFile) {
   EXPECT_THAT(ScenarioFaults(std::string(kSite) + kExcavator,
                              {"machines[0].machine.links.boom.mass_kg=-3"}),
