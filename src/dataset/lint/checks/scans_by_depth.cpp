@@ -51,6 +51,12 @@ struct Agreement {
   int compared = 0, agreeing = 0, pictures = 0;
 };
 
+/// True of a point that the air returned, which no picture of surfaces shows.
+bool IsOfAir(const LidarPoint& point) {
+  const auto label = static_cast<SemanticClass>(point.label);
+  return label == SemanticClass::kDust || label == SemanticClass::kRain;
+}
+
 /// The pixel of a point of the camera's optical frame.
 std::optional<Eigen::Vector2i> PixelOf(const Vec3& p_C_m, const CameraLens& lens) {
   const std::optional<Vec2> place_px = Project(p_C_m, lens);
@@ -66,6 +72,7 @@ void Compare(const Pair& pair, const Image<std::uint16_t>& picture, TimeNs pictu
              TimeNs scan_ns, const std::vector<LidarPoint>& points, Agreement* agreement) {
   for (const LidarPoint& point : points) {
     const TimeNs point_ns = scan_ns + point.time_offset_ns;
+    if (IsOfAir(point)) continue;
     if (std::abs(point_ns - picture_ns) > kSameTime_ns) continue;
     const auto X_CamLidar = pair.PoseOfLidar(picture_ns, point_ns);
     if (!X_CamLidar) continue;

@@ -77,5 +77,21 @@ TEST_F(ScanRules, DepthIsComparedWhereThereIsNoDistance) {
   Only("scans.depth", "digger/lidar");
 }
 
+TEST_F(ScanRules, RainBeforeASurfaceIsNotHeldAgainstItsDepth) {
+  for (const auto& file : std::filesystem::directory_iterator(run() / "digger/lidar/scans")) {
+    const std::string scan = "digger/lidar/scans/" + file.path().filename().string();
+    EditPoints(scan, [](std::vector<LidarPoint>* points) {
+      for (LidarPoint& point : *points) {
+        point.x_m *= 0.3f;
+        point.y_m *= 0.3f;
+        point.z_m *= 0.3f;
+        point.label = static_cast<std::uint8_t>(SemanticClass::kRain);
+        point.instance = 0;
+      }
+    });
+  }
+  EXPECT_FALSE(Found().contains("scans.depth"));
+}
+
 }  // namespace
 }  // namespace tera
