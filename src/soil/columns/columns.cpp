@@ -139,33 +139,19 @@ std::uint8_t Columns::SoilAt(int i, int j) const {
   return ground_->profiles[ground_->ProfileAt(Vec2(x_m(i), y_m(j)))].strata().front().soil;
 }
 
-Columns::Sample Columns::SampleAt(double x, double y) const {
+/// SampleAt where columns of several tiles, or none, stand around.
+Columns::Sample Columns::SampleAcross(double x, double y) const {
   const double gx = std::clamp((x - surface_.origin_W_m.x()) * cells_per_m_, 0.0, nx() - 1.0);
   const double gy = std::clamp((y - surface_.origin_W_m.y()) * cells_per_m_, 0.0, ny() - 1.0);
   const int i = std::min(static_cast<int>(gx), nx() - 2);
   const int j = std::min(static_cast<int>(gy), ny() - 2);
   const double u = gx - i, v = gy - j;
-  Sample sample{0, 0, 0, u < 0.5 ? i : i + 1, v < 0.5 ? j : j + 1};
-  const auto add = [&sample](const Skin& skin, double share) {
-    sample.top_m += share * skin.top_m;
-    sample.pressed_m += share * skin.pressed_m;
-    sample.firmness += share * static_cast<double>(skin.firmness);
-  };
-  const ColumnId k = IdAt(i, j);
-  if (k != kNone) {  // most often all four stand in one chunk
-    const Chunk& chunk = chunks_[k >> kTileBits];
-    if (i + 1 - chunk.a * kCells < chunk.nx && j + 1 - chunk.b * kCells < chunk.ny) {
-      const Skin* skins = &chunk.skins[k & kLocalMask];
-      add(skins[0], (1 - u) * (1 - v));
-      add(skins[1], u * (1 - v));
-      add(skins[1 << kRowBits], (1 - u) * v);
-      add(skins[(1 << kRowBits) + 1], u * v);
-      return sample;
-    }
-  }
+  Sample sample{.i = u < 0.5 ? i : i + 1, .j = v < 0.5 ? j : j + 1};
   const auto add_at = [&](int ci, int cj, double share) {
     const ColumnId m = IdAt(ci, cj);
-    m != kNone ? add(skin(m), share) : add({.top_m = ground_->HeightAt(ci, cj)}, share);
+    if (m == kNone) return sample.Add({.top_m = ground_->HeightAt(ci, cj)}, share);
+    sample.Add(skin(m), share);
+    if (ci == sample.i && cj == sample.j) sample.nearest = &skin(m);
   };
   add_at(i, j, (1 - u) * (1 - v));
   add_at(i + 1, j, u * (1 - v));
@@ -307,8 +293,7 @@ void Columns::DepositAt(int i, int j, const Spoil& spoil) {
 void Columns::Press(ColumnId k, const Pressing& pressing, SpoilMix* beside) {
   Column& c = Get(k);
   PressColumn(MaterialOf(c), pressing, &c, beside);
-  Changed(k);
-  ShowRut(k, kRutOfContact + (1 - kRutOfContact) * c.pressed_m / kRutShown_m);
+  Changed(k, kRutOfContact + (1 - kRutOfContact) * c.pressed_m / kRutShown_m);
 }
 
 void Columns::Scrape(ColumnId k, double thickness_m, SpoilMix* cut) {
@@ -362,7 +347,8 @@ std::vector<ColumnId> Columns::TakeChanged() {
   return std::exchange(changed_, {});
 }
 
-void Columns::Changed(ColumnId k) {
+/// Its rut looks at least as fresh as `rut`.
+void Columns::Changed(ColumnId k, double rut) {
   std::uint8_t& is_changed = chunks_[k >> kTileBits].is_changed[k & kLocalMask];
   if (!is_changed) {
     is_changed = 1;
@@ -373,6 +359,7 @@ void Columns::Changed(ColumnId k) {
   const Column& c = at(k);
   const bool stands_pressed = c.pressed_m > 0 || (c.layer_count > 0 && !c.layers[0].loose);
   if (skin.loose_m > kLooseShown_m || !stands_pressed) skin.rut = 0;
+  skin.rut = std::max(skin.rut, Byte(rut));
   TerrainSurface::Vertex vertex;
   vertex.height_m = static_cast<float>(c.top_m);
   vertex.cover.soil = skin.soil;

@@ -48,36 +48,6 @@ class Columns {
   /// Bilinear height, the nearest border value outside the site.
   double HeightAt(double x_m, double y_m) const { return SampleAt(x_m, y_m).top_m; }
 
-  /// Surface between the columns, bilinear; the nearest border's outside the site.
-  struct Sample {
-    double top_m, pressed_m;
-    double firmness;  ///< see FirmnessOf
-    int i, j;         ///< a column beside
-  };
-  Sample SampleAt(double x_m, double y_m) const;
-  /// Upward unit normal of the surface there, over two cells.
-  Vec3 NormalAt(double x_m, double y_m) const;
-  /// Whether a point lies above all that its tile has ever held: a quick look, true only if so.
-  bool IsWellAbove(const Vec3& p_W_m) const {
-    const double gx = (p_W_m.x() - surface_.origin_W_m.x()) * cells_per_m_;
-    const double gy = (p_W_m.y() - surface_.origin_W_m.y()) * cells_per_m_;
-    if (!(gx >= 0 && gy >= 0 && gx < nx() - 1 && gy < ny() - 1)) return false;
-    const int i = static_cast<int>(gx), j = static_cast<int>(gy);
-    const int a = i / TerrainGrid::kTileCells, b = j / TerrainGrid::kTileCells;
-    const std::int32_t n = chunk_of_tile_[surface_.tile_index(a, b)];
-    if (n < 0) return false;
-    const Chunk& chunk = chunks_[n];
-    return p_W_m.z() > chunk.ceiling_m && i + 1 - a * TerrainGrid::kTileCells < chunk.nx &&
-           j + 1 - b * TerrainGrid::kTileCells < chunk.ny;
-  }
-
-  /// Gives the tile of column (i, j) columns of its own. References stay good.
-  ColumnId Touch(int i, int j);
-  struct Place {
-    int i, j;
-  };
-  Place PlaceOf(ColumnId k) const;
-  const Column& at(ColumnId k) const { return chunks_[k >> kTileBits].columns[k & kLocalMask]; }
   static constexpr float kOpen_m = std::numeric_limits<float>::infinity();
   /// What is asked of a column most often, close together in memory.
   struct Skin {
@@ -90,6 +60,42 @@ class Columns {
     bool is_loose = false;                         ///< as in Column
     bool is_stale = false;                         ///< in Transport: not in step with its column
   };
+
+  /// Surface between the columns, bilinear; the nearest border's outside the site.
+  struct Sample {
+    double top_m = 0, pressed_m = 0;
+    double firmness = 0;            ///< see FirmnessOf
+    int i, j;                       ///< the nearest column
+    const Skin* nearest = nullptr;  ///< its skin, if its tile has columns
+    void Add(const Skin& skin, double share) {
+      top_m += share * skin.top_m;
+      pressed_m += share * skin.pressed_m;
+      firmness += share * static_cast<double>(skin.firmness);
+    }
+  };
+  Sample SampleAt(double x_m, double y_m) const {
+    const Square square = SquareAt(x_m, y_m);
+    return square.chunk != nullptr ? SampleIn(square) : SampleAcross(x_m, y_m);
+  }
+  /// Soil at the surface of the nearest column.
+  std::uint8_t SoilAt(const Sample& sample) const {
+    return sample.nearest != nullptr ? sample.nearest->soil : SoilAt(sample.i, sample.j);
+  }
+  /// Upward unit normal of the surface there, over two cells.
+  Vec3 NormalAt(double x_m, double y_m) const;
+  /// Whether a point lies above all that its tile has ever held: a quick look, true only if so.
+  bool IsWellAbove(const Vec3& p_W_m) const {
+    const Square square = SquareAt(p_W_m.x(), p_W_m.y());
+    return square.chunk != nullptr && p_W_m.z() > square.chunk->ceiling_m;
+  }
+
+  /// Gives the tile of column (i, j) columns of its own. References stay good.
+  ColumnId Touch(int i, int j);
+  struct Place {
+    int i, j;
+  };
+  Place PlaceOf(ColumnId k) const;
+  const Column& at(ColumnId k) const { return chunks_[k >> kTileBits].columns[k & kLocalMask]; }
   const Skin& skin(ColumnId k) const { return chunks_[k >> kTileBits].skins[k & kLocalMask]; }
   static constexpr ColumnId kNone = ~ColumnId{0};
   /// An id holds the chunk of its tile, the row, and the place in the row, from the highest bit on.
@@ -223,6 +229,37 @@ class Columns {
     std::vector<Skin> skins;
     std::vector<std::uint8_t> is_changed;
   };
+  /// The four columns around a place, if one chunk has them all.
+  struct Square {
+    const Chunk* chunk = nullptr;
+    const Skin* skins = nullptr;  ///< of the first; the others are Step(1, 0), ... farther
+    int i, j;                     ///< the first one's
+    double u, v;                  ///< from there, in cells
+  };
+  Square SquareAt(double x_m, double y_m) const {
+    const double gx = (x_m - surface_.origin_W_m.x()) * cells_per_m_;
+    const double gy = (y_m - surface_.origin_W_m.y()) * cells_per_m_;
+    if (!(gx >= 0 && gy >= 0 && gx < nx() - 1 && gy < ny() - 1)) return {};
+    const int i = static_cast<int>(gx), j = static_cast<int>(gy);
+    const int a = i / TerrainGrid::kTileCells, b = j / TerrainGrid::kTileCells;
+    const std::int32_t n = chunk_of_tile_[surface_.tile_index(a, b)];
+    if (n < 0) return {};
+    const Chunk& chunk = chunks_[n];
+    const int di = i - a * TerrainGrid::kTileCells, dj = j - b * TerrainGrid::kTileCells;
+    if (di + 1 >= chunk.nx || dj + 1 >= chunk.ny) return {};
+    return {&chunk, &chunk.skins[Step(di, dj)], i, j, gx - i, gy - j};
+  }
+  static Sample SampleIn(const Square& at) {
+    const double u = at.u, v = at.v;
+    const int di = u < 0.5 ? 0 : 1, dj = v < 0.5 ? 0 : 1;
+    Sample sample{.i = at.i + di, .j = at.j + dj, .nearest = at.skins + Step(di, dj)};
+    sample.Add(at.skins[0], (1 - u) * (1 - v));
+    sample.Add(at.skins[Step(1, 0)], u * (1 - v));
+    sample.Add(at.skins[Step(0, 1)], (1 - u) * v);
+    sample.Add(at.skins[Step(1, 1)], u * v);
+    return sample;
+  }
+  Sample SampleAcross(double x_m, double y_m) const;
   Column& Get(ColumnId k) { return chunks_[k >> kTileBits].columns[k & kLocalMask]; }
   Skin& SkinOf(ColumnId k) { return chunks_[k >> kTileBits].skins[k & kLocalMask]; }
   int TileOf(int i, int j) const {
@@ -234,7 +271,7 @@ class Columns {
   ColumnMaterial MaterialOf(const Column& c) const {
     return {ground_->profiles[c.profile], soils_, area_m2_};
   }
-  void Changed(ColumnId k);
+  void Changed(ColumnId k, double rut = 0);
   void ChangesLater(ColumnId k);
   void Fetch(ColumnId k) const;
   void ShowRut(ColumnId k, double rut);

@@ -31,6 +31,8 @@ constexpr double kMouthDown = -0.7;     ///< z of a mouth that looks down
 constexpr double kGravityTime_s = 0.2;  ///< over which apparent gravity is smoothed
 constexpr double kMostGravity_mps2 = 3 * kStandardGravity_mps2;  ///< more is a knock
 
+constexpr double kBeyond_m = 1e-9;  ///< farther from the shovel's outline no upright line meets it
+
 double Clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
 
 }  // namespace
@@ -93,10 +95,9 @@ void Digging::FrameMask(const BodyState& body, double behind_m, const Columns& g
 }
 
 /// Where the shell, but not the shovel's inside, stands over a place.
-std::optional<ShovelShape::Crossing> Digging::CrossingOfShell(const BodyState& body, double x_m,
-                                                              double y_m,
+std::optional<ShovelShape::Crossing> Digging::CrossingOfShell(const ShovelShape::Upright& line,
                                                               const Vec2& behind_B) const {
-  const auto low_m = shape_.LowestOfShell(body.X_WB, x_m, y_m, behind_B);
+  const auto low_m = shape_.LowestOfShell(line, behind_B);
   if (!low_m) return std::nullopt;
   return ShovelShape::Crossing{.low_m = *low_m,
                                .high_m = *low_m,
@@ -113,19 +114,28 @@ void Digging::FindFootprint(const BodyState& body, double dt_s, Columns* ground)
   const Vec3 v_B = body.X_WB.linear().transpose() * PointVelocity(body, shape_.edge_B());
   const Vec2 came_B = -dt_s * Vec2(v_B.x(), v_B.z());
   FrameMask(body, behind_B.norm(), *ground);
+  const ShovelShape::Uprights uprights(shape_, body.X_WB);
+  const ShovelShape::LevelExtent extent = shape_.ExtentAcross(body.X_WB.linear().row(2));
+  const double beyond_m =
+      kBeyond_m + std::abs(behind_B.dot(extent.right)) + std::abs(came_B.dot(extent.right));
   for (int j = mask_.j0; j <= mask_.j1; ++j) {
     for (int i = mask_.i0; i <= mask_.i1; ++i) {
-      const double top_m = ground->TopAt(i, j);
+      ColumnId k = ground->IdAt(i, j);
+      const double top_m = k != Columns::kNone ? ground->skin(k).top_m : ground->TopAt(i, j);
       if (top_m + kNear_m <= lowest_m_) continue;
-      const double x_m = ground->x_m(i), y_m = ground->y_m(j);
-      auto crossing = shape_.VerticalCrossing(body.X_WB, x_m, y_m);
+      const ShovelShape::Upright line = uprights.At(ground->x_m(i), ground->y_m(j));
+      const double at_m = Vec2(line.o_B.x(), line.o_B.z()).dot(extent.right);
+      if (line.is_beside() || at_m < extent.from_m - beyond_m || at_m > extent.to_m + beyond_m) {
+        continue;
+      }
+      auto crossing = shape_.VerticalCrossing(line);
       const Part part = crossing ? kInside : kInShell;
-      if (!crossing) crossing = CrossingOfShell(body, x_m, y_m, behind_B);
+      if (!crossing) crossing = CrossingOfShell(line, behind_B);
       if (!crossing) continue;
       mask_.part[mask_.Index(i, j)] = part;
-      const auto cut_m = shape_.HeightOfPassedEdge(body.X_WB, x_m, y_m, came_B);
+      const auto cut_m = shape_.HeightOfPassedEdge(line, came_B);
       crossing->low_m = std::min(crossing->low_m, cut_m.value_or(crossing->low_m));
-      const ColumnId k = ground->Touch(i, j);
+      if (k == Columns::kNone) k = ground->Touch(i, j);
       ground->Block(k, crossing->low_m);
       blocked_.push_back(k);
       const bool sweeps = part == kInside || mask_before_.At(i, j) == kInside;

@@ -59,8 +59,8 @@ class Digging {
   static Vec2 Level(const Vec3& v_W);
   Vec2 ShellThickness_B(const BodyState& body, double cell_m) const;
   void FrameMask(const BodyState& body, double behind_m, const Columns& ground);
-  std::optional<ShovelShape::Crossing> CrossingOfShell(const BodyState& body, double x_m,
-                                                       double y_m, const Vec2& behind_B) const;
+  std::optional<ShovelShape::Crossing> CrossingOfShell(const ShovelShape::Upright& line,
+                                                       const Vec2& behind_B) const;
   void FindFootprint(const BodyState& body, double dt_s, Columns* ground);
   void CutFootprint(const BodyState& body, double dt_s, Columns* ground, Wrench* wrench);
   bool PressShell(const BodyState& body, const Swept& swept, double dt_s, bool may_enter,

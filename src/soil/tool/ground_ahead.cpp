@@ -41,9 +41,8 @@ GroundAhead LookAhead(const Vec3& p_W, double near_m, const Vec3& travel_W, cons
   const auto look = [&](int k) {
     const Vec2 at = (p_W + ahead.x_m[k] * travel_W).head<2>();
     const Columns::Sample sample = ground.SampleAt(at.x(), at.y());
-    const ColumnId id = ground.IdAt(sample.i, sample.j);
     ahead.top_m[k] = sample.top_m - p_W.z();
-    ahead.firm_m[k] = ahead.top_m[k] - (id == Columns::kNone ? 0 : ground.skin(id).loose_m);
+    ahead.firm_m[k] = ahead.top_m[k] - (sample.nearest == nullptr ? 0 : sample.nearest->loose_m);
   };
   ahead.x_m[1] = near_m;
   look(1);

@@ -121,40 +121,36 @@ ShovelShape::LevelExtent ShovelShape::ExtentAcross(const Vec3& up_B) const {
   return extent;
 }
 
-/// An upright line through a place: p_B(z) = o_B + z u_B, z in W.
-struct ShovelShape::Upright {
-  Vec3 o_B, u_B;
-  double from_m = -std::numeric_limits<double>::infinity();  ///< z between the side walls
-  double to_m = std::numeric_limits<double>::infinity();
+ShovelShape::Uprights::Uprights(const ShovelShape& shape, const Pose& X_WB)
+    : R_BW_(X_WB.linear().transpose()),
+      p_WB_m_(X_WB.translation()),
+      half_width_m_(shape.half_width_m_) {}
 
-  Upright(const Pose& X_WB, double x_m, double y_m, double half_width_m) {
-    const Mat3 R_BW = X_WB.linear().transpose();
-    u_B = R_BW.col(2);
-    o_B = R_BW * (Vec3(x_m, y_m, 0) - X_WB.translation());
-    if (std::abs(u_B.y()) < kTiny) {
-      if (std::abs(o_B.y()) > half_width_m) to_m = -to_m;
-    } else {
-      const double za = (-half_width_m - o_B.y()) / u_B.y();
-      const double zb = (half_width_m - o_B.y()) / u_B.y();
-      from_m = std::min(za, zb), to_m = std::max(za, zb);
-    }
+ShovelShape::Upright ShovelShape::Uprights::At(double x_m, double y_m) const {
+  constexpr double kInfinite_m = std::numeric_limits<double>::infinity();
+  Upright line{R_BW_ * (Vec3(x_m, y_m, 0) - p_WB_m_), R_BW_.col(2), -kInfinite_m, kInfinite_m};
+  const double y = line.o_B.y(), rise = line.u_B.y();
+  if (std::abs(rise) < kTiny) {
+    if (std::abs(y) > half_width_m_) line.to_m = -kInfinite_m;
+  } else {
+    const double za = (-half_width_m_ - y) / rise, zb = (half_width_m_ - y) / rise;
+    line.from_m = std::min(za, zb), line.to_m = std::max(za, zb);
   }
-  bool is_beside() const { return to_m < from_m; }
-  /// z where it crosses a line from `a` along `d` in B's x-z plane, if it does.
-  std::optional<double> Crosses_m(const Vec2& a, const Vec2& d) const {
-    const Vec2 u(u_B.x(), u_B.z());
-    const double denominator = Cross(u, d);
-    if (std::abs(denominator) < kTiny) return std::nullopt;
-    const Vec2 to = a - Vec2(o_B.x(), o_B.z());
-    const double s = Cross(to, u) / denominator;
-    if (s < 0 || s > 1) return std::nullopt;
-    return Cross(to, d) / denominator;
-  }
-};
+  return line;
+}
 
-std::optional<double> ShovelShape::LowestOfShell(const Pose& X_WB, double x_m, double y_m,
-                                                 const Vec2& behind_B) const {
-  const Upright line(X_WB, x_m, y_m, half_width_m_);
+/// z where it crosses a line from `a` along `d` in B's x-z plane, if it does.
+std::optional<double> ShovelShape::Upright::Crosses_m(const Vec2& a, const Vec2& d) const {
+  const Vec2 u(u_B.x(), u_B.z());
+  const double denominator = Cross(u, d);
+  if (std::abs(denominator) < kTiny) return std::nullopt;
+  const Vec2 to = a - Vec2(o_B.x(), o_B.z());
+  const double s = Cross(to, u) / denominator;
+  if (s < 0 || s > 1) return std::nullopt;
+  return Cross(to, d) / denominator;
+}
+
+std::optional<double> ShovelShape::LowestOfShell(const Upright& line, const Vec2& behind_B) const {
   if (line.is_beside()) return std::nullopt;
   double low_m = std::numeric_limits<double>::infinity();
   const auto take = [&](const Vec2& a, const Vec2& d) {
@@ -169,15 +165,12 @@ std::optional<double> ShovelShape::LowestOfShell(const Pose& X_WB, double x_m, d
   return low_m < line.to_m ? std::optional(low_m) : std::nullopt;
 }
 
-std::optional<double> ShovelShape::HeightOfPassedEdge(const Pose& X_WB, double x_m, double y_m,
+std::optional<double> ShovelShape::HeightOfPassedEdge(const Upright& line,
                                                       const Vec2& came_B) const {
-  const Upright line(X_WB, x_m, y_m, half_width_m_);
   return line.is_beside() ? std::nullopt : line.Crosses_m(profile_[0], came_B);
 }
 
-std::optional<ShovelShape::Crossing> ShovelShape::VerticalCrossing(const Pose& X_WB, double x_m,
-                                                                   double y_m) const {
-  const Upright line(X_WB, x_m, y_m, half_width_m_);
+std::optional<ShovelShape::Crossing> ShovelShape::VerticalCrossing(const Upright& line) const {
   if (line.is_beside()) return std::nullopt;
   const double z0 = line.from_m, z1 = line.to_m;
   const Vec3& u_B = line.u_B;

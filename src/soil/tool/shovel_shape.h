@@ -24,17 +24,33 @@ class ShovelShape {
     bool through_mouth = false;    ///< the lower end lies on the mouth
     Vec3 low_normal_B = Vec3::Zero();
   };
-  std::optional<Crossing> VerticalCrossing(const Pose& X_WB, double x_m, double y_m) const;
+  /// An upright line of W in B: p_B(z) = o_B + z u_B, z in W.
+  struct Upright {
+    Vec3 o_B, u_B;
+    double from_m, to_m;  ///< z between the side walls
+    bool is_beside() const { return to_m < from_m; }
+    std::optional<double> Crosses_m(const Vec2& a, const Vec2& d) const;
+  };
+  /// Those through places of the ground.
+  class Uprights {
+   public:
+    Uprights(const ShovelShape& shape, const Pose& X_WB);
+    Upright At(double x_m, double y_m) const;
+
+   private:
+    Mat3 R_BW_;
+    Vec3 p_WB_m_;
+    double half_width_m_;
+  };
+  std::optional<Crossing> VerticalCrossing(const Upright& line) const;
 
   /// Lowest z in W of the shell over a place, where the shell is as thick as `behind_B`, a vector
   /// in B's x-z plane, reaches from it. Nothing where no shell is.
-  std::optional<double> LowestOfShell(const Pose& X_WB, double x_m, double y_m,
-                                      const Vec2& behind_B) const;
+  std::optional<double> LowestOfShell(const Upright& line, const Vec2& behind_B) const;
 
   /// z in W of the edge where it has passed over a place, on its way from `came_B` behind it in B's
   /// x-z plane.
-  std::optional<double> HeightOfPassedEdge(const Pose& X_WB, double x_m, double y_m,
-                                           const Vec2& came_B) const;
+  std::optional<double> HeightOfPassedEdge(const Upright& line, const Vec2& came_B) const;
 
   /// What the shovel holds when gravity's up direction is `up_B`.
   struct Hold {
@@ -75,7 +91,6 @@ class ShovelShape {
   LevelExtent ExtentAcross(const Vec3& up_B) const;
 
  private:
-  struct Upright;
   struct Heap;
   Heap FullestHeap(const Vec3& up_B, double repose_rad) const;
 

@@ -116,12 +116,11 @@ GearContact::GearContact(const RunningGear& gear, bool shears, std::vector<SoilT
 
 /// Pressure on a grid of points fixed to the patch's part that touches, at most about a cell apart:
 /// as smooth as the ground. `touching` is that part's share.
-GearContact::Pressed GearContact::Bear(std::size_t patch_index, double touching,
-                                       const BodyState& body, const Columns& ground,
-                                       const LowObstacles& obstacles) const {
+GearContact::Pressed GearContact::Bear(std::size_t patch_index, const Footprint& foot,
+                                       double touching, const BodyState& body,
+                                       const Columns& ground, const LowObstacles& obstacles) const {
   const ContactPatch& patch = gear_.patches[patch_index];
   Pressed result;
-  const Footprint foot(patch, body.X_WB);
   const int n_along = std::max(1, static_cast<int>(std::ceil(patch.length_m / ground.cell_m())));
   const int n_across = std::max(1, static_cast<int>(std::ceil(patch.width_m / ground.cell_m())));
   const double area_m2 = touching * patch.length_m * patch.width_m / (n_along * n_across);
@@ -146,7 +145,7 @@ GearContact::Pressed GearContact::Bear(std::size_t patch_index, double touching,
       const bool hard = obstacle && obstacle->z_m > sample.top_m;
       const double pen_m = ((hard ? obstacle->z_m : sample.top_m) - q_W.z()) * -foot.n_W.z();
       if (pen_m <= 0) continue;
-      const std::size_t soil = hard ? soils_.size() - 1 : ground.SoilAt(sample.i, sample.j);
+      const std::size_t soil = hard ? soils_.size() - 1 : ground.SoilAt(sample);
       const Plate& plate = plates_[patch_index * soils_.size() + soil];
       const double sinkage_m = pen_m + (hard ? 0 : sample.pressed_m);
       const double v_mps = into_mps + along_m * into_along_radps + across_m * into_across_radps;
@@ -252,11 +251,11 @@ void GearContact::ActOn(std::size_t k, const Step& step, const LowObstacles& obs
       const Vec3 aside_W_n = PushAside_n(k, foot, step) * foot.across_W;
       sum->wrench.AddForceAt(aside_W_n, foot.p_W_m, body.X_WB.translation());
     }
-    rut_work_j_ += rut_.Press(k, touching, body, step.dt_s, obstacles, step.ground);
-    pressed = Bear(k, touching, body, *step.ground, obstacles);
+    rut_work_j_ += rut_.Press(k, foot, touching, body, step.dt_s, obstacles, step.ground);
+    pressed = Bear(k, foot, touching, body, *step.ground, obstacles);
   }
   if (pressed.normal_n > 0) {
-    Carry(k, pressed, step, sum);
+    Carry(k, foot, pressed, step, sum);
   } else {
     const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(foot.p_W_m - body.X_WB.translation());
     patches_[k].Lift((v_W.head<2>().norm() + std::abs(step.shoe_mps)) * step.dt_s);
@@ -264,10 +263,10 @@ void GearContact::ActOn(std::size_t k, const Step& step, const LowObstacles& obs
 }
 
 /// One patch that bears: its forces, and the soil that its shoes carry away.
-void GearContact::Carry(std::size_t k, const Pressed& pressed, const Step& step, GearSum* sum) {
+void GearContact::Carry(std::size_t k, const Footprint& foot, const Pressed& pressed,
+                        const Step& step, GearSum* sum) {
   const BodyState& body = step.body;
   const ContactPatch& patch = gear_.patches[k];
-  const Footprint foot(patch, body.X_WB);
   const Vec3 origin_W = body.X_WB.translation();
   const Vec3 p_W = pressed.moment_W / pressed.normal_n;
   const Vec3 v_W =

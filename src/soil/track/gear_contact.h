@@ -70,9 +70,10 @@ class GearContact {
   struct Step;
   struct Pressed;
   void ActOn(std::size_t k, const Step& step, const LowObstacles& obstacles, GearSum* sum);
-  Pressed Bear(std::size_t patch_index, double touching, const BodyState& body,
-               const Columns& ground, const LowObstacles& obstacles) const;
-  void Carry(std::size_t k, const Pressed& pressed, const Step& step, GearSum* sum);
+  Pressed Bear(std::size_t patch_index, const Footprint& foot, double touching,
+               const BodyState& body, const Columns& ground, const LowObstacles& obstacles) const;
+  void Carry(std::size_t k, const Footprint& foot, const Pressed& pressed, const Step& step,
+             GearSum* sum);
   Vec2 Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_mps, const Step& step);
   double PushAside_n(std::size_t k, const Footprint& foot, const Step& step);
   Vec3 PayBack(const Vec3& v_WB_mps, double dt_s);

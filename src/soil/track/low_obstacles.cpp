@@ -1,5 +1,6 @@
 #include "soil/track/low_obstacles.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/check.h"
@@ -58,6 +59,7 @@ Vec3 VelocityAt(const BodyState& body, const Vec3& p_W_m) {
 
 int LowObstacles::Add(const RigidObstacle& obstacle) {
   placed_.push_back({obstacle, {}});
+  lowest_rise_m_ = std::min(lowest_rise_m_, obstacle.rise_m);
   return static_cast<int>(placed_.size()) - 1;
 }
 
@@ -65,7 +67,8 @@ void LowObstacles::Move(int handle, const BodyState& carrier) {
   placed_.at(handle).state = carrier;
 }
 
-std::optional<LowObstacles::Top> LowObstacles::TopAt(double x_m, double y_m, double climb_m) const {
+std::optional<LowObstacles::Top> LowObstacles::HighestAt(double x_m, double y_m,
+                                                         double climb_m) const {
   std::optional<Top> highest;
   for (const Placed& placed : placed_) {
     if (placed.obstacle.rise_m > climb_m) continue;

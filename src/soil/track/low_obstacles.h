@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -30,7 +31,9 @@ class LowObstacles {
     Vec3 v_W_mps;  ///< of the obstacle there
   };
   /// The highest over (x, y) of obstacles that rise no more than `climb_m`.
-  std::optional<Top> TopAt(double x_m, double y_m, double climb_m) const;
+  std::optional<Top> TopAt(double x_m, double y_m, double climb_m) const {
+    return climb_m < lowest_rise_m_ ? std::nullopt : HighestAt(x_m, y_m, climb_m);
+  }
 
   struct Exit {
     GroundExit way;
@@ -44,7 +47,10 @@ class LowObstacles {
     RigidObstacle obstacle;
     BodyState state;
   };
+  std::optional<Top> HighestAt(double x_m, double y_m, double climb_m) const;
+
   std::vector<Placed> placed_;
+  double lowest_rise_m_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace tera

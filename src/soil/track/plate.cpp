@@ -62,7 +62,7 @@ double Plate::PlasticSinkage_m(double share, double ease, double pressed_m, doub
   constexpr double kClose_m = 1e-7;
   const double stiffness_papm = share * rebound_papm_;
   if (Bears(stiffness_papm * pen_m, ease * pressed_m)) return 0;
-  double low = 0, high = pen_m, ds = pen_m;
+  double low = 0, high = pen_m, ds = pressed_m > 0 ? 0 : pen_m;
   for (int step = 0; step < kSteps; ++step) {
     const double z = pressed_m + ds;
     const double bekker_pa = BekkerPressure_pa(*soil_, width_m_, ease * z);
@@ -75,8 +75,9 @@ double Plate::PlasticSinkage_m(double share, double ease, double pressed_m, doub
             : stiffness_papm + soil_->sinkage_exponent * bekker_pa / std::max(z, kClose_m);
     double next = ds - residual / slope;
     if (next <= low || next >= high) next = 0.5 * (low + high);
-    if (std::abs(next - ds) < kClose_m) break;
+    const bool close = std::abs(next - ds) < kClose_m;
     ds = next;
+    if (close) break;
   }
   return ds;
 }

@@ -20,6 +20,9 @@ template <typename Visit>
 void ForColumnsUnder(const ContactPatch& patch, const Footprint& foot, const Columns& ground,
                      Visit visit) {
   const Vec3& p_W = foot.p_W_m;
+  const Vec2 rise = -foot.n_W.head<2>() / foot.n_W.z();  // of the plane
+  const Vec2 along = foot.along_W.head<2>() + foot.along_W.z() * rise;
+  const Vec2 across = foot.across_W.head<2>() + foot.across_W.z() * rise;
   const Vec3 reach =
       0.5 * (patch.length_m * foot.along_W.cwiseAbs() + patch.width_m * foot.across_W.cwiseAbs());
   const int i0 = std::max(0, ground.NearestI(p_W.x() - reach.x()));
@@ -28,11 +31,10 @@ void ForColumnsUnder(const ContactPatch& patch, const Footprint& foot, const Col
   const int j1 = std::min(ground.ny() - 1, ground.NearestJ(p_W.y() + reach.y()));
   for (int j = j0; j <= j1; ++j) {
     for (int i = i0; i <= i1; ++i) {
-      const double dx = ground.x_m(i) - p_W.x(), dy = ground.y_m(j) - p_W.y();
-      const Vec3 d_W(dx, dy, -(foot.n_W.x() * dx + foot.n_W.y() * dy) / foot.n_W.z());
-      if (std::abs(d_W.dot(foot.along_W)) > 0.5 * patch.length_m) continue;
-      if (std::abs(d_W.dot(foot.across_W)) > 0.5 * patch.width_m) continue;
-      visit(i, j, d_W);
+      const Vec2 d(ground.x_m(i) - p_W.x(), ground.y_m(j) - p_W.y());
+      if (std::abs(d.dot(along)) > 0.5 * patch.length_m) continue;
+      if (std::abs(d.dot(across)) > 0.5 * patch.width_m) continue;
+      visit(i, j, Vec3(d.x(), d.y(), d.dot(rise)));
     }
   }
 }
@@ -83,11 +85,11 @@ void Rut::Cover(ColumnId k, double low_m, Columns* ground) {
   covered_.push_back(k);
 }
 
-double Rut::Press(std::size_t patch_index, double touching, const BodyState& body, double dt_s,
-                  const LowObstacles& obstacles, Columns* ground) {
+double Rut::Press(std::size_t patch_index, const Footprint& foot, double touching,
+                  const BodyState& body, double dt_s, const LowObstacles& obstacles,
+                  Columns* ground) {
   pressed_.clear();
   const ContactPatch& patch = gear_.patches[patch_index];
-  const Footprint foot(patch, body.X_WB);
   const bool side = SideFaces::IsOne(patch);
   const double middle_m = side ? SideFaces::Middle_m(patch, touching) : 0;
   const double climb_m = ClimbHeight_m(gear_);
@@ -139,8 +141,8 @@ double Rut::Sink(const Under& column, double pen_m, const BodyState& body, doubl
   const ContactPatch& patch = gear_.patches[patch_index];
   const Plate& plate = plates_[patch_index * soils_.size() + ground->soil_at(k)];
   const double was_m = ground->skin(k).pressed_m;
-  const double plastic_m =
-      plate.PlasticSinkage_m(PressureShare(patch, column.along_m()), 1, was_m, pen_m);
+  const double share = PressureShare(patch, column.along_m());
+  const double plastic_m = plate.PlasticSinkage_m(share, 1, was_m, pen_m);
   if (plastic_m <= 0) return 0;
   const Vec3 v_W =
       body.v_WB_mps + body.w_WB_radps.cross(foot.p_W_m + d_W - body.X_WB.translation());
@@ -152,9 +154,10 @@ double Rut::Sink(const Under& column, double pen_m, const BodyState& body, doubl
       forward * (1 - std::clamp(v_W.z() * foot.n_W.z() * dt_s / plastic_m, 0.0, 1.0));
   const double is_m = was_m + plastic_m;
   const double firmness = static_cast<double>(ground->skin(k).firmness);
-  const double pressure_pa = firmness * plate.Pressure_pa(is_m);
+  const double pressure_pa = firmness * share * plate.rebound_papm() * (pen_m - plastic_m);
   Lower(k, {plastic_m / -foot.n_W.z(), kInfluenceDepths * patch.width_m, pressure_pa},
         BesideOf(column, plate, ground->cell_m()), ground);
+  if (forward == 0) return 0;
   return firmness * ground->area_m2() *
          (moved_on * plate.PressingWork_jpm2(was_m, is_m) +
           came_along * plate.BulldozingWork_jpm2(was_m, is_m));

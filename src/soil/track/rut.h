@@ -50,11 +50,12 @@ class Rut {
 
   /// Before a step's patches, in which the shoes move on by `shoe_m`.
   void Begin(double shoe_m, Columns* ground);
-  /// Presses the columns under patch `k` where they cannot bear it and no low obstacle lies on
-  /// them; of a side face under the share `touching`, see SideFaces. Returns the work of it that
-  /// the patch's pressure does not do, because the gear moves on rather than down.
-  double Press(std::size_t k, double touching, const BodyState& body, double dt_s,
-               const LowObstacles& obstacles, Columns* ground);
+  /// Presses the columns under patch `k`, which stands at `foot`, where they cannot bear it and no
+  /// low obstacle lies on them; of a side face under the share `touching`, see SideFaces. Returns
+  /// the work of it that the patch's pressure does not do, because the gear moves on rather than
+  /// down.
+  double Press(std::size_t k, const Footprint& foot, double touching, const BodyState& body,
+               double dt_s, const LowObstacles& obstacles, Columns* ground);
   /// The gear stands over a column, from `low_m` upwards.
   void Cover(ColumnId k, double low_m, Columns* ground);
   /// Ground beside a gear's edge in which soil heaves.

@@ -138,7 +138,7 @@ std::optional<WheelContact::Sample> WheelContact::SampleAt(const Rim::Point& at,
   return Sample{pen_m,
                 pen_m + (hard ? 0 : sample.pressed_m),
                 hard ? 1 : sample.firmness,
-                hard ? soils_.size() - 1 : ground.SoilAt(sample.i, sample.j),
+                hard ? soils_.size() - 1 : ground.SoilAt(sample),
                 hard ? obstacle->v_W_mps : Vec3(Vec3::Zero()),
                 hard};
 }
@@ -233,7 +233,7 @@ void WheelContact::PushAside(const BodyState& body, double dt_s, const Columns& 
     const Rim::Point at = rim_.At(angle_rad, side_m, body.X_WB);
     if (-at.n_W.z() < kLeastDown || ground.IsWellAbove(at.p_W_m)) continue;
     const Columns::Sample below = ground.SampleAt(at.p_W_m.x(), at.p_W_m.y());
-    const SoilType& soil = soils_[ground.SoilAt(below.i, below.j)];
+    const SoilType& soil = soils_[ground.SoilAt(below)];
     const double wedge_m = deepest_m_ * std::tan(45 * kDeg + 0.5 * soil.shear_friction_rad);
     const Vec3 out_W = at.p_W_m + std::copysign(ground.cell_m() + wedge_m, share) * left_W;
     const Vec3 foot_W_m(out_W.x(), out_W.y(), at.p_W_m.z());

@@ -18,14 +18,15 @@ TEST(ShovelShape, VerticalLineCrossesTheTurnedBucketWhereItsCornersAre) {
   const Pose X_WB =
       MakePose(Vec3(1, 2, 3), RotationFromRpy(0, 0, 0.7) * RotationFromRpy(0, kPi, 0));
   const Vec3 p_W = X_WB * Vec3(0.30, 0.1, 0.42);
-  const auto crossing = shape.VerticalCrossing(X_WB, p_W.x(), p_W.y());
+  const ShovelShape::Uprights uprights(shape, X_WB);
+  const auto crossing = shape.VerticalCrossing(uprights.At(p_W.x(), p_W.y()));
   ASSERT_TRUE(crossing);
   EXPECT_NEAR(crossing->low_m, 3 - 0.42, 1e-9);
   EXPECT_FALSE(crossing->through_mouth);
   // The mouth runs from z_B = -0.03 at x_B = 0.09 to 0 at 0.78.
   EXPECT_NEAR(crossing->high_m, 3 + 0.03 * (0.78 - 0.30) / 0.69, 1e-9);
   const Vec3 beside_W = X_WB * Vec3(0.30, 0.31, 0);
-  EXPECT_FALSE(shape.VerticalCrossing(X_WB, beside_W.x(), beside_W.y()));
+  EXPECT_FALSE(shape.VerticalCrossing(uprights.At(beside_W.x(), beside_W.y())));
 }
 
 TEST(ShovelShape, HoldsItsStruckVolumeLevelAndNothingUpsideDown) {
