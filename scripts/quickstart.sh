@@ -40,7 +40,7 @@ TXT
 if grep -q '^TERA_WHOLE_PROGRAM:BOOL=OFF' build/release/CMakeCache.txt; then
   cat <<TXT
 
-build/release/tera has the commands of the quickstart alone. The rest (diagnose, layout, prove, register, resense, ros2, serve,
+build/release/tera has the commands of the quickstart alone. The rest (campaign, diagnose, layout, prove, register, resense, ros2, serve,
 site):
   scripts/build.sh
 TXT

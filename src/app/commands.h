@@ -7,6 +7,7 @@
 
 namespace tera {
 
+void AddCampaignCommand(CLI::App* app);
 void AddDiagnoseCommand(CLI::App* app);
 void AddGenerateCommand(CLI::App* app);
 void AddCheckCommand(CLI::App* app);

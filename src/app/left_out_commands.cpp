@@ -20,6 +20,9 @@ void AddLeftOut(const std::string& name, const std::string& description, CLI::Ap
 
 }  // namespace
 
+void AddCampaignCommand(CLI::App* app) {
+  AddLeftOut("campaign", "Many varied episodes of one scenario", app);
+}
 void AddDiagnoseCommand(CLI::App* app) {
   AddLeftOut("diagnose", "Find why a recording differs from its simulation", app);
 }

@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", tera::AboutProgram(),
                        "Print the version, and what this program was built from and how");
   tera::AddGenerateCommand(&app);
+  tera::AddCampaignCommand(&app);
   tera::AddCheckCommand(&app);
   tera::AddInfoCommand(&app);
   tera::AddCompareCommand(&app);

@@ -35,13 +35,14 @@ const std::map<std::string, std::set<std::string>> kMaySee = {
     {"resimulate", {"core", "physics", "soil", "render", "dataset", "sensors", "sim"}},
     {"diagnose", {"core", "physics", "soil", "render", "dataset", "sensors", "sim", "resimulate"}},
     {"layout", {"core", "physics", "soil", "render", "dataset", "sensors", "sim", "resimulate"}},
+    {"campaign", {"core", "physics", "soil", "render", "dataset", "sensors", "sim"}},
     {"survey", {"core", "soil", "dataset"}},
     {"serve", {"core", "physics", "soil", "render", "dataset", "sensors", "sim"}},
     {"ros2", {"core", "physics", "soil", "render", "dataset", "sensors", "sim"}},
     {"view", {"core", "dataset"}},
     {"app",
      {"core", "physics", "soil", "render", "dataset", "sensors", "sim", "resimulate", "diagnose",
-      "layout", "survey", "serve", "ros2", "view", "blind"}},
+      "layout", "campaign", "survey", "serve", "ros2", "view", "blind"}},
 };
 
 /// Headers of a library by their beginning, and the folders that may include them. A header that is
@@ -76,6 +77,7 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"httplib.h", "view"},
     {"boost/math/", "diagnose"},
     {"boost/math/", "layout"},
+    {"boost/random/", "campaign"},
     {"boost/math/", "sim"},
     {"ceres/", "diagnose"},
     {"openssl/", "dataset"},
@@ -84,6 +86,7 @@ const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"pcap/", "dataset"},
     {"bzlib.h", "dataset"},
     {"libnova/", "sim"},
+    {"sqlite3.h", "campaign"},
     {"sqlite3.h", "dataset"},
     {"zlib.h", "dataset"},
     {"zstd.h", "dataset"},
@@ -113,6 +116,7 @@ const std::map<std::string, std::string> kNameOfLibrary = {
     {"Random123/", "Random123"},
     {"assimp/", "assimp"},
     {"boost/math/", "Boost.Math"},
+    {"boost/random/", "Boost.Random"},
     {"bzlib.h", "libbz2"},
     {"ceres/", "Ceres"},
     {"console_bridge/", "urdfdom"},
@@ -190,7 +194,8 @@ bool MayInclude(const std::string& folder, const std::string& library) {
 }
 
 /// Of the operating system.
-const std::set<std::string> kPosix = {"fcntl.h", "poll.h", "sys/file.h", "sys/ioctl.h", "unistd.h"};
+const std::set<std::string> kPosix = {"fcntl.h",     "poll.h",         "sys/file.h", "sys/ioctl.h",
+                                      "sys/prctl.h", "sys/resource.h", "sys/wait.h", "unistd.h"};
 
 bool IsStandard(const std::string& header) {
   return header.find_first_of("/.") == std::string::npos;

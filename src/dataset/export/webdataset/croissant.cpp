@@ -46,7 +46,8 @@ std::string PartId(const SensorArchives& sensor, const std::string& ending) {
   return sensor.name + "/" + ending;
 }
 
-void AddFiles(const ExportJob& job, const SensorArchives& sensor, OrderedJson* distribution) {
+void AddFiles(const std::filesystem::path& folder, const SensorArchives& sensor,
+              OrderedJson* distribution) {
   OrderedJson within = OrderedJson::array();
   for (const SensorArchives::Archive& archive : sensor.archives) {
     within.push_back(Reference(archive.file));
@@ -56,7 +57,7 @@ void AddFiles(const ExportJob& job, const SensorArchives& sensor, OrderedJson* d
                              {"contentUrl", archive.file},
                              {"contentSize", fmt::format("{} B", archive.bytes)},
                              {"encodingFormat", "application/x-tar"},
-                             {"sha256", DigestOf(job.folder / archive.file).sha256}});
+                             {"sha256", DigestOf(folder / archive.file).sha256}});
   }
   for (const std::string& ending : sensor.endings) {
     distribution->push_back({{"@type", "cr:FileSet"},
@@ -74,7 +75,7 @@ OrderedJson Records(const SensorArchives& sensor, const std::string& ending) {
   const OrderedJson key = {
       {"fileSet", Reference(set)},
       {"extract", {{"fileProperty", "fullpath"}}},
-      {"transform", {{"regex", fmt::format("({}/-?[0-9]+)\\.", sensor.name)}}}};
+      {"transform", {{"regex", fmt::format("({}/[-_0-9]+)\\.", sensor.name)}}}};
   const OrderedJson content = {{"fileSet", Reference(set)},
                                {"extract", {{"fileProperty", "content"}}}};
   const char* const type = ending.ends_with("png") ? "sc:ImageObject" : "sc:Text";
@@ -98,11 +99,11 @@ OrderedJson Records(const SensorArchives& sensor, const std::string& ending) {
 
 }  // namespace
 
-std::string CroissantJson(const ExportJob& job, const CardFacts& facts,
-                          const std::vector<SensorArchives>& sensors) {
+std::string CroissantJson(const std::filesystem::path& folder, const DatasetInfo& info,
+                          const CardFacts& facts, const std::vector<SensorArchives>& sensors) {
   OrderedJson distribution = OrderedJson::array(), records = OrderedJson::array();
   for (const SensorArchives& sensor : sensors) {
-    AddFiles(job, sensor, &distribution);
+    AddFiles(folder, sensor, &distribution);
     for (const std::string& ending : sensor.endings) {
       if (EncodingOf(ending) != "application/octet-stream") {
         records.push_back(Records(sensor, ending));
@@ -113,7 +114,7 @@ std::string CroissantJson(const ExportJob& job, const CardFacts& facts,
   return OrderedJson{{"@context", Context()},
                      {"@type", "sc:Dataset"},
                      {"conformsTo", "http://mlcommons.org/croissant/1.1"},
-                     {"name", job.recording.info().scenario_name},
+                     {"name", info.scenario_name},
                      {"description", facts.description},
                      {"license", facts.license},
                      {"url", facts.url},

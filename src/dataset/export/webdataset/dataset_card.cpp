@@ -31,13 +31,13 @@ std::int64_t SamplesOf(const SensorArchives& sensor) {
 }
 
 /// The hub's metadata: a configuration for each sensor.
-std::string FrontMatter(const ExportJob& job, const CardFacts& facts,
+std::string FrontMatter(const DatasetInfo& info, const CardFacts& facts,
                         const std::vector<SensorArchives>& sensors) {
   std::string text = fmt::format(
       "---\npretty_name: {}\nlicense: other\nlicense_name: see-link\nlicense_link: {}\n"
       "tags: [webdataset{}]\nconfigs:\n",
-      YamlQuoted(job.recording.info().scenario_name), YamlQuoted(facts.license),
-      job.recording.info().simulated ? ", synthetic" : "");
+      YamlQuoted(info.scenario_name), YamlQuoted(facts.license),
+      info.simulated ? ", synthetic" : "");
   for (const SensorArchives& sensor : sensors) {
     text += fmt::format("  - config_name: {0}\n    data_files: \"{0}-*.tar\"\n", sensor.name);
   }
@@ -81,10 +81,9 @@ CardFacts ReadCardFacts(const std::filesystem::path& file) {
   return facts;
 }
 
-std::string CardText(const ExportJob& job, const CardFacts& facts,
+std::string CardText(const DatasetInfo& info, const CardFacts& facts,
                      const std::vector<SensorArchives>& sensors) {
-  const DatasetInfo& info = job.recording.info();
-  std::string text = FrontMatter(job, facts, sensors);
+  std::string text = FrontMatter(info, facts, sensors);
   text += fmt::format("# {}\n\n{}\n\n{}\n\n", info.scenario_name, facts.description, Origin(info));
   text += fmt::format("By {}, {}. Licence: {}. Metadata: croissant.json (Croissant 1.1).\n\n",
                       facts.creator, facts.date_published, facts.license);

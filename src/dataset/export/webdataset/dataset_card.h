@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dataset/export/export_job.h"
+#include "dataset/format/dataset_info.h"
 
 namespace tera {
 
@@ -35,11 +35,11 @@ struct SensorArchives {
 /// records.
 ///
 /// Source  MLCommons, "Croissant Format Specification", version 1.1.
-std::string CroissantJson(const ExportJob& job, const CardFacts& facts,
-                          const std::vector<SensorArchives>& sensors);
+std::string CroissantJson(const std::filesystem::path& folder, const DatasetInfo& info,
+                          const CardFacts& facts, const std::vector<SensorArchives>& sensors);
 
 /// README.md: a dataset card with metadata for Hugging Face's hub.
-std::string CardText(const ExportJob& job, const CardFacts& facts,
+std::string CardText(const DatasetInfo& info, const CardFacts& facts,
                      const std::vector<SensorArchives>& sensors);
 
 }  // namespace tera

@@ -48,13 +48,13 @@ std::string Shards::FileName() const {
   return fmt::format("{}-{:06}.tar", archives_.name, archives_.archives.size());
 }
 
-void Shards::Add(TimeNs t_ns, const std::vector<SamplePart>& parts) {
+void Shards::Add(TimeNs t_ns, const std::vector<SamplePart>& parts, const std::string& episode) {
   std::int64_t bytes = 0;
   for (const SamplePart& part : parts) bytes += TarWriter::SpaceOf(part.bytes.size());
   if (shard_ && shard_->bytes() + bytes > most_bytes_) CommitShard();
   if (!shard_) shard_ = std::make_unique<TarWriter>(folder_ / FileName());
   for (const SamplePart& part : parts) {
-    shard_->Add(archives_.name, fmt::format("{:020}.{}", t_ns, part.ending), part.bytes);
+    shard_->Add(archives_.name, fmt::format("{}{:020}.{}", episode, t_ns, part.ending), part.bytes);
   }
   ++samples_;
   for (const SamplePart& part : parts) AddEnding(part.ending);

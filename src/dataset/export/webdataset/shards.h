@@ -29,8 +29,9 @@ class Shards {
   Shards(const std::filesystem::path& folder, const std::string& sensor, std::int64_t most_bytes);
 
   /// Parts are NAME/<t_ns in 20 digits>.ENDING. A sample is never split: one that exceeds the
-  /// archive size gets its own archive.
-  void Add(TimeNs t_ns, const std::vector<SamplePart>& parts);
+  /// archive size gets its own archive. Samples of several recordings in one set of archives have
+  /// the `episode` before their time, NAME/000012_<t_ns>.ENDING; such archives are not reused.
+  void Add(TimeNs t_ns, const std::vector<SamplePart>& parts, const std::string& episode = "");
   /// Whether a reused archive has the sample of this time. Samples come in order of time.
   bool Has(TimeNs t_ns) const { return last_ns_ && t_ns <= *last_ns_; }
   void Commit();

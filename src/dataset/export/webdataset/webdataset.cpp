@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
@@ -13,6 +16,7 @@
 #include "dataset/export/sensor_names.h"
 #include "dataset/export/sensor_track.h"
 #include "dataset/export/webdataset/dataset_card.h"
+#include "dataset/export/webdataset/merged_archives.h"
 #include "dataset/export/webdataset/npy.h"
 #include "dataset/export/webdataset/shards.h"
 
@@ -34,27 +38,26 @@ OrderedJson BoxesIn(const fs::path& file) {
 /// One camera or lidar.
 class SensorSamples {
  public:
-  SensorSamples(ExportJob* job, const std::string& sensor, bool is_lidar)
+  /// `episode` as for Shards::Add.
+  SensorSamples(ExportJob* job, const std::string& sensor, bool is_lidar, Shards* shards,
+                std::string episode = "")
       : job_(*job),
         sensor_(sensor),
         is_lidar_(is_lidar),
-        shards_(job->folder, sensor, job->options.shard_bytes) {
+        shards_(*shards),
+        episode_(std::move(episode)) {
     if (job_.recording.Has(SensorPoseFile(sensor))) poses_ = SensorTrack(job, sensor).X_WS;
     const fs::path sheet = job_.recording.directory() / sensor / "sensor.yaml";
-    WriteWholeFile(job_.folder / (FlatName(sensor) + ".sensor.yaml"), ReadWholeFile(sheet));
+    WriteWholeFile(job_.folder / (shards_.archives().name + ".sensor.yaml"), ReadWholeFile(sheet));
   }
 
   void Add(TimeNs t_ns) {
     if (shards_.Has(t_ns)) return;
     std::vector<SamplePart> parts = is_lidar_ ? ScanParts(t_ns) : PictureParts(t_ns);
     parts.push_back({"json", About(t_ns).dump() + "\n"});
-    shards_.Add(t_ns, parts);
+    shards_.Add(t_ns, parts, episode_);
   }
   bool HasArchive() const { return !shards_.archives().archives.empty(); }
-  const SensorArchives& Commit() {
-    shards_.Commit();
-    return shards_.archives();
-  }
 
  private:
   std::vector<SamplePart> ScanParts(TimeNs t_ns) const {
@@ -96,7 +99,8 @@ class SensorSamples {
   const ExportJob& job_;
   std::string sensor_;
   bool is_lidar_;
-  Shards shards_;
+  Shards& shards_;
+  std::string episode_;
   std::optional<PoseTrack> poses_;
 };
 
@@ -116,9 +120,12 @@ void ExportWebdataset(ExportJob* job) {
   RequireFlatNamesApart(sensors);
   std::optional<CardFacts> facts;
   if (!job->options.card.empty()) facts = ReadCardFacts(job->options.card);
+  std::vector<std::unique_ptr<Shards>> shards;
   std::vector<std::unique_ptr<SensorSamples>> samples;
   for (std::size_t s = 0; s < sensors.size(); ++s) {
-    samples.push_back(std::make_unique<SensorSamples>(job, sensors[s], s >= cameras));
+    shards.push_back(std::make_unique<Shards>(job->folder, sensors[s], job->options.shard_bytes));
+    samples.push_back(
+        std::make_unique<SensorSamples>(job, sensors[s], s >= cameras, shards.back().get()));
   }
   RecordStream stream(job->recording, sensors);
   for (Record record; job->Next(&stream, &record);) {
@@ -127,10 +134,54 @@ void ExportWebdataset(ExportJob* job) {
     job->frames_written = job->frames_written || of_sensor.HasArchive();
   }
   std::vector<SensorArchives> archives;
-  for (const auto& sensor : samples) archives.push_back(sensor->Commit());
+  for (const auto& sensor : shards) {
+    sensor->Commit();
+    archives.push_back(sensor->archives());
+  }
   if (!facts) return;
-  WriteWholeFile(job->folder / "croissant.json", CroissantJson(*job, *facts, archives));
-  WriteWholeFile(job->folder / "README.md", CardText(*job, *facts, archives));
+  const DatasetInfo& info = job->recording.info();
+  WriteWholeFile(job->folder / "croissant.json",
+                 CroissantJson(job->folder, info, *facts, archives));
+  WriteWholeFile(job->folder / "README.md", CardText(info, *facts, archives));
+}
+
+std::string WriteMergedArchives(const std::vector<MergedEpisode>& episodes, const fs::path& folder,
+                                const MergedArchivesOptions& options) {
+  const std::optional<CardFacts> facts =
+      options.card.empty() ? std::nullopt : std::optional(ReadCardFacts(options.card));
+  const ExportOptions of_export{.format = ExportFormat::kWebdataset};
+  std::map<std::string, Shards> shards;  // by part and sensor
+  for (const MergedEpisode& episode : episodes) {
+    const Recording recording(episode.dataset);
+    ExportJob job{recording, folder, folder.string(), of_export};
+    std::vector<std::string> sensors;
+    std::vector<std::unique_ptr<SensorSamples>> samples;
+    for (const ChannelForm form : {ChannelForm::kPictures, ChannelForm::kScans}) {
+      for (const std::string& sensor : recording.SensorsOf(form)) {
+        const std::vector<std::string>& chosen = options.sensors;
+        if (!chosen.empty() && std::find(chosen.begin(), chosen.end(), sensor) == chosen.end()) {
+          continue;
+        }
+        const std::string name = episode.part.empty() ? sensor : episode.part + "-" + sensor;
+        Shards& of_sensor =
+            shards.try_emplace(name, folder, name, options.shard_bytes).first->second;
+        sensors.push_back(sensor);
+        samples.push_back(std::make_unique<SensorSamples>(&job, sensor, form == ChannelForm::kScans,
+                                                          &of_sensor, episode.name + "_"));
+      }
+    }
+    RequireAny(sensors, job, "camera or lidar of those that are merged");
+    RecordStream stream(recording, sensors);
+    for (Record record; job.Next(&stream, &record);) samples[record.channel]->Add(record.t_ns);
+  }
+  std::vector<SensorArchives> archives;
+  for (auto& [_, of_sensor] : shards) {
+    of_sensor.Commit();
+    archives.push_back(of_sensor.archives());
+  }
+  if (!facts) return "";
+  WriteWholeFile(folder / "croissant.json", CroissantJson(folder, options.about, *facts, archives));
+  return CardText(options.about, *facts, archives);
 }
 
 }  // namespace tera

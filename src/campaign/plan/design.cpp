@@ -1,0 +1,90 @@
+#include "campaign/plan/design.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/random/sobol.hpp>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+
+#include "core/random.h"
+
+namespace tera {
+namespace {
+
+/// The stratum of episode `number` in the factor's random permutation of strata (Fisher–Yates).
+int StratumOf(const Stream& stream, int count, int number) {
+  std::vector<int> strata(static_cast<std::size_t>(count));
+  std::iota(strata.begin(), strata.end(), 0);
+  for (int i = count - 1; i > 0; --i) {
+    const double share = stream.Uniform(static_cast<std::uint64_t>(i));
+    const auto other = static_cast<std::size_t>(share * (i + 1));
+    std::swap(strata[static_cast<std::size_t>(i)], strata[other]);
+  }
+  return strata[static_cast<std::size_t>(number)];
+}
+
+/// Places in (0, 1), one for each factor.
+std::vector<double> LatinHypercube(const Campaign& campaign, int number) {
+  std::vector<double> shares;
+  for (const DesignFactor& factor : campaign.factors) {
+    const Stream order(campaign.seed, campaign.name + "/strata/" + factor.key),
+        within(campaign.seed, campaign.name + "/stratum/" + factor.key);
+    const int stratum = StratumOf(order, campaign.episodes, number);
+    shares.push_back((stratum + within.Uniform(static_cast<std::uint64_t>(number))) /
+                     campaign.episodes);
+  }
+  return shares;
+}
+
+std::vector<double> Sobol(const Campaign& campaign, int number) {
+  const std::size_t count = campaign.factors.size();
+  if (count == 0) return {};
+  boost::random::sobol sequence(count);
+  sequence.discard(count * static_cast<std::size_t>(number));  // Boost begins after the origin
+  std::vector<double> shares;
+  const double all = std::ldexp(1.0, 64);
+  for (std::size_t f = 0; f < count; ++f) {
+    shares.push_back(static_cast<double>(sequence()) / all);
+  }
+  return shares;
+}
+
+std::string ValueAt(const DesignFactor& factor, double share) {
+  if (!factor.levels.empty()) {
+    const auto count = static_cast<double>(factor.levels.size());
+    const auto level = static_cast<std::size_t>(std::min(share * count, count - 1));
+    return factor.levels[level];
+  }
+  return fmt::format("{}", factor.is_log
+                               ? factor.least * std::pow(factor.most / factor.least, share)
+                               : factor.least + share * (factor.most - factor.least));
+}
+
+std::vector<SetValue> FullFactorial(const Campaign& campaign, int number) {
+  std::vector<SetValue> values;
+  auto cell = static_cast<std::size_t>(number);
+  for (auto factor = campaign.factors.rbegin(); factor != campaign.factors.rend(); ++factor) {
+    values.push_back({factor->key, factor->levels[cell % factor->levels.size()]});
+    cell /= factor->levels.size();
+  }
+  std::reverse(values.begin(), values.end());
+  return values;
+}
+
+}  // namespace
+
+std::vector<SetValue> DesignPoint(const Campaign& campaign, int number) {
+  if (campaign.design == Design::kFull) return FullFactorial(campaign, number);
+  const std::vector<double> shares = campaign.design == Design::kSobol
+                                         ? Sobol(campaign, number)
+                                         : LatinHypercube(campaign, number);
+  std::vector<SetValue> values;
+  for (std::size_t f = 0; f < shares.size(); ++f) {
+    values.push_back({campaign.factors[f].key, ValueAt(campaign.factors[f], shares[f])});
+  }
+  return values;
+}
+
+}  // namespace tera

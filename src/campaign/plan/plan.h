@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "campaign/plan/campaign.h"
+#include "campaign/plan/design.h"
+#include "sim/scenario/load_scenario.h"
+
+namespace tera {
+
+/// A planned campaign: a folder that holds all that a worker must know.
+///
+///     campaign.yaml     the campaign's file, as it was when planned
+///     plan.yaml         fingerprint, version of TERA, folder that relative paths refer to
+///     episodes.csv      seed and factors of each episode, for reading
+///     episodes/000012/  a whole episode: data/ (a dataset), episode.yaml
+///     work/, failed/, logs/, index.sqlite
+struct Plan {
+  std::filesystem::path folder;  ///< absolute
+  std::string fingerprint;       ///< digest of the campaign and of its scenario with its inputs
+  Campaign campaign;
+
+  std::filesystem::path EpisodeFolder(int number) const;
+  std::filesystem::path WorkFolder(int number) const;
+  std::filesystem::path FailureFile(int number) const;
+  std::filesystem::path LogFile(int number) const;
+};
+
+/// "000012".
+std::string EpisodeName(int number);
+
+/// Reads, checks and writes a campaign into `folder`. Planning the same campaign again changes
+/// nothing. Loads episodes spread over the campaign (all of a small one), so that keys that do not
+/// exist and rules that no episode can meet are found here.
+///
+/// Throws  InputError: faults of the campaign at their place; a folder of another campaign or of
+///         another version of TERA.
+Plan MakePlan(const std::filesystem::path& campaign, const std::filesystem::path& folder);
+
+/// Reads a planned campaign, and makes the folder of its file the working directory, to which the
+/// paths in its values refer. Throws InputError, also if it was planned by another version of TERA.
+Plan LoadPlan(const std::filesystem::path& folder);
+
+/// Throws InputError if the scenario or one of its inputs is another than when planned.
+void RequireSameScenario(const Plan& plan);
+
+/// Seed of a draw of an episode: hash(name, seed, number, draw), at most 53 bits.
+std::uint64_t EpisodeSeed(const Campaign& campaign, int number, int draw);
+
+/// The scenario of a draw of an episode. Throws InputError with the place of factors.
+LoadedScenario EpisodeScenario(const Campaign& campaign, int number, int draw);
+
+}  // namespace tera

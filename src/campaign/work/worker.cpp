@@ -1,0 +1,218 @@
+#include "campaign/work/worker.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "campaign/work/episode_record.h"
+#include "campaign/work/judge.h"
+#include "core/stopwatch.h"
+#include "dataset/files/checked_file.h"
+#include "dataset/files/file_digest.h"
+#include "dataset/files/folder_lock.h"
+#include "dataset/files/whole_folder.h"
+#include "dataset/format/recording.h"
+#include "dataset/lint/lint.h"
+#include "sim/run/generate.h"
+
+namespace tera {
+namespace fs = std::filesystem;
+namespace {
+
+double PeakMb() {
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1e-3 * static_cast<double>(usage.ru_maxrss);
+}
+
+std::string HostName() {
+  std::array<char, 256> name = {};
+  gethostname(name.data(), name.size() - 1);
+  return name.data();
+}
+
+/// Whether the computer is at fault and not the episode, so that another try may succeed.
+bool IsOfTheComputer(const InputError& error) {
+  return std::any_of(error.faults().begin(), error.faults().end(), [](const InputFault& fault) {
+    return fault.kind == FaultKind::kUnwritable || fault.kind == FaultKind::kUnreadable ||
+           fault.kind == FaultKind::kUnsupported;
+  });
+}
+
+std::string DatasetDigest(const fs::path& dataset) {
+  std::string digests;
+  for (const char* file : {"dataset.yaml", "scenario.yaml", kFrameHashesName}) {
+    digests += DigestOf(dataset / file).sha256;
+  }
+  return Sha256Of(digests);
+}
+
+std::int64_t BytesIn(const fs::path& folder) {
+  std::int64_t bytes = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) bytes += static_cast<std::int64_t>(entry.file_size());
+  }
+  return bytes;
+}
+
+std::int64_t FramesIn(const fs::path& dataset) {
+  const Recording recording(dataset);
+  std::int64_t frames = 0;
+  for (const ChannelForm form : {ChannelForm::kPictures, ChannelForm::kScans}) {
+    for (const std::string& sensor : recording.SensorsOf(form)) {
+      frames += static_cast<std::int64_t>(recording.FrameTimes(sensor).size());
+    }
+  }
+  return frames;
+}
+
+/// "key: value" texts and set values, by key.
+std::map<std::string, std::string> ValuesOf(const Campaign& campaign, int number,
+                                            const Scenario& scenario) {
+  std::map<std::string, std::string> values;
+  for (const std::string& drawn : scenario.drawn) {
+    const std::size_t colon = drawn.find(": ");
+    values[drawn.substr(0, colon)] = drawn.substr(std::min(drawn.size(), colon + 2));
+  }
+  for (const SetValue& value : DesignPoint(campaign, number)) values[value.key] = value.yaml;
+  return values;
+}
+
+/// One episode in its work folder.
+class Attempt {
+ public:
+  Attempt(const Plan& plan, int number, const WorkerOptions& options)
+      : plan_(plan), number_(number), options_(options), work_(plan.WorkFolder(number)) {}
+
+  void Run() {
+    for (int draw = 0; draw <= plan_.campaign.redraws; ++draw) {
+      if (WasRefused(draw) || !Make(draw)) continue;
+      MakeFolder(plan_.EpisodeFolder(number_).parent_path());
+      GiveName(work_ / fmt::format("draw_{}", draw), plan_.EpisodeFolder(number_));
+      fs::remove_all(work_);
+      return;
+    }
+    throw InputError(fmt::format("episode {}", number_),
+                     {FaultKind::kInconsistent,
+                      fmt::format("all {} draws are refused, by {}; allow more redraws, or draw "
+                                  "what the rules ask for more often",
+                                  refused_.size(), RefusalsInWords())});
+  }
+  bool IsExhausted() const {
+    return refused_.size() == static_cast<std::size_t>(plan_.campaign.redraws) + 1;
+  }
+
+ private:
+  fs::path MarkOf(int draw) const { return work_ / fmt::format("draw_{}.refused", draw); }
+
+  bool WasRefused(int draw) {
+    if (!fs::exists(MarkOf(draw))) return false;
+    refused_.push_back(ReadWholeFile(MarkOf(draw)));
+    return true;
+  }
+
+  std::string RefusalsInWords() const {
+    std::map<std::string, int> counts;
+    for (const std::string& rule : refused_) ++counts[rule];
+    std::string words;
+    for (const auto& [rule, count] : counts) {
+      words += fmt::format("{}rule '{}' {} times", words.empty() ? "" : ", ", rule, count);
+    }
+    return words;
+  }
+
+  void Simulate(const LoadedScenario& loaded, const fs::path& dataset) const {
+    if (fs::exists(dataset / "dataset.yaml")) return;  // stopped while it was judged
+    const auto generate = [&] {
+      Generate(loaded.scenario, loaded.resolved_yaml,
+               {.out = dataset,
+                .threads = options_.threads,
+                .resume = true,
+                .keep_state = plan_.campaign.outputs.keep_state,
+                .egl = options_.egl});
+    };
+    if (!fs::exists(IncompleteOf(dataset))) return generate();
+    try {
+      generate();
+    } catch (const InputError& error) {
+      if (IsOfTheComputer(error)) throw;
+      fs::remove_all(IncompleteOf(dataset));  // too damaged to go on with
+      generate();
+    }
+  }
+
+  /// Whether the draw is accepted; it is then whole, with its record.
+  bool Make(int draw) {
+    EpisodeRecord record{.fingerprint = plan_.fingerprint, .number = number_, .draw = draw};
+    const fs::path folder = work_ / fmt::format("draw_{}", draw), dataset = folder / "data";
+    {
+      const Stopwatch watch(&record.wall_s);
+      const LoadedScenario loaded = EpisodeScenario(plan_.campaign, number_, draw);
+      record.values = ValuesOf(plan_.campaign, number_, loaded.scenario);
+      record.simulated_s = loaded.scenario.duration_s;
+      MakeFolder(folder);
+      Simulate(loaded, dataset);
+      if (const auto rule = BrokenRule(plan_.campaign.rules, dataset)) {
+        WriteWholeFile(MarkOf(draw), *rule);
+        refused_.push_back(*rule);
+        fs::remove_all(folder);
+        return false;
+      }
+      WriteFrameHashes(dataset);
+    }
+    record.seed = EpisodeSeed(plan_.campaign, number_, draw);
+    record.refused = refused_;
+    record.sha256 = DatasetDigest(dataset);
+    record.bytes = BytesIn(dataset);
+    record.frames = FramesIn(dataset);
+    record.peak_mb = PeakMb();
+    record.host = HostName();
+    WriteRecord(record, folder / "episode.yaml");
+    return true;
+  }
+
+  const Plan& plan_;
+  int number_;
+  const WorkerOptions& options_;
+  fs::path work_;
+  std::vector<std::string> refused_;
+};
+
+}  // namespace
+
+void RunEpisode(const Plan& plan, int number, const WorkerOptions& options) {
+  if (number < 0 || number >= plan.campaign.episodes) {
+    throw InputError("--index", {FaultKind::kOutOfRange,
+                                 fmt::format("{} is no episode of {}, need 0 to {}", number,
+                                             plan.folder.string(), plan.campaign.episodes - 1)});
+  }
+  if (fs::exists(plan.EpisodeFolder(number))) return;
+  RequireSameScenario(plan);
+  MakeFolder(plan.WorkFolder(number));
+  const FolderLock lock(plan.WorkFolder(number));
+  if (fs::exists(plan.EpisodeFolder(number))) return;  // another worker has just made it
+  fs::remove(plan.FailureFile(number));
+  Attempt attempt(plan, number, options);
+  try {
+    attempt.Run();
+  } catch (const InputError& error) {
+    if (IsOfTheComputer(error)) throw;
+    MakeFolder(plan.FailureFile(number).parent_path());
+    WriteFailure(
+        {attempt.IsExhausted() ? FailureReason::kRefused : FailureReason::kBadInput, error.what()},
+        plan.FailureFile(number));
+    throw;
+  } catch (const std::exception& error) {
+    MakeFolder(plan.FailureFile(number).parent_path());
+    WriteFailure({FailureReason::kBug, error.what()}, plan.FailureFile(number));
+    throw;
+  }
+}
+
+}  // namespace tera

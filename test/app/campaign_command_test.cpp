@@ -1,0 +1,111 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <map>
+#include <thread>
+
+#include "app/program.h"
+#include "app/refused.h"
+#include "campaign/campaign_files.h"
+#include "dataset/files/file_digest.h"
+#include "dataset/files/tiny_disk.h"
+
+// `tera campaign` as its user runs it.
+
+namespace tera {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+/// Six short episodes: two soils, three draws of the sun each.
+constexpr char kSix[] = R"(name: six
+scenario: resting.yaml
+episodes: 6
+factors:
+  - {key: terrain.soil, levels: [dirt, sand]}
+)";
+
+class CampaignCommand : public testing::Test {
+ protected:
+  CampaignCommand() {
+    WriteWholeFile(scratch_.path() / "resting.yaml", kRestingRover);
+    WriteWholeFile(scratch_.path() / "six.yaml", kSix);
+  }
+
+  Outcome Tera(const Arguments& arguments) { return RunTera(arguments, {scratch_.path()}); }
+  void Plan(const std::string& folder) {
+    EXPECT_EQ(Tera({"campaign", "plan", "six.yaml", "--out", folder}).status, 0);
+  }
+  /// Digests of all files of the datasets, by name.
+  std::map<std::string, std::string> Bytes(const std::string& folder) const {
+    std::map<std::string, std::string> digests;
+    const fs::path episodes = scratch_.path() / folder / "episodes";
+    for (const auto& entry : fs::recursive_directory_iterator(episodes)) {
+      if (!entry.is_regular_file() || entry.path().filename() == "episode.yaml") continue;
+      digests[entry.path().lexically_relative(episodes)] = DigestOf(entry.path()).sha256;
+    }
+    return digests;
+  }
+
+  ScratchDirectory scratch_;
+};
+
+TEST_F(CampaignCommand, ThePoolMakesWhatSingleWorkersMake) {
+  Plan("pool");
+  const Outcome pool = Tera({"campaign", "run", "pool", "--processes", "2"});
+  EXPECT_EQ(pool.status, 0) << pool.err;
+  EXPECT_THAT(pool.out, HasSubstr("6 of 6 episodes done, 0 failed"));
+  EXPECT_THAT(pool.err, HasSubstr("left"));
+  Plan("alone");
+  for (const char* index : {"5", "0", "3", "1", "4", "2", "2"}) {
+    EXPECT_EQ(Tera({"campaign", "run", "alone", "--index", index, "--threads", "2"}).status, 0);
+  }
+  EXPECT_EQ(Bytes("pool"), Bytes("alone"));
+  EXPECT_EQ(Tera({"campaign", "status", "alone"}).status, 0);
+}
+
+TEST_F(CampaignCommand, GoesOnWhereItWasKilled) {
+  WriteWholeFile(scratch_.path() / "resting.yaml",
+                 Edited(kRestingRover, "duration_s: 0.2", "duration_s: 2"));
+  Plan("whole");
+  EXPECT_EQ(Tera({"campaign", "run", "whole"}).status, 0);
+  Plan("killed");
+  TeraProcess run({"campaign", "run", "killed", "--processes", "2"}, {scratch_.path()});
+  const fs::path first = scratch_.path() / "killed/episodes/000000";
+  while (run.Running() && !fs::exists(first)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  run.Signal(SIGKILL);
+  EXPECT_EQ(run.Wait().signal, SIGKILL);
+  const Outcome status = Tera({"campaign", "status", "killed"});
+  EXPECT_EQ(status.status, 1) << "not all is done: " << status.out;
+  const Outcome again = Tera({"campaign", "run", "killed"});
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_EQ(Bytes("killed"), Bytes("whole"));
+  EXPECT_TRUE(fs::is_empty(scratch_.path() / "killed/work"));
+}
+
+TEST_F(CampaignCommand, AFullDiskStopsThePoolAndLosesNothing) {
+  TinyDisk disk(scratch_.path() / "disk", "400k");
+  ASSERT_TRUE(disk.mounted()) << "needs root, or the right to make user namespaces";
+  Plan("disk/six");
+  const Outcome full = Tera({"campaign", "run", "disk/six", "--processes", "1"});
+  EXPECT_EQ(full.status, 2) << full.out;
+  EXPECT_THAT(full.err, AllOf(HasSubstr("a full disk"), HasSubstr("run again")));
+  EXPECT_TRUE(fs::is_empty(scratch_.path() / "disk/six/failed"));
+  ASSERT_TRUE(disk.Grow("64m"));
+  const Outcome again = Tera({"campaign", "run", "disk/six"});
+  EXPECT_EQ(again.status, 0) << again.err;
+}
+
+TEST_F(CampaignCommand, AFolderThatIsNoCampaignIsRefused) {
+  ExpectRefused(scratch_, {"campaign", "run", "nowhere"},
+                AllOf(HasSubstr("nowhere/plan.yaml: "), HasSubstr("tera campaign plan")));
+}
+
+}  // namespace
+}  // namespace tera

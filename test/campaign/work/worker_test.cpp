@@ -1,0 +1,94 @@
+#include "campaign/work/worker.h"
+
+#include <gtest/gtest.h>
+
+#include "campaign/campaign_files.h"
+#include "campaign/work/episode_record.h"
+#include "campaign/work/judge.h"
+#include "core/faults.h"
+#include "dataset/files/folder_lock.h"
+
+namespace tera {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string DigestOfEpisode(const Plan& plan, int number) {
+  return ReadRecord(plan.EpisodeFolder(number) / "episode.yaml").sha256;
+}
+
+TEST(Worker, AnEpisodeHasTheSameBytesInAnyOrderWithAnyThreads) {
+  const fs::path campaign = WriteCampaign(kSoils);
+  const Plan first = MakePlan(campaign, OwnFolder() / "first"),
+             second = MakePlan(campaign, OwnFolder() / "second");
+  for (const int number : {0, 1}) RunEpisode(first, number, {.threads = 1});
+  for (const int number : {1, 0}) RunEpisode(second, number, {.threads = 2});
+  for (const int number : {0, 1}) {
+    EXPECT_EQ(DigestOfEpisode(first, number), DigestOfEpisode(second, number));
+  }
+  EXPECT_NE(DigestOfEpisode(first, 0), DigestOfEpisode(first, 1));
+}
+
+TEST(Worker, AnEpisodeThatIsThereIsLeftAsItIs) {
+  const Plan plan = MakePlan(WriteCampaign(kSoils), OwnFolder() / "out");
+  RunEpisode(plan, 0, {});
+  const auto written = fs::last_write_time(plan.EpisodeFolder(0) / "episode.yaml");
+  RunEpisode(plan, 0, {});
+  EXPECT_EQ(fs::last_write_time(plan.EpisodeFolder(0) / "episode.yaml"), written);
+  EXPECT_TRUE(fs::is_empty(plan.folder / "work"));
+}
+
+TEST(Worker, RefusedDrawsAreCountedAndBounded) {
+  // No tilt is below 0 and none of a rover at rest is above 45 deg: one bound refuses all draws,
+  // the other none.
+  const std::string rule = "redraws: 2\naccept: [{name: level, tilt_deg_of: rover1, at_most: ";
+  const Plan strict =
+      MakePlan(WriteCampaign(std::string(kSoils) + rule + "-1}]\n"), OwnFolder() / "strict");
+  EXPECT_THAT([&] { RunEpisode(strict, 0, {}); },
+              ThrowsFault(FaultKind::kInconsistent, "episode 0"));
+  const Failure failure = ReadFailure(strict.FailureFile(0));
+  EXPECT_EQ(failure.reason, FailureReason::kRefused);
+  EXPECT_NE(failure.message.find("all 3 draws"), std::string::npos);
+  EXPECT_FALSE(IsWorthRetry(failure.reason));
+  EXPECT_FALSE(fs::exists(strict.EpisodeFolder(0)));
+
+  const Plan lenient =
+      MakePlan(WriteCampaign(std::string(kSoils) + rule + "45}]\n"), OwnFolder() / "lenient");
+  RunEpisode(lenient, 0, {});
+  EXPECT_TRUE(ReadRecord(lenient.EpisodeFolder(0) / "episode.yaml").refused.empty());
+}
+
+TEST(Worker, ASecondWorkerOfAnEpisodeIsRefusedAndLeavesNoFailure) {
+  const Plan plan = MakePlan(WriteCampaign(kSoils), OwnFolder() / "out");
+  MakeFolder(plan.WorkFolder(0));
+  const FolderLock lock(plan.WorkFolder(0));
+  EXPECT_THAT([&] { RunEpisode(plan, 0, {}); }, ThrowsFault(FaultKind::kUnwritable, "000000"));
+  EXPECT_FALSE(fs::exists(plan.FailureFile(0)));
+}
+
+TEST(Worker, ANumberBeyondTheCampaignIsRefused) {
+  const Plan plan = MakePlan(WriteCampaign(kSoils), OwnFolder() / "out");
+  EXPECT_THAT([&] { RunEpisode(plan, 4, {}); }, ThrowsFault(FaultKind::kOutOfRange, "--index"));
+}
+
+TEST(Judge, FiguresAreThoseOfTheTables) {
+  const Plan plan = MakePlan(WriteCampaign(kSoils), OwnFolder() / "out");
+  RunEpisode(plan, 0, {});
+  const fs::path dataset = plan.EpisodeFolder(0) / "data";
+  WriteWholeFile(dataset / "made.csv", "t_ns,x\n0,1\n1,-4\n2,6\n3,5\n");
+  const auto figure = [&](ColumnFigure of) {
+    return FigureOf({.name = "x", .figure = TableColumn{"made.csv", "x", of}}, dataset);
+  };
+  EXPECT_EQ(figure(ColumnFigure::kLargest), 6);
+  EXPECT_EQ(figure(ColumnFigure::kLeast), -4);
+  EXPECT_EQ(figure(ColumnFigure::kMean), 2);
+  EXPECT_EQ(figure(ColumnFigure::kLast), 5);
+  EXPECT_THAT(
+      [&] {
+        FigureOf({.name = "y", .figure = TableColumn{"made.csv", "y"}}, dataset);
+      },
+      ThrowsFault(FaultKind::kMissing, "made.csv"));
+}
+
+}  // namespace
+}  // namespace tera
