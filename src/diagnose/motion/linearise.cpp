@@ -3,6 +3,7 @@
 #include <ceres/jet.h>
 
 #include <algorithm>
+#include <type_traits>
 
 #include "diagnose/motion/link_motion.h"
 
@@ -59,70 +60,95 @@ struct At {
 
 // Derivatives of an inertial unit by the motion: angles with their rates and accelerations (9),
 // acceleration (3), joints (3 each).
-constexpr int kImuJoints = 12, kImuMotion = kImuJoints + 3 * kMostJointsOfChain;
+constexpr int kImuJoints = 12;
 
 template <typename T>
 T Variable(double value, int derivative) {
-  return derivative < 0 ? T(value) : T(value, derivative);
+  if constexpr (std::is_same_v<T, double>) {
+    return value;
+  } else {
+    return T(value, derivative);
+  }
 }
 
-/// What an ideal unit measures, of these numbers; derivatives by the motion begin with
-/// `first_motion`, those by mount and place with `first_own`, if they are not negative.
+/// What an ideal unit measures in the frame of a unit's link, of these numbers, with derivatives by
+/// the motion if the scalar has any.
 template <typename T>
-Eigen::Matrix<T, 6, 1> IdealImu(const UnitChannel& unit, const At& at, const Numbers& numbers,
-                                int first_motion, int first_own) {
-  const auto motion = [&](int i) { return first_motion < 0 ? -1 : first_motion + i; };
+Inertial<T> InLink(const UnitChannel& unit, const Numbers& numbers) {
   std::array<Vector3<T>, 3> rpy;
   for (int k = 0; k < 3; ++k) {
     for (int i = 0; i < 3; ++i) {
-      rpy[static_cast<std::size_t>(k)][i] = Variable<T>(numbers(kRoll + i, k), motion(3 * k + i));
+      rpy[static_cast<std::size_t>(k)][i] = Variable<T>(numbers(kRoll + i, k), 3 * k + i);
     }
   }
-  Vector3<T> a_W, turn, place;
-  const Vec3 turned = at.Three(unit.mount), shifted = at.Three(unit.place);
-  for (int i = 0; i < 3; ++i) {
-    a_W[i] = Variable<T>(numbers(i, 2), motion(9 + i));
-    turn[i] = Variable<T>(turned[i], first_own < 0 ? -1 : first_own + i);
-    place[i] = Variable<T>(unit.X_LS.translation()[i] + shifted[i],
-                           first_own < 0 ? -1 : first_own + 3 + i);
-  }
+  Vector3<T> a_W;
+  for (int i = 0; i < 3; ++i) a_W[i] = Variable<T>(numbers(i, 2), 9 + i);
   std::array<std::array<T, kMostJointsOfChain>, 3> q;
   for (std::size_t s = 0; s < unit.chain.steps.size(); ++s) {
     for (std::size_t k = 0; k < 3; ++k) {
       q[k][s] = Variable<T>(numbers(kBaseNumbers + unit.chain.steps[s].place, static_cast<int>(k)),
-                            motion(kImuJoints + static_cast<int>(3 * s + k)));
+                            kImuJoints + static_cast<int>(3 * s + k));
     }
   }
-  const Inertial<T> link =
-      InertialOfLink<T>(unit.chain, InertialOfBase<T>(rpy[0], rpy[1], rpy[2], a_W), q[0].data(),
-                        q[1].data(), q[2].data());
-  const Matrix3<T> R_LT = unit.X_LS.linear().cast<T>() * RotationOfRpy<T>(turn);
-  const Inertial<T> ideal = InertialBeside<T>(link, R_LT, place);
-  Eigen::Matrix<T, 6, 1> measured;
-  measured << ideal.w, ideal.f;
-  return measured;
+  return InertialOfLink<T>(unit.chain, InertialOfBase<T>(rpy[0], rpy[1], rpy[2], a_W), q[0].data(),
+                           q[1].data(), q[2].data());
 }
 
+/// What an ideal unit measures of a motion that rests where it is no more than noise, and the
+/// derivatives of that by its mount and its place.
+struct AtRest {
+  Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
+  Eigen::Matrix<double, 6, 6> by_own = Eigen::Matrix<double, 6, 6>::Zero();
+};
+
+AtRest AtRestOf(const UnitChannel& unit, const At& at, const Vec3& turn, const Mat3& R_LT,
+                const Vec3& r_L) {
+  using T = ceres::Jet<double, 3>;
+  const Inertial<double> link = InLink<double>(unit, at.resting);
+  const Mat3 R_SL = unit.X_LS.linear().transpose();
+  const Vec3 w_S = R_SL * link.w,
+             f_S = R_SL * (link.f + link.alpha.cross(r_L) + link.w.cross(link.w.cross(r_L)));
+  const Matrix3<T> R_TS =
+      RotationOfRpy<T>(Vector3<T>(T(turn[0], 0), T(turn[1], 1), T(turn[2], 2))).transpose();
+  AtRest rest;
+  for (int i = 0; i < 3; ++i) {
+    const T w = R_TS.row(i).dot(w_S.cast<T>()), f = R_TS.row(i).dot(f_S.cast<T>());
+    rest.value[i] = w.a, rest.value[3 + i] = f.a;
+    rest.by_own.block<1, 3>(i, 0) = w.v.transpose();
+    rest.by_own.block<1, 3>(3 + i, 0) = f.v.transpose();
+    const Vec3 along = Vec3::Unit(i);
+    rest.by_own.block<3, 1>(3, 3 + i) =
+        R_LT.transpose() * (link.alpha.cross(along) + link.w.cross(link.w.cross(along)));
+  }
+  return rest;
+}
+
+/// With derivatives by the motion of chains of up to so many joints.
+template <int kJoints>
 void LineariseImu(const UnitChannel& unit, const At& at) {
   at.Begin(6, unit.noise);
   LinearisedObservation& out = *at.out;
-  const auto ideal = IdealImu<ceres::Jet<double, kImuMotion>>(unit, at, at.numbers, 0, -1);
-  const auto at_rest = IdealImu<ceres::Jet<double, 6>>(unit, at, at.resting, -1, 0);
+  const Vec3 turn = at.Three(unit.mount), r_L = unit.X_LS.translation() + at.Three(unit.place);
+  const Mat3 R_LT = unit.X_LS.linear() * RotationOfRpy<double>(turn);
+  using T = ceres::Jet<double, kImuJoints + 3 * kJoints>;
+  const Inertial<T> there = InertialBeside<T, double>(InLink<T>(unit, at.numbers), R_LT, r_L);
+  const AtRest rest = AtRestOf(unit, at, turn, R_LT, r_L);
   const int mount = unit.mount < 0 ? -1 : out.parameters;
   for (int i = 0; mount >= 0 && i < 3; ++i) at.AddParameter(unit.mount + i);
   const int place = unit.place < 0 ? -1 : out.parameters;
   for (int i = 0; place >= 0 && i < 3; ++i) at.AddParameter(unit.place + i);
   for (int row = 0; row < 6; ++row) {
+    const T& ideal = row < 3 ? there.w[row] : there.f[row - 3];
     const double scale = unit.scale < 0 ? 1 : at.parameters[unit.scale + row];
-    const double factor = unit.signs[row % 3] * scale;
+    const double factor = unit.signs[row] * scale;
     const double bias = unit.bias < 0 ? 0 : at.parameters[unit.bias + row];
-    const auto v = factor * ideal[row].v;
-    out.residual[row] = at.observation.value[row] - factor * ideal[row].a - bias;
+    const auto v = factor * ideal.v;
+    out.residual[row] = at.observation.value[row] - factor * ideal.a - bias;
     for (int i = 0; i < 3; ++i) {
       for (int k = 0; k < 3; ++k) out.by_state(row, at.Column(kRoll + i, k)) = v[3 * k + i];
       out.by_state(row, at.Column(i, 2)) = v[9 + i];
-      if (mount >= 0) out.by_parameter(row, mount + i) = factor * at_rest[row].v[i];
-      if (place >= 0) out.by_parameter(row, place + i) = factor * at_rest[row].v[3 + i];
+      if (mount >= 0) out.by_parameter(row, mount + i) = factor * rest.by_own(row, i);
+      if (place >= 0) out.by_parameter(row, place + i) = factor * rest.by_own(row, 3 + i);
     }
     for (std::size_t s = 0; s < unit.chain.steps.size(); ++s) {
       for (int k = 0; k < 3; ++k) {
@@ -131,12 +157,17 @@ void LineariseImu(const UnitChannel& unit, const At& at) {
       }
     }
     if (unit.scale >= 0) {
-      out.by_parameter(row, at.AddParameter(unit.scale + row)) =
-          unit.signs[row % 3] * at_rest[row].a;
+      out.by_parameter(row, at.AddParameter(unit.scale + row)) = unit.signs[row] * rest.value[row];
     }
     if (unit.bias >= 0) out.by_parameter(row, at.AddParameter(unit.bias + row)) = 1;
   }
   at.AddDelay(unit.late);
+}
+
+void LineariseImu(const UnitChannel& unit, const At& at) {
+  const std::size_t joints = unit.chain.steps.size();
+  if (joints == 0) return LineariseImu<0>(unit, at);
+  return joints <= 4 ? LineariseImu<4>(unit, at) : LineariseImu<kMostJointsOfChain>(unit, at);
 }
 
 /// Adds the four numbers of a reflection; returns its error in W.
@@ -314,21 +345,18 @@ double DelayOf(const MotionProblem& problem, const Eigen::VectorXd& parameters,
 }  // namespace
 
 bool Linearise(const MotionProblem& problem, const UniformSpline& spline,
-               const Eigen::MatrixXd& coefficients, const Eigen::VectorXd& parameters,
-               const MovingNumbers& moving, const Observation& observation,
-               LinearisedObservation* out) {
+               const SegmentMotion& motion, const Eigen::VectorXd& parameters,
+               const Observation& observation, LinearisedObservation* out) {
   const double late_s = DelayOf(problem, parameters, observation);
   const double from_s = observation.from_s - late_s, to_s = observation.to_s - late_s;
   if (!spline.Covers(from_s, to_s)) return false;
   out->weights = spline.MeanOver(from_s, to_s);
   const int count = std::min<int>(5, spline.coefficients - out->weights.first);
-  const Numbers numbers = coefficients.middleRows(out->weights.first, count).transpose() *
+  const Numbers numbers = motion.coefficients.middleRows(out->weights.first, count).transpose() *
                           out->weights.by_derivative.leftCols(count).transpose();
   Numbers resting = numbers;
-  const auto block = std::min<Eigen::Index>((out->weights.first + 1) / 4, moving.rows() - 1);
-  for (Eigen::Index n = 0; n < numbers.rows(); ++n) {
-    for (int k = 0; k < 3; ++k) resting(n, k + 1) *= moving(block, 3 * n + k);
-  }
+  const auto block = std::min<Eigen::Index>((out->weights.first + 1) / 4, motion.moving.rows() - 1);
+  resting.rightCols<3>().array().colwise() *= motion.moving.row(block).transpose();
   const At at{problem, parameters, observation, numbers, resting, out};
   const auto channel = static_cast<std::size_t>(observation.channel);
   switch (observation.kind) {

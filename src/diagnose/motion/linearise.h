@@ -23,9 +23,14 @@ struct LinearisedObservation {
   SplineWeights weights;
 };
 
-/// Which derivatives of the motion stand out of their noise: rows are blocks of four coefficients,
-/// columns the first, second and third derivative of each number; 1 where they do, else 0.
-using MovingNumbers = Eigen::ArrayXXd;
+/// The motion of one segment and the parameters as they are in it.
+struct SegmentMotion {
+  Eigen::MatrixXd coefficients;  ///< one row each, one column for each number
+  /// Which numbers move, as far as it stands out of their noise: a row for each four coefficients,
+  /// 1 where they do, else 0.
+  Eigen::ArrayXXd moving;
+  Eigen::VectorXd wandered;  ///< the parameters of the segment less those of all
+};
 
 /// Fills `out`; false where the motion does not cover the time of the observation.
 ///
@@ -37,8 +42,7 @@ using MovingNumbers = Eigen::ArrayXXd;
 ///         scale, place and delay, which then give way to the noise (errors in variables).
 /// Omits   products of motions that change within an observation; filters, which count as delays.
 bool Linearise(const MotionProblem& problem, const UniformSpline& spline,
-               const Eigen::MatrixXd& coefficients, const Eigen::VectorXd& parameters,
-               const MovingNumbers& moving, const Observation& observation,
-               LinearisedObservation* out);
+               const SegmentMotion& motion, const Eigen::VectorXd& parameters,
+               const Observation& observation, LinearisedObservation* out);
 
 }  // namespace tera

@@ -73,12 +73,21 @@ Inertial<T> InertialOfBase(const Vector3<T>& rpy, const Vector3<T>& d, const Vec
   return base;
 }
 
-/// In a frame fixed to that of `at`, with the rotation R_PC and the place r_P.
-template <typename T>
-Inertial<T> InertialBeside(const Inertial<T>& at, const Matrix3<T>& R_PC, const Vector3<T>& r_P) {
-  const Matrix3<T> R_CP = R_PC.transpose();
+/// In a frame fixed to that of `at`, with the rotation R_PC and the place r_P, over any scalar.
+template <typename T, typename R>
+Inertial<T> InertialBeside(const Inertial<T>& at, const Mat3& R_PC, const Vector3<R>& r_P) {
+  const Mat3 R_CP = R_PC.transpose();
   return {R_CP * at.w, R_CP * at.alpha,
           R_CP * (at.f + at.alpha.cross(r_P) + at.w.cross(at.w.cross(r_P)))};
+}
+
+/// In a frame that is turned by an angle about a unit axis, of which these are cosine and sine.
+template <typename T>
+Inertial<T> InertialTurned(const Inertial<T>& at, const Vec3& axis, const T& c, const T& s) {
+  const auto turned = [&](const Vector3<T>& v) -> Vector3<T> {
+    return v * c - axis.cross(v) * s + axis.cast<T>() * (axis.dot(v) * (T(1) - c));
+  };
+  return {turned(at.w), turned(at.alpha), turned(at.f)};
 }
 
 /// In the link of a chain, from that in the base and the position, rate and acceleration of each of
@@ -86,22 +95,23 @@ Inertial<T> InertialBeside(const Inertial<T>& at, const Matrix3<T>& R_PC, const 
 template <typename T>
 Inertial<T> InertialOfLink(const KinematicChain& chain, Inertial<T> at, const T* q, const T* qd,
                            const T* qdd) {
+  using std::cos, std::sin;
   for (std::size_t s = 0; s < chain.steps.size(); ++s) {
     const KinematicChain::Step& step = chain.steps[s];
-    const Matrix3<T> R_PJ = step.X_PJ.linear().cast<T>();
+    const Mat3 R_PJ = step.X_PJ.linear();
     const Vector3<T> axis = step.axis_J.cast<T>();
-    Vector3<T> r_P = step.X_PJ.translation().cast<T>();
+    const Vec3 r_P = step.X_PJ.translation();
     if (step.slides) {
-      r_P += R_PJ * (axis * q[s]);
-      at = InertialBeside<T>(at, R_PJ, r_P);
+      at = InertialBeside<T, T>(at, R_PJ, r_P.cast<T>() + (R_PJ * step.axis_J).cast<T>() * q[s]);
       at.f += axis * qdd[s] + at.w.cross(axis * (T(2) * qd[s]));
     } else {
-      at = InertialBeside<T>(at, R_PJ * RotationAbout<T>(step.axis_J, q[s]), r_P);
+      at = InertialTurned<T>(InertialBeside<T, double>(at, R_PJ, r_P), step.axis_J, cos(q[s]),
+                             sin(q[s]));
       at.alpha += axis * qdd[s] + at.w.cross(axis * qd[s]);
       at.w += axis * qd[s];
     }
   }
-  return InertialBeside<T>(at, chain.X_PL.linear().cast<T>(), chain.X_PL.translation().cast<T>());
+  return InertialBeside<T, double>(at, chain.X_PL.linear(), chain.X_PL.translation());
 }
 
 /// The place in the base of a point of a chain's link.

@@ -21,7 +21,7 @@ constexpr double kSettled = 0.02;  ///< change of parameters over what is small
 /// One segment linearised about a motion.
 struct LinearisedSegment {
   ParameterQuadratic quadratic;  ///< over changes of the segment's own parameters
-  MotionStep step;
+  NormalEquations equations;
   std::vector<std::vector<double>> residuals;  ///< by noise channel
 };
 
@@ -83,60 +83,47 @@ ParameterQuadratic WithoutCommonDelay(const ParameterQuadratic& q, const std::ve
 LinearisedSegment LineariseSegment(const MotionProblem& problem, std::size_t s,
                                    const MotionEstimate& at, const RowWeights& weights) {
   const MotionSegment& segment = problem.segments[s];
-  const Eigen::MatrixXd& coefficients = at.motion[s].coefficients;
-  const Eigen::VectorXd parameters = at.parameters + at.motion[s].wandered;
-  NormalEquations equations(segment.spline.coefficients, problem.numbers(), problem.parameters);
-  AddMotionPriors(segment, coefficients, &equations);
+  const SegmentMotion& motion = at.motion[s];
+  const Eigen::VectorXd parameters = at.parameters + motion.wandered;
   LinearisedSegment linear;
+  NormalEquations& equations = linear.equations;
+  equations = NormalEquations(segment.spline.coefficients, problem.numbers(), problem.parameters);
+  AddMotionPriors(segment, motion.coefficients, &equations);
   linear.residuals.resize(problem.noise.size());
   LinearisedObservation rows;
   for (const Observation& observation : segment.observations) {
-    if (!Linearise(problem, segment.spline, coefficients, parameters, at.motion[s].moving,
-                   observation, &rows))
-      continue;
-    equations.Add(rows, weights.Of(rows, at.noise));
+    if (!Linearise(problem, segment.spline, motion, parameters, observation, &rows)) continue;
     for (int i = 0; rows.noise >= 0 && i < rows.rows; ++i) {
       linear.residuals[static_cast<std::size_t>(rows.noise + i)].push_back(rows.residual[i]);
     }
+    equations.Add(rows, weights.Of(rows, at.noise));
   }
-  linear.quadratic = WithoutCommonDelay(equations.Reduce(&linear.step), problem.delays);
+  linear.quadratic = WithoutCommonDelay(equations.Reduce(), problem.delays);
   return linear;
 }
 
 /// Which numbers move, by the power of their rates over three blocks; all their derivatives count
 /// there, as half of them would make no direction of descent.
-MovingNumbers MovingOf(const UniformSpline& spline, const Eigen::MatrixXd& coefficients,
-                       const std::vector<Eigen::MatrixXd>& covariance) {
+Eigen::ArrayXXd MovingOf(const UniformSpline& spline, const Eigen::MatrixXd& coefficients,
+                         const std::vector<Eigen::MatrixXd>& covariance) {
   const auto blocks = static_cast<Eigen::Index>(covariance.size());
   const Eigen::Index numbers = coefficients.cols();
-  const Eigen::Matrix<double, 4, 4> weights =
-      spline.At(0.5 * spline.step_s).by_derivative.leftCols<4>();
-  Eigen::ArrayXXd power(blocks, 3 * numbers), error(blocks, 3 * numbers);
+  const Eigen::RowVector4d weights = spline.At(0.5 * spline.step_s).by_derivative.row(1).head<4>();
+  Eigen::ArrayXXd power(blocks, numbers), error(blocks, numbers);
   for (Eigen::Index b = 0; b < blocks; ++b) {
     for (Eigen::Index n = 0; n < numbers; ++n) {
-      const Eigen::Vector4d own = coefficients.block<4, 1>(4 * b, n);
-      Eigen::Matrix4d spread;
-      for (Eigen::Index i = 0; i < 4; ++i) {
-        for (Eigen::Index j = 0; j < 4; ++j) {
-          spread(i, j) = covariance[static_cast<std::size_t>(b)](i * numbers + n, j * numbers + n);
-        }
-      }
-      for (Eigen::Index k = 0; k < 3; ++k) {
-        const Eigen::RowVector4d w = weights.row(k + 1);
-        power(b, 3 * n + k) = std::pow(w.dot(own), 2);
-        error(b, 3 * n + k) = w * spread * w.transpose();
-      }
+      const auto four = Eigen::seqN(n, 4, numbers);
+      const Eigen::Matrix4d own = covariance[static_cast<std::size_t>(b)](four, four);
+      power(b, n) = std::pow(weights.dot(coefficients.block<4, 1>(4 * b, n)), 2);
+      error(b, n) = weights * own * weights.transpose();
     }
   }
-  MovingNumbers moving(blocks, 3 * numbers);
+  Eigen::ArrayXXd moving(blocks, numbers);
   for (Eigen::Index b = 0; b < blocks; ++b) {
     const Eigen::Index first = std::max<Eigen::Index>(0, b - 1),
                        count = std::min(blocks, b + 2) - first;
-    const Eigen::ArrayXXd mean = power.middleRows(first, count).colwise().mean();
-    for (Eigen::Index n = 0; n < numbers; ++n) {
-      const bool moves = mean(3 * n) > kStandsOut * error(b, 3 * n);
-      moving.block(b, 3 * n, 1, 3).setConstant(moves ? 1 : 0);
-    }
+    moving.row(b) = (power.middleRows(first, count).colwise().mean() > kStandsOut * error.row(b))
+                        .cast<double>();
   }
   return moving;
 }
@@ -221,15 +208,15 @@ double Move(const MotionProblem& problem, const std::vector<LinearisedSegment>& 
     SegmentMotion& motion = estimate->motion[s];
     const Eigen::VectorXd wandered = wandering.Best(own[s], estimate->parameters);
     const Eigen::VectorXd change = estimate->parameters + wandered - before - motion.wandered;
-    const Eigen::VectorXd step = linear[s].step.without - linear[s].step.by_parameter * change;
+    const Eigen::VectorXd step = linear[s].equations.MotionStep(change);
     const Eigen::Index numbers = motion.coefficients.cols();
     for (Eigen::Index i = 0; i < motion.coefficients.rows(); ++i) {
       motion.coefficients.row(i) += step.segment(i * numbers, numbers).transpose();
     }
     motion.wandered = wandered;
     if (gates) {
-      motion.moving =
-          MovingOf(problem.segments[s].spline, motion.coefficients, linear[s].step.covariance);
+      const auto covariance = linear[s].equations.Covariance();
+      motion.moving = MovingOf(problem.segments[s].spline, motion.coefficients, covariance);
     }
   }
   return before.size() == 0
@@ -250,7 +237,7 @@ MotionEstimate StartingEstimate(const MotionProblem& problem, const ParameterPri
   start.noise = problem.noise;
   for (const MotionSegment& segment : problem.segments) {
     start.motion.push_back(
-        {segment.start, MovingNumbers::Ones(segment.spline.coefficients / 4, 3 * problem.numbers()),
+        {segment.start, Eigen::ArrayXXd::Ones(segment.spline.coefficients / 4, problem.numbers()),
          Eigen::VectorXd::Zero(problem.parameters)});
   }
   return start;

@@ -15,13 +15,6 @@ struct ParameterPrior {
   Eigen::VectorXd small = sigma;                    ///< changes far below are none
 };
 
-/// The motion of one segment and the parameters as they are in it.
-struct SegmentMotion {
-  Eigen::MatrixXd coefficients;  ///< one row each, one column for each number
-  MovingNumbers moving;
-  Eigen::VectorXd wandered;  ///< the parameters of the segment less those of all
-};
-
 struct MotionEstimate {
   std::vector<SegmentMotion> motion;
   Eigen::VectorXd parameters;

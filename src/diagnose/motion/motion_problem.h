@@ -19,7 +19,7 @@ inline constexpr int kNoParameter = -1;
 struct UnitChannel {
   KinematicChain chain;
   Pose X_LS = Pose::Identity();
-  Vec3 signs = Vec3::Ones();                       ///< of its axes, as documented
+  Eigen::Matrix<double, 6, 1> signs = Eigen::Matrix<double, 6, 1>::Ones();  ///< rates, then forces
   int bias = kNoParameter, scale = kNoParameter;   ///< the first of six each: rates, then forces
   int mount = kNoParameter, place = kNoParameter;  ///< of three each
   int late = kNoParameter;

@@ -61,44 +61,56 @@ void NormalEquations::AddPrior(int first, int number, const std::vector<double>&
   }
 }
 
-ParameterQuadratic NormalEquations::Reduce(MotionStep* step) const {
-  std::vector<Eigen::LLT<Eigen::MatrixXd>> factors(static_cast<std::size_t>(blocks_));
-  Eigen::MatrixXd solution = right_;
-  const auto rows = [&](int k) { return solution.middleRows(k * block_, block_); };
+ParameterQuadratic NormalEquations::Reduce() {
   Eigen::MatrixXd square;
   for (int k = 0; k < blocks_; ++k) {
     const auto b = static_cast<std::size_t>(k);
+    auto rows = right_.middleRows(k * block_, block_);
     square = pair_[b].topLeftCorner(block_, block_);
     if (k > 0) {
-      const auto below = pair_[b - 1].bottomLeftCorner(block_, block_);
       square += pair_[b - 1].bottomRightCorner(block_, block_);
-      square.noalias() -= below * factors[b - 1].solve(below.transpose());
-      const Eigen::MatrixXd carried = factors[b - 1].solve(rows(k - 1));
-      rows(k).noalias() -= below * carried;
+      square.noalias() -= below_[b - 1] * below_[b - 1].transpose();
+      rows.noalias() -= below_[b - 1] * right_.middleRows((k - 1) * block_, block_);
     }
-    factors[b].compute(square);
+    factor_.push_back(square.llt().matrixL());
+    factor_[b].triangularView<Eigen::Lower>().solveInPlace(rows);
+    below_.push_back(pair_[b].bottomLeftCorner(block_, block_));
+    factor_[b].transpose().triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(
+        below_[b]);
   }
-  step->covariance.resize(static_cast<std::size_t>(blocks_));
+  pair_.clear();
+  const auto coupling = right_.leftCols(parameters_);
+  information_.selfadjointView<Eigen::Lower>().rankUpdate(coupling.transpose(), -1);
+  return {Eigen::MatrixXd(information_.selfadjointView<Eigen::Lower>()),
+          score_ - coupling.transpose() * right_.col(parameters_)};
+}
+
+Eigen::VectorXd NormalEquations::MotionStep(const Eigen::VectorXd& change) const {
+  Eigen::VectorXd step = right_.col(parameters_) - right_.leftCols(parameters_) * change;
   for (int k = blocks_ - 1; k >= 0; --k) {
     const auto b = static_cast<std::size_t>(k);
+    auto rows = step.segment(k * block_, block_);
     if (k + 1 < blocks_) {
-      rows(k).noalias() -= pair_[b].bottomLeftCorner(block_, block_).transpose() * rows(k + 1);
+      rows.noalias() -= below_[b].transpose() * step.segment((k + 1) * block_, block_);
     }
-    factors[b].solveInPlace(rows(k));
-    Eigen::MatrixXd& covariance = step->covariance[b];
-    covariance = factors[b].solve(Eigen::MatrixXd::Identity(block_, block_));
-    if (k + 1 == blocks_) continue;
-    const Eigen::MatrixXd gain = pair_[b].bottomLeftCorner(block_, block_) * covariance;
-    covariance += gain.transpose() * step->covariance[b + 1] * gain;
+    factor_[b].transpose().triangularView<Eigen::Upper>().solveInPlace(rows);
   }
-  const auto coupling = right_.leftCols(parameters_);
-  ParameterQuadratic reduced;
-  step->without = solution.col(parameters_);
-  step->by_parameter = solution.leftCols(parameters_);
-  reduced.information = information_ - coupling.transpose() * step->by_parameter;
-  reduced.information = 0.5 * (reduced.information + reduced.information.transpose()).eval();
-  reduced.score = score_ - coupling.transpose() * step->without;
-  return reduced;
+  return step;
+}
+
+std::vector<Eigen::MatrixXd> NormalEquations::Covariance() const {
+  std::vector<Eigen::MatrixXd> covariance(static_cast<std::size_t>(blocks_));
+  for (auto b = covariance.size(); b-- > 0;) {
+    const Eigen::MatrixXd transposed = factor_[b].transpose();
+    const auto upper = transposed.triangularView<Eigen::Upper>();
+    Eigen::MatrixXd middle = Eigen::MatrixXd::Identity(block_, block_);
+    if (b + 1 < covariance.size()) {
+      middle.noalias() += below_[b].transpose() * covariance[b + 1] * below_[b];
+    }
+    upper.solveInPlace(middle);
+    covariance[b] = upper.solve(middle.transpose());
+  }
+  return covariance;
 }
 
 }  // namespace tera

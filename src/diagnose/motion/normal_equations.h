@@ -16,15 +16,6 @@ struct ParameterQuadratic {
   double At(const Eigen::VectorXd& p) const { return p.dot(0.5 * (information * p) - score); }
 };
 
-/// The motion's best changes: `without` where the parameters stay, less `by_parameter` times
-/// theirs.
-struct MotionStep {
-  Eigen::VectorXd without;
-  Eigen::MatrixXd by_parameter;
-  /// The covariance of the coefficients of each block, without that of the parameters.
-  std::vector<Eigen::MatrixXd> covariance;
-};
-
 /// Normal equations of the coefficients of one segment's motion and the parameters.
 ///
 /// Model   unknowns are ordered by time, so that they form a block-tridiagonal matrix, four
@@ -32,7 +23,7 @@ struct MotionStep {
 class NormalEquations {
  public:
   /// As many coefficients as a multiple of four.
-  NormalEquations(int coefficients, int numbers, int parameters);
+  explicit NormalEquations(int coefficients = 0, int numbers = 0, int parameters = 0);
 
   /// Adds rows with weights (inverse variances), one for each of the observation's.
   void Add(const LinearisedObservation& rows, const Eigen::Matrix<double, 6, 1>& weight);
@@ -40,13 +31,21 @@ class NormalEquations {
   void AddPrior(int first, int number, const std::vector<double>& pattern, double residual,
                 double weight);
 
-  /// What is left for the parameters, as changes from where the rows were linearised.
-  ParameterQuadratic Reduce(MotionStep* step) const;
+  /// Eliminates the motion. What is left for the parameters, as changes from where the rows were
+  /// linearised; nothing can be added from then on.
+  ParameterQuadratic Reduce();
+  /// The motion's best changes where the parameters change by so much; Reduce comes before.
+  Eigen::VectorXd MotionStep(const Eigen::VectorXd& change) const;
+  /// The covariance of the coefficients of each block, without that of the parameters; Reduce comes
+  /// before.
+  std::vector<Eigen::MatrixXd> Covariance() const;
 
  private:
   int block_, blocks_, numbers_, parameters_;
-  std::vector<Eigen::MatrixXd> pair_;  ///< of a block and the next one
-  Eigen::MatrixXd right_;              ///< coupling to the parameters, then the gradient
+  std::vector<Eigen::MatrixXd> pair_;  ///< of a block and the next one, until they are factors
+  /// The lower Cholesky factor of each block, and what of it stands below.
+  std::vector<Eigen::MatrixXd> factor_, below_;
+  Eigen::MatrixXd right_;  ///< coupling to the parameters, then the gradient; eliminated forwards
   Eigen::MatrixXd information_;
   Eigen::VectorXd score_;
 };

@@ -1,14 +1,18 @@
 #include "diagnose/motion/starting_delays.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "diagnose/motion/linearise.h"
+#include "diagnose/statistics/tests/opposition.h"
 
 namespace tera {
 namespace {
 
-constexpr double kFurthest_s = 0.5, kStep_s = 0.05;
+constexpr double kStep_s = 0.05;
+constexpr int kSteps = 10;  ///< to either side, half a second
+constexpr double kLeastCorrelation = 0.7, kAlpha = 0.01;
 constexpr double kLeastShare = 0.5;     ///< by which a delay lessens the mean square
 constexpr std::size_t kMostRows = 600;  ///< of a unit, of which the mean square is taken
 constexpr std::size_t kFewestRows = 20;
@@ -30,26 +34,98 @@ UnitRows RowsOf(const MotionProblem& problem, int unit) {
   return some;
 }
 
-/// Mean square of the unit's rates less those of the motion; infinite where it covers too few.
-double MeanSquare(const MotionProblem& problem, const MotionEstimate& start, const UnitRows& rows,
-                  const Eigen::VectorXd& parameters) {
+/// What a unit measured in one row, and what the motion implies of it with a delay.
+struct BesideMotion {
+  std::vector<double> measured, implied;
+};
+
+/// Of each of its six rows, as far as the motion covers them.
+std::array<BesideMotion, 6> Compared(const MotionProblem& problem, const MotionEstimate& at,
+                                     const UnitRows& rows, const Eigen::VectorXd& parameters) {
+  std::array<BesideMotion, 6> compared;
   LinearisedObservation linear;
-  double square = 0;
-  std::size_t count = 0;
   for (const auto& [s, observation] : rows.rows) {
-    const SegmentMotion& motion = start.motion[s];
-    if (!Linearise(problem, problem.segments[s].spline, motion.coefficients, parameters,
-                   motion.moving, *observation, &linear)) {
+    if (!Linearise(problem, problem.segments[s].spline, at.motion[s], parameters, *observation,
+                   &linear)) {
       continue;
     }
-    square += linear.residual.head<3>().squaredNorm();
-    ++count;
+    for (int i = 0; i < 6; ++i) {
+      BesideMotion& row = compared[static_cast<std::size_t>(i)];
+      row.measured.push_back(observation->value[i]);
+      row.implied.push_back(observation->value[i] - linear.residual[i]);
+    }
+  }
+  return compared;
+}
+
+/// Mean square of the unit's rates less those of the motion; infinite where it covers too few.
+double MeanSquare(const std::array<BesideMotion, 6>& compared) {
+  double square = 0;
+  const std::size_t count = compared[0].measured.size();
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < count; ++k) {
+      square += std::pow(compared[i].measured[k] - compared[i].implied[k], 2);
+    }
   }
   return count < kFewestRows ? std::numeric_limits<double>::infinity()
                              : square / static_cast<double>(count);
 }
 
+/// About zero: what rests adds nothing.
+double Correlation(const BesideMotion& row) {
+  double both = 0, one = 0, two = 0;
+  for (std::size_t k = 0; k < row.measured.size(); ++k) {
+    both += row.measured[k] * row.implied[k];
+    one += row.measured[k] * row.measured[k], two += row.implied[k] * row.implied[k];
+  }
+  const bool is_known = row.measured.size() >= kFewestRows && one > 0 && two > 0;
+  return is_known ? both / std::sqrt(one * two) : 0;
+}
+
+/// The opposed axes of one unit.
+std::vector<OpposedAxis> OpposedOf(const MotionProblem& problem, const MotionEstimate& at,
+                                   std::size_t unit) {
+  const UnitRows rows = RowsOf(problem, static_cast<int>(unit));
+  Eigen::VectorXd parameters = at.parameters;
+  const double own_s = parameters[problem.imus[unit].late];
+  std::array<double, 6> most{}, p{};
+  for (int k = -kSteps; k <= kSteps; ++k) {
+    parameters[problem.imus[unit].late] = own_s + k * kStep_s;
+    const auto compared = Compared(problem, at, rows, parameters);
+    for (std::size_t i = 0; i < 6; ++i) {
+      const double here = Correlation(compared[i]);
+      if (std::abs(here) <= std::abs(most[i])) continue;
+      most[i] = here;
+      p[i] = here < -kLeastCorrelation ? OppositionP(compared[i].measured, compared[i].implied) : 1;
+    }
+  }
+  const double tries = 6.0 * (2 * kSteps + 1) * static_cast<double>(problem.imus.size());
+  std::vector<OpposedAxis> opposed;
+  for (std::size_t i = 0; i < 6; ++i) {
+    if (most[i] < -kLeastCorrelation && tries * p[i] <= kAlpha) {
+      opposed.push_back({unit, static_cast<int>(i), tries * p[i]});
+    }
+  }
+  return opposed;
+}
+
+/// Whether these are two axes of both triads alike.
+bool IsHalfATurn(const std::vector<OpposedAxis>& opposed) {
+  return opposed.size() == 4 && opposed[0].row + 3 == opposed[2].row &&
+         opposed[1].row + 3 == opposed[3].row;
+}
+
 }  // namespace
+
+std::vector<OpposedAxis> OpposedAxes(const MotionProblem& problem, const MotionEstimate& motion) {
+  std::vector<OpposedAxis> opposed;
+  for (std::size_t unit = 0; unit < problem.imus.size(); ++unit) {
+    if (problem.imus[unit].late < 0) continue;
+    const std::vector<OpposedAxis> own = OpposedOf(problem, motion, unit);
+    if (!IsHalfATurn(own)) opposed.insert(opposed.end(), own.begin(), own.end());
+  }
+  return opposed;
+}
 
 void SetStartingDelays(const MotionProblem& problem, MotionEstimate* start) {
   for (std::size_t unit = 0; unit < problem.imus.size(); ++unit) {
@@ -58,11 +134,10 @@ void SetStartingDelays(const MotionProblem& problem, MotionEstimate* start) {
     const UnitRows rows = RowsOf(problem, static_cast<int>(unit));
     Eigen::VectorXd parameters = start->parameters;
     const double documented_s = parameters[late];
-    double least = (1 - kLeastShare) * MeanSquare(problem, *start, rows, parameters);
-    const int steps = static_cast<int>(std::lround(kFurthest_s / kStep_s));
-    for (int k = -steps; k <= steps; ++k) {
+    double least = (1 - kLeastShare) * MeanSquare(Compared(problem, *start, rows, parameters));
+    for (int k = -kSteps; k <= kSteps; ++k) {
       parameters[late] = documented_s + k * kStep_s;
-      const double square = MeanSquare(problem, *start, rows, parameters);
+      const double square = MeanSquare(Compared(problem, *start, rows, parameters));
       if (square >= least) continue;
       least = square;
       start->parameters[late] = parameters[late];

@@ -2,7 +2,9 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "diagnose/motion/bounded_quadratic.h"
@@ -12,6 +14,7 @@
 namespace tera {
 namespace {
 
+constexpr double kInterval = 0.95;   ///< of a number, to lie beyond its tolerance wholly
 constexpr double kRangeEnd = 0.99;   ///< share of a range beyond which a value is at its end
 constexpr double kRivalShare = 0.5;  ///< of a gain, without which a group is no rival
 /// Of the posterior density, in logarithms: twenty times as likely.
@@ -126,7 +129,8 @@ class Judge {
     return FitOf(best) - 0.5 * stretch.square().sum();
   }
 
-  std::vector<JudgedParameter> Posterior(const Set& free, int g) const;
+  std::vector<JudgedParameter> Posterior(const Set& free, int g,
+                                         const std::vector<Eigen::VectorXd>& left_out) const;
   bool IsAdmissible(const NamedGroup& tried) const;
   std::vector<int> MostPromising(const Set& named, const Set& candidates, int most) const;
   bool Grow(Set* set) const;
@@ -141,7 +145,9 @@ class Judge {
   ParameterQuadratic sum_;
 };
 
-std::vector<JudgedParameter> Judge::Posterior(const Set& free, int g) const {
+/// By the cross-fits of the set as well.
+std::vector<JudgedParameter> Judge::Posterior(const Set& free, int g,
+                                              const std::vector<Eigen::VectorXd>& left_out) const {
   const Eigen::VectorXd best = Fit(free);
   const Eigen::MatrixXd precision = QuadraticOf(table_.PriorWith(free)).information;
   const auto factor = Eigen::MatrixXd(sum_.information + precision).llt();
@@ -149,18 +155,22 @@ std::vector<JudgedParameter> Judge::Posterior(const Set& free, int g) const {
   Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(best.size(), count);
   for (int i = 0; i < count; ++i) unit(first + i, i) = 1;
   const Eigen::MatrixXd columns = factor.solve(unit);
-  Eigen::VectorXd scatter = Eigen::VectorXd::Zero(count);
-  for (const ParameterQuadratic& q : segments_) {
-    const Eigen::VectorXd score = q.score - q.information * best;
-    scatter += (columns.transpose() * score).cwiseAbs2();
+  const auto parts = static_cast<double>(left_out.size());
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(count), scatter = mean;
+  for (const Eigen::VectorXd& fit : left_out) mean += fit.segment(first, count) / parts;
+  for (const Eigen::VectorXd& fit : left_out) {
+    scatter += (parts - 1) / parts * (fit.segment(first, count) - mean).cwiseAbs2();
   }
+  const double most_sigmas =
+      parts < 2 ? std::numeric_limits<double>::infinity()
+                : boost::math::quantile(boost::math::students_t(parts - 1), (1 + kInterval) / 2);
   std::vector<JudgedParameter> judged;
   for (int i = 0; i < count; ++i) {
     const SensorParameter& one = table_.parameters[static_cast<std::size_t>(first + i)];
     JudgedParameter parameter{best[first + i],
                               std::sqrt(std::max(columns(first + i, i), scatter[i]))};
     const double off = std::abs(parameter.value - one.documented);
-    parameter.is_beyond = off - kOneSided95 * parameter.sigma > one.tolerance;
+    parameter.is_beyond = off - most_sigmas * parameter.sigma > one.tolerance;
     judged.push_back(parameter);
   }
   return judged;
@@ -207,8 +217,10 @@ bool Judge::Grow(Set* set) const {
   std::optional<int> best;
   double best_posterior = 0;
   for (const int g : MostPromising(*set, candidates, kMostTried)) {
-    const auto gains = Gains(before, CrossFits(With(*set, g)));
-    const NamedGroup tried{g, Posterior(With(*set, g), g), Total(gains), SteadyEffectP(gains), {}};
+    const auto after = CrossFits(With(*set, g));
+    const auto gains = Gains(before, after);
+    const NamedGroup tried{
+        g, Posterior(With(*set, g), g, after), Total(gains), SteadyEffectP(gains), {}};
     const double posterior = LogPosterior(With(*set, g));
     if (!IsAdmissible(tried) || (best && posterior <= best_posterior)) continue;
     best = g;
@@ -227,7 +239,8 @@ void Judge::DropInadmissible(Set* set, GroupJudgement* judgement) const {
     const auto after = CrossFits(*set);
     for (const int g : *set) {
       const auto gains = Gains(CrossFits(Without(*set, g)), after);
-      judgement->named.push_back({g, Posterior(*set, g), Total(gains), SteadyEffectP(gains), {}});
+      judgement->named.push_back(
+          {g, Posterior(*set, g, after), Total(gains), SteadyEffectP(gains), {}});
     }
     for (const NamedGroup& one : judgement->named) {
       if (IsAdmissible(one)) continue;
@@ -296,7 +309,9 @@ void Judge::SetAsideCancelling(Set* set, GroupJudgement* judgement) const {
 void Judge::ListOthers(const Set& named, GroupJudgement* judgement) const {
   const auto before = CrossFits(named);
   for (int g = 0; g < groups(); ++g) {
-    judgement->by_group.push_back(Posterior(Has(named, g) ? named : With(named, g), g));
+    const Set free = Has(named, g) ? named : With(named, g);
+    const auto after = Has(named, g) ? before : CrossFits(free);
+    judgement->by_group.push_back(Posterior(free, g, after));
     if (Has(named, g)) continue;
     const std::vector<JudgedParameter>& all = judgement->by_group.back();
     bool is_testable = false, is_off = false, is_beyond = false;
@@ -316,7 +331,7 @@ void Judge::ListOthers(const Set& named, GroupJudgement* judgement) const {
         std::any_of(cancelling.begin(), cancelling.end(), is_set_aside)) {
       continue;
     }
-    const auto gains = Gains(before, CrossFits(With(named, g)));
+    const auto gains = Gains(before, after);
     const NamedGroup one{g, all, Total(gains), SteadyEffectP(gains), {}};
     if (one.gain > 0) judgement->unproven.push_back(one);
   }

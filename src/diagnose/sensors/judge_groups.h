@@ -15,7 +15,7 @@ struct JudgeOptions {
 /// A number with what the data say of it where its group is free.
 struct JudgedParameter {
   double value = 0, sigma = 0;  ///< in SI units
-  bool is_beyond = false;       ///< its tolerance, with 95 %
+  bool is_beyond = false;       ///< its tolerance, with the whole of its interval
 };
 
 /// A group that is named: nothing within the tolerances of all others explains the recording as
@@ -50,13 +50,15 @@ struct GroupJudgement {
 ///         judges how steady it is. A tolerance is a bound: a prior alone would give way to the
 ///         data, and what is far off would then gain nothing from being free. A group is admissible
 ///         where p is small enough for as many groups, one of its numbers lies beyond its tolerance
-///         with 95 %, and none is at the end of its range. That with which the recording is most
-///         likely enters, the priors of all numbers within tolerance counted; named ones that are
-///         no longer admissible leave. Errors are the larger of the posterior's and of those by the
-///         scatter of the segments' scores.
+///         with the whole of its interval of 95 %, and none is at the end of its range. That with
+///         which the recording is most likely enters, the priors of all numbers within tolerance
+///         counted; named ones that are no longer admissible leave. Errors are the larger of the
+///         posterior's and of the block jackknife's over a dozen parts of the recording, intervals
+///         those of Student's t: a model that is wrong makes a posterior sharp, and its parts
+///         disagree.
 /// Omits   what is not quadratic: linearise again where much was named.
-/// Source  Ibragimov and Mueller 2010; White 1982, "Maximum likelihood estimation of misspecified
-///         models", on the scatter of scores.
+/// Source  Ibragimov and Mueller 2010; Kuensch 1989, "The jackknife and the bootstrap for general
+///         stationary observations".
 GroupJudgement JudgeGroups(const ParameterTable& table,
                            const std::vector<ParameterQuadratic>& segments,
                            const JudgeOptions& options = {});

@@ -1,6 +1,7 @@
 #include "diagnose/sensors/sensor_diagnosis.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -9,6 +10,7 @@
 #include "diagnose/sensors/reflection.h"
 #include "diagnose/sensors/signal_to_noise.h"
 #include "diagnose/statistics/series/robust.h"
+#include "sensors/sensor_mechanisms.h"
 
 namespace tera {
 namespace {
@@ -100,16 +102,73 @@ double LogScale(const MotionEstimate& estimate) {
   return sum;
 }
 
+/// Turns about the axes that go against a motion; whether there are any.
+bool TurnAbout(const MotionEstimate& implied, MotionProblem* motion,
+               std::vector<OpposedAxis>* opposed) {
+  const std::vector<OpposedAxis> more = OpposedAxes(*motion, implied);
+  for (const OpposedAxis& one : more) motion->imus[one.unit].signs[one.row] *= -1;
+  opposed->insert(opposed->end(), more.begin(), more.end());
+  return !more.empty();
+}
+
 /// All that can be fitted, from documented delays; and from those by which rates look most alike,
 /// where they are others and then more is explained.
-MotionEstimate FlexibleEstimate(const MotionProblem& motion, const ParameterPrior& wide,
-                                const EstimateOptions& options) {
-  MotionEstimate start = StartingEstimate(motion, wide);
+MotionEstimate WithAnyDelays(const MotionProblem& motion, const ParameterPrior& wide,
+                             MotionEstimate start, const EstimateOptions& options) {
   MotionEstimate best = EstimateMotion(motion, wide, start, options);
   SetStartingDelays(motion, &start);
   if (start.parameters == wide.documented) return best;
   MotionEstimate other = EstimateMotion(motion, wide, std::move(start), options);
   return LogScale(other) < LogScale(best) ? other : best;
+}
+
+/// All that can be fitted, with axes turned about that go against a first motion, or against the
+/// estimated one.
+MotionEstimate FlexibleEstimate(const ParameterPrior& wide, const EstimateOptions& options,
+                                MotionProblem* motion, std::vector<OpposedAxis>* opposed) {
+  const MotionEstimate start = StartingEstimate(*motion, wide);
+  TurnAbout(start, motion, opposed);
+  const MotionEstimate first = WithAnyDelays(*motion, wide, start, options);
+  return TurnAbout(first, motion, opposed) ? WithAnyDelays(*motion, wide, start, options) : first;
+}
+
+/// The axes that were turned about, one finding for each unit; one axis of both triads is told as
+/// one.
+std::vector<SensorFinding> ReversedOf(const SensorProblem& problem, const MotionEstimate& estimate,
+                                      const std::vector<OpposedAxis>& opposed) {
+  std::vector<SensorFinding> reversed;
+  for (std::size_t u = 0; u < problem.motion.imus.size(); ++u) {
+    const UnitChannel& unit = problem.motion.imus[u];
+    std::array<bool, 6> is_reversed{};
+    SensorFinding finding{{{}, &SensorMechanism("axis_flip", EffectTarget::kImu)}, {}, 0, 0};
+    for (const OpposedAxis& one : opposed) {
+      if (one.unit != u) continue;
+      is_reversed[static_cast<std::size_t>(one.row)] = true;
+      finding.p = std::max(finding.p, one.p);
+      // Twice its motion is what it would be off by.
+      const auto c = static_cast<std::size_t>(unit.noise + one.row);
+      const double ratio = 2 * estimate.noise[c].motion / estimate.noise[c].sigma;
+      finding.signal_to_noise = std::max(finding.signal_to_noise, ratio);
+      for (const auto& segment : estimate.residuals[c].by_segment) {
+        finding.gain +=
+            0.5 * ratio * ratio * static_cast<double>(segment.size()) / estimate.noise[c].inflation;
+      }
+    }
+    for (std::size_t row = 0; row < 6; ++row) {
+      const std::string axis(1, "xyz"[row % 3]);
+      const bool both = is_reversed[row % 3] && is_reversed[row % 3 + 3];
+      if (!is_reversed[row] || (both && row >= 3)) continue;
+      finding.numbers.push_back(
+          {both ? axis : (row < 3 ? "gyro_" : "accel_") + axis, "1", 1, 0, 0, 0, true});
+    }
+    if (finding.numbers.empty()) continue;
+    const auto own =
+        std::find_if(problem.table.groups.begin(), problem.table.groups.end(),
+                     [&](const ParameterGroup& one) { return one.first == unit.bias; });
+    finding.target = own->target;
+    reversed.push_back(std::move(finding));
+  }
+  return reversed;
 }
 
 /// Parameters to linearise about with some groups free: of the others the documented ones.
@@ -225,8 +284,10 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
                     [](const ParameterGroup& group) { return group.may_be_named; }));
   EstimateOptions estimate_options{.threads = options.threads};
   const ParameterPrior wide = problem.table.FlexiblePrior();
-  const MotionEstimate flexible = clock->Time(
-      "sensors: motion", [&] { return FlexibleEstimate(problem.motion, wide, estimate_options); });
+  std::vector<OpposedAxis> opposed;
+  const MotionEstimate flexible = clock->Time("sensors: motion", [&] {
+    return FlexibleEstimate(wide, estimate_options, &problem.motion, &opposed);
+  });
   diagnosis.iterations = flexible.iterations;
   GroupJudgement judgement = clock->Time("sensors: judging", [&] {
     return JudgeGroups(problem.table, flexible.quadratics, options.judge);
@@ -260,6 +321,8 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
   }
   diagnosis.motion = MotionOf(problem.motion, after);
   Report(problem, judgement, after.quadratics, &diagnosis);
+  const std::vector<SensorFinding> reversed = ReversedOf(problem, flexible, opposed);
+  diagnosis.findings.insert(diagnosis.findings.begin(), reversed.begin(), reversed.end());
   return diagnosis;
 }
 

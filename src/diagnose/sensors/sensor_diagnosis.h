@@ -76,7 +76,8 @@ struct SensorDiagnosis {
 /// their tolerances.
 ///
 /// Model   first everything is fitted under a wide prior: that gives the noise, which is thereby of
-///         no narrower model than any judged, and a point about which all is linearised. Groups are
+///         no narrower model than any judged, and a point about which all is linearised. Axes of
+///         units that go against the motion are turned about and told (OpposedAxes). Groups are
 ///         judged there (JudgeGroups), everything is linearised again with the named ones free, and
 ///         judged once more.
 SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements& measured,

@@ -79,12 +79,12 @@ int AddDelay(const std::string& target, EffectTarget kind, const Effects& effect
 }
 
 int AddShift(const std::string& target, EffectTarget kind, const std::string& mechanism,
-             const Effects& effects, double range_m, ParameterTable* table) {
+             const Effects& effects, const Vec3& range_m, ParameterTable* table) {
   const Vec3 documented_m = VectorOf(effects, mechanism, "x_m", "y_m", "z_m");
   GroupOf group(table, target, kind, mechanism);
   for (std::size_t i = 0; i < 3; ++i) {
-    group.Number(std::string(kAxes[i]) + "_m", "m", 1, documented_m[static_cast<int>(i)], range_m,
-                 kWander);
+    group.Number(std::string(kAxes[i]) + "_m", "m", 1, documented_m[static_cast<int>(i)],
+                 range_m[static_cast<int>(i)], kWander);
   }
   return group.first();
 }
@@ -174,7 +174,8 @@ void ParameterTable::LimitTo(const CandidateLibrary& library) {
   }
 }
 
-void AddImuParameters(const SensorDescription& unit, ParameterTable* table, UnitChannel* channel) {
+void AddImuParameters(const SensorDescription& unit, const Vec3& part_m, ParameterTable* table,
+                      UnitChannel* channel) {
   const auto& model = std::get<ImuModel>(unit.model);
   const Effects& effects = unit.effects;
   channel->signs = AxisSigns(effects);
@@ -206,15 +207,15 @@ void AddImuParameters(const SensorDescription& unit, ParameterTable* table, Unit
     const std::array<const char*, 3> names = {"roll_deg", "pitch_deg", "yaw_deg"};
     mount.Number(names[static_cast<std::size_t>(i)], "deg", kDeg, mount_deg[i] * kDeg, 57, kWander);
   }
-  channel->place = AddShift(unit.name, kImu, "imu_lever_arm", effects, 4, table);
+  channel->place = AddShift(unit.name, kImu, "imu_lever_arm", effects, part_m, table);
   channel->late = AddDelay(unit.name, kImu, effects, table);
 }
 
-void AddReceiverParameters(const SensorDescription& receiver, double segment_s,
+void AddReceiverParameters(const SensorDescription& receiver, const Vec3& part_m, double segment_s,
                            ParameterTable* table, ReceiverChannel* channel) {
   const auto& model = std::get<GnssModel>(receiver.model);
   const Effects& effects = receiver.effects;
-  channel->place = AddShift(receiver.name, kGnss, "gnss_lever_arm", effects, 10, table);
+  channel->place = AddShift(receiver.name, kGnss, "gnss_lever_arm", effects, part_m, table);
   // Slow errors of a fix are another datum in each segment, which does not differ from the one
   // before by all that it errs: as independent ones they count for more, so that their mean errs by
   // as much as that of a first-order Gauss-Markov process.

@@ -60,9 +60,11 @@ struct ParameterTable {
 /// By how much the scenario has a sensor's stamps late: its clock, its latency and its filter.
 double DocumentedDelay_s(const Effects& effects);
 
-/// Adds the parameters of one sensor and sets their places in its channel.
-void AddImuParameters(const SensorDescription& unit, ParameterTable* table, UnitChannel* channel);
-void AddReceiverParameters(const SensorDescription& receiver, double segment_s,
+/// Adds the parameters of one sensor and sets their places in its channel. It is off its place by
+/// no more than the extent of the part that it is bolted to.
+void AddImuParameters(const SensorDescription& unit, const Vec3& part_m, ParameterTable* table,
+                      UnitChannel* channel);
+void AddReceiverParameters(const SensorDescription& receiver, const Vec3& part_m, double segment_s,
                            ParameterTable* table, ReceiverChannel* channel);
 /// The numbers of a part's reflection beside a receiver that has such a part.
 void AddReflectionParameters(const SensorDescription& receiver, ParameterTable* table,

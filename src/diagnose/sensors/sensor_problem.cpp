@@ -48,6 +48,27 @@ double SwingOf(const EncoderRecording& recording, std::size_t axis) {
   return std::sqrt(square);
 }
 
+/// The extent of a link along its axes: that of the box with its mass and inertia, or of its frame,
+/// its joints and its centre of mass where these are further apart.
+Vec3 ExtentOf_m(const MachineModel& model, int index) {
+  const Link& link = model.links[static_cast<std::size_t>(index)];
+  Vec3 least_m = link.com_B_m.cwiseMin(0), most_m = link.com_B_m.cwiseMax(0);
+  for (const Joint& joint : model.joints) {
+    if (joint.parent != index) continue;
+    least_m = least_m.cwiseMin(joint.X_PJ.translation());
+    most_m = most_m.cwiseMax(joint.X_PJ.translation());
+  }
+  Vec3 extent_m = most_m - least_m;
+  if (link.mass_kg <= 0) return extent_m;
+  const Vec3 about_kgm2 = link.inertia_B_kgm2.diagonal();
+  for (int i = 0; i < 3; ++i) {
+    // A box of mass m and edge l has m l^2 / 12 along that edge.
+    const double along_kgm2 = std::max(0.0, about_kgm2.sum() / 2 - about_kgm2[i]);
+    extent_m[i] = std::max(extent_m[i], std::sqrt(12 * along_kgm2 / link.mass_kg));
+  }
+  return extent_m;
+}
+
 /// Puts channels, parameters and observations together.
 class Builder {
  public:
@@ -258,7 +279,7 @@ void Builder::AddUnits() {
       continue;
     }
     UnitChannel channel{*chain, sensor.X_BS};
-    AddImuParameters(sensor, &problem_.table, &channel);
+    AddImuParameters(sensor, ExtentOf_m(model(), link), &problem_.table, &channel);
     const auto& imu = std::get<ImuModel>(sensor.model);
     const double root_s = std::sqrt(kImuWindow_s);
     const std::string name = input_.machine + "/" + sensor.name + "/";
@@ -302,7 +323,8 @@ void Builder::AddReceiver(std::size_t sensor, const KinematicChain& chain) {
   const SensorDescription& receiver = input_.sensors[sensor];
   const auto& model = std::get<GnssModel>(receiver.model);
   ReceiverChannel channel{chain, receiver.X_BS.translation(), receiver.X_BS.translation()};
-  AddReceiverParameters(receiver, segment_s_, &problem_.table, &channel);
+  const Vec3 part_m = ExtentOf_m(*input_.model, input_.model->LinkIndex(receiver.link));
+  AddReceiverParameters(receiver, part_m, segment_s_, &problem_.table, &channel);
   AddReflection(receiver, &channel);
   const std::string name = input_.machine + "/" + receiver.name + "/";
   channel.noise = AddNoise(name + "east_m", "m", std::max(model.white_horizontal_m, 1e-3), 0.1);

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/types/sample_rows.h"
 #include "core/units.h"
 #include "sensors/imu/imu_slots.h"
@@ -52,11 +54,12 @@ class ImuSampler : public SensorSampler {
 std::vector<Mechanism> ImuMechanisms() {
   using enum Slot;
   const std::vector<EffectTarget> imu = {EffectTarget::kImu};
-  const EffectParameter flip_x = {"x", "1", 0, 1, 0, true}, flip_y = {"y", "1", 0, 1, 0, true},
-                        flip_z = {"z", "1", 0, 1, 0, true};
+  std::vector<EffectParameter> flips = Alike(
+      {"x", "y", "z", "gyro_x", "gyro_y", "gyro_z", "accel_x", "accel_y", "accel_z"}, "1", 0, 1, 0);
+  for (EffectParameter& axis : flips) axis.whole = true;
   return {
       {"mount_rotation", kSensorGeometry, imu, TurnParameters()},
-      {"axis_flip", kSensorGeometry, imu, {flip_x, flip_y, flip_z}},
+      {"axis_flip", kSensorGeometry, imu, flips},
       {"imu_lever_arm", kSensorGeometry, imu, ShiftParameters()},
       {"bias", kSensorStatic, imu,
        Joined({Alike({"gyro_x_degps", "gyro_y_degps", "gyro_z_degps"}, "deg/s", -100, 100, 0),
@@ -109,8 +112,10 @@ void CheckImuEffects(const ConfigMap& effects, const MachineModel& model,
   const ConfigMap config = effects.Map(imu.name);
   CheckSteps(config, imu.effects, kSteps);
   const Effect* flip = FindEffect(imu.effects, "axis_flip");
-  if (flip && (*flip)["x"] == 0 && (*flip)["y"] == 0 && (*flip)["z"] == 0) {
-    config.Fault("axis_flip", "flips no axis; need 1 for x, y or z");
+  const auto is_kept = [](double axis) { return axis == 0; };
+  if (flip && std::all_of(flip->values.begin(), flip->values.end(), is_kept)) {
+    config.Fault("axis_flip",
+                 "flips no axis; need 1 for x, y or z, or for one of gyro_x to accel_z");
   }
   if (FindEffect(imu.effects, "imu_lever_arm") && !CanTurn(model, model.LinkIndex(imu.link))) {
     config.Fault(

@@ -5,8 +5,15 @@
 
 namespace tera {
 
-Vec3 AxisSigns(const Effects& effects) {
-  return Vec3::Ones() - 2 * VectorOf(effects, "axis_flip", "x", "y", "z");
+Eigen::Matrix<double, 6, 1> AxisSigns(const Effects& effects) {
+  const auto signs_of = [&](const char* x, const char* y, const char* z) -> Vec3 {
+    return Vec3::Ones() - 2 * VectorOf(effects, "axis_flip", x, y, z);
+  };
+  const Vec3 both = signs_of("x", "y", "z");
+  Eigen::Matrix<double, 6, 1> signs;
+  signs << both.cwiseProduct(signs_of("gyro_x", "gyro_y", "gyro_z")),
+      both.cwiseProduct(signs_of("accel_x", "accel_y", "accel_z"));
+  return signs;
 }
 
 ImuSlots::ImuSlots(const Effects& effects, std::uint64_t seed, const std::string& stream_name)
@@ -19,8 +26,8 @@ ImuSlots::ImuSlots(const Effects& effects, std::uint64_t seed, const std::string
 void ImuSlots::Apply(ImuSample* sample) {
   if (ideal_) return;
   const std::int64_t k = next_++;
-  sample->w_WS_S_radps = axis_signs_.cwiseProduct(sample->w_WS_S_radps);
-  sample->f_S_mps2 = axis_signs_.cwiseProduct(sample->f_S_mps2);
+  sample->w_WS_S_radps = axis_signs_.head<3>().cwiseProduct(sample->w_WS_S_radps);
+  sample->f_S_mps2 = axis_signs_.tail<3>().cwiseProduct(sample->f_S_mps2);
   errors_.Sense(sample);
   if (filter_.present()) {
     Eigen::VectorXd x(6);

@@ -11,8 +11,9 @@
 
 namespace tera {
 
-/// Signs of the axes of an inertial unit with reversed readings, `axis_flip`.
-Vec3 AxisSigns(const Effects& effects);
+/// Signs of the axes of an inertial unit, rates then forces; -1 where `axis_flip` has the axis or
+/// the axis of that triad alone; of both, one undoes the other.
+Eigen::Matrix<double, 6, 1> AxisSigns(const Effects& effects);
 
 /// Errors between an inertial unit's model and its reported measurement (src/sensors/README.md).
 class ImuSlots {
@@ -22,7 +23,7 @@ class ImuSlots {
 
  private:
   bool ideal_;
-  Vec3 axis_signs_;
+  Eigen::Matrix<double, 6, 1> axis_signs_;
   ImuErrors errors_;
   LowPass filter_;
   ReportClock clock_;

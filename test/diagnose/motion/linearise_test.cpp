@@ -224,7 +224,7 @@ TEST(Linearise, PredictsPosesInAMapThatIsTurnedAboutItsPivotAndShifted) {
 TEST(Linearise, PredictsAnInertialUnitByTheMotionOfItsTrueFrame) {
   MadeProblem made(13);
   UnitChannel& unit = made.problem.imus[0];
-  unit.signs = Vec3::Ones();
+  unit.signs.setOnes();
   made.parameters.setZero();
   const Vec3 turn(0.1, -0.2, 0.3), shift(0.2, 0.1, -0.3);
   made.parameters.segment<3>(unit.mount) = turn;

@@ -15,7 +15,7 @@ struct MadeProblem {
   UniformSpline spline = {.step_s = 0.25, .coefficients = 16};
   Eigen::MatrixXd coefficients;
   Eigen::VectorXd parameters;
-  MovingNumbers moving;
+  Eigen::ArrayXXd moving;
 
   explicit MadeProblem(std::uint64_t seed) {
     const Stream draw(seed, "problem");
@@ -30,7 +30,7 @@ struct MadeProblem {
     UnitChannel unit;
     unit.chain = chain;
     unit.X_LS = RandomPose(draw, 50);
-    unit.signs = {1, -1, -1};
+    unit.signs << 1, -1, -1, -1, 1, -1;
     unit.bias = take(6), unit.scale = take(6), unit.mount = take(3), unit.place = take(3);
     unit.late = take(1), unit.noise = 0;
     problem.imus = {unit};
@@ -62,7 +62,7 @@ struct MadeProblem {
                             unit.scale + 4, unit.scale + 5, axis.scale}) {
       parameters[scale] += 1;
     }
-    moving = MovingNumbers::Ones((spline.coefficients + 3) / 4, 3 * problem.numbers());
+    moving = Eigen::ArrayXXd::Ones((spline.coefficients + 3) / 4, problem.numbers());
   }
   /// One observation of each kind within a step, another over a knot.
   std::vector<Observation> Observations() const {
@@ -80,7 +80,7 @@ struct MadeProblem {
     return all;
   }
   bool Of(const Observation& seen, LinearisedObservation* out) const {
-    return Linearise(problem, spline, coefficients, parameters, moving, seen, out);
+    return Linearise(problem, spline, {coefficients, moving, {}}, parameters, seen, out);
   }
   /// The residual's derivative by each number of the motion's coefficients, numbers running
   /// fastest, as `by_state` and the spline's weights have it.

@@ -85,10 +85,9 @@ struct Both {
 
 TEST(NormalEquations, LeaveForTheParametersWhatADenseEliminationDoes) {
   for (const std::uint64_t seed : {1, 2}) {
-    const Both both(seed);
+    Both both(seed);
     const Dense& dense = both.dense;
-    MotionStep step;
-    const ParameterQuadratic reduced = both.equations.Reduce(&step);
+    const ParameterQuadratic reduced = both.equations.Reduce();
 
     const MatrixXd A = dense.motion.transpose() * dense.motion;
     const MatrixXd C = dense.motion.transpose() * dense.parameters;
@@ -102,24 +101,25 @@ TEST(NormalEquations, LeaveForTheParametersWhatADenseEliminationDoes) {
     EXPECT_LT((reduced.information - information).norm(), 1e-9 * size);
     EXPECT_LT((reduced.score - score).norm(), 1e-9 * (1 + score.norm()));
     EXPECT_LT((reduced.information - reduced.information.transpose()).norm(), 1e-9 * size);
-    EXPECT_LT((step.by_parameter - solver.solve(C)).norm(), 1e-9 * solver.solve(C).norm());
-    EXPECT_LT((step.without - solver.solve(g)).norm(), 1e-9 * solver.solve(g).norm());
+    const VectorXd change = VectorXd::LinSpaced(score.size(), -1, 2);
+    const VectorXd step = solver.solve(g - C * change);
+    EXPECT_LT((both.equations.MotionStep(change) - step).norm(), 1e-9 * step.norm());
 
     const MatrixXd covariance = solver.solve(MatrixXd::Identity(A.rows(), A.cols()));
     const int block = 4 * both.made.problem.numbers();
-    ASSERT_EQ(static_cast<int>(step.covariance.size()) * block, A.rows());
-    for (std::size_t k = 0; k < step.covariance.size(); ++k) {
+    const std::vector<MatrixXd> blocks = both.equations.Covariance();
+    ASSERT_EQ(static_cast<int>(blocks.size()) * block, A.rows());
+    for (std::size_t k = 0; k < blocks.size(); ++k) {
       const MatrixXd expected = covariance.block(k * block, k * block, block, block);
-      EXPECT_LT((step.covariance[k] - expected).norm(), 1e-9 * expected.norm()) << "block " << k;
+      EXPECT_LT((blocks[k] - expected).norm(), 1e-9 * expected.norm()) << "block " << k;
     }
   }
 }
 
 // The best parameters and motion together are those of one least squares of everything.
 TEST(NormalEquations, HaveTheSolutionOfOneLeastSquaresOfEverything) {
-  const Both both(3);
-  MotionStep step;
-  ParameterQuadratic reduced = both.equations.Reduce(&step);
+  Both both(3);
+  ParameterQuadratic reduced = both.equations.Reduce();
   const int n = static_cast<int>(reduced.score.size());
   const int m = static_cast<int>(both.dense.motion.cols());
   const double prior = 10;
@@ -133,7 +133,7 @@ TEST(NormalEquations, HaveTheSolutionOfOneLeastSquaresOfEverything) {
   reduced.information += prior * MatrixXd::Identity(n, n);
   const VectorXd p = reduced.information.llt().solve(reduced.score);
   EXPECT_LT((p - expected.tail(n)).norm(), 1e-8 * expected.tail(n).norm());
-  const VectorXd motion = step.without - step.by_parameter * p;
+  const VectorXd motion = both.equations.MotionStep(p);
   EXPECT_LT((motion - expected.head(m)).norm(), 1e-8 * expected.head(m).norm());
 }
 

@@ -53,7 +53,7 @@ double StartingDelay(const MotionProblem& problem, double documented_s) {
   start.parameters = Eigen::VectorXd::Constant(1, documented_s);
   for (const MotionSegment& segment : problem.segments) {
     start.motion.push_back(
-        {segment.start, MovingNumbers::Ones(33, 3 * kBaseNumbers), Eigen::VectorXd::Zero(1)});
+        {segment.start, Eigen::ArrayXXd::Ones(33, kBaseNumbers), Eigen::VectorXd::Zero(1)});
   }
   SetStartingDelays(problem, &start);
   return start.parameters[0];

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/random.h"
@@ -19,6 +20,7 @@ struct Wrong {
   Vec3 gyro_bias_radps = Vec3::Zero(), accel_bias_mps2 = Vec3::Zero();  ///< of the boom's unit
   Vec3 mount_rad = Vec3::Zero(), place_m = Vec3::Zero();                ///< of the boom's unit
   double unit_late_s = 0;               ///< stamps of the boom's unit
+  bool gyro_x_reversed = false;         ///< of the boom's unit, its accelerometer not
   Vec3 antenna_place_m = Vec3::Zero();  ///< of the left antenna
   double reflected_m = 0;               ///< pulls the left antenna towards a boom that is raised
   double boom_zero_rad = 0;
@@ -35,8 +37,18 @@ struct Made {
   Vec3 place_m = Vec3::Zero();                            ///< of all
   double noise = 1;                                       ///< times the usual
   double base_moves = 1, slew_moves = 1, boom_moves = 1;  ///< times the usual
+  /// Rate of the swing that is turned about within 5 ms every 0.9 s, as at a stop.
+  double blows_radps = 0;
   bool has_poses = true;
 };
+
+/// A way to and fro at a rate of one, turned about within `within_s` each half period.
+inline double ToAndFro(double t, double half_s, double within_s) {
+  const double in = std::fmod(t, 2 * half_s), from_turn = std::abs(in - half_s);
+  const double r = within_s / 2, near_top = std::max(0.0, r - from_turn),
+               near_bottom = std::max(0.0, r - (half_s - from_turn));
+  return half_s - from_turn - near_top * near_top / (2 * r) + near_bottom * near_bottom / (2 * r);
+}
 
 inline Joint Hinge(const std::string& name, int parent, const Pose& X_PJ, const Vec3& axis_J) {
   Joint joint;
@@ -114,7 +126,8 @@ class MadeRecording {
                     -0.02 + 0.03 * by * std::sin(0.7 * t + 1), 0.5 + 0.8 * by * std::sin(0.47 * t));
   }
   std::vector<double> Joints(double t) const {
-    return {0.2 + how_.slew_moves * (0.9 * std::sin(0.43 * t) + 0.2 * std::sin(1.7 * t)),
+    return {0.2 + how_.slew_moves * (0.9 * std::sin(0.43 * t) + 0.2 * std::sin(1.7 * t)) +
+                how_.blows_radps * ToAndFro(t, 0.9, 0.005),
             0.3 + how_.boom_moves * (0.35 * std::sin(0.6 * t + 1) + 0.1 * std::sin(2.1 * t))};
   }
   Pose Frame(int link, const Pose& X_LS, double t) const {
@@ -146,26 +159,36 @@ class MadeRecording {
     }
     for (int k = 1; k <= how_.duration_s * 50; ++k) {
       if (!IsKept(unit.name, k)) continue;
-      // Of the middle of the time over which the sample is a mean.
-      const double t = 0.02 * k - 0.01, h = 1e-3;
-      const Pose before = Frame(Link(s), X_LS, t - h), now = Frame(Link(s), X_LS, t),
-                 after = Frame(Link(s), X_LS, t + h);
-      const Eigen::AngleAxisd turned(before.linear().transpose() * after.linear());
-      const Vec3 a_W =
-          (before.translation() - 2 * now.translation() + after.translation()) / (h * h);
+      const auto [w_S_radps, f_S_mps2] = MeanOver(Link(s), X_LS, 0.02 * k - 0.02, 0.02);
       ImuSample sample;
       sample.t_ns = Stamp(unit.name, k, 0.02 * k + (is_wrong ? how_.wrong.unit_late_s : 0));
       sample.t_available_ns = sample.t_ns;
-      sample.w_WS_S_radps =
-          turned.axis() * turned.angle() / (2 * h) + 0.002 * how_.noise * noise.Gaussian3(k, 0);
-      sample.f_S_mps2 = now.linear().transpose() * (a_W + Vec3(0, 0, kStandardGravity_mps2)) +
-                        0.03 * how_.noise * noise.Gaussian3(k, 1);
+      sample.w_WS_S_radps = w_S_radps + 0.002 * how_.noise * noise.Gaussian3(k, 0);
+      sample.f_S_mps2 = f_S_mps2 + 0.03 * how_.noise * noise.Gaussian3(k, 1);
       if (is_wrong) {
+        if (how_.wrong.gyro_x_reversed) sample.w_WS_S_radps.x() *= -1;
         sample.w_WS_S_radps += how_.wrong.gyro_bias_radps;
         sample.f_S_mps2 += how_.wrong.accel_bias_mps2;
       }
       measured.imus[s].push_back(sample);
     }
+  }
+  /// Rates and forces over a time, whose middle stands for it unless blows fall within.
+  std::pair<Vec3, Vec3> MeanOver(int link, const Pose& X_LS, double from_s, double over_s) const {
+    const int parts = how_.blows_radps > 0 ? 20 : 1;
+    const double h = how_.blows_radps > 0 ? over_s / parts / 2 : 1e-3;
+    std::pair<Vec3, Vec3> mean = {Vec3::Zero(), Vec3::Zero()};
+    for (int i = 0; i < parts; ++i) {
+      const double t = from_s + over_s * (i + 0.5) / parts;
+      const Pose before = Frame(link, X_LS, t - h), now = Frame(link, X_LS, t),
+                 after = Frame(link, X_LS, t + h);
+      const Eigen::AngleAxisd turned(before.linear().transpose() * after.linear());
+      const Vec3 a_W =
+          (before.translation() - 2 * now.translation() + after.translation()) / (h * h);
+      mean.first += turned.axis() * turned.angle() / (2 * h) / parts;
+      mean.second += now.linear().transpose() * (a_W + Vec3(0, 0, kStandardGravity_mps2)) / parts;
+    }
+    return mean;
   }
   Vec3 Reflected(double t) const {
     const Vec3 boom_W = Frame(2, Pose::Identity(), t).linear().col(0);

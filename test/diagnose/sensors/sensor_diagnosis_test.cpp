@@ -147,6 +147,38 @@ TEST(SensorDiagnosis, OfErrorsThatAreDocumentedNamesNothing) {
   EXPECT_FALSE(Diagnosed(&made).findings.empty());
 }
 
+TEST(SensorDiagnosis, NamesAClockThatIsElevenHundredthsLate) {
+  MadeRecording made({.wrong = {.unit_late_s = 0.11}, .seed = 16});
+  ExpectNamed({{}, "imu_boom/clock_offset", "offset_s", 0.11}, Diagnosed(&made));
+}
+
+TEST(SensorDiagnosis, NamesAGyroAxisThatIsReversedAlone) {
+  MadeRecording made({.wrong = {.gyro_x_reversed = true}, .seed = 17});
+  const SensorDiagnosis told = Diagnosed(&made);
+  ASSERT_THAT(NamesOf(told.findings), ElementsAre("imu_boom/axis_flip")) << Told(told);
+  ASSERT_EQ(told.findings[0].numbers.size(), 1u);
+  EXPECT_EQ(told.findings[0].numbers[0].name, "gyro_x");
+  EXPECT_EQ(told.findings[0].numbers[0].value, 1);
+}
+
+// The swing is turned about within 5 ms, which splines with knots 50 ms apart cannot follow.
+TEST(SensorDiagnosis, OfBlowsThatNoSplineFollowsNamesNothing) {
+  for (const double blows_radps : {0.2, 0.6}) {
+    MadeRecording made({.seed = 18, .slew_moves = 0.3, .blows_radps = blows_radps});
+    const SensorDiagnosis told = Diagnosed(&made);
+    EXPECT_THAT(NamesOf(told.findings), IsEmpty()) << blows_radps << Told(told);
+  }
+}
+
+// Nothing turns a unit about what it sits on, so that its place is told by the waves alone.
+TEST(SensorDiagnosis, OfWavesUnderAMachineWhoseJointsRestNamesNothing) {
+  for (const bool has_poses : {true, false}) {
+    MadeRecording made({.seed = 19, .slew_moves = 0, .boom_moves = 0, .has_poses = has_poses});
+    const SensorDiagnosis told = Diagnosed(&made);
+    EXPECT_THAT(NamesOf(told.findings), IsEmpty()) << Told(told);
+  }
+}
+
 TEST(SensorDiagnosis, OfNothingWrongButLostRowsAndJitterNamesNothing) {
   for (const std::uint64_t seed : {21, 22}) {
     MadeRecording made({.seed = seed, .lost = 0.2, .jitter_s = 0.004});

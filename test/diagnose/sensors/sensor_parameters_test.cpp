@@ -35,8 +35,8 @@ struct All {
     gnss.name = "gnss";
     gnss.model = GnssModel{};
     gnss.effects = of_receiver;
-    AddImuParameters(imu, &table, &unit);
-    AddReceiverParameters(gnss, 10, &table, &receiver);
+    AddImuParameters(imu, {2, 0.4, 0.3}, &table, &unit);
+    AddReceiverParameters(gnss, {2, 0.4, 0.3}, 10, &table, &receiver);
     receiver.pair_yaw = AddPairYaw(gnss, &table);
     AddAxisParameters("encoders/boom", of_axis, false, 0.3, &table, &turns);
     AddAxisParameters("encoders/stick", {}, true, 0.3, &table, &slides);
@@ -104,7 +104,7 @@ TEST(SensorParameters, AreDocumentedAsTheEffectsOfTheScenarioHaveThem) {
                  Named(EffectTarget::kImu, "scale", {1.1, 1.2, 1.3, 1.01, 1.02, 1.03}),
                  Named(EffectTarget::kImu, "mount_rotation", {10, -20, 30}),
                  Named(EffectTarget::kImu, "imu_lever_arm", {0.1, 0.2, 0.3}),
-                 Named(EffectTarget::kImu, "axis_flip", {0, 1, 1}),
+                 Named(EffectTarget::kImu, "axis_flip", {0, 1, 1, 0, 0, 0, 1, 0, 0}),
                  Named(EffectTarget::kImu, "latency", {0.05, 0})},
                 {Named(EffectTarget::kGnss, "gnss_lever_arm", {-0.1, 0.4, 0}),
                  Named(EffectTarget::kGnss, "height_datum", {40}),
@@ -119,7 +119,7 @@ TEST(SensorParameters, AreDocumentedAsTheEffectsOfTheScenarioHaveThem) {
     EXPECT_NEAR(all.At(all.unit.mount + i).documented, (i == 1 ? -20 : 10 + 10 * i) * kDeg, 1e-12);
     EXPECT_NEAR(all.At(all.unit.place + i).documented, 0.1 * (i + 1), 1e-12);
   }
-  EXPECT_EQ(all.unit.signs, Vec3(1, -1, -1));
+  EXPECT_EQ(all.unit.signs, (Eigen::Matrix<double, 6, 1>{1, -1, -1, -1, -1, -1}));
   EXPECT_NEAR(all.At(all.unit.late).documented, 0.05, 1e-12);
   EXPECT_NEAR(all.At(all.receiver.place + 1).documented, 0.4, 1e-12);
   EXPECT_NEAR(all.At(all.receiver.datum).documented, 1, 1e-12);

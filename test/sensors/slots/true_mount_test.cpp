@@ -72,6 +72,14 @@ TEST(SensorGeometry, AFlippedAxisChangesItsSignAlone) {
   ExpectNear(sample.w_WS_S_radps, {0, 0, -2}, 1e-9);
 }
 
+TEST(SensorGeometry, AnAxisOfOneTriadIsFlippedAlone) {
+  const Pose X_BS = MakePose({0.5, 0, 0.3}, 0, 0, 0);
+  const ImuSample sample =
+      OnATurntable(X_BS, Given(EffectTarget::kImu, "{axis_flip: {gyro_z: 1, accel_x: 1}}"));
+  ExpectNear(sample.f_S_mps2, {2, 0, kG_mps2}, 1e-5);
+  ExpectNear(sample.w_WS_S_radps, {0, 0, -2}, 1e-9);
+}
+
 TEST(SensorGeometry, AnAxisThatCountsBackwardsChangesAngleAndRate) {
   EncoderSlots slots({}, {Given(EffectTarget::kEncoderAxis, "{axis_flip: {}}"), {}}, {false, false},
                      {"boom", "arm"}, 1, "m/e");
