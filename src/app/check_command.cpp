@@ -114,7 +114,10 @@ void RunCheck(const ScenarioOptions& options) {
   }
   for (const ScenarioObstacle& obstacle : scenario.obstacles) {
     fmt::print("{} {} at ({:.2f}, {:.2f}) m{}\n", NameOf(obstacle.label), obstacle.name,
-               obstacle.xy_W_m.x(), obstacle.xy_W_m.y(), obstacle.path.empty() ? "" : ", moving");
+               obstacle.xy_W_m.x(), obstacle.xy_W_m.y(),
+               obstacle.dynamic        ? ", dynamic"
+               : obstacle.path.empty() ? ""
+                                       : ", moving");
   }
   for (const ScenarioMachine& machine : scenario.machines) {
     PrintDoubts(machine, assembly.model());

@@ -88,8 +88,30 @@ StageMachine StageMachineOf(const MachinePlacement& placement, int first_body) {
   return machine;
 }
 
+/// Poses of a dynamic obstacle in a recording, at kObstacle_hz; its start if it has none.
+std::vector<std::pair<double, Pose>> TrackOf(const Recording& recording,
+                                             const ScenarioObstacle& obstacle,
+                                             const TerrainSurface& ground) {
+  const std::string file = "truth/" + obstacle.name + "/pose.csv";
+  if (!recording.Has(file)) return {{0, ObstacleAt(obstacle, 0, ground).X_WB}};
+  std::vector<std::pair<double, Pose>> track;
+  for (const TruthPose& pose : recording.LoadPose(file).poses) {
+    const double t_s = ToSeconds(pose.t_ns);
+    if (track.empty() || t_s - track.back().first >= 1 / kObstacle_hz) {
+      track.emplace_back(t_s, pose.X_WB);
+    }
+  }
+  return track;
+}
+
 /// Adds an obstacle's bodies: trunk, wheels and limbs.
-void AddObstacle(const Scenario& scenario, const ScenarioObstacle& obstacle, Stage* stage) {
+void AddObstacle(const Scenario& scenario, const ScenarioObstacle& obstacle,
+                 const Recording& recording, Stage* stage) {
+  if (obstacle.dynamic) {
+    stage->obstacles.push_back(
+        {obstacle.name, stage->bodies++, TrackOf(recording, obstacle, scenario.site->surface())});
+    return;
+  }
   const std::size_t bodies = 1 + obstacle.wheels.size() + obstacle.gait.limbs.size();
   std::vector<StageObstacle> staged;
   for (std::size_t k = 0; k < bodies; ++k) {
@@ -108,7 +130,7 @@ void AddObstacle(const Scenario& scenario, const ScenarioObstacle& obstacle, Sta
   stage->obstacles.insert(stage->obstacles.end(), staged.begin(), staged.end());
 }
 
-Stage StageOf(const Scenario& scenario) {
+Stage StageOf(const Scenario& scenario, const Recording& recording) {
   const SceneAssembly assembly(scenario);
   const SceneModel& model = assembly.model();
   Stage stage;
@@ -117,7 +139,7 @@ Stage StageOf(const Scenario& scenario) {
     stage.bodies += BodiesOf(stage.machines.back());
   }
   for (const ScenarioObstacle& obstacle : scenario.obstacles) {
-    AddObstacle(scenario, obstacle, &stage);
+    AddObstacle(scenario, obstacle, recording, &stage);
   }
   for (const Mesh& mesh : model.meshes) stage.meshes.push_back(StageMeshOf(mesh));
   for (const SceneNode& node : model.nodes) {
@@ -131,13 +153,14 @@ Stage StageOf(const Scenario& scenario) {
 
 Stage StageOfRecording(const std::filesystem::path& recording,
                        const std::vector<std::string>& moved) {
-  if (!Recording(recording).info().simulated) {
+  const Recording recorded(recording);
+  if (!recorded.info().simulated) {
     throw InputError(
         recording.string(),
         {FaultKind::kUnsupported,
          "is a real recording, of which no scenario says what its machine looks like"});
   }
-  return StageOf(LoadRecordedScenario(recording, {}, moved).scenario);
+  return StageOf(LoadRecordedScenario(recording, {}, moved).scenario, recorded);
 }
 
 }  // namespace tera

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "core/check.h"
 #include "core/error.h"
 #include "core/units.h"
+#include "sim/dynamic_obstacle.h"
 
 namespace tera {
 namespace {
@@ -69,25 +71,63 @@ void PhysicsMotion::Start(const Begin& begin, WorldState* world) {
   std::vector<ObstacleBody> obstacles;
   for (std::size_t o = 0; o < scenario_.obstacles.size(); ++o) {
     const ScenarioObstacle& obstacle = scenario_.obstacles[o];
-    obstacles.push_back(
-        {obstacle.name, obstacle.collision, world->obstacles[o], RigidPartOf(obstacle).rise_m});
+    const BodyState& state = world->obstacles[o];
+    if (obstacle.dynamic) {
+      placements.push_back(PlacementOf(obstacle, state.X_WB));
+      const GroundTools& tools = placements.back().model.ground_tools;
+      things_.push_back({o, world->ground().AddMachine(tools)});
+    } else {
+      guided_.push_back(o);
+      obstacles.push_back({obstacle.name, obstacle.collision, state, RigidPartOf(obstacle).rise_m});
+    }
   }
   physics_ = std::make_unique<PhysicsWorld>(
       placements, obstacles, kStandardGravity_mps2, WorldStart{scenario_.seed, begin.first_step},
       scenario_.site_mesh ? scenario_.site_mesh->Walls() : SiteWalls{});
-  world->machines = physics_->machines();
+  ReadBodies(world);
+}
+
+void PhysicsMotion::ReadBodies(WorldState* world) const {
+  const std::vector<MachineState>& bodies = physics_->machines();
+  const auto first_thing = bodies.begin() + static_cast<std::ptrdiff_t>(scenario_.machines.size());
+  world->machines.assign(bodies.begin(), first_thing);
+  for (std::size_t k = 0; k < things_.size(); ++k) {
+    world->obstacles[things_[k].obstacle] = first_thing[static_cast<std::ptrdiff_t>(k)].links[0];
+  }
 }
 
 void PhysicsMotion::Move(const Step& step, WorldState* world) {
-  std::vector<MachineInput> inputs(scenario_.machines.size());
-  for (std::size_t m = 0; m < inputs.size(); ++m) {
-    inputs[m] = {.levers = LeversOf(m, *world), .soil = step.reactions[m]};
+  std::vector<MachineInput> inputs;
+  for (std::size_t m = 0; m < scenario_.machines.size(); ++m) {
+    inputs.push_back({.levers = LeversOf(m, *world), .soil = step.reactions[m]});
   }
-  physics_->Step(inputs, world->obstacles, step.dt_s);
-  world->machines = physics_->machines();
-  for (std::size_t m = 0; m < inputs.size(); ++m) {
+  for (const Thing& thing : things_) {
+    const std::vector<BodyState> links{world->obstacles[thing.obstacle]};
+    inputs.push_back(
+        {.levers = {}, .soil = world->ground().Act(thing.soil_handle, {&links, {}}, step.dt_s)});
+  }
+  PullSlings(*world, &inputs);
+  std::vector<BodyState> guided;
+  for (const std::size_t o : guided_) guided.push_back(world->obstacles[o]);
+  physics_->Step(inputs, guided, step.dt_s);
+  ReadBodies(world);
+  for (std::size_t m = 0; m < scenario_.machines.size(); ++m) {
     RequireAboveGround(scenario_.machines[m].placement, world->machines[m],
                        world->ground().surface(), step.to_ns);
+  }
+}
+
+void PhysicsMotion::PullSlings(const WorldState& world, std::vector<MachineInput>* inputs) const {
+  const double t_s = ToSeconds(world.t_ns);
+  for (const Sling& sling : scenario_.slings) {
+    if (t_s < sling.from_s || t_s >= sling.until_s) continue;
+    const auto thing = std::ranges::find(things_, sling.obstacle, &Thing::obstacle);
+    const std::size_t input =
+        scenario_.machines.size() + static_cast<std::size_t>(thing - things_.begin());
+    const std::size_t link = static_cast<std::size_t>(sling.link);
+    Pull(sling, scenario_.obstacles[sling.obstacle].dynamic->mass_kg,
+         world.machines[sling.machine].links[link], world.obstacles[sling.obstacle],
+         &(*inputs)[sling.machine].soil.link_wrench[link], &(*inputs)[input].soil.link_wrench[0]);
   }
 }
 

@@ -16,7 +16,7 @@ using Operators = std::vector<std::unique_ptr<Operator>>;
 /// The operators that a scenario gives its machines, in their initial state.
 Operators OperatorsOf(const Scenario& scenario);
 
-/// Machines that obey operators and move by physics.
+/// Machines that obey operators and move by physics, together with dynamic obstacles.
 ///
 /// Model   operators give levers from the machines and the ground at a step's start; all levers are
 ///         neutral while the machines settle. PhysicsWorld moves the bodies. A machine that is
@@ -32,10 +32,22 @@ class PhysicsMotion : public MotionSource {
   bool IsKnown(std::size_t) const override { return true; }
 
  private:
+  /// Dynamic obstacle: its index in the scenario, and its handle in the soil.
+  struct Thing {
+    std::size_t obstacle;
+    int soil_handle;
+  };
+
   std::vector<double> LeversOf(std::size_t machine, const WorldState& world);
+  /// Adds the forces of the slings that are attached now.
+  void PullSlings(const WorldState& world, std::vector<MachineInput>* inputs) const;
+  /// Copies the bodies of the physics into `world`.
+  void ReadBodies(WorldState* world) const;
 
   const Scenario& scenario_;
   Operators operators_;
+  std::vector<Thing> things_;
+  std::vector<std::size_t> guided_;  ///< obstacles that stand still or follow a path
   TimeNs start_ns_ = 0;
   std::unique_ptr<PhysicsWorld> physics_;
 };

@@ -28,7 +28,10 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<MotionSource> m
     bed_handle_.emplace_back();
     if (obstacle.bed) bed_handle_.back() = ground.AddBed(*obstacle.bed);
   }
-  PlaceObstacles(start_ns);
+  for (const ScenarioObstacle& obstacle : scenario.obstacles) {
+    state_.obstacles.push_back(ObstacleAt(obstacle, start_ns, ground.surface()));
+  }
+  ShowObstaclesToSoil();
   motion_->Start({start_ns, step_}, &state_);
   Count();
   while (step_ < 0) Step();
@@ -41,13 +44,14 @@ void Simulation::Step() {
   previous_ = state_;
   ++step_;
   const TimeNs to_ns = clock_.Due(step_);
-  PlaceObstacles(to_ns);
+  MoveAlongPaths(to_ns);
   {
     const Stopwatch watch(&physics_wall_s_);
     motion_->Move({to_ns, dt_s, reactions}, &state_);
   }
   {
     const Stopwatch watch(&soil_wall_s_);
+    ShowObstaclesToSoil();
     state_.ground().Flow(dt_s);
   }
   Count();
@@ -65,12 +69,15 @@ std::vector<SoilReaction> Simulation::GroundActs() {
   return reactions;
 }
 
-void Simulation::PlaceObstacles(TimeNs t_ns) {
-  state_.obstacles.clear();
-  for (const ScenarioObstacle& obstacle : scenario_.obstacles) {
-    state_.obstacles.push_back(ObstacleAt(obstacle, t_ns, ground()));
+void Simulation::MoveAlongPaths(TimeNs t_ns) {
+  for (std::size_t o = 0; o < state_.obstacles.size(); ++o) {
+    const ScenarioObstacle& obstacle = scenario_.obstacles[o];
+    if (!obstacle.dynamic) state_.obstacles[o] = ObstacleAt(obstacle, t_ns, ground());
   }
-  for (std::size_t o = 0; o < bed_handle_.size(); ++o) {
+}
+
+void Simulation::ShowObstaclesToSoil() {
+  for (std::size_t o = 0; o < state_.obstacles.size(); ++o) {
     state_.ground().MoveObstacle(obstacle_handle_[o], state_.obstacles[o]);
     if (bed_handle_[o]) state_.ground().MoveBed(*bed_handle_[o], state_.obstacles[o].X_WB);
   }

@@ -18,9 +18,9 @@ namespace tera {
 ///
 /// Frames  W; links and joints as in MachineState.
 /// Model   fixed step 1 / physics_rate_hz; time is the start plus the step count over the rate.
-///         Bodies move by physics, or by a MotionSource. The machines settle on the ground for
-///         `settle_s` until the start. Soil and bodies are coupled explicitly: ground forces follow
-///         from the motion at the step's start.
+///         Bodies move by physics, or by a MotionSource; dynamic obstacles move by physics alone.
+///         The machines settle on the ground for `settle_s` until the start. Soil and bodies are
+///         coupled explicitly: ground forces follow from the motion at the step's start.
 /// Omits   contact of several machines with the same soil: each acts on the ground in turn.
 class Simulation {
  public:
@@ -49,7 +49,8 @@ class Simulation {
 
  private:
   std::vector<SoilReaction> GroundActs();
-  void PlaceObstacles(TimeNs t_ns);
+  void MoveAlongPaths(TimeNs t_ns);
+  void ShowObstaclesToSoil();
   void Count();
 
   const Scenario& scenario_;

@@ -38,6 +38,9 @@ obstacles:
      path: [{t_s: 2, xy_m: [-3.5, 5]}, {t_s: 9, xy_m: [-2, 5.5]}]}
   - {name: plank, label: structure, mesh: tera:assets/rock.glb, xy_m: [2, -4], yaw_deg: 12,
      collision: [{xyz_m: [0, 0, 0.04], size_m: [1.2, 4, 0.08]}]}
+  - {name: cone, label: cone, mesh: tera:assets/cone.glb, xy_m: [3.2, -3.5], yaw_deg: 5,
+     collision: [{xyz_m: [0, 0, 0.35], size_m: [0.3, 0.3, 0.7]}],
+     dynamic: {mass_kg: 4, com_m: [0, 0, 0.15]}}
 effects:
   digger: {base: {terrain_height: {x_m: 2, y_m: -2, radius_m: 1, edge_m: 1, height_m: 0.1}}}
 )",

@@ -276,8 +276,10 @@ std::vector<std::string> Recording::Machines() const {
   for (const ChannelDescription& channel : channels_) {
     fs::path path(channel.path);
     auto part = path.begin();
-    if (*part == "truth") ++part;
+    const bool is_truth = *part == "truth";
+    if (is_truth) ++part;
     if (std::next(part) == path.end()) continue;
+    if (is_truth && info_.simulated && !Has(part->string() + "/commands.csv")) continue;
     if (std::find(names.begin(), names.end(), *part) == names.end()) names.push_back(*part);
   }
   return names;

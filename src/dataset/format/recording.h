@@ -63,7 +63,8 @@ class Recording {
   std::vector<std::string> SeriesChannels() const;
   /// The type of an existing channel.
   std::string_view TypeOf(const std::string& path) const;
-  /// Names of machines: those with a pose under truth/, else folders that hold channels.
+  /// Names of machines: folders that hold channels, or have truth. A simulated machine has
+  /// commands; what has truth alone is an obstacle.
   std::vector<std::string> Machines() const;
 
   std::vector<ImuSample> LoadImu(const std::string& folder) const;

@@ -7,16 +7,23 @@
 
 namespace tera {
 
+namespace {
+
+constexpr double kDynamicObstacles_hz = 50;  ///< if the scenario gives no rate
+
+}  // namespace
+
 PoseLog::PoseLog(const Scenario& scenario, MeasurementSink* sink) : sink_(sink) {
-  if (!scenario.poses_hz) return;
-  clock_.rate_hz = *scenario.poses_hz;
-  for (std::size_t m = 0; m < scenario.machines.size(); ++m) {
+  clock_.rate_hz = scenario.poses_hz.value_or(kDynamicObstacles_hz);
+  for (std::size_t m = 0; scenario.poses_hz && m < scenario.machines.size(); ++m) {
     FollowMachine(scenario.machines[m], m);
   }
   for (std::size_t o = 0; o < scenario.obstacles.size(); ++o) {
-    if (scenario.obstacles[o].path.empty()) continue;
+    const ScenarioObstacle& obstacle = scenario.obstacles[o];
+    const bool on_path = scenario.poses_hz && !obstacle.path.empty();
+    if (!on_path && !obstacle.dynamic) continue;
     Follow(
-        "truth/" + scenario.obstacles[o].name + "/pose.csv",
+        "truth/" + obstacle.name + "/pose.csv",
         [o](const Instant& now) -> const Pose& { return now.obstacles[o].X_WB; }, Pose::Identity());
   }
 }

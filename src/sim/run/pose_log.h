@@ -12,7 +12,7 @@
 namespace tera {
 
 /// Writes the pose of each link, each sensor and each moving obstacle at the scenario's rate
-/// (`record: {poses_hz}`). Without a rate it writes nothing.
+/// (`record: {poses_hz}`). Without a rate it writes dynamic obstacles alone, 50 times a second.
 ///
 /// Frames  X_WB of links and obstacles; X_WS of sensors, S as in sensor.yaml. A sensor whose
 ///         effects move it has two files: its true pose, and the pose of its sensor.yaml.

@@ -33,6 +33,8 @@ constexpr double kSlowest_hz = 100,
 constexpr double kSlowestPoses_hz = 0.01;
 constexpr double kDefaultRate_hz = 500, kDefaultSettle_s = 1.5, kLongestSettle_s = 60;
 constexpr double kLeastWheel_m = 0.05, kLargestWheel_m = 3;
+constexpr double kLeastMass_kg = 0.1, kLargestMass_kg = 1e5;
+constexpr double kShortestLeg_m = 0.1, kLongestLeg_m = 50;
 constexpr double kLeastBed_m = 0.3, kLargestBed_m = 30;
 constexpr SiteOrigin kDefaultOrigin = {47.3763, 8.5477, 460.0};
 
@@ -141,6 +143,40 @@ SoilBed ReadBed(const ConfigMap& config) {
   return bed;
 }
 
+/// Centre of the boxes, each weighed by its volume.
+Vec3 CentreOf(const std::vector<CollisionBox>& boxes) {
+  Vec3 sum_m4 = Vec3::Zero();
+  double volume_m3 = 0;
+  for (const CollisionBox& box : boxes) {
+    sum_m4 += box.size_m.prod() * box.X_BG.translation();
+    volume_m3 += box.size_m.prod();
+  }
+  return volume_m3 > 0 ? Vec3(sum_m4 / volume_m3) : Vec3::Zero();
+}
+
+/// Reads `dynamic`. Only a rigid obstacle that starts at rest may have it.
+void ReadDynamic(const ConfigMap& config, ScenarioObstacle* obstacle) {
+  const auto dynamic = config.OptionalMap("dynamic");
+  if (!dynamic) return;
+  const double mass_kg = dynamic->Number("mass_kg", Between(kLeastMass_kg, kLargestMass_kg, "kg"));
+  const Vec3 centre_m = CentreOf(obstacle->collision);
+  obstacle->dynamic = {mass_kg, dynamic->Vector3("com_m", Any("m"), centre_m)};
+  if (obstacle->collision.empty()) {
+    config.Fault("collision", {FaultKind::kMissing,
+                               "a dynamic obstacle needs boxes that touch ground and machines"});
+  }
+  const auto refuse = [&](const char* key) {
+    config.Fault(key, {FaultKind::kInconsistent,
+                       fmt::format("forces move a dynamic obstacle, it can have no {}; leave out "
+                                   "'dynamic' or '{}'",
+                                   key, key)});
+  };
+  if (!obstacle->path.empty()) refuse("path");
+  if (obstacle->bed) refuse("bed");
+  if (!obstacle->wheels.empty()) refuse("wheels");
+  if (!obstacle->gait.limbs.empty()) refuse("gait");
+}
+
 /// Reads `wheels`, nodes of the obstacle's own mesh file. The resolved text has the key only if it
 /// is given.
 void ReadWheels(const ConfigMap& config, ScenarioObstacle* obstacle) {
@@ -197,7 +233,57 @@ ScenarioObstacle ReadObstacle(const ConfigMap& config, const Wear& wear) {
       point.Fault("t_s", "times of a path must grow from point to point");
     }
   }
+  ReadDynamic(config, &obstacle);
   return obstacle;
+}
+
+/// Index of the item that `key` names among `names`; 0 and a fault if there is none.
+std::size_t IndexOfNamed(const ConfigMap& config, const char* key,
+                         const std::vector<std::string>& names) {
+  const std::string name = config.Text(key);
+  const auto found = std::ranges::find(names, name);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  config.Fault(
+      key, {FaultKind::kNoSuchName, fmt::format("there is no '{}'{}; known are: {}", name,
+                                                DidYouMean(name, names), fmt::join(names, ", "))});
+  return 0;
+}
+
+/// Reads one of `slings`. Machines and obstacles are already known, at least one of each.
+Sling ReadSling(const ConfigMap& config, const Scenario& scenario) {
+  std::vector<std::string> machines, dynamic, links;
+  std::vector<std::size_t> obstacle_of;
+  for (const ScenarioMachine& machine : scenario.machines) {
+    machines.push_back(machine.placement.name);
+  }
+  for (std::size_t o = 0; o < scenario.obstacles.size(); ++o) {
+    if (!scenario.obstacles[o].dynamic) continue;
+    dynamic.push_back(scenario.obstacles[o].name);
+    obstacle_of.push_back(o);
+  }
+  Sling sling;
+  sling.name = config.Text("name");
+  sling.machine = IndexOfNamed(config, "machine", machines);
+  if (sling.machine < scenario.machines.size()) {
+    const MachineModel& model = scenario.machines[sling.machine].placement.model;
+    for (const Link& link : model.links) links.push_back(link.name);
+  }
+  sling.link = static_cast<int>(IndexOfNamed(config, "link", links));
+  sling.hook_B_m = config.Vector3("xyz_m", Any("m"));
+  const std::size_t load = IndexOfNamed(config, "obstacle", dynamic);
+  if (load < obstacle_of.size()) sling.obstacle = obstacle_of[load];
+  for (const std::vector<double>& row : config.NumberRows("points_m", Any("m"), 3, 1)) {
+    sling.points_T_m.emplace_back(row[0], row[1], row[2]);
+  }
+  sling.length_m = config.Number("length_m", Between(kShortestLeg_m, kLongestLeg_m, "m"));
+  sling.from_s = config.OptionalNumber("from_s", AtLeast(0, "s")).value_or(sling.from_s);
+  sling.until_s = config.OptionalNumber("until_s", AtLeast(0, "s")).value_or(sling.until_s);
+  if (sling.until_s <= sling.from_s) {
+    config.Fault("until_s", {FaultKind::kInconsistent,
+                             fmt::format("the sling ends at {:g} s, before it begins at {:g} s",
+                                         sling.until_s, sling.from_s)});
+  }
+  return sling;
 }
 
 /// The site's origin: from the scenario, else from the terrain's GeoTIFF, else a default.
@@ -281,6 +367,11 @@ Scenario ReadScenario(const ConfigMap& config) {
   for (const ConfigMap& obstacle : config.List("obstacles")) {
     scenario.obstacles.push_back(ReadObstacle(obstacle, wear));
   }
+  if (config.Has("slings")) {
+    for (const ConfigMap& sling : config.List("slings")) {
+      scenario.slings.push_back(ReadSling(sling, scenario));
+    }
+  }
   scenario.lamps = ReadLamps(config, [&](const std::string& name) {
     const MachineModel* model = nullptr;
     for (const ScenarioMachine& machine : scenario.machines) {
@@ -308,6 +399,25 @@ RigidObstacle RigidPartOf(const ScenarioObstacle& obstacle) {
   return rigid;
 }
 
+namespace {
+
+/// Rotation from upright to the mean slope of the ground below an obstacle's boxes.
+Mat3 LeanOf(const ScenarioObstacle& obstacle, const Vec2& xy_m, const TerrainSurface& ground) {
+  double reach_m = 0;
+  for (const CollisionBox& box : obstacle.collision) {
+    reach_m = std::max(reach_m, box.X_BG.translation().head<2>().norm() + 0.5 * box.size_m.norm());
+  }
+  const auto rise = [&](const Vec2& to_m) {
+    const Vec2 high = xy_m + to_m, low = xy_m - to_m;
+    return (ground.HeightAt(high.x(), high.y()) - ground.HeightAt(low.x(), low.y())) /
+           (2 * reach_m);
+  };
+  const Vec3 normal_W(-rise({reach_m, 0}), -rise({0, reach_m}), 1);
+  return Quat::FromTwoVectors(Vec3::UnitZ(), normal_W).toRotationMatrix();
+}
+
+}  // namespace
+
 BodyState ObstacleAt(const ScenarioObstacle& obstacle, TimeNs t_ns, const TerrainSurface& ground) {
   BodyState state;
   Vec2 xy_m = obstacle.xy_W_m, velocity_mps = Vec2::Zero();
@@ -327,7 +437,9 @@ BodyState ObstacleAt(const ScenarioObstacle& obstacle, TimeNs t_ns, const Terrai
     }
   }
   const double z_m = ground.HeightAt(xy_m.x(), xy_m.y()) + obstacle.height_above_ground_m;
-  state.X_WB = MakePose(Vec3(xy_m.x(), xy_m.y(), z_m), RotationFromRpy(0, 0, yaw_rad));
+  Mat3 R_WB = RotationFromRpy(0, 0, yaw_rad);
+  if (obstacle.dynamic) R_WB = LeanOf(obstacle, xy_m, ground) * R_WB;
+  state.X_WB = MakePose(Vec3(xy_m.x(), xy_m.y(), z_m), R_WB);
   state.v_WB_mps = Vec3(velocity_mps.x(), velocity_mps.y(), 0);
   return state;
 }

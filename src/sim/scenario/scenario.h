@@ -18,6 +18,7 @@
 #include "sim/scenario/gait.h"
 #include "sim/scenario/scenario_lamp.h"
 #include "sim/scenario/site_mesh.h"
+#include "sim/scenario/sling.h"
 #include "sim/scenario/terrain_record.h"
 #include "soil/site/site.h"
 
@@ -53,13 +54,20 @@ struct ObstacleWheel {
   double radius_m = 1;
 };
 
+/// Mass of an obstacle that moves by forces: it can be pushed, lifted, tipped and stacked.
+struct ObstacleMass {
+  double mass_kg = 0;
+  Vec3 com_B_m = Vec3::Zero();  ///< in the frame of the obstacle's mesh
+};
+
 /// An object on the site that is not a machine: rock, barrier, cone, person, truck.
 struct ScenarioObstacle {
   std::string name;
   SemanticClass label = SemanticClass::kRock;
   Visual visual;
   std::vector<CollisionBox> collision;
-  std::optional<SoilBed> bed;  ///< soil can be dumped into it
+  std::optional<SoilBed> bed;           ///< soil can be dumped into it
+  std::optional<ObstacleMass> dynamic;  ///< without it, no force moves the obstacle
   Vec2 xy_W_m = Vec2::Zero();
   double yaw_rad = 0;
   double height_above_ground_m = 0;
@@ -84,6 +92,7 @@ struct Scenario {
   std::shared_ptr<const SiteMesh> site_mesh;  ///< may be null
   std::vector<ScenarioMachine> machines;
   std::vector<ScenarioObstacle> obstacles;
+  std::vector<Sling> slings;
   std::vector<ScenarioLamp> lamps;
   TerrainRecord record;
   std::optional<double>
@@ -102,7 +111,8 @@ std::uint64_t SeedOf(const ConfigMap& config);
 /// An obstacle's boxes for collisions with machines.
 RigidObstacle RigidPartOf(const ScenarioObstacle& obstacle);
 
-/// Pose and velocity of an obstacle at `t_ns` on the given ground, upright.
+/// Pose and velocity of an obstacle at `t_ns` on the given ground, on its path or where it starts:
+/// upright, or normal to the ground's mean slope if it is dynamic.
 BodyState ObstacleAt(const ScenarioObstacle& obstacle, TimeNs t_ns, const TerrainSurface& ground);
 
 /// Distance along its path at `t_ns`.

@@ -28,11 +28,11 @@ machines:
       {name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, link: boom, xyz_m: [1, 0, 0.3]},
       {name: lidar, preset: tera:config/sensors/vlp16.yaml, link: upper, xyz_m: [0, 0.3, 2.1]},
       {name: encoders, preset: tera:config/sensors/encoder.yaml}]}
+effects: {excavator1: {lidar: {extrinsic: {x_m: 0.1, yaw_deg: 2}}}}
 obstacles:
-  - {name: cone1, preset: tera:config/obstacles/cone.yaml, xy_m: [5, 1]}
+  - {name: rock1, preset: tera:config/obstacles/rock.yaml, xy_m: [5, 1]}
   - {name: person1, preset: tera:config/obstacles/person.yaml, xy_m: [4, 3],
      path: [{t_s: 0, xy_m: [4, 3]}, {t_s: 1, xy_m: [3, 2]}]}
-effects: {excavator1: {lidar: {extrinsic: {x_m: 0.1, yaw_deg: 2}}}}
 )";
 
 /// Keeps the rows of each channel by its file.
@@ -96,6 +96,12 @@ TEST(PoseLog, WritesNothingUnlessItIsAskedFor) {
   EXPECT_TRUE(Second("record: {every_s: 1}").sink.rows.empty());
 }
 
+TEST(PoseLog, OfADynamicObstacleIsWrittenUnasked) {
+  const Second second("  - {name: cone1, preset: tera:config/obstacles/cone.yaml, xy_m: [3, 4]}\n");
+  EXPECT_EQ(second.of("truth/cone1/pose.csv").size(), 51u);
+  EXPECT_EQ(second.sink.rows.size(), 1u);
+}
+
 TEST(PoseLog, ARateOutOfRangeIsAFaultWithItsPlace) {
   for (const std::string rate : {"0", "-5", "10000", "often"}) {
     try {
@@ -150,7 +156,7 @@ TEST(PoseLog, TellsWhereASensorIsAndWhereItIsDocumented) {
 
 TEST(PoseLog, OfAnObstacleThatMovesFollowsItsPath) {
   const Second second("record: {poses_hz: 30}");
-  EXPECT_FALSE(second.sink.rows.contains("truth/cone1/pose.csv"));
+  EXPECT_FALSE(second.sink.rows.contains("truth/rock1/pose.csv"));
   const auto& rows = second.of("truth/person1/pose.csv");
   ASSERT_EQ(rows.size(), 31u);
   for (const RowSample& row : rows) {
