@@ -34,7 +34,7 @@ Mat3 InertiaOf(const std::vector<CollisionBox>& boxes, double mass_kg) {
   return mass_kg * (second_m2.trace() * Mat3::Identity() - second_m2);
 }
 
-/// Appends the points of one edge of a box, without its end. `edge` has one free coordinate.
+/// Appends the points of one edge of a box, without its ends.
 void AppendEdge(const CollisionBox& box, const Vec3& from_m, const Vec3& to_m,
                 std::vector<GroundTools::HullPoint>* points) {
   const int parts =

@@ -9,13 +9,14 @@ namespace tera {
 /// without joints, levers and running gear.
 ///
 /// Frames  the link's frame B is that of the obstacle's mesh.
-/// Model   Mass and inertia of its boxes at a uniform density, about the given centre of mass.
+/// Model   Inertia of its boxes at a uniform density about their common centre; the centre of mass
+///         as given.
 ///         The ground bears its corners, and points along its edges at most half a metre apart, as
-///         it bears the structure of machines (HullContact): it sinks by some millimetres, and slides
-///         where Coulomb friction is used up. Bullet resolves its contacts with machines,
+///         it bears the structure of machines (HullContact): it sinks by some millimetres, and
+///         slides where Coulomb friction is used up. Bullet resolves its contacts with machines,
 ///         obstacles and walls.
-/// Omits   ruts and prints in the ground, rolling of round shapes (boxes are their shape), the
-///         load of running gear that drives over it.
+/// Omits   ruts and prints in the ground, rolling of round shapes (boxes are their shape),
+///         gear that climbs it: tracks and wheels collide with it.
 MachinePlacement PlacementOf(const ScenarioObstacle& obstacle, const Pose& X_WB);
 
 }  // namespace tera

@@ -83,6 +83,7 @@ class Pool {
         peak_mb_(state.LargestPeakMb()) {}
 
   void Run() {
+    std::signal(SIGCHLD, SIG_DFL);  // a parent that ignores it would leave nothing to wait for
     while (!left_.empty() || !running_.empty()) {
       while (!obstacle_ && !left_.empty() && HasRoom()) {
         running_[StartWorker(plan_, options_, left_.front())] = left_.front();
@@ -121,16 +122,20 @@ class Pool {
     }
     ++failed_;
     if (fs::exists(plan_.FailureFile(number))) return;
-    if (WIFSIGNALED(status)) {
-      WriteFailure({FailureReason::kKilled,
-                    fmt::format("was killed by signal {}; where memory ran out, run fewer at "
-                                "once by --processes",
-                                WTERMSIG(status))},
+    // A full disk fails whatever is tried, and cuts the log too.
+    const bool is_full = fs::space(plan_.folder).available < kFullDiskBytes;
+    if (WIFSIGNALED(status) && !is_full) {
+      const int signal = WTERMSIG(status);
+      const bool is_killed = signal == SIGKILL || signal == SIGTERM || signal == SIGINT;
+      WriteFailure(is_killed
+                       ? Failure{FailureReason::kKilled,
+                                 fmt::format("was killed by signal {}; where memory ran out, run "
+                                             "fewer at once by --processes",
+                                             signal)}
+                       : Failure{FailureReason::kBug, fmt::format("crashed by signal {}", signal)},
                    plan_.FailureFile(number));
       return;
     }
-    // On a full disk the log is cut too.
-    const bool is_full = fs::space(plan_.folder).available < kFullDiskBytes;
     obstacle_ = InputFault(
         FaultKind::kUnwritable,
         fmt::format("episode {} met an obstacle of this computer{}; remove it and run again:\n{}",

@@ -61,8 +61,15 @@ std::map<int, std::string> PartsOf(const Campaign& campaign,
   for (const auto& [_, share] : splits.shares) {
     lacking.push_back(share * static_cast<double>(records.size()));
   }
+  std::size_t left = groups.size();
+  std::vector<bool> is_empty(lacking.size(), true);
   for (const auto& [_, numbers] : groups) {
-    const auto most = std::max_element(lacking.begin(), lacking.end());
+    auto most = std::max_element(lacking.begin(), lacking.end());
+    // The last groups go to the parts that still have none.
+    if (left-- <= static_cast<std::size_t>(std::ranges::count(is_empty, true))) {
+      most = lacking.begin() + (std::ranges::find(is_empty, true) - is_empty.begin());
+    }
+    is_empty[static_cast<std::size_t>(most - lacking.begin())] = false;
     *most -= static_cast<double>(numbers.size());
     const std::string& part = splits.shares[static_cast<std::size_t>(most - lacking.begin())].first;
     for (const int number : numbers) parts[number] = part;

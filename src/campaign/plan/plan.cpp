@@ -133,6 +133,13 @@ Plan MakePlan(const fs::path& file, const fs::path& out) {
                                   "were",
                                   file.string())});
   }
+  const fs::path copy = folder / "campaign.yaml";
+  if (fs::exists(copy) && ReadWholeFile(copy) != text) {
+    throw InputError(copy.string(), {FaultKind::kInconsistent,
+                                     fmt::format("is another campaign than {}, and planning would "
+                                                 "replace it; name another folder by --out",
+                                                 file.string())});
+  }
   CheckSampled(plan.campaign);
   for (const char* name : {"episodes", "work", "failed", "logs"}) {
     MakeWritableFolder(folder / name);

@@ -100,8 +100,10 @@ void AddDirections(CandidateList* out) {
             {0, 0, -90},
             {0, 0, 180},
             {180, 0, 0}});
-  out->Add("axis_flip", {},
-           {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}});
+  std::vector<std::vector<double>> flips = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0},
+                                            {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
+  for (auto& axes : flips) axes.resize(9);  // axes of one triad alone are found elsewhere
+  out->Add("axis_flip", {}, std::move(flips));
 }
 
 void AddPlace(CandidateList* out) {

@@ -196,12 +196,10 @@ void Lidar::Aim(std::int64_t k, int begin, int end, const PoseTrack& X_WS, Block
 void Lidar::Receive(std::size_t i, std::uint64_t number, const AirEchoes& air, Block* block) const {
   block->echoes.clear();
   block->returns.clear();
-  double farthest_m = 0;
   for (std::size_t j = 0; j < sub_rays_; ++j) {
     const Ray& ray = block->rays[i * sub_rays_ + j];
     const RayHit& hit = block->hits[i * sub_rays_ + j];
     const double r_m = hit.hit ? hit.range_m : ray.max_range_m;
-    farthest_m = std::max(farthest_m, r_m);
     if (!hit.hit || r_m < model_.min_range_m) continue;
     const double cosine = -hit.normal_W.dot(ray.direction_W);
     double reflectance = hit.reflectance * std::max(cosine, 0.0);
@@ -214,7 +212,12 @@ void Lidar::Receive(std::size_t i, std::uint64_t number, const AirEchoes& air, B
       block->returns.push_back({r_m, reflectance, power, hit.label, hit.instance});
     }
   }
-  if (air.any()) air.Add(block->rays[i * sub_rays_], farthest_m, number, &block->echoes);
+  if (air.any()) {
+    // The air echoes as far as the axis reaches, where half of the power goes.
+    const Ray& axis = block->rays[i * sub_rays_];
+    const RayHit& hit = block->hits[i * sub_rays_];
+    air.Add(axis, hit.hit ? hit.range_m : axis.max_range_m, number, &block->echoes);
+  }
   if (model_.beam) {
     FindPeaks(&block->echoes, pulse_m_, &block->peaks);
   } else {

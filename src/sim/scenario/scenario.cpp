@@ -395,7 +395,8 @@ RigidObstacle RigidPartOf(const ScenarioObstacle& obstacle) {
     highest_m =
         std::max(highest_m, box.X_BG.translation().z() + 0.5 * up_G.cwiseAbs().dot(box.size_m));
   }
-  rigid.rise_m = obstacle.height_above_ground_m + highest_m;
+  // A dynamic obstacle may be lifted or tipped: gear collides with it at any height.
+  if (!obstacle.dynamic) rigid.rise_m = obstacle.height_above_ground_m + highest_m;
   return rigid;
 }
 

@@ -52,7 +52,8 @@ class Seepage {
       : soils_(soils), slices_(SlicesOf(profile)) {
     for (const Slice& slice : slices_) {
       const double most_mps = Water(slice).conductivity_mps;
-      if (most_mps > 0) step_s_ = std::min(step_s_, kCourant * slice.capacity_m / most_mps);
+      if (most_mps > 0 && slice.capacity_m > 0)
+        step_s_ = std::min(step_s_, kCourant * slice.capacity_m / most_mps);
     }
   }
 
