@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -112,8 +113,11 @@ Outcome DriveIntoTheGround(const MachineModel& model, const std::string& soil, i
   const NamedFrame& tip = model.frames[TipFrame(model)];
   const double weight_n = model.TotalMass_kg() * kStandardGravity_mps2;
   const double dt_s = 1.0 / drive.scenario.physics_rate_hz;
-  const Mat3 R_start = drive.body().X_WB.linear();
-  const double start_m = drive.CentreOfMass().z(), base_m = drive.place().z();
+  const std::array<Vec3, 4> corners_B_m{Vec3(-1, -0.7, 0), Vec3(-1, 0.7, 0), Vec3(1, -0.7, 0),
+                                        Vec3(1, 0.7, 0)};
+  std::array<double, 4> lowest_m;
+  lowest_m.fill(std::numeric_limits<double>::infinity());
+  const double start_m = drive.CentreOfMass().z();
   double given_j = KineticEnergy_j(model, drive.machine());
   Outcome outcome;
   drive.Run(kLength_s, [&] {
@@ -127,13 +131,11 @@ Outcome DriveIntoTheGround(const MachineModel& model, const std::string& soil, i
     for (const BodyState& link : state.links) {
       outcome.fastest_link_mps = std::max(outcome.fastest_link_mps, link.v_WB_mps.norm());
     }
-    for (const double x_m : {-1.0, 1.0}) {
-      for (const double y_m : {-0.7, 0.7}) {
-        const Vec3 corner_m(x_m, y_m, 0);
-        const double rise_m =
-            (drive.body().X_WB * corner_m).z() - base_m - (R_start * corner_m).z();
-        outcome.lifted_m = std::max(outcome.lifted_m, rise_m);
-      }
+    for (std::size_t k = 0; k < lowest_m.size(); ++k) {
+      // In soft ground a corner sinks first.
+      const double height_m = (drive.body().X_WB * corners_B_m[k]).z();
+      lowest_m[k] = std::min(lowest_m[k], height_m);
+      outcome.lifted_m = std::max(outcome.lifted_m, height_m - lowest_m[k]);
     }
     const Vec3 tip_m = state.links[tip.link].X_WB * tip.X_BF.translation();
     outcome.last_tip_m = -tip_m.z();

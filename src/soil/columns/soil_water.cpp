@@ -42,13 +42,13 @@ double MoistureAt(const SoilWater& water, double suction_m) {
 double SuctionStress_pa(const SoilWater& water, double moisture) {
   if (!water.holds()) return 0;
   // Soil that dries beyond wilting keeps the stress that it has there.
-  constexpr double kWeight_npm3 = kPoreWater_kgpm3 * kStandardGravity_mps2;
-  const double wilting = std::pow(
-      1 + std::pow(water.alpha_1pm * kWilting_pa / kWeight_npm3, water.n), 1 / water.n - 1);
+  const double weight_npm3 = kPoreWater_kgpm3 * kStandardGravity_mps2;
+  const double wilting =
+      std::pow(1 + std::pow(water.alpha_1pm * kWilting_pa / weight_npm3, water.n), 1 / water.n - 1);
   const double share = std::max(Effective(water, moisture), wilting);
   const double suction_m =
       std::pow(std::pow(share, water.n / (1 - water.n)) - 1, 1 / water.n) / water.alpha_1pm;
-  return share * std::min(suction_m * kWeight_npm3, kWilting_pa);
+  return share * std::min(suction_m * weight_npm3, kWilting_pa);
 }
 
 SoilType AtMoisture(const SoilType& soil, double moisture) {
