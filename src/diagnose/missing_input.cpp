@@ -15,21 +15,17 @@ constexpr double kLongestEffect_s = 2;  ///< of a lever on the rate, after it ca
 constexpr double kMovingShare = 0.2;    ///< of the larger rates, from which on an axis moves
 constexpr double kLargerRates = 0.95;   ///< quantile that stands for the larger rates
 constexpr double kNoiseSigmas = 6;
+constexpr double kShake_s = 1;  ///< of one swing of a machine that shakes, at most
 constexpr double kMostShare = 0.2, kLeast_s = 2;
 constexpr double kLongestPeriod_s = 1;  ///< that counts for one sample after lost ones
 
-/// The rate from which on an axis moves.
-double MovingRate(const std::vector<double>& rate) {
-  std::vector<double> size, third;
-  for (std::size_t k = 0; k < rate.size(); ++k) {
-    size.push_back(std::abs(rate[k]));
-    if (k >= 3) third.push_back(rate[k] - 3 * rate[k - 1] + 3 * rate[k - 2] - rate[k - 3]);
-  }
+/// The quantile that stands for the larger ones; 0 of none.
+double LargerOf(std::vector<double> size) {
+  if (size.empty()) return 0;
   const auto larger = size.begin() + static_cast<std::ptrdiff_t>(
                                          kLargerRates * static_cast<double>(size.size() - 1));
   std::nth_element(size.begin(), larger, size.end());
-  const double noise = third.empty() ? 0 : RobustScale(third) / std::sqrt(20.0);
-  return std::max(kMovingShare * *larger, kNoiseSigmas * noise);
+  return *larger;
 }
 
 /// A lever over the steps of a log.
@@ -51,6 +47,41 @@ LeverSteps StepsOf(const AxisLog& log, std::size_t axis) {
   return steps;
 }
 
+/// The rate from which on an axis moves, by what it does at all and what its lever makes it do.
+double MovingRate(const MeasuredRate& measured, const LeverSteps& lever, std::size_t long_rest) {
+  const std::vector<double>& rate = measured.rate_radps;
+  std::vector<double> size, pushed, third;
+  for (std::size_t k = 0; k < rate.size(); ++k) {
+    size.push_back(std::abs(rate[k]));
+    const auto step = static_cast<std::size_t>(std::max(0.0, measured.at_step[k]));
+    const bool acts = step < lever.rests_for.size() && lever.rests_for[step] < long_rest;
+    if (acts) pushed.push_back(size.back());
+    if (k >= 3) third.push_back(rate[k] - 3 * rate[k - 1] + 3 * rate[k - 2] - rate[k - 3]);
+  }
+  const double noise = third.empty() ? 0 : RobustScale(third) / std::sqrt(20.0);
+  const double larger = std::max(LargerOf(std::move(size)), LargerOf(std::move(pushed)));
+  return std::max(kMovingShare * larger, kNoiseSigmas * noise);
+}
+
+/// Sizes of the mean rates over the time of a shake before each sample or after it, the larger
+/// ones.
+std::vector<double> SizesWithoutShakes(const MeasuredRate& measured, double step_s) {
+  const std::vector<double>& at = measured.at_step;
+  std::vector<double> sums = {0};
+  for (const double rate : measured.rate_radps) sums.push_back(sums.back() + rate);
+  const auto mean = [&](std::size_t first, std::size_t end) {
+    return std::abs(sums[end] - sums[first]) / static_cast<double>(end - first);
+  };
+  std::vector<double> sizes;
+  std::size_t before = 0, after = 0;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    while (at[before] < at[k] - kShake_s / step_s) ++before;
+    while (after < at.size() && at[after] <= at[k] + kShake_s / step_s) ++after;
+    sizes.push_back(std::max(mean(before, k + 1), mean(k, after)));
+  }
+  return sizes;
+}
+
 /// How long an axis moves, in all, while its lever rests, and to either side.
 struct MovingTime {
   double all_s = 0, resting_s = 0, forwards_s = 0, backwards_s = 0;
@@ -68,12 +99,13 @@ const std::vector<double>* RatesOf(const AxisLog* simulated, const MeasuredRate&
 
 MovingTime MovingTimeOf(const AxisLog& log, const MeasuredRate& measured, const LeverSteps& lever,
                         const std::vector<double>* simulated_radps) {
-  const double moving_rate = MovingRate(measured.rate_radps);
+  const auto long_rest = static_cast<std::size_t>(kLongestEffect_s / log.step_s);
+  const double moving_rate = MovingRate(measured, lever, long_rest);
+  const std::vector<double> steady_radps = SizesWithoutShakes(measured, log.step_s);
   const auto moves_too = [&](std::size_t k, double rate) {
     return simulated_radps != nullptr && k < simulated_radps->size() &&
            (*simulated_radps)[k] * (rate > 0 ? 1 : -1) > moving_rate;
   };
-  const auto long_rest = static_cast<std::size_t>(kLongestEffect_s / log.step_s);
   MovingTime time;
   for (std::size_t k = 1; k < measured.rate_radps.size(); ++k) {
     const double rate = measured.rate_radps[k], at = measured.at_step[k];
@@ -81,7 +113,9 @@ MovingTime MovingTimeOf(const AxisLog& log, const MeasuredRate& measured, const 
     const auto step = static_cast<std::size_t>(at);
     const double period_s = std::min((at - measured.at_step[k - 1]) * log.step_s, kLongestPeriod_s);
     time.all_s += period_s;
-    if (lever.rests_for[step] >= long_rest && !moves_too(k, rate)) time.resting_s += period_s;
+    const bool travels = steady_radps[k] > moving_rate;
+    const bool rests = lever.rests_for[step] >= long_rest;
+    if (rests && travels && !moves_too(k, rate)) time.resting_s += period_s;
     (rate > 0 ? time.forwards_s : time.backwards_s) += period_s;
     time.rate_by_lever += rate * log.levers_at(step)[measured.axis];
   }

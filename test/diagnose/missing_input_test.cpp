@@ -100,6 +100,21 @@ TEST(MissingInput, IsNotWhatCreeps) {
   EXPECT_THAT(drive.Found(), IsEmpty());
 }
 
+// Its own lever is pushed for three seconds of sixty; all the time it swings at 2 Hz with others,
+// by a quarter or by half of what its lever makes it do.
+TEST(MissingInput, IsNotAShakeUnderALeverThatRests) {
+  for (const double size : {0.08, 0.16}) {
+    Drive drive;
+    for (std::size_t k = 0; k < kSteps; ++k) {
+      const double t_s = static_cast<double>(k) * kStep_s;
+      if (t_s > 3) drive.log.lever[k] = 0;
+      if (t_s > 4) drive.rate()[k] = 0;
+      drive.rate()[k] += size * std::sin(2 * kPi * 2 * t_s);
+    }
+    EXPECT_THAT(drive.Found(), IsEmpty()) << size;
+  }
+}
+
 TEST(MissingInput, IsNotNoiseOfAnAxisThatStands) {
   Drive drive;
   std::fill(drive.log.lever.begin(), drive.log.lever.end(), 0);

@@ -122,12 +122,14 @@ void AddTimingAndMap(const std::vector<std::vector<double>>& holds, double step_
             {.index = 1, .upper = 0.2, .refines = true}},
            {{0.04, 0.008}, {0.1, 0.02}, {0.2, 0.04}, {0.35, 0.07}});
   out->Add("input_hold", {{0, 0.02, 0.6, true}, {1, 0, 1, false, kKinkOfInstants}}, holds);
-  out->Add("lever_saturation", {{0, 0.2, 1}}, {{0.9}, {0.75}, {0.6}});
-  out->Add("dead_band", {{0, 0, 0.5}, {1, -0.9, 0.9}},
-           {{0.03, 0}, {0.08, 0}, {0.15, 0}, {0.25, 0}});
+  out->Add("lever_saturation",
+           {{0, 0.2, 1}, {.index = 1, .lower = -0.5, .upper = 0.5, .refines = true}},
+           {{0.9, 0}, {0.75, 0}, {0.6, 0}});
+  out->Add("dead_band", {{0, 0, 0.8}, {1, -0.9, 0.9}},
+           {{0.03, 0}, {0.08, 0}, {0.15, 0}, {0.25, 0}, {0.4, 0}});
   out->Add("valve_curve", {{0, 0.4, 3, true}}, {{1.2}, {1.5}, {2}, {0.8}});
   out->Add("asymmetric_gain", {{0, 0.3, 3, true}}, {{1.2}, {1.5}, {1.9}, {0.7}});
-  out->Add("rate_gain", {{0, 0.3, 1.8}}, {{0.9}, {1.15}, {0.75}});
+  out->Add("rate_gain", {{0, 0.3, 4}}, {{0.9}, {1.15}, {0.75}, {2}});
 }
 
 /// Whether an oscillation with these numbers still shows when it swings back; else it is a lag, or

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "diagnose/blocks/actuation_candidates.h"
+#include "diagnose/blocks/axis_readings.h"
 #include "diagnose/blocks/candidate_list.h"
 #include "diagnose/blocks/sample_grid.h"
 #include "diagnose/replay/axis_replay.h"
@@ -252,6 +253,34 @@ std::vector<RegimeVariable> VariablesOf(const MachineModel& model, const AxisLog
   return variables;
 }
 
+/// The chain of an axis, without what the model has of its mechanisms.
+AxisChain ChainOf(const MachineModel& model, std::size_t axis,
+                  const std::vector<Candidate>& candidates) {
+  AxisChain chain{.axis = NameOfAxis(model, axis)};
+  if (axis < model.joints.size()) {
+    chain.full_positive_radps = model.joints[axis].max_rate_positive_radps;
+    chain.full_negative_radps = model.joints[axis].max_rate_negative_radps;
+  } else {
+    chain.full_positive_radps = chain.full_negative_radps =
+        model.gear_drives[axis - model.joints.size()].max_rate_radps;
+  }
+  for (const Candidate& candidate : candidates) {
+    const std::string_view id = candidate.mechanism->id;
+    if (id == "flow_sharing") chain.pump = candidate.target;
+    if (id != "cylinder_lever") continue;
+    MachineModel geared = model;
+    geared.effects.joints.resize(model.joints.size());
+    const std::vector<double>& start =
+        candidate.present.empty() ? candidate.starts.front() : candidate.starts.back();
+    geared.effects.joints[axis] = {{candidate.mechanism, start}};
+    chain.cylinder_gain = [gain = KinematicGain(GainOf(geared, axis))](double position_rad) {
+      return gain.Gain(position_rad);
+    };
+    chain.cylinder_reference_rad = start[3];
+  }
+  return chain;
+}
+
 }  // namespace
 
 std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLog& log,
@@ -288,6 +317,10 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   block.channels.push_back(std::move(channel));
   block.candidates = CandidatesOfAxis(model, log, fresh, replay.pump());
   block.of_chance = LossOfAxis(model, axis);
+  block.read_whole = [chain = ChainOf(model, axis, block.candidates)](const Channel& measured,
+                                                                      const Mask& seen) {
+    return ReadAxisChain(chain, measured, seen);
+  };
   block.replay = [replay, grid](const Structure& terms, std::size_t samples) {
     const AxisEffects effects = WithTerms(replay.effects(), terms);
     const SampleGrid prefix = grid.First(samples);

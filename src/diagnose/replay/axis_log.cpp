@@ -19,6 +19,8 @@ namespace {
 constexpr double kLoadPeriod_s = 0.02;  ///< in which poses, and so loads, change little
 constexpr double kLongest_s = 86400;    ///< of a recording: one machine does not work for a day
 constexpr double kAtStop_rad = 0.01;    ///< distance from an end stop at which it may hold a joint
+constexpr double kPush = 0.02;        ///< lever that is pushed: what a dead band is expected to be
+constexpr double kLongestPush_s = 2;  ///< for which a lever that was let go may still act
 
 /// Position and rate of one axis over time.
 struct AxisSamples {
@@ -138,6 +140,32 @@ void SetLevers(const MachineModel& model, const TableRecording& commands, AxisLo
   }
 }
 
+/// Frees the samples at an end stop from which the lever pushes away, and into which nothing pushed
+/// for so long that it could still act: there a motion begins, or waits for its dead time.
+void FreeDepartures(const MachineModel& model, const std::vector<AxisSamples>& samples,
+                    AxisLog* log) {
+  for (MeasuredRate& measured : log->measured) {
+    if (measured.axis >= model.joints.size()) continue;
+    const Joint& joint = model.joints[measured.axis];
+    const std::vector<double>& position_rad = samples[measured.axis].position_rad;
+    if (position_rad.size() != measured.is_free.size()) continue;  // another one's of the axis
+    double up_s = -INFINITY, down_s = -INFINITY;                   // when it was last pushed so
+    std::size_t step = 0;
+    for (std::size_t i = 0; i < measured.is_free.size(); ++i) {
+      for (; step < log->steps && static_cast<double>(step) <= measured.at_step[i]; ++step) {
+        const double lever = log->levers_at(step)[measured.axis];
+        if (lever > kPush) up_s = static_cast<double>(step) * log->step_s;
+        if (lever < -kPush) down_s = static_cast<double>(step) * log->step_s;
+      }
+      if (measured.is_free[i]) continue;
+      const double now_s = measured.at_step[i] * log->step_s;
+      const bool is_low = position_rad[i] - joint.lower_rad < joint.upper_rad - position_rad[i];
+      const double away_s = is_low ? up_s : down_s, into_s = is_low ? down_s : up_s;
+      measured.is_free[i] = now_s - away_s <= 2 * log->step_s && now_s - into_s > kLongestPush_s;
+    }
+  }
+}
+
 void SetMeasured(const AxisSamples& samples, std::size_t axis, AxisLog* log) {
   for (std::size_t k = 0; k < log->steps; ++k) {
     const TimeNs t_ns = log->start_ns + FromSeconds(static_cast<double>(k) * log->step_s);
@@ -219,6 +247,7 @@ AxisLog MakeAxisLog(const MachineModel& model, const TableRecording& commands,
   }
   SetTimes(commands, &log);
   SetLevers(model, commands, &log);
+  FreeDepartures(model, samples, &log);
   SetMotion(model, samples, &log);
   SetWeights(model, &log);
   return log;

@@ -18,7 +18,8 @@ struct MeasuredRate {
   std::vector<TimeNs> t_ns;
   std::vector<double> at_step;  ///< times in steps of the log
   std::vector<double> rate_radps;
-  std::vector<bool> is_free;  ///< whether the joint was clear of its end stops
+  /// Whether the joint was clear of its end stops, or pushed away from the one that it was at.
+  std::vector<bool> is_free;
 };
 
 /// Levers of one machine and the measured motion of its axes on even steps, over which the chain of

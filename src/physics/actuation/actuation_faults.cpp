@@ -54,14 +54,16 @@ struct Axis {
 
 /// How a dead band leaves nothing of a full lever in one direction, empty if it does not.
 std::string FaultOfDeadBand(const LeverMapParameters& map) {
-  const bool positive = map.dead_positive >= map.dead_negative;
+  const double end_positive = std::min(1.0, map.limit_positive);
+  const double end_negative = std::min(1.0, map.limit_negative);
+  const bool positive = map.dead_positive - end_positive >= map.dead_negative - end_negative;
   const double dead = positive ? map.dead_positive : map.dead_negative;
-  if (dead < map.limit) return "";
+  const double end = positive ? end_positive : end_negative;
+  if (dead < end) return "";
   return fmt::format(
       "takes up {} levers as far as {:g}, but they end at {:g}{}, so that none of them acts; need "
       "less than that in width (1 + |asymmetry|)",
-      positive ? "positive" : "negative", dead, map.limit,
-      map.limit < 1 ? " by lever_saturation" : "");
+      positive ? "positive" : "negative", dead, end, end < 1 ? " by lever_saturation" : "");
 }
 
 /// How friction alone takes up the effort at which pressure_droop has the axis stand still, empty

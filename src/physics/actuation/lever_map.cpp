@@ -8,7 +8,8 @@ namespace tera {
 LeverMapParameters LeverMapOf(const Effects& effects) {
   LeverMapParameters parameters;
   if (const Effect* saturation = FindEffect(effects, "lever_saturation")) {
-    parameters.limit = (*saturation)["limit"];
+    parameters.limit_positive = (*saturation)["limit"] * (1 + (*saturation)["asymmetry"]);
+    parameters.limit_negative = (*saturation)["limit"] * (1 - (*saturation)["asymmetry"]);
   }
   if (const Effect* band = FindEffect(effects, "dead_band")) {
     parameters.dead_positive = (*band)["width"] * (1 + (*band)["asymmetry"]);
@@ -28,7 +29,7 @@ LeverMapParameters LeverMapOf(const Effects& effects) {
 }
 
 double MapLever(const LeverMapParameters& parameters, double u) {
-  double y = std::clamp(u, -parameters.limit, parameters.limit);
+  double y = std::clamp(u, -parameters.limit_negative, parameters.limit_positive);
   y = y > 0 ? std::max(0.0, y - parameters.dead_positive)
             : std::min(0.0, y + parameters.dead_negative);
   if (parameters.exponent != 1) y = std::copysign(std::pow(std::abs(y), parameters.exponent), y);

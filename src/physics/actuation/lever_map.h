@@ -6,7 +6,7 @@ namespace tera {
 
 /// The valve's static curve. As built, the identity on -1..+1.
 struct LeverMapParameters {
-  double limit = 1;  ///< of |u|
+  double limit_positive = 1, limit_negative = 1;  ///< of |u|
   double dead_positive = 0, dead_negative = 0;
   double exponent = 1;
   double positive_gain = 1, negative_gain = 1;
@@ -16,9 +16,9 @@ LeverMapParameters LeverMapOf(const Effects& effects);
 
 /// Slot `lever_map`: share of the full rate that the valve asks for at lever `u`.
 ///
-/// Model   In this order: lever_saturation, |u| at most its limit; dead_band, y = u - d sgn u
-///         beyond d and 0 within it (the full lever then gives 1 - d); valve_curve, |y|^n sgn y;
-///         asymmetric_gain and rate_gain, a factor for each direction.
+/// Model   In this order: lever_saturation, |u| at most the limit of its direction; dead_band,
+///         y = u - d sgn u beyond d and 0 within it (the full lever then gives 1 - d); valve_curve,
+///         |y|^n sgn y; asymmetric_gain and rate_gain, a factor for each direction.
 /// Omits   hysteresis of the spool, the same curve's dependence on pressure.
 double MapLever(const LeverMapParameters& parameters, double u);
 

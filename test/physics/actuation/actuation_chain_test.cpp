@@ -254,6 +254,7 @@ TEST(ActuationChain, EveryParameterChangesWhatIsAskedFor) {
       {"command_drops", "period_s", "0.05", "0.06", "probability: 0.5"},
       {"command_drops", "probability", "0.2", "0.3", "period_s: 0.05"},
       {"lever_saturation", "limit", "0.9", "0.8"},
+      {"lever_saturation", "asymmetry", "0", "0.1", "limit: 0.9"},
       {"dead_band", "width", "0.1", "0.11"},
       {"dead_band", "asymmetry", "0", "0.1", "width: 0.1"},
       {"valve_curve", "exponent", "1.1", "1.2"},

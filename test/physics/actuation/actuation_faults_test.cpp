@@ -75,6 +75,8 @@ TEST(ActuationFaults, ADeadBandLeavesSomethingOfEveryFullLever) {
   EXPECT_THAT(OfLift("dead_band: {width: 0.3}, lever_saturation: {limit: 0.3}"),
               HasSubstr("as far as 0.3, but they end at 0.3 by lever_saturation"));
   EXPECT_EQ(OfLift("dead_band: {width: 0.29}, lever_saturation: {limit: 0.3}"), "");
+  EXPECT_THAT(OfLift("dead_band: {width: 0.3}, lever_saturation: {limit: 0.5, asymmetry: 0.5}"),
+              HasSubstr("negative levers as far as 0.3, but they end at 0.25"));
 }
 
 TEST(ActuationFaults, FrictionAloneDoesNotStallAJoint) {

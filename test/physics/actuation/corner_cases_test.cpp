@@ -96,8 +96,8 @@ Motion Move(const MachineModel& model, double lever, double load_nm) {
   constexpr double kLong_s = 0.01;
   Actuation chain(model, {"m", 1});
   Motion motion;
-  // A gap of 0.5 rad takes a while at a twentieth of the rate.
-  for (int i = 0; i < 300 || (i < 3000 && motion.fastest_radps == 0); ++i) {
+  // A gap of 0.5 rad takes a while at a two-hundredth of the rate.
+  for (int i = 0; i < 300 || (i < 30000 && motion.fastest_radps == 0); ++i) {
     const double swing = std::sin(0.05 * i);
     const std::vector<AxisMotion> motions = {{0.2 * swing, lever * swing, load_nm * swing}};
     chain.Step(std::vector<double>{lever}, motions, kLong_s);

@@ -45,6 +45,15 @@ TEST(LeverMap, ASaturatedLeverGivesNoMoreThanItsLimit) {
   EXPECT_DOUBLE_EQ(Mapped(saturation, 0.5), 0.5);
 }
 
+TEST(LeverMap, ASaturationMayEndEarlierInOneDirection) {
+  const std::string saturation = "lever_saturation: {limit: 0.6, asymmetry: 0.25}";
+  EXPECT_DOUBLE_EQ(Mapped(saturation, 1), 0.75);
+  EXPECT_NEAR(Mapped(saturation, -1), -0.45, 1e-15);
+  EXPECT_DOUBLE_EQ(Mapped(saturation, -0.4), -0.4);
+  EXPECT_DOUBLE_EQ(Mapped("lever_saturation: {limit: 0.9, asymmetry: 0.5}", 1), 1)
+      << "levers end at 1";
+}
+
 TEST(LeverMap, GainsScaleOneDirectionOrBoth) {
   EXPECT_DOUBLE_EQ(Mapped("asymmetric_gain: {ratio: 1.5}", -0.4), -0.6);
   EXPECT_DOUBLE_EQ(Mapped("asymmetric_gain: {ratio: 1.5}", 0.4), 0.4);

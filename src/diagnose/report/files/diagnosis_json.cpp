@@ -68,6 +68,8 @@ Json HeldOutOfAll(const Diagnosis& diagnosis) {
       Json one = {{"channel", channel.name}};
       one.update(
           HeldOutJson(error.rmse_before, error.rmse_after, channel.unit, error.excess_removed));
+      const std::optional<PlainComparison>& plain = diagnosed.diagnosis.plain;
+      one["plain_map_rmse"] = plain ? JsonNumber(plain->rmse) : Json(nullptr);
       list.push_back(std::move(one));
     }
   }

@@ -127,6 +127,13 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
     for (const Finding& finding : diagnosed.diagnosis.unconfirmed) {
       sentences.push_back(SentenceOfUnconfirmed(diagnosed, finding));
     }
+    const std::optional<PlainComparison>& plain = diagnosed.diagnosis.plain;
+    if (plain && plain->is_better && !diagnosed.diagnosis.unconfirmed.empty()) {
+      sentences.push_back(
+          fmt::format("{}: a static map of its lever with a dead time of {:.2f} s leaves less than "
+                      "what was found does on what was kept back; so none of it is confirmed.",
+                      diagnosed.block.name, plain->dead_time_s));
+    }
     for (const Finding& finding : diagnosed.diagnosis.within_tolerance) {
       sentences.push_back(SentenceOfExpected(diagnosed, finding));
     }

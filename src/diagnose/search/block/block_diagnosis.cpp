@@ -8,6 +8,7 @@
 #include "diagnose/search/block/lost_commands.h"
 #include "diagnose/search/block/search_with_noise.h"
 #include "diagnose/search/fit/flexible_regressor.h"
+#include "diagnose/search/fit/static_map.h"
 #include "diagnose/search/fit/steady_gain.h"
 
 namespace tera {
@@ -54,6 +55,7 @@ class BlockDiagnoser {
   void FindUnexplained(BlockDiagnosis* out) const;
   void FindLostCommands(BlockDiagnosis* out) const;
   void CompareWithExpected(BlockDiagnosis* out) const;
+  void CompareWithPlainMap(BlockDiagnosis* out) const;
   bool IsProxy(const BlockDiagnosis& out, std::size_t term) const;
   void MoveProxies(BlockDiagnosis* out) const;
   HeldOutError Compare(const FittedStructure& before, const FittedStructure& after,
@@ -259,6 +261,26 @@ void BlockDiagnoser::CompareWithExpected(BlockDiagnosis* out) const {
   }
 }
 
+/// Holds what was found against a plain map, and moves all of it out where that is better.
+void BlockDiagnoser::CompareWithPlainMap(BlockDiagnosis* out) const {
+  const ReplayBlock& block = context_.block;
+  if (block.channels.size() != 1 || !block.read_whole) return;
+  const PlainMap map =
+      FitPlainMap(block.commands.front(), block.channels[0].measured, context_.seen_mask);
+  const Misfit plain = context_.likelihood.Evaluate({map.predicted});
+  const Misfit& found = out->search.found.misfit;
+  PlainComparison compared{map.dead_time_s,
+                           std::sqrt(MeanSquare(plain.residual[0], context_.final_mask)), false};
+  const double rmse = std::sqrt(MeanSquare(found.residual[0], context_.final_mask));
+  compared.is_better =
+      rmse > kMostRmseRatio * compared.rmse &&
+      SteadyGainP(GainsOf(context_.likelihood, found, plain, context_.final)) <= kConfirmedP;
+  out->plain = compared;
+  if (!compared.is_better || out->findings.empty()) return;
+  MoveOut(std::vector<bool>(out->findings.size(), true), &out->unconfirmed, out);
+  FindUnexplained(out);
+}
+
 /// Whether a finding removes too little of an excess that FINAL shows to be its cause.
 bool RemovesLittle(const HeldOutError& error) {
   return error.excess_removed != 0 && error.excess_removed < kLeastExcessOfCause;  // 0: none shows
@@ -363,6 +385,7 @@ BlockDiagnosis BlockDiagnoser::Explain(SearchResult search) const {
   Confirm(&out);
   FindUnexplained(&out);
   MoveProxies(&out);
+  CompareWithPlainMap(&out);
   FindLostCommands(&out);
   CompareWithExpected(&out);
   out.detectability = InParallel<Detectability>(

@@ -49,6 +49,13 @@ struct Finding {
   bool is_confirmed = false;
 };
 
+/// What a static map of the lever with a dead time (static_map.h), fitted to TRAIN and SELECT,
+/// leaves on FINAL: a better model must leave less.
+struct PlainComparison {
+  double dead_time_s = 0, rmse = 0;
+  bool is_better = false;  ///< steadily, than all that was found
+};
+
 /// The diagnosis of one block.
 struct BlockDiagnosis {
   /// False where there are too few manoeuvres for a search (IsTestable): then only the manoeuvres,
@@ -72,6 +79,8 @@ struct BlockDiagnosis {
   std::vector<Detectability> detectability;        ///< one for each candidate
   std::vector<HeldOutError>
       confirmed;  ///< before: nothing; after: all findings; one for each channel
+  /// Of a block with a lever and one channel. Where it is better nothing is confirmed.
+  std::optional<PlainComparison> plain;
 };
 
 /// The block's manoeuvres, 3 s each at most, assigned to TRAIN, SELECT and FINAL.

@@ -124,8 +124,8 @@ Hold BestAt(const Series& residual, const std::vector<double>& predicted, const 
   return best;
 }
 
-/// The least gain of holds that is left where one mechanism of the library, fitted alone, acts
-/// beside what was found.
+/// The least gain of holds that is left where one mechanism of the library acts beside what was
+/// found, fitted alone, of those that gain on manoeuvres that they were not fitted to.
 double LeastGainBesideOne(const EvaluationContext& context, const SearchResult& search,
                           const HoldNoise& noise) {
   const Series& measured = context.block.channels.front().measured;
@@ -135,7 +135,7 @@ double LeastGainBesideOne(const EvaluationContext& context, const SearchResult& 
     const bool is_found = std::any_of(terms.begin(), terms.end(), [&](const Term& term) {
       return term.candidate == single.candidate;
     });
-    if (is_found || single.gain <= 0) continue;
+    if (is_found || std::min(single.gain, single.held_out_gain) <= 0) continue;
     terms.push_back({single.candidate, single.values});
     const Misfit beside = context.likelihood.Evaluate(context.block.predict(terms));
     const Series& left = beside.residual.front();

@@ -52,9 +52,8 @@ SearchedBlock SearchInTurn(const ReplayBlock& block, const SearchOptions& option
     const Pass one(block, options, stream, manoeuvres, last.noise);
     StructureSearch search = one.SearchAfter(earlier);
     last.search = search.Find();
-    std::vector<NoiseModel> less = NoiseOfBlock(block, manoeuvres, last.search.found.terms);
-    if (pass == kMostPasses || last.search.found.terms.empty() ||
-        !IsMuchQuieter(less, last.noise)) {
+    std::vector<NoiseModel> less = NoiseOfBlock(block, manoeuvres, last.search.fullest);
+    if (pass == kMostPasses || last.search.fullest.empty() || !IsMuchQuieter(less, last.noise)) {
       search.DiscriminateRivals(&last.search);
       return last;
     }
@@ -64,11 +63,12 @@ SearchedBlock SearchInTurn(const ReplayBlock& block, const SearchOptions& option
   }
 }
 
-/// Searches the whole block from what was found in its prefix, under noise estimated beside that.
+/// Searches the whole block from what was found in its prefix, under noise estimated beside the
+/// fullest structure there.
 SearchedBlock SearchWhole(const ReplayBlock& block, const SearchOptions& options,
                           const Stream& stream, const std::vector<Manoeuvre>& manoeuvres,
                           const SearchResult& prefix_result) {
-  std::vector<NoiseModel> noise = NoiseOfBlock(block, manoeuvres, prefix_result.found.terms);
+  std::vector<NoiseModel> noise = NoiseOfBlock(block, manoeuvres, prefix_result.fullest);
   const Pass whole(block, options, stream, manoeuvres, noise);
   StructureSearch search = whole.SearchAfter({&prefix_result, true});
   SearchResult found = search.Find();

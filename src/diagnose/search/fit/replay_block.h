@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -94,6 +95,15 @@ inline Structure Without(Structure terms, std::size_t term) {
   return terms;
 }
 
+/// A mechanism with numbers that were read off a measurement: a place where a fit may begin.
+struct Reading {
+  std::string_view mechanism;
+  std::string target;
+  std::vector<double> values;  ///< none: as the candidate's first start
+  /// Numbers that do what others of the reading do as well, and are held.
+  std::vector<std::size_t> held = {};
+};
+
 /// Standard deviations of what a channel may be off by without a finding: an offset, a factor on
 /// the prediction, and a shift in time.
 struct Nuisances {
@@ -144,6 +154,9 @@ struct ReplayBlock {
   std::vector<Candidate> candidates;
   /// The loss of commands, which no replay can predict (LostCommandsOf); at most one.
   std::vector<Candidate> of_chance = {};
+  /// The whole chain from lever to measurement as its first channel's samples in a mask show it,
+  /// once for each of several coarse readings; none where nothing is read.
+  std::function<std::vector<std::vector<Reading>>(const Channel&, const Mask&)> read_whole = {};
   std::vector<Series> commands;  ///< on the grid; manoeuvres are cut by them
   /// Whether what is left at rest shows the noise: not where the measurements follow from knowing
   /// that the machine stands.

@@ -137,6 +137,7 @@ struct Freedom {
   Term* term = nullptr;
   std::size_t index = 0;
   double range = 1;
+  bool is_stated = false;  ///< whether something is as expected of it
 };
 
 std::vector<Freedom> FreedomsOf(Structure* terms) {
@@ -145,15 +146,16 @@ std::vector<Freedom> FreedomsOf(Structure* terms) {
   for (Term& term : *terms) {
     for (const FreeParameter& free : term.Free()) {
       const auto place = static_cast<Eigen::Index>(freedoms.size());
-      freedoms.push_back({&term, free.index, std::abs(ranges[place])});
+      freedoms.push_back({&term, free.index, std::abs(ranges[place]), free.expected.has_value()});
     }
   }
   return freedoms;
 }
 
 /// Takes the direction that the information determines least. If it is not known to within the
-/// parameters' ranges, holds the parameter with the largest component in it at its default. Returns
-/// whether there was one.
+/// parameters' ranges, holds the parameter with the largest component in it at its default, or
+/// where none has a default, one of which nothing is stated where it is. Returns whether there was
+/// one.
 bool HoldUndetermined(const Eigen::MatrixXd& information, Structure* terms) {
   const std::vector<Freedom> freedoms = FreedomsOf(terms);
   if (freedoms.empty()) return false;
@@ -165,16 +167,23 @@ bool HoldUndetermined(const Eigen::MatrixXd& information, Structure* terms) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
   if (!(solver.eigenvalues()[0] < 1)) return false;
   const Eigen::VectorXd direction = solver.eigenvectors().col(0);
-  const Freedom* most = nullptr;
-  double part = kLeastComponent;
-  for (std::size_t i = 0; i < freedoms.size(); ++i) {
-    const double own = std::abs(direction[static_cast<Eigen::Index>(i)]);
-    if (own <= part || !DefaultOf(*freedoms[i].term->candidate, freedoms[i].index)) continue;
-    part = own;
-    most = &freedoms[i];
-  }
+  const auto largest_of = [&](const auto& may_be_held) {
+    const Freedom* most = nullptr;
+    double part = kLeastComponent;
+    for (std::size_t i = 0; i < freedoms.size(); ++i) {
+      const double own = std::abs(direction[static_cast<Eigen::Index>(i)]);
+      if (own <= part || !may_be_held(freedoms[i])) continue;
+      part = own;
+      most = &freedoms[i];
+    }
+    return most;
+  };
+  const Freedom* most = largest_of(
+      [](const Freedom& one) { return DefaultOf(*one.term->candidate, one.index).has_value(); });
+  if (most == nullptr) most = largest_of([](const Freedom& one) { return !one.is_stated; });
   if (most == nullptr) return false;
-  most->term->values[most->index] = *DefaultOf(*most->term->candidate, most->index);
+  double& value = most->term->values[most->index];
+  value = DefaultOf(*most->term->candidate, most->index).value_or(value);
   most->term->held.push_back(most->index);
   return true;
 }
@@ -331,6 +340,18 @@ FittedStructure StructureFitter::FitValues(const Structure& terms, Effort effort
     if (other.log_likelihood > out.log_likelihood) out = std::move(other);
   }
   return out;
+}
+
+FittedStructure StructureFitter::FitLikeliest(const std::vector<Structure>& starts) const {
+  const Likelihood& first = smooth_ ? *smooth_ : likelihood_;
+  const auto near = InParallel<Start>(starts.size(), threads_, [&](std::size_t k) {
+    Start start{Refine(starts[k], first, Effort::kFewSteps), {}};
+    start.predicted = block_.predict(start.terms);
+    return start;
+  });
+  Structure best = BestOf(near, first);
+  if (smooth_) best = Refine(best, *smooth_, Effort::kFull);
+  return AsGiven(Refine(best, likelihood_, Effort::kFull));
 }
 
 FittedStructure StructureFitter::FitNear(const Structure& terms, Effort effort) const {

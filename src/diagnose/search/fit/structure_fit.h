@@ -52,6 +52,8 @@ class StructureFitter {
 
   /// The fitted values alone, without information, scores and held numbers.
   FittedStructure FitValues(const Structure& terms, Effort effort = Effort::kFull) const;
+  /// The likeliest fit from several structures, each refined by a few steps; there must be one.
+  FittedStructure FitLikeliest(const std::vector<Structure>& starts) const;
   /// FitValues without the smooth likelihood: for structures whose other terms are fitted
   /// already.
   FittedStructure FitNear(const Structure& terms, Effort effort = Effort::kFull) const;
@@ -59,7 +61,8 @@ class StructureFitter {
   FittedStructure FitFrom(const Structure& terms, Effort effort = Effort::kFull) const;
   /// Adds information and scores to fitted values. Numbers that the measurements do not determine
   /// (a direction of the information that is not known to within the parameters' ranges) are held
-  /// at their defaults, and the others fitted anew.
+  /// at their defaults, and the others fitted anew; of numbers without defaults one of which
+  /// nothing is stated is held where it is.
   FittedStructure Determine(FittedStructure fitted) const;
   /// The structure with the values given, evaluated without a fit.
   FittedStructure AsGiven(Structure terms) const;

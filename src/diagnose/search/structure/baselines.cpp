@@ -8,6 +8,7 @@
 #include "core/in_parallel.h"
 #include "diagnose/search/block/block_diagnosis.h"
 #include "diagnose/search/fit/flexible_regressor.h"
+#include "diagnose/search/fit/static_map.h"
 #include "diagnose/search/fit/structure_fit.h"
 
 namespace tera {
@@ -240,7 +241,7 @@ std::vector<BaselineAnswer> BaselinesOf(const ReplayBlock& block, int threads,
   BaselineAnswer tuned{.method = "tuned parameters"};
   BaselineAnswer greedy{.method = "greedy BIC", .gives_findings = true, .gives_names = true};
   BaselineAnswer sparse{.method = "sparse regression", .gives_findings = true};
-  BaselineAnswer black_box{.method = "black box"};
+  BaselineAnswer black_box{.method = "black box"}, static_map{.method = "static map"};
   std::vector<Parts> parts;
   for (std::size_t c = 0; c < block.channels.size(); ++c) {
     const Channel& channel = block.channels[c];
@@ -251,6 +252,9 @@ std::vector<BaselineAnswer> BaselinesOf(const ReplayBlock& block, int threads,
     const Eigen::VectorXd residual = ResidualOf(channel, predicted[c]);
     sparse.rmse_final.push_back(RmsOver(Pursued(channel, residual, parts[c], &terms), rows));
     sparse.found = sparse.found || terms > 0;
+    static_map.rmse_final.push_back(RmsOver(
+        ResidualOf(channel, FitPlainMap(block.commands.front(), channel.measured, seen).predicted),
+        rows));
     black_box.rmse_final.push_back(RmsOver(VectorOf(flexible.residual[c].value), rows));
   }
   const GreedySearch search(block, parts, seen, threads);
@@ -260,7 +264,8 @@ std::vector<BaselineAnswer> BaselinesOf(const ReplayBlock& block, int threads,
   }
   greedy.found = !found.empty();
   greedy.rmse_final = search.RmseOf(found, &Parts::final);
-  return {std::move(tuned), std::move(greedy), std::move(sparse), std::move(black_box)};
+  return {std::move(static_map), std::move(tuned), std::move(greedy), std::move(sparse),
+          std::move(black_box)};
 }
 
 }  // namespace tera

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/check.h"
+#include "diagnose/search/fit/structure_fit.h"
 
 namespace tera {
 namespace {
@@ -52,6 +53,7 @@ ReplayBlock PrefixOf(const ReplayBlock& block, std::size_t samples) {
   prefix.first_ns = block.first_ns;
   prefix.slides = block.slides;
   prefix.candidates = block.candidates;
+  prefix.read_whole = block.read_whole;
   for (const Channel& channel : block.channels) {
     prefix.channels.push_back(First(channel, samples));
   }
@@ -75,11 +77,13 @@ SearchResult CarryToWhole(SearchResult search, const ReplayBlock& prefix,
   };
   for (Term& term : search.found.terms) {
     move(&term.candidate);
-    for (const std::size_t held : term.held) {
+    std::erase_if(term.held, [&](std::size_t held) {
+      if (!DefaultOf(*term.candidate, held)) return false;  // another number does the same
       term.values[held] = term.candidate->starts.front()[held];
-    }
-    term.held.clear();
+      return true;
+    });
   }
+  for (Term& term : search.fullest) move(&term.candidate);
   for (TermEvidence& evidence : search.evidence) {
     for (const Candidate*& rival : evidence.rivals) move(&rival);
     for (const Candidate*& rival : evidence.expected_rivals) move(&rival);

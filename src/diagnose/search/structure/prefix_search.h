@@ -25,9 +25,9 @@ ReplayBlock PrefixOf(const ReplayBlock& block, std::size_t samples);
 std::vector<Manoeuvre> Within(std::vector<Manoeuvre> manoeuvres, std::size_t samples);
 
 /// Carries the search of a prefix to the whole block: terms and rivals point to the whole block's
-/// candidates, which are the same in the same order. Numbers that the prefix did not determine are
-/// free again, at the values where a search starts. The misfits of `search` keep the prefix's
-/// length.
+/// candidates, which are the same in the same order. Numbers that the prefix did not determine and
+/// that have a default are free again, at the values where a search starts. The misfits of `search`
+/// keep the prefix's length.
 SearchResult CarryToWhole(SearchResult search, const ReplayBlock& prefix, const ReplayBlock& whole);
 
 }  // namespace tera

@@ -9,6 +9,13 @@
 #include "diagnose/search/structure/effect_size.h"
 
 namespace tera {
+namespace {
+
+/// Terms of a smaller structure that is fitted from starts far off as well: with more, each is held
+/// where it is by the others.
+constexpr std::size_t kMostTermsFittedAnew = 3;
+
+}  // namespace
 
 Pruning::Pruning(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
                  const std::vector<Manoeuvre>& manoeuvres, const Likelihood& likelihood,
@@ -84,7 +91,8 @@ PrunedStructure Pruning::Prune(Scored kept, Misfit crossed_kept) const {
   std::vector<Structure> smaller;
   for (std::size_t t = 0; t < kept.terms.size(); ++t) smaller.push_back(Without(kept.terms, t));
   std::vector<Scored> without = fits_.All(smaller, [&](const Structure& terms) {
-    return of_prefix_ ? fitter_.FitNear(terms) : fitter_.FitValues(terms);
+    const bool is_near = of_prefix_ || terms.size() > kMostTermsFittedAnew;
+    return is_near ? fitter_.FitNear(terms) : fitter_.FitValues(terms);
   });
   std::vector<Structure> judged;
   for (const Scored& scored : without) judged.push_back(scored.terms);

@@ -23,6 +23,11 @@ bool IsExpectedExchange(const Structure& found, const Structure& swapped) {
          });
 }
 
+bool HasSlot(const Structure& terms, Slot slot) {
+  return std::any_of(terms.begin(), terms.end(),
+                     [&](const Term& term) { return term.candidate->mechanism->slot == slot; });
+}
+
 bool IsRejected(const Rival& rival) { return rival.p <= kRivalP && rival.lead >= kRivalGain; }
 
 }  // namespace
@@ -48,6 +53,7 @@ Rival RivalTests::CompareWithExpectedBeside(const Structure& found, const Struct
   for (const Candidate& one : expected) {
     const Slot slot = one.mechanism->slot;
     if (slot != Slot::kCommandTiming && slot != Slot::kActuator) continue;
+    if (HasSlot(swapped, slot)) continue;  // it has what may be as expected there
     FittedStructure fitted = fitter_.FitNear(With(swapped, one, one.starts.front()));
     if (fitted.log_likelihood > best.log_likelihood) best = std::move(fitted);
   }

@@ -14,7 +14,7 @@ namespace tera {
 /// kRivalP and by at least kRivalGain of log-likelihood, below which there is nothing to choose by.
 inline constexpr double kRivalP = 0.05, kRivalGain = 3;
 
-inline constexpr std::size_t kMostStructureTerms = 4;  ///< in a structure
+inline constexpr std::size_t kMostStructureTerms = 8;  ///< in a structure
 /// TermEvidence::share that a term must have.
 inline constexpr double kLeastTermShare = 0.02;
 /// TermEvidence::share that a term must have whose gain is clear by a bet and not steady.
@@ -70,7 +70,9 @@ struct SingleEvidence {
 };
 
 struct SearchResult {
-  FittedStructure nothing, found;      ///< fitted to TRAIN and SELECT
+  FittedStructure nothing, found;  ///< fitted to TRAIN and SELECT
+  /// What was found before terms left it that are not needed: beside it noise is estimated anew.
+  Structure fullest;
   std::vector<TermEvidence> evidence;  ///< one for each term found
   std::vector<SingleEvidence> singles;
   double flexible_gain =

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -19,6 +20,8 @@ constexpr std::size_t kMostScreened = 8;  ///< candidates that pairs and swaps a
 constexpr std::size_t kFullyFittedPairs = 8;
 constexpr std::size_t kFullyFittedSteps = 4;  ///< swaps and additions that are fitted in full
 constexpr std::size_t kFullyFittedRivals = 5;
+/// Terms of a structure that is grown from a single one.
+constexpr std::size_t kMostForwardTerms = 4;
 /// Difference of the criterion, in log-likelihood, up to which structures are as likely.
 constexpr double kEquallyLikely = 0.5;
 /// Sum of effects over that of another structure, at most, to be preferred for less cancellation.
@@ -43,7 +46,8 @@ class Search {
         on_seen_(on_seen),
         options_(options),
         earlier_(earlier),
-        likelihood_(block, noise, MaskOf(manoeuvres, Part::kTrain, block.samples())),
+        seen_(MaskOf(manoeuvres, Part::kTrain, block.samples())),
+        likelihood_(block, noise, seen_),
         fitter_(block, likelihood_, {}, options.threads),
         fits_(fitter_, likelihood_, SegmentsOf(manoeuvres, Part::kSelect), options.threads),
         pruning_(block, noise, manoeuvres, likelihood_, fitter_, fits_, options_,
@@ -61,11 +65,14 @@ class Search {
   void Screen();
   bool ChangesEnough(const Structure& with, const Structure& without) const;
   Scored BestOf(const std::vector<Scored>& structures) const;
+  Structure WholeOf(const std::vector<Reading>& readings) const;
+  std::optional<Scored> SearchFromWhole();
+  Scored Shrink(Scored best);
   std::vector<Scored> Pairs();
   Scored ExtendEarlier();
   Scored SearchFromScratch();
   const TermEvidence* EarlierEvidenceOf(const Candidate& candidate) const;
-  Scored Grow(Scored best);
+  Scored Grow(Scored best, std::size_t most = kMostStructureTerms);
   Scored Swap(Scored best);
   double SumOfEffects(const Structure& terms) const;
   Scored ReduceCancellation(Scored found);
@@ -77,6 +84,7 @@ class Search {
   const StructureFitter& on_seen_;
   const SearchOptions& options_;
   const EarlierSearch earlier_;
+  const Mask seen_;               ///< TRAIN
   const Likelihood likelihood_;   ///< of TRAIN
   const StructureFitter fitter_;  ///< to TRAIN
   ScoredFits fits_;
@@ -137,6 +145,53 @@ Scored Search::BestOf(const std::vector<Scored>& structures) const {
   return best;
 }
 
+/// The chain of some readings: what was found under other noise, and the candidates of the readings
+/// beside it, within their bounds.
+Structure Search::WholeOf(const std::vector<Reading>& readings) const {
+  Structure whole;
+  if (earlier_.result != nullptr) whole = earlier_.result->found.terms;
+  for (const Reading& reading : readings) {
+    const auto is_read = [&](const Candidate& candidate) {
+      return candidate.mechanism->id == reading.mechanism && candidate.target == reading.target;
+    };
+    const auto own = std::find_if(block_.candidates.begin(), block_.candidates.end(), is_read);
+    if (own == block_.candidates.end() || Has(whole, &*own)) continue;
+    Term term{&*own, reading.values.empty() ? own->starts.front() : reading.values, reading.held};
+    for (const FreeParameter& free : own->free) {
+      double& value = term.values[free.index];
+      value = std::clamp(value, free.lower, free.upper);
+    }
+    whole.push_back(std::move(term));
+  }
+  return whole;
+}
+
+/// Searches backwards from the whole chain: its readings are fitted, all numbers together, and
+/// terms leave and are added one by one. None where nothing is read.
+std::optional<Scored> Search::SearchFromWhole() {
+  if (!block_.read_whole) return std::nullopt;
+  std::vector<Structure> wholes;
+  for (const auto& readings : block_.read_whole(block_.channels.front(), seen_)) {
+    wholes.push_back(WholeOf(readings));
+  }
+  if (wholes.empty() || wholes.front().empty()) return std::nullopt;
+  return Grow(Shrink(fits_.Score(fitter_.FitLikeliest(wholes))));
+}
+
+/// Removes one term at a time as long as the criterion rises.
+Scored Search::Shrink(Scored best) {
+  while (!best.terms.empty()) {
+    std::vector<Structure> smaller;
+    for (std::size_t t = 0; t < best.terms.size(); ++t) smaller.push_back(Without(best.terms, t));
+    std::vector<Scored> fitted = fits_.All(
+        smaller, [&](const Structure& terms) { return fitter_.FitFrom(terms, Effort::kFewSteps); });
+    SortByCriterion(&fitted);
+    if (fitted.front().criterion <= best.criterion) break;
+    best = std::move(fitted.front());
+  }
+  return fits_.Score(fitter_.FitFrom(best.terms));
+}
+
 /// The likeliest pairs of screened candidates; none where no candidate alone gains anything.
 std::vector<Scored> Search::Pairs() {
   std::vector<Structure> pairs;
@@ -156,15 +211,27 @@ std::vector<Scored> Search::Pairs() {
   return fits_.Likeliest(fits_.All(pairs, few_steps), kFullyFittedPairs);
 }
 
-/// Searches from the best single candidate, and from the best pair or what was found under other
-/// noise: a pair may imitate another pair of which the best single candidate is a part.
+/// Searches backwards from the whole chain, and, unless that ends ahead of where the other way
+/// begins and with more terms than it goes to, forwards from the best single candidate, or from
+/// what was found under other noise. Where no chain is read the best pair stands for it: it may be
+/// one of which the best single candidate is no part.
 Scored Search::SearchFromScratch() {
+  std::vector<Scored> grown;
+  if (auto whole = SearchFromWhole()) grown.push_back(*std::move(whole));
   const Scored single = BestOf(singles_);
-  const Scored other = earlier_.result == nullptr
-                           ? BestOf(Pairs())
-                           : BestOf({fits_.Score(fitter_.FitNear(earlier_.result->found.terms))});
-  std::vector<Scored> grown = {Grow(Swap(single))};
-  if (other.criterion > single.criterion) grown.push_back(Grow(Swap(other)));
+  Scored other = nothing_;
+  if (earlier_.result != nullptr) {
+    other = fits_.Score(fitter_.FitNear(earlier_.result->found.terms));
+  } else if (grown.empty()) {
+    other = BestOf(Pairs());
+  }
+  const bool is_better = other.criterion > single.criterion;
+  if (!grown.empty() && grown.front().terms.size() > kMostForwardTerms &&
+      grown.front().criterion > std::max(single.criterion, other.criterion)) {
+    return ReduceCancellation(std::move(grown.front()));
+  }
+  if (!is_better || grown.empty()) grown.push_back(Grow(Swap(single), kMostForwardTerms));
+  if (is_better) grown.push_back(Grow(Swap(other), kMostForwardTerms));
   return ReduceCancellation(BestOf(grown));
 }
 
@@ -188,8 +255,8 @@ bool Search::ChangesEnough(const Structure& with, const Structure& without) cons
 }
 
 /// Adds one term at a time as long as the criterion rises.
-Scored Search::Grow(Scored best) {
-  while (!best.terms.empty() && best.terms.size() < kMostStructureTerms) {
+Scored Search::Grow(Scored best, std::size_t most) {
+  while (!best.terms.empty() && best.terms.size() < most) {
     std::vector<Structure> larger;
     for (const Scored& single : singles_) {
       const Term& term = single.terms.front();
@@ -325,8 +392,11 @@ SearchResult Search::Find() {
     FitSingles();
   }
   Screen();
-  pruned_ = pruning_.Prune(earlier_.of_prefix ? ExtendEarlier() : SearchFromScratch());
+  Scored full = earlier_.of_prefix ? ExtendEarlier() : SearchFromScratch();
+  if (block_.read_whole) result.fullest = full.terms;
+  pruned_ = pruning_.Prune(std::move(full));
   result.found = FitToSeen();
+  if (!block_.read_whole) result.fullest = result.found.terms;
   result.evidence = pruned_.evidence;
   result.found_gain = pruned_.structure.held_out_sum() - nothing_.held_out_sum();
   result.nothing = on_seen_.AsGiven({});

@@ -11,12 +11,16 @@ namespace tera {
 
 /// The search for the candidates that explain a block together.
 ///
-/// Model   Forward: every candidate alone; pairs of the screened ones (the likeliest, and the
+/// Model   From the whole chain, where the block reads one (ReplayBlock::read_whole): the readings
+///         are fitted, all numbers together, and one term at a time leaves as long as the Bayesian
+///         information criterion on TRAIN falls; then others enter so. Forward, unless that leaves
+///         more than four terms that are likelier by the criterion than where this begins: every
+///         candidate alone; without a chain pairs of the screened ones (the likeliest, and the
 ///         likeliest of each slot), of which the eight that are likeliest after a few steps are
 ///         fitted in full. Then, from the best single one, and from the best pair if that is
 ///         better, one term more at a time of at least `kLeastTermEffect`, with swaps, four fitted
-///         in full, as long as the Bayesian information criterion on TRAIN falls. The one whose
-///         terms cancel each other less wins over one that is as likely. Backward (pruning.h): a
+///         in full, as long as the criterion falls. The likeliest of both ways counts; one whose
+///         terms cancel each other less wins over one that is as likely. Pruning (pruning.h): a
 ///         term goes unless its gain over the structure fitted without it is steady over the
 ///         manoeuvres of TRAIN and SELECT, each left out of the fits that it judges (cross_fit.h,
 ///         steady_gain.h; Bonferroni over all that the diagnosis tests), and its share, share of

@@ -105,7 +105,8 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
       "rmse_before": 0.05,
       "rmse_after": 0.01,
       "unit": "rad/s",
-      "excess_variance_removed": 0.9
+      "excess_variance_removed": 0.9,
+      "plain_map_rmse": null
     }
   ],
   "channels": [

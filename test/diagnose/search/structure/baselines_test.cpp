@@ -44,7 +44,7 @@ struct Simpler {
 TEST(Baselines, TakeAwayWhatTheirKindOfModelHolds) {
   const Simpler squared(0.4, 0);
   EXPECT_GT(squared.as_it_is, 2 * kNoise);
-  for (const char* method : {"greedy BIC", "sparse regression", "black box"}) {
+  for (const char* method : {"static map", "greedy BIC", "sparse regression", "black box"}) {
     EXPECT_NEAR(squared.Of(method).rmse_final[0], kNoise, 0.2 * kNoise) << method;
   }
   EXPECT_GT(squared.Of("tuned parameters").rmse_final[0], 1.5 * kNoise) << "no gain is a square";
