@@ -11,11 +11,11 @@ namespace tera {
 
 /// A truck's bed and the soil that lies in it.
 ///
-/// Frames  W; B of what carries the bed; F of the floor: axes of B, origin on
+/// Frames  W; B of what carries the bed, which stands upright; F of the floor: axes of B, origin on
 ///         the middle of the floor.
 /// Model   Columns of their own on the floor, F fixed; the walls are their border. The soil is seen
 ///         as clods at rest, one for each column. How it flows there: BedFlow.
-/// Omits   the carrier's acceleration, the walls' thickness and resistance to shovels.
+/// Omits   the carrier's tilt and acceleration, the walls' thickness and resistance to shovels.
 class Bed {
  public:
   Bed(const SoilBed& shape, const std::vector<SoilType>& soils);

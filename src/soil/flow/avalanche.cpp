@@ -84,8 +84,7 @@ void Avalanche::LookAround(ColumnId k, const Columns& ground) {
   const auto loose_rise_m = [&](int di, int dj) {
     const Columns::Skin* beside = ground.Beside(k, di, dj);
     if (beside == nullptr) return 0.0;
-    const double tilt_m = (di * tilt_.x() + dj * tilt_.y()) * ground.cell_m();
-    const double rise_m = beside->top_m - c.top_m + tilt_m;
+    const double rise_m = beside->top_m - c.top_m;
     if (rise_m > steepest_m && beside->is_loose) soil = beside->soil;
     steepest_m = std::max(steepest_m, std::abs(rise_m));
     return rise_m > 0 ? std::min(rise_m, beside->loose_m) : std::max(rise_m, -c.loose_m);
@@ -118,12 +117,12 @@ double Avalanche::Friction::Braked(double before_mps, double speed_mps, double f
 double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
                                const Columns& ground, double* gradient) const {
   const Columns::Skin &a = ground.skin(k), &b = ground.skin(to);
-  const double cell_m = ground.cell_m();
-  const double slope = (b.top_m - a.top_m) / cell_m + tilt_[axis];
-  const bool downhill = slope <= 0;
+  const bool downhill = a.top_m >= b.top_m;
   const Columns::Skin &high = downhill ? a : b, &low = downhill ? b : a;
   if (high.top_m > low.blocked_m || !high.is_loose) return 0;
+  const double cell_m = ground.cell_m();
   const double before_mps = motion_[k].face_mps[axis];
+  const double slope = (b.top_m - a.top_m) / cell_m;
   const Friction& friction = friction_[high.soil];
 
   const int di = axis == kX ? 1 : 0, dj = 1 - di;  // along the axis; across it is (dj, di)
@@ -181,8 +180,7 @@ void Avalanche::FindFluxes(double dt_s, const Columns& ground) {
 void Avalanche::Mobilise(const Flux& flux, const Columns& ground) {
   Motion& source = motion_[flux.source()];
   const Columns::Skin& c = ground.skin(flux.source());
-  const double tilt_m = std::copysign(ground.cell_m(), flux.velocity_mps) * tilt_[flux.axis];
-  const double drop_m = c.top_m - ground.skin(flux.target()).top_m - tilt_m;
+  const double drop_m = c.top_m - ground.skin(flux.target()).top_m;
   const double excess_m =
       drop_m * std::max(0.0, 1 - friction_[c.soil].tan_slow / std::max(flux.gradient, kLevel));
   source.mobile_m =

@@ -42,8 +42,6 @@ class Avalanche {
   /// Lets time pass. Every few milliseconds of it, visits columns changed since the last visit and
   /// those still flowing. Wedges that fail become grains.
   void Flow(double dt_s, Columns* ground, Grains* grains);
-  /// From now on the columns stand on a plane that rises by this along x and y.
-  void Tilt(const Vec2& slope) { tilt_ = slope; }
   /// Columns to be visited next, besides those that change until then.
   std::size_t active_count() const { return active_.size(); }
 
@@ -88,7 +86,6 @@ class Avalanche {
   double Wanted_m(const Flux& flux, double dt_s, const Columns& ground);
   void MoveSoil(double dt_s, Columns* ground);
 
-  Vec2 tilt_ = Vec2::Zero();
   double pending_s_ = 0;  ///< passed since the last visit
   int steps_ = 0;
   StandingWalls walls_;

@@ -10,11 +10,8 @@ namespace tera {
 
 /// The flow of the soil that lies in a truck's bed.
 ///
-/// Model   Soil flows on the bed's columns as on the ground, on a floor that stands as the carrier
-///         does: it slides to the lower wall of a bed that tips. What stands above the walls' rim at
+/// Model   Soil flows on the bed's columns as on the ground. What stands above the walls' rim at
 ///         the border falls off beside the bed as clods.
-/// Omits   that soil on a steep floor is faster by its tilt's cosine; a bed that has overturned
-///         holds as one on its side.
 class BedFlow {
  public:
   explicit BedFlow(const std::vector<SoilType>& soils) : avalanche_(soils) {}
@@ -23,10 +20,7 @@ class BedFlow {
   void Flow(double dt_s, Bed* bed, Columns* ground, Grains* grains);
 
  private:
-  void Tilt(Bed* bed);
-
   Avalanche avalanche_;
-  Vec2 tilt_ = Vec2::Zero();
 };
 
 }  // namespace tera

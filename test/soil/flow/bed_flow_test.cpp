@@ -65,25 +65,6 @@ struct Yard {
   double poured_kg = 0;
 };
 
-/// A floor steeper than repose holds a wedge behind its lower wall, with its surface at repose.
-TEST(Bed, ThatTipsHoldsAWedgeBehindItsLowerWall) {
-  for (const double tilt_rad : {45 * kDeg, 60 * kDeg}) {
-    Yard yard;
-    for (const double x_m : {-1.0, -0.5, 0.0, 0.5, 1.0}) yard.Pour(Vec2(x_m, 0), 0.4);
-    const double before_kg = yard.bed().mass_kg();
-    for (double turned_rad = 0; turned_rad < tilt_rad; turned_rad += 0.01) {
-      yard.bed().Move(yard.X_WB * MakePose(Vec3::Zero(), RotationFromRpy(0, turned_rad, 0)));
-      yard.Wait(0.05);
-    }
-    yard.Wait(2 * kAtRest_s);
-    const double reach_m = yard.wall_m / std::tan(tilt_rad - 32 * kDeg);
-    const double wedge_kg = 1250 * 2 * yard.wall_m * reach_m / 2;
-    EXPECT_NEAR(yard.bed().mass_kg() / std::min(before_kg, wedge_kg), 1, 0.12) << tilt_rad / kDeg;
-    EXPECT_NEAR(yard.Sum_kg() / yard.poured_kg, 1, 1e-12);
-    EXPECT_LT(yard.bed().columns().TopAt(3, 12), 0.05);  // near the upper wall
-  }
-}
-
 TEST(Bed, HoldsWhatIsPouredIntoItAtRepose) {
   Yard yard;
   yard.Pour(Vec2(0.3, 0.1), 0.2);
