@@ -74,7 +74,6 @@ MachinePlacement PlacementOf(const ScenarioObstacle& obstacle, const Pose& X_WB)
   MachinePlacement placement;
   placement.name = obstacle.name;
   placement.X_WB = X_WB;
-  placement.rise_m = RigidPartOf(obstacle).rise_m;
   MachineModel& model = placement.model;
   model.kind = "obstacle";
   model.links.push_back(std::move(link));

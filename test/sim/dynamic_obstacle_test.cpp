@@ -123,7 +123,7 @@ std::string Load(const Vec3& hook_W_m, double length_m, double aside_m) {
 }
 std::string SlingTo(double length_m, const std::string& more = "") {
   return fmt::format(
-      "slings:\n  - {{name: rope, machine: m, link: bucket, xyz_m: [0, 0, 0], obstacle: load, "
+      "slings:\n  - {{machine: m, link: bucket, xyz_m: [0, 0, 0], obstacle: load, "
       "points_m: [[0, 0, 0.15]], length_m: {}{}}}\n",
       length_m, more);
 }
@@ -182,12 +182,12 @@ TEST(Sling, RefusesAnUnknownHookOrLoadAndAnEndBeforeItsBegin) {
     return [=] { Drive::Read("tb235.yaml", kReach, "cell_m: 0.1", load + slings); };
   };
   const std::string rope =
-      "slings:\n  - {name: rope, machine: m, link: bucket, xyz_m: [0, 0, 0], "
+      "slings:\n  - {machine: m, link: bucket, xyz_m: [0, 0, 0], "
       "points_m: [[0, 0, 0]], length_m: 1, ";
   EXPECT_THAT(read(rope + "obstacle: pipe}\n"), ThrowsFault(FaultKind::kNoSuchName, "obstacle"));
   EXPECT_THAT(read(rope + "obstacle: load, from_s: 3, until_s: 2}\n"),
               ThrowsFault(FaultKind::kInconsistent, "until_s"));
-  EXPECT_THAT(read("slings:\n  - {name: rope, machine: m, link: hook, xyz_m: [0, 0, 0], "
+  EXPECT_THAT(read("slings:\n  - {machine: m, link: hook, xyz_m: [0, 0, 0], "
                    "points_m: [[0, 0, 0]], length_m: 1, obstacle: load}\n"),
               ThrowsFault(FaultKind::kNoSuchName, "link"));
 }

@@ -45,7 +45,7 @@ struct LargestTilt {  ///< largest angle between a machine's z axis and the vert
   std::string machine;
 };
 
-/// What an episode must show to be accepted: a number within bounds.
+/// Condition for accepting an episode: a number within bounds.
 struct AcceptanceRule {
   std::string name;
   std::variant<SeenShare, TableColumn, LargestTilt> figure;

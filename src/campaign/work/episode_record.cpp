@@ -15,13 +15,10 @@ struct ReasonName {
   FailureReason reason;
   std::string_view name;
 };
-constexpr std::array<ReasonName, 7> kReasons = {{{FailureReason::kBadInput, "bad_input"},
+constexpr std::array<ReasonName, 4> kReasons = {{{FailureReason::kBadInput, "bad_input"},
                                                  {FailureReason::kRefused, "refused"},
                                                  {FailureReason::kBug, "bug"},
-                                                 {FailureReason::kKilled, "killed"},
-                                                 {FailureReason::kMemory, "memory"},
-                                                 {FailureReason::kTime, "time"},
-                                                 {FailureReason::kNode, "node"}}};
+                                                 {FailureReason::kKilled, "killed"}}};
 
 }  // namespace
 
@@ -29,10 +26,7 @@ std::string NameOf(FailureReason reason) {
   return std::string(kReasons[static_cast<std::size_t>(reason)].name);
 }
 
-bool IsWorthRetry(FailureReason reason) {
-  return reason != FailureReason::kBadInput && reason != FailureReason::kRefused &&
-         reason != FailureReason::kBug;
-}
+bool IsWorthRetry(FailureReason reason) { return reason == FailureReason::kKilled; }
 
 void WriteRecord(const EpisodeRecord& record, const std::filesystem::path& file) {
   std::string values, refused;

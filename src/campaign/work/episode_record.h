@@ -28,10 +28,7 @@ enum class FailureReason {
   kBadInput,  ///< of the scenario under these values
   kRefused,   ///< by the rules, draw after draw
   kBug,       ///< an error of TERA's own
-  kKilled,    ///< by a signal, as where memory runs out
-  kMemory,    ///< beyond what the cluster gave
-  kTime,      ///< beyond what the cluster gave
-  kNode       ///< its computer was lost
+  kKilled     ///< from outside, as where memory runs out
 };
 struct Failure {
   FailureReason reason = FailureReason::kBug;

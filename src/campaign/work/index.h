@@ -10,7 +10,7 @@
 
 namespace tera {
 
-/// What there is of a campaign.
+/// Episodes of a campaign by how far they are.
 struct CampaignState {
   std::map<int, EpisodeRecord> done;
   std::map<int, Failure> failed;
@@ -26,7 +26,7 @@ struct CampaignState {
 /// Throws  InputError: an index or an episode of another campaign, a file that is no index.
 CampaignState RefreshIndex(const Plan& plan);
 
-/// What there is, for people: counts, reasons, refusals by rule.
+/// Report for people: counts, reasons, refusals by rule.
 std::string StatusText(const Plan& plan, const CampaignState& state);
 
 /// Clears the failures of which another try may end otherwise, or all. Returns their number.

@@ -44,6 +44,7 @@ double ShareOf(const SeenShare& seen, const Recording& recording) {
 double FigureOfColumn(const TableColumn& figure, const Recording& recording) {
   fs::path file = recording.directory() / figure.table;
   if (fs::is_directory(file)) file /= "data.csv";
+  if (!fs::exists(file)) FailRule(file, "is not there, and a rule asks of it");
   RowScan scan(file);
   const auto found = std::find(scan.columns().begin(), scan.columns().end(), figure.column);
   if (found == scan.columns().end()) {

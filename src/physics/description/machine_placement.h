@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,8 +16,6 @@ struct MachinePlacement {
   MachineModel model;
   Pose X_WB = Pose::Identity();  ///< pose of the root link at the start
   std::vector<double> q_rad;     ///< initial joint angles, one per joint, within limits
-  /// Height of its highest corner above the ground, for running gear of others that may climb it.
-  double rise_m = std::numeric_limits<double>::infinity();
 };
 
 /// Inputs of one machine for a step.

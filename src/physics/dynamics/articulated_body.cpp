@@ -94,7 +94,7 @@ struct ArticulatedBody::Bullet {
 
   void AddLinks(const MachineModel& model);
   void AddLoadLinks(const MachineModel& model);
-  void AddShapes(const MachineModel& model, double rise_m, bool meets_others);
+  void AddShapes(const MachineModel& model, bool meets_others);
   void AddDrives(const MachineModel& model);
 };
 
@@ -143,8 +143,7 @@ void ArticulatedBody::Bullet::AddLoadLinks(const MachineModel& model) {
   }
 }
 
-void ArticulatedBody::Bullet::AddShapes(const MachineModel& model, double rise_m,
-                                        bool meets_others) {
+void ArticulatedBody::Bullet::AddShapes(const MachineModel& model, bool meets_others) {
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     // The base always has a collider: Bullet uses it to find a machine's group of constraints.
     const int link = static_cast<int>(i) - 1;
@@ -152,7 +151,6 @@ void ArticulatedBody::Bullet::AddShapes(const MachineModel& model, double rise_m
     shapes.push_back(MakeShape(model.links[i], axes[i].X_BP, body.get(), link));
     btMultiBodyLinkCollider* collider = shapes.back().collider.get();
     shapes.back().tag = std::make_unique<ClimbTag>();
-    shapes.back().tag->rise_m = rise_m;
     shapes.back().tag->climb_m = ClimbHeight_m(model.ground_tools.gears, static_cast<int>(i));
     collider->setUserPointer(shapes.back().tag.get());
     if (link < 0) {
@@ -181,7 +179,7 @@ void ArticulatedBody::Bullet::AddDrives(const MachineModel& model) {
 }
 
 ArticulatedBody::ArticulatedBody(const MachineModel& model, const Pose& X_WB,
-                                 const std::vector<double>& q_rad, double rise_m, bool meets_others,
+                                 const std::vector<double>& q_rad, bool meets_others,
                                  btMultiBodyDynamicsWorld* world)
     : model_(model), bullet_(std::make_unique<Bullet>()) {
   TERA_CHECK(q_rad.size() == model.joints.size(), q_rad.size(), model.joints.size());
@@ -207,7 +205,7 @@ ArticulatedBody::ArticulatedBody(const MachineModel& model, const Pose& X_WB,
     if (model.joints[k].type != JointType::kFixed) body.setJointPos(static_cast<int>(k), q_rad[k]);
   }
   bullet_->world = world;
-  bullet_->AddShapes(model, rise_m, meets_others);
+  bullet_->AddShapes(model, meets_others);
   world->addMultiBody(&body);
   btAlignedObjectArray<btQuaternion> rotations;
   btAlignedObjectArray<btVector3> origins;

@@ -23,9 +23,8 @@ namespace tera {
 class ArticulatedBody {
  public:
   /// Without `meets_others`, the machine has no collision shapes.
-  /// Running gear of others drives over the machine if it climbs `rise_m`.
   ArticulatedBody(const MachineModel& model, const Pose& X_WB, const std::vector<double>& q_rad,
-                  double rise_m, bool meets_others, btMultiBodyDynamicsWorld* world);
+                  bool meets_others, btMultiBodyDynamicsWorld* world);
   ~ArticulatedBody();
   ArticulatedBody(ArticulatedBody&&) noexcept;
 

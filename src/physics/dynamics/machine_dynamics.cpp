@@ -55,7 +55,7 @@ MachineDynamics::MachineDynamics(const MachinePlacement& placement, const WorldS
                                  bool meets_others, btMultiBodyDynamicsWorld* world)
     : model_(WithPayloads(placement.model)),
       tracks_(model_),
-      body_(model_, placement.X_WB, placement.q_rad, placement.rise_m, meets_others, world),
+      body_(model_, placement.X_WB, placement.q_rad, meets_others, world),
       hydraulics_(model_, placement.q_rad),
       actuation_(model_, {placement.name, start.seed, start.step}),
       inertial_(model_),

@@ -262,7 +262,6 @@ Sling ReadSling(const ConfigMap& config, const Scenario& scenario) {
     obstacle_of.push_back(o);
   }
   Sling sling;
-  sling.name = config.Text("name");
   sling.machine = IndexOfNamed(config, "machine", machines);
   if (sling.machine < scenario.machines.size()) {
     const MachineModel& model = scenario.machines[sling.machine].placement.model;

@@ -13,12 +13,11 @@ constexpr double kDampingRatio = 0.1;  ///< of the load on one leg
 
 }  // namespace
 
-double Pull(const Sling& sling, double load_kg, const BodyState& link, const BodyState& obstacle,
-            Wrench* on_link, Wrench* on_obstacle) {
+void Pull(const Sling& sling, double load_kg, const BodyState& link, const BodyState& obstacle,
+          Wrench* on_link, Wrench* on_obstacle) {
   const double stiffness_npm = load_kg * kStandardGravity_mps2 / (kStretch * sling.length_m);
   const double damping_nspm = 2 * kDampingRatio * std::sqrt(stiffness_npm * load_kg);
   const Vec3 hook_W_m = link.X_WB * sling.hook_B_m;
-  double sum_n = 0;
   for (const Vec3& point_T_m : sling.points_T_m) {
     const Vec3 point_W_m = obstacle.X_WB * point_T_m;
     const Vec3 leg_W_m = hook_W_m - point_W_m;
@@ -29,11 +28,9 @@ double Pull(const Sling& sling, double load_kg, const BodyState& link, const Bod
         PointVelocity(link, sling.hook_B_m) - PointVelocity(obstacle, point_T_m);
     const double tension_n =
         std::max(0.0, stiffness_npm * stretch_m + damping_nspm * parting_W_mps.dot(along_W));
-    sum_n += tension_n;
     on_obstacle->AddForceAt(tension_n * along_W, point_W_m, obstacle.X_WB.translation());
     on_link->AddForceAt(-tension_n * along_W, hook_W_m, link.X_WB.translation());
   }
-  return sum_n;
 }
 
 }  // namespace tera

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <limits>
-#include <string>
 #include <vector>
 
 #include "core/config/config.h"
@@ -16,7 +15,6 @@ namespace tera {
 ///         at which the load's weight stretches one leg by 1 %, with a tenth of critical damping.
 /// Omits   the rope's mass, its contact with ground and machine, and its picture.
 struct Sling {
-  std::string name;
   std::size_t machine = 0, obstacle = 0;  ///< indices in the scenario
   int link = 0;
   Vec3 hook_B_m = Vec3::Zero();
@@ -26,9 +24,9 @@ struct Sling {
   double until_s = std::numeric_limits<double>::infinity();
 };
 
-/// Adds the forces of the legs at the present motion of both ends; returns the sum of their
-/// tensions in N. `load_kg` is the obstacle's mass.
-double Pull(const Sling& sling, double load_kg, const BodyState& link, const BodyState& obstacle,
-            Wrench* on_link, Wrench* on_obstacle);
+/// Adds the forces of the legs at the present motion of both ends. `load_kg` is the obstacle's
+/// mass.
+void Pull(const Sling& sling, double load_kg, const BodyState& link, const BodyState& obstacle,
+          Wrench* on_link, Wrench* on_obstacle);
 
 }  // namespace tera

@@ -48,13 +48,17 @@ class SensorSamples {
         episode_(std::move(episode)) {
     if (job_.recording.Has(SensorPoseFile(sensor))) poses_ = SensorTrack(job, sensor).X_WS;
     const fs::path sheet = job_.recording.directory() / sensor / "sensor.yaml";
-    WriteWholeFile(job_.folder / (shards_.archives().name + ".sensor.yaml"), ReadWholeFile(sheet));
+    sheet_ = ReadWholeFile(sheet);
+    if (!episode_.empty()) return;
+    WriteWholeFile(job_.folder / (shards_.archives().name + ".sensor.yaml"), sheet_);
   }
 
   void Add(TimeNs t_ns) {
     if (shards_.Has(t_ns)) return;
     std::vector<SamplePart> parts = is_lidar_ ? ScanParts(t_ns) : PictureParts(t_ns);
     parts.push_back({"json", About(t_ns).dump() + "\n"});
+    // Episodes may differ in calibration.
+    if (!episode_.empty()) parts.push_back({"sensor.yaml", sheet_});
     shards_.Add(t_ns, parts, episode_);
   }
   bool HasArchive() const { return !shards_.archives().archives.empty(); }
@@ -100,7 +104,7 @@ class SensorSamples {
   std::string sensor_;
   bool is_lidar_;
   Shards& shards_;
-  std::string episode_;
+  std::string episode_, sheet_;
   std::optional<PoseTrack> poses_;
 };
 
