@@ -79,7 +79,7 @@ void Simulation::MoveAlongPaths(TimeNs t_ns) {
 void Simulation::ShowObstaclesToSoil() {
   for (std::size_t o = 0; o < state_.obstacles.size(); ++o) {
     state_.ground().MoveObstacle(obstacle_handle_[o], state_.obstacles[o]);
-    if (bed_handle_[o]) state_.ground().MoveBed(*bed_handle_[o], state_.obstacles[o].X_WB);
+    if (bed_handle_[o]) state_.ground().MoveBed(*bed_handle_[o], state_.obstacles[o].X_WB, false);
   }
 }
 

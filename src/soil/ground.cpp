@@ -61,7 +61,9 @@ class Ground : public Soil {
     bed_flows_.emplace_back(columns_.soils());
     return static_cast<int>(grains_.beds().size()) - 1;
   }
-  void MoveBed(int handle, const Pose& X_WB) override { grains_.beds().at(handle).Move(X_WB); }
+  void MoveBed(int handle, const Pose& X_WB, bool gate_is_open) override {
+    grains_.beds().at(handle).Move(X_WB, gate_is_open);
+  }
   BedLoad bed_load(int handle) const override { return grains_.beds().at(handle).load(); }
   int AddObstacle(const RigidObstacle& obstacle) override { return obstacles_.Add(obstacle); }
   void MoveObstacle(int handle, const BodyState& state) override { obstacles_.Move(handle, state); }

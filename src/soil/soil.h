@@ -85,7 +85,7 @@ struct MassLedger {
 struct SoilBed {
   Vec3 floor_B_m = Vec3::Zero();  ///< middle of its floor
   Vec2 size_m = Vec2::Zero();     ///< inner length along x and width along y
-  double wall_m = 0;              ///< height of its walls above the floor
+  double wall_m = 0;              ///< height of its walls above the floor; that at -x is a gate
 };
 
 /// What lies in a bed.
@@ -117,8 +117,8 @@ class Soil {
 
   /// Adds a bed, empty, at W's origin; returns its handle.
   virtual int AddBed(const SoilBed& bed) = 0;
-  /// Puts a bed, with what lies in it, where its carrier is, which stands upright.
-  virtual void MoveBed(int handle, const Pose& X_WB) = 0;
+  /// Puts a bed, with what lies in it, where its carrier is. Soil slides out of an open gate.
+  virtual void MoveBed(int handle, const Pose& X_WB, bool gate_is_open) = 0;
   virtual BedLoad bed_load(int handle) const = 0;
 
   /// Adds an obstacle at W's origin, for those machines that climb it; returns its handle.

@@ -9,7 +9,6 @@ namespace {
 
 constexpr double kCell_m = 0.08;
 constexpr double kUnderFloor_m = 0.1;    ///< so far below the floor a clod still lies on it
-constexpr double kOverRim_m = 0.02;      ///< soil at the border may stand this far above the rim
 constexpr double kBesideWall_m = 0.20;   ///< what overflows falls this far outside the inner box
 constexpr double kOverflow_mps = 0.3;    ///< and so fast outwards
 constexpr double kLeastShown_m = 0.004;  ///< thinner soil is not seen
@@ -34,7 +33,10 @@ UndisturbedGround FloorOf(const SoilBed& shape) {
 Bed::Bed(const SoilBed& shape, const std::vector<SoilType>& soils)
     : shape_(shape), half_m_(0.5 * shape.size_m), columns_(FloorOf(shape), soils) {}
 
-void Bed::Move(const Pose& X_WB) { X_WF_ = X_WB * MakePose(shape_.floor_B_m); }
+void Bed::Move(const Pose& X_WB, bool gate_is_open) {
+  X_WF_ = X_WB * MakePose(shape_.floor_B_m);
+  gate_is_open_ = gate_is_open;
+}
 
 bool Bed::Holds(const Vec3& p_W_m) const {
   const Vec3 p_F = X_WF_.inverse() * p_W_m;
@@ -46,7 +48,8 @@ void Bed::KeepWithinWalls(Vec3* p_F_m, Vec3* v_F_mps) const {
   if (p_F_m->z() > shape_.wall_m) return;
   for (const int axis : {0, 1}) {
     double& p_m = (*p_F_m)[axis];
-    if (std::abs(p_m) < half_m_[axis]) continue;
+    const bool is_at_gate = axis == 0 && p_m < 0;
+    if (std::abs(p_m) < half_m_[axis] || (is_at_gate && gate_is_open_)) continue;
     p_m = std::copysign(half_m_[axis] - 1e-6, p_m);
     (*v_F_mps)[axis] = 0;
   }
@@ -61,32 +64,24 @@ void Bed::Deposit(const Vec3& p_W_m, const Spoil& spoil) {
   load_.volume_m3 += spoil.volume_m3;
 }
 
-std::vector<Bed::Overflow> Bed::TakeOverflow() {
-  std::vector<Overflow> all;
-  const int last_i = columns_.nx() - 1, last_j = columns_.ny() - 1;
-  for (int j = 0; j <= last_j; ++j) {
-    for (int i = 0; i <= last_i; i += j == 0 || j == last_j ? 1 : last_i) {
-      if (columns_.TopAt(i, j) > shape_.wall_m + kOverRim_m) all.push_back(TakeOverflowAt(i, j));
-    }
-  }
-  return all;
-}
-
-Bed::Overflow Bed::TakeOverflowAt(int i, int j) {
+Bed::Overflow Bed::TakeOverflow(int i, int j, double rim_m, const Vec2& v_F_mps) {
   const ColumnId k = columns_.Touch(i, j);
   Overflow fallen;
-  columns_.TakeLoose(k, columns_.at(k).top_m - shape_.wall_m, &fallen.soil);
+  const double top_m = columns_.at(k).top_m;
+  columns_.TakeLoose(k, top_m - rim_m, &fallen.soil);
   load_.mass_kg -= fallen.soil.mass_kg();
   load_.volume_m3 -= fallen.soil.volume_m3();
-  Vec3 out_F = Vec3::Zero();
-  if (i == 0 || i == columns_.nx() - 1) out_F.x() = i == 0 ? -1 : 1;
-  if (j == 0 || j == columns_.ny() - 1) out_F.y() = j == 0 ? -1 : 1;
-  Vec3 p_F(columns_.x_m(i), columns_.y_m(j), shape_.wall_m + kOverRim_m);
+  Vec3 v_F(v_F_mps.x(), v_F_mps.y(), 0);
+  Vec3 p_F(columns_.x_m(i), columns_.y_m(j), top_m);
+  const int place[2] = {i, j}, last[2] = {columns_.nx() - 1, columns_.ny() - 1};
   for (const int axis : {0, 1}) {
-    if (out_F[axis] != 0) p_F[axis] = out_F[axis] * (half_m_[axis] + kBesideWall_m);
+    if (place[axis] != 0 && place[axis] != last[axis]) continue;
+    const double out = place[axis] == 0 ? -1 : 1;
+    p_F[axis] = out * (half_m_[axis] + kBesideWall_m);
+    v_F[axis] = out * std::max(kOverflow_mps, out * v_F[axis]);
   }
   fallen.p_W_m = X_WF_ * p_F;
-  fallen.v_W_mps = X_WF_.linear() * (kOverflow_mps * out_F);
+  fallen.v_W_mps = X_WF_.linear() * v_F;
   return fallen;
 }
 

@@ -29,6 +29,7 @@ constexpr double kGentle = 0.65;
 constexpr double kLevel = 1e-9;           ///< a gradient that is none
 constexpr double kFilm_m = 1e-4;          ///< the thinnest layer that flows
 constexpr double kMobileOverExcess = 20;  ///< thickness that flows over what stands too steep
+constexpr double kLeastUp = 0.05;         ///< of a floor's normal and a surface's on it
 
 /// Length where numbers neither overflow nor vanish: quicker than std::hypot.
 double Norm(double x, double y) { return std::sqrt(x * x + y * y); }
@@ -45,6 +46,19 @@ Avalanche::Avalanche(const std::vector<SoilType>& soils) : walls_(soils) {
     const double repose_rad = soil.repose_angle_rad;
     friction_.push_back({std::tan(repose_rad + kStart_rad), std::tan(repose_rad + kSlow_rad),
                          soil.fast_flow_friction, soil.grain_size_m});
+    const double on_steel = std::tan(soil.soil_tool_friction_rad);
+    steel_.push_back({on_steel, on_steel, 1, 0});
+    thrust_.push_back((1 - std::sin(repose_rad)) / (1 + std::sin(repose_rad)));
+  }
+}
+
+void Avalanche::StandOnSteel(const Vec3& up, bool is_open, Columns* ground) {
+  is_open_ = is_open;
+  tilt_ = up.head<2>() / std::max(up.z(), kLeastUp);
+  is_tilted_ = !tilt_.isZero();
+  normal_mps2_ = kStandardGravity_mps2 * std::max(up.z(), kLeastUp);
+  for (int j = 0; j < ground->ny(); ++j) {
+    for (int i = 0; i < ground->nx(); ++i) active_.Add(ground->Touch(i, j));
   }
 }
 
@@ -94,36 +108,53 @@ void Avalanche::LookAround(ColumnId k, const Columns& ground) {
   const double along_y_m = loose_rise_m(0, 1) - loose_rise_m(0, -1);
   motion.across_slope[kX] = 0.5 * along_y_m / ground.cell_m();
   motion.across_slope[kY] = 0.5 * along_x_m / ground.cell_m();
-  motion.rests =
-      steepest_m <= kGentle * friction_[soil].tan_start * ground.cell_m() && !Flows(k, ground);
+  motion.rests = !is_tilted_ &&
+                 steepest_m <= kGentle * friction_[soil].tan_start * ground.cell_m() &&
+                 !Flows(k, ground);
 }
 
 /// Speed that friction leaves after a step of soil that flows `flow_m` thick, out of `loose_m` that
-/// lie loose. Friction that rises with speed is that of the speed it leaves, lest it overshoot.
-double Avalanche::Friction::Braked(double before_mps, double speed_mps, double flow_m,
-                                   double loose_m, double dt_s) const {
-  const double froude = before_mps / std::sqrt(kStandardGravity_mps2 * flow_m);
-  const double fast = Ramp(froude, kSlowFroude, kFastFroude) *
-                      Ramp(flow_m / std::max(loose_m, flow_m), kSkinShare, kDeepShare);
-  const double inertial_number = kBagnold * froude * grain_m / flow_m;
+/// lie loose, on a floor that gravity presses it to. Friction that rises with speed is that of the
+/// speed it leaves, lest it overshoot.
+double Avalanche::Friction::Braked(double before_mps, double speed_mps, const Layer& layer,
+                                   double gravity_mps2, double dt_s) const {
+  const double froude = before_mps / std::sqrt(gravity_mps2 * layer.flow_m);
+  const double fast =
+      Ramp(froude, kSlowFroude, kFastFroude) *
+      Ramp(layer.flow_m / std::max(layer.loose_m, layer.flow_m), kSkinShare, kDeepShare);
+  const double inertial_number = kBagnold * froude * grain_m / layer.flow_m;
   const double rise = tan_slow * fast * (fast_over_slow - 1) + kInertialFriction * inertial_number;
-  const double slow_mps = tan_slow * kStandardGravity_mps2 * dt_s;
-  const double rise_mps = rise * kStandardGravity_mps2 * dt_s;
+  const double slow_mps = tan_slow * gravity_mps2 * dt_s;
+  const double rise_mps = rise * gravity_mps2 * dt_s;
   return rise_mps > 0 ? (speed_mps - slow_mps) / (1 + rise_mps / speed_mps)
                       : speed_mps - slow_mps - rise_mps;
 }
 
-/// Velocity of the face between a column and the one beside, after the step.
-double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
-                               const Columns& ground, double* gradient) const {
+/// What drives a face on a tilted floor, of what would on a level one.
+Avalanche::Drive Avalanche::OnFloor(const Drive& level, Axis axis, std::uint8_t soil) const {
+  const double t = tilt_[axis], t_across = tilt_[axis == kX ? kY : kX];
+  if (SlidesOnSteel(soil)) {
+    const Drive slide{t + thrust_[soil] * level.along, t_across + thrust_[soil] * level.across,
+                      normal_mps2_, &steel_[soil], true};
+    if (Norm(slide.along, slide.across) > steel_[soil].tan_start) return slide;
+  }
+  const double up = std::max(kLeastUp, 1 - t * level.along - t_across * level.across);
+  const double along = (level.along + t) / up, across = (level.across + t_across) / up;
+  return {along, across, kStandardGravity_mps2 / std::sqrt(1 + along * along + across * across),
+          level.friction};
+}
+
+/// What crosses the face between a column and the one beside, after the step.
+Avalanche::Flux Avalanche::FluxAt(ColumnId k, ColumnId to, Axis axis, double dt_s,
+                                  const Columns& ground) const {
+  Flux flux{k, to, axis};
   const Columns::Skin &a = ground.skin(k), &b = ground.skin(to);
-  const bool downhill = a.top_m >= b.top_m;
-  const Columns::Skin &high = downhill ? a : b, &low = downhill ? b : a;
-  if (high.top_m > low.blocked_m || !high.is_loose) return 0;
   const double cell_m = ground.cell_m();
-  const double before_mps = motion_[k].face_mps[axis];
   const double slope = (b.top_m - a.top_m) / cell_m;
-  const Friction& friction = friction_[high.soil];
+  const bool downhill = slope + tilt_[axis] <= 0;
+  const Columns::Skin &high = downhill ? a : b, &low = downhill ? b : a;
+  if (high.top_m > low.blocked_m || !high.is_loose) return flux;
+  const double before_mps = motion_[k].face_mps[axis];
 
   const int di = axis == kX ? 1 : 0, dj = 1 - di;  // along the axis; across it is (dj, di)
   const Axis other = axis == kX ? kY : kX;
@@ -132,11 +163,16 @@ double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
   const double across_mps =
       0.25 * (motion_[k].face_mps[other] + motion_[to].face_mps[other] +
               VelocityOf(k, -dj, -di, other, ground) + VelocityOf(to, -dj, -di, other, ground));
+  Drive drive{slope, across_slope, kStandardGravity_mps2, &friction_[high.soil]};
+  if (is_tilted_) drive = OnFloor(drive, axis, high.soil);
+  const Friction& friction = *drive.friction;
   const bool rests = before_mps == 0 && across_mps == 0;
-  const bool is_steep =
-      slope * slope + across_slope * across_slope > friction.tan_start * friction.tan_start;
-  if (rests && !is_steep) return 0;
-  *gradient = Norm(slope, across_slope);
+  const bool is_steep = drive.along * drive.along + drive.across * drive.across >
+                        friction.tan_start * friction.tan_start;
+  if (rests && !is_steep) return flux;
+  flux.along = drive.along;
+  flux.gradient = Norm(drive.along, drive.across);
+  flux.slides = drive.slides;
 
   // Momentum that the flow itself brings, from upstream.
   const auto upstream = [&](double speed_mps, int i, int j) {
@@ -146,17 +182,20 @@ double Avalanche::FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s,
            cell_m;
   };
   const double carried_mps2 = upstream(before_mps, di, dj) + upstream(across_mps, dj, di);
-  const double along_mps = before_mps - dt_s * (kStandardGravity_mps2 * slope + carried_mps2);
-  const double driven_across_mps = across_mps - dt_s * kStandardGravity_mps2 * across_slope;
+  const double along_mps = before_mps - dt_s * (drive.gravity_mps2 * drive.along + carried_mps2);
+  const double driven_across_mps = across_mps - dt_s * drive.gravity_mps2 * drive.across;
   const double speed_mps = Norm(along_mps, driven_across_mps);
-  const double mobile_m = std::max({motion_[k].mobile_m, motion_[to].mobile_m, kFilm_m});
   const double most_loose_m = std::max(a.loose_m, b.loose_m);
-  const double left_mps =
-      friction.Braked(Norm(before_mps, across_mps), speed_mps, mobile_m, most_loose_m, dt_s);
+  const double mobile_m = drive.slides
+                              ? std::max(most_loose_m, kFilm_m)
+                              : std::max({motion_[k].mobile_m, motion_[to].mobile_m, kFilm_m});
+  const double left_mps = friction.Braked(Norm(before_mps, across_mps), speed_mps,
+                                          {mobile_m, most_loose_m}, drive.gravity_mps2, dt_s);
   const bool creeps = left_mps < kCreep_mps || left_mps * mobile_m < kTrickle_m2ps;
-  if (left_mps <= 0 || (creeps && !is_steep)) return 0;
+  if (left_mps <= 0 || (creeps && !is_steep)) return flux;
   const double most_mps = kLongestStep_cells * cell_m / dt_s;
-  return std::clamp(along_mps * left_mps / speed_mps, -most_mps, most_mps);
+  flux.velocity_mps = std::clamp(along_mps * left_mps / speed_mps, -most_mps, most_mps);
+  return flux;
 }
 
 void Avalanche::FindFluxes(double dt_s, const Columns& ground) {
@@ -166,11 +205,8 @@ void Avalanche::FindFluxes(double dt_s, const Columns& ground) {
       const ColumnId to = ground.BesideId(k, axis == kX ? 1 : 0, axis == kX ? 0 : 1);
       if (to == Columns::kNone || !is_visited_.Contains(to)) continue;
       if (motion_[k].rests && motion_[to].rests) continue;
-      double gradient = 0;
-      const double velocity_mps = FaceVelocity(k, to, axis, dt_s, ground, &gradient);
-      if (velocity_mps != 0 || motion_[k].face_mps[axis] != 0) {
-        fluxes_.push_back({k, to, axis, velocity_mps, gradient});
-      }
+      const Flux flux = FluxAt(k, to, axis, dt_s, ground);
+      if (flux.velocity_mps != 0 || motion_[k].face_mps[axis] != 0) fluxes_.push_back(flux);
     }
   }
 }
@@ -180,7 +216,12 @@ void Avalanche::FindFluxes(double dt_s, const Columns& ground) {
 void Avalanche::Mobilise(const Flux& flux, const Columns& ground) {
   Motion& source = motion_[flux.source()];
   const Columns::Skin& c = ground.skin(flux.source());
-  const double drop_m = c.top_m - ground.skin(flux.target()).top_m;
+  if (flux.slides) {
+    source.mobile_m = c.loose_m;
+    return;
+  }
+  const double drop_m = is_tilted_ ? -std::copysign(ground.cell_m(), flux.velocity_mps) * flux.along
+                                   : c.top_m - ground.skin(flux.target()).top_m;
   const double excess_m =
       drop_m * std::max(0.0, 1 - friction_[c.soil].tan_slow / std::max(flux.gradient, kLevel));
   source.mobile_m =

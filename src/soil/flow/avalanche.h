@@ -30,8 +30,13 @@ class Grains;
 ///         order of columns does not matter. Banks fail as in StandingWalls. Only columns near a
 ///         change are visited. Nothing flows into a column in which a tool stands lower than the
 ///         surface beside.
-/// Omits   vertical acceleration, earth pressure other than hydrostatic, entrainment of bank soil,
-///         flow over the site's border.
+///         Columns may stand on a tilted floor of steel, t the tangent of its tilt: gravity sees a
+///         slope s of them as (s + t) / (1 - s t). Where t exceeds the friction of steel and no
+///         wall below holds the soil, its whole depth slides on the floor, driven by t + K s
+///         against that friction, K Rankine's active coefficient.
+/// Omits   vertical acceleration, earth pressure other than hydrostatic but on a floor, entrainment
+///         of bank soil, flow over the site's border; that a heap's own thrust lets it slide on a
+///         floor that is a little less steep; that a load slides together behind a shut wall.
 /// Source  Savage and Hutter 1989; runout of columns: Lube et al. 2004; start and stop angles:
 ///         Pouliquen and Forterre 2002; inertial number: Jop, Forterre and Pouliquen 2006; moist
 ///         columns run out less: Artoni et al. 2013 (arXiv 1401.2028), Sharma et al. 2024 (arXiv
@@ -42,6 +47,18 @@ class Avalanche {
   /// Lets time pass. Every few milliseconds of it, visits columns changed since the last visit and
   /// those still flowing. Wedges that fail become grains.
   void Flow(double dt_s, Columns* ground, Grains* grains);
+  /// From now on all columns stand on a floor of steel, `up` against gravity in their axes. Whether
+  /// it is open at its lower end.
+  void StandOnSteel(const Vec3& up, bool is_open, Columns* ground);
+  /// Whether a soil slides on that floor.
+  bool SlidesOnSteel(std::uint8_t soil) const {
+    return is_open_ && tilt_.norm() > steel_[soil].tan_start;
+  }
+  /// Of the soil that crosses a column's faces towards +x and +y.
+  Vec2 VelocityBeside(ColumnId k) const {
+    return k < motion_.size() ? Vec2(motion_[k].face_mps[kX], motion_[k].face_mps[kY])
+                              : Vec2(Vec2::Zero());
+  }
   /// Columns to be visited next, besides those that change until then.
   std::size_t active_count() const { return active_.size(); }
 
@@ -61,14 +78,26 @@ class Avalanche {
     double fast_over_slow;
     double grain_m;
 
-    double Braked(double before_mps, double speed_mps, double flow_m, double loose_m,
+    struct Layer {
+      double flow_m, loose_m;
+    };
+    double Braked(double before_mps, double speed_mps, const Layer& layer, double gravity_mps2,
                   double dt_s) const;
+  };
+  /// What drives the soil at a face, and what brakes it.
+  struct Drive {
+    double along, across;  ///< slopes, against which it flows
+    double gravity_mps2;   ///< normal to what it flows on
+    const Friction* friction;
+    bool slides = false;  ///< on the floor, as deep as it lies
   };
   struct Flux {
     ColumnId column, beside;  ///< on both sides of a face
     Axis axis;
-    double velocity_mps;
-    double gradient;  ///< of the surface there, along both axes
+    double velocity_mps = 0;
+    double along = 0;     ///< slope of the surface there, along the axis
+    double gradient = 0;  ///< along both axes
+    bool slides = false;  ///< on the floor
 
     ColumnId source() const { return velocity_mps > 0 ? column : beside; }
     ColumnId target() const { return velocity_mps > 0 ? beside : column; }
@@ -79,8 +108,8 @@ class Avalanche {
   double VelocityOf(ColumnId k, int di, int dj, Axis axis, const Columns& ground) const;
   bool Flows(ColumnId k, const Columns& ground) const;
   void LookAround(ColumnId k, const Columns& ground);
-  double FaceVelocity(ColumnId k, ColumnId to, Axis axis, double dt_s, const Columns& ground,
-                      double* gradient) const;
+  Drive OnFloor(const Drive& level, Axis axis, std::uint8_t soil) const;
+  Flux FluxAt(ColumnId k, ColumnId to, Axis axis, double dt_s, const Columns& ground) const;
   void FindFluxes(double dt_s, const Columns& ground);
   void Mobilise(const Flux& flux, const Columns& ground);
   double Wanted_m(const Flux& flux, double dt_s, const Columns& ground);
@@ -89,7 +118,12 @@ class Avalanche {
   double pending_s_ = 0;  ///< passed since the last visit
   int steps_ = 0;
   StandingWalls walls_;
+  Vec2 tilt_ = Vec2::Zero();  ///< slope of the floor, along x and y
+  bool is_tilted_ = false, is_open_ = false;
+  double normal_mps2_ = 0;          ///< of gravity, normal to the floor
   std::vector<Friction> friction_;  ///< one for each soil
+  std::vector<Friction> steel_;     ///< the same on a floor of steel
+  std::vector<double> thrust_;      ///< of each soil, Rankine's active coefficient
   ColumnSet active_;                ///< to be visited at the next step
   ColumnSet is_visited_;            ///< in this step
   std::vector<ColumnId> visited_;   ///< the same, in the order of their ids

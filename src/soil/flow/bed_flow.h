@@ -10,8 +10,11 @@ namespace tera {
 
 /// The flow of the soil that lies in a truck's bed.
 ///
-/// Model   Soil flows on the bed's columns as on the ground. What stands above the walls' rim at
-///         the border falls off beside the bed as clods.
+/// Model   Soil flows on the bed's columns as on the ground, on a floor of steel that stands as the
+///         carrier does. What stands at the border above the slope at repose from the walls' rim,
+///         or from the lip of an open gate, falls off beside the bed as clods; where the floor is
+///         too steep to hold soil, all that reaches an open gate.
+/// Omits   the carrier's acceleration; adhesion to the floor; friction on the side walls.
 class BedFlow {
  public:
   explicit BedFlow(const std::vector<SoilType>& soils) : avalanche_(soils) {}
@@ -20,7 +23,12 @@ class BedFlow {
   void Flow(double dt_s, Bed* bed, Columns* ground, Grains* grains);
 
  private:
+  void Stand(Bed* bed);
+  void Overflow(int i, int j, Bed* bed, Columns* ground, Grains* grains) const;
+
   Avalanche avalanche_;
+  Vec3 up_F_ = Vec3::UnitZ();  ///< as the soil was last told
+  bool is_open_ = false;       ///< the gate, at the lower end
 };
 
 }  // namespace tera

@@ -17,7 +17,6 @@ constexpr double kScatter_mps = 0.15;    ///< of a clod's velocity, each axis, o
 constexpr int kMostFalls = 40;           ///< columns that what is laid down falls on over
 constexpr double kSteep = 1;             ///< slope of a column beside that a clod does not reach
 constexpr double kWall = 2;              ///< slope of what a clod does not climb
-const Vec3 kGravity_W(0, 0, -kStandardGravity_mps2);
 
 /// Whether soil put on a column would fall off it, as off a wall, to the lowest one around.
 bool FallsOn(const Columns& ground, Columns::Place* at) {
@@ -198,14 +197,14 @@ bool Grains::RisesWithGround(const Columns& ground, Grain* grain) {
   return true;
 }
 
-bool Grains::Move(double dt_s, const Columns& ground, Grain* grain) const {
+bool Grains::Move(double dt_s, const Vec3& up, const Columns& ground, Grain* grain) const {
   Vec3 &p_W = grain->p_W_m, &v_W = grain->v_W_mps;
   const Vec3 before_W = p_W;
   if (!grain->is_free && GoesWithBank(dt_s, ground, grain)) return false;
   if (grain->kind == Kind::kFirm && grain->slid_s > 0 && !RisesWithGround(ground, grain)) {
     return true;
   }
-  v_W += dt_s * kGravity_W;
+  v_W -= dt_s * kStandardGravity_mps2 * up;
   p_W += dt_s * v_W;
   if (ground.IsWellAbove(p_W)) return false;
   double ground_m = ground.HeightAt(p_W.x(), p_W.y());
@@ -224,7 +223,7 @@ bool Grains::Move(double dt_s, const Columns& ground, Grain* grain) const {
   const double into_mps = std::max(0.0, -v_W.dot(n_W));
   const double friction = friction_[grain->spoil.soil];
   v_W = Slowed(v_W + into_mps * n_W, friction * into_mps);
-  const bool holds = n_W.head<2>().norm() <= friction * n_W.z();
+  const bool holds = n_W.cross(up).norm() <= friction * n_W.dot(up);
   return (holds && v_W.norm() < kRestSpeed_mps) || grain->slid_s > kLongestSlide_s;
 }
 
@@ -234,7 +233,7 @@ bool Grains::MoveInBed(double dt_s, const Bed& bed, Grain* grain) const {
   Grain in_F = *grain;
   in_F.p_W_m = X_WF.inverse() * grain->p_W_m;
   in_F.v_W_mps = X_WF.linear().transpose() * grain->v_W_mps;
-  const bool rests = Move(dt_s, bed.columns(), &in_F);
+  const bool rests = Move(dt_s, bed.up_F(), bed.columns(), &in_F);
   bed.KeepWithinWalls(&in_F.p_W_m, &in_F.v_W_mps);
   grain->p_W_m = X_WF * in_F.p_W_m;
   grain->v_W_mps = X_WF.linear() * in_F.v_W_mps;
@@ -248,7 +247,8 @@ void Grains::Step(double dt_s, Columns* ground) {
   for (std::size_t n = 0; n < grains_.size();) {
     Grain& grain = grains_[n];
     const Bed* bed = has_beds ? BedAt(grain.p_W_m) : nullptr;
-    if (bed != nullptr ? MoveInBed(dt_s, *bed, &grain) : Move(dt_s, *ground, &grain)) {
+    if (bed != nullptr ? MoveInBed(dt_s, *bed, &grain)
+                       : Move(dt_s, Vec3::UnitZ(), *ground, &grain)) {
       LayDown(grain.p_W_m, Loosened(grain), grain.kind, ground);
       grain = grains_.back();
       grains_.pop_back();

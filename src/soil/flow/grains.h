@@ -81,8 +81,8 @@ class Grains {
   Spoil Loosened(const Grain& grain) const;
   static bool GoesWithBank(double dt_s, const Columns& ground, Grain* grain);
   static bool RisesWithGround(const Columns& ground, Grain* grain);
-  /// Whether it has come to rest.
-  bool Move(double dt_s, const Columns& ground, Grain* grain) const;
+  /// Whether it has come to rest on ground in whose frame gravity acts against `up`.
+  bool Move(double dt_s, const Vec3& up, const Columns& ground, Grain* grain) const;
   bool MoveInBed(double dt_s, const Bed& bed, Grain* grain) const;
   /// Bed over whose floor a point is, or null.
   Bed* BedAt(const Vec3& p_W_m);

@@ -23,6 +23,7 @@ SoilType Sand() {
   sand.swell = 1.2;
   sand.friction_angle_rad = 35 * kDeg;
   sand.repose_angle_rad = 32 * kDeg;
+  sand.soil_tool_friction_rad = 22 * kDeg;
   return sand;
 }
 
@@ -47,6 +48,38 @@ struct Yard {
     }
     Wait(kAtRest_s);
   }
+  /// Lays soil evenly on the floor.
+  void Fill(double depth_m) {
+    const Columns& floor = bed().columns();
+    const double part_m3 = floor.area_m2() * depth_m;
+    for (int j = 0; j < floor.ny(); ++j) {
+      for (int i = 0; i < floor.nx(); ++i) {
+        bed().Deposit(bed().X_WF() * Vec3(floor.x_m(i), floor.y_m(j), 0),
+                      {1250 * part_m3, part_m3, 0, 0});
+      }
+    }
+    poured_kg = bed().mass_kg();
+    Wait(0.1);
+  }
+  /// Turns the bed about its tail's lower edge.
+  void Tip(double pitch_rad, double roll_rad = 0, bool gate_is_open = false) {
+    const Vec3 hinge_B(-2, 0, 1.2);
+    bed().Move(X_WB * MakePose(hinge_B, RotationFromRpy(roll_rad, pitch_rad, 0)) *
+                   MakePose(Vec3(-hinge_B)),
+               gate_is_open);
+  }
+  /// Does so within half a minute, about as a hoist does.
+  void TipSlowly(double pitch_rad, double roll_rad = 0) {
+    constexpr int kSteps = 100;
+    for (int k = 1; k <= kSteps; ++k) {
+      Tip(pitch_rad * k / kSteps, roll_rad * k / kSteps);
+      Wait(0.25);
+    }
+    Wait(2 * kAtRest_s);
+  }
+  /// Width that its columns cover.
+  double width_m() { return bed().columns().ny() * bed().columns().cell_m(); }
+  double volume_m3() { return bed().mass_kg() / 1250; }
   void Wait(double time_s) {
     for (int k = 0; k < std::lround(time_s / kStep_s); ++k) {
       bed_flow.Flow(kStep_s, &bed(), &ground, &grains);
@@ -64,6 +97,90 @@ struct Yard {
   Grains grains;
   double poured_kg = 0;
 };
+
+TEST(Bed, ThatTipsLessThanSteelHoldsShiftsNothing) {
+  for (const auto& [pitch_rad, roll_rad] : {std::pair{-20 * kDeg, 0.0}, {0.0, 20 * kDeg}}) {
+    Yard yard;
+    yard.Fill(0.4);
+    yard.TipSlowly(pitch_rad, roll_rad);
+    const Columns& soil = yard.bed().columns();
+    for (int j = 0; j < soil.ny(); ++j) {
+      for (int i = 0; i < soil.nx(); ++i) ASSERT_NEAR(soil.TopAt(i, j), 0.4, 1e-9) << i << " " << j;
+    }
+    EXPECT_EQ(yard.bed().mass_kg(), yard.poured_kg);
+  }
+}
+
+/// Over a shut gate or wall stays a wedge, V = l h^2 / (2 tan(tilt - surface)) over the length l of
+/// a wall of height h. Its surface stands at repose or up to the 1.1 deg above at which soil starts
+/// to flow.
+TEST(Bed, ThatTipsWithAllWallsShutHoldsAWedgeBehindTheLowerOne) {
+  struct Turn {
+    double pitch_rad, roll_rad, wall_length_m;
+  };
+  for (const Turn& turn : {Turn{-45 * kDeg, 0, 2}, {-60 * kDeg, 0, 2}, {0, 60 * kDeg, 3}}) {
+    Yard yard;
+    yard.Fill(0.6);
+    yard.TipSlowly(turn.pitch_rad, turn.roll_rad);
+    const double tilt_rad = std::abs(turn.pitch_rad) + std::abs(turn.roll_rad);
+    const double wedge_rad =
+        std::atan(turn.wall_length_m * std::pow(yard.wall_m, 2) / (2 * yard.volume_m3()));
+    EXPECT_NEAR((tilt_rad - wedge_rad) / kDeg, 32.5, 1.0) << tilt_rad / kDeg;
+    EXPECT_NEAR(yard.Sum_kg() / yard.poured_kg, 1, 1e-12);
+  }
+}
+
+/// Below the friction of steel there stays behind the open gate what lies under the slope at repose
+/// from its lip: in the bed that rises at repose less the tilt.
+TEST(Bed, WithAnOpenGateKeepsWhatLiesUnderReposeFromItsLip) {
+  for (const double tilt_rad : {0.0, 10 * kDeg, 18 * kDeg}) {
+    Yard yard;
+    yard.Fill(0.4);
+    yard.Tip(-tilt_rad, 0, true);
+    yard.Wait(2 * kAtRest_s);
+    const double rise = std::tan(32 * kDeg - tilt_rad);
+    const double fallen_m3 = yard.width_m() * 0.4 * 0.4 / rise / 2;
+    const double filled_m3 = yard.poured_kg / 1250;
+    EXPECT_NEAR((filled_m3 - yard.volume_m3()) / fallen_m3, 1, 0.1) << tilt_rad / kDeg;
+    EXPECT_NEAR(yard.Sum_kg() / yard.poured_kg, 1, 1e-12);
+  }
+}
+
+/// On a floor at 30 deg, of friction 22 deg, a block gains g (sin 30 - cos 30 tan 22) of speed: so
+/// does the load's upper end, about which soil spreads by a few columns.
+TEST(Bed, ItsLoadSlidesOutAsABlockOverAnOpenGate) {
+  Yard yard;
+  yard.Fill(0.3);
+  yard.Tip(-30 * kDeg, 0, true);
+  const double a_mps2 = 9.80665 * (std::sin(30 * kDeg) - std::cos(30 * kDeg) * std::tan(22 * kDeg));
+  for (const double t_s : {0.5, 1.0, 1.5}) {
+    yard.Wait(0.5);
+    double end_m = 1.5;
+    while (yard.bed().columns().HeightAt(end_m, 0.1) < 0.15) end_m -= 0.01;
+    EXPECT_NEAR(1.5 - end_m, 0.5 * a_mps2 * t_s * t_s, 0.2) << t_s;
+  }
+}
+
+TEST(Bed, ThatTipsOverTheFrictionOfSteelEmptiesItselfOntoTheGroundBehind) {
+  for (const double tilt_rad : {26 * kDeg, 45 * kDeg, 60 * kDeg}) {
+    Yard yard;
+    yard.Fill(0.6);
+    yard.Tip(-tilt_rad, 0, true);
+    yard.Wait(2 * kAtRest_s);
+    EXPECT_LT(yard.bed().mass_kg() / yard.poured_kg, 0.005) << tilt_rad / kDeg;
+    EXPECT_NEAR(yard.Sum_kg() / yard.poured_kg, 1, 1e-12);
+    EXPECT_NEAR(yard.bed().load().mass_kg, yard.bed().mass_kg(), 1e-9);
+    const Columns& ground = yard.ground;
+    double sum_m = 0, moment_m2 = 0;
+    for (int j = 0; j < ground.ny(); ++j) {
+      for (int i = 0; i < ground.nx(); ++i) {
+        const Vec3 p_B = yard.X_WB.inverse() * Vec3(ground.x_m(i), ground.y_m(j), 0);
+        sum_m += ground.TopAt(i, j), moment_m2 += ground.TopAt(i, j) * p_B.x();
+      }
+    }
+    EXPECT_LT(moment_m2 / sum_m, -2.2) << tilt_rad / kDeg;  // its tail is at -2 m
+  }
+}
 
 TEST(Bed, HoldsWhatIsPouredIntoItAtRepose) {
   Yard yard;

@@ -58,7 +58,7 @@ TEST(DiggingCycles, AHundredDigsDumpsIntoATruckAndBesideItPushesAndDrivesLoseNoM
         link.v_WB_mps *= kHaste;
         link.w_WB_radps *= kHaste;
       }
-      if (cycle % 2 == 0) soil->MoveBed(bed, TruckPose(t_s, cycle / 2, yaw_rad));
+      if (cycle % 2 == 0) soil->MoveBed(bed, TruckPose(t_s, cycle / 2, yaw_rad), false);
       GroundToolsMotion motion;
       motion.links = &links;
       motion.gear_rate_radps = {links[2].v_WB_mps.norm() / 0.25 * 1.2};
