@@ -52,6 +52,7 @@ void Simulation::Step() {
   {
     const Stopwatch watch(&soil_wall_s_);
     ShowObstaclesToSoil();
+    state_.ground().LetWeatherAct(to_ns - clock_.start_ns);
     state_.ground().Flow(dt_s);
   }
   Count();

@@ -29,7 +29,8 @@ class Ground : public Soil {
       : columns_(site.columns()),
         avalanche_(columns_.soils()),
         grains_(columns_.soils(), seed),
-        piles_kg_(columns_.GroundGain().net_kg) {}
+        piles_kg_(columns_.GroundGain().net_kg),
+        weather_(site.weather()) {}
 
   int AddMachine(const GroundTools& tools) override {
     Machine machine;
@@ -55,6 +56,11 @@ class Ground : public Soil {
     }
     grains_.Step(dt_s, &columns_);
     avalanche_.Flow(dt_s, &columns_, &grains_);
+  }
+  void LetWeatherAct(TimeNs since_start_ns) override {
+    if (!weather_ || !weather_->Advance(since_start_ns)) return;
+    columns_.SetWetness(weather_->wetness());
+    if (auto water = weather_->TakeWater()) columns_.TakeUp(std::move(*water));
   }
   int AddBed(const SoilBed& bed) override {
     grains_.beds().emplace_back(bed, columns_.soils());
@@ -95,12 +101,22 @@ class Ground : public Soil {
   std::vector<BedFlow> bed_flows_;  ///< one for each bed of the grains
   LowObstacles obstacles_;
   double piles_kg_;  ///< put on the site before the start
+  std::optional<GroundWeather> weather_;
   std::vector<Machine> machines_;
 };
 
 void Add(const Wrench& part, Wrench* sum) {
   sum->force_W_n += part.force_W_n;
   sum->torque_W_nm += part.torque_W_nm;
+}
+
+/// What a shovel carries, by the soils that are shown.
+SoilReaction::Load AsShown(const SoilKinds& kinds, SoilReaction::Load load) {
+  for (std::size_t k = kinds.shown_count(); k < load.soil_kg.size(); ++k) {
+    load.soil_kg[kinds.Shown(static_cast<std::uint8_t>(k))] += load.soil_kg[k];
+  }
+  load.soil_kg.resize(kinds.shown_count());
+  return load;
 }
 
 SoilReaction Ground::Act(int handle, const GroundToolsMotion& motion, double dt_s) {
@@ -129,7 +145,7 @@ SoilReaction Ground::Act(int handle, const GroundToolsMotion& motion, double dt_
   for (Digging& shovel : machine.shovels) {
     const Digging::Result digging = shovel.Act(links[shovel.link()], dt_s, &columns_, &grains_);
     Add(digging.wrench, &reaction.link_wrench[shovel.link()]);
-    reaction.shovel_load.push_back(digging.load);
+    reaction.shovel_load.push_back(AsShown(columns_.kinds(), digging.load));
   }
   return reaction;
 }
@@ -141,6 +157,7 @@ MassLedger Ground::ledger() const {
   ledger.shifted_kg = gain.gained_kg;
   ledger.grains_kg = grains_.mass_kg();
   ledger.outside_kg = columns_.outside_kg();
+  ledger.water_kg = columns_.water_kg();
   for (const Bed& bed : grains_.beds()) ledger.beds_kg += bed.mass_kg();
   for (const Machine& machine : machines_) {
     for (const Digging& shovel : machine.shovels) ledger.carried_kg += shovel.carried().mass_kg();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/time.h"
 #include "core/types/ground_tools.h"
 #include "core/types/rigid_obstacle.h"
 #include "core/types/terrain_surface.h"
@@ -76,7 +77,10 @@ struct MassLedger {
   double carried_kg = 0;  ///< in shovels
   double beds_kg = 0;     ///< in trucks' beds
   double outside_kg = 0;  ///< pushed over the border of the site
-  double total_kg() const { return ground_kg + grains_kg + carried_kg + beds_kg + outside_kg; }
+  double water_kg = 0;    ///< of ground_kg, that weather brought
+  double total_kg() const {
+    return ground_kg + grains_kg + carried_kg + beds_kg + outside_kg - water_kg;
+  }
 };
 
 /// An open box that soil may be dumped into: a truck's bed, a container, a bin.
@@ -106,7 +110,8 @@ class Site;
 /// Model   columns of strata and layers of soil that keep mass; tools cut, carry, push
 ///         and dump, tracks press ruts, slopes steeper than repose flow. Forces by the fundamental
 ///         earthmoving equation and by pressure-sinkage. docs/reference/soil.md says each in full.
-/// Omits   water that moves, collisions between clods, flow inside the bucket.
+/// Omits   water that stands or flows on the surface, collisions between clods, flow inside the
+///         bucket.
 /// Source  Reece 1964; McKyes 1985; Bekker 1969; Janosi and Hanamoto 1961; Culmann's wall.
 class Soil {
  public:
@@ -130,8 +135,11 @@ class Soil {
   virtual SoilReaction Act(int handle, const GroundToolsMotion& motion, double dt_s) = 0;
   /// Lets slopes steeper than the angle of repose flow for `dt_s`.
   virtual void Flow(double dt_s) = 0;
+  /// Lets the site's weather act until a time since the start of the run.
+  virtual void LetWeatherAct(TimeNs since_start_ns) = 0;
 
   virtual const TerrainSurface& surface() const = 0;
+  /// Every soil at every moisture that the run may give it; those that are shown come first.
   virtual const std::vector<SoilType>& soils() const = 0;
   virtual MassLedger ledger() const = 0;
 

@@ -6,11 +6,12 @@
 #include "own_folder.h"
 #include "render/gl/rasterizer_stage.h"
 #include "render/meshes/png_bytes.h"
+#include "render/rays/ray_scene.h"
 #include "sim/scenario/scenario_text.h"
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
 
-// A site of a textured mesh as a camera sees it: its ground and what stands on it.
+// Sites as cameras and lidars see them: a textured mesh and what stands on it, ground in the rain.
 
 namespace tera {
 namespace {
@@ -65,6 +66,56 @@ TEST(SiteMeshPicture, GroundAndWallShowTheirTexturesColours) {
   EXPECT_EQ(strongest_at(Vec3(-3, 3, 0), SemanticClass::kTerrain), 0);
   EXPECT_EQ(strongest_at(Vec3(3, 3, 0), SemanticClass::kTerrain), 1);
   EXPECT_EQ(strongest_at(Vec3(1, 6, 1.5), SemanticClass::kBarrier), 2);
+}
+
+// Saturated soil reflects half of what dry soil does to a lidar.
+TEST(GroundInTheRain, DarkensForCamerasAndLidars) {
+  const Config config = Config::FromText(
+      "name: t\nduration_s: 1\nsettle_s: 0\nenvironment: {rain_mmph: 12, cloud_cover: 1}\n"
+      "terrain: {size_m: [16, 16], cell_m: 0.1, soil: dirt, weather_before: [{hours: 9}]}\n"
+      "machines:\n  - {name: m, machine: tera:config/machines/tb235.yaml, start: {xy_m: [0, "
+      "-6]}, operator: {type: idle}}\n",
+      "s.yaml");
+  const Scenario scenario = ReadScenario(config.root());
+  config.Finish();
+  const Simulation simulation(scenario);
+  const SceneAssembly assembly(scenario);
+  const auto soil = MakeSoil(*scenario.site, 1);
+  Rasterizer rasterizer(assembly.model(), {});
+  RayScene rays(assembly.model());
+  SceneState state;
+  state.X_WB = assembly.BodyPoses(simulation.state());
+  state.terrain = &soil->surface();
+  const Pose X_WC = LookAt(Vec3(0, -2.5, 4), Vec3(0, 4.5, 0));
+  const Vec2 px = Pinhole().Project(X_WC.inverse() * Vec3(0, 3, 0));
+  struct Look {
+    double grey = 0, reflectance = 0, moisture = 0;
+  };
+  const auto look = [&] {
+    const CameraFrame frame = rasterizer.Render(Pinhole(), X_WC, state);
+    rays.Update({state.X_WB}, soil->surface());
+    Look seen;
+    for (int y = -5; y <= 5; ++y) {
+      for (int x = -5; x <= 5; ++x) {
+        for (int c = 0; c < 3; ++c) {
+          seen.grey += frame.rgb.at(static_cast<int>(px.x()) + x, static_cast<int>(px.y()) + y, c);
+        }
+      }
+    }
+    const Ray ray{.origin_W_m = {0.03f, 3.02f, 3}, .direction_W = {0, 0, -1}};
+    RayHit hit;
+    rays.Trace({&ray, 1}, {&hit, 1}, 1);
+    seen.reflectance = hit.reflectance;
+    seen.moisture = soil->surface().at(80, 110).cover.moisture / 255.0;
+    return seen;
+  };
+  const Look dry = look();
+  soil->LetWeatherAct(1'800'000'000'000);
+  const Look wet = look();
+  EXPECT_LT(wet.grey, 0.85 * dry.grey);
+  EXPECT_GT(wet.moisture, 0.8);
+  EXPECT_NEAR(wet.reflectance / dry.reflectance,
+              (1 - 0.5 * wet.moisture) / (1 - 0.5 * dry.moisture), 1e-3);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "soil_fixture.h"
@@ -38,7 +39,11 @@ struct Block {
   Block(const std::string& site, const Vec2& start_m, double yaw_rad = 0)
       : Block(site, start_m, yaw_rad, Tracks{}) {}
   Block(const std::string& site, const Vec2& start_m, double yaw_rad, const Tracks& tracks)
-      : soil(MakeGround(site)) {
+      : Block(MakeGround(site), start_m, yaw_rad, tracks) {}
+  Block(std::unique_ptr<Soil> ground, const Vec2& start_m, double yaw_rad = 0)
+      : Block(std::move(ground), start_m, yaw_rad, Tracks{}) {}
+  Block(std::unique_ptr<Soil> ground, const Vec2& start_m, double yaw_rad, const Tracks& tracks)
+      : soil(std::move(ground)) {
     GroundTools tools;
     for (const double y_m : {kGauge_m / 2, -kGauge_m / 2}) {
       RunningGear gear = tracks.nose_m > 0

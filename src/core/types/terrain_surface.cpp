@@ -85,6 +85,15 @@ float TerrainSurface::BaseHeight(int i, int j) const {
 }
 
 TerrainSurface::Vertex TerrainSurface::at(int i, int j) const {
+  Vertex vertex = AsSet(i, j);
+  if (Cover& cover = vertex.cover; cover.soil < wetness_.size()) {
+    const Wetness& wetness = wetness_[cover.soil];
+    cover.moisture = std::clamp(cover.moisture, wetness.least, wetness.most);
+  }
+  return vertex;
+}
+
+TerrainSurface::Vertex TerrainSurface::AsSet(int i, int j) const {
   const Slot slot = SlotOf(i, j);
   const std::int32_t block = block_of_[slot.tile];
   if (block >= 0) return blocks_[block][slot.local];
@@ -153,6 +162,12 @@ void TerrainSurface::Set(int i, int j, const Vertex& vertex) {
   blocks_[block_of_[slot.tile]][slot.local] = vertex;
 }
 
+void TerrainSurface::SetWetness(std::vector<Wetness> by_soil) {
+  if (by_soil == wetness_) return;
+  wetness_ = std::move(by_soil);
+  for (std::uint32_t& version : version_) ++version;
+}
+
 void TerrainSurface::Follow(const TerrainSurface& other) {
   const auto is_of = [&](const TerrainSurface& ground) {
     return static_cast<const TerrainGrid&>(*this) == ground && base_cells_ == ground.base_cells_ &&
@@ -163,6 +178,7 @@ void TerrainSurface::Follow(const TerrainSurface& other) {
     return;
   }
   grains_ = other.grains_;
+  wetness_ = other.wetness_;
   for (std::size_t tile = 0; tile < version_.size(); ++tile) {
     if (version_[tile] == other.version_[tile]) continue;
     version_[tile] = other.version_[tile];

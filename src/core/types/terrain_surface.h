@@ -42,7 +42,8 @@ struct TerrainGrid {
 ///         tile; plane triangles join these vertices. Setting a vertex refines every tile that
 ///         contains it, borders included. Refinement allocates the tile's own vertices and does not
 ///         change the surface. A tile's version grows with each change, so that readers refresh
-///         only dirty tiles.
+///         only dirty tiles. Weather wets and dries all ground alike: moisture that is set stays
+///         within the bounds of its soil's Wetness.
 class TerrainSurface : public TerrainGrid {
  public:
   /// Visible ground state at a vertex.
@@ -57,6 +58,12 @@ class TerrainSurface : public TerrainGrid {
     float height_m = 0;
     Cover cover;
     bool operator==(const Vertex&) const = default;
+  };
+
+  /// Least and greatest moisture that weather has left on the surface of a soil, as in Cover.
+  struct Wetness {
+    std::uint8_t least = 0, most = 255;
+    bool operator==(const Wetness&) const = default;
   };
 
   /// A clod in the air or rolling down a slope.
@@ -77,7 +84,10 @@ class TerrainSurface : public TerrainGrid {
   TerrainSurface(const TerrainGrid& grid, int base_cells, std::vector<float> base_height_m,
                  std::vector<Cover> tile_cover);
 
+  /// As it is seen.
   Vertex at(int i, int j) const;
+  /// As it was set, without what weather has done to its moisture since.
+  Vertex AsSet(int i, int j) const;
   float height_m(int i, int j) const;
   /// Height of the triangle mesh at (x, y) in W; outside the site, the nearest border value.
   double HeightAt(double x_m, double y_m) const;
@@ -91,6 +101,8 @@ class TerrainSurface : public TerrainGrid {
   void SetGrains(std::vector<Grain> grains) { grains_ = std::move(grains); }
 
   void Set(int i, int j, const Vertex& vertex);
+  /// Weather has come to this, by soil; ground of soils beyond the list keeps its moisture.
+  void SetWetness(std::vector<Wetness> by_soil);
   /// Becomes equal to `other`. Copies only the tiles whose versions differ if both represent the
   /// same initial ground, otherwise all tiles.
   void Follow(const TerrainSurface& other);
@@ -126,6 +138,7 @@ class TerrainSurface : public TerrainGrid {
   std::vector<std::int32_t> block_of_;  ///< one per tile; -1 while undisturbed
   std::deque<Block> blocks_;            ///< 100 MB on a large site; growth moves no block
   std::vector<Grain> grains_;
+  std::vector<Wetness> wetness_;
 };
 
 /// Number of base vertices along an axis of `n` vertices.

@@ -16,8 +16,4 @@ double SnowShare(const Weather& weather, const TerrainSurface::Cover& cover, dou
   return (1 - worked) * held * std::tanh(weather.snow_depth_m / (2.5 * kRoughness_m));
 }
 
-double SurfaceSaturation(const Weather& weather, double saturation) {
-  return weather.rain_mmph > 0 ? 1.0 : saturation;
-}
-
 }  // namespace tera

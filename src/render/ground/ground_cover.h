@@ -17,9 +17,6 @@ namespace tera {
 ///         Handbook, 2006).
 double SnowShare(const Weather& weather, const TerrainSurface::Cover& cover, double normal_z);
 
-/// Degree of saturation of the surface; rain saturates it.
-double SurfaceSaturation(const Weather& weather, double saturation);
-
 /// Albedo of fresh snow by colour, and its reflectance at 905 nm.
 ///
 /// Source  Warren 1982, "Optical properties of snow", Rev. Geophys. 20, figures 1 and 11.

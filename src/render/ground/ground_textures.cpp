@@ -142,7 +142,7 @@ void GroundTextures::PaintTexel(int i, int j, float sky) {
   const TerrainSurface::Cover cover = cover_[heights_.index(i, j)];
   const SoilAppearance& soil = soils_[std::min<std::size_t>(cover.soil, soils_.size() - 1)];
   const bool is_water = IsUnderWater(heights_.index(i, j));
-  const double saturation = is_water ? 1.0 : SurfaceSaturation(weather_, cover.moisture / 255.0);
+  const double saturation = is_water ? 1.0 : cover.moisture / 255.0;
   const double loose = cover.looseness / 255.0;
   const double rut = cover.rut / 255.0;
   const double tone = SoilTone(saturation, loose) * (1 - kRutDarker * rut);

@@ -67,6 +67,7 @@ void TerrainRenderer::Update(const TerrainSurface& terrain) {
   }
   UploadTiles(terrain, changed);
   textures_.Update(terrain, changed, workers_);
+  if (weather_.rain_mmph > 0) apron_tone_ = SoilTone(terrain.at(0, 0).cover.moisture / 255.0, 0);
   if (border) apron_.Update(terrain);
 }
 
@@ -126,8 +127,7 @@ void TerrainRenderer::DrawApron(const View& view) const {
   apron_program_.Set("u_site_low_W", Eigen::Vector2f(low_W_m.cast<float>()));
   apron_program_.Set("u_site_high_W", Eigen::Vector2f(high_W_m.cast<float>()));
   const TerrainSurface::Cover undisturbed;
-  const double wet = weather_.rain_mmph > 0 ? SoilTone(1, 0) : 1.0;
-  apron_program_.Set("u_tone", static_cast<float>(std::sqrt(wet)));
+  apron_program_.Set("u_tone", static_cast<float>(std::sqrt(apron_tone_)));
   apron_program_.Set("u_snow", static_cast<float>(SnowShare(weather_, undisturbed, 1)));
   apron_program_.Set("u_snow_root", Eigen::Vector3f(kSnowAlbedo.cwiseSqrt().cast<float>()));
   apron_.Draw();

@@ -60,6 +60,7 @@ class TerrainRenderer {
   GlObject detail_;
   GroundTextures textures_;
   Apron apron_;
+  double apron_tone_ = 1;  ///< darker in rain, as the ground at its border
   Vec3 to_sun_W_;
   Program ground_program_{"terrain.vert", "terrain.frag"};
   Program apron_program_{"apron.vert", "apron.frag"};

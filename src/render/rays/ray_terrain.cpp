@@ -10,7 +10,6 @@ namespace {
 
 /// Fraction of its dry reflectance that a saturated soil keeps.
 constexpr double kSaturatedReflectance = 0.5;
-constexpr double kSaturated = 255;  ///< saturation in a cover
 
 float* Vertices(RTCGeometry geometry) {
   return static_cast<float*>(rtcGetGeometryBufferData(geometry, RTC_BUFFER_TYPE_VERTEX, 0));
@@ -75,7 +74,7 @@ float RayTerrain::Reflectance(std::uint8_t soil, double saturation) const {
 /// Reflectance of the ground at a vertex, including weather.
 float RayTerrain::ReflectanceAt(const TerrainSurface& terrain, int i, int j) const {
   const TerrainSurface::Cover cover = terrain.at(i, j).cover;
-  const float bare = Reflectance(cover.soil, weather_.rain_mmph > 0 ? kSaturated : cover.moisture);
+  const float bare = Reflectance(cover.soil, cover.moisture);
   if (weather_.snow_depth_m <= 0) return bare;
   const Vec3 normal_W = terrain.NormalAt(terrain.x_m(i), terrain.y_m(j));
   const auto snow = static_cast<float>(SnowShare(weather_, cover, normal_W.z()));

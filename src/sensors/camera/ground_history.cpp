@@ -18,7 +18,7 @@ void GroundHistory::NoteTile(const TerrainSurface& ground, int a, int b) {
   for (int j = 0; j < kVertices && b * kCells + j < ground.ny; ++j) {
     for (int i = 0; i < kVertices && a * kCells + i < ground.nx; ++i) {
       const int x = a * kCells + i, y = b * kCells + j;
-      if (ground.at(x, y) != now_->at(x, y)) touched_ns[j * kVertices + i] = t_ns_;
+      if (ground.AsSet(x, y) != now_->AsSet(x, y)) touched_ns[j * kVertices + i] = t_ns_;
     }
   }
 }

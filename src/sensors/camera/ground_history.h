@@ -12,7 +12,8 @@ namespace tera {
 ///
 /// Frames  W.
 /// Model   the nearest vertex supplies the cover; the height change applies to the surface at the
-///         point. A vertex is touched if its height or cover changes between images.
+///         point. A vertex is touched if its height or cover is set between images; weather touches
+///         nothing.
 class GroundHistory {
  public:
   struct State {

@@ -285,6 +285,19 @@ Sling ReadSling(const ConfigMap& config, const Scenario& scenario) {
   return sling;
 }
 
+/// Lets the run's weather act on the ground. The surface is wet from the start, unless the weather
+/// before says how it was.
+void LetWeatherAct(const ConfigMap& config, const Weather& weather, Site* site) {
+  if (weather.rain_mmph <= 0 && weather.evaporation_mmpd <= 0) return;
+  const bool is_wet = !config.Map("terrain").Has("weather_before");
+  if (site->LetWeatherAct({0, weather.rain_mmph, weather.evaporation_mmpd}, is_wet)) return;
+  config.Map("environment")
+      .Fault(weather.rain_mmph > 0 ? "rain_mmph" : "evaporation_mmpd",
+             {FaultKind::kOutOfRange,
+              "changes more kinds of soil than there is room for, 255; need fewer soils, or no "
+              "weather during the run"});
+}
+
 /// The site's origin: from the scenario, else from the terrain's GeoTIFF, else a default.
 SiteOrigin ReadOrigin(const ConfigMap& config, const Site& terrain) {
   SiteOrigin origin = kDefaultOrigin;
@@ -362,6 +375,7 @@ Scenario ReadScenario(const ConfigMap& config) {
     CheckCells(config.Map("terrain"), scenario.machines.back().placement.model, site);
   }
   PlaceOnGround(&site, &scenario.machines);
+  LetWeatherAct(config, scenario.environment.weather, &site);
   scenario.site = std::make_shared<const Site>(std::move(site));
   for (const ConfigMap& obstacle : config.List("obstacles")) {
     scenario.obstacles.push_back(ReadObstacle(obstacle, wear));

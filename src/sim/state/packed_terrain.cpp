@@ -76,7 +76,7 @@ void TerrainPacker::Add(const TerrainChange& change, const TerrainSurface& known
   for (const TerrainChange::At& at : change.vertices) {
     const std::int64_t next = PlaceOf(known, at.i, at.j);
     AppendNumber(ZigZag(next - std::exchange(place, next)), &Of(TerrainStream::kPlaces));
-    const TerrainSurface::Vertex before = known.at(at.i, at.j);
+    const TerrainSurface::Vertex before = known.AsSet(at.i, at.j);
     add_rest(TerrainStream::kHeights0,
              std::int64_t{OrderedBits(at.vertex.height_m)} - OrderedBits(before.height_m));
     const std::uint32_t cover = BitsOf(at.vertex.cover) ^ BitsOf(before.cover);
@@ -181,7 +181,7 @@ bool TerrainUnpacker::NextVertex(const TerrainSurface& known, std::int64_t* plac
   TerrainChange::At at{
       static_cast<int>(*place % known.nx), static_cast<int>(*place / known.nx), {}};
   if (!Rest32(TerrainStream::kHeights0, &rest)) return false;
-  const TerrainSurface::Vertex before = known.at(at.i, at.j);
+  const TerrainSurface::Vertex before = known.AsSet(at.i, at.j);
   at.vertex.height_m = FromOrderedBits(
       static_cast<std::int32_t>(static_cast<std::uint32_t>(OrderedBits(before.height_m) + rest)));
   std::uint32_t cover = 0;

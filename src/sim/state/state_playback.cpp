@@ -30,7 +30,8 @@ StatePlayback::StatePlayback(const Scenario& scenario, const std::string& resolv
       file_(file),
       series_(StateColumns(scenario)),
       columns_(StateColumns(scenario)),
-      ground_(scenario.site->surface()) {
+      ground_(scenario.site->surface()),
+      weather_(scenario.site->weather()) {
   if (file_.header() != StateHeader(resolved_yaml, columns_)) {
     Fail("was kept of another scenario, or by another version of TERA");
   }
@@ -60,6 +61,7 @@ void StatePlayback::Advance(double dt_s) {
   TerrainChange change;
   if (!terrain_.Next(ground_, &change)) Fail("is damaged");
   Apply(change, &ground_);
+  if (weather_ && weather_->Advance(state_.t_ns)) ground_.SetWetness(weather_->wetness());
 }
 
 bool StatePlayback::LoadBlock() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,7 @@ class StatePlayback {
   std::int64_t step_ = 0;
   Instant previous_, state_;
   TerrainSurface ground_;
+  std::optional<GroundWeather> weather_;
 };
 
 }  // namespace tera

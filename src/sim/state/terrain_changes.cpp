@@ -31,8 +31,8 @@ void TerrainTracker::CompareTile(const TerrainSurface& now, int a, int b,
   const int j_end = b == now.tiles_y() - 1 ? now.ny : (b + 1) * kCells;
   for (int j = b * kCells; j < j_end; ++j) {
     for (int i = a * kCells; i < i_end; ++i) {
-      const TerrainSurface::Vertex vertex = now.at(i, j);
-      if (vertex != known_.at(i, j)) change->vertices.push_back({i, j, vertex});
+      const TerrainSurface::Vertex vertex = now.AsSet(i, j);
+      if (vertex != known_.AsSet(i, j)) change->vertices.push_back({i, j, vertex});
     }
   }
 }

@@ -7,6 +7,7 @@
 #include "core/check.h"
 #include "core/units.h"
 #include "soil/columns/soil_type.h"
+#include "soil/columns/soil_water.h"
 
 namespace tera {
 namespace {
@@ -17,16 +18,52 @@ constexpr double kRutOfContact = 0.35;  ///< share of the rut's look that a mere
 constexpr int kCells = TerrainGrid::kTileCells;
 constexpr std::size_t kAhead = 6;  ///< so many columns before its turn one is fetched from memory
 
+/// Water that ground has gained between two depths, as a height.
+double GainedBetween_m(const std::vector<Columns::Gained>& gained, double top_m, double bottom_m) {
+  double sum_m = 0, above_m = 0;
+  for (const Columns::Gained& slice : gained) {
+    const double shared_m = std::min(bottom_m, slice.bottom_m) - std::max(top_m, above_m);
+    if (shared_m > 0) sum_m += slice.water_m * shared_m / (slice.bottom_m - above_m);
+    above_m = slice.bottom_m;
+  }
+  return sum_m;
+}
+
+/// Lets a column's layers take up what ground as deep has gained.
+void WetLayers(const SoilKinds& kinds, const std::vector<Columns::Gained>& gained, Column* c) {
+  constexpr double kWater_kgpm3 = 1000;
+  double top_m = 0;
+  for (int n = c->layer_count - 1; n >= 0; --n) {
+    SoilLayer& layer = c->layers[n];
+    const double bottom_m = top_m + layer.thickness_m;
+    const SoilWater& water = kinds.soils()[layer.soil].water;
+    const double moisture = layer.moisture;
+    const double pores_m =
+        layer.thickness_m > 0 ? layer.thickness_m * Porosity(layer.density_kgpm3(), moisture) : 0;
+    if (water.holds() && pores_m > 0) {
+      const double was_m = moisture * pores_m;
+      const double least_m = std::min(was_m, water.residual * pores_m);
+      const double is_m = std::clamp(was_m + GainedBetween_m(gained, top_m, bottom_m), least_m,
+                                     std::max(was_m, pores_m));
+      layer.kgpm2 += kWater_kgpm3 * (is_m - was_m);
+      layer.moisture = static_cast<float>(is_m / pores_m);
+      layer.soil = kinds.At(layer.soil, is_m / pores_m);
+    }
+    top_m = bottom_m;
+  }
+}
+
 std::uint8_t Byte(double share) {
   return static_cast<std::uint8_t>(255 * std::clamp(share, 0.0, 1.0) + 0.5);
 }
 
 }  // namespace
 
-Columns::Columns(UndisturbedGround ground, std::vector<SoilType> soils)
+Columns::Columns(UndisturbedGround ground, SoilKinds kinds)
     : ground_(std::make_shared<const UndisturbedGround>(std::move(ground))),
+      profiles_(ground_->profiles),
       surface_(SurfaceOf(*ground_)),
-      soils_(std::move(soils)),
+      kinds_(std::move(kinds)),
       chunk_of_tile_(surface_.tile_count(), -1),
       cells_per_m_(1 / surface_.cell_m),
       area_m2_(surface_.cell_m * surface_.cell_m) {}
@@ -53,7 +90,7 @@ void Columns::MarkStart() {
   for (const Chunk& chunk : chunks_) {
     start_.emplace_back();
     for (const Column& c : chunk.columns) {
-      start_.back().push_back({c.top_m - c.ground_m, c.Gain_kgpm2(ground_->profiles[c.profile])});
+      start_.back().push_back({c.top_m - c.ground_m, c.Gain_kgpm2(profiles_[c.profile])});
     }
   }
 }
@@ -62,7 +99,7 @@ Columns::Change Columns::ChangeAt(int i, int j) const {
   const ColumnId k = IdAt(i, j);
   if (k == kNone) return {};
   const Column& c = at(k);
-  Change change{c.top_m - c.ground_m, c.Gain_kgpm2(ground_->profiles[c.profile])};
+  Change change{c.top_m - c.ground_m, c.Gain_kgpm2(profiles_[c.profile])};
   const std::size_t chunk = k >> kTileBits;
   if (chunk < start_.size()) {
     const Change& before = start_[chunk][k & kLocalMask];
@@ -70,6 +107,16 @@ Columns::Change Columns::ChangeAt(int i, int j) const {
     change.kgpm2 -= before.kgpm2;
   }
   return change;
+}
+
+bool Columns::IsAllBelow(const Box& box, double z_m) const {
+  for (int b = box.j0 / kCells; b <= std::min(box.j1 / kCells, surface_.tiles_y() - 1); ++b) {
+    for (int a = box.i0 / kCells; a <= std::min(box.i1 / kCells, surface_.tiles_x() - 1); ++a) {
+      const std::int32_t n = chunk_of_tile_[surface_.tile_index(a, b)];
+      if (n < 0 || chunks_[n].ceiling_m >= z_m) return false;
+    }
+  }
+  return true;
 }
 
 ColumnId Columns::Touch(int i, int j) {
@@ -119,7 +166,7 @@ void Columns::RefreshSkin(ColumnId k) {
   skin.pressed_m = c.pressed_m;
   skin.soil = c.layer_count > 0 ? c.top_layer()->soil : BankOf(k).soil;
   skin.is_loose = c.is_loose();
-  skin.firmness = static_cast<float>(FirmnessOf(c, soils_));
+  skin.firmness = static_cast<float>(FirmnessOf(c, soils()));
 }
 
 Columns::Place Columns::PlaceOf(ColumnId k) const {
@@ -136,7 +183,7 @@ double Columns::TopAt(int i, int j) const {
 std::uint8_t Columns::SoilAt(int i, int j) const {
   const ColumnId k = IdAt(i, j);
   if (k != kNone) return skin(k).soil;
-  return ground_->profiles[ground_->ProfileAt(Vec2(x_m(i), y_m(j)))].strata().front().soil;
+  return profiles_[ground_->ProfileAt(Vec2(x_m(i), y_m(j)))].strata().front().soil;
 }
 
 /// SampleAt where columns of several tiles, or none, stand around.
@@ -189,7 +236,7 @@ Vec3 Columns::NormalAt(double x, double y) const {
 
 const Stratum& Columns::BankOf(ColumnId k) const {
   const Column& c = at(k);
-  return ground_->profiles[c.profile].Below(c.ground_m - c.bank_m);
+  return profiles_[c.profile].Below(c.ground_m - c.bank_m);
 }
 
 void Columns::Raise(const RaisedGround& raised) {
@@ -309,6 +356,26 @@ void Columns::Break(ColumnId k, double thickness_m) {
   Deposit(k, broken);
 }
 
+void Columns::TakeUp(Water water) {
+  std::swap(profiles_, water.profiles);
+  const std::vector<GroundProfile>& before = water.profiles;
+  for (std::size_t n = 0; n < chunks_.size(); ++n) {
+    for (std::size_t local = 0; local < chunks_[n].columns.size(); ++local) {
+      Column& c = chunks_[n].columns[local];
+      const auto k = static_cast<ColumnId>(n << kTileBits | local);
+      if (c.layer_count == 0 && c.bank_m == c.ground_m) {
+        SkinOf(k).soil = BankOf(k).soil;
+        continue;
+      }
+      const double before_kgpm2 = c.Gain_kgpm2(before[c.profile]);
+      WetLayers(kinds_, water.gained[c.profile], &c);
+      water_kg_ += (c.Gain_kgpm2(profiles_[c.profile]) - before_kgpm2) * area_m2_;
+      RefreshSkin(k);
+      NoteChange(k);  // what has lost strength may now slide
+    }
+  }
+}
+
 void Columns::MarkRut(ColumnId k) { ShowRut(k, kRutOfContact); }
 
 void Columns::Load(const std::vector<ColumnId>& columns, double pressure_pa) {
@@ -332,7 +399,7 @@ Columns::Gain Columns::GroundGain() const {
   for (const Chunk& chunk : chunks_) {
     Gain of_chunk;  // apart, to keep the sums small
     for (const Column& c : chunk.columns) {
-      const double gain_kg = c.Gain_kgpm2(ground_->profiles[c.profile]) * area_m2_;
+      const double gain_kg = c.Gain_kgpm2(profiles_[c.profile]) * area_m2_;
       of_chunk.net_kg += gain_kg;
       of_chunk.gained_kg += std::max(0.0, gain_kg);
     }
@@ -347,13 +414,16 @@ std::vector<ColumnId> Columns::TakeChanged() {
   return std::exchange(changed_, {});
 }
 
+void Columns::NoteChange(ColumnId k) {
+  std::uint8_t& is_changed = chunks_[k >> kTileBits].is_changed[k & kLocalMask];
+  if (is_changed) return;
+  is_changed = 1;
+  changed_.push_back(k);
+}
+
 /// Its rut looks at least as fresh as `rut`.
 void Columns::Changed(ColumnId k, double rut) {
-  std::uint8_t& is_changed = chunks_[k >> kTileBits].is_changed[k & kLocalMask];
-  if (!is_changed) {
-    is_changed = 1;
-    changed_.push_back(k);
-  }
+  NoteChange(k);
   RefreshSkin(k);
   Skin& skin = SkinOf(k);
   const Column& c = at(k);
@@ -362,7 +432,7 @@ void Columns::Changed(ColumnId k, double rut) {
   skin.rut = std::max(skin.rut, Byte(rut));
   TerrainSurface::Vertex vertex;
   vertex.height_m = static_cast<float>(c.top_m);
-  vertex.cover.soil = skin.soil;
+  vertex.cover.soil = kinds_.Shown(skin.soil);
   vertex.cover.moisture = Byte(c.layer_count > 0 ? c.top_layer()->moisture : BankOf(k).moisture);
   vertex.cover.looseness = Byte(skin.loose_m / kLooseShown_m);
   vertex.cover.rut = skin.rut;
@@ -375,7 +445,7 @@ void Columns::ShowRut(ColumnId k, double rut) {
   if (Byte(rut) <= skin.rut) return;
   skin.rut = Byte(rut);
   const Place place = PlaceOf(k);
-  TerrainSurface::Vertex vertex = surface_.at(place.i, place.j);
+  TerrainSurface::Vertex vertex = surface_.AsSet(place.i, place.j);
   vertex.cover.rut = skin.rut;
   surface_.Set(place.i, place.j, vertex);
 }

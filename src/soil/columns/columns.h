@@ -9,6 +9,7 @@
 
 #include "core/types/terrain_surface.h"
 #include "soil/columns/column.h"
+#include "soil/columns/soil_kinds.h"
 #include "soil/columns/spoil.h"
 #include "soil/columns/undisturbed_ground.h"
 #include "soil/soil.h"
@@ -24,10 +25,12 @@ using ColumnId = std::uint32_t;
 /// Model   Only tiles in which something has happened have columns of their own; elsewhere the
 ///         ground is what UndisturbedGround says, which copies share. Every operation moves mass:
 ///         from one column to another, to a tool, or over the border of the site (outside_kg).
-/// Omits   moisture that moves.
+/// Omits   moisture that moves by itself; see TakeUp.
 class Columns {
  public:
-  Columns(UndisturbedGround ground, std::vector<SoilType> soils);
+  Columns(UndisturbedGround ground, std::vector<SoilType> soils)
+      : Columns(std::move(ground), SoilKinds(std::move(soils))) {}
+  Columns(UndisturbedGround ground, SoilKinds kinds);
 
   const TerrainGrid& grid() const { return surface_; }
   int nx() const { return surface_.nx; }
@@ -89,6 +92,14 @@ class Columns {
     return square.chunk != nullptr && p_W_m.z() > square.chunk->ceiling_m;
   }
 
+  /// Columns of a rectangle, both ends among them.
+  struct Box {
+    int i0, j0, i1, j1;
+    bool operator==(const Box&) const = default;
+  };
+  /// Whether all tiles of the columns in `box` have never held anything as high as `z_m`.
+  bool IsAllBelow(const Box& box, double z_m) const;
+
   /// Gives the tile of column (i, j) columns of its own. References stay good.
   ColumnId Touch(int i, int j);
   struct Place {
@@ -138,12 +149,35 @@ class Columns {
 
   const UndisturbedGround& undisturbed() const { return *ground_; }
   const TerrainSurface& surface() const { return surface_; }
-  const std::vector<SoilType>& soils() const { return soils_; }
+  const SoilKinds& kinds() const { return kinds_; }
+  const std::vector<SoilType>& soils() const { return kinds_.soils(); }
   std::uint8_t soil_at(ColumnId k) const { return skin(k).soil; }
   /// Strata of a column's undisturbed soil.
-  const GroundProfile& ProfileOf(ColumnId k) const { return ground_->profiles[at(k).profile]; }
+  const GroundProfile& ProfileOf(ColumnId k) const { return profiles_[at(k).profile]; }
+  /// Of the undisturbed ground as it is now.
+  const std::vector<GroundProfile>& profiles() const { return profiles_; }
   /// Stratum of the undisturbed soil at the top of a column's bank.
   const Stratum& BankOf(ColumnId k) const;
+
+  /// Adds the kinds of soil that weather may make; false if there is no room for them.
+  bool AddHiddenKinds() { return kinds_.AddHidden(); }
+  /// Water that the ground has gained, as a height, between the last depth and this one.
+  struct Gained {
+    double bottom_m, water_m;
+  };
+  /// What weather makes of undisturbed ground, by profile.
+  struct Water {
+    std::vector<GroundProfile> profiles;
+    std::vector<std::vector<Gained>> gained;
+  };
+  /// Takes up water. Layers gain what undisturbed ground of their profile gains as deep below its
+  /// surface, as far as their pores hold or give it; what is cut free stays as it was.
+  void TakeUp(Water water);
+  void SetWetness(std::vector<TerrainSurface::Wetness> wetness) {
+    surface_.SetWetness(std::move(wetness));
+  }
+  /// Mass of what columns have gained that TakeUp brought, or took from them.
+  double water_kg() const { return water_kg_; }
 
   /// Raises the undisturbed ground: no soil is moved from elsewhere.
   void Raise(const RaisedGround& raised);
@@ -198,15 +232,12 @@ class Columns {
   void Load(const std::vector<ColumnId>& columns, double pressure_pa);
   bool IsPropped(ColumnId k) const { return IsBlocked(k) && skin(k).load_pa == 0; }
   /// Columns around what has been loaded since the last call.
-  struct Box {
-    int i0, j0, i1, j1;
-    bool operator==(const Box&) const = default;
-  };
   std::vector<Box> TakeLoaded() { return std::exchange(loaded_, {}); }
   void Unblock(ColumnId k);
 
   /// Shows soil in the air.
   void ShowGrains(std::vector<TerrainSurface::Grain> grains) {
+    for (TerrainSurface::Grain& grain : grains) grain.soil = kinds_.Shown(grain.soil);
     surface_.SetGrains(std::move(grains));
   }
 
@@ -269,22 +300,25 @@ class Columns {
   void Unfold(int a, int b);
   void RefreshSkin(ColumnId k);
   ColumnMaterial MaterialOf(const Column& c) const {
-    return {ground_->profiles[c.profile], soils_, area_m2_};
+    return {profiles_[c.profile], kinds_.soils(), area_m2_};
   }
+  void NoteChange(ColumnId k);
   void Changed(ColumnId k, double rut = 0);
   void ChangesLater(ColumnId k);
   void Fetch(ColumnId k) const;
   void ShowRut(ColumnId k, double rut);
 
   std::shared_ptr<const UndisturbedGround> ground_;
+  std::vector<GroundProfile> profiles_;
   TerrainSurface surface_;
-  std::vector<SoilType> soils_;
+  SoilKinds kinds_;
   std::vector<Chunk> chunks_;
   std::vector<std::int32_t> chunk_of_tile_;  ///< -1 where nothing has happened
   std::vector<std::vector<Change>> start_;   ///< of each chunk that was there at MarkStart
   double cells_per_m_ = 0;
   double area_m2_ = 0;
   double outside_kg_ = 0;
+  double water_kg_ = 0;
   std::vector<ColumnId> changed_;
   std::vector<Box> loaded_;
   struct Arrival {

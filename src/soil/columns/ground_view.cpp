@@ -129,7 +129,7 @@ std::optional<SoilSample> SampleBelow(const Columns& columns, double x_m, double
   const double z_m = column.top_m - depth_m;
   constexpr double kReach_m = 1e-6;  // below z, so that there is a piece
   std::optional<SoilSample> sample;
-  ForPieces(column, columns.undisturbed().profiles[column.profile], z_m - kReach_m,
+  ForPieces(column, columns.profiles()[column.profile], z_m - kReach_m,
             [&](const SoilPiece& piece) {
               if (sample || piece.bottom_m >= z_m) return;
               const SoilType& soil = columns.soils()[piece.soil];
@@ -171,7 +171,7 @@ SoilVoxels CutIntoCubes(const Columns& columns, const VoxelBox& box) {
         const int j = j0 + b * box.columns + n / box.columns;
         if (!columns.Contains(i, j)) continue;
         const Column column = columns.ColumnAt(i, j);
-        ForPieces(column, columns.undisturbed().profiles[column.profile], voxels.low_W_m.z(),
+        ForPieces(column, columns.profiles()[column.profile], voxels.low_W_m.z(),
                   [&](const SoilPiece& piece) { stack.Add(piece, columns.area_m2()); });
       }
       for (int k = 0; k < voxels.nz; ++k) stack.Store(k, voxels.index(a, b, k), &voxels);

@@ -70,7 +70,7 @@ double ColumnValues::At(int i, int j) const {
   }
   if (raster_ == GroundRaster::kChange) return columns_.ChangeAt(i, j).height_m;
   if (raster_ == GroundRaster::kMassChange) return columns_.ChangeAt(i, j).kgpm2;
-  const auto& profiles = columns_.undisturbed().profiles;
+  const auto& profiles = columns_.profiles();
   const int quiet = profile_of_tile_[TileOf(i, j)];
   if (raster_ == GroundRaster::kSoilClass) {
     return quiet >= 0 ? profiles[quiet].strata().front().soil : columns_.SoilAt(i, j);

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <utility>
 
 #include "soil/columns/soil_water.h"
 
@@ -16,20 +13,10 @@ constexpr double kLongestStep_s = 60, kCourant = 0.25;
 constexpr double kFieldSuction_m = 3.37;  ///< 33 kPa
 constexpr double kFreely = 0.75;          ///< of field capacity
 constexpr double kOneStratum = 0.03;      ///< slices of less difference in moisture
-constexpr double kKinds_1 = 100;          ///< steps of moisture between kinds of one soil
 constexpr double kRainWater_kgpm3 = 1000;
-constexpr std::size_t kMostKinds = 255;
 
-struct Slice {
-  Stratum soil;
-  double thickness_m, capacity_m, water_m;  ///< water as heights
-  double out_m = 0;
-
-  double moisture() const { return capacity_m > 0 ? water_m / capacity_m : soil.moisture; }
-};
-
-std::vector<Slice> SlicesOf(const GroundProfile& profile) {
-  std::vector<Slice> slices;
+std::vector<WaterSlice> SlicesOf(const GroundProfile& profile, const std::vector<SoilType>& soils) {
+  std::vector<WaterSlice> slices;
   double top_m = 0;
   for (const Stratum& stratum : profile.strata()) {
     if (top_m >= kDeepest_m) break;
@@ -39,53 +26,43 @@ std::vector<Slice> SlicesOf(const GroundProfile& profile) {
     const auto moisture = static_cast<double>(stratum.moisture);
     const double capacity_m = thickness_m * Porosity(stratum.density_kgpm3, moisture);
     for (int n = 0; n < count; ++n) {
-      slices.push_back({stratum, thickness_m, capacity_m, moisture * capacity_m});
+      slices.push_back(
+          {stratum, soils[stratum.soil].water, thickness_m, capacity_m, moisture * capacity_m});
     }
     top_m = bottom_m;
   }
   return slices;
 }
 
-class Seepage {
- public:
-  Seepage(const std::vector<SoilType>& soils, const GroundProfile& profile)
-      : soils_(soils), slices_(SlicesOf(profile)) {
-    for (const Slice& slice : slices_) {
-      const double most_mps = Water(slice).conductivity_mps;
-      if (most_mps > 0 && slice.capacity_m > 0)
-        step_s_ = std::min(step_s_, kCourant * slice.capacity_m / most_mps);
-    }
-  }
+/// What can leave a slice.
+double Mobile_m(const WaterSlice& slice) {
+  return std::max(0.0, slice.water_m - slice.water.residual * slice.capacity_m);
+}
 
-  void Run(const WeatherSpell& spell) {
-    constexpr double kHour_s = 3600, kDay_s = 86400, kMm = 1e-3;
-    const auto count = static_cast<std::int64_t>(std::ceil(spell.hours * kHour_s / step_s_));
-    const double dt_s = spell.hours * kHour_s / static_cast<double>(count);
-    for (std::int64_t k = 0; k < count; ++k) {
-      Step(spell.rain_mmph * kMm / kHour_s * dt_s, spell.evaporation_mmpd * kMm / kDay_s * dt_s,
-           dt_s);
-    }
-  }
-  const std::vector<Slice>& slices() const { return slices_; }
-  const WaterBalance& balance() const { return balance_; }
+}  // namespace
 
- private:
-  const SoilWater& Water(const Slice& slice) const { return soils_[slice.soil.soil].water; }
-  /// What can leave a slice.
-  double Mobile_m(const Slice& slice) const {
-    return std::max(0.0, slice.water_m - Water(slice).residual * slice.capacity_m);
+Seepage::Seepage(const std::vector<SoilType>& soils, const GroundProfile& profile)
+    : before_(profile), slices_(SlicesOf(profile, soils)), step_s_(kLongestStep_s) {
+  for (const WaterSlice& slice : slices_) {
+    const double most_mps = slice.water.conductivity_mps;
+    if (most_mps > 0 && slice.capacity_m > 0)
+      step_s_ = std::min(step_s_, kCourant * slice.capacity_m / most_mps);
   }
-  void Step(double rain_m, double evaporation_m, double dt_s);
+}
 
-  const std::vector<SoilType>& soils_;
-  std::vector<Slice> slices_;
-  double step_s_ = kLongestStep_s;
-  WaterBalance balance_;
-};
+void Seepage::Run(const WeatherSpell& spell) {
+  constexpr double kHour_s = 3600, kDay_s = 86400, kMm = 1e-3;
+  const auto count = static_cast<std::int64_t>(std::ceil(spell.hours * kHour_s / step_s_));
+  const double dt_s = spell.hours * kHour_s / static_cast<double>(count);
+  for (std::int64_t k = 0; k < count; ++k) {
+    Step(spell.rain_mmph * kMm / kHour_s * dt_s, spell.evaporation_mmpd * kMm / kDay_s * dt_s,
+         dt_s);
+  }
+}
 
 void Seepage::Step(double rain_m, double evaporation_m, double dt_s) {
-  Slice& top = slices_.front();
-  if (const SoilWater& water = Water(top); water.holds() && evaporation_m > 0) {
+  WaterSlice& top = slices_.front();
+  if (const SoilWater& water = top.water; water.holds() && evaporation_m > 0) {
     const double freely = kFreely * (MoistureAt(water, kFieldSuction_m) - water.residual);
     const double share = std::min(1.0, (top.moisture() - water.residual) / freely);
     const double gone_m = std::min(Mobile_m(top), std::max(0.0, share) * evaporation_m);
@@ -93,22 +70,21 @@ void Seepage::Step(double rain_m, double evaporation_m, double dt_s) {
     balance_.evaporated_m += gone_m;
     balance_.stored_m -= gone_m;
   }
-  for (Slice& slice : slices_) {
-    slice.out_m =
-        std::min(Mobile_m(slice), Conductivity_mps(Water(slice), slice.moisture()) * dt_s);
+  for (WaterSlice& slice : slices_) {
+    slice.out_m = std::min(Mobile_m(slice), Conductivity_mps(slice.water, slice.moisture()) * dt_s);
   }
-  const auto room_m = [](const Slice& slice) {
+  const auto room_m = [](const WaterSlice& slice) {
     return std::max(0.0, slice.capacity_m - slice.water_m + slice.out_m);
   };
   for (std::size_t n = slices_.size() - 1; n > 0; --n) {
-    const bool takes = Water(slices_[n]).holds();
+    const bool takes = slices_[n].water.holds();
     slices_[n - 1].out_m = takes ? std::min(slices_[n - 1].out_m, room_m(slices_[n])) : 0;
   }
-  double in_m = Water(top).holds() ? std::min(rain_m, room_m(top)) : 0;
+  double in_m = top.water.holds() ? std::min(rain_m, room_m(top)) : 0;
   balance_.rained_m += rain_m;
   balance_.ran_off_m += rain_m - in_m;
   balance_.stored_m += in_m;
-  for (Slice& slice : slices_) {
+  for (WaterSlice& slice : slices_) {
     slice.water_m += in_m - slice.out_m;
     in_m = slice.out_m;
   }
@@ -116,21 +92,19 @@ void Seepage::Step(double rain_m, double evaporation_m, double dt_s) {
   balance_.stored_m -= in_m;
 }
 
-/// Strata of slices, of which neighbours of one stratum and about one moisture are joined; below
-/// them the profile goes on.
-GroundProfile ProfileOf(const std::vector<Slice>& slices, const GroundProfile& before) {
+GroundProfile Seepage::Profile() const {
   std::vector<Stratum> strata;
   double bottom_m = 0;
-  for (std::size_t n = 0; n < slices.size();) {
-    Slice joined = slices[n];
+  for (std::size_t n = 0; n < slices_.size();) {
+    WaterSlice joined = slices_[n];
     const double first = joined.moisture();
     std::size_t next = n + 1;
-    for (; next < slices.size() && slices[next].soil.bottom_m == joined.soil.bottom_m &&
-           std::abs(slices[next].moisture() - first) < kOneStratum;
+    for (; next < slices_.size() && slices_[next].soil.bottom_m == joined.soil.bottom_m &&
+           std::abs(slices_[next].moisture() - first) < kOneStratum;
          ++next) {
-      joined.thickness_m += slices[next].thickness_m;
-      joined.capacity_m += slices[next].capacity_m;
-      joined.water_m += slices[next].water_m;
+      joined.thickness_m += slices_[next].thickness_m;
+      joined.capacity_m += slices_[next].capacity_m;
+      joined.water_m += slices_[next].water_m;
     }
     const double was_m = static_cast<double>(joined.soil.moisture) * joined.capacity_m;
     bottom_m += joined.thickness_m;
@@ -138,25 +112,23 @@ GroundProfile ProfileOf(const std::vector<Slice>& slices, const GroundProfile& b
     stratum.density_kgpm3 += kRainWater_kgpm3 * (joined.water_m - was_m) / joined.thickness_m;
     stratum.moisture = static_cast<float>(joined.moisture());
     const bool ends_stratum =
-        next == slices.size() || slices[next].soil.bottom_m != joined.soil.bottom_m;
+        next == slices_.size() || slices_[next].soil.bottom_m != joined.soil.bottom_m;
     stratum.bottom_m = ends_stratum ? std::min(joined.soil.bottom_m, kDeepest_m) : bottom_m;
     bottom_m = stratum.bottom_m;
     strata.push_back(stratum);
     n = next;
   }
-  for (const Stratum& stratum : before.strata()) {
+  for (const Stratum& stratum : before_.strata()) {
     if (stratum.bottom_m > kDeepest_m) strata.push_back(stratum);
   }
   return GroundProfile(strata);
 }
 
-}  // namespace
-
 WaterBalance Seep(const std::vector<WeatherSpell>& weather, const std::vector<SoilType>& soils,
                   GroundProfile* profile) {
   Seepage seepage(soils, *profile);
   for (const WeatherSpell& spell : weather) seepage.Run(spell);
-  *profile = ProfileOf(seepage.slices(), *profile);
+  *profile = seepage.Profile();
   return seepage.balance();
 }
 
@@ -172,25 +144,22 @@ std::vector<WeatherSpell> ReadWeatherBefore(const ConfigMap& config) {
   return weather;
 }
 
-bool Wet(const std::vector<WeatherSpell>& weather, std::vector<SoilType>* soils,
+GroundProfile OfKinds(const SoilKinds& kinds, const GroundProfile& profile) {
+  std::vector<Stratum> strata = profile.strata();
+  for (Stratum& stratum : strata) {
+    stratum.soil = kinds.At(stratum.soil, static_cast<double>(stratum.moisture));
+  }
+  return GroundProfile(strata);
+}
+
+bool Wet(const std::vector<WeatherSpell>& weather, SoilKinds* kinds,
          std::vector<GroundProfile>* profiles) {
-  std::map<std::pair<std::uint8_t, long>, std::uint8_t> kinds;
   for (GroundProfile& profile : *profiles) {
-    Seep(weather, *soils, &profile);
-    std::vector<Stratum> strata = profile.strata();
-    for (Stratum& stratum : strata) {
-      const SoilType& kind = (*soils)[stratum.soil];
-      const long step = std::lround(kKinds_1 * static_cast<double>(stratum.moisture));
-      if (!kind.water.holds() || step == std::lround(kKinds_1 * kind.moisture)) continue;
-      const auto key = std::pair(stratum.soil, step);
-      if (!kinds.contains(key)) {
-        if (soils->size() == kMostKinds) return false;
-        kinds[key] = static_cast<std::uint8_t>(soils->size());
-        soils->push_back(AtMoisture(kind, static_cast<double>(step) / kKinds_1));
-      }
-      stratum.soil = kinds[key];
+    Seep(weather, kinds->soils(), &profile);
+    for (const Stratum& stratum : profile.strata()) {
+      if (!kinds->Add(stratum.soil, static_cast<double>(stratum.moisture))) return false;
     }
-    profile = GroundProfile(strata);
+    profile = OfKinds(*kinds, profile);
   }
   return true;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/config/config.h"
+#include "soil/columns/soil_kinds.h"
 #include "soil/columns/undisturbed_ground.h"
 #include "soil/soil.h"
 
@@ -20,8 +21,17 @@ struct WaterBalance {
   double stored_m = 0;  ///< more than before
 };
 
-/// Lets weather act on the water of a profile, whose strata come back thinner and with other
-/// moisture and density.
+/// A slice of ground and its water, as heights.
+struct WaterSlice {
+  Stratum soil;  ///< as before all weather; it ends lower
+  SoilWater water;
+  double thickness_m = 0, capacity_m = 0, water_m = 0;
+  double out_m = 0;  ///< in a step
+
+  double moisture() const { return capacity_m > 0 ? water_m / capacity_m : soil.moisture; }
+};
+
+/// The water of a profile under weather.
 ///
 /// Model   Water moves down by its weight alone, at the conductivity of where it is (kinematic
 ///         wave), through slices of at most 0.1 m to 2 m of depth, whence it drains freely. A full
@@ -33,15 +43,39 @@ struct WaterBalance {
 /// Source  Smith 1983, Water Resources Research 19(3); Niswonger, Prudic and Regan 2006, USGS
 ///         Techniques and Methods 6-A19; evaporation: Manabe 1969, Monthly Weather Review 97(11),
 ///         of the 0.1 m of Allen et al. 1998, FAO Irrigation and Drainage Paper 56.
+class Seepage {
+ public:
+  Seepage(const std::vector<SoilType>& soils, const GroundProfile& profile);
+
+  void Run(const WeatherSpell& spell);
+  const std::vector<WaterSlice>& slices() const { return slices_; }
+  const WaterBalance& balance() const { return balance_; }
+  /// Strata of the slices, of which neighbours of one stratum and about one moisture are joined,
+  /// with other moisture and density; below them the profile goes on.
+  GroundProfile Profile() const;
+
+ private:
+  void Step(double rain_m, double evaporation_m, double dt_s);
+
+  GroundProfile before_;
+  std::vector<WaterSlice> slices_;
+  double step_s_;
+  WaterBalance balance_;
+};
+
+/// Lets weather act on a profile.
 WaterBalance Seep(const std::vector<WeatherSpell>& weather, const std::vector<SoilType>& soils,
                   GroundProfile* profile);
 
 /// Reads `weather_before`.
 std::vector<WeatherSpell> ReadWeatherBefore(const ConfigMap& config);
 
-/// Lets it act on all profiles, and turns soil of other moisture than its kind's into a soil of its
-/// own (AtMoisture), which it adds to `soils`. Returns false if there would be more soils than 255.
-bool Wet(const std::vector<WeatherSpell>& weather, std::vector<SoilType>* soils,
+/// The profile, each stratum of the kind that is nearest to its moisture.
+GroundProfile OfKinds(const SoilKinds& kinds, const GroundProfile& profile);
+
+/// Lets weather act on all profiles, and turns soil of other moisture than its kind's into a kind
+/// of its own, to the per cent, which it adds. Returns false if there is no room for it.
+bool Wet(const std::vector<WeatherSpell>& weather, SoilKinds* kinds,
          std::vector<GroundProfile>* profiles);
 
 }  // namespace tera

@@ -10,4 +10,11 @@ Site Site::Read(const ConfigMap& config, std::uint64_t seed,
   return {BuildColumns(plan), plan.georeference};
 }
 
+bool Site::LetWeatherAct(const WeatherSpell& weather, bool is_wet) {
+  if (!columns_.AddHiddenKinds()) return false;
+  weather_.emplace(weather, is_wet, columns_);
+  columns_.SetWetness(weather_->wetness());
+  return true;
+}
+
 }  // namespace tera

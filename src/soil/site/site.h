@@ -8,6 +8,7 @@
 #include "core/config/config.h"
 #include "soil/columns/columns.h"
 #include "soil/site/given_ground.h"
+#include "soil/site/ground_weather.h"
 #include "soil/soil.h"
 
 namespace tera {
@@ -27,17 +28,27 @@ class Site {
   /// Raises undisturbed ground, before machines are placed on it.
   void Raise(const RaisedGround& raised) { columns_.Raise(raised); }
 
+  /// Lets rain and evaporation act during runs, at the rates of `weather`; the surface `is_wet`
+  /// from the start if it has rained already. Returns false if that needs more kinds of soil than
+  /// there may be. Call when the ground is as runs start on it.
+  bool LetWeatherAct(const WeatherSpell& weather, bool is_wet);
+  /// At the start of a run; nothing where no weather acts.
+  const std::optional<GroundWeather>& weather() const { return weather_; }
+
   const Columns& columns() const { return columns_; }
   const TerrainSurface& surface() const { return columns_.surface(); }
-  const std::vector<SoilType>& soils() const { return columns_.soils(); }
+  /// The soils that are shown, as an index of Cover::soil.
+  const std::vector<SoilType>& soils() const { return soils_; }
   /// Place of W's origin, where a GeoTIFF says it.
   const std::optional<SiteOrigin>& georeference() const { return georeference_; }
 
  private:
   Site(Columns columns, std::optional<SiteOrigin> georeference)
-      : columns_(std::move(columns)), georeference_(georeference) {}
+      : columns_(std::move(columns)), soils_(columns_.soils()), georeference_(georeference) {}
 
   Columns columns_;
+  std::vector<SoilType> soils_;
+  std::optional<GroundWeather> weather_;
   std::optional<SiteOrigin> georeference_;
 };
 

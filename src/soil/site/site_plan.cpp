@@ -231,11 +231,11 @@ void LetItRain(const ConfigMap& config, const std::vector<WeatherSpell>& weather
   constexpr double kBottom_m = std::numeric_limits<double>::infinity();
   std::vector<GroundProfile> profiles = plan->ground.profiles;
   for (const PilePlan& pile : plan->piles) {
-    const SoilType& soil = plan->soils[pile.soil];
+    const SoilType& soil = plan->kinds.soils()[pile.soil];
     profiles.push_back(GroundProfile(
         {{kBottom_m, pile.soil, static_cast<float>(soil.moisture), LooseDensity_kgpm3(soil)}}));
   }
-  if (!Wet(weather, &plan->soils, &profiles)) {
+  if (!Wet(weather, &plan->kinds, &profiles)) {
     config.Fault("weather_before",
                  {FaultKind::kOutOfRange,
                   "makes more than 255 kinds of soil of different moisture; need fewer soils or "
@@ -275,8 +275,8 @@ SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed,
   plan.piles = ReadPiles(config, ground.grid, &soils);
   plan.pits = ReadPits(config, ground.grid);
   plan.ruts = ReadRuts(config);
-  plan.soils = soils.soils();
-  if (const auto weather = ReadWeatherBefore(config); !weather.empty() && !plan.soils.empty()) {
+  plan.kinds = SoilKinds(soils.soils());
+  if (const auto weather = ReadWeatherBefore(config); !weather.empty() && !soils.soils().empty()) {
     LetItRain(config, weather, &plan);
   }
 
@@ -304,9 +304,7 @@ SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed,
 
 Columns BuildColumns(const SitePlan& plan) {
   // A scenario with faults has no soil; it is never run.
-  std::vector<SoilType> soils = plan.soils;
-  if (soils.empty()) soils.emplace_back();
-  Columns columns(plan.ground, std::move(soils));
+  Columns columns(plan.ground, plan.kinds.soils().empty() ? SoilKinds({SoilType()}) : plan.kinds);
   for (const RutPlan& ruts : plan.ruts) Press(ruts, &columns);
   for (const PitPlan& pit : plan.pits) Dig(pit, &columns);
   for (const PilePlan& pile : plan.piles) Heap(pile, &columns);

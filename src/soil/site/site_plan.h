@@ -22,7 +22,7 @@ struct PilePlan {
 /// The ground at the start: what the scenario's `terrain:` mapping says.
 struct SitePlan {
   UndisturbedGround ground;
-  std::vector<SoilType> soils;
+  SoilKinds kinds;
   std::vector<PilePlan> piles;
   std::vector<PitPlan> pits;
   std::vector<RutPlan> ruts;

@@ -37,6 +37,23 @@ TEST(TerrainSurface, NormalStandsOnTheTriangle) {
   EXPECT_NEAR(n.norm(), 1.0, 1e-12);
 }
 
+TEST(TerrainSurface, WeatherBoundsTheMoistureThatIsSeenOfItsSoil) {
+  TerrainSurface s = Small();
+  s.Set(1, 1, {4, {.soil = 1, .moisture = 50}});
+  TerrainSurface copy = s;
+  const std::uint32_t before = s.tile_version(0, 0);
+  s.SetWetness({{.least = 90}, {.least = 0, .most = 30}});
+  EXPECT_EQ(s.at(0, 0).cover.moisture, 90);
+  EXPECT_EQ(s.at(1, 1).cover.moisture, 30);
+  EXPECT_EQ(s.AsSet(1, 1).cover.moisture, 50);
+  EXPECT_GT(s.tile_version(0, 0), before);
+  copy.Follow(s);
+  EXPECT_EQ(copy.at(0, 0).cover.moisture, 90);
+  s.SetWetness({{.least = 60}});
+  EXPECT_EQ(s.at(0, 0).cover.moisture, 60);
+  EXPECT_EQ(s.at(1, 1).cover.moisture, 50);
+}
+
 TEST(TerrainGrid, CountsTilesByTheirSquares) {
   const TerrainGrid grid{.nx = 101, .ny = 52};
   EXPECT_EQ(grid.tiles_x(), 2);

@@ -22,12 +22,5 @@ TEST(GroundCover, SnowLiesOnWhatIsFlatEnoughAndHasNotBeenWorked) {
   EXPECT_EQ(SnowShare({}, {}, 1), 0);
 }
 
-TEST(GroundCover, RainSaturatesTheSurface) {
-  Weather wet;
-  wet.rain_mmph = 3;
-  EXPECT_EQ(SurfaceSaturation(wet, 0.2), 1);
-  EXPECT_EQ(SurfaceSaturation({}, 0.2), 0.2);
-}
-
 }  // namespace
 }  // namespace tera

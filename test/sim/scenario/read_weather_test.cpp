@@ -69,6 +69,12 @@ TEST(ReadWeather, RefusesWeatherThatContradictsItself) {
 TEST(ReadWeather, RefusesWhatIsOutOfRange) {
   EXPECT_THAT(ScenarioFaults(SiteWithWeather("rain_mmph: -1, cloud_cover: 1")),
               HasFault(kOutOfRange, "environment.rain_mmph"));
+  EXPECT_THAT(ScenarioFaults(SiteWithWeather("rain_mmph: 4000, cloud_cover: 1")),
+              HasFault(kOutOfRange, "environment.rain_mmph"));
+  for (const char* evaporation : {"-0.5", "200"}) {
+    EXPECT_THAT(ScenarioFaults(SiteWithWeather(std::string("evaporation_mmpd: ") + evaporation)),
+                HasFault(kOutOfRange, "environment.evaporation_mmpd"));
+  }
   EXPECT_THAT(ScenarioFaults(SiteWithWeather("wind_mps: -3")),
               HasFault(kOutOfRange, "environment.wind_mps"));
   EXPECT_THAT(ScenarioFaults(SiteWithWeather("dust: {emission_factor: -1}")),
@@ -77,6 +83,17 @@ TEST(ReadWeather, RefusesWhatIsOutOfRange) {
               HasFault(kUnknown, "environment.dust.slit_percent"));
   EXPECT_THAT(ScenarioFaults(SiteWithWeather("dust: {extent_m: 400, cell_m: 0.2}")),
               HasFault(kOutOfRange, "environment.dust.cell_m"));
+}
+
+TEST(ReadWeather, RainAndEvaporationActOnTheGround) {
+  const auto acts = [](const std::string& environment) {
+    const Config config = Config::FromText(SiteWithWeather(environment), "s.yaml", {});
+    return ReadScenario(config.root()).site->weather().has_value();
+  };
+  EXPECT_TRUE(acts("rain_mmph: 2, cloud_cover: 1"));
+  EXPECT_TRUE(acts("evaporation_mmpd: 4"));
+  EXPECT_FALSE(acts("evaporation_mmpd: 0, rain_mmph: 0"));
+  EXPECT_FALSE(acts(""));
 }
 
 TEST(ReadWeather, OnlyAStatedVisibilityIsFog) {

@@ -187,6 +187,26 @@ settle_s: )" + std::to_string(settle_s) +
   }
 }
 
+TEST_F(Playback, OfADigInTheRainIsTheSame) {
+  const Scenario scenario = Read(R"(
+name: dig
+seed: 5
+duration_s: 61
+physics_rate_hz: 100
+settle_s: 0.3
+environment: {rain_mmph: 60, cloud_cover: 1}
+terrain: {size_m: [14, 14], cell_m: 0.1, soil: dirt, weather_before: [{hours: 1}]}
+machines:
+  - name: excavator1
+    machine: tera:config/machines/tb235.yaml
+    start: {yaw_deg: 20, joints_deg: {boom: 30, arm: -80, bucket: -60}}
+    operator: {type: dig_cycle, reach_m: 4.0}
+)");
+  const auto seen = Keep(scenario);
+  EXPECT_NE(seen[998].ground, seen[1001].ground) << "no rain was seen";
+  ExpectPlayedBack(scenario, seen);
+}
+
 TEST_F(Playback, OfAnExcavatorThatDrivesOverLooseSoilIsTheSame) {
   const Scenario scenario = Read(R"(
 name: drive

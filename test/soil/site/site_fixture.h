@@ -25,7 +25,7 @@ inline SitePlan Plan(const std::string& terrain_yaml, std::uint64_t seed = 1) {
 /// Name of the soil that lies at a depth of undisturbed ground.
 inline std::string SoilAt(const SitePlan& plan, double x_m, double y_m, double depth_m) {
   const GroundProfile& profile = plan.ground.profiles[plan.ground.ProfileAt(Vec2(x_m, y_m))];
-  return plan.soils[profile.Below(depth_m).soil].name;
+  return plan.kinds.soils()[profile.Below(depth_m).soil].name;
 }
 
 }  // namespace tera::testing_soil

@@ -37,17 +37,17 @@ TEST(Site, EveryShippedSoilIsReadable) {
   for (const char* name :
        {"dirt", "gravel", "sand", "loose_sand", "wet_sand", "loose", "clay", "asphalt"}) {
     const SitePlan plan = Plan(std::string("size_m: [2, 2]\nsoil: ") + name + "\n");
-    EXPECT_EQ(plan.soils[0].name, name);
+    EXPECT_EQ(plan.kinds.soils()[0].name, name);
   }
 }
 
 TEST(Site, StrengthUnderRunningGearIsItsOwnOrThatOfTheGround) {
-  const SoilType sand = Plan("size_m: [2, 2]\nsoil: sand\n").soils[0];
+  const SoilType sand = Plan("size_m: [2, 2]\nsoil: sand\n").kinds.soils()[0];
   EXPECT_NEAR(sand.friction_angle_rad, 39 * kDeg, 1e-12);
   EXPECT_NEAR(sand.shear_friction_rad, 28 * kDeg, 1e-12);
   EXPECT_EQ(sand.cohesion_pa, 0);
   EXPECT_EQ(sand.shear_cohesion_pa, 1040);
-  const SoilType clay = Plan("size_m: [2, 2]\nsoil: clay\n").soils[0];
+  const SoilType clay = Plan("size_m: [2, 2]\nsoil: clay\n").kinds.soils()[0];
   EXPECT_NEAR(clay.shear_friction_rad, 13 * kDeg, 1e-12);
   EXPECT_EQ(clay.shear_cohesion_pa, 4140);
 }
