@@ -56,6 +56,8 @@ struct SoilType {
   double shear_modulus_m = 0;       ///< K
   double compression_index = 0.05;  ///< C_c: void ratio lost for each tenfold pressure
   double moisture = 0;              ///< degree of saturation, 0..1
+  /// Bank density and moisture before weather changed them in a run; 0: it has not.
+  double before_density_kgpm3 = 0, before_moisture = 0;
   SoilWater water;
   // Appearance.
   Vec3 albedo = Vec3(0.3, 0.22, 0.15);  ///< linear RGB when dry

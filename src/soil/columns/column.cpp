@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "soil/columns/soil_type.h"
+#include "soil/columns/soil_water.h"
 
 namespace tera {
 namespace {
@@ -51,6 +52,16 @@ double Layers_m(const Column& c) {
   double sum_m = 0;
   for (int n = 0; n < c.layer_count; ++n) sum_m += c.layers[n].thickness_m;
   return sum_m;
+}
+
+/// Density of a layer over that of undisturbed soil, both without the water that weather brought.
+double DensityShare(const SoilLayer& layer, const SoilType& soil) {
+  const double density_kgpm3 = layer.density_kgpm3();
+  if (soil.before_density_kgpm3 <= 0) return density_kgpm3 / soil.bank_density_kgpm3;
+  const double moisture = layer.moisture;
+  const double brought_kgpm3 =
+      Porosity(density_kgpm3, moisture) * (moisture - soil.before_moisture) * kWater_kgpm3;
+  return (density_kgpm3 - brought_kgpm3) / soil.before_density_kgpm3;
 }
 
 void AddLayer(const SoilLayer& layer, int at, Column* c) {
@@ -196,8 +207,7 @@ double FirmnessOf(const Column& c, const std::vector<SoilType>& soils) {
     const SoilLayer& layer = c.layers[n];
     const double depth_m = std::min(left_m, layer.thickness_m);
     if (layer.thickness_m > kThinnest_m) {
-      share_m +=
-          depth_m * std::min(1.0, layer.density_kgpm3() / soils[layer.soil].bank_density_kgpm3);
+      share_m += depth_m * std::min(1.0, DensityShare(layer, soils[layer.soil]));
     }
     left_m -= depth_m;
   }

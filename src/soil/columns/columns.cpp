@@ -31,7 +31,6 @@ double GainedBetween_m(const std::vector<Columns::Gained>& gained, double top_m,
 
 /// Lets a column's layers take up what ground as deep has gained.
 void WetLayers(const SoilKinds& kinds, const std::vector<Columns::Gained>& gained, Column* c) {
-  constexpr double kWater_kgpm3 = 1000;
   double top_m = 0;
   for (int n = c->layer_count - 1; n >= 0; --n) {
     SoilLayer& layer = c->layers[n];

@@ -64,6 +64,10 @@ bool SoilKinds::AddHidden() {
         Add(static_cast<std::uint8_t>(k), static_cast<double>(at) / kPerCent);
       }
     }
+    for (std::size_t k = shown_; k < soils_.size(); ++k) {
+      soils_[k].before_density_kgpm3 = soils_[given_[k]].bank_density_kgpm3;
+      soils_[k].before_moisture = soils_[given_[k]].moisture;
+    }
     return true;
   }
   return false;

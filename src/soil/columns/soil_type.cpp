@@ -9,13 +9,14 @@
 #include <vector>
 
 #include "core/units.h"
+#include "soil/columns/soil_water.h"
 
 namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
 constexpr double kSteepest_deg = 89.0;  ///< angles of a soil stay short of vertical
-constexpr double kSolids_kgpm3 = 2650, kWater_kgpm3 = 1000;
+constexpr double kSolids_kgpm3 = 2650;
 constexpr double kBorne_pa = 10e3;       ///< pressure that undisturbed soil near the surface knows
 constexpr double kFirmnessPower = 12.4;  ///< ln(160 / 13) / ln(1.75 / 1.43)
 constexpr double kLocalShear = 2.0 / 3;  ///< Terzaghi's reduction of cohesion and tan(phi)

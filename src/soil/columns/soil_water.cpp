@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-constexpr double kGrains_kgpm3 = 2650, kPoreWater_kgpm3 = 1000;
+constexpr double kGrains_kgpm3 = 2650;
 constexpr double kWilting_pa = 1.5e6;
 constexpr double kOverburden_pa = 10e3;  ///< between grains near the surface, as kBorne_pa
 
@@ -22,7 +22,7 @@ double Effective(const SoilWater& water, double moisture) {
 
 double Porosity(double density_kgpm3, double moisture) {
   const double voids =
-      (kGrains_kgpm3 - density_kgpm3) / std::max(1.0, density_kgpm3 - moisture * kPoreWater_kgpm3);
+      (kGrains_kgpm3 - density_kgpm3) / std::max(1.0, density_kgpm3 - moisture * kWater_kgpm3);
   return voids > 0 ? voids / (1 + voids) : 0;
 }
 
@@ -42,7 +42,7 @@ double MoistureAt(const SoilWater& water, double suction_m) {
 double SuctionStress_pa(const SoilWater& water, double moisture) {
   if (!water.holds()) return 0;
   // Soil that dries beyond wilting keeps the stress that it has there.
-  const double weight_npm3 = kPoreWater_kgpm3 * kStandardGravity_mps2;
+  const double weight_npm3 = kWater_kgpm3 * kStandardGravity_mps2;
   const double wilting =
       std::pow(1 + std::pow(water.alpha_1pm * kWilting_pa / weight_npm3, water.n), 1 / water.n - 1);
   const double share = std::max(Effective(water, moisture), wilting);
@@ -56,12 +56,12 @@ SoilType AtMoisture(const SoilType& soil, double moisture) {
   wet.name = fmt::format("{}_s{:02.0f}", soil.name, 100 * moisture);
   wet.moisture = moisture;
   const double pores = Porosity(soil.bank_density_kgpm3, soil.moisture);
-  wet.bank_density_kgpm3 += pores * (moisture - soil.moisture) * kPoreWater_kgpm3;
+  wet.bank_density_kgpm3 += pores * (moisture - soil.moisture) * kWater_kgpm3;
   // Water over the mass of grains, and the density at which it fills the pores.
   const double grains_kgpm3 = kGrains_kgpm3 * (1 - pores);
-  const double was = pores * soil.moisture * kPoreWater_kgpm3 / grains_kgpm3;
-  const double is = pores * moisture * kPoreWater_kgpm3 / grains_kgpm3;
-  const double full_kgpm3 = (1 + is) / (1 / kGrains_kgpm3 + is / kPoreWater_kgpm3);
+  const double was = pores * soil.moisture * kWater_kgpm3 / grains_kgpm3;
+  const double is = pores * moisture * kWater_kgpm3 / grains_kgpm3;
+  const double full_kgpm3 = (1 + is) / (1 / kGrains_kgpm3 + is / kWater_kgpm3);
   wet.max_density_kgpm3 = std::max(
       wet.bank_density_kgpm3, std::min(soil.max_density_kgpm3 * (1 + is) / (1 + was), full_kgpm3));
   const double before_pa = SuctionStress_pa(soil.water, soil.moisture);

@@ -9,6 +9,8 @@
 
 namespace tera {
 
+inline constexpr double kWater_kgpm3 = 1000;
+
 /// Void ratio over one plus void ratio, of soil of that bulk density; grains of 2650 kg/m^3.
 double Porosity(double density_kgpm3, double moisture);
 

@@ -13,7 +13,6 @@ constexpr double kLongestStep_s = 60, kCourant = 0.25;
 constexpr double kFieldSuction_m = 3.37;  ///< 33 kPa
 constexpr double kFreely = 0.75;          ///< of field capacity
 constexpr double kOneStratum = 0.03;      ///< slices of less difference in moisture
-constexpr double kRainWater_kgpm3 = 1000;
 
 std::vector<WaterSlice> SlicesOf(const GroundProfile& profile, const std::vector<SoilType>& soils) {
   std::vector<WaterSlice> slices;
@@ -109,7 +108,7 @@ GroundProfile Seepage::Profile() const {
     const double was_m = static_cast<double>(joined.soil.moisture) * joined.capacity_m;
     bottom_m += joined.thickness_m;
     Stratum stratum = joined.soil;
-    stratum.density_kgpm3 += kRainWater_kgpm3 * (joined.water_m - was_m) / joined.thickness_m;
+    stratum.density_kgpm3 += kWater_kgpm3 * (joined.water_m - was_m) / joined.thickness_m;
     stratum.moisture = static_cast<float>(joined.moisture());
     const bool ends_stratum =
         next == slices_.size() || slices_[next].soil.bottom_m != joined.soil.bottom_m;

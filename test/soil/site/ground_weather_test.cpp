@@ -116,6 +116,24 @@ TEST(GroundWeather, HeapsTakeUpAsMuchAndTheLedgerCloses) {
   EXPECT_NEAR(soil->ledger().total_kg(), 0, 1e-9);
 }
 
+// Firmness is by the soil's own density: water does not press it together.
+TEST(GroundWeather, RainMakesFillHeavierButNotFirmer) {
+  Columns ground = LevelColumns(Shipped("dirt"), 0.1, 41);
+  ASSERT_TRUE(ground.AddHiddenKinds());
+  GroundWeather weather({0, 30, 0}, false, ground);
+  const SoilType dirt = ground.soils()[0];
+  const ColumnId k = ground.Touch(20, 20);
+  const double volume_m3 = 0.3 * ground.area_m2();
+  ground.Deposit(k, Spoil{volume_m3 * LooseDensity_kgpm3(dirt), volume_m3, 0,
+                          static_cast<float>(dirt.moisture)});
+  const double before_kgpm3 = ground.at(k).top_layer()->density_kgpm3();
+  const double firmness = FirmnessOf(ground.at(k), ground.soils());
+  weather.Advance(kHour_ns);
+  ground.TakeUp(*weather.TakeWater());
+  EXPECT_NEAR(ground.at(k).top_layer()->density_kgpm3(), before_kgpm3 + 100, 1);  // 30 mm in 0.3 m
+  EXPECT_NEAR(FirmnessOf(ground.at(k), ground.soils()) / firmness, 1, 0.01);
+}
+
 TEST(GroundWeather, StrengthFollowsMoisture) {
   const Site site = Under(kDirt, 30);
   const auto soil = MakeSoil(site, 1);
