@@ -92,11 +92,12 @@ bool Avalanche::Flows(ColumnId k, const Columns& ground) const {
 /// Finds a column's slopes, and whether it neither flows nor is steep enough to start.
 void Avalanche::LookAround(ColumnId k, const Columns& ground) {
   const Columns::Skin& c = ground.skin(k);
+  const bool is_within = ground.IsWithinTile(k);
   double steepest_m = 0;
   std::uint8_t soil = c.soil;
   /// By how much loose soil beside stands higher, or here.
   const auto loose_rise_m = [&](int di, int dj) {
-    const Columns::Skin* beside = ground.Beside(k, di, dj);
+    const Columns::Skin* beside = is_within ? &c + Columns::Step(di, dj) : ground.Beside(k, di, dj);
     if (beside == nullptr) return 0.0;
     const double rise_m = beside->top_m - c.top_m;
     if (rise_m > steepest_m && beside->is_loose) soil = beside->soil;

@@ -91,9 +91,9 @@ struct GearContact::Pressed {
   double sinkage_m = 0;
   Vec3 moment_W = Vec3::Zero();  ///< sum of normal force times place, for the centre of pressure
   Vec3 moving_W = Vec3::Zero();  ///< sum of normal force times velocity of what it presses on
-  const SoilType* soil = nullptr;
+  const Plate* plate = nullptr;
 
-  ShearStrength Strength() const { return {*soil, normal_n, area_m2}; }
+  ShearStrength Strength() const { return plate->Strength(normal_n, area_m2); }
 };
 
 GearContact::GearContact(const RunningGear& gear, bool shears, std::vector<SoilType> soils)
@@ -114,16 +114,31 @@ GearContact::GearContact(const RunningGear& gear, bool shears, std::vector<SoilT
   }
 }
 
+/// Rows of points across a patch, at most about a cell apart.
+const std::vector<GearContact::Row>& GearContact::RowsOf(std::size_t patch_index, double cell_m) {
+  rows_.resize(gear_.patches.size());
+  std::vector<Row>& rows = rows_[patch_index];
+  if (!rows.empty()) return rows;
+  const ContactPatch& patch = gear_.patches[patch_index];
+  const int count = std::max(1, static_cast<int>(std::ceil(patch.length_m / cell_m)));
+  for (int a = 0; a < count; ++a) {
+    const double along_m = ((a + 0.5) / count - 0.5) * patch.length_m;
+    rows.push_back({along_m, PressureShare(patch, along_m)});
+  }
+  return rows;
+}
+
 /// Pressure on a grid of points fixed to the patch's part that touches, at most about a cell apart:
 /// as smooth as the ground. `touching` is that part's share.
 GearContact::Pressed GearContact::Bear(std::size_t patch_index, const Footprint& foot,
                                        double touching, const BodyState& body,
-                                       const Columns& ground, const LowObstacles& obstacles) const {
+                                       const Columns& ground, const LowObstacles& obstacles) {
   const ContactPatch& patch = gear_.patches[patch_index];
   Pressed result;
-  const int n_along = std::max(1, static_cast<int>(std::ceil(patch.length_m / ground.cell_m())));
+  const std::vector<Row>& rows = RowsOf(patch_index, ground.cell_m());
   const int n_across = std::max(1, static_cast<int>(std::ceil(patch.width_m / ground.cell_m())));
-  const double area_m2 = touching * patch.length_m * patch.width_m / (n_along * n_across);
+  const double area_m2 =
+      touching * patch.length_m * patch.width_m / (static_cast<double>(rows.size()) * n_across);
   const double middle_m = SideFaces::IsOne(patch) ? SideFaces::Middle_m(patch, touching) : 0;
   // Velocity into the ground along the machine's vertical, or its side's normal, which changes
   // evenly over the patch.
@@ -134,9 +149,7 @@ GearContact::Pressed GearContact::Bear(std::size_t patch_index, const Footprint&
   const double into_along_radps = body.w_WB_radps.cross(foot.along_W).dot(into_W);
   const double into_across_radps = body.w_WB_radps.cross(foot.across_W).dot(into_W);
   const double climb_m = ClimbHeight_m(gear_);
-  for (int a = 0; a < n_along; ++a) {
-    const double along_m = ((a + 0.5) / n_along - 0.5) * patch.length_m;
-    const double share = PressureShare(patch, along_m);
+  for (const auto& [along_m, share] : rows) {
     for (int b = 0; b < n_across; ++b) {
       const double across_m = middle_m + ((b + 0.5) / n_across - 0.5) * touching * patch.width_m;
       const Vec3 q_W = foot.p_W_m + along_m * foot.along_W + across_m * foot.across_W;
@@ -155,7 +168,7 @@ GearContact::Pressed GearContact::Bear(std::size_t patch_index, const Footprint&
       result.moment_W += damped_pa * area_m2 * q_W;
       if (hard) result.moving_W += damped_pa * area_m2 * obstacle->v_W_mps;
       result.area_m2 += area_m2;
-      result.soil = &plate.soil();
+      result.plate = &plate;
       result.sinkage_m = std::max(result.sinkage_m, sinkage_m);
     }
   }
@@ -165,7 +178,7 @@ GearContact::Pressed GearContact::Bear(std::size_t patch_index, const Footprint&
 Vec2 GearContact::Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_mps,
                         const Step& step) {
   Patch& patch = patches_[k];
-  const SoilType& soil = *pressed.soil;
+  const SoilType& soil = pressed.plate->soil();
   const int from = step.shoe_mps >= 0 ? patch.upstream : patch.downstream;
   const Vec2 j_upstream_m =
       from >= 0 && step.before[from].in_contact ? step.before[from].j_out_m : Vec2::Zero();
@@ -202,16 +215,15 @@ double GearContact::PushAside_n(std::size_t k, const Footprint& foot, const Step
   if (pushed_m == 0 || deepest_m_ <= 0) return 0;
   const auto [i, j] =
       std::pair(step.ground->NearestI(foot.p_W_m.x()), step.ground->NearestJ(foot.p_W_m.y()));
-  const SoilType& soil = soils_[step.ground->SoilAt(i, j)];
-  const double wedge_m = deepest_m_ * std::tan(45 * kDeg + 0.5 * soil.shear_friction_rad);
-  const double out_m = 0.5 * shape.width_m + step.ground->cell_m() + wedge_m;
+  const PushedFace& face = plates_[k * soils_.size() + step.ground->SoilAt(i, j)].face();
+  const double out_m = 0.5 * shape.width_m + step.ground->cell_m() + face.Wedge_m(deepest_m_);
   const Vec3 out_W = foot.p_W_m + std::copysign(out_m, pushed_m) * foot.across_W;
-  const double depth_m = DepthBeside_m(soil, out_W, *step.ground);
+  const double depth_m = DepthBeside_m(face, out_W, *step.ground);
   if (depth_m <= 0) return 0;
   const double share = -std::expm1(-std::abs(pushed_m) / (kPassiveShare * depth_m));
   const double steep = has_sides_ ? 1 - SideFaces::Bearing(std::abs(foot.across_W.z())) : 1;
   const double length_m = steep * shape.length_m * std::abs(foot.n_W.z());
-  return -std::copysign(share * length_m * FaceResistance_npm(soil, depth_m), pushed_m);
+  return -std::copysign(share * length_m * face.Resistance_npm(depth_m), pushed_m);
 }
 
 GearContact::Result GearContact::Act(const BodyState& body, double rate_radps, double dt_s,

@@ -34,7 +34,7 @@ namespace tera {
 ///         and keeps it off the ground below.
 /// Omits   shear on the sides of grousers, tension of the track.
 /// Source  Bekker 1969; Janosi and Hanamoto 1961; Wills 1963; side faces:
-///         Hegedus 1960, see FaceResistance_npm.
+///         Hegedus 1960, see PushedFace.
 class GearContact {
  public:
   /// `soils` are those of the ground, as the machine meets them.
@@ -70,8 +70,12 @@ class GearContact {
   struct Step;
   struct Pressed;
   void ActOn(std::size_t k, const Step& step, const LowObstacles& obstacles, GearSum* sum);
+  struct Row {
+    double along_m, share;  ///< from the patch's middle; of its pressure
+  };
+  const std::vector<Row>& RowsOf(std::size_t patch_index, double cell_m);
   Pressed Bear(std::size_t patch_index, const Footprint& foot, double touching,
-               const BodyState& body, const Columns& ground, const LowObstacles& obstacles) const;
+               const BodyState& body, const Columns& ground, const LowObstacles& obstacles);
   void Carry(std::size_t k, const Footprint& foot, const Pressed& pressed, const Step& step,
              GearSum* sum);
   Vec2 Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_mps, const Step& step);
@@ -84,6 +88,7 @@ class GearContact {
   std::vector<SoilType> soils_;
   std::vector<Patch> patches_;
   std::vector<Plate> plates_;
+  std::vector<std::vector<Row>> rows_;  ///< of each patch that has borne
   std::vector<WheelContact> wheels_;
   Rut rut_;
   double contact_m_ = 0;    ///< length of the ground under the gear

@@ -1,10 +1,11 @@
 #include "soil/track/plate.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "core/units.h"
-#include "soil/track/terramechanics.h"
 
 namespace tera {
 namespace {
@@ -14,10 +15,28 @@ namespace {
 /// (estimate).
 constexpr double kDampingRatio = 0.6;
 
+/// x^n between bounds, for x > 0 and n up to 2. The bits of a positive number are its logarithm to
+/// base 2 with straight lines between the powers of 2, which lie at most 0.0861 below it: powers
+/// are between 2^-0.0861 and 2^(0.0861 n) of what straight lines say.
+struct PowerBounds {
+  float low, high;
+};
+PowerBounds RoughPower(float x, float n) {
+  constexpr float kOne = 1065353216.0f;  // bits of 1
+  constexpr float kLeast = 1 << 23, kMost = 2139095039.0f;
+  constexpr float kLow = 0.94f, kHigh = 0.064f;
+  const float bits = kOne + n * (static_cast<float>(std::bit_cast<std::int32_t>(x)) - kOne);
+  const auto power =
+      std::bit_cast<float>(static_cast<std::int32_t>(std::clamp(bits, kLeast, kMost)));
+  return {kLow * power, (1 + kHigh * n) * power};
+}
+
 }  // namespace
 
 Plate::Plate(const SoilType& soil, const ContactPatch& patch)
     : soil_(&soil),
+      tan_friction_(std::tan(soil.shear_friction_rad)),
+      face_(soil),
       width_m_(PlateWidth_m(patch)),
       rebound_papm_(Rebound_papm(soil, width_m_)),
       heave_reach_m_(HeaveReach_m(soil, width_m_)),
@@ -39,6 +58,9 @@ bool Plate::Bears(double pressure_pa, double z_m) const {
   constexpr double kSure = 1e-4;
   if (z_m <= 0) return pressure_pa <= 0;
   if (pressure_pa > limit_.At_pa(z_m)) return false;
+  const PowerBounds rough = RoughPower(static_cast<float>(z_m), exponent_);
+  if (pressure_pa < modulus_npm_n2_ * rough.low) return true;
+  if (pressure_pa > modulus_npm_n2_ * rough.high) return false;
   const double about_pa = modulus_npm_n2_ * std::pow(static_cast<float>(z_m), exponent_);
   if (pressure_pa < (1 - kSure) * about_pa) return true;
   if (pressure_pa > (1 + kSure) * about_pa) return false;

@@ -5,6 +5,7 @@
 #include "core/types/ground_tools.h"
 #include "soil/columns/soil_type.h"
 #include "soil/soil.h"
+#include "soil/track/terramechanics.h"
 
 namespace tera {
 
@@ -18,6 +19,12 @@ class Plate {
   Plate(const SoilType& soil, const ContactPatch& patch);
 
   const SoilType& soil() const { return *soil_; }
+  /// What the ground has to give against shear under that load.
+  ShearStrength Strength(double normal_n, double area_m2) const {
+    return {*soil_, tan_friction_, normal_n, area_m2};
+  }
+  /// The soil beside the patch, pushed by its side face.
+  const PushedFace& face() const { return face_; }
   double width_m() const { return width_m_; }
   double rebound_papm() const { return rebound_papm_; }
   /// How far beside it soil heaves, see HeaveReach_m.
@@ -25,7 +32,8 @@ class Plate {
   /// Pressure of the ground at sinkage `z_m`: Bekker's, at most what the soil bears
   /// (LimitUnderGear).
   double Pressure_pa(double z_m) const;
-  /// Whether that is at least `pressure_pa`. Single precision tells in nearly all cases.
+  /// Whether that is at least `pressure_pa`. A glance at the logarithm tells in most cases, single
+  /// precision in nearly all.
   bool Bears(double pressure_pa, double z_m) const;
   /// Pressure of the ground on a point that is `pen_m` in it and goes further at `into_mps`, s k_e
   /// pen at most Pressure_pa at a depth of `bearing_m`, damped. `share` is s.
@@ -40,6 +48,8 @@ class Plate {
 
  private:
   const SoilType* soil_;
+  double tan_friction_;
+  PushedFace face_;
   double width_m_;
   double rebound_papm_;  ///< k_e
   double heave_reach_m_;

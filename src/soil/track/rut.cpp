@@ -11,6 +11,7 @@ namespace tera {
 namespace {
 
 constexpr double kInfluenceDepths = 1.0;  ///< crust thickness over patch width
+constexpr double kMostShare = 2;          ///< PressureShare is nowhere more
 /// Multiples of it, less their whole parts, fill 0 to 1 evenly, however many there are.
 constexpr double kGolden = 0.6180339887498949;
 constexpr double kScraped_m = 5e-4;  ///< soil is carried away in layers this thick
@@ -141,6 +142,7 @@ double Rut::Sink(const Under& column, double pen_m, const BodyState& body, doubl
   const ContactPatch& patch = gear_.patches[patch_index];
   const Plate& plate = plates_[patch_index * soils_.size() + ground->soil_at(k)];
   const double was_m = ground->skin(k).pressed_m;
+  if (plate.Bears(kMostShare * plate.rebound_papm() * pen_m, was_m)) return 0;
   const double share = PressureShare(patch, column.along_m());
   const double plastic_m = plate.PlasticSinkage_m(share, 1, was_m, pen_m);
   if (plastic_m <= 0) return 0;

@@ -69,18 +69,21 @@ double HeaveReach_m(const SoilType& soil, double width_m) {
   return width_m * std::sqrt(LocalShear(soil.shear_friction_rad).n_q);
 }
 
-double FaceResistance_npm(const SoilType& soil, double depth_m) {
+PushedFace::PushedFace(const SoilType& soil)
+    : cot_(std::tan(45 * kDeg + 0.5 * soil.shear_friction_rad)),
+      tan_phi_(std::tan(soil.shear_friction_rad)),
+      cohesion_pa_(soil.shear_cohesion_pa),
+      weight_npm3_(soil.bank_density_kgpm3 * kStandardGravity_mps2) {}
+
+double PushedFace::Resistance_npm(double depth_m) const {
   if (depth_m <= 0) return 0;
-  const double cot = std::tan(45 * kDeg + 0.5 * soil.shear_friction_rad);  // of X, tan of X + phi
-  const double heaped = 1 + cot * std::tan(soil.shear_friction_rad);
-  const double weight_npm3 = soil.bank_density_kgpm3 * kStandardGravity_mps2;
-  return 2 * cot *
-         (soil.shear_cohesion_pa * depth_m + 0.5 * weight_npm3 * depth_m * depth_m * cot * heaped);
+  const double heaped = 1 + cot_ * tan_phi_;
+  return 2 * cot_ *
+         (cohesion_pa_ * depth_m + 0.5 * weight_npm3_ * depth_m * depth_m * cot_ * heaped);
 }
 
-double FaceDepth_m(const SoilType& soil, double depth_m, double loose_m) {
-  const double cot = std::tan(45 * kDeg + 0.5 * soil.shear_friction_rad);  // of X
-  const double heaped = 0.5 * cot * std::tan(soil.shear_friction_rad);
+double PushedFace::Depth_m(double depth_m, double loose_m) const {
+  const double heaped = 0.5 * cot_ * tan_phi_;
   return std::max(depth_m - loose_m, depth_m / (1 + heaped));
 }
 
@@ -115,10 +118,6 @@ void ShearFurther(const SoilType& soil, const Vec2& slip_m, Vec2* j_m) {
   }
   const double most = ShearMobilisation(soil, limit_m);
   *j_m = -soil.shear_modulus_m * std::log1p(-std::min(size, most)) / size * after;
-}
-
-double ShearStrength::force_n() const {
-  return soil.shear_cohesion_pa * area_m2 + normal_n * std::tan(soil.shear_friction_rad);
 }
 
 Vec2 ShearForce_n(const ShearStrength& strength, const Vec2& mobilised, double j_m,

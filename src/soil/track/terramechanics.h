@@ -40,16 +40,27 @@ double BulldozingResistance_n(const SoilType& soil, double width_m, double z_m);
 /// 1943.
 double HeaveReach_m(const SoilType& soil, double width_m);
 
-/// Resistance, per unit length, against an upright face that stands `depth_m` deep and pushes soil
-/// before it: (cot X + tan(X + phi)) (c h + rho g h^2 / 2 (cot X + cot^2 X tan phi)), X = 45 deg -
-/// phi / 2 the slip plane's angle, the last term the soil that has heaped up on it.
+/// An upright face that pushes soil before it.
+///
+/// Model   The slip plane rises at X = 45 deg - phi / 2. Resistance per unit length at depth h:
+///         (cot X + tan(X + phi)) (c h + rho g h^2 / 2 (cot X + cot^2 X tan phi)), the last term
+///         the soil that has heaped up on the wedge.
 /// Source  Hegedus 1960, as in Ishigami, Miwa, Nagatani and Yoshida 2007, J. Field Robotics 24(3).
-double FaceResistance_npm(const SoilType& soil, double depth_m);
+class PushedFace {
+ public:
+  explicit PushedFace(const SoilType& soil);
 
-/// Depth for FaceResistance_npm of a face that stands `depth_m` below ground of which `loose_m`
-/// lies loose: the soil that has heaped up on the wedge, h / 2 cot X tan phi high on average,
-/// counts once.
-double FaceDepth_m(const SoilType& soil, double depth_m, double loose_m);
+  double Resistance_npm(double depth_m) const;
+  /// Depth that counts of a face that stands `depth_m` below ground of which `loose_m` lies loose:
+  /// the soil that has heaped up on the wedge, h / 2 cot X tan phi high on average, counts once.
+  double Depth_m(double depth_m, double loose_m) const;
+  /// Length of the wedge before a face that stands `depth_m` deep.
+  double Wedge_m(double depth_m) const { return depth_m * cot_; }
+
+ private:
+  double cot_, tan_phi_;  ///< of X, which is tan(X + phi) too; of phi
+  double cohesion_pa_, weight_npm3_;
+};
 
 /// Shear of the ground under running gear.
 ///
@@ -68,9 +79,10 @@ void ShearFurther(const SoilType& soil, const Vec2& slip_m, Vec2* j_m);
 /// What the ground has to give where it is sheared.
 struct ShearStrength {
   const SoilType& soil;
+  double tan_friction;  ///< of the soil's shear
   double normal_n, area_m2;
 
-  double force_n() const;
+  double force_n() const { return soil.shear_cohesion_pa * area_m2 + normal_n * tan_friction; }
 };
 
 /// Force on gear whose stress is the share `mobilised` of the strength and whose shear displacement

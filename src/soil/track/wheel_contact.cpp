@@ -35,10 +35,10 @@ struct WheelContact::Node {
   double sinkage_m = 0;
 };
 
-double DepthBeside_m(const SoilType& soil, const Vec3& p_W_m, const Columns& ground) {
+double DepthBeside_m(const PushedFace& face, const Vec3& p_W_m, const Columns& ground) {
   const double depth_m = ground.HeightAt(p_W_m.x(), p_W_m.y()) - p_W_m.z();
   const ColumnId k = ground.IdAt(ground.NearestI(p_W_m.x()), ground.NearestJ(p_W_m.y()));
-  return FaceDepth_m(soil, depth_m, k == Columns::kNone ? 0 : ground.skin(k).loose_m);
+  return face.Depth_m(depth_m, k == Columns::kNone ? 0 : ground.skin(k).loose_m);
 }
 
 WheelContact::WheelContact(const Rim& rim, const RunningGear& gear, bool shears,
@@ -192,7 +192,7 @@ void WheelContact::Shear(std::size_t k, const Node& node, double shoe_mps, doubl
   const Vec3 v_W =
       body.v_WB_mps + body.w_WB_radps.cross(p_W_m - origin_W_m) - node.moving_W / node.normal_n;
   Vec3 force_W_n = -node.normal_n * node.middle.n_W;
-  const ShearStrength strength{soils_[node.soil], node.normal_n, node.area_m2};
+  const ShearStrength strength = plates_[node.soil].Strength(node.normal_n, node.area_m2);
   if (shears_) {
     const double moved = std::min(1.0, std::abs(shoe_mps) * dt_s / (rim_.radius_m * step_rad_));
     const std::size_t from = shoe_mps >= 0 ? k + 1 : k - 1;  // wraps below the first
@@ -233,14 +233,14 @@ void WheelContact::PushAside(const BodyState& body, double dt_s, const Columns& 
     const Rim::Point at = rim_.At(angle_rad, side_m, body.X_WB);
     if (-at.n_W.z() < kLeastDown || ground.IsWellAbove(at.p_W_m)) continue;
     const Columns::Sample below = ground.SampleAt(at.p_W_m.x(), at.p_W_m.y());
-    const SoilType& soil = soils_[ground.SoilAt(below)];
-    const double wedge_m = deepest_m_ * std::tan(45 * kDeg + 0.5 * soil.shear_friction_rad);
-    const Vec3 out_W = at.p_W_m + std::copysign(ground.cell_m() + wedge_m, share) * left_W;
+    const PushedFace& face = plates_[ground.SoilAt(below)].face();
+    const double out_m = ground.cell_m() + face.Wedge_m(deepest_m_);
+    const Vec3 out_W = at.p_W_m + std::copysign(out_m, share) * left_W;
     const Vec3 foot_W_m(out_W.x(), out_W.y(), at.p_W_m.z());
-    const double depth_m = DepthBeside_m(soil, foot_W_m, ground);
+    const double depth_m = DepthBeside_m(face, foot_W_m, ground);
     if (depth_m <= 0) continue;
     const double chord_m = rim_.radius_m * step_rad_ * -at.n_W.z();
-    sum->wrench.AddForceAt(-share * chord_m * FaceResistance_npm(soil, depth_m) * left_W, at.p_W_m,
+    sum->wrench.AddForceAt(-share * chord_m * face.Resistance_npm(depth_m) * left_W, at.p_W_m,
                            body.X_WB.translation());
   }
 }

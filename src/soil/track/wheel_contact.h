@@ -38,8 +38,8 @@ struct GearSum {
   }
 };
 
-/// Depth of a face's lower edge, at p_W_m, below the ground there, for FaceResistance_npm.
-double DepthBeside_m(const SoilType& soil, const Vec3& p_W_m, const Columns& ground);
+/// Depth that counts of a face's lower edge, at p_W_m, below the ground there.
+double DepthBeside_m(const PushedFace& face, const Vec3& p_W_m, const Columns& ground);
 
 /// A rigid wheel on the ground.
 ///

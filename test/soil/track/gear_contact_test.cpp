@@ -282,6 +282,28 @@ TEST(GearContact, ATurnOnTheSpotShovesSandAsideRatherThanPressingItTogether) {
   EXPECT_GT(raised_m3 / lowered_m3, 0.6);
   EXPECT_LT(raised_m3 / lowered_m3, 1);
   EXPECT_NEAR(block.soil->ledger().total_kg(), 0, 1e-9);
+  // All that is lowered is raised, but for what is pressed together; what heaves lies loosely.
+  const SoilType& sand = block.soil->soils()[0];
+  const SoilVoxels cubes = block.soil->Voxels({Vec3(-2.5, -2.5, -0.6), Vec3(2.5, 2.5, 0.4)});
+  double pressed_m3 = 0, loosened_m3 = 0;
+  for (std::size_t k = 0; k < cubes.size(); ++k) {
+    const double m3 = cubes.fill[k] * std::pow(cubes.edge_m, 3);
+    const double bank_m3 = cubes.mass_kg[k] / sand.bank_density_kgpm3;
+    const double loose_m3 = cubes.loose[k] * bank_m3;
+    loosened_m3 += (sand.swell - 1) * loose_m3;
+    pressed_m3 += bank_m3 + (sand.swell - 1) * loose_m3 - m3;
+  }
+  EXPECT_NEAR((lowered_m3 - raised_m3) / (pressed_m3 - loosened_m3), 1, 0.05);
+  const auto pressed_columns = [&ground] {
+    int count = 0;
+    for (int j = 0; j < ground.ny; ++j) {
+      for (int i = 0; i < ground.nx; ++i) count += ground.at(i, j).cover.rut > 0;
+    }
+    return count;
+  };
+  const double under_m2 = pressed_columns() * ground.cell_m * ground.cell_m;
+  RecordProperty("pressed_loosened_m3", fmt::format("{:.4f} {:.4f}", pressed_m3, loosened_m3));
+  RecordProperty("pressed_mm", fmt::format("{:.1f}", 1e3 * pressed_m3 / under_m2));
   // Between the tracks, where sand heaves from both all the way round, and in the berm outside.
   double mound_m = 0, berm_m = 0;
   for (int j = 0; j < ground.ny; ++j) {
@@ -317,6 +339,86 @@ TEST(GearContact, SandHeavesBesideATrackAsFarAsPrandtlsSlipSurfaceReaches) {
   EXPECT_NEAR(mean_m(0.37) / edge_m, 0.57, 0.15);
   EXPECT_NEAR(mean_m(0.57) / edge_m, 0.30, 0.12);
   EXPECT_EQ(mean_m(0.95), 0);
+}
+
+TEST(GearContact, RutsAreAsDeepInCellsOfAllSizes) {
+  // Bekker's depth at the mean pressure, wherever the columns stand under the shoes.
+  for (const char* name : {"dirt", "loose_sand"}) {
+    for (const double cell_m : {0.04, 0.05, 0.07, 0.10}) {
+      Block block(fmt::format("size_m: [8, 4]\nsoil: {}\ncell_m: {}\n", name, cell_m),
+                  Vec2(-1.513, 0.017), 0.1);
+      const Pose X_WB = block.links[0].X_WB;
+      block.Stand(500);
+      block.motion.gear_rate_radps = {4, 4};
+      for (int k = 0; k < 1500; ++k) {
+        block.links[0].v_WB_mps.head<2>() = X_WB.linear().col(0).head<2>();
+        block.ActAndFall();
+        block.links[0].X_WB.translation() += kStep_s * block.links[0].v_WB_mps;
+      }
+      double rut_m = 0;
+      for (int n = 0; n < 50; ++n) {
+        const Vec3 p_W = X_WB * Vec3(1.2 + 0.01 * n, 0.5 * kGauge_m, 0);
+        rut_m -= block.soil->surface().HeightAt(p_W.x(), p_W.y()) / 50;
+      }
+      const double pressure_pa = kMass_kg * kStandardGravity_mps2 / (2 * kWidth_m * kLength_m);
+      const double bekker_m = MeanSinkage_m(block.soil->soils()[0], pressure_pa);
+      EXPECT_NEAR(rut_m / bekker_m, 1, 0.15) << name << ", cells of " << cell_m << " m";
+      RecordProperty(fmt::format("{}_{:.0f}_cm", name, 100 * cell_m),
+                     fmt::format("{:.1f} {:.1f}", 1e3 * rut_m, 1e3 * bekker_m));
+    }
+  }
+}
+
+TEST(GearContact, LockedTracksHoldATorqueAsTheirShearStrengthAllows) {
+  // A machine on two tracks that do not roll, turned to and fro by a swing. At a turn t the stress
+  // at a distance r from the middle is (c + p tan phi)(1 - exp(-r t / K)): the torque for all of it
+  // is that times r, over both tracks. Two fifths of the
+  // strength, to and fro, leave it where it stands.
+  Block block("size_m: [8, 8]\nsoil: dirt\n", Vec2(0.02, 0.01));
+  block.Stand(2000);
+  const SoilType& dirt = block.soil->soils()[0];
+  const double area_m2 = 2 * kWidth_m * kLength_m;
+  const double stress_pa = dirt.shear_cohesion_pa + kMass_kg * kStandardGravity_mps2 / area_m2 *
+                                                        std::tan(dirt.shear_friction_rad);
+  const auto torque_nm = [&](double turn_rad) {
+    double sum_nm = 0;
+    constexpr int kParts = 100;
+    for (int a = 0; a < kParts; ++a) {
+      for (int b = 0; b < kParts; ++b) {
+        const double r_m = std::hypot(kLength_m * ((a + 0.5) / kParts - 0.5),
+                                      0.5 * kGauge_m + kWidth_m * ((b + 0.5) / kParts - 0.5));
+        sum_nm += r_m * stress_pa * -std::expm1(-r_m * turn_rad / dirt.shear_modulus_m) * area_m2 /
+                  (kParts * kParts);
+      }
+    }
+    return sum_nm;
+  };
+  const double most_nm = torque_nm(1);
+  double turned_rad = 0, rate_radps = 0, share = 0;
+  const auto swing = [&](double to_share) {  // within two seconds
+    constexpr int kSteps = 1000;
+    const double from_share = std::exchange(share, to_share);
+    for (int k = 1; k <= kSteps; ++k) {
+      block.links[0].w_WB_radps.z() = rate_radps;
+      block.ActAndSinkGently();
+      const double ground_nm = block.reaction.link_wrench[0].torque_W_nm.z();
+      const double now = from_share + (to_share - from_share) * k / kSteps;
+      rate_radps += kStep_s * (now * most_nm + ground_nm) / 4000;
+      turned_rad += kStep_s * rate_radps;
+      block.links[0].X_WB.linear() =
+          RotationFromRpy(0, 0, kStep_s * rate_radps) * block.links[0].X_WB.linear();
+    }
+  };
+  swing(0.4);
+  const double first_rad = turned_rad;
+  EXPECT_NEAR(torque_nm(first_rad) / most_nm, 0.4, 0.04);
+  for (int n = 0; n < 5; ++n) {
+    swing(-0.4);
+    swing(0.4);
+  }
+  EXPECT_NEAR(turned_rad / first_rad, 1, 0.1);
+  swing(1.05);
+  EXPECT_GT(turned_rad, 5 * first_rad);
 }
 
 /// A track of the block with half of its weight on dirt, which drives along x over its origin:

@@ -82,11 +82,11 @@ TEST(Terramechanics, SoilBesideASunkFaceResistsAsHegedusSays) {
   SoilType soil;
   soil.bank_density_kgpm3 = 1500;
   soil.shear_friction_rad = 30 * kDeg;
-  EXPECT_NEAR(FaceResistance_npm(soil, 1) / 88260, 1, 0.001);
-  EXPECT_NEAR(FaceResistance_npm(soil, 0.1) / 882.6, 1, 0.001);
+  EXPECT_NEAR(PushedFace(soil).Resistance_npm(1) / 88260, 1, 0.001);
+  EXPECT_NEAR(PushedFace(soil).Resistance_npm(0.1) / 882.6, 1, 0.001);
   soil.shear_cohesion_pa = 2000;
-  EXPECT_NEAR((FaceResistance_npm(soil, 0.1) - 882.6) / 692.8, 1, 0.001);
-  EXPECT_EQ(FaceResistance_npm(soil, -0.1), 0);
+  EXPECT_NEAR((PushedFace(soil).Resistance_npm(0.1) - 882.6) / 692.8, 1, 0.001);
+  EXPECT_EQ(PushedFace(soil).Resistance_npm(-0.1), 0);
 }
 
 TEST(Terramechanics, PressureUnderRoadWheelsHasPeaksAndTheSameMean) {
