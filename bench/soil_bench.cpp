@@ -24,7 +24,7 @@ namespace tera::bench {
 namespace {
 
 constexpr int kSteps = 10000;
-constexpr double kBucketMean_us = 200, kBucketP95_us = 400, kTracks_us = 300;
+constexpr double kBucketMean_us = 100, kBucketP95_us = 400, kTracks_us = 120;
 
 // Published step times of other programs on similar tasks, and processor time on two cores of a
 // virtual EPYC, a different computer from the present one.

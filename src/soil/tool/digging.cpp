@@ -84,6 +84,7 @@ void Digging::FrameMask(const BodyState& body, double behind_m, const Columns& g
     }
   }
   lowest_m_ = low.z();
+  highest_m_ = high.z();
   std::swap(mask_, mask_before_);
   mask_.i0 = std::max(0, ground.NearestI(low.x() - behind_m));
   mask_.j0 = std::max(0, ground.NearestJ(low.y() - behind_m));
@@ -114,11 +115,13 @@ void Digging::FindFootprint(const BodyState& body, double dt_s, Columns* ground)
   const Vec3 v_B = body.X_WB.linear().transpose() * PointVelocity(body, shape_.edge_B());
   const Vec2 came_B = -dt_s * Vec2(v_B.x(), v_B.z());
   FrameMask(body, behind_B.norm(), *ground);
+  const bool is_far =
+      ground->IsAllBelow({mask_.i0, mask_.j0, mask_.i1, mask_.j1}, lowest_m_ - kNear_m);
   const ShovelShape::Uprights uprights(shape_, body.X_WB);
   const ShovelShape::LevelExtent extent = shape_.ExtentAcross(body.X_WB.linear().row(2));
   const double beyond_m =
       kBeyond_m + std::abs(behind_B.dot(extent.right)) + std::abs(came_B.dot(extent.right));
-  for (int j = mask_.j0; j <= mask_.j1; ++j) {
+  for (int j = mask_.j0; j <= mask_.j1 && !is_far; ++j) {
     for (int i = mask_.i0; i <= mask_.i1; ++i) {
       ColumnId k = ground->IdAt(i, j);
       const double top_m = k != Columns::kNone ? ground->skin(k).top_m : ground->TopAt(i, j);
@@ -226,9 +229,11 @@ void Digging::CutFootprint(const BodyState& body, double dt_s, Columns* ground, 
     const bool bears = (!open || is_full) &&
                        PressShell(body, swept, dt_s, enters && !is_full, ground, &keep_m, wrench);
     if (ground->at(k).top_m - swept.crossing.low_m <= keep_m) continue;
+    const bool takes_in = enters && !bears && room_m3 > 0;
+    if (carries && !takes_in && MovesAlong(v_W)) LetPassOver(swept, v_W, ground);
     SpoilMix cut;
     ground->Cut(k, swept.crossing.low_m + keep_m, &cut);
-    if (enters && !bears && room_m3 > 0) {
+    if (takes_in) {
       room_m3 -= cut.volume_m3();
       carried_.Add(cut);
     } else {

@@ -19,7 +19,8 @@ namespace tera {
 /// Model   Geometry: no soil stays above the lowest point of the shovel's cross-section in any
 ///         column. What comes in through the mouth is carried (a bucket) until it is heaped full;
 ///         the rest, and what a blade, the back of a bucket or its shell meets, is put outside in
-///         the direction of motion, over the columns that move with it, from where it rolls down to
+///         the direction of motion (what stands over a buried bucket passes over it and falls
+///         behind), over the columns that move with it, from where it rolls down to
 ///         repose: a heap that the edge slides goes along as it lies, else a passive wedge rises
 ///         from the shovel's lowest point at 45 deg - phi/2 and fans out. What would
 ///         stand before a blade higher than at repose down from its top edge rides up and over it.
@@ -83,9 +84,11 @@ class Digging {
                   const SoilType& soil, const Columns& ground) const;
   void PutOutside(const BodyState& body, const Swept& swept, const Vec2& way_out, SpoilMix* spoil,
                   Columns* ground);
+  void LetPassOver(const Swept& swept, const Vec3& v_W, Columns* ground);
   bool RidesOver(const BodyState& body, const Place& at, double repose_rad,
                  const Columns& ground) const;
   bool RollsOn(double repose_rad, const Columns& ground, Place* at) const;
+  static bool MovesAlong(const Vec3& v_W);
   Vec2 WayOut(const BodyState& body, const Vec3& p_W, const Vec3& v_W) const;
   bool IsShut(const BodyState& body, const Columns& ground) const;
   double Holds_m3(const Vec3& up_B) const;
@@ -110,7 +113,7 @@ class Digging {
   Bearing BearingOf(const SoilType& soil) const;
   std::vector<Bearing> bearing_, bearing_loose_;  ///< of each soil, under the shell
   double beside_m_ = 0;                           ///< lowest surface on the shovel's four sides
-  double lowest_m_ = 0;                           ///< z of the shovel's lowest point
+  double lowest_m_ = 0, highest_m_ = 0;           ///< z of the shovel's lowest and highest point
   double heaped_m3_ = 0;
   SpoilMix carried_;
   double spilling_m3_ = 0;  ///< of it that should have left, less than a clod

@@ -30,13 +30,16 @@ int Nearest(double columns) { return static_cast<int>(std::lround(columns)); }
 
 }  // namespace
 
+/// Whether a part of the shovel moves along rather than up or down.
+bool Digging::MovesAlong(const Vec3& v_W) {
+  const double along_mps = v_W.head<2>().norm();
+  return along_mps >= 0.5 * std::abs(v_W.z()) && along_mps >= kLeastSpeed_mps;
+}
+
 /// Where soil goes that a part of the shovel pushes: ahead of it, or, pressed down, to the nearer
 /// side.
 Vec2 Digging::WayOut(const BodyState& body, const Vec3& p_W, const Vec3& v_W) const {
-  const Vec2 ahead = v_W.head<2>();
-  if (ahead.norm() >= 0.5 * std::abs(v_W.z()) && ahead.norm() >= kLeastSpeed_mps) {
-    return ahead.normalized();
-  }
+  if (MovesAlong(v_W)) return v_W.head<2>().normalized();
   const Mat3& R_WB = body.X_WB.linear();
   const double y_B = (R_WB.transpose() * (p_W - body.X_WB.translation())).y();
   const Vec2 side = (y_B >= 0 ? 1.0 : -1.0) * R_WB.col(1).head<2>();
@@ -110,6 +113,21 @@ void Digging::PutOutside(const BodyState& body, const Swept& swept, const Vec2& 
     const double repose_rad = soil.repose_angle_rad;
     for (int k = 0; k < kLongestRoll && RollsOn(repose_rad, *ground, &rest); ++k) continue;
     ground->DepositAt(rest.i, rest.j, spoil->Take(1.0 / static_cast<double>(parcels - p)));
+  }
+}
+
+/// Soil that stands over a buried bucket, which moves on under it, falls where the bucket has been.
+void Digging::LetPassOver(const Swept& swept, const Vec3& v_W, Columns* ground) {
+  SpoilMix over;
+  ground->Cut(ground->Touch(swept.i, swept.j), highest_m_, &over);
+  if (over.empty()) return;
+  const Place behind = PlaceNear(WayOutFrom(swept, -v_W.head<2>().normalized()));
+  const double repose_rad = soils_[over.main_soil()].repose_angle_rad;
+  const auto parcels = static_cast<std::size_t>(over.volume_m3() / ground->area_m2() / kThickest_m);
+  for (std::size_t p = 0; p <= parcels; ++p) {
+    Place at = behind;
+    for (int n = 0; n < kLongestRoll && RollsOn(repose_rad, *ground, &at); ++n) continue;
+    ground->DepositAt(at.i, at.j, over.Take(1.0 / static_cast<double>(parcels + 1 - p)));
   }
 }
 

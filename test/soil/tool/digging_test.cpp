@@ -268,7 +268,41 @@ TEST(Digging, ABucketDeepInTheGroundThrowsUpNoNeedles) {
   // The shovel displaces 0.15 m^3 at a time, which heaped up as a cone at repose is 0.43 m high; it
   // heaps it on what it heaped before. Needles are metres high.
   RecordProperty("highest_m", fmt::format("{:.2f}", highest_m));
-  EXPECT_LT(highest_m, 0.9);
+  EXPECT_LT(highest_m, 0.7);
+}
+
+/// Volume of the ground above its level, and below.
+std::pair<double, double> RaisedAndLowered_m3(const TerrainSurface& ground) {
+  double raised_m3 = 0, lowered_m3 = 0;
+  for (int j = 0; j < ground.ny; ++j) {
+    for (int i = 0; i < ground.nx; ++i) {
+      const double m3 = ground.at(i, j).height_m * ground.cell_m * ground.cell_m;
+      (m3 > 0 ? raised_m3 : lowered_m3) += std::abs(m3);
+    }
+  }
+  return {raised_m3, lowered_m3};
+}
+
+TEST(Digging, ABuriedBucketHeavesNoMoreThanItSweeps) {
+  // Pressed down to 1.2 m, its back is pushed 0.6 m on: it is 0.69 m high, and 0.6 m wide, or 0.65
+  // m of cells. The half metre of ground over it stays where it is, or falls behind it.
+  auto soil = MakeGround(
+      "size_m: [6, 6]\nsoil: dirt_1\n"
+      "custom_soils: [{preset: tera:config/soils/dirt.yaml, name: dirt_1, swell: 1}]\n");
+  const int machine = AddCompactBucket(soil.get());
+  const auto run = [&](const Vec3& from_m, const Vec3& to_m) {
+    RunBucket(soil.get(), machine, BucketPath({{0, from_m, 90 * kDeg}, {2, to_m, 90 * kDeg}}),
+              [](double, const BodyState&, const SoilReaction&) {});
+    return RaisedAndLowered_m3(soil->surface()).first;
+  };
+  const double pressed_m3 = run({0, 0, 0.9}, {0, 0, -0.42});
+  const double pushed_m3 = run({0, 0, -0.42}, {0.6, 0, -0.42});
+  const double swept_m3 = 0.69 * 0.65 * 0.6;
+  RecordProperty("pressed_pushed_swept_m3",
+                 fmt::format("{:.3f} {:.3f} {:.3f}", pressed_m3, pushed_m3, swept_m3));
+  EXPECT_GT(pushed_m3 - pressed_m3, 0.5 * swept_m3);
+  EXPECT_LT(pushed_m3 - pressed_m3, 1.1 * swept_m3);
+  EXPECT_NEAR(soil->ledger().total_kg(), 0, 1e-9);
 }
 
 TEST(Digging, SameSeedSameMotionSameBytes) {
