@@ -148,9 +148,10 @@ std::shared_ptr<const ShapedMesh> CarriedSoil::Shape(const SoilReaction::Load& l
   const auto main = std::max_element(load.soil_kg.begin(), load.soil_kg.end());
   const SoilType& main_soil = soils_[load.soil_kg.empty() ? 0 : main - load.soil_kg.begin()];
   const Vec3 up_B = X_WB.linear().row(2).transpose();
+  const Vec3 lies_B = load.surface_up_B.isZero() ? up_B : load.surface_up_B;
   const Clods clods(main_soil);
   const HeapSurface surface = MakeHeapSurface(
-      ShovelShape(shovel_), {load.volume_m3, up_B, main_soil.repose_angle_rad},
+      ShovelShape(shovel_), {load.volume_m3, up_B, lies_B, main_soil.repose_angle_rad},
       shovel_.width_m / kCellsAcross,
       [&](double along_m, double across_m) { return clods.Depth_m(along_m, across_m); });
 
@@ -163,7 +164,7 @@ std::shared_ptr<const ShapedMesh> CarriedSoil::Shape(const SoilReaction::Load& l
   auto shape = std::make_shared<ShapedMesh>();
   shape->volume_m3 = load.volume_m3;
   shape->mass_kg = load.mass_kg;
-  shape->key = {load.volume_m3, up_B.x(), up_B.y(), up_B.z()};
+  shape->key = {load.volume_m3, up_B.x(), up_B.y(), up_B.z(), lies_B.x(), lies_B.y(), lies_B.z()};
   shape->key.insert(shape->key.end(), load.soil_kg.begin(), load.soil_kg.end());
   shape->box_min_B_m = Vec3::Constant(std::numeric_limits<double>::infinity());
   shape->box_max_B_m = -shape->box_min_B_m;

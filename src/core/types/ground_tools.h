@@ -93,7 +93,8 @@ struct SoilReaction {
     double mass_kg = 0;
     Vec3 com_B_m = Vec3::Zero();
     double volume_m3 = 0;
-    std::vector<double> soil_kg;  ///< mass of each of the site's soils
+    std::vector<double> soil_kg;       ///< mass of each of the site's soils
+    Vec3 surface_up_B = Vec3::Zero();  ///< normal of the plane its surface lies about; zero: level
   };
   std::vector<Load> shovel_load;       ///< one per shovel: carried soil
   std::vector<double> gear_sinkage_m;  ///< one per gear: largest sinkage of its patches

@@ -40,6 +40,7 @@ void ForRow(InstantType& state, Visit visit) {
       visit(load.mass_kg);
       visit(load.volume_m3);
       ForAll(load.com_B_m, visit);
+      ForAll(load.surface_up_B, visit);
       ForAll(load.soil_kg, visit);
     }
   }

@@ -266,17 +266,39 @@ bool Digging::IsShut(const BodyState& body, const Columns& ground) const {
   return ground.HeightAt(before_lip.x(), before_lip.y()) > lip_W.z() + kShut_m;
 }
 
-/// What stays in the shovel as it is.
-double Digging::Holds_m3(const Vec3& up_B) const {
+ShovelShape::Hold Digging::HoldOf(const Vec3& up_B) const {
+  if (carried_.empty()) return {};
+  return shape_.HoldFor(up_B, soils_[carried_.main_soil()].repose_angle_rad, carried_.volume_m3(),
+                        surface_up_B_);
+}
+
+/// What stays in the shovel, of which `heap_m3` would by its weight.
+double Digging::Holds_m3(double heap_m3) const {
   const SoilType& soil = soils_[carried_.main_soil()];
-  const double carried_m3 = carried_.volume_m3();
-  const double heap_m3 = shape_.HoldFor(up_B, soil.repose_angle_rad, carried_m3).volume_m3;
-  const double weight_npm3 = kStandardGravity_mps2 * carried_.mass_kg() / carried_m3;
+  const double weight_npm3 = kStandardGravity_mps2 * carried_.mass_kg() / carried_.volume_m3();
   // Clods that have been dug no longer hold together: those alone hang that touch the shell.
   const double layer_m =
       std::min(std::min(soil.adhesion_pa, soil.cohesion_pa) / weight_npm3, kStuckClod_m);
   const double touched = Clamp01(fullest_m3_ / shovel_.capacity_m3);
   return std::max(heap_m3, std::min(layer_m * shape_.inside_m2() * touched, shovel_.capacity_m3));
+}
+
+/// The load's surface turns with the shovel until it stands at repose; what more it turns, soil
+/// slides down. Soil that comes in lies level.
+void Digging::Settle(const Vec3& up_B) {
+  const double carried_m3 = carried_.volume_m3();
+  if (carried_.empty()) lies_m3_ = 0;
+  if (carried_.empty()) return;
+  const double came = Clamp01((carried_m3 - lies_m3_) / carried_m3);
+  lies_m3_ = carried_m3;
+  surface_up_B_ = ((1 - came) * surface_up_B_ + came * up_B).normalized();
+  const double repose_rad = soils_[carried_.main_soil()].repose_angle_rad;
+  if (surface_up_B_.dot(up_B) >= std::cos(repose_rad)) return;
+  const Vec3 down_B = surface_up_B_ - surface_up_B_.dot(up_B) * up_B;
+  surface_up_B_ =
+      down_B.norm() > kLeastSpeed_mps
+          ? Vec3(std::cos(repose_rad) * up_B + std::sin(repose_rad) * down_B.normalized())
+          : up_B;
 }
 
 /// Over the edge, the spaces between the teeth take turns; the outer teeth stand flush with the
@@ -290,14 +312,14 @@ Digging::Gap Digging::NextGap(bool over_the_edge) {
   return {tooth_m + shovel_.tooth_width_m, tooth_m + pitch_m};
 }
 
-void Digging::Spill(const BodyState& body, double dt_s, Columns* ground, Grains* grains) {
+void Digging::Spill(const BodyState& body, const Vec3& up_B, double heap_m3, double dt_s,
+                    Columns* ground, Grains* grains) {
   const double carried_m3 = carried_.volume_m3();
   fullest_m3_ = carried_.empty() ? 0 : std::max(fullest_m3_, carried_m3);
   if (carried_.empty()) return;
   const Mat3& R_WB = body.X_WB.linear();
-  const Vec3 up_B = R_WB.transpose() * up_W_mps2_;
   const Vec3 lip_B = shape_.LowerLip_B(up_B);
-  const double holds_m3 = IsShut(body, *ground) ? carried_m3 : Holds_m3(up_B);
+  const double holds_m3 = IsShut(body, *ground) ? carried_m3 : Holds_m3(heap_m3);
   const double excess_m3 = carried_m3 - holds_m3;
   if (excess_m3 <= 0) {
     spilling_m3_ = 0;
@@ -335,15 +357,18 @@ Digging::Result Digging::Act(const BodyState& body, double dt_s, Columns* ground
     result.wrench.torque_W_nm += walls.torque_W_nm;
   }
   CutFootprint(body, dt_s, ground, &result.wrench);
-  Spill(body, dt_s, ground, grains);
+  const Vec3 up_B = (body.X_WB.linear().transpose() * up_W_mps2_).normalized();
+  Settle(up_B);
+  ShovelShape::Hold heap = HoldOf(up_B);
+  const double before_m3 = carried_.volume_m3();
+  Spill(body, up_B, heap.volume_m3, dt_s, ground, grains);
+  if (carried_.volume_m3() != before_m3) heap = HoldOf(up_B);
   result.load.soil_kg.resize(soils_.size());
   if (!carried_.empty()) {
-    const Vec3 up_B = body.X_WB.linear().transpose() * up_W_mps2_;
-    const double repose_rad = soils_[carried_.main_soil()].repose_angle_rad;
-    const double volume_m3 = carried_.volume_m3();
     result.load.mass_kg = carried_.mass_kg();
-    result.load.volume_m3 = volume_m3;
-    result.load.com_B_m = shape_.HoldFor(up_B, repose_rad, volume_m3).com_B_m;
+    result.load.volume_m3 = carried_.volume_m3();
+    result.load.com_B_m = heap.com_B_m;
+    result.load.surface_up_B = surface_up_B_;
     for (const Spoil& part : carried_.parts()) result.load.soil_kg[part.soil] = part.mass_kg;
   }
   return result;

@@ -91,13 +91,16 @@ class Digging {
   static bool MovesAlong(const Vec3& v_W);
   Vec2 WayOut(const BodyState& body, const Vec3& p_W, const Vec3& v_W) const;
   bool IsShut(const BodyState& body, const Columns& ground) const;
-  double Holds_m3(const Vec3& up_B) const;
-  void Spill(const BodyState& body, double dt_s, Columns* ground, Grains* grains);
+  ShovelShape::Hold HoldOf(const Vec3& up_B) const;
+  double Holds_m3(double heap_m3) const;
+  void Spill(const BodyState& body, const Vec3& up_B, double heap_m3, double dt_s, Columns* ground,
+             Grains* grains);
   /// Where a lip lets soil through, along B's y axis.
   struct Gap {
     double from_m, to_m;
   };
   Gap NextGap(bool over_the_edge);
+  void Settle(const Vec3& up_B);
   void FilterApparentGravity(const BodyState& body, double dt_s);
   bool InFootprint(int i, int j) const { return mask_.At(i, j) != kOutside; }
 
@@ -116,9 +119,11 @@ class Digging {
   double lowest_m_ = 0, highest_m_ = 0;           ///< z of the shovel's lowest and highest point
   double heaped_m3_ = 0;
   SpoilMix carried_;
-  double spilling_m3_ = 0;  ///< of it that should have left, less than a clod
-  std::size_t spilt_ = 0;   ///< times that soil left over the edge
-  double fullest_m3_ = 0;   ///< most that it carried since it was last empty
+  double spilling_m3_ = 0;             ///< of it that should have left, less than a clod
+  std::size_t spilt_ = 0;              ///< times that soil left over the edge
+  double fullest_m3_ = 0;              ///< most that it carried since it was last empty
+  Vec3 surface_up_B_ = Vec3::UnitZ();  ///< normal of the plane about which the load's surface lies
+  double lies_m3_ = 0;                 ///< of the load, that lay so in the last step
   Vec3 up_W_mps2_ = kStandardGravity_mps2 * Vec3::UnitZ();  ///< against apparent gravity, smoothed
   std::size_t put_ = 0;                                     ///< parcels put outside so far
   std::vector<Swept> footprint_;

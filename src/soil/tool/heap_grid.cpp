@@ -14,6 +14,7 @@ constexpr double kStep_m = 1e-4;          ///< more is a step of the shell
 constexpr double kMostTilt_rad = 75 * kDeg;  ///< sideways
 constexpr double kMound = 0.3;               ///< slope of the mound over the steepest one
 constexpr double kRoundTop = 0.25;           ///< radius of the mound's top over the mouth's length
+constexpr double kLeastNormal = 0.1;         ///< of a surface's normal
 constexpr double kOpen = std::numeric_limits<double>::infinity();
 
 /// How much higher than a point of the rim soil may stand at a place beside it.
@@ -53,8 +54,9 @@ double MeanOfPositive(double a, double b, double c) {
 
 }  // namespace
 
-HeapGrid::HeapGrid(const ShovelShape& shape, const Vec3& up_B, double slope_rad, double cell_m,
+HeapGrid::HeapGrid(const ShovelShape& shape, const Stance& stance, double cell_m,
                    const HeapRelief& relief) {
+  const Vec3& up_B = stance.up_B;
   const Vec2 in_plane(up_B.x(), up_B.z());
   up_ = in_plane.normalized();
   right_ = Vec2(up_.y(), -up_.x());
@@ -65,7 +67,7 @@ HeapGrid::HeapGrid(const ShovelShape& shape, const Vec3& up_B, double slope_rad,
   CutSlices(shape, cell_m);
   const int across = std::max(2, static_cast<int>(std::lround(2 * shape.half_width_m() / cell_m)));
   for (int j = 0; j <= across; ++j) ys_m_.push_back((2.0 * j / across - 1) * shape.half_width_m());
-  Limit(slope_rad, relief);
+  Limit(stance, relief);
 }
 
 HeapGrid::Slice HeapGrid::SliceAt(const std::vector<Vec2>& outline, double x_m) const {
@@ -130,8 +132,8 @@ std::array<HeapGrid::RimSide, 4> HeapGrid::Rim() const {
 
 /// What the cones of all points of the rim leave of each column. Along a side of the rim the height
 /// that its points leave is convex: the point that leaves least is near that of the column before.
-void HeapGrid::Limit(double slope_rad, const HeapRelief& relief) {
-  const Cone cone(slope_rad, up_y_, up_z_);
+void HeapGrid::Limit(const Stance& stance, const HeapRelief& relief) {
+  const Cone cone(stance.slope_rad, up_y_, up_z_);
   const std::array<RimSide, 4> rim_m = Rim();
   std::array<std::size_t, 4> least{};
   const auto most_m = [&](double x_m, double y_m) {
@@ -157,15 +159,22 @@ void HeapGrid::Limit(double slope_rad, const HeapRelief& relief) {
   };
   const Vec2 mouth = edge_lip_ - top_lip_;
   const double middle_m = 0.5 * (top_lip_.x() + edge_lip_.x());
-  const double round_m = kRoundTop * mouth.norm(), mound = kMound * std::tan(slope_rad);
+  const Vec3& n_B = stance.surface_up_B;
+  const double n_up = std::max(kLeastNormal, up_.x() * n_B.x() + up_.y() * n_B.z());
+  const double rise_x = -(right_.x() * n_B.x() + right_.y() * n_B.z()) / n_up;
+  const double rise_y = -n_B.y() / n_up;
+  const double leans_rad = std::atan2(n_B.cross(stance.up_B).norm(), n_B.dot(stance.up_B));
+  const double round_m = kRoundTop * mouth.norm();
+  const double mound = kMound * std::max(0.0, std::tan(stance.slope_rad) -
+                                                  std::tan(std::min(leans_rad, stance.slope_rad)));
   lowest_m_ = kOpen, highest_m_ = -kOpen;
   for (std::size_t n = 0; n < slices_.size() * ys_m_.size(); ++n) {
     const Slice& slice = slices_[n / ys_m_.size()];
     const double y_m = ys_m_[n % ys_m_.size()];
     const double from_top_m = std::hypot(slice.x_m - middle_m, y_m, round_m) - round_m;
     const Vec2 place_m = PlaceOf(n);
-    limits_.push_back({-mound * from_top_m - y_m * up_y_ / up_z_, most_m(slice.x_m, y_m),
-                       relief(place_m.x(), place_m.y())});
+    limits_.push_back({rise_x * (slice.x_m - middle_m) + rise_y * y_m - mound * from_top_m,
+                       most_m(slice.x_m, y_m), relief(place_m.x(), place_m.y())});
     if (!slice.holds) continue;
     lowest_m_ = std::min(lowest_m_, slice.floor_m - limits_[n].mound_m);
     highest_m_ = std::max(highest_m_, limits_[n].most_m - limits_[n].mound_m);

@@ -16,16 +16,20 @@ using HeapRelief = std::function<double(double along_m, double across_m)>;
 ///
 /// Frames  B frame of the shovel's link. Columns stand along `up` in the profile's plane: x along
 ///         `right`, y along B's y axis, heights along `up`.
-/// Model   A column reaches from the shell to the lowest of: a level that mounds a little towards
-///         the middle of the mouth; the cones that rise at the heap's slope from every point of the
-///         mouth's rim; the shell above, where it overhangs. Relief is taken off. Between the
-///         columns surface and shell are linear over triangles.
+/// Model   A column reaches from the shell to the lowest of: a plane that mounds a little towards
+///         the middle of the mouth, the less the steeper it lies; the cones that rise at the heap's
+///         slope from every point of the mouth's rim; the shell above, where it overhangs. Relief
+///         is taken off. Between the columns surface and shell are linear over triangles.
 /// Omits   hollows of the shell that a column meets above its lowest one.
 class HeapGrid {
  public:
-  /// `up_B` is against gravity; `slope_rad` is the steepest that the heap stands at.
-  HeapGrid(const ShovelShape& shape, const Vec3& up_B, double slope_rad, double cell_m,
-           const HeapRelief& relief);
+  /// How a heap lies: `up_B` is against gravity, `surface_up_B` normal to its plane, `slope_rad`
+  /// the steepest that it stands at.
+  struct Stance {
+    Vec3 up_B, surface_up_B;
+    double slope_rad;
+  };
+  HeapGrid(const ShovelShape& shape, const Stance& stance, double cell_m, const HeapRelief& relief);
 
   /// Soil below a level, by which the heap is full at `highest_m()` and empty at `lowest_m()`.
   double VolumeBelow_m3(double level_m) const;
@@ -60,7 +64,7 @@ class HeapGrid {
   /// Points along one side of the mouth's rim.
   using RimSide = std::vector<Vec3>;
   std::array<RimSide, 4> Rim() const;
-  void Limit(double slope_rad, const HeapRelief& relief);
+  void Limit(const Stance& stance, const HeapRelief& relief);
 
   Vec2 right_, up_;
   double up_y_, up_z_;       ///< of gravity's up direction: along B's y axis, and along `up_`

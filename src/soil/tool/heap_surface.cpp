@@ -17,10 +17,7 @@ constexpr double kSpare = 1.02;  ///< of the volume, that a stance on the coarse
 constexpr double kSteepest_rad = 85 * kDeg;
 constexpr double kLeastUp = 0.05;  ///< of up in the profile's plane
 
-struct Stance {
-  Vec3 up_B;
-  double slope_rad;
-};
+using Stance = HeapGrid::Stance;
 
 double Holds_m3(const HeapGrid& grid) { return grid.VolumeBelow_m3(grid.highest_m()); }
 
@@ -47,22 +44,24 @@ Vec3 Between(const Vec3& a, const Vec3& b, double s) {
 Stance FindStance(const ShovelShape& shape, const CarriedHeap& heap, double cell_m,
                   const HeapRelief& relief) {
   const auto holds = [&](const Vec3& up_B, double slope_rad) {
-    return Holds_m3(HeapGrid(shape, up_B, slope_rad, cell_m, relief)) >= kSpare * heap.volume_m3;
+    return Holds_m3(HeapGrid(shape, {up_B, up_B, slope_rad}, cell_m, relief)) >=
+           kSpare * heap.volume_m3;
   };
   const Vec3 level_B = shape.LevelUp_B();
   Vec3 up_B = Between(heap.up_B.normalized(), level_B, 0);
-  if (holds(up_B, heap.repose_rad)) return {up_B, heap.repose_rad};
+  if (holds(up_B, heap.repose_rad)) return {up_B, heap.surface_up_B, heap.repose_rad};
   if (holds(level_B, heap.repose_rad)) {
     const double turn = LeastThatSuits(
         kTurns, [&](double s) { return holds(Between(up_B, level_B, s), heap.repose_rad); });
-    return {Between(up_B, level_B, turn), heap.repose_rad};
+    up_B = Between(up_B, level_B, turn);
+    return {up_B, up_B, heap.repose_rad};
   }
   const auto slope_rad = [&](double s) {
     return heap.repose_rad + s * (kSteepest_rad - heap.repose_rad);
   };
   const double more =
       LeastThatSuits(kSlopes, [&](double s) { return holds(level_B, slope_rad(s)); });
-  return {level_B, slope_rad(more)};
+  return {level_B, level_B, slope_rad(more)};
 }
 
 /// Collects the triangles of a surface, cut off where it meets the shell.
@@ -123,7 +122,7 @@ HeapSurface MakeHeapSurface(const ShovelShape& shape, const CarriedHeap& heap, d
                             const HeapRelief& relief) {
   if (heap.volume_m3 <= 0) return {};
   const Stance stance = FindStance(shape, heap, kCoarse * cell_m, relief);
-  const HeapGrid grid(shape, stance.up_B, stance.slope_rad, cell_m, relief);
+  const HeapGrid grid(shape, stance, cell_m, relief);
   const double range_m = grid.highest_m() - grid.lowest_m();
   const auto level_m = [&](double s) { return grid.lowest_m() + s * range_m; };
   const double full = LeastThatSuits(

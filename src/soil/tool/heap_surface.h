@@ -12,7 +12,8 @@ namespace tera {
 /// Soil that lies in a shovel.
 struct CarriedHeap {
   double volume_m3 = 0;
-  Vec3 up_B = Vec3::UnitZ();  ///< against gravity
+  Vec3 up_B = Vec3::UnitZ();          ///< against gravity
+  Vec3 surface_up_B = Vec3::UnitZ();  ///< normal of the plane that its surface lies about
   double repose_rad = 0;
 };
 
@@ -23,8 +24,7 @@ struct CarriedHeap {
 ///         the shovel hold less than that at the angle of repose, because soil takes time to leave
 ///         or sticks, the heap is turned towards the mouth as far as it takes; what would not stand
 ///         in a level shovel either stands steeper.
-/// Omits   how soil lay before: the same soil in the same position always lies alike; what no heap
-///         below 85 deg holds, of which as much is drawn as one holds.
+/// Omits   what no heap below 85 deg holds, of which as much is drawn as one holds.
 struct HeapSurface {
   std::vector<Vec3> p_B_m;
   std::vector<Vec3> floor_B_m;  ///< the shell below each point

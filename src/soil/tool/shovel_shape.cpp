@@ -206,9 +206,16 @@ struct ShovelShape::Heap {
   };
   Vec2 right, up;  ///< axes in the profile's plane
   double dx = 0;
+  double rise = 0;  ///< of the planes below which soil is looked for; heights are counted from them
   std::array<Slice, kSlices> slices;
 
   Vec2 Level(const Vec2& p) const { return Vec2(p.dot(right), p.dot(up)); }
+  void CountFromPlanes(const Vec3& normal_B) {
+    constexpr double kLeastUp = 0.1;
+    const Vec2 n = Level(Vec2(normal_B.x(), normal_B.z()));
+    rise = -n.x() / std::max(n.y(), kLeastUp);
+    for (Slice& s : slices) s.floor -= rise * s.x, s.surface -= rise * s.x;
+  }
   /// Area of what lies below the level `cap`.
   double AreaBelow(double cap) const {
     double area = 0;
@@ -235,7 +242,9 @@ struct ShovelShape::Heap {
       area += height * dx;
       moment += height * dx * Vec2(s.x, s.floor + 0.5 * height);
     }
-    return area > 0 ? std::optional(Vec2(moment / area)) : std::nullopt;
+    if (area <= 0) return std::nullopt;
+    const Vec2 centre = moment / area;
+    return Vec2(centre.x(), centre.y() + rise * centre.x());
   }
 };
 
@@ -291,12 +300,13 @@ ShovelShape::Heap ShovelShape::FullestHeap(const Vec3& up_B, double repose_rad) 
   return heap;
 }
 
-ShovelShape::Hold ShovelShape::HoldFor(const Vec3& up_B, double repose_rad,
-                                       double volume_m3) const {
+ShovelShape::Hold ShovelShape::HoldFor(const Vec3& up_B, double repose_rad, double volume_m3,
+                                       const Vec3& surface_up_B) const {
   Hold hold;
   const Vec2 up(up_B.x(), up_B.z());
   if (up.norm() < kTiny || capacity_m3_ <= 0) return hold;
-  const Heap heap = FullestHeap(up_B, repose_rad);
+  Heap heap = FullestHeap(up_B, repose_rad);
+  heap.CountFromPlanes(surface_up_B);
   const auto [bottom, top] = heap.Extent();
   const double volume_per_area_m = capacity_m3_ / held_area_m2_;
   if (top > bottom) hold.volume_m3 = heap.AreaBelow(top) * volume_per_area_m;

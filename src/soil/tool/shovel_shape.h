@@ -57,8 +57,14 @@ class ShovelShape {
     double volume_m3 = 0;         ///< at most, heaped at `repose_rad`
     Vec3 com_B_m = Vec3::Zero();  ///< of the volume asked for
   };
-  /// Largest volume, and the centre of `volume_m3` (or of the largest, where that is less).
-  Hold HoldFor(const Vec3& up_B, double repose_rad, double volume_m3) const;
+  /// Largest volume, and the centre of `volume_m3` (or of the largest, where that is less) below a
+  /// plane with this normal.
+  Hold HoldFor(const Vec3& up_B, double repose_rad, double volume_m3,
+               const Vec3& surface_up_B) const;
+  /// The same below a level plane.
+  Hold HoldFor(const Vec3& up_B, double repose_rad, double volume_m3) const {
+    return HoldFor(up_B, repose_rad, volume_m3, up_B);
+  }
 
   /// Middle of the lip that soil leaves over when `up_B` is up.
   Vec3 LowerLip_B(const Vec3& up_B) const;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "soil/soil_fixture.h"
+#include "soil/tool/shovel_shape.h"
 
 /// What leaves a bucket: where it leaves it, and the pile that it makes.
 
@@ -16,6 +17,84 @@ namespace tera {
 namespace {
 
 using namespace testing_soil;
+
+/// Volume under a plane that rises from the lower lip into the bucket at `slope_rad`, by clipping
+/// the section at it; of sections that nowhere reach the mouth.
+double UnderSlopeFromLip_m3(const Shovel& shovel, const Pose& X_WB, double slope_rad) {
+  const ShovelShape shape(shovel);
+  std::vector<Vec2> section;  // level and upwards
+  for (const Vec2& p : shape.held_B()) {
+    const Vec3 p_W = X_WB.linear() * Vec3(p.x(), 0, p.y());
+    section.emplace_back(p_W.x(), p_W.z());
+  }
+  const auto area_m2 = [](const std::vector<Vec2>& polygon) {
+    double twice_m2 = 0;
+    for (std::size_t k = 0; k < polygon.size(); ++k) {
+      const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+      twice_m2 += a.x() * b.y() - a.y() * b.x();
+    }
+    return 0.5 * std::abs(twice_m2);
+  };
+  const Vec2 lip = section.front(), inwards = section.back() - lip;
+  const auto above_m = [&](const Vec2& p) {
+    return p.y() - lip.y() -
+           std::tan(slope_rad) * std::copysign(1, inwards.x()) * (p.x() - lip.x());
+  };
+  std::vector<Vec2> below;
+  for (std::size_t k = 0; k < section.size(); ++k) {
+    const Vec2 &a = section[k], &b = section[(k + 1) % section.size()];
+    const double at_a_m = above_m(a), at_b_m = above_m(b);
+    if (at_a_m <= 1e-12) below.push_back(a);
+    if ((at_a_m < -1e-12 && at_b_m > 1e-12) || (at_a_m > 1e-12 && at_b_m < -1e-12)) {
+      below.push_back(a + at_a_m / (at_a_m - at_b_m) * (b - a));
+    }
+  }
+  return shovel.capacity_m3 * area_m2(below) / area_m2(section);
+}
+
+/// Of a bucket that is filled, curled, and opened by 2.5 deg a second.
+TEST(Pouring, ABucketsLoadTurnsWithItUpToReposeThenLiesAtReposeAndLeavesOverTheLip) {
+  const double repose_rad = 37 * kDeg;  // config/soils/dirt.yaml
+  auto soil = MakeGround("soil: dirt\n");
+  const int machine = AddCompactBucket(soil.get());
+  const BucketPath path({{0.0, {0.3, 0, 1.30}, 80 * kDeg},
+                         {1.0, {0.3, 0, 0.60}, 85 * kDeg},
+                         {2.5, {-0.5, 0, 0.58}, 105 * kDeg},
+                         {3.5, {-0.7, 0, 0.65}, 165 * kDeg},
+                         {5.0, {-0.7, 0, 2.00}, 182 * kDeg},
+                         {6.0, {-0.7, 0, 2.00}, 182 * kDeg},
+                         {46.0, {-0.7, 0, 2.00}, 82 * kDeg}});
+  double lay_still_rad = 0, slid_rad = 0, last_rad = 182 * kDeg;
+  Vec3 lay_B = Vec3::Zero(), com_B = Vec3::Zero();
+  RunBucket(soil.get(), machine, path,
+            [&](double t_s, const BodyState& body, const SoilReaction& r) {
+              const SoilReaction::Load& load = r.shovel_load[0];
+              if (t_s < 6 || load.mass_kg == 0) return;
+              const Mat3& R_WB = body.X_WB.linear();
+              const double pitch_rad = (182 - 2.5 * (t_s - 6)) * kDeg;
+              const double leans_rad = std::acos((R_WB * load.surface_up_B).z());
+              ASSERT_LT(leans_rad, repose_rad + 0.2 * kDeg) << t_s;
+              if (leans_rad < repose_rad - 0.5 * kDeg) {
+                if (!lay_B.isZero()) {
+                  ASSERT_LT((load.surface_up_B - lay_B).norm(), 1e-9) << t_s;
+                  ASSERT_LT((load.com_B_m - com_B).norm(), 0.002) << t_s;
+                }
+                lay_still_rad += last_rad - pitch_rad;
+                lay_B = load.surface_up_B, com_B = load.com_B_m;
+              } else {
+                slid_rad += last_rad - pitch_rad;
+              }
+              last_rad = pitch_rad;
+              // The mouth falls towards the edge more steeply than repose, and the load still fills
+              // it.
+              if (pitch_rad > 125 * kDeg || pitch_rad < 107 * kDeg) return;
+              const double held_m3 = UnderSlopeFromLip_m3(CompactBucket(), body.X_WB, repose_rad);
+              EXPECT_NEAR(load.volume_m3, held_m3, 0.03 * 0.11) << pitch_rad / kDeg;
+            });
+  EXPECT_GT(lay_still_rad, 20 * kDeg);
+  EXPECT_GT(slid_rad, 5 * kDeg);
+  EXPECT_NEAR(soil->ledger().total_kg(), 0, 1e-9);
+}
 
 TEST(Pouring, WhatSpillsOverTheCuttingEdgeLeavesBetweenTheTeeth) {
   // Three teeth of 0.12 m on 0.6 m, the outer ones flush: gaps from 0.06 to 0.18 m on both sides of

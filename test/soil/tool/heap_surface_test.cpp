@@ -94,8 +94,8 @@ TEST(HeapSurface, HasTheCarriedVolumeBetweenItAndTheShellOfTwoMachines) {
     const Vec3 up_B = ShovelShape(shovel).LevelUp_B();
     for (const double fill : {0.05, 0.1, 0.25, 0.5, 0.75, 1.0, 1.2}) {
       const double carried_m3 = fill * shovel.capacity_m3;
-      const HeapSurface surface =
-          MakeHeapSurface(ShovelShape(shovel), {carried_m3, up_B, kRepose_rad}, kCell_m, Lumps);
+      const HeapSurface surface = MakeHeapSurface(
+          ShovelShape(shovel), {carried_m3, up_B, up_B, kRepose_rad}, kCell_m, Lumps);
       EXPECT_NEAR(Columns4mm(shovel, up_B).VolumeUnder_m3(surface) / carried_m3, 1, 0.02)
           << shovel.width_m << " " << fill;
     }
@@ -108,7 +108,7 @@ TEST(HeapSurface, HasTheCarriedVolumeWhenTheShovelIsTiltedTheWayItLies) {
     for (const double roll_deg : {-15.0, 0.0, 8.0}) {
       const Vec3 up_B = Tilted(shovel, pitch_deg * kDeg, roll_deg * kDeg);
       const HeapSurface surface =
-          MakeHeapSurface(ShovelShape(shovel), {0.04, up_B, kRepose_rad}, kCell_m, Lumps);
+          MakeHeapSurface(ShovelShape(shovel), {0.04, up_B, up_B, kRepose_rad}, kCell_m, Lumps);
       EXPECT_NEAR(Columns4mm(shovel, up_B).VolumeUnder_m3(surface) / 0.04, 1, 0.02)
           << pitch_deg << " " << roll_deg;
     }
@@ -132,8 +132,8 @@ TEST(HeapSurface, StaysWithinTheWallsAndRisesOverTheRimAtMostAtRepose) {
     const ShovelShape shape(shovel);
     for (const auto& [fill, roll_deg] : {std::pair{0.3, 10.0}, {1.0, 6.0}, {1.2, 0.0}}) {
       const Vec3 up_B = Tilted(shovel, 0, roll_deg * kDeg);
-      const HeapSurface surface =
-          MakeHeapSurface(shape, {fill * shovel.capacity_m3, up_B, kRepose_rad}, kCell_m, Lumps);
+      const HeapSurface surface = MakeHeapSurface(
+          shape, {fill * shovel.capacity_m3, up_B, up_B, kRepose_rad}, kCell_m, Lumps);
       ASSERT_GT(surface.triangles.size(), 100u);
       const Vec2 edge = shape.held_B().front(), top = shape.held_B().back();
       for (const Vec3& p_B : surface.p_B_m) {
@@ -154,14 +154,21 @@ TEST(HeapSurface, StaysWithinTheWallsAndRisesOverTheRimAtMostAtRepose) {
   }
 }
 
+/// However far its surface has turned with the bucket.
 TEST(HeapSurface, LiesWhereTheSoilModuleHasItsCentreOfMass) {
   const Shovel shovel = CompactBucket();
   const ShovelShape shape(shovel);
-  for (const double pitch_deg : {-25.0, 0.0, 15.0}) {
+  for (const auto& [pitch_deg, turned_deg] : {std::pair{-25.0, 0.0},
+                                              {-25.0, -25.0},
+                                              {0.0, 0.0},
+                                              {0.0, 30.0},
+                                              {15.0, 0.0},
+                                              {15.0, -20.0}}) {
     const Vec3 up_B = Tilted(shovel, pitch_deg * kDeg, 0);
+    const Vec3 lies_B = Tilted(shovel, (pitch_deg + turned_deg) * kDeg, 0);
     for (const double volume_m3 : {0.02, 0.05, 0.08}) {
       const HeapSurface surface =
-          MakeHeapSurface(shape, {volume_m3, up_B, kRepose_rad}, kCell_m, Smooth);
+          MakeHeapSurface(shape, {volume_m3, up_B, lies_B, kRepose_rad}, kCell_m, Smooth);
       Vec3 moment_B = Vec3::Zero();
       double sum = 0;
       for (const auto& t : surface.triangles) {
@@ -174,8 +181,10 @@ TEST(HeapSurface, LiesWhereTheSoilModuleHasItsCentreOfMass) {
         const double share = n_B.dot(up_B) * (top_B - floor_B).norm();
         moment_B += share * 0.5 * (top_B + floor_B), sum += share;
       }
-      const Vec3 truth_B = shape.HoldFor(up_B, kRepose_rad, volume_m3).com_B_m;
-      EXPECT_LT((moment_B / sum - truth_B).norm(), 0.02) << pitch_deg << " " << volume_m3;
+      EXPECT_NEAR(0.5 * sum / volume_m3, 1, 0.02) << pitch_deg << " " << turned_deg;
+      const Vec3 truth_B = shape.HoldFor(up_B, kRepose_rad, volume_m3, lies_B).com_B_m;
+      EXPECT_LT((moment_B / sum - truth_B).norm(), 0.02)
+          << pitch_deg << " " << turned_deg << " " << volume_m3;
     }
   }
 }
@@ -184,7 +193,7 @@ TEST(HeapSurface, SlopesAgainstGravityAreThoseOfAGentleMound) {
   const Shovel shovel = CompactBucket();
   const Vec3 up_B = Tilted(shovel, -20 * kDeg, 12 * kDeg);
   const HeapSurface surface =
-      MakeHeapSurface(ShovelShape(shovel), {0.03, up_B, kRepose_rad}, kCell_m, Smooth);
+      MakeHeapSurface(ShovelShape(shovel), {0.03, up_B, up_B, kRepose_rad}, kCell_m, Smooth);
   ASSERT_GT(surface.triangles.size(), 100u);
   for (const auto& t : surface.triangles) {
     const Vec3 n_B = (surface.p_B_m[t[1]] - surface.p_B_m[t[0]])
@@ -196,16 +205,16 @@ TEST(HeapSurface, SlopesAgainstGravityAreThoseOfAGentleMound) {
 
 TEST(HeapSurface, IsNothingWhenTheShovelIsEmpty) {
   const ShovelShape shape(CompactBucket());
-  EXPECT_TRUE(
-      MakeHeapSurface(shape, {0, Vec3::UnitZ(), kRepose_rad}, kCell_m, Lumps).triangles.empty());
+  EXPECT_TRUE(MakeHeapSurface(shape, {0, Vec3::UnitZ(), Vec3::UnitZ(), kRepose_rad}, kCell_m, Lumps)
+                  .triangles.empty());
 }
 
 TEST(HeapSurface, KeepsItsVolumeWithinTheWallsWhileAShovelEmptiesUpsideDown) {
   const Shovel shovel = CompactBucket();
   for (const double pitch_deg : {80.0, 130.0, 180.0, -100.0}) {
+    const Vec3 up_B = Tilted(shovel, pitch_deg * kDeg, 0);
     const HeapSurface surface =
-        MakeHeapSurface(ShovelShape(shovel),
-                        {0.05, Tilted(shovel, pitch_deg * kDeg, 0), kRepose_rad}, kCell_m, Lumps);
+        MakeHeapSurface(ShovelShape(shovel), {0.05, up_B, up_B, kRepose_rad}, kCell_m, Lumps);
     ASSERT_GT(surface.triangles.size(), 50u) << pitch_deg;
     for (const Vec3& p_B : surface.p_B_m) EXPECT_LT(Beyond_m(shovel, p_B), 1e-6) << pitch_deg;
   }

@@ -70,6 +70,24 @@ TEST(ShovelShape, TiltedSidewaysLosesWhatRisesAboveItsLowerSideWall) {
   EXPECT_NEAR(shape.HoldFor(Vec3(0, 1, 1), 45 * kDeg, 9).volume_m3, 0.5, 0.003);
 }
 
+TEST(ShovelShape, TiltedBeyondReposeHoldsWhatLiesUnderReposeFromItsLip) {
+  // Tilted by 57 deg, soil at 37 deg falls into the box by 20 deg from the lip: a wedge of
+  // tan(20 deg) / 2 is missing.
+  const Vec3 up_B(std::sin(57 * kDeg), 0, std::cos(57 * kDeg));
+  EXPECT_NEAR(ShovelShape(OpenBox()).HoldFor(up_B, 37 * kDeg, 9).volume_m3,
+              0.5 - 0.5 * std::tan(20 * kDeg), 0.003);
+}
+
+TEST(ShovelShape, SoilUnderASlopingPlaneHasItsCentreBelowThePlanesHighSide) {
+  // Half the box below a plane of 1 in 5: 0.15 to 0.35 m deep over 1 m. About its middle the
+  // trapezium's moment is 0.2 / 12, over an area of 0.25; its height is the mean of h^2 / 2.
+  const Vec3 com_B = ShovelShape(OpenBox())
+                         .HoldFor(Vec3::UnitZ(), 37 * kDeg, 0.25, Vec3(-0.2, 0, 1).normalized())
+                         .com_B_m;
+  EXPECT_NEAR(com_B.x(), 0.5 + 0.2 / 12 / 0.25, 1e-3);
+  EXPECT_NEAR(com_B.z(), -0.5 + (0.25 * 0.25 + 0.2 * 0.2 / 12) / 2 / 0.25, 1e-3);
+}
+
 TEST(ShovelShape, TeethHoldNothing) {
   Shovel toothed = OpenBox();
   toothed.teeth = 4;
