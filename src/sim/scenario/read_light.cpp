@@ -106,8 +106,10 @@ Environment ReadEnvironment(const ConfigMap& config, const SiteOrigin& origin) {
     config.Fault("sun_illuminance_klx", "the sun is below the horizon at that time; leave it out");
   }
   environment.turbidity = config.Number("turbidity", Between(1.5, 10, ""), environment.turbidity);
-  environment.fog_visibility_m =
-      config.Number("visibility_m", Positive("m"), environment.fog_visibility_m);
+  // The default is not written into the resolved scenario, where it would be stated fog.
+  if (const auto visibility_m = config.OptionalNumber("visibility_m", Positive("m"))) {
+    environment.fog_visibility_m = environment.weather.visibility_m = *visibility_m;
+  }
   environment.cloud_cover = config.OptionalNumber("cloud_cover", Between(0, 1, ""));
   const double metered_ev100 = is_timed ? MeteredEv100(environment) : environment.exposure_ev100;
   environment.exposure_ev100 =

@@ -92,7 +92,6 @@ void ReadWeather(const ConfigMap& config, Environment* environment) {
   };
   weather.wind.speed_mps = number("wind_mps", Between(0, kMostWind_mps, "m/s"));
   weather.wind.from_rad = number("wind_from_deg", Between(-360, 360, "deg")) * kDeg;
-  if (config.Has("visibility_m")) weather.visibility_m = environment->fog_visibility_m;
   weather.rain_mmph = number("rain_mmph", Between(0, kMostRain_mmph, "mm/h"));
   weather.evaporation_mmpd =
       number("evaporation_mmpd", Between(0, kMostEvaporation_mmpd, "mm a day"));

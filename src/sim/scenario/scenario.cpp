@@ -289,7 +289,7 @@ Sling ReadSling(const ConfigMap& config, const Scenario& scenario) {
 /// before says how it was.
 void LetWeatherAct(const ConfigMap& config, const Weather& weather, Site* site) {
   if (weather.rain_mmph <= 0 && weather.evaporation_mmpd <= 0) return;
-  const bool is_wet = !config.Map("terrain").Has("weather_before");
+  const bool is_wet = !site->has_weather_before();
   if (site->LetWeatherAct({0, weather.rain_mmph, weather.evaporation_mmpd}, is_wet)) return;
   config.Map("environment")
       .Fault(weather.rain_mmph > 0 ? "rain_mmph" : "evaporation_mmpd",

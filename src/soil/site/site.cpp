@@ -7,7 +7,7 @@ namespace tera {
 Site Site::Read(const ConfigMap& config, std::uint64_t seed,
                 const std::optional<GivenGround>& given) {
   const SitePlan plan = ReadSite(config, seed, given);
-  return {BuildColumns(plan), plan.georeference};
+  return {BuildColumns(plan), plan.georeference, plan.has_weather_before};
 }
 
 bool Site::LetWeatherAct(const WeatherSpell& weather, bool is_wet) {

@@ -32,6 +32,8 @@ class Site {
   /// from the start if it has rained already. Returns false if that needs more kinds of soil than
   /// there may be. Call when the ground is as runs start on it.
   bool LetWeatherAct(const WeatherSpell& weather, bool is_wet);
+  /// Whether the scenario says what the weather was until the start.
+  bool has_weather_before() const { return has_weather_before_; }
   /// At the start of a run; nothing where no weather acts.
   const std::optional<GroundWeather>& weather() const { return weather_; }
 
@@ -43,13 +45,17 @@ class Site {
   const std::optional<SiteOrigin>& georeference() const { return georeference_; }
 
  private:
-  Site(Columns columns, std::optional<SiteOrigin> georeference)
-      : columns_(std::move(columns)), soils_(columns_.soils()), georeference_(georeference) {}
+  Site(Columns columns, std::optional<SiteOrigin> georeference, bool has_weather_before)
+      : columns_(std::move(columns)),
+        soils_(columns_.soils()),
+        georeference_(georeference),
+        has_weather_before_(has_weather_before) {}
 
   Columns columns_;
   std::vector<SoilType> soils_;
   std::optional<GroundWeather> weather_;
   std::optional<SiteOrigin> georeference_;
+  bool has_weather_before_;
 };
 
 }  // namespace tera

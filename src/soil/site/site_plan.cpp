@@ -277,6 +277,7 @@ SitePlan ReadSite(const ConfigMap& config, std::uint64_t seed,
   plan.ruts = ReadRuts(config);
   plan.kinds = SoilKinds(soils.soils());
   if (const auto weather = ReadWeatherBefore(config); !weather.empty() && !soils.soils().empty()) {
+    plan.has_weather_before = true;
     LetItRain(config, weather, &plan);
   }
 

@@ -27,6 +27,7 @@ struct SitePlan {
   std::vector<PitPlan> pits;
   std::vector<RutPlan> ruts;
   std::optional<SiteOrigin> georeference;
+  bool has_weather_before = false;
 };
 
 /// Reads `size_m cell_m soil soils layers soil_classes custom_soils strips regions relief geotiff

@@ -96,6 +96,17 @@ TEST(ReadWeather, RainAndEvaporationActOnTheGround) {
   EXPECT_FALSE(acts(""));
 }
 
+// A recording keeps the resolved scenario, from which replay and resense read the same again.
+TEST(ReadWeather, AResolvedScenarioHasTheSameAirAndGround) {
+  const Config given = Config::FromText(SiteWithWeather("rain_mmph: 9, cloud_cover: 1"), "s.yaml");
+  const Scenario scenario = ReadScenario(given.root());
+  const Config resolved = Config::FromText(given.ResolvedYaml(), "resolved.yaml");
+  const Scenario again = ReadScenario(resolved.root());
+  EXPECT_EQ(again.environment.weather.visibility_m, scenario.environment.weather.visibility_m);
+  EXPECT_EQ(again.environment.fog_visibility_m, scenario.environment.fog_visibility_m);
+  EXPECT_EQ(again.site->surface().at(9, 9).cover, scenario.site->surface().at(9, 9).cover);
+}
+
 TEST(ReadWeather, OnlyAStatedVisibilityIsFog) {
   EXPECT_EQ(ReadEnvironment("").weather.visibility_m, 0);
   EXPECT_EQ(ReadEnvironment("").weather.Extinction_1pm(), 0);
