@@ -22,13 +22,13 @@ struct PowerBounds {
   float low, high;
 };
 PowerBounds RoughPower(float x, float n) {
-  constexpr float kOne = 1065353216.0f;  // bits of 1
-  constexpr float kLeast = 1 << 23, kMost = 2139095039.0f;
-  constexpr float kLow = 0.94f, kHigh = 0.064f;
-  const float bits = kOne + n * (static_cast<float>(std::bit_cast<std::int32_t>(x)) - kOne);
+  constexpr float kOneBits = 1065353216.0f;  // bits of 1
+  constexpr float kLeastBits = 1 << 23, kMostBits = 2139095039.0f;
+  constexpr float kRoughLow = 0.94f, kRoughHigh = 0.064f;
+  const float bits = kOneBits + n * (static_cast<float>(std::bit_cast<std::int32_t>(x)) - kOneBits);
   const auto power =
-      std::bit_cast<float>(static_cast<std::int32_t>(std::clamp(bits, kLeast, kMost)));
-  return {kLow * power, (1 + kHigh * n) * power};
+      std::bit_cast<float>(static_cast<std::int32_t>(std::clamp(bits, kLeastBits, kMostBits)));
+  return {kRoughLow * power, (1 + kRoughHigh * n) * power};
 }
 
 }  // namespace

@@ -294,16 +294,7 @@ TEST(GearContact, ATurnOnTheSpotShovesSandAsideRatherThanPressingItTogether) {
     pressed_m3 += bank_m3 + (sand.swell - 1) * loose_m3 - m3;
   }
   EXPECT_NEAR((lowered_m3 - raised_m3) / (pressed_m3 - loosened_m3), 1, 0.05);
-  const auto pressed_columns = [&ground] {
-    int count = 0;
-    for (int j = 0; j < ground.ny; ++j) {
-      for (int i = 0; i < ground.nx; ++i) count += ground.at(i, j).cover.rut > 0;
-    }
-    return count;
-  };
-  const double under_m2 = pressed_columns() * ground.cell_m * ground.cell_m;
   RecordProperty("pressed_loosened_m3", fmt::format("{:.4f} {:.4f}", pressed_m3, loosened_m3));
-  RecordProperty("pressed_mm", fmt::format("{:.1f}", 1e3 * pressed_m3 / under_m2));
   // Between the tracks, where sand heaves from both all the way round, and in the berm outside.
   double mound_m = 0, berm_m = 0;
   for (int j = 0; j < ground.ny; ++j) {
