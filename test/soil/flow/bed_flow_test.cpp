@@ -1,5 +1,6 @@
 #include "soil/flow/bed_flow.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -125,6 +126,9 @@ TEST(Bed, ThatTipsWithAllWallsShutHoldsAWedgeBehindTheLowerOne) {
     const double tilt_rad = std::abs(turn.pitch_rad) + std::abs(turn.roll_rad);
     const double wedge_rad =
         std::atan(turn.wall_length_m * std::pow(yard.wall_m, 2) / (2 * yard.volume_m3()));
+    RecordProperty(
+        fmt::format("surface_{}_{:.0f}_deg", turn.roll_rad > 0 ? "roll" : "pitch", tilt_rad / kDeg),
+        fmt::format("{:.1f}", (tilt_rad - wedge_rad) / kDeg));
     EXPECT_NEAR((tilt_rad - wedge_rad) / kDeg, 32.5, 1.0) << tilt_rad / kDeg;
     EXPECT_NEAR(yard.Sum_kg() / yard.poured_kg, 1, 1e-12);
   }
@@ -141,6 +145,8 @@ TEST(Bed, WithAnOpenGateKeepsWhatLiesUnderReposeFromItsLip) {
     const double rise = std::tan(32 * kDeg - tilt_rad);
     const double fallen_m3 = yard.width_m() * 0.4 * 0.4 / rise / 2;
     const double filled_m3 = yard.poured_kg / 1250;
+    RecordProperty(fmt::format("kept_{:.0f}_deg_m3", tilt_rad / kDeg),
+                   fmt::format("{:.3f}, {:.3f}", yard.volume_m3(), filled_m3 - fallen_m3));
     EXPECT_NEAR((filled_m3 - yard.volume_m3()) / fallen_m3, 1, 0.1) << tilt_rad / kDeg;
     EXPECT_NEAR(yard.Sum_kg() / yard.poured_kg, 1, 1e-12);
   }
@@ -157,6 +163,8 @@ TEST(Bed, ItsLoadSlidesOutAsABlockOverAnOpenGate) {
     yard.Wait(0.5);
     double end_m = 1.5;
     while (yard.bed().columns().HeightAt(end_m, 0.1) < 0.15) end_m -= 0.01;
+    RecordProperty(fmt::format("slid_{:.1f}_s_m", t_s),
+                   fmt::format("{:.2f}, {:.2f}", 1.5 - end_m, 0.5 * a_mps2 * t_s * t_s));
     EXPECT_NEAR(1.5 - end_m, 0.5 * a_mps2 * t_s * t_s, 0.2) << t_s;
   }
 }
@@ -167,6 +175,8 @@ TEST(Bed, ThatTipsOverTheFrictionOfSteelEmptiesItselfOntoTheGroundBehind) {
     yard.Fill(0.6);
     yard.Tip(-tilt_rad, 0, true);
     yard.Wait(2 * kAtRest_s);
+    RecordProperty(fmt::format("left_{:.0f}_deg", tilt_rad / kDeg),
+                   fmt::format("{:.4f}", yard.bed().mass_kg() / yard.poured_kg));
     EXPECT_LT(yard.bed().mass_kg() / yard.poured_kg, 0.005) << tilt_rad / kDeg;
     EXPECT_NEAR(yard.Sum_kg() / yard.poured_kg, 1, 1e-12);
     EXPECT_NEAR(yard.bed().load().mass_kg, yard.bed().mass_kg(), 1e-9);
