@@ -103,19 +103,28 @@ double SettleLoose(const ColumnMaterial& m, double ds_m, Column* c) {
   return ds_m;
 }
 
-/// Makes undisturbed soil part of the layers, so that these are `influence_m` thick.
+/// Makes undisturbed soil part of the layers, stratum by stratum, so that these are `influence_m`
+/// thick.
 void ReachDown(const ColumnMaterial& m, double influence_m, Column* c) {
-  const double more_m = influence_m - Layers_m(*c);
-  if (more_m <= 0) return;
-  const double depth_m = c->ground_m - c->bank_m;
-  const Stratum& stratum = m.profile.Below(depth_m);
-  const SoilLayer layer{more_m, m.profile.Mass_kgpm2(depth_m, depth_m + more_m), stratum.moisture,
-                        stratum.soil, false};
-  c->bank_m -= more_m;
-  if (c->layer_count > 0 && !c->layers[0].loose && c->layers[0].soil == layer.soil) {
-    c->layers[0] = Joined(c->layers[0], layer);
-  } else {
-    AddLayer(layer, 0, c);
+  double more_m = influence_m - Layers_m(*c);
+  double depth_m = c->ground_m - c->bank_m;
+  while (more_m > 0) {
+    const Stratum& stratum = m.profile.Below(depth_m);
+    const double take_m = std::min(more_m, stratum.bottom_m - depth_m);
+    if (take_m < more_m && take_m < kThinnest_m) {  // its end, but for rounding
+      depth_m = stratum.bottom_m;
+      continue;
+    }
+    const SoilLayer layer{take_m, m.profile.Mass_kgpm2(depth_m, depth_m + take_m), stratum.moisture,
+                          stratum.soil, false};
+    c->bank_m -= take_m;
+    if (c->layer_count > 0 && !c->layers[0].loose && c->layers[0].soil == layer.soil) {
+      c->layers[0] = Joined(c->layers[0], layer);
+    } else {
+      AddLayer(layer, 0, c);
+    }
+    more_m -= take_m;
+    depth_m += take_m;
   }
 }
 

@@ -54,6 +54,20 @@ TEST_F(ColumnTest, ATrenchThroughTopsoilGivesWhatLayUnderIt) {
   EXPECT_EQ(profile_.Below(column_.ground_m - column_.bank_m).soil, 1);
 }
 
+TEST_F(ColumnTest, WhatIsPressedStaysOfItsStratum) {
+  SpoilMix beside;
+  PressColumn(material_, {.ds_m = 0.02, .influence_m = 0.5, .pressure_pa = 1e9}, &column_, &beside);
+  ASSERT_EQ(column_.layer_count, 2);
+  EXPECT_EQ(column_.layers[1].soil, 0);
+  EXPECT_EQ(column_.layers[0].soil, 1);
+  EXPECT_NEAR(column_.layers[1].kgpm2, 0.3 * 1300, 1e-9);
+  EXPECT_NEAR(column_.layers[0].kgpm2, 0.2 * 1800, 1e-9);
+  EXPECT_FLOAT_EQ(column_.layers[0].moisture, 0.6f);
+  EXPECT_NEAR(column_.top_m, 1.98, 1e-12);
+  EXPECT_NEAR(Gain_kgpm2(), 0, 1e-9);
+  EXPECT_EQ(beside.mass_kg(), 0);
+}
+
 TEST_F(ColumnTest, WhatIsPutOnLastIsTakenFirst) {
   Deposit(0.10, 1000, 1);
   Deposit(0.05, 900, 0);

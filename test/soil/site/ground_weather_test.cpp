@@ -148,12 +148,16 @@ TEST(GroundWeather, StrengthFollowsMoisture) {
   EXPECT_NEAR(sample.compaction, 1, 0.01);
 }
 
-// It does as after the same hour before the start.
+// Bekker: z = (p / k)^(1/n), k less with what suction holds less; and as after the same hour before
+// the start.
 TEST(GroundWeather, ATrackSinksMoreAfterAnHourOfRain) {
   const std::string terrain = "size_m: [8, 6]\nsoil: dirt\n";
   const Site site = Under(terrain, 30);
   auto rained = MakeSoil(site, 7);
   rained->LetWeatherAct(kHour_ns);
+  const SoilType& dirt = site.soils()[0];
+  const double softer =
+      rained->soils()[rained->SampleBelow(0, 0, 0.02)->soil].k_phi_npm_n2 / dirt.k_phi_npm_n2;
   Block dry(terrain, Vec2(0, 0)), wet(std::move(rained), Vec2(0, 0)),
       before(terrain + "weather_before: [{hours: 1, rain_mmph: 30}]\n", Vec2(0, 0));
   const auto sunk_m = [](Block* block) {
@@ -161,8 +165,9 @@ TEST(GroundWeather, ATrackSinksMoreAfterAnHourOfRain) {
     return -block->links[0].X_WB.translation().z();
   };
   const double dry_m = sunk_m(&dry), wet_m = sunk_m(&wet);
-  EXPECT_GT(wet_m, 1.5 * dry_m);
-  EXPECT_NEAR(wet_m, sunk_m(&before), 0.05 * wet_m);
+  EXPECT_LT(softer, 0.97);
+  EXPECT_NEAR(wet_m / dry_m, std::pow(softer, -1 / dirt.sinkage_exponent), 0.01);
+  EXPECT_NEAR(wet_m, sunk_m(&before), 0.01 * wet_m);
   EXPECT_NEAR(wet.soil->ledger().total_kg(), 0, 1e-9);
   ::testing::Test::RecordProperty("dry_mm", std::to_string(1000 * dry_m));
   ::testing::Test::RecordProperty("wet_mm", std::to_string(1000 * wet_m));

@@ -143,9 +143,14 @@ TEST(WeatherBefore, WetsGroundAndPilesAndShows) {
 TEST(WeatherBefore, TracksSinkInMud) {
   const std::string site = "size_m: [8, 6]\nsoil: dirt\n";
   Block dry(site, Vec2(0, 0)),
-      mud(site + "weather_before: [{hours: 30, rain_mmph: 60}]\n", Vec2(0, 0));
-  dry.Stand();
-  mud.Stand();
+      mud(site + "weather_before: [{hours: 30, rain_mmph: 60}]\n", Vec2(0, 0)),
+      drained(site + "weather_before: [{hours: 30, rain_mmph: 60}, {hours: 24}]\n", Vec2(0, 0));
+  for (auto& [name, block] : {std::pair("moist_mm", &dry), std::pair("mud_mm", &mud),
+                              std::pair("a_day_later_mm", &drained)}) {
+    block->Stand();
+    RecordProperty(name, std::to_string(-1000 * block->links[0].X_WB.translation().z()));
+  }
+  EXPECT_GT(drained.links[0].X_WB.translation().z(), 2 * dry.links[0].X_WB.translation().z());
   EXPECT_GT(mud.links[0].X_WB.translation().z(), -1);
   EXPECT_LT(mud.links[0].X_WB.translation().z(), 3 * dry.links[0].X_WB.translation().z());
   EXPECT_NEAR(mud.soil->ledger().total_kg(), 0, 1e-9);
