@@ -21,7 +21,7 @@ NODES = {
               "bucket_rocker", "bucket_coupler"},
     "warthog": {"body", "wheel"},
     "truck": {"body"},
-    "truck_wheels": {"body", "front_left", "front_right", "rear_left", "rear_right"},
+    "truck_wheels": {"body", "bed", "gate", "front_left", "front_right", "rear_left", "rear_right"},
     "person": {"body", "body_walk"},
     "rock": {"body", "rock2", "rock3"},
     "cone": {"body"},

@@ -121,28 +121,29 @@ def _cab_fittings(body, half):
     body.add(paint.BEACON, cylinder((2.2, 0, 2.95), (2.2, 0, 3.07), 0.07, 14, 0.02))
 
 
-def _tipping_bed(body):
-    """A steel bed, open on top: inner floor at 1.19 m, walls up to 2.15 m."""
+def _tipping_bed(body, frame=None, gate=None):
+    """A steel bed, open on top: inner floor at 1.19 m, walls up to 2.15 m. What stays on the chassis
+    as it tips goes to `frame`, its tail gate to `gate`."""
     rear, front, half, low, high = -3.68, 1.48, 1.22, 1.14, 2.15
+    frame, gate = frame or body, gate or body
     middle, length = (rear + front) / 2, front - rear
     body.add(paint.BLUE, box((middle, 0, low), (length, 2 * half, 0.07)))
-    body.add(paint.CHARCOAL, *both_sides(box((middle, 0.50, 1.045), (length - 0.1, 0.12, 0.12))))
+    frame.add(paint.CHARCOAL, *both_sides(box((middle, 0.50, 1.045), (length - 0.1, 0.12, 0.12))))
     wall_z, wall_height = (low + high) / 2, high - low
     body.add(paint.BLUE, *both_sides(box((middle, half - 0.02, wall_z), (length, 0.04, wall_height))))
-    body.add(paint.BLUE, box((front - 0.02, 0, wall_z + 0.12), (0.05, 2 * half, wall_height + 0.24)),
-             turned(box((rear + 0.03, 0, wall_z), (0.05, 2 * half - 0.09, wall_height - 0.02)), "y",
-                    0))
+    body.add(paint.BLUE, box((front - 0.02, 0, wall_z + 0.12), (0.05, 2 * half, wall_height + 0.24)))
+    gate.add(paint.BLUE, box((rear + 0.03, 0, wall_z), (0.05, 2 * half - 0.09, wall_height - 0.02)))
     body.add(paint.BLUE, *both_sides(box((middle, half, high), (length, 0.11, 0.09), 0.015)))
     for x in np.linspace(rear + 0.06, front - 0.06, 8):
         body.add(paint.BLUE, *both_sides(box((x, half + 0.015, wall_z), (0.09, 0.07, wall_height),
                                              0.012)))
     for y in np.linspace(-0.95, 0.95, 5):
-        body.add(paint.BLUE, box((rear - 0.01, y, wall_z), (0.06, 0.08, wall_height - 0.04), 0.01))
-    body.add(paint.BLUE, box((rear - 0.01, 0, high - 0.04), (0.07, 2 * half - 0.1, 0.08), 0.012))
+        gate.add(paint.BLUE, box((rear - 0.01, y, wall_z), (0.06, 0.08, wall_height - 0.04), 0.01))
+    gate.add(paint.BLUE, box((rear - 0.01, 0, high - 0.04), (0.07, 2 * half - 0.1, 0.08), 0.012))
     canopy = [(front - 0.04, 2.36), (front + 0.42, 2.66), (front + 0.42, 2.70), (front - 0.04, 2.41)]
     body.add(paint.BLUE, extrude(canopy, "y", -half + 0.05, half - 0.05))
-    body.add(paint.CHROME, cylinder((1.30, 0, 0.80), (1.30, 0, 1.16), 0.09, 14))
-    body.add(paint.STEEL, pin(rear + 0.15, 1.02, 0.75, 0.05))
+    frame.add(paint.CHROME, cylinder((1.30, 0, 0.80), (1.30, 0, 1.16), 0.09, 14))
+    frame.add(paint.STEEL, pin(rear + 0.15, 1.02, 0.75, 0.05))
     body.add(paint.RED, *both_sides(box((-0.3, half + 0.006, 1.16), (3.0, 0.012, 0.05))))
 
 
@@ -177,12 +178,12 @@ def _rolling_wheel(width, dished):
 
 
 def truck_with_wheels():
-    """The tipper in parts: chassis, cab and bed; a front and a rear wheel of either side."""
-    body = Body()
+    """The tipper in parts: chassis and cab; bed; tail gate; a front and a rear wheel of either side."""
+    body, bed, gate = Body(), Body(), Body()
     _running_gear(body, with_wheels=False)
     _cab(body)
-    _tipping_bed(body)
-    bodies = {"body": body}
+    _tipping_bed(bed, body, gate)
+    bodies = {"body": body, "bed": bed, "gate": gate}
     for name, number in (("front", 0), ("rear", 1)):
         for side, dished in (("left", 1), ("right", -1)):
             bodies[f"{name}_{side}"] = _rolling_wheel(_wheel_place(number)[0], dished)

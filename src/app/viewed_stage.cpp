@@ -1,5 +1,6 @@
 #include "app/viewed_stage.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.h"
@@ -104,7 +105,7 @@ std::vector<std::pair<double, Pose>> TrackOf(const Recording& recording,
   return track;
 }
 
-/// Adds an obstacle's bodies: trunk, wheels and limbs.
+/// Adds an obstacle's bodies: trunk, bed and gate, wheels, limbs.
 void AddObstacle(const Scenario& scenario, const ScenarioObstacle& obstacle,
                  const Recording& recording, Stage* stage) {
   if (obstacle.dynamic) {
@@ -112,12 +113,17 @@ void AddObstacle(const Scenario& scenario, const ScenarioObstacle& obstacle,
         {obstacle.name, stage->bodies++, TrackOf(recording, obstacle, scenario.site->surface())});
     return;
   }
-  const std::size_t bodies = 1 + obstacle.wheels.size() + obstacle.gait.limbs.size();
+  const std::size_t bodies = 1 + (obstacle.tipping.visual ? 1 : 0) +
+                             (obstacle.tipping.gate ? 1 : 0) + obstacle.wheels.size() +
+                             obstacle.gait.limbs.size();
   std::vector<StageObstacle> staged;
   for (std::size_t k = 0; k < bodies; ++k) {
     staged.push_back({.name = obstacle.name, .body = stage->bodies++, .X_WB_at_s = {}});
   }
-  const double end_s = obstacle.path.empty() ? 0 : obstacle.path.back().t_s;
+  double end_s = obstacle.path.empty() ? 0 : obstacle.path.back().t_s;
+  if (!obstacle.tipping.angles.empty()) {
+    end_s = std::max(end_s, obstacle.tipping.angles.back().t_s);
+  }
   const int steps = static_cast<int>(std::ceil(end_s * kObstacle_hz));
   for (int step = 0; step <= steps; ++step) {
     const double t_s = step / kObstacle_hz;

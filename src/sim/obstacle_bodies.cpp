@@ -7,6 +7,12 @@ void AppendObstaclePoses(const ScenarioObstacle& obstacle, const Pose& X_WB, Tim
   const double scale = obstacle.visual.scale, travel_m = TravelOf(obstacle, t_ns);
   const Pose X_WG = X_WB * MakePose(Vec3(0, 0, RiseOf(obstacle.gait, scale, travel_m)));
   poses->push_back(obstacle.gait.empty() ? X_WB : X_WG);
+  const TippingBed& tipping = obstacle.tipping;
+  const Pose X_BT = TippedBed(obstacle, t_ns);
+  if (tipping.visual) poses->push_back(X_WB * X_BT);
+  if (tipping.gate) {  // it hangs plumb
+    poses->push_back(X_WB * MakePose(Vec3(X_BT * tipping.gate_B_m - tipping.gate_B_m)));
+  }
   for (const ObstacleWheel& wheel : obstacle.wheels) {
     const double angle_rad = travel_m / (scale * wheel.radius_m);
     poses->push_back(X_WB * MakePose(scale * wheel.axle_B_m) *

@@ -259,6 +259,10 @@ void SceneAssembly::AddObstacle(const ScenarioObstacle& obstacle) {
   const Wear wear = IsWorn(obstacle.label) ? obstacle.wear : Wear{};
   const Vec3 soil = SoilAlbedoAt(*scenario_.site, obstacle.xy_W_m);
   AddNode(obstacle.visual, body, obstacle.label, instance, WearOnGround(wear, soil));
+  for (const auto* visual : {&obstacle.tipping.visual, &obstacle.tipping.gate}) {
+    if (!*visual) continue;
+    AddNode(**visual, AddBody(), obstacle.label, instance, WearOnGround(wear, soil));
+  }
   for (const ObstacleWheel& wheel : obstacle.wheels) {
     AddNode(wheel.visual, AddBody(), obstacle.label, instance, WearInSoil(wear, soil));
   }

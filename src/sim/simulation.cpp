@@ -31,7 +31,7 @@ Simulation::Simulation(const Scenario& scenario, std::unique_ptr<MotionSource> m
   for (const ScenarioObstacle& obstacle : scenario.obstacles) {
     state_.obstacles.push_back(ObstacleAt(obstacle, start_ns, ground.surface()));
   }
-  ShowObstaclesToSoil();
+  ShowObstaclesToSoil(start_ns);
   motion_->Start({start_ns, step_}, &state_);
   Count();
   while (step_ < 0) Step();
@@ -51,7 +51,7 @@ void Simulation::Step() {
   }
   {
     const Stopwatch watch(&soil_wall_s_);
-    ShowObstaclesToSoil();
+    ShowObstaclesToSoil(to_ns);
     state_.ground().LetWeatherAct(to_ns - clock_.start_ns);
     state_.ground().Flow(dt_s);
   }
@@ -77,10 +77,13 @@ void Simulation::MoveAlongPaths(TimeNs t_ns) {
   }
 }
 
-void Simulation::ShowObstaclesToSoil() {
+void Simulation::ShowObstaclesToSoil(TimeNs t_ns) {
   for (std::size_t o = 0; o < state_.obstacles.size(); ++o) {
     state_.ground().MoveObstacle(obstacle_handle_[o], state_.obstacles[o]);
-    if (bed_handle_[o]) state_.ground().MoveBed(*bed_handle_[o], state_.obstacles[o].X_WB, false);
+    if (!bed_handle_[o]) continue;
+    const ScenarioObstacle& obstacle = scenario_.obstacles[o];
+    const Pose X_WT = state_.obstacles[o].X_WB * TippedBed(obstacle, t_ns);
+    state_.ground().MoveBed(*bed_handle_[o], X_WT, TipOf(obstacle, t_ns) > 0);
   }
 }
 

@@ -50,7 +50,7 @@ class Simulation {
  private:
   std::vector<SoilReaction> GroundActs();
   void MoveAlongPaths(TimeNs t_ns);
-  void ShowObstaclesToSoil();
+  void ShowObstaclesToSoil(TimeNs t_ns);
   void Count();
 
   const Scenario& scenario_;

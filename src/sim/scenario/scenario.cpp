@@ -36,6 +36,7 @@ constexpr double kLeastWheel_m = 0.05, kLargestWheel_m = 3;
 constexpr double kLeastMass_kg = 0.1, kLargestMass_kg = 1e5;
 constexpr double kShortestLeg_m = 0.1, kLongestLeg_m = 50;
 constexpr double kLeastBed_m = 0.3, kLargestBed_m = 30;
+constexpr double kMostTip_deg = 75;
 constexpr SiteOrigin kDefaultOrigin = {47.3763, 8.5477, 460.0};
 
 /// Whether the types of all sensors are known. `sensors` gets only the known ones.
@@ -134,13 +135,42 @@ void PlaceOnGround(Site* site, std::vector<ScenarioMachine>* machines) {
   for (ScenarioMachine& machine : *machines) SetOnGround(site->surface(), &machine.placement);
 }
 
-SoilBed ReadBed(const ConfigMap& config) {
+/// Reads `bed`. Its hinge is the lower edge of its tail, unless said otherwise.
+void ReadBed(const ConfigMap& config, ScenarioObstacle* obstacle) {
   const Range size = Between(kLeastBed_m, kLargestBed_m, "m");
   SoilBed bed;
   bed.floor_B_m = config.Vector3("xyz_m", Any("m"));
   bed.size_m = config.Vector2("size_m", size);
   bed.wall_m = config.Number("wall_m", Between(0, kLargestBed_m, "m"));
-  return bed;
+  TippingBed& tipping = obstacle->tipping;
+  const Vec3 tail_m = bed.floor_B_m - Vec3(0.5 * bed.size_m.x(), 0, 0);
+  const Vec2 hinge_m = config.Vector2("hinge_m", Any("m"), Vec2(tail_m.x(), tail_m.z()));
+  tipping.hinge_B_m = Vec3(hinge_m.x(), 0, hinge_m.y());
+  tipping.gate_B_m = tail_m + Vec3(0, 0, bed.wall_m);
+  for (auto [key, visual] : {std::pair{"node", &tipping.visual}, {"gate", &tipping.gate}}) {
+    if (!config.Has(key)) continue;
+    *visual = obstacle->visual;
+    (*visual)->node = config.Text(key);
+    (*visual)->place = config.Place(key);
+  }
+  obstacle->bed = bed;
+}
+
+/// Reads `tips`: how the bed is tipped over time.
+void ReadTips(const ConfigMap& config, ScenarioObstacle* obstacle) {
+  std::vector<TippingBed::Angle>& angles = obstacle->tipping.angles;
+  for (const ConfigMap& point : config.List("tips")) {
+    angles.push_back({point.Number("t_s", AtLeast(0, "s")),
+                      point.Number("angle_deg", Between(0, kMostTip_deg, "deg")) * kDeg});
+    if (angles.size() > 1 && angles.back().t_s <= angles[angles.size() - 2].t_s) {
+      point.Fault("t_s", "times of tips must grow from point to point");
+    }
+  }
+  if (!angles.empty() && !obstacle->bed) {
+    config.Fault("tips", {FaultKind::kInconsistent,
+                          "there is no bed that could tip; give the obstacle a 'bed' or leave out "
+                          "'tips'"});
+  }
 }
 
 /// Centre of the boxes, each weighed by its volume.
@@ -219,7 +249,8 @@ ScenarioObstacle ReadObstacle(const ConfigMap& config, const Wear& wear) {
                                   point.Number("radius_m", AtLeast(0, "m"), 0),
                                   ReadLimbOf(point, obstacle.gait)});
   }
-  if (const auto bed = config.OptionalMap("bed")) obstacle.bed = ReadBed(*bed);
+  if (const auto bed = config.OptionalMap("bed")) ReadBed(*bed, &obstacle);
+  ReadTips(config, &obstacle);
   ReadWheels(config, &obstacle);
   obstacle.xy_W_m = config.Vector2("xy_m", Any("m"));
   obstacle.yaw_rad = config.Number("yaw_deg", Between(-360, 360, "deg"), 0) * kDeg;
@@ -456,6 +487,23 @@ BodyState ObstacleAt(const ScenarioObstacle& obstacle, TimeNs t_ns, const Terrai
   state.X_WB = MakePose(Vec3(xy_m.x(), xy_m.y(), z_m), R_WB);
   state.v_WB_mps = Vec3(velocity_mps.x(), velocity_mps.y(), 0);
   return state;
+}
+
+double TipOf(const ScenarioObstacle& obstacle, TimeNs t_ns) {
+  const std::vector<TippingBed::Angle>& angles = obstacle.tipping.angles;
+  if (angles.empty()) return 0;
+  const double t_s = std::clamp(ToSeconds(t_ns), angles.front().t_s, angles.back().t_s);
+  std::size_t k = 1;
+  while (k + 1 < angles.size() && angles[k].t_s < t_s) ++k;
+  if (k == angles.size()) return angles.front().angle_rad;
+  const TippingBed::Angle &from = angles[k - 1], &to = angles[k];
+  return from.angle_rad + (to.angle_rad - from.angle_rad) * (t_s - from.t_s) / (to.t_s - from.t_s);
+}
+
+Pose TippedBed(const ScenarioObstacle& obstacle, TimeNs t_ns) {
+  const Vec3& hinge_m = obstacle.tipping.hinge_B_m;
+  return MakePose(hinge_m, RotationFromRpy(0, -TipOf(obstacle, t_ns), 0)) *
+         MakePose(Vec3(-hinge_m));
 }
 
 double TravelOf(const ScenarioObstacle& obstacle, TimeNs t_ns) {

@@ -39,6 +39,17 @@ struct PathPoint {
   Vec2 xy_W_m = Vec2::Zero();
 };
 
+/// How the bed of an obstacle tips, with nodes of the obstacle's own mesh.
+struct TippingBed {
+  Vec3 hinge_B_m = Vec3::Zero();       ///< on the line across about which the floor turns
+  Vec3 gate_B_m = Vec3::Zero();        ///< the upper edge of its gate, from which that hangs
+  std::optional<Visual> visual, gate;  ///< what turns, and what hangs
+  struct Angle {
+    double t_s, angle_rad;
+  };
+  std::vector<Angle> angles;  ///< in between they are linear
+};
+
 /// A named point of an obstacle, in the frame of its mesh.
 struct ObstacleKeypoint {
   std::string name;
@@ -67,6 +78,7 @@ struct ScenarioObstacle {
   Visual visual;
   std::vector<CollisionBox> collision;
   std::optional<SoilBed> bed;           ///< soil can be dumped into it
+  TippingBed tipping;                   ///< of the bed
   std::optional<ObstacleMass> dynamic;  ///< without it, no force moves the obstacle
   Vec2 xy_W_m = Vec2::Zero();
   double yaw_rad = 0;
@@ -114,6 +126,12 @@ RigidObstacle RigidPartOf(const ScenarioObstacle& obstacle);
 /// Pose and velocity of an obstacle at `t_ns` on the given ground, on its path or where it starts:
 /// upright, or normal to the ground's mean slope if it is dynamic.
 BodyState ObstacleAt(const ScenarioObstacle& obstacle, TimeNs t_ns, const TerrainSurface& ground);
+
+/// Angle by which its bed is tipped at `t_ns`.
+double TipOf(const ScenarioObstacle& obstacle, TimeNs t_ns);
+
+/// A frame of its bed that is the mesh's as long as the bed lies.
+Pose TippedBed(const ScenarioObstacle& obstacle, TimeNs t_ns);
 
 /// Distance along its path at `t_ns`.
 double TravelOf(const ScenarioObstacle& obstacle, TimeNs t_ns);

@@ -195,5 +195,30 @@ TEST(ObstaclePresets, ATrucksWheelsRollOverTheGroundWithoutSlipping) {
   }
 }
 
+TEST(ObstaclePresets, ATrucksBedTurnsAboutItsHingeAndTheGateHangsFromItsTail) {
+  const Scenario scenario = With(
+      "{name: truck1, preset: 'tera:config/obstacles/truck_driving.yaml', xy_m: [0, 9], yaw_deg: "
+      "30, tips: [{t_s: 1, angle_deg: 0}, {t_s: 3, angle_deg: 60}]}");
+  const SceneAssembly assembly(scenario);
+  const Simulation simulation(scenario);
+  for (const auto& [t_s, tip_deg] : {std::pair{0.0, 0.0}, {2.0, 30.0}, {2.5, 45.0}, {7.0, 60.0}}) {
+    Instant now = simulation.state();
+    now.t_ns = static_cast<TimeNs>(t_s * 1e9);
+    const std::vector<Pose> poses = assembly.BodyPoses(now);
+    const Pose X_BW = now.obstacles[0].X_WB.inverse();
+    const Pose X_BT = X_BW * poses[poses.size() - 8], X_BG = X_BW * poses[poses.size() - 7];
+    // The middle of its floor lies 2.435 m ahead of the hinge and 0.155 m above it.
+    const double c = std::cos(tip_deg * kDeg), s = std::sin(tip_deg * kDeg);
+    EXPECT_LT((X_BT * Vec3(-1.095, 0, 1.175) -
+               Vec3(-3.53 + 2.435 * c - 0.155 * s, 0, 1.02 + 2.435 * s + 0.155 * c))
+                  .norm(),
+              1e-9)
+        << t_s;
+    const Vec3 edge_B(-3.625, 0, 2.195);  // of the tail, over the gate
+    EXPECT_LT((X_BG * edge_B - X_BT * edge_B).norm(), 1e-9);
+    EXPECT_LT((X_BG.linear() - Mat3::Identity()).norm(), 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace tera

@@ -89,6 +89,23 @@ TEST(ReadScenario, RefusesABedWithoutAFloorOrWithWallsThatGoDown) {
               AllOf(HasFaultAt("obstacles[0].bed.xyz_m"), HasFault(kUnknown, "walls_m")));
 }
 
+TEST(ReadScenario, RefusesTipsWithoutABedOfTooMuchOrThatGoBackInTime) {
+  const auto faults = [](const std::string& rest) {
+    return ScenarioFaults(std::string(kSite) + kExcavator +
+                          "obstacles: [{name: bin, label: structure, mesh: "
+                          "tera:assets/container.glb, xy_m: [1, 1], " +
+                          rest + "}]\n");
+  };
+  const std::string bed = "bed: {xyz_m: [0, 0, 1], size_m: [3, 2], wall_m: 0.5}, ";
+  const std::string rises = "{t_s: 0, angle_deg: 0}, {t_s: 9, angle_deg: 50}";
+  EXPECT_THAT(faults(bed + "tips: [" + rises + "]"), testing::IsEmpty());
+  EXPECT_THAT(faults("tips: [" + rises + "]"), HasFault(kInconsistent, "obstacles[0].tips"));
+  EXPECT_THAT(faults(bed + "tips: [{t_s: 0, angle_deg: 100}]"),
+              HasFault(kOutOfRange, "obstacles[0].tips[0].angle_deg"));
+  EXPECT_THAT(faults(bed + "tips: [" + rises + ", {t_s: 8, angle_deg: 0}]"),
+              HasFaultAt("obstacles[0].tips[2].t_s"));
+}
+
 TEST(ReadScenario, RefusesAnUnreadableGeoTiff) {
   EXPECT_THAT(ScenarioFaults(std::string(kSite) + kExcavator, {"terrain.geotiff=LICENSE"}),
               HasFaultAt("terrain.geotiff"));
