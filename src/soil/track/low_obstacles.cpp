@@ -8,6 +8,8 @@
 namespace tera {
 namespace {
 
+constexpr double kMostBeside = 2;  ///< half heights: the foot of what falls off at 45 deg
+
 /// A box with its upright axis and which way that points.
 struct Standing {
   Standing(const Pose& X_WB, const RigidObstacle::Box& box)
@@ -26,7 +28,7 @@ struct Standing {
     Vec3 out_G = (hit_G.cwiseAbs() - half_m).cwiseMax(0);
     out_G[up] = 0;
     const double out_m = out_G.norm();
-    if (out_m > 2 * half_m[up]) return std::nullopt;
+    if (out_m > kMostBeside * half_m[up]) return std::nullopt;
     return z_m - out_m;
   }
 
@@ -58,7 +60,13 @@ Vec3 VelocityAt(const BodyState& body, const Vec3& p_W_m) {
 }  // namespace
 
 int LowObstacles::Add(const RigidObstacle& obstacle) {
-  placed_.push_back({obstacle, {}});
+  double reach_m = 0;
+  for (const RigidObstacle::Box& box : obstacle.boxes) {
+    const Vec3 half_m = 0.5 * box.size_m;
+    reach_m = std::max(
+        reach_m, box.X_BG.translation().norm() + half_m.norm() + kMostBeside * half_m.maxCoeff());
+  }
+  placed_.push_back({obstacle, reach_m, {}});
   lowest_rise_m_ = std::min(lowest_rise_m_, obstacle.rise_m);
   return static_cast<int>(placed_.size()) - 1;
 }
@@ -72,6 +80,8 @@ std::optional<LowObstacles::Top> LowObstacles::HighestAt(double x_m, double y_m,
   std::optional<Top> highest;
   for (const Placed& placed : placed_) {
     if (placed.obstacle.rise_m > climb_m) continue;
+    const Vec2 from_it = Vec2(x_m, y_m) - placed.state.X_WB.translation().head<2>();
+    if (from_it.squaredNorm() > placed.reach_m * placed.reach_m) continue;
     for (const RigidObstacle::Box& box : placed.obstacle.boxes) {
       const std::optional<double> z_m = Standing(placed.state.X_WB, box).TopAt(x_m, y_m);
       if (!z_m || (highest && *z_m <= highest->z_m)) continue;

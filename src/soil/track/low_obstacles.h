@@ -45,6 +45,7 @@ class LowObstacles {
  private:
   struct Placed {
     RigidObstacle obstacle;
+    double reach_m;  ///< farther from its origin nothing stands over the ground
     BodyState state;
   };
   std::optional<Top> HighestAt(double x_m, double y_m, double climb_m) const;
