@@ -107,6 +107,17 @@ TEST(ReadWeather, AResolvedScenarioHasTheSameAirAndGround) {
   EXPECT_EQ(again.site->surface().at(9, 9).cover, scenario.site->surface().at(9, 9).cover);
 }
 
+TEST(ReadWeather, RefusesWeatherOverMoreSoilsThanItCanChange) {
+  std::string soils;
+  for (int k = 0; k < 60; ++k) {
+    soils += "{preset: 'tera:config/soils/dirt.yaml', name: dirt" + std::to_string(k) + "}, ";
+  }
+  std::string text = SiteWithWeather("evaporation_mmpd: 3");
+  const std::string one = "soil: dirt}";
+  text.replace(text.find(one), one.size(), "soil: dirt5, custom_soils: [" + soils + "]}");
+  EXPECT_THAT(ScenarioFaults(text), HasFault(kOutOfRange, "environment.evaporation_mmpd"));
+}
+
 TEST(ReadWeather, OnlyAStatedVisibilityIsFog) {
   EXPECT_EQ(ReadEnvironment("").weather.visibility_m, 0);
   EXPECT_EQ(ReadEnvironment("").weather.Extinction_1pm(), 0);
