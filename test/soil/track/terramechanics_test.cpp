@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "core/random.h"
 #include "core/units.h"
+#include "soil/track/plate.h"
 
 namespace tera {
 namespace {
@@ -87,6 +89,25 @@ TEST(Terramechanics, SoilBesideASunkFaceResistsAsHegedusSays) {
   soil.shear_cohesion_pa = 2000;
   EXPECT_NEAR((PushedFace(soil).Resistance_npm(0.1) - 882.6) / 692.8, 1, 0.001);
   EXPECT_EQ(PushedFace(soil).Resistance_npm(-0.1), 0);
+}
+
+TEST(Terramechanics, APlateBearsWhatItsPressureSays) {
+  // Bounds by the logarithm and single precision leave no pressure to the wrong side.
+  const Stream random(5, "test/bears");
+  ContactPatch patch;
+  patch.length_m = 0.2;
+  patch.width_m = 0.3;
+  for (int trial = 0; trial < 20000; ++trial) {
+    SoilType soil;
+    soil.k_phi_npm_n2 = 1e6;
+    soil.sinkage_exponent = 0.1 + 1.9 * random.Uniform(trial, 1);
+    const tera::Plate plate(soil, patch);
+    const double z_m = std::pow(10, -6 * random.Uniform(trial, 2));
+    const double least_pa = plate.Pressure_pa(z_m);
+    const double off = std::pow(10, -8 * random.Uniform(trial, 3));
+    EXPECT_TRUE(plate.Bears((1 - off) * least_pa, z_m)) << z_m << " " << off;
+    EXPECT_FALSE(plate.Bears((1 + off) * least_pa, z_m)) << z_m << " " << off;
+  }
 }
 
 TEST(Terramechanics, PressureUnderRoadWheelsHasPeaksAndTheSameMean) {
