@@ -32,6 +32,12 @@ struct At {
   Vec3 Three(int place) const {
     return place < 0 ? Vec3::Zero() : Vec3(parameters.segment<3>(place));
   }
+  int GainOf(int number) const {
+    const auto n = static_cast<std::size_t>(number);
+    return n < problem.acceleration_gains.size() ? problem.acceleration_gains[n] : kNoParameter;
+  }
+  /// Inertial units have the acceleration of a number multiplied by this.
+  double Share(int number) const { return 1 + Parameter(GainOf(number)); }
   /// The column of a derivative of a number in `by_state`.
   int Column(int number, int derivative) const { return derivative * columns() + number; }
   int AddParameter(int place) const {
@@ -74,13 +80,14 @@ T Variable(double value, int derivative) {
 /// What an ideal unit measures in the frame of a unit's link, of these numbers, with derivatives by
 /// the motion if the scalar has any.
 template <typename T>
-Inertial<T> InLink(const UnitChannel& unit, const Numbers& numbers) {
+Inertial<T> InLink(const UnitChannel& unit, const At& at, const Numbers& numbers) {
   std::array<Vector3<T>, 3> rpy;
   for (int k = 0; k < 3; ++k) {
     for (int i = 0; i < 3; ++i) {
       rpy[static_cast<std::size_t>(k)][i] = Variable<T>(numbers(kRoll + i, k), 3 * k + i);
     }
   }
+  rpy[2][kYaw - kRoll] *= T(at.Share(kYaw));
   Vector3<T> a_W;
   for (int i = 0; i < 3; ++i) a_W[i] = Variable<T>(numbers(i, 2), 9 + i);
   std::array<std::array<T, kMostJointsOfChain>, 3> q;
@@ -89,6 +96,7 @@ Inertial<T> InLink(const UnitChannel& unit, const Numbers& numbers) {
       q[k][s] = Variable<T>(numbers(kBaseNumbers + unit.chain.steps[s].place, static_cast<int>(k)),
                             kImuJoints + static_cast<int>(3 * s + k));
     }
+    q[2][s] *= T(at.Share(kBaseNumbers + unit.chain.steps[s].place));
   }
   return InertialOfLink<T>(unit.chain, InertialOfBase<T>(rpy[0], rpy[1], rpy[2], a_W), q[0].data(),
                            q[1].data(), q[2].data());
@@ -104,7 +112,7 @@ struct AtRest {
 AtRest AtRestOf(const UnitChannel& unit, const At& at, const Vec3& turn, const Mat3& R_LT,
                 const Vec3& r_L) {
   using T = ceres::Jet<double, 3>;
-  const Inertial<double> link = InLink<double>(unit, at.resting);
+  const Inertial<double> link = InLink<double>(unit, at, at.resting);
   const Mat3 R_SL = unit.X_LS.linear().transpose();
   const Vec3 w_S = R_SL * link.w,
              f_S = R_SL * (link.f + link.alpha.cross(r_L) + link.w.cross(link.w.cross(r_L)));
@@ -123,6 +131,18 @@ AtRest AtRestOf(const UnitChannel& unit, const At& at, const Vec3& turn, const M
   return rest;
 }
 
+/// Adds the gains of the accelerations of the base and of each joint before the unit.
+void AddAccelerationGains(const UnitChannel& unit, const At& at) {
+  const auto add = [&](int number) {
+    if (at.GainOf(number) < 0) return;
+    const int column = at.AddParameter(at.GainOf(number));
+    at.out->by_parameter.col(column) =
+        at.out->by_state.col(at.Column(number, 2)) * (at.resting(number, 2) / at.Share(number));
+  };
+  for (int number = 0; number < kBaseNumbers; ++number) add(number);
+  for (const auto& step : unit.chain.steps) add(kBaseNumbers + step.place);
+}
+
 /// With derivatives by the motion of chains of up to so many joints.
 template <int kJoints>
 void LineariseImu(const UnitChannel& unit, const At& at) {
@@ -131,7 +151,7 @@ void LineariseImu(const UnitChannel& unit, const At& at) {
   const Vec3 turn = at.Three(unit.mount), r_L = unit.X_LS.translation() + at.Three(unit.place);
   const Mat3 R_LT = unit.X_LS.linear() * RotationOfRpy<double>(turn);
   using T = ceres::Jet<double, kImuJoints + 3 * kJoints>;
-  const Inertial<T> there = InertialBeside<T, double>(InLink<T>(unit, at.numbers), R_LT, r_L);
+  const Inertial<T> there = InertialBeside<T, double>(InLink<T>(unit, at, at.numbers), R_LT, r_L);
   const AtRest rest = AtRestOf(unit, at, turn, R_LT, r_L);
   const int mount = unit.mount < 0 ? -1 : out.parameters;
   for (int i = 0; mount >= 0 && i < 3; ++i) at.AddParameter(unit.mount + i);
@@ -161,6 +181,7 @@ void LineariseImu(const UnitChannel& unit, const At& at) {
     }
     if (unit.bias >= 0) out.by_parameter(row, at.AddParameter(unit.bias + row)) = 1;
   }
+  AddAccelerationGains(unit, at);
   at.AddDelay(unit.late);
 }
 
@@ -348,7 +369,8 @@ bool Linearise(const MotionProblem& problem, const UniformSpline& spline,
                const SegmentMotion& motion, const Eigen::VectorXd& parameters,
                const Observation& observation, LinearisedObservation* out) {
   const double late_s = DelayOf(problem, parameters, observation);
-  const double from_s = observation.from_s - late_s, to_s = observation.to_s - late_s;
+  const double shift_s = motion.shift_s - late_s, from_s = observation.from_s + shift_s,
+               to_s = observation.to_s + shift_s;
   if (!spline.Covers(from_s, to_s)) return false;
   out->weights = spline.MeanOver(from_s, to_s);
   const int count = std::min<int>(5, spline.coefficients - out->weights.first);

@@ -11,7 +11,7 @@ namespace tera {
 /// Rows are its numbers; columns of `by_state` the numbers of the motion, then their first, then
 /// their second derivatives.
 struct LinearisedObservation {
-  static constexpr int kMostParameters = 24;
+  static constexpr int kMostParameters = 32;
 
   int rows = 0;
   Eigen::Matrix<double, 6, 1> residual, sigma;
@@ -30,13 +30,15 @@ struct SegmentMotion {
   /// 1 where they do, else 0.
   Eigen::ArrayXXd moving;
   Eigen::VectorXd wandered;  ///< the parameters of the segment less those of all
+  double shift_s = 0;        ///< the spline at t + shift_s is the motion at t
 };
 
 /// Fills `out`; false where the motion does not cover the time of the observation.
 ///
 /// Model   an inertial unit: rates and forces of its true frame, averaged over the observation as
 ///         the splines are (UniformSpline::MeanOver), signs, scale, bias. A receiver: its antenna's
-///         place. All are as late as their parameter says.
+///         place. All are as late as their parameter says. Accelerations count in inertial units
+///         with the gain of their number of the motion, which all units share.
 ///         Derivatives by parameters are those of a motion that rests where it does not stand out
 ///         of its noise: a motion that follows the noise of a sensor would else seem to excite its
 ///         scale, place and delay, which then give way to the noise (errors in variables).

@@ -6,6 +6,7 @@
 
 #include "core/in_parallel.h"
 #include "diagnose/motion/bounded_quadratic.h"
+#include "diagnose/statistics/series/robust.h"
 
 namespace tera {
 namespace {
@@ -190,10 +191,37 @@ void GatherResiduals(const std::vector<LinearisedSegment>& linear, MotionEstimat
   }
 }
 
+/// Halves a parameter's step each time it turns back: derivatives are those of a motion that rests
+/// where it is noise, so that whole steps go too far and back again.
+class StepControl {
+ public:
+  Eigen::VectorXd Damped(const Eigen::VectorXd& step) {
+    if (last_.size() == 0) {
+      last_.setZero(step.size());
+      share_.setOnes(step.size());
+    }
+    for (Eigen::Index i = 0; i < step.size(); ++i) {
+      share_[i] = step[i] * last_[i] < 0 ? 0.5 * share_[i] : std::min(1.0, 1.5 * share_[i]);
+    }
+    last_ = step;
+    return share_.cwiseProduct(step);
+  }
+
+ private:
+  Eigen::VectorXd last_, share_;
+};
+
+/// By what most delays change, their median.
+double CommonChange_s(const std::vector<int>& delays, const Eigen::VectorXd& change) {
+  std::vector<double> changes;
+  for (const int i : delays) changes.push_back(change[i]);
+  return changes.empty() ? 0 : Median(std::move(changes));
+}
+
 /// Moves to the least of the linearised problem; returns the largest change of a parameter.
 double Move(const MotionProblem& problem, const std::vector<LinearisedSegment>& linear,
             const Wandering& wandering, const ParameterPrior& prior, bool gates,
-            MotionEstimate* estimate) {
+            StepControl* control, MotionEstimate* estimate) {
   const std::vector<ParameterQuadratic> own = Absolute(linear, *estimate);
   ParameterQuadratic sum = QuadraticOf(prior);
   estimate->quadratics.clear();
@@ -203,15 +231,19 @@ double Move(const MotionProblem& problem, const std::vector<LinearisedSegment>& 
     sum.score += estimate->quadratics.back().score;
   }
   const Eigen::VectorXd before = estimate->parameters;
-  estimate->parameters = SmallestWithin(sum.information, sum.score, prior.lower, prior.upper);
+  const Eigen::VectorXd step = control->Damped(
+      SmallestWithin(sum.information, sum.score, prior.lower, prior.upper) - before);
+  const double shift_s = CommonChange_s(problem.delays, step);
+  SetParameters(problem.delays, before + step, estimate);
   for (std::size_t s = 0; s < linear.size(); ++s) {
     SegmentMotion& motion = estimate->motion[s];
     const Eigen::VectorXd wandered = wandering.Best(own[s], estimate->parameters);
-    const Eigen::VectorXd change = estimate->parameters + wandered - before - motion.wandered;
-    const Eigen::VectorXd step = linear[s].equations.MotionStep(change);
+    Eigen::VectorXd change = estimate->parameters + wandered - before - motion.wandered;
+    for (const int i : problem.delays) change[i] -= shift_s;
+    const Eigen::VectorXd moved = linear[s].equations.MotionStep(change);
     const Eigen::Index numbers = motion.coefficients.cols();
     for (Eigen::Index i = 0; i < motion.coefficients.rows(); ++i) {
-      motion.coefficients.row(i) += step.segment(i * numbers, numbers).transpose();
+      motion.coefficients.row(i) += moved.segment(i * numbers, numbers).transpose();
     }
     motion.wandered = wandered;
     if (gates) {
@@ -243,6 +275,13 @@ MotionEstimate StartingEstimate(const MotionProblem& problem, const ParameterPri
   return start;
 }
 
+void SetParameters(const std::vector<int>& delays, const Eigen::VectorXd& parameters,
+                   MotionEstimate* estimate) {
+  const double shift_s = CommonChange_s(delays, parameters - estimate->parameters);
+  for (SegmentMotion& motion : estimate->motion) motion.shift_s += shift_s;
+  estimate->parameters = parameters;
+}
+
 MotionEstimate EstimateMotion(const MotionProblem& problem, const ParameterPrior& prior,
                               MotionEstimate start, const EstimateOptions& options) {
   MotionEstimate estimate = std::move(start);
@@ -250,6 +289,7 @@ MotionEstimate EstimateMotion(const MotionProblem& problem, const ParameterPrior
   const int unweighted =
       options.estimates_noise && estimate.iterations == 0 ? kUnweightedIterations : 0;
   estimate.converged = false;
+  StepControl control;
   for (int i = 0; i <= options.most_iterations; ++i) {
     const auto linear =
         InParallel<LinearisedSegment>(problem.segments.size(), options.threads, [&](std::size_t s) {
@@ -260,7 +300,7 @@ MotionEstimate EstimateMotion(const MotionProblem& problem, const ParameterPrior
       EstimateNoise(estimate.residuals, &estimate.noise);
     }
     const double change = Move(problem, linear, wandering, prior,
-                               i >= unweighted && options.estimates_noise, &estimate);
+                               i >= unweighted && options.estimates_noise, &control, &estimate);
     ++estimate.iterations;
     estimate.converged = i > unweighted + 1 && change < kSettled;
     if (estimate.converged) break;

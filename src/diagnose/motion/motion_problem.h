@@ -99,8 +99,11 @@ struct MotionProblem {
   std::vector<MotionSegment> segments;
   int parameters = 0;
   int ground_height = kNoParameter;  ///< by how much the known ground is too high
-  std::vector<int> delays;           ///< the parameters that say how late channels are
-  Eigen::VectorXd wander;  ///< by how much each parameter differs from segment to segment, 1 sigma
+  /// For each number of the motion, the share by which inertial units see its acceleration larger
+  /// than the spline has it.
+  std::vector<int> acceleration_gains;
+  std::vector<int> delays;  ///< the parameters that say how late channels are
+  Eigen::VectorXd wander;   ///< by how much each parameter differs from segment to segment, 1 sigma
 
   int numbers() const { return kBaseNumbers + static_cast<int>(joints.size()); }
 };

@@ -312,7 +312,7 @@ void Judge::ListOthers(const Set& named, GroupJudgement* judgement) const {
     const Set free = Has(named, g) ? named : With(named, g);
     const auto after = Has(named, g) ? before : CrossFits(free);
     judgement->by_group.push_back(Posterior(free, g, after));
-    if (Has(named, g)) continue;
+    if (Has(named, g) || !group(g).mechanism) continue;
     const std::vector<JudgedParameter>& all = judgement->by_group.back();
     bool is_testable = false, is_off = false, is_beyond = false;
     for (int i = 0; i < group(g).count; ++i) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "core/units.h"
@@ -196,7 +197,7 @@ std::vector<EstimatedMotion> MotionOf(const MotionProblem& problem,
       to_s = std::max(to_s, std::min(segment.spline.end_s(), observation.to_s));
     }
     EstimatedMotion one;
-    one.spline_start_ns = segment.start_ns;
+    one.spline_start_ns = segment.start_ns - FromSeconds(estimate.motion[s].shift_s);
     one.start_ns = segment.start_ns + FromSeconds(from_s);
     one.end_ns = segment.start_ns + FromSeconds(to_s);
     one.spline = segment.spline;
@@ -278,7 +279,8 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
   diagnosis.knows_base =
       motion.receivers.size() >= 2 || (!motion.receivers.empty() && !motion.imus.empty());
   const std::vector<ParameterGroup>& groups = problem.table.groups;
-  diagnosis.estimated.assign(groups.begin(), groups.end());
+  std::copy_if(groups.begin(), groups.end(), std::back_inserter(diagnosis.estimated),
+               [](const ParameterGroup& group) { return group.mechanism != nullptr; });
   diagnosis.candidates = static_cast<std::size_t>(
       std::count_if(problem.table.groups.begin(), problem.table.groups.end(),
                     [](const ParameterGroup& group) { return group.may_be_named; }));
@@ -298,7 +300,8 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
     return clock->Time("sensors: motion again", [&] {
       const ParameterPrior prior = problem.table.PriorWith(free);
       MotionEstimate start = flexible;
-      start.parameters = StartOf(problem.table, free, flexible.parameters);
+      SetParameters(problem.motion.delays, StartOf(problem.table, free, flexible.parameters),
+                    &start);
       return EstimateMotion(problem.motion, prior, start, estimate_options);
     });
   };

@@ -27,6 +27,9 @@ constexpr double kLeastShare = 0.01;  ///< of the default: what is stated as exa
 /// stands for what the models leave out.
 constexpr double kBiasWander = 0.25, kWander = 0.06;
 constexpr double kMostDelay_s = 3;
+/// Of accelerations: a joint that settles with time constant T under steps dt accelerates, at the
+/// beginning of a step, by 1 + dt / 2T more than in the step's mean; 0.1 holds for T = 5 dt.
+constexpr double kAccelerationGain = 0.1;
 /// Poses and the ground have numbers of mechanisms of these.
 constexpr EffectTarget kImu = EffectTarget::kImu, kGnss = EffectTarget::kGnss;
 constexpr const char* kDelay = "clock_offset";  ///< stands for latency and filter as well
@@ -121,10 +124,11 @@ ParameterPrior ParameterTable::PriorWith(const std::vector<int>& free_groups) co
     for (int i = groups[g].first; i < groups[g].first + groups[g].count; ++i) {
       const SensorParameter& one = parameters[static_cast<std::size_t>(i)];
       prior.documented[i] = one.documented;
-      prior.sigma[i] = is_free ? one.free_sigma : kPriorShare * one.tolerance;
+      const double held = one.tolerance - one.taken;
+      prior.sigma[i] = is_free ? one.free_sigma : kPriorShare * held;
       prior.small[i] = one.tolerance;
-      prior.lower[i] = is_free ? one.lower : one.documented - one.tolerance;
-      prior.upper[i] = is_free ? one.upper : one.documented + one.tolerance;
+      prior.lower[i] = is_free ? one.lower : one.documented - held;
+      prior.upper[i] = is_free ? one.upper : one.documented + held;
     }
   }
   return prior;
@@ -150,7 +154,7 @@ Eigen::VectorXd ParameterTable::Wander() const {
 std::vector<int> ParameterTable::Delays() const {
   std::vector<int> delays;
   for (const ParameterGroup& group : groups) {
-    if (group.mechanism->id == kDelay) delays.push_back(group.first);
+    if (group.mechanism && group.mechanism->id == kDelay) delays.push_back(group.first);
   }
   return delays;
 }
@@ -256,11 +260,15 @@ void AddReflectionParameters(const SensorDescription& receiver, ParameterTable* 
   }
 }
 
-int AddPairYaw(const SensorDescription& receiver, ParameterTable* table) {
-  return GroupOf(table, receiver.name, kGnss, "antenna_yaw")
-      .Number("yaw_deg", "deg", kDeg,
-              NumberOf(receiver.effects, "antenna_yaw", "yaw_deg", 0) * kDeg, 137, kWander)
-      .first();
+int AddPairYaw(const SensorDescription& receiver, double by_places_rad, ParameterTable* table) {
+  const int yaw =
+      GroupOf(table, receiver.name, kGnss, "antenna_yaw")
+          .Number("yaw_deg", "deg", kDeg,
+                  NumberOf(receiver.effects, "antenna_yaw", "yaw_deg", 0) * kDeg, 137, kWander)
+          .first();
+  SensorParameter& one = table->parameters.back();
+  one.taken = std::min(by_places_rad, (1 - kLeastShare) * one.tolerance);
+  return yaw;
 }
 
 void AddAxisParameters(const std::string& target, const Effects& effects, bool slides, double swing,
@@ -285,6 +293,14 @@ void AddAxisParameters(const std::string& target, const Effects& effects, bool s
 
 int AddEncoderDelay(const std::string& target, const Effects& effects, ParameterTable* table) {
   return AddDelay(target, EffectTarget::kEncoder, effects, table);
+}
+
+int AddAccelerationGain(const std::string& number, ParameterTable* table) {
+  const int place = static_cast<int>(table->parameters.size());
+  table->groups.push_back({{number, nullptr}, place, 1, false});
+  table->parameters.push_back({"acceleration_gain", "1", 1, 0, kAccelerationGain, kAccelerationGain,
+                               0, -kAccelerationGain, kAccelerationGain});
+  return place;
 }
 
 int AddGroundHeight(ParameterTable* table) {

@@ -18,9 +18,11 @@ struct SensorParameter {
   double free_sigma = 0;  ///< of its prior where it is free
   double wander = 0;      ///< 1 sigma of what differs from segment to segment
   double lower = 0, upper = 0;
+  double taken = 0;  ///< of its tolerance, by numbers with the same effect
 };
 
-/// A mechanism, one of the table of all, and what it acts on.
+/// A mechanism, one of the table of all, and what it acts on. Numbers of the motion's own model
+/// have none.
 struct TargetMechanism {
   std::string target;
   const Mechanism* mechanism = nullptr;
@@ -69,8 +71,9 @@ void AddReceiverParameters(const SensorDescription& receiver, const Vec3& part_m
 /// The numbers of a part's reflection beside a receiver that has such a part.
 void AddReflectionParameters(const SensorDescription& receiver, ParameterTable* table,
                              ReceiverChannel* channel);
-/// The yaw of two antennas of one link, which belongs to the first of them.
-int AddPairYaw(const SensorDescription& receiver, ParameterTable* table);
+/// The yaw of two antennas of one link, which belongs to the first of them. Its tolerance is that
+/// of the whole heading: by so much as the antennas' own places may turn them, it is tighter.
+int AddPairYaw(const SensorDescription& receiver, double by_places_rad, ParameterTable* table);
 /// One axis of a set of encoders: `effects` are those of the axis, `target` its name
 /// "encoders/boom", `swing` the standard deviation of its positions, rad or m. Where even the
 /// widest scale changes those by less than its zero may be off, no scale of it is named: a joint
@@ -79,6 +82,13 @@ void AddAxisParameters(const std::string& target, const Effects& effects, bool s
                        ParameterTable* table, AxisChannel* channel);
 /// The delay of a set of encoders, for all its axes.
 int AddEncoderDelay(const std::string& target, const Effects& effects, ParameterTable* table);
+/// The gain of the acceleration of a joint or of the base's yaw, which is never named; returns its
+/// place.
+///
+/// Model   every inertial unit behind a joint feels the same gain, so that a scale which all of
+///         them share is none of theirs: a spline has too little of accelerations shorter than its
+///         knots, and a recorder or simulator with discrete steps has others than its rates have.
+int AddAccelerationGain(const std::string& number, ParameterTable* table);
 /// By how much the known ground is too high, which is never named; returns its place.
 int AddGroundHeight(ParameterTable* table);
 /// Of recorded poses. Those of a simulation are true: no more than late.

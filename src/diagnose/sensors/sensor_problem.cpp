@@ -82,6 +82,7 @@ class Builder {
     CutSegments();
     AddEncoders();
     AddUnits();
+    AddAccelerationGains();
     AddReceivers();
     AddPoses();
     AddTravel();
@@ -103,6 +104,7 @@ class Builder {
   void AddUnits();
   /// By how much a specific force may be off: gravity, under a mount or a scale that is.
   double ToleratedOfGravity(const UnitChannel& unit) const;
+  void AddAccelerationGains();
   void AddReceivers();
   void AddReceiver(std::size_t sensor, const KinematicChain& chain);
   void AddReflection(const SensorDescription& receiver, ReceiverChannel* channel);
@@ -309,6 +311,15 @@ void Builder::AddUnits() {
   }
 }
 
+void Builder::AddAccelerationGains() {
+  if (motion().imus.empty()) return;
+  motion().acceleration_gains.assign(kBaseNumbers, kNoParameter);
+  motion().acceleration_gains[kYaw] = AddAccelerationGain("yaw", &problem_.table);
+  for (const std::string& joint : motion().joints) {
+    motion().acceleration_gains.push_back(AddAccelerationGain(joint, &problem_.table));
+  }
+}
+
 void Builder::AddReceivers() {
   for (std::size_t s = 0; s < input_.sensors.size(); ++s) {
     const int link = model().LinkIndex(input_.sensors[s].link);
@@ -366,7 +377,15 @@ void Builder::SharePairYaw() {
     if (measured_.gnss[s].size() >= 2) pair.push_back(&input_.sensors[s]);
   }
   if (pair.size() != 2 || motion().receivers.size() != 2 || pair[0]->link != pair[1]->link) return;
-  const int yaw = AddPairYaw(*pair[0], &problem_.table);
+  // Places that are off across the line between the antennas turn it.
+  const Vec2 between_m = (pair[1]->X_BS.translation() - pair[0]->X_BS.translation()).head<2>();
+  const Vec2 across = Vec2(-between_m.y(), between_m.x()).normalized().cwiseAbs();
+  double off_m = 0;
+  for (const ReceiverChannel& channel : motion().receivers) {
+    const auto place = problem_.table.parameters.begin() + channel.place;
+    off_m += across.x() * place[0].tolerance + across.y() * place[1].tolerance;
+  }
+  const int yaw = AddPairYaw(*pair[0], off_m / between_m.norm(), &problem_.table);
   for (ReceiverChannel& channel : motion().receivers) {
     channel.pair_yaw = yaw;
     channel.middle_L_m = (pair[0]->X_BS.translation() + pair[1]->X_BS.translation()) / 2;

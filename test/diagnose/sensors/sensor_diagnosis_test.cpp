@@ -170,6 +170,24 @@ TEST(SensorDiagnosis, OfBlowsThatNoSplineFollowsNamesNothing) {
   }
 }
 
+// What all units behind a joint feel alike is not the scale of any of them.
+TEST(SensorDiagnosis, OfAnAccelerationThatAllUnitsHaveTooLargeNamesNothing) {
+  for (const double more : {0.045, -0.03}) {
+    MadeRecording made({.seed = 23, .swing_accelerates_more = more});
+    const SensorDiagnosis told = Diagnosed(&made);
+    EXPECT_THAT(NamesOf(told.findings), IsEmpty()) << more << Told(told);
+  }
+}
+
+// Two units far from the swing's axis tell the scale of one from what both have too large.
+TEST(SensorDiagnosis, NamesTheScaleOfOneUnitBesideAnAccelerationThatAllHaveTooLarge) {
+  MadeRecording made({.wrong = {.accel_scale = {1, 1.08, 1}},
+                      .seed = 24,
+                      .swing_accelerates_more = 0.045,
+                      .upper_unit_x_m = -2});
+  ExpectNamed({{}, "imu_boom/scale", "accel_y_factor", 1.08}, Diagnosed(&made));
+}
+
 // Nothing turns a unit about what it sits on, so that its place is told by the waves alone.
 TEST(SensorDiagnosis, OfWavesUnderAMachineWhoseJointsRestNamesNothing) {
   for (const bool has_poses : {true, false}) {

@@ -37,7 +37,7 @@ struct All {
     gnss.effects = of_receiver;
     AddImuParameters(imu, {2, 0.4, 0.3}, &table, &unit);
     AddReceiverParameters(gnss, {2, 0.4, 0.3}, 10, &table, &receiver);
-    receiver.pair_yaw = AddPairYaw(gnss, &table);
+    receiver.pair_yaw = AddPairYaw(gnss, 0, &table);
     AddAxisParameters("encoders/boom", of_axis, false, 0.3, &table, &turns);
     AddAxisParameters("encoders/stick", {}, true, 0.3, &table, &slides);
     turns.late = slides.late = AddEncoderDelay("encoders", {}, &table);
@@ -70,6 +70,23 @@ TEST(SensorParameters, TheScaleOfAnAxisIsNamedOnlyWhereItSwings) {
     for (const ParameterGroup& group : table.groups) {
       EXPECT_EQ(group.may_be_named, group.mechanism->id != "scale" || may_be_named) << swing;
     }
+  }
+}
+
+// A tolerance of 0.05 rad for the heading holds for all that turns the line between two antennas.
+TEST(SensorParameters, ThePairsYawLeavesRoomForWhatPlacesTurn) {
+  SensorDescription gnss;
+  gnss.name = "gnss";
+  ParameterTable table;
+  const double all_rad = AddPairYaw(gnss, 0, &table) == 0 ? table.parameters[0].tolerance : 0;
+  for (const auto& [by_places, left] :
+       {std::pair{0.0, 1.0}, std::pair{0.6, 0.4}, std::pair{1.5, 0.01}}) {
+    ParameterTable one;
+    AddPairYaw(gnss, by_places * all_rad, &one);
+    const ParameterPrior prior = one.PriorWith({});
+    EXPECT_NEAR(prior.upper[0], left * all_rad, 1e-9) << by_places;
+    EXPECT_NEAR(prior.sigma[0], left * all_rad / 2, 1e-9) << by_places;
+    EXPECT_EQ(one.parameters[0].tolerance, all_rad) << "beyond which it is named";
   }
 }
 
