@@ -191,24 +191,24 @@ void GatherResiduals(const std::vector<LinearisedSegment>& linear, MotionEstimat
   }
 }
 
-/// Halves a parameter's step each time it turns back: derivatives are those of a motion that rests
-/// where it is noise, so that whole steps go too far and back again.
-class StepControl {
+/// Halves the step of a delay each time it turns back: derivatives by delays are those of a motion
+/// that rests where it is noise, so that whole steps go too far and back again.
+class DelaySteps {
  public:
-  Eigen::VectorXd Damped(const Eigen::VectorXd& step) {
-    if (last_.size() == 0) {
-      last_.setZero(step.size());
-      share_.setOnes(step.size());
+  explicit DelaySteps(const std::vector<int>& delays)
+      : delays_(delays), last_s_(delays.size(), 0), share_(delays.size(), 1) {}
+  void Damp(Eigen::VectorXd* step) {
+    for (std::size_t k = 0; k < delays_.size(); ++k) {
+      double& own_s = (*step)[delays_[k]];
+      share_[k] = own_s * last_s_[k] < 0 ? 0.5 * share_[k] : std::min(1.0, 1.5 * share_[k]);
+      last_s_[k] = own_s;
+      own_s *= share_[k];
     }
-    for (Eigen::Index i = 0; i < step.size(); ++i) {
-      share_[i] = step[i] * last_[i] < 0 ? 0.5 * share_[i] : std::min(1.0, 1.5 * share_[i]);
-    }
-    last_ = step;
-    return share_.cwiseProduct(step);
   }
 
  private:
-  Eigen::VectorXd last_, share_;
+  const std::vector<int>& delays_;
+  std::vector<double> last_s_, share_;
 };
 
 /// By what most delays change, their median.
@@ -221,7 +221,7 @@ double CommonChange_s(const std::vector<int>& delays, const Eigen::VectorXd& cha
 /// Moves to the least of the linearised problem; returns the largest change of a parameter.
 double Move(const MotionProblem& problem, const std::vector<LinearisedSegment>& linear,
             const Wandering& wandering, const ParameterPrior& prior, bool gates,
-            StepControl* control, MotionEstimate* estimate) {
+            DelaySteps* damping, MotionEstimate* estimate) {
   const std::vector<ParameterQuadratic> own = Absolute(linear, *estimate);
   ParameterQuadratic sum = QuadraticOf(prior);
   estimate->quadratics.clear();
@@ -231,8 +231,9 @@ double Move(const MotionProblem& problem, const std::vector<LinearisedSegment>& 
     sum.score += estimate->quadratics.back().score;
   }
   const Eigen::VectorXd before = estimate->parameters;
-  const Eigen::VectorXd step = control->Damped(
-      SmallestWithin(sum.information, sum.score, prior.lower, prior.upper) - before);
+  Eigen::VectorXd step =
+      SmallestWithin(sum.information, sum.score, prior.lower, prior.upper) - before;
+  damping->Damp(&step);
   const double shift_s = CommonChange_s(problem.delays, step);
   SetParameters(problem.delays, before + step, estimate);
   for (std::size_t s = 0; s < linear.size(); ++s) {
@@ -289,7 +290,7 @@ MotionEstimate EstimateMotion(const MotionProblem& problem, const ParameterPrior
   const int unweighted =
       options.estimates_noise && estimate.iterations == 0 ? kUnweightedIterations : 0;
   estimate.converged = false;
-  StepControl control;
+  DelaySteps damping(problem.delays);
   for (int i = 0; i <= options.most_iterations; ++i) {
     const auto linear =
         InParallel<LinearisedSegment>(problem.segments.size(), options.threads, [&](std::size_t s) {
@@ -300,7 +301,7 @@ MotionEstimate EstimateMotion(const MotionProblem& problem, const ParameterPrior
       EstimateNoise(estimate.residuals, &estimate.noise);
     }
     const double change = Move(problem, linear, wandering, prior,
-                               i >= unweighted && options.estimates_noise, &control, &estimate);
+                               i >= unweighted && options.estimates_noise, &damping, &estimate);
     ++estimate.iterations;
     estimate.converged = i > unweighted + 1 && change < kSettled;
     if (estimate.converged) break;

@@ -42,7 +42,6 @@ struct Made {
   double blows_radps = 0;
   /// By so much more than by its rates the swing accelerates, for all units.
   double swing_accelerates_more = 0;
-  double upper_unit_x_m = -0.3;  ///< of the upper structure's unit from the swing's axis
   bool has_poses = true;
 };
 
@@ -103,8 +102,7 @@ class MadeRecording {
     const EncoderModel encoders = {.joints = {"swing", "boom"}, .noise_rad = 0.0005};
     input.machine = "m";
     input.sensors = {
-        Described("imu_upper", "upper", MakePose({how.upper_unit_x_m, 0.2, 0.5}, 0.1, 0.2, 1.5), 50,
-                  unit),
+        Described("imu_upper", "upper", MakePose({-0.3, 0.2, 0.5}, 0.1, 0.2, 1.5), 50, unit),
         Described("imu_boom", "boom", MakePose({1.2, 0.1, 0.2}, 0.2, -0.3, 0.4), 50, unit),
         Described("left", "upper", MakePose({-0.9, 0.5, 1.4}), 5, receiver),
         Described("right", "upper", MakePose({-0.9, -0.5, 1.4}), 5, receiver),
@@ -173,7 +171,6 @@ class MadeRecording {
       if (is_wrong) {
         if (how_.wrong.gyro_x_reversed) sample.w_WS_S_radps.x() *= -1;
         sample.w_WS_S_radps += how_.wrong.gyro_bias_radps;
-        sample.f_S_mps2 = sample.f_S_mps2.cwiseProduct(how_.wrong.accel_scale);
         sample.f_S_mps2 += how_.wrong.accel_bias_mps2;
       }
       measured.imus[s].push_back(sample);
