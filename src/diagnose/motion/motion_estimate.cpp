@@ -6,7 +6,6 @@
 
 #include "core/in_parallel.h"
 #include "diagnose/motion/bounded_quadratic.h"
-#include "diagnose/statistics/series/robust.h"
 
 namespace tera {
 namespace {
@@ -191,37 +190,10 @@ void GatherResiduals(const std::vector<LinearisedSegment>& linear, MotionEstimat
   }
 }
 
-/// Halves the step of a delay each time it turns back: derivatives by delays are those of a motion
-/// that rests where it is noise, so that whole steps go too far and back again.
-class DelaySteps {
- public:
-  explicit DelaySteps(const std::vector<int>& delays)
-      : delays_(delays), last_s_(delays.size(), 0), share_(delays.size(), 1) {}
-  void Damp(Eigen::VectorXd* step) {
-    for (std::size_t k = 0; k < delays_.size(); ++k) {
-      double& own_s = (*step)[delays_[k]];
-      share_[k] = own_s * last_s_[k] < 0 ? 0.5 * share_[k] : std::min(1.0, 1.5 * share_[k]);
-      last_s_[k] = own_s;
-      own_s *= share_[k];
-    }
-  }
-
- private:
-  const std::vector<int>& delays_;
-  std::vector<double> last_s_, share_;
-};
-
-/// By what most delays change, their median.
-double CommonChange_s(const std::vector<int>& delays, const Eigen::VectorXd& change) {
-  std::vector<double> changes;
-  for (const int i : delays) changes.push_back(change[i]);
-  return changes.empty() ? 0 : Median(std::move(changes));
-}
-
 /// Moves to the least of the linearised problem; returns the largest change of a parameter.
 double Move(const MotionProblem& problem, const std::vector<LinearisedSegment>& linear,
             const Wandering& wandering, const ParameterPrior& prior, bool gates,
-            DelaySteps* damping, MotionEstimate* estimate) {
+            MotionEstimate* estimate) {
   const std::vector<ParameterQuadratic> own = Absolute(linear, *estimate);
   ParameterQuadratic sum = QuadraticOf(prior);
   estimate->quadratics.clear();
@@ -231,20 +203,15 @@ double Move(const MotionProblem& problem, const std::vector<LinearisedSegment>& 
     sum.score += estimate->quadratics.back().score;
   }
   const Eigen::VectorXd before = estimate->parameters;
-  Eigen::VectorXd step =
-      SmallestWithin(sum.information, sum.score, prior.lower, prior.upper) - before;
-  damping->Damp(&step);
-  const double shift_s = CommonChange_s(problem.delays, step);
-  SetParameters(problem.delays, before + step, estimate);
+  estimate->parameters = SmallestWithin(sum.information, sum.score, prior.lower, prior.upper);
   for (std::size_t s = 0; s < linear.size(); ++s) {
     SegmentMotion& motion = estimate->motion[s];
     const Eigen::VectorXd wandered = wandering.Best(own[s], estimate->parameters);
-    Eigen::VectorXd change = estimate->parameters + wandered - before - motion.wandered;
-    for (const int i : problem.delays) change[i] -= shift_s;
-    const Eigen::VectorXd moved = linear[s].equations.MotionStep(change);
+    const Eigen::VectorXd change = estimate->parameters + wandered - before - motion.wandered;
+    const Eigen::VectorXd step = linear[s].equations.MotionStep(change);
     const Eigen::Index numbers = motion.coefficients.cols();
     for (Eigen::Index i = 0; i < motion.coefficients.rows(); ++i) {
-      motion.coefficients.row(i) += moved.segment(i * numbers, numbers).transpose();
+      motion.coefficients.row(i) += step.segment(i * numbers, numbers).transpose();
     }
     motion.wandered = wandered;
     if (gates) {
@@ -276,13 +243,6 @@ MotionEstimate StartingEstimate(const MotionProblem& problem, const ParameterPri
   return start;
 }
 
-void SetParameters(const std::vector<int>& delays, const Eigen::VectorXd& parameters,
-                   MotionEstimate* estimate) {
-  const double shift_s = CommonChange_s(delays, parameters - estimate->parameters);
-  for (SegmentMotion& motion : estimate->motion) motion.shift_s += shift_s;
-  estimate->parameters = parameters;
-}
-
 MotionEstimate EstimateMotion(const MotionProblem& problem, const ParameterPrior& prior,
                               MotionEstimate start, const EstimateOptions& options) {
   MotionEstimate estimate = std::move(start);
@@ -290,7 +250,6 @@ MotionEstimate EstimateMotion(const MotionProblem& problem, const ParameterPrior
   const int unweighted =
       options.estimates_noise && estimate.iterations == 0 ? kUnweightedIterations : 0;
   estimate.converged = false;
-  DelaySteps damping(problem.delays);
   for (int i = 0; i <= options.most_iterations; ++i) {
     const auto linear =
         InParallel<LinearisedSegment>(problem.segments.size(), options.threads, [&](std::size_t s) {
@@ -301,7 +260,7 @@ MotionEstimate EstimateMotion(const MotionProblem& problem, const ParameterPrior
       EstimateNoise(estimate.residuals, &estimate.noise);
     }
     const double change = Move(problem, linear, wandering, prior,
-                               i >= unweighted && options.estimates_noise, &damping, &estimate);
+                               i >= unweighted && options.estimates_noise, &estimate);
     ++estimate.iterations;
     estimate.converged = i > unweighted + 1 && change < kSettled;
     if (estimate.converged) break;

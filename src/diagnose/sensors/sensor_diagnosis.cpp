@@ -197,7 +197,7 @@ std::vector<EstimatedMotion> MotionOf(const MotionProblem& problem,
       to_s = std::max(to_s, std::min(segment.spline.end_s(), observation.to_s));
     }
     EstimatedMotion one;
-    one.spline_start_ns = segment.start_ns - FromSeconds(estimate.motion[s].shift_s);
+    one.spline_start_ns = segment.start_ns;
     one.start_ns = segment.start_ns + FromSeconds(from_s);
     one.end_ns = segment.start_ns + FromSeconds(to_s);
     one.spline = segment.spline;
@@ -300,8 +300,7 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
     return clock->Time("sensors: motion again", [&] {
       const ParameterPrior prior = problem.table.PriorWith(free);
       MotionEstimate start = flexible;
-      SetParameters(problem.motion.delays, StartOf(problem.table, free, flexible.parameters),
-                    &start);
+      start.parameters = StartOf(problem.table, free, flexible.parameters);
       return EstimateMotion(problem.motion, prior, start, estimate_options);
     });
   };
