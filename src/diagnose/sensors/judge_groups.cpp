@@ -309,10 +309,14 @@ void Judge::SetAsideCancelling(Set* set, GroupJudgement* judgement) const {
 void Judge::ListOthers(const Set& named, GroupJudgement* judgement) const {
   const auto before = CrossFits(named);
   for (int g = 0; g < groups(); ++g) {
+    if (!group(g).mechanism) {
+      judgement->by_group.emplace_back();
+      continue;
+    }
     const Set free = Has(named, g) ? named : With(named, g);
     const auto after = Has(named, g) ? before : CrossFits(free);
     judgement->by_group.push_back(Posterior(free, g, after));
-    if (Has(named, g) || !group(g).mechanism) continue;
+    if (Has(named, g)) continue;
     const std::vector<JudgedParameter>& all = judgement->by_group.back();
     bool is_testable = false, is_off = false, is_beyond = false;
     for (int i = 0; i < group(g).count; ++i) {

@@ -24,7 +24,8 @@ constexpr double kMargin_s = 0.5;       ///< of a segment's spline, for what is 
 constexpr double kSegment_s = 10, kShortestSegment_s = 4;
 constexpr double kFewestSegments = 8;
 constexpr double kImuWindow_s = 0.1;
-constexpr double kGroundEvery_m = 0.5;  ///< on the way; elsewhere the ground errs otherwise
+constexpr double kLeastBaseline_m = 0.05;  ///< of two antennas with a yaw
+constexpr double kGroundEvery_m = 0.5;     ///< on the way; elsewhere the ground errs otherwise
 
 double RoundingSigma(double step) { return step / std::sqrt(12.0); }
 
@@ -379,6 +380,7 @@ void Builder::SharePairYaw() {
   if (pair.size() != 2 || motion().receivers.size() != 2 || pair[0]->link != pair[1]->link) return;
   // Places that are off across the line between the antennas turn it.
   const Vec2 between_m = (pair[1]->X_BS.translation() - pair[0]->X_BS.translation()).head<2>();
+  if (between_m.norm() < kLeastBaseline_m) return;
   const Vec2 across = Vec2(-between_m.y(), between_m.x()).normalized().cwiseAbs();
   double off_m = 0;
   for (const ReceiverChannel& channel : motion().receivers) {

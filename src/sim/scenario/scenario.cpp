@@ -144,7 +144,8 @@ void ReadBed(const ConfigMap& config, ScenarioObstacle* obstacle) {
   bed.wall_m = config.Number("wall_m", Between(0, kLargestBed_m, "m"));
   TippingBed& tipping = obstacle->tipping;
   const Vec3 tail_m = bed.floor_B_m - Vec3(0.5 * bed.size_m.x(), 0, 0);
-  const Vec2 hinge_m = config.Vector2("hinge_m", Any("m"), Vec2(tail_m.x(), tail_m.z()));
+  Vec2 hinge_m(tail_m.x(), tail_m.z());
+  if (config.Has("hinge_m")) hinge_m = config.Vector2("hinge_m", Any("m"));
   tipping.hinge_B_m = Vec3(hinge_m.x(), 0, hinge_m.y());
   tipping.gate_B_m = tail_m + Vec3(0, 0, bed.wall_m);
   for (auto [key, visual] : {std::pair{"node", &tipping.visual}, {"gate", &tipping.gate}}) {
@@ -158,6 +159,7 @@ void ReadBed(const ConfigMap& config, ScenarioObstacle* obstacle) {
 
 /// Reads `tips`: how the bed is tipped over time.
 void ReadTips(const ConfigMap& config, ScenarioObstacle* obstacle) {
+  if (!config.Has("tips")) return;
   std::vector<TippingBed::Angle>& angles = obstacle->tipping.angles;
   for (const ConfigMap& point : config.List("tips")) {
     angles.push_back({point.Number("t_s", AtLeast(0, "s")),

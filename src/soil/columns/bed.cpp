@@ -76,6 +76,8 @@ Bed::Overflow Bed::TakeOverflow(int i, int j, double rim_m, const Vec2& v_F_mps)
   const int place[2] = {i, j}, last[2] = {columns_.nx() - 1, columns_.ny() - 1};
   for (const int axis : {0, 1}) {
     if (place[axis] != 0 && place[axis] != last[axis]) continue;
+    const bool is_walled = axis == 1 && i == 0 && gate_is_open_ && top_m < shape_.wall_m;
+    if (is_walled) continue;
     const double out = place[axis] == 0 ? -1 : 1;
     p_F[axis] = out * (half_m_[axis] + kBesideWall_m);
     v_F[axis] = out * std::max(kOverflow_mps, out * v_F[axis]);

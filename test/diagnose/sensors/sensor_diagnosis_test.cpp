@@ -180,6 +180,15 @@ TEST(SensorDiagnosis, OfAnAccelerationThatAllUnitsHaveTooLargeNamesNothing) {
   }
 }
 
+TEST(SensorDiagnosis, TwoAntennasOneAboveTheOtherHaveNoYaw) {
+  MadeRecording made({.seed = 25});
+  made.input.sensors[3].X_BS = made.input.sensors[2].X_BS;
+  made.input.sensors[3].X_BS.translation().z() += 0.5;
+  for (const TargetMechanism& one : Diagnosed(&made).estimated) {
+    EXPECT_NE(one.mechanism->id, "antenna_yaw");
+  }
+}
+
 // Nothing turns a unit about what it sits on, so that its place is told by the waves alone.
 TEST(SensorDiagnosis, OfWavesUnderAMachineWhoseJointsRestNamesNothing) {
   for (const bool has_poses : {true, false}) {
