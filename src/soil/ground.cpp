@@ -110,7 +110,7 @@ void Add(const Wrench& part, Wrench* sum) {
   sum->torque_W_nm += part.torque_W_nm;
 }
 
-/// What a shovel carries, by the soils that are shown.
+/// A shovel's load, by the soils that are shown.
 SoilReaction::Load AsShown(const SoilKinds& kinds, SoilReaction::Load load) {
   for (std::size_t k = kinds.shown_count(); k < load.soil_kg.size(); ++k) {
     load.soil_kg[kinds.Shown(static_cast<std::uint8_t>(k))] += load.soil_kg[k];

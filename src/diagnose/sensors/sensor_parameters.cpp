@@ -27,8 +27,8 @@ constexpr double kLeastShare = 0.01;  ///< of the default: what is stated as exa
 /// stands for what the models leave out.
 constexpr double kBiasWander = 0.25, kWander = 0.06;
 constexpr double kMostDelay_s = 3;
-/// Of accelerations: a joint that settles with time constant T under steps dt accelerates, at the
-/// beginning of a step, by 1 + dt / 2T more than in the step's mean; 0.1 holds for T = 5 dt.
+/// Tolerance of an acceleration's gain. A joint with time constant T under steps dt accelerates
+/// 1 + dt / 2T times as much at a step's beginning as in its mean; 0.1 holds for T = 5 dt.
 constexpr double kAccelerationGain = 0.1;
 /// Poses and the ground have numbers of mechanisms of these.
 constexpr EffectTarget kImu = EffectTarget::kImu, kGnss = EffectTarget::kGnss;

@@ -72,7 +72,7 @@ void AddReceiverParameters(const SensorDescription& receiver, const Vec3& part_m
 void AddReflectionParameters(const SensorDescription& receiver, ParameterTable* table,
                              ReceiverChannel* channel);
 /// The yaw of two antennas of one link, which belongs to the first of them. Its tolerance is that
-/// of the whole heading: by so much as the antennas' own places may turn them, it is tighter.
+/// of the whole heading, less `by_places_rad`, by which the antennas' own places may turn it.
 int AddPairYaw(const SensorDescription& receiver, double by_places_rad, ParameterTable* table);
 /// One axis of a set of encoders: `effects` are those of the axis, `target` its name
 /// "encoders/boom", `swing` the standard deviation of its positions, rad or m. Where even the

@@ -46,7 +46,7 @@ class Bed {
   double wall_m() const { return shape_.wall_m; }
   bool gate_is_open() const { return gate_is_open_; }
   BedLoad load() const { return load_; }
-  /// The height that the columns have.
+  /// The mass that the columns hold.
   double mass_kg() const { return columns_.GroundGain().net_kg; }
   /// The soil as it is seen.
   void Show(std::vector<TerrainSurface::Grain>* grains) const;

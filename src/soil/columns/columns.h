@@ -154,7 +154,7 @@ class Columns {
   std::uint8_t soil_at(ColumnId k) const { return skin(k).soil; }
   /// Strata of a column's undisturbed soil.
   const GroundProfile& ProfileOf(ColumnId k) const { return profiles_[at(k).profile]; }
-  /// Of the undisturbed ground as it is now.
+  /// The undisturbed ground's profiles as they are now.
   const std::vector<GroundProfile>& profiles() const { return profiles_; }
   /// Stratum of the undisturbed soil at the top of a column's bank.
   const Stratum& BankOf(ColumnId k) const;
@@ -165,7 +165,7 @@ class Columns {
   struct Gained {
     double bottom_m, water_m;
   };
-  /// What weather makes of undisturbed ground, by profile.
+  /// Undisturbed ground as weather has left it, by profile.
   struct Water {
     std::vector<GroundProfile> profiles;
     std::vector<std::vector<Gained>> gained;

@@ -131,7 +131,7 @@ double Avalanche::Friction::Braked(double before_mps, double speed_mps, const La
                       : speed_mps - slow_mps - rise_mps;
 }
 
-/// What drives a face on a tilted floor, of what would on a level one.
+/// The drive at a face on a tilted floor, from that on a level one.
 Avalanche::Drive Avalanche::OnFloor(const Drive& level, Axis axis, std::uint8_t soil) const {
   const double t = tilt_[axis], t_across = tilt_[axis == kX ? kY : kX];
   if (SlidesOnSteel(soil)) {
@@ -145,7 +145,7 @@ Avalanche::Drive Avalanche::OnFloor(const Drive& level, Axis axis, std::uint8_t 
           level.friction};
 }
 
-/// What crosses the face between a column and the one beside, after the step.
+/// The flux through the face between two columns after the step.
 Avalanche::Flux Avalanche::FluxAt(ColumnId k, ColumnId to, Axis axis, double dt_s,
                                   const Columns& ground) const {
   Flux flux{k, to, axis};

@@ -54,7 +54,7 @@ class Avalanche {
   bool SlidesOnSteel(std::uint8_t soil) const {
     return is_open_ && tilt_.norm() > steel_[soil].tan_start;
   }
-  /// Of the soil that crosses a column's faces towards +x and +y.
+  /// Velocity of the soil that crosses a column's faces towards +x and +y.
   Vec2 VelocityBeside(ColumnId k) const {
     return k < motion_.size() ? Vec2(motion_[k].face_mps[kX], motion_[k].face_mps[kY])
                               : Vec2(Vec2::Zero());
@@ -84,7 +84,7 @@ class Avalanche {
     double Braked(double before_mps, double speed_mps, const Layer& layer, double gravity_mps2,
                   double dt_s) const;
   };
-  /// What drives the soil at a face, and what brakes it.
+  /// Forces on the soil at a face: its drive and its friction.
   struct Drive {
     double along, across;  ///< slopes, against which it flows
     double gravity_mps2;   ///< normal to what it flows on

@@ -32,7 +32,7 @@ double Rim_m(const Bed& bed, int i, int j, double repose_rad) {
 
 }  // namespace
 
-/// What rested may slide on a floor that stands otherwise now.
+/// Soil at rest may slide on a floor that has turned.
 void BedFlow::Stand(Bed* bed) {
   const Vec3 up_F = bed->up_F();
   const bool is_open = bed->gate_is_open() && up_F.x() > 0;

@@ -33,7 +33,7 @@ std::vector<WaterSlice> SlicesOf(const GroundProfile& profile, const std::vector
   return slices;
 }
 
-/// What can leave a slice.
+/// The water that can leave a slice.
 double Mobile_m(const WaterSlice& slice) {
   return std::max(0.0, slice.water_m - slice.water.residual * slice.capacity_m);
 }

@@ -272,7 +272,7 @@ ShovelShape::Hold Digging::HoldOf(const Vec3& up_B) const {
                         surface_up_B_);
 }
 
-/// What stays in the shovel, of which `heap_m3` would by its weight.
+/// The volume that stays in the shovel; `heap_m3` of it would stay by weight alone.
 double Digging::Holds_m3(double heap_m3) const {
   const SoilType& soil = soils_[carried_.main_soil()];
   const double weight_npm3 = kStandardGravity_mps2 * carried_.mass_kg() / carried_.volume_m3();

@@ -35,8 +35,8 @@ namespace tera {
 ///         in a full bucket whose mouth looks down. The shell is a cell thick towards its back, so
 ///         that no soil slips through it between two columns; where a thin one's face has passed
 ///         over a column in a step, it has cut there.
-/// Omits   flow inside the bucket, sticky soil that is shaken off.
-/// Source  Rankine 1857 (passive wedge); Terzaghi 1943 (bearing).
+/// Omits   layers inside the bucket, the time in which its load slides, sticky soil that is shaken
+/// off. Source  Rankine 1857 (passive wedge); Terzaghi 1943 (bearing).
 class Digging {
  public:
   /// `soils` are those of the ground, as the machine meets them.

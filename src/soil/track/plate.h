@@ -19,7 +19,7 @@ class Plate {
   Plate(const SoilType& soil, const ContactPatch& patch);
 
   const SoilType& soil() const { return *soil_; }
-  /// What the ground has to give against shear under that load.
+  /// Strength of the ground against shear under that load.
   ShearStrength Strength(double normal_n, double area_m2) const {
     return {*soil_, tan_friction_, normal_n, area_m2};
   }

@@ -171,7 +171,7 @@ TEST(SensorDiagnosis, OfBlowsThatNoSplineFollowsNamesNothing) {
   }
 }
 
-// What all units behind a joint feel alike is not the scale of any of them.
+// A scale that all units behind a joint share is none of theirs.
 TEST(SensorDiagnosis, OfAnAccelerationThatAllUnitsHaveTooLargeNamesNothing) {
   for (const double more : {0.045, -0.03}) {
     MadeRecording made({.seed = 23, .swing_accelerates_more = more});

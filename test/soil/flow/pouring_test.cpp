@@ -52,7 +52,7 @@ double UnderSlopeFromLip_m3(const Shovel& shovel, const Pose& X_WB, double slope
   return shovel.capacity_m3 * area_m2(below) / area_m2(section);
 }
 
-/// Of a bucket that is filled, curled, and opened by 2.5 deg a second.
+/// A bucket is filled, curled, and opened by 2.5 deg a second.
 TEST(Pouring, ABucketsLoadTurnsWithItUpToReposeThenLiesAtReposeAndLeavesOverTheLip) {
   const double repose_rad = 37 * kDeg;  // config/soils/dirt.yaml
   auto soil = MakeGround("soil: dirt\n");
