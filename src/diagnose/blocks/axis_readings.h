@@ -8,7 +8,7 @@
 
 namespace tera {
 
-/// What must be known of an axis to read its chain off a recording.
+/// The nominal numbers of an axis with which its chain is read off a recording.
 struct AxisChain {
   std::string axis, pump;  ///< as in YAML; no pump: none feeds it alone
   double full_positive_radps = 0, full_negative_radps = 0;

@@ -10,9 +10,9 @@
 namespace tera {
 namespace {
 
-constexpr TimeNs kPeriod_ns = 10'000'000'000;
+constexpr int kPeriod_s = 10;
+constexpr TimeNs kPeriod_ns = kPeriod_s * kNsPerSecond;
 constexpr std::int64_t kPeriodsPerTake = 6;
-constexpr double kPeriod_s = 10;
 constexpr double kHour_s = 3600, kDay_s = 86400, kMillimetre_m = 1e-3;
 constexpr double kSeen_m = 0.002;  ///< depth to which light and rain make a surface look wet
 

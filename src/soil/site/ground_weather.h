@@ -10,8 +10,8 @@
 
 namespace tera {
 
-/// What steady rain and evaporation do to a site's ground during a run: a function of time alone,
-/// since they fall alike everywhere. Copies go on from the same state.
+/// The ground's water under steady rain and evaporation during a run. It is a function of time
+/// alone, since rain falls alike everywhere. Copies go on from the same state.
 ///
 /// Model   Every ten seconds the water of each profile seeps on (Seepage); every minute the ground
 ///         takes it over. The surface is seen as wet as its slice, and its upper 2 mm as they fill
@@ -30,7 +30,7 @@ class GroundWeather {
   std::vector<TerrainSurface::Wetness> wetness() const;
   /// The water that the ground takes over, once each.
   std::optional<Columns::Water> TakeWater();
-  /// Of a profile, since the start.
+  /// The water balance of a profile since the start.
   const WaterBalance& balance(std::size_t profile) const { return seeping_[profile].balance(); }
 
  private:

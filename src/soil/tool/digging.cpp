@@ -30,6 +30,7 @@ constexpr double kShut_m = 0.05;        ///< ground this far above the lip shuts
 constexpr double kMouthDown = -0.7;     ///< z of a mouth that looks down
 constexpr double kGravityTime_s = 0.2;  ///< over which apparent gravity is smoothed
 constexpr double kMostGravity_mps2 = 3 * kStandardGravity_mps2;  ///< more is a knock
+constexpr double kLeastSine = 1e-4;  ///< of an angle that has a direction
 
 constexpr double kBeyond_m = 1e-9;  ///< farther from the shovel's outline no upright line meets it
 
@@ -287,16 +288,14 @@ double Digging::Holds_m3(double heap_m3) const {
 /// slides down. Soil that comes in lies level.
 void Digging::Settle(const Vec3& up_B) {
   const double carried_m3 = carried_.volume_m3();
-  if (carried_.empty()) lies_m3_ = 0;
   if (carried_.empty()) return;
   const double came = Clamp01((carried_m3 - lies_m3_) / carried_m3);
-  lies_m3_ = carried_m3;
   surface_up_B_ = ((1 - came) * surface_up_B_ + came * up_B).normalized();
   const double repose_rad = soils_[carried_.main_soil()].repose_angle_rad;
   if (surface_up_B_.dot(up_B) >= std::cos(repose_rad)) return;
   const Vec3 down_B = surface_up_B_ - surface_up_B_.dot(up_B) * up_B;
   surface_up_B_ =
-      down_B.norm() > kLeastSpeed_mps
+      down_B.norm() > kLeastSine
           ? Vec3(std::cos(repose_rad) * up_B + std::sin(repose_rad) * down_B.normalized())
           : up_B;
 }
@@ -362,6 +361,7 @@ Digging::Result Digging::Act(const BodyState& body, double dt_s, Columns* ground
   ShovelShape::Hold heap = HoldOf(up_B);
   const double before_m3 = carried_.volume_m3();
   Spill(body, up_B, heap.volume_m3, dt_s, ground, grains);
+  lies_m3_ = carried_.volume_m3();
   if (carried_.volume_m3() != before_m3) heap = HoldOf(up_B);
   result.load.soil_kg.resize(soils_.size());
   if (!carried_.empty()) {

@@ -94,8 +94,8 @@ TEST(GroundWeather, PavementAndDrySkiesChangeNothing) {
   EXPECT_EQ(dry.columns().soils().size(), 1u);
 }
 
-// What lies on the ground, thicker than the rain has come, gains as much water as ground does, and
-// the ledger knows whence.
+// Soil that lies on the ground, thicker than the rain has come, gains as much water as the ground
+// does. The ledger counts it.
 TEST(GroundWeather, HeapsTakeUpAsMuchAndTheLedgerCloses) {
   const Site site =
       Under(std::string(kDirt) + "piles: [{xy_m: [2, 0], height_m: 0.8, soil: sand}]\n", 12);

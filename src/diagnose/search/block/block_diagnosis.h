@@ -49,8 +49,8 @@ struct Finding {
   bool is_confirmed = false;
 };
 
-/// What a static map of the lever with a dead time (static_map.h), fitted to TRAIN and SELECT,
-/// leaves on FINAL: a better model must leave less.
+/// The error on FINAL of a static map of the lever with a dead time (static_map.h), fitted to TRAIN
+/// and SELECT. A model that is confirmed has less.
 struct PlainComparison {
   double dead_time_s = 0, rmse = 0;
   bool is_better = false;  ///< steadily, than all that was found
@@ -79,7 +79,7 @@ struct BlockDiagnosis {
   std::vector<Detectability> detectability;        ///< one for each candidate
   std::vector<HeldOutError>
       confirmed;  ///< before: nothing; after: all findings; one for each channel
-  /// Of a block with a lever and one channel. Where it is better nothing is confirmed.
+  /// A block with a lever and one channel has one. Where it is better nothing is confirmed.
   std::optional<PlainComparison> plain;
 };
 

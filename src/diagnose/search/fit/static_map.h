@@ -31,7 +31,7 @@ MapProducts ProductsOf(const Eigen::MatrixXd& hats, const Series& measured,
 /// The valid samples of a mask, evenly thinned to `most` at most.
 std::vector<Eigen::Index> RowsOf(const Series& measured, const Mask& mask, std::size_t most);
 
-/// What a plain model makes of a lever.
+/// The rate that a dead time and a static map predict from a lever.
 struct PlainMap {
   double dead_time_s = 0;
   std::vector<double> predicted;

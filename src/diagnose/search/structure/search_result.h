@@ -71,7 +71,7 @@ struct SingleEvidence {
 
 struct SearchResult {
   FittedStructure nothing, found;  ///< fitted to TRAIN and SELECT
-  /// What was found before terms left it that are not needed: beside it noise is estimated anew.
+  /// The structure before unneeded terms left it. Noise is estimated anew beside it.
   Structure fullest;
   std::vector<TermEvidence> evidence;  ///< one for each term found
   std::vector<SingleEvidence> singles;
