@@ -49,6 +49,10 @@ struct MadeProblem {
     map.pivot_m = {4, -3, 1};
     map.shift = take(3), map.turn = take(3), map.late = take(1), map.noise = 10;
     problem.poses = {map};
+    problem.acceleration_gains.assign(problem.numbers(), kNoParameter);
+    for (const int number : {int{kYaw}, kBaseNumbers, kBaseNumbers + 1}) {
+      problem.acceleration_gains[number] = take(1);
+    }
     problem.noise.resize(16);
     problem.parameters = next;
     problem.wander = Eigen::VectorXd::Zero(next);

@@ -40,8 +40,6 @@ struct Made {
   double base_moves = 1, slew_moves = 1, boom_moves = 1;  ///< times the usual
   /// Rate of the swing that is turned about within 5 ms every 0.9 s, as at a stop.
   double blows_radps = 0;
-  /// By so much more than by its rates the swing accelerates, for all units.
-  double swing_accelerates_more = 0;
   bool has_poses = true;
 };
 
@@ -189,22 +187,9 @@ class MadeRecording {
       const Vec3 a_W =
           (before.translation() - 2 * now.translation() + after.translation()) / (h * h);
       mean.first += turned.axis() * turned.angle() / (2 * h) / parts;
-      mean.second += now.linear().transpose() *
-                     (a_W + MoreOfSwing(link, X_LS, t) + Vec3(0, 0, kStandardGravity_mps2)) / parts;
+      mean.second += now.linear().transpose() * (a_W + Vec3(0, 0, kStandardGravity_mps2)) / parts;
     }
     return mean;
-  }
-  /// By so much more the swing accelerates a frame than by its rates, in W.
-  Vec3 MoreOfSwing(int link, const Pose& X_LS, double t) const {
-    constexpr double kStep_s = 1e-3, kStep_rad = 1e-4;
-    const auto at = [&](double more_rad) -> Vec3 {
-      std::vector<double> q = Joints(t);
-      q[0] += more_rad;
-      return (ForwardKinematics(model, Base(t), q)[link] * X_LS).translation();
-    };
-    const double qdd =
-        (Joints(t - kStep_s)[0] - 2 * Joints(t)[0] + Joints(t + kStep_s)[0]) / (kStep_s * kStep_s);
-    return how_.swing_accelerates_more * qdd * (at(kStep_rad) - at(-kStep_rad)) / (2 * kStep_rad);
   }
   Vec3 Reflected(double t) const {
     const Vec3 boom_W = Frame(2, Pose::Identity(), t).linear().col(0);

@@ -171,15 +171,6 @@ TEST(SensorDiagnosis, OfBlowsThatNoSplineFollowsNamesNothing) {
   }
 }
 
-// A scale that all units behind a joint share is none of theirs.
-TEST(SensorDiagnosis, OfAnAccelerationThatAllUnitsHaveTooLargeNamesNothing) {
-  for (const double more : {0.045, -0.03}) {
-    MadeRecording made({.seed = 23, .swing_accelerates_more = more});
-    const SensorDiagnosis told = Diagnosed(&made);
-    EXPECT_THAT(NamesOf(told.findings), IsEmpty()) << more << Told(told);
-  }
-}
-
 TEST(SensorDiagnosis, TwoAntennasOneAboveTheOtherHaveNoYaw) {
   MadeRecording made({.seed = 25});
   made.input.sensors[3].X_BS = made.input.sensors[2].X_BS;
