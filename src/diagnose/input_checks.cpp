@@ -18,15 +18,16 @@ namespace tera {
 namespace {
 
 constexpr double kDegrees = 1 / kDeg;
-constexpr double kMostUnitRatio = 1.3;     ///< of a factor to one of units that it counts as
+constexpr double kMostUnitRatio = 1.3;     ///< largest ratio of a factor to the unit factor that it
+                                           ///< matches
 constexpr double kLeastCorrelation = 0.7;  ///< of columns that are proportional
 constexpr double kLeastLeverRange = 0.2;   ///< of a lever that moves
 constexpr double kLeastRange_rad = 0.05;   ///< of a position that moves
-constexpr double kLeastWay_m = 2;          ///< between the ends of the way of a base that drives
+constexpr double kLeastWay_m = 2;          ///< distance between start and end of a base that drives
 constexpr double kBeyondLimit_rad = 0.2;   ///< by which a position may exceed a joint's limits
 constexpr double kPair_s = 0.1;  ///< between two positions whose difference is compared with a rate
 constexpr double kLongestDelay_s = 0.9;  ///< of a rate behind its lever
-/// Time by which commands may end before all else; with more they are of another time.
+/// Largest time by which commands may end early; beyond it they belong to another time.
 constexpr double kMostEarlyEnd_s = 10;
 constexpr const char* kNotConverted = "nothing is converted: give its unit in the import";
 

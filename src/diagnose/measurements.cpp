@@ -51,14 +51,14 @@ TimeNs StartOf(const Measurements& measured) {
     if (!samples.empty()) start_ns = std::min(start_ns, samples.front().t_ns);
   }
   if (start_ns < std::numeric_limits<TimeNs>::max()) return start_ns;
-  // Receivers count only where nothing else was measured: their clocks are not the machine's.
+  // Receivers count only without other measurements, since their clocks are not the machine's.
   for (const auto& samples : measured.gnss) {
     if (!samples.empty()) start_ns = std::min(start_ns, samples.front().t_ns);
   }
   return start_ns;
 }
 
-/// The time of the last measurement; of receivers only where there is nothing else, as in StartOf.
+/// Time of the last measurement; receivers count only without others, as in StartOf.
 TimeNs EndOf(const Measurements& measured) {
   TimeNs end_ns = measured.start_ns;
   const auto last = [&](const auto& samples) {
@@ -71,7 +71,7 @@ TimeNs EndOf(const Measurements& measured) {
   return end_ns;
 }
 
-/// A hint at a wrong unit of time, where samples follow each other faster than any sensor's.
+/// A hint at a wrong time unit, if samples are denser than any sensor's.
 std::string UnitOfTimeText(const Measurements& measured, double length_s) {
   std::size_t most = 0;
   for (const auto& named : measured.encoders) most = std::max(most, named.recording.samples.size());

@@ -10,16 +10,16 @@
 namespace tera {
 namespace {
 
-constexpr double kNeutral = 0.02;       ///< lever that rests: what a dead band is expected to be
-constexpr double kLongestEffect_s = 2;  ///< of a lever on the rate, after it came to rest
-constexpr double kMovingShare = 0.2;    ///< of the larger rates, from which on an axis moves
+constexpr double kNeutral = 0.02;       ///< largest resting lever: the expected dead band
+constexpr double kLongestEffect_s = 2;  ///< of a lever on the rate after its return to neutral
+constexpr double kMovingShare = 0.2;    ///< share of the larger rates above which an axis moves
 constexpr double kLargerRates = 0.95;   ///< quantile that stands for the larger rates
 constexpr double kNoiseSigmas = 6;
-constexpr double kShake_s = 1;  ///< of one swing of a machine that shakes, at most
+constexpr double kShake_s = 1;  ///< longest period of a machine's shaking
 constexpr double kMostShare = 0.2, kLeast_s = 2;
-constexpr double kLongestPeriod_s = 1;  ///< that counts for one sample after lost ones
+constexpr double kLongestPeriod_s = 1;  ///< longest time attributed to a sample after lost ones
 
-/// The quantile that stands for the larger ones; 0 of none.
+/// The kLargerRates quantile; 0 without values.
 double LargerOf(std::vector<double> size) {
   if (size.empty()) return 0;
   const auto larger = size.begin() + static_cast<std::ptrdiff_t>(
@@ -30,7 +30,7 @@ double LargerOf(std::vector<double> size) {
 
 /// A lever over the steps of a log.
 struct LeverSteps {
-  std::vector<std::size_t> rests_for;  ///< steps since it was last away from neutral
+  std::vector<std::size_t> rests_for;  ///< steps since it was last out of neutral
   double low = 0, high = 0;
 };
 
@@ -47,7 +47,7 @@ LeverSteps StepsOf(const AxisLog& log, std::size_t axis) {
   return steps;
 }
 
-/// The rate from which on an axis moves, by what it does at all and what its lever makes it do.
+/// Rate above which an axis moves: by its rates overall, its rates under its lever, and its noise.
 double MovingRate(const MeasuredRate& measured, const LeverSteps& lever, std::size_t long_rest) {
   const std::vector<double>& rate = measured.rate_radps;
   std::vector<double> size, pushed, third;
@@ -63,8 +63,7 @@ double MovingRate(const MeasuredRate& measured, const LeverSteps& lever, std::si
   return std::max(kMovingShare * larger, kNoiseSigmas * noise);
 }
 
-/// Sizes of the mean rates over the time of a shake before each sample or after it, the larger
-/// ones.
+/// Magnitude of the mean rate over kShake_s before or after each sample, whichever is larger.
 std::vector<double> SizesWithoutShakes(const MeasuredRate& measured, double step_s) {
   const std::vector<double>& at = measured.at_step;
   std::vector<double> sums = {0};
@@ -82,7 +81,7 @@ std::vector<double> SizesWithoutShakes(const MeasuredRate& measured, double step
   return sizes;
 }
 
-/// How long an axis moves, in all, while its lever rests, and to either side.
+/// Durations of an axis's motion: in total, while its lever rests, and in either direction.
 struct MovingTime {
   double all_s = 0, resting_s = 0, forwards_s = 0, backwards_s = 0;
   double rate_by_lever = 0;  ///< sum of their products, positive where the axis follows its lever

@@ -16,32 +16,33 @@
 namespace tera {
 namespace {
 
-/// Time to full rate under the mildest rate limit that is looked for. What rises faster is a
-/// motor's lag, which steps of the lever show.
+/// Rise time to full rate under the mildest rate limit of the search. A shorter rise is a motor's
+/// lag, which steps of the lever show.
 constexpr double kShortestRise_s = 0.08;
 
-/// Distance of the likelihood's kinks, over the range, along a number that moves the instants at
-/// which a rate changes.
+/// Distance of the likelihood's kinks, over the range, for a parameter that shifts the instants of
+/// rate changes.
 constexpr double kKinkOfInstants = 0.06;
 constexpr double kLongestDelay_s = 0.8;
-constexpr double kLateToMeasure_s = 0.03;         ///< by which a rate may be measured late, at most
-constexpr long kMostStepsToMeasure = 10;          ///< of a replay in small steps, for that
-constexpr double kLateByLags_s[] = {0.05, 0.08};  ///< behind a slow valve, and behind a slower one
+constexpr double kLateToMeasure_s = 0.03;         ///< largest delay of a rate's measurement
+constexpr long kMostStepsToMeasure = 10;          ///< in time steps of a replay, for that delay
+constexpr double kLateByLags_s[] = {0.05, 0.08};  ///< of a rate behind a slow and a slower valve
 
-/// Slower swings last as long as the motions between two changes of a lever.
+/// Slower oscillations last as long as the motions between two changes of a lever.
 constexpr double kSlowestRing_radps = 3, kSlowestFlex_radps = 2;
 
-/// Time for which an axis and other functions of its pump must be driven together.
+/// Least duration of common motion of an axis and other functions of its pump.
 constexpr double kLeastTogether_s = 2;
-constexpr double kMostBent_rad = 0.5;  ///< by which the largest load bends a flexible link
+constexpr double kMostBent_rad = 0.5;  ///< largest deflection of a flexible link under the largest
+                                       ///< load
 
-/// The rates and loads of an axis in the log, by which sizes of candidates are bounded.
+/// Rates and loads of an axis in the log, which bound the sizes of candidates.
 struct Reach {
-  double full_rate_radps = 0, slower_rate_radps = 0;  ///< the slower direction's
+  double full_rate_radps = 0, slower_rate_radps = 0;  ///< `slower`: of the slower direction
   double largest_load_nm = 0;
   double lowest_rad = 0, highest_rad = 0;
   bool is_joint = false, has_stops = false, has_cylinder = false;
-  double nyquist_radps = 0;  ///< of the samples: faster swings look like slower ones (Shannon 1949)
+  double nyquist_radps = 0;  ///< of the samples; faster oscillations alias (Shannon 1949)
 };
 
 /// The median interval between samples.
@@ -83,8 +84,8 @@ Reach ReachOf(const MachineModel& model, const AxisLog& log, const MeasuredRate&
   return reach;
 }
 
-/// Delays by which a rate may change after its reader looked: step by step as far as the
-/// measurement may delay it, then longer ones, for drives that lag.
+/// Delays between a reader's sample of the lever and the change of rate. By steps up to the largest
+/// delay of the measurement; longer ones for drives that lag.
 std::vector<double> Latenesses_s(double step_s) {
   const long most = std::min(std::lround(kLateToMeasure_s / step_s), kMostStepsToMeasure);
   std::vector<double> late_s;
@@ -93,9 +94,9 @@ std::vector<double> Latenesses_s(double step_s) {
   return late_s;
 }
 
-/// Starts for a reader that samples the lever once a period. Its likelihood is too sharp for a
-/// search to find by chance, so the starts are the periods at which the rate itself changes. A lag
-/// makes the phase seem later; the phase must be right to a step of the replay.
+/// Starts for a reader that samples the lever periodically. Its likelihood is too sharp for a blind
+/// search, so the starts are the periods at which the rate changes. A lag delays the apparent
+/// phase, which must be right to a step of the replay.
 std::vector<std::vector<double>> HoldStarts(const AxisLog& log, std::size_t axis) {
   std::vector<std::vector<double>> starts = {{0.05, 0.0}, {0.1, 0.0},  {0.1, 0.5},
                                              {0.2, 0.0},  {0.2, 0.33}, {0.2, 0.67}};
@@ -115,8 +116,8 @@ std::vector<std::vector<double>> HoldStarts(const AxisLog& log, std::size_t axis
 
 void AddTimingAndMap(const std::vector<std::vector<double>>& holds, double step_s,
                      CandidateList* out) {
-  // A command between two steps is shared out to both, unlike a delay of whole steps. From a spread
-  // of zero no small step changes anything.
+  // A command between two steps is split between both, unlike a delay of whole steps. From a spread
+  // of zero, no small step has an effect.
   out->Add("command_delay",
            {{.index = 0, .upper = kLongestDelay_s, .kink = step_s / kLongestDelay_s},
             {.index = 1, .upper = 0.2, .refines = true}},
@@ -132,14 +133,14 @@ void AddTimingAndMap(const std::vector<std::vector<double>>& holds, double step_
   out->Add("rate_gain", {{0, 0.3, 4}}, {{0.9}, {1.15}, {0.75}, {2}});
 }
 
-/// Whether an oscillation with these numbers still shows when it swings back; else it is a lag, or
-/// an overshoot at the start.
+/// Whether an oscillation with these numbers still shows when it swings back. Otherwise it is a
+/// lag, or an initial overshoot.
 bool Swings(const std::vector<double>& ring) {
   const double eta_radps = ring[0], beta_1ps = ring[1];
   return beta_1ps < eta_radps;
 }
 
-/// Starts with their first number, a frequency, at most `most`; those that become the same once.
+/// Starts with the first number, a frequency, limited to `most`; duplicates removed.
 std::vector<std::vector<double>> StartsUpTo(double most,
                                             const std::vector<std::vector<double>>& starts) {
   std::vector<std::vector<double>> kept;
@@ -150,12 +151,12 @@ std::vector<std::vector<double>> StartsUpTo(double most,
   return kept;
 }
 
-/// Adds the candidates of the actuator's slot. A lag that is shorter than a step cannot be seen.
+/// Adds the candidates of the actuator's slot. A lag shorter than a step is invisible.
 void AddActuator(const Reach& reach, double step_s, CandidateList* out) {
   const double w = reach.full_rate_radps;
   out->Add("actuator_lag", {{0, step_s, 1.5}, {.index = 1, .refines = true}},
            {{0.05, 0}, {0.12, 0}, {0.25, 0}, {0.5, 0}});
-  // A wider band, or a limit that hardly ever acts, would be a lag under another name.
+  // A wider band, or a limit that hardly ever acts, would be a lag in disguise.
   out->Add(
       "rate_limit",
       {{0, w / 5, w / kShortestRise_s, true}, {.index = 1, .upper = 2 * step_s, .refines = true}},
@@ -180,8 +181,8 @@ void AddGainAndLoad(const Reach& reach, CandidateList* out) {
               {0, 0, 0, 0.8 * low + 0.2 * high},
               {0, 0, 0, 0.2 * low + 0.8 * high}});
   }
-  // Without some friction it would be a lag under another name; with more, full levers would not
-  // move the axis.
+  // With less friction it would be a lag in disguise; with more, full levers would not move the
+  // axis.
   const double w = reach.slower_rate_radps;
   out->Add("drive_friction",
            {{.index = 0,
@@ -204,7 +205,7 @@ void AddGainAndLoad(const Reach& reach, CandidateList* out) {
   out->Add("sag", {{0, 2e-4, 0.15, true}}, {{0.003, 40}, {0.01, 40}, {0.04, 40}});
   if (reach.is_joint && reach.nyquist_radps > kSlowestFlex_radps) {
     const double most = std::min(80.0, reach.nyquist_radps);
-    // Steel and oil oscillate; what is damped more is a lag under another name.
+    // Steel and oil oscillate; a higher damping would be a lag in disguise.
     out->Add("structural_flex",
              {{0, kSlowestFlex_radps, most, true},
               {1, 0.01, 0.5},
@@ -213,7 +214,7 @@ void AddGainAndLoad(const Reach& reach, CandidateList* out) {
   }
 }
 
-/// Candidates of the pump, where more was asked of it than the axis alone could ask.
+/// Candidates of the pump, if the total demand exceeds that of the axis alone.
 std::vector<Candidate> CandidatesOfPump(const MachineModel& model, const PumpDemand& demand) {
   if (demand.together_s < kLeastTogether_s) return {};
   const Pump& pump = model.pumps[demand.pump];

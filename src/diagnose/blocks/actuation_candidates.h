@@ -11,20 +11,20 @@
 
 namespace tera {
 
-/// The candidates that the rate of a joint or gear can show: mechanisms of command_timing,
-/// lever_map, actuator, kinematic_gain and load_friction, and of flow of the pump that feeds the
-/// axis, where the axis and another of the pump's functions were driven together for long enough.
-/// Bounds and starts follow from the log: rates up to the axis's full one, loads up to the largest
-/// seen, swings up to the Nyquist frequency of the samples. A mechanism that the model has already
-/// may have wrong numbers. `measured` are the samples that are new measurements, of one sensor.
+/// Candidates that the rate of a joint or gear can show: mechanisms of command_timing, lever_map,
+/// actuator, kinematic_gain and load_friction. Also of flow of the axis's pump, if the axis and
+/// another of the pump's functions move together long enough. Bounds and starts follow from the
+/// log: rates up to the axis's full one, loads up to the largest seen, oscillations up to the
+/// samples' Nyquist frequency. Mechanisms that the model already has may have wrong parameters.
+/// `measured` has the samples of one sensor that are new measurements.
 ///
-/// Omits   friction and payload, against both of which a motor that is given a rate keeps it, so
-///         that they show in no rate but through pressure_droop.
+/// Omits   friction and payload: a motor with a demanded rate keeps it against both, so that they
+///         show only through pressure_droop.
 std::vector<Candidate> CandidatesOfAxis(const MachineModel& model, const AxisLog& log,
                                         const MeasuredRate& measured,
                                         const std::optional<PumpDemand>& pump);
 
-/// The loss of its commands, `command_drops`, whose times a replay does not know.
+/// The loss of the axis's commands, `command_drops`, at times unknown to a replay.
 std::vector<Candidate> LossOfAxis(const MachineModel& model, std::size_t axis);
 
 }  // namespace tera

@@ -19,27 +19,27 @@ namespace tera {
 namespace {
 
 constexpr std::ptrdiff_t kFewestSamples = 200;
-/// Time after which a rate that repeats itself without a lever says nothing.
+/// Time after which a repeating rate without a lever counts as missing.
 constexpr double kLongestRepeat_s = 1;
 constexpr int kLeverLags = 12;  ///< of the lever, in the flexible regressor
 constexpr double kLongestLeverLag_s = 0.8;
-/// Share of the model's effort that a drive surely has: samples that need more are excluded.
+/// Certain share of the model's effort: samples that need more are excluded.
 constexpr double kSureEffortShare = 0.5;
-/// Share of the moving samples that may be excluded for that; with more, all of them stay.
+/// Largest share of moving samples excluded for that; with more, none is.
 constexpr double kMostExcludedShare = 0.4;
-/// Share of a lever's time out of neutral in which it must come back, for its direction to be a
-/// variable of its own.
+/// Least share of a lever's time out of neutral in which it returns, for its direction to be a
+/// variable.
 constexpr double kLeastReturnShare = 0.1;
 constexpr std::size_t kOtherLevers =
     4;                                ///< index of the first variable that is another axis's lever
-constexpr double kMovedLever = 0.05;  ///< from which on another lever counts as moved
+constexpr double kMovedLever = 0.05;  ///< another lever above it counts as moved
 /// Standard deviations of nominal numbers; a nuisance may be off by two of them (likelihood.h).
-/// Rates: a data sheet is right to 3 %. Full effort over inertia: effort, masses and their places
-/// are off by about 3 % each, and inertia goes with the square of a place.
+/// Rates: a data sheet is right to 3 %. Full effort over inertia: effort, masses and their
+/// positions err by about 3 % each, and inertia is quadratic in position.
 constexpr double kNominalRate = 0.015, kNominalEffort = 0.07;
 
-/// Whether most samples of a moving axis repeat the one before bit for bit: a slower measurement
-/// that is passed on again and again.
+/// Whether most samples of a moving axis repeat the previous one bit for bit, as those of a slower
+/// measurement do.
 bool IsHeld(const std::vector<double>& rate_radps) {
   std::size_t moving = 0, repeated = 0;
   for (std::size_t i = 1; i < rate_radps.size(); ++i) {
@@ -50,8 +50,8 @@ bool IsHeld(const std::vector<double>& rate_radps) {
   return 2 * repeated > moving;
 }
 
-/// The samples that are new measurements. Of a held rate these differ from the one before; a number
-/// that has repeated itself for long without a lever is none in any case.
+/// Samples that are new measurements: for a held rate, those that differ from the previous one.
+/// Rates that repeat for long without a lever are excluded in any case.
 MeasuredRate Fresh(const MeasuredRate& measured, const AxisLog& log) {
   const bool held = IsHeld(measured.rate_radps);
   MeasuredRate fresh = measured;
@@ -75,9 +75,9 @@ MeasuredRate Fresh(const MeasuredRate& measured, const AxisLog& log) {
   return fresh;
 }
 
-/// Leaves out samples at which the drive's effort is exhausted: how fast the axis then is depends
-/// on other joints, which yield, and on the position of its cylinder, of which the replay of one
-/// axis knows nothing. All samples stay where the effort is exhausted most of the time.
+/// Excludes samples at which the drive's effort is exhausted. The rate then depends on other
+/// joints, which yield, and on the cylinder's position, both unknown to the replay of one axis.
+/// Keeps all samples if the effort is exhausted most of the time.
 MeasuredRate WithinItsEffort(const LoneAxisReplay& replay, MeasuredRate measured) {
   const std::vector<bool> falls_short =
       replay.FallsShort(replay.effects(), {.effort = kSureEffortShare});
@@ -94,7 +94,7 @@ MeasuredRate WithinItsEffort(const LoneAxisReplay& replay, MeasuredRate measured
   return measured;
 }
 
-/// A quantity of the log's steps, interpolated to the places of the grid.
+/// A quantity of the log's steps, interpolated to the grid.
 template <typename Value>
 Series Sampled(const SampleGrid& grid, const AxisLog& log, const MeasuredRate& measured,
                const Value& value_at_step) {
@@ -107,7 +107,7 @@ Series Sampled(const SampleGrid& grid, const AxisLog& log, const MeasuredRate& m
   return series;
 }
 
-/// Functions of a lever by which a valve may respond.
+/// Functions of a lever that represent the response of a valve.
 std::array<double, 5> ShapesOf(double u) {
   const auto beyond = [&](double dead) {
     return std::copysign(std::max(0.0, std::abs(u) - dead), u);
@@ -164,8 +164,8 @@ Eigen::MatrixXd ByLagAndPlace(const Series& lever, const Series& position, const
   return columns;
 }
 
-/// Changes of the prediction without candidates by the rate at full lever and by the effort over
-/// the inertia, to second order: where effort limits the rate, a larger rate is reached later.
+/// Changes of the prediction without candidates by the rate at full lever and by effort over
+/// inertia, to second order. Where effort limits the rate, a larger rate is reached later.
 Eigen::MatrixXd NominalColumns(const LoneAxisReplay& replay, const SampleGrid& grid) {
   const auto predict = [&](double rate, double effort) -> Eigen::VectorXd {
     const std::vector<double> y =
@@ -177,13 +177,13 @@ Eigen::MatrixXd NominalColumns(const LoneAxisReplay& replay, const SampleGrid& g
   const Eigen::VectorXd faster = predict(1, 0) - nominal, slower = predict(-1, 0) - nominal;
   const Eigen::VectorXd stronger = predict(0, 1) - nominal, weaker = predict(0, -1) - nominal;
   Eigen::MatrixXd columns(nominal.size(), 5);
-  // The second-order columns are those of two standard deviations at a coefficient of two.
+  // The second-order columns are for two standard deviations at a coefficient of two.
   columns << (faster - slower) / 2, faster + slower, (stronger - weaker) / 2, stronger + weaker,
       2 * (predict(1, 1) - nominal - faster - stronger);
   return columns;
 }
 
-/// The flexible regressor, from the variables that VariablesOf returns.
+/// The flexible regressor from the variables of VariablesOf.
 Eigen::MatrixXd FlexibleRegressor(const std::vector<RegimeVariable>& variables) {
   const Series& lever = variables[0].series;
   std::vector<Series> others;
@@ -196,7 +196,7 @@ Eigen::MatrixXd FlexibleRegressor(const std::vector<RegimeVariable>& variables) 
   return columns;
 }
 
-/// The effects with a structure's terms: those of slot flow act on the pump, all others on the
+/// The effects with a structure's terms: those of slot flow act on the pump, the others on the
 /// axis.
 AxisEffects WithTerms(const AxisEffects& present, const Structure& terms) {
   Structure of_axis, of_pump;
@@ -206,7 +206,7 @@ AxisEffects WithTerms(const AxisEffects& present, const Structure& terms) {
   return {WithTerms(present.axis, of_axis), WithTerms(present.pump, of_pump)};
 }
 
-/// The ways of an axis's lever, step by step.
+/// The directions of an axis's lever at each step.
 std::vector<double> DirectionsOf(const AxisLog& log, std::size_t axis) {
   std::vector<double> ways;
   LeverWay way;
@@ -214,8 +214,8 @@ std::vector<double> DirectionsOf(const AxisLog& log, std::size_t axis) {
   return ways;
 }
 
-/// Whether the lever comes back for long enough that its direction differs from its sign; under
-/// full levers alone it does not.
+/// Whether the lever returns for long enough to separate its direction from its sign. Under full
+/// levers alone it does not.
 bool ReturnsOften(const AxisLog& log, std::size_t axis, const std::vector<double>& ways) {
   std::size_t out = 0, back = 0;
   for (std::size_t k = 0; k < log.steps; ++k) {
@@ -226,8 +226,7 @@ bool ReturnsOften(const AxisLog& log, std::size_t axis, const std::vector<double
   return static_cast<double>(back) > kLeastReturnShare * static_cast<double>(out);
 }
 
-/// The variables of an axis: lever, position, load, time, and from index kOtherLevers on the other
-/// levers.
+/// Variables of an axis: lever, position, load, time; the other levers from index kOtherLevers on.
 std::vector<RegimeVariable> VariablesOf(const MachineModel& model, const AxisLog& log,
                                         const MeasuredRate& measured, const SampleGrid& grid) {
   const std::size_t own = measured.axis;
@@ -253,7 +252,7 @@ std::vector<RegimeVariable> VariablesOf(const MachineModel& model, const AxisLog
   return variables;
 }
 
-/// The chain of an axis, without what the model has of its mechanisms.
+/// The chain of an axis, without the mechanisms that the model already has.
 AxisChain ChainOf(const MachineModel& model, std::size_t axis,
                   const std::vector<Candidate>& candidates) {
   AxisChain chain{.axis = NameOfAxis(model, axis)};
@@ -312,7 +311,7 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   block.name = NameOfAxis(model, axis);
   block.slides = channel.unit == "m/s";
   block.first_ns = measured.t_ns.front();
-  // Other levers act on the axis through its position and load alone, which are measured.
+  // Other levers act on the axis only through its position and load, which are measured.
   block.commands = {channel.variables[0].series};
   block.channels.push_back(std::move(channel));
   block.candidates = CandidatesOfAxis(model, log, fresh, replay.pump());

@@ -8,28 +8,28 @@
 
 namespace tera {
 
-/// The block of one joint or gear of a machine: its measured rate against what the chain of
-/// actuation makes of its lever at its measured positions and loads.
+/// Block of one joint or gear of a machine: its measured rate against that of the actuation chain
+/// for its lever. Positions and loads are the measured ones.
 ///
-/// Model   the grid has the median period of the samples. A sample stands at the nearest place; its
-///         prediction is for its own time. Gaps are samples at end stops and a rate that has
-///         repeated itself for a second; where most samples repeat the one before bit for bit, only
-///         the others count. Flexible regressor: the lever, its signed square, its excess over dead
-///         bands and its sign, each at twelve lags up to 0.8 s; and the lever times position and
-///         load. Nominal numbers: rate at full lever, full effort over inertia, known to 7 %.
-/// Omits   pumps that do not deliver what is asked of them.
+/// Model   the grid has the samples' median period. A sample is at the nearest grid point; its
+///         prediction is for its own time. Gaps: samples at end stops, and rates that repeat for a
+///         second. If most samples repeat the previous one bit for bit, only the others are
+///         measurements. Flexible regressor: the lever, its signed square, its excess over dead
+///         bands and its sign, each at twelve lags up to 0.8 s; the lever times position and load.
+///         Nominal numbers: rate at full lever, full effort over inertia, known to 7 %.
+/// Omits   pumps that deliver less than their demand.
 ///
-/// `measured` is an index into log.measured. Model and log are copied as far as they are needed.
-/// None where the axis has no lever, or hardly a sample.
+/// `measured` is an index into log.measured. Copies what it needs of model and log. None if the
+/// axis has no lever or too few samples.
 std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLog& log,
                                          std::size_t measured);
 
-/// The replay's discrepancy of an axis's rate, on the grid of the block of `log`: its rate in a
-/// simulation of the whole machine less what the chain of actuation makes of the same levers at the
-/// simulated positions. Other joints that pull on this one and ground that holds it up show in it.
+/// Replay's discrepancy of an axis's rate, on the grid of the block of `log`. It is the rate in a
+/// simulation of the whole machine, minus that of the actuation chain under the same levers at the
+/// simulated positions. It contains the pull of other joints and the support of the ground.
 ///
-/// `simulated` is a log of the simulation under the same levers, with rates free of errors at the
-/// times of `log`; beyond its end the discrepancy is 0. Empty where there is no block.
+/// `simulated` is a log of the simulation under the same levers, with error-free rates at the times
+/// of `log`. After its end the discrepancy is 0. Empty without a block.
 std::vector<double> RateDiscrepancy(const MachineModel& model, const AxisLog& log,
                                     const AxisLog& simulated, std::size_t measured);
 

@@ -11,21 +11,20 @@ namespace {
 
 constexpr std::array kLags_s = {0.0, 0.06, 0.15, 0.3, 0.6, 1.0};
 constexpr double kDelayStep_s = 0.04, kLongestReadDelay_s = 0.7;
-constexpr std::size_t kMostReadRows = 3000;  ///< samples, by which ramps are known well enough
-constexpr Eigen::Index kWidestBand = 16;     ///< knots of a dead band, at most: 0.8 of full lever
+constexpr std::size_t kMostReadRows = 3000;  ///< enough samples to determine the ramps
+constexpr Eigen::Index kWidestBand = 16;     ///< knots of the widest dead band: 0.8 of full lever
 constexpr std::size_t kMostReadings = 3;
-/// Numbers with which a fit begins where nothing is read: with none of the effect no step changes
-/// anything.
+/// Starting values without a reading: from zero effect, no small step changes anything.
 constexpr double kLeastBand = 0.02, kSpreadShare = 0.2, kLeastLag_s = 0.02;
 
-/// A direction's static map: nought up to `dead`, then a slope of `gain` up to `limit`.
+/// Static map of one direction: zero up to `dead`, then linear with `gain` up to `limit`.
 struct Ramp {
   double dead = 0, limit = 1, gain = 0;
-  Eigen::VectorXd shape;  ///< at the knots, with a gain of 1
-  double taken = 0;       ///< of the energy of what was measured
+  Eigen::VectorXd shape;  ///< at the knots, for a gain of 1
+  double taken = 0;       ///< explained energy of the measurement
 };
 
-/// The shapes of all ramps between knots.
+/// Shapes of all ramps between knots.
 const std::vector<Ramp>& RampsBetweenKnots() {
   static const std::vector<Ramp> shapes = [] {
     std::vector<Ramp> all;
@@ -45,7 +44,7 @@ const std::vector<Ramp>& RampsBetweenKnots() {
   return shapes;
 }
 
-/// The ramp of positive gain that takes most; one without gain where none takes any.
+/// The ramp of positive gain that explains most; zero gain if none explains any.
 Ramp BestRamp(const Eigen::MatrixXd& information, const Eigen::VectorXd& pull) {
   Ramp best{.shape = Eigen::VectorXd::Zero(kMapKnots)};
   for (const Ramp& ramp : RampsBetweenKnots()) {
@@ -66,7 +65,7 @@ struct ReadChain {
   Ramp positive, negative;
 };
 
-/// The ramps of both directions: each is found beside the other, the larger one first.
+/// The ramps of both directions, the larger first, each given the other.
 void ReadRamps(const MapProducts& products, ReadChain* out) {
   const auto of = [&](Eigen::Index row, Eigen::Index column) {
     return products.information.block(row, column, kMapKnots, kMapKnots);
@@ -82,7 +81,7 @@ void ReadRamps(const MapProducts& products, ReadChain* out) {
   out->left = products.energy - 2 * map.dot(products.pull) + map.dot(products.information * map);
 }
 
-/// The best delay for one lag, with the cylinder's gain or without.
+/// The best delay for a lag, with or without the cylinder's gain.
 ReadChain ReadAtLag(const Channel& channel, const std::vector<Eigen::Index>& rows, double lag_s,
                     const Eigen::VectorXd& weight) {
   const Series& lever = channel.variables[0].series;
@@ -98,7 +97,7 @@ ReadChain ReadAtLag(const Channel& channel, const std::vector<Eigen::Index>& row
   return best;
 }
 
-/// A number of each direction as their mean, and by which share of it the first is above.
+/// Mean of both directions, and the relative excess of the positive one over it.
 std::vector<double> MeanAndAsymmetry(double positive, double negative) {
   const double mean = 0.5 * (positive + negative);
   return {mean, mean > 0 ? 0.5 * (positive - negative) / mean : 0};
@@ -127,7 +126,7 @@ std::vector<Reading> ReadingsOf(const AxisChain& chain, ReadChain read) {
       {"pressure_droop", chain.axis, {}}};
   if (!chain.pump.empty()) readings.push_back({"flow_sharing", chain.pump, {}});
   if (read.has_cylinder) {
-    // Where the gain is 1 is a second number for what rate_gain says.
+    // The angle of unit gain is redundant with rate_gain.
     readings.push_back(
         {"cylinder_lever", chain.axis, {0, 0, 0, chain.cylinder_reference_rad}, {3}});
   }

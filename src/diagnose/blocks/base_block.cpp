@@ -23,11 +23,11 @@ constexpr double kLongestLag_s = 0.5;
 /// Friction of asphalt, gravel and dry earth (Wong, Theory of Ground Vehicles, 4th ed. 2008, ch.
 /// 1), and half of it for loose or wet ground, an estimate.
 constexpr double kFrictionOfFirm = 0.7, kFrictionOfLoose = 0.35;
-/// Turning rate that loose ground may hold back, over the RMS of turning rates while it turns;
-/// samples with more are excluded.
+/// Yaw rate that loose ground may withhold, over the RMS yaw rate while turning. Samples above it
+/// are excluded.
 constexpr double kMostHeldBackShare = 0.1;
-constexpr double kLeastTurning_radps = 0.02;  ///< a slower machine stands or goes straight
-/// Largest speed of a side from which on a machine counts as driven.
+constexpr double kLeastTurning_radps = 0.02;  ///< below it a machine stands or drives straight
+/// Least peak speed of a side for a machine that drives.
 constexpr double kLeastDriven_mps = 0.1;
 
 std::vector<Candidate> CandidatesOf(const MachineModel& model) {
@@ -48,8 +48,7 @@ std::vector<Candidate> CandidatesOf(const MachineModel& model) {
   return out.Take();
 }
 
-/// The motion that the base's replay knows of each interval: the speeds of both sides by their
-/// gears, and slopes.
+/// Input of the base's replay in each interval: speeds of both sides by their gears, and slopes.
 struct Course {
   std::vector<double> left_mps, right_mps, roll_rad, pitch_rad, time_s;
 };
@@ -114,8 +113,8 @@ std::vector<RegimeVariable> VariablesOf(const Course& course, const SampleGrid& 
           {"time", grid.SpreadSeries(course.time_s, all)}};
 }
 
-/// A side's speed over its largest, as a command; a machine that only stands has none, for then it
-/// would be noise of the encoders.
+/// A side's speed over its maximum, as a command. Constant zero for a machine that only stands,
+/// since it would be encoder noise.
 Series CommandOf(const std::vector<double>& speed_mps, const SampleGrid& grid) {
   double fastest = kLeastDriven_mps;
   for (const double v : speed_mps) fastest = std::max(fastest, std::abs(v));
@@ -130,8 +129,8 @@ std::vector<double> PartOf(const std::vector<PlanarTwist>& twists, double Planar
   return values;
 }
 
-/// Changes of the forward speed where the ground cannot accelerate the machine at once, a column
-/// for each grip. A coefficient of one standard deviation is the whole change.
+/// Changes of the forward speed where the ground limits the machine's acceleration, a column for
+/// each grip. A coefficient of one standard deviation is the whole change.
 Eigen::MatrixXd HeldBack(const MachineModel& model, const BaseLog& log, const SampleGrid& grid,
                          const std::vector<Grip>& grips) {
   const BaseReplay replay(model, log);
@@ -148,8 +147,8 @@ Eigen::MatrixXd HeldBack(const MachineModel& model, const BaseLog& log, const Sa
   return columns;
 }
 
-/// RMS of the turning rate while the machine turns, however long it stands besides; infinite where
-/// it never turns.
+/// RMS of the yaw rate while the machine turns, regardless of standstill; infinite if it never
+/// turns.
 double RmsWhileTurning_radps(const std::vector<double>& yaw_radps) {
   double sum = 0, count = 0;
   for (const double rate_radps : yaw_radps) {
@@ -160,8 +159,8 @@ double RmsWhileTurning_radps(const std::vector<double>& yaw_radps) {
   return count > 0 ? std::sqrt(sum / count) : INFINITY;
 }
 
-/// The places of the grid whose turning rate loose ground could not give at once, so that it lags
-/// behind the tracks by the machine's inertia.
+/// Grid points at which loose ground cannot provide the yaw rate at once: the machine's inertia
+/// lags behind its tracks.
 std::vector<bool> LaggingTurns(const MachineModel& model, const BaseLog& log,
                                const SampleGrid& grid, const Grip& loose) {
   const BaseReplay replay(model, log);
@@ -177,12 +176,12 @@ std::vector<bool> LaggingTurns(const MachineModel& model, const BaseLog& log,
   return is_lagging;
 }
 
-/// Changes of the motion of the middle of the contact where the machine turns about another point,
-/// with the turning that was measured: forward, and two to the left.
+/// Changes of the motion of the contact's middle if the machine turns about another point, with the
+/// measured yaw rate: one forward and two to the left.
 ///
-/// Model   turning_centre.h; and on a side slope the centre moves along the tracks until friction
-///         holds the weight's part across them: by L tan(roll) / (2 mu) of a contact of length L
-///         whose shoes slide sideways, with the friction `mu` of firm ground.
+/// Model   turning_centre.h. On a side slope the centre also moves along the tracks until friction
+///         holds the weight's lateral part. The shift is L tan(roll) / (2 mu) for a contact of
+///         length L that slides sideways, with the friction `mu` of firm ground.
 struct TurningAside {
   Eigen::VectorXd forward_mps;
   Eigen::MatrixXd left_mps;
@@ -253,10 +252,9 @@ std::optional<ReplayBlock> MakeBaseBlock(const MachineModel& model, const BaseLo
   forward << HeldBack(model, log, grid, {firm, loose}), aside.forward_mps;
   add("/forward_mps", "m/s", &PlanarTwist::forward_mps, forward);
   add("/left_mps", "m/s", &PlanarTwist::left_mps, aside.left_mps);
-  // Turning has no such columns: with them the arrival stamps of a real recording were not found.
+  // Yaw has no such columns: they would hide arrival stamps of real recordings.
   add("/yaw_radps", "rad/s", &PlanarTwist::yaw_radps, {});
-  // Where stamps may be those of arrivals, such samples show when the poses were measured, and
-  // stay.
+  // If stamps may be those of arrivals, such samples show when the poses were measured, and stay.
   if (!log.may_be_arrivals)
     block.channels.back().is_lagging = LaggingTurns(model, log, grid, loose);
   block.commands = {CommandOf(course.left_mps, grid), CommandOf(course.right_mps, grid)};

@@ -12,14 +12,13 @@
 namespace tera {
 namespace {
 
-constexpr double kWindow_s = 60;  ///< in which peaks are found
-/// Frequencies tried per 1 / length: to find a peak, and to refine it.
+constexpr double kWindow_s = 60;  ///< length of the part in which peaks are searched
+/// Frequencies per 1 / length: in the search for a peak, and in its refinement.
 constexpr double kCoarse = 4, kFine = 64;
 
-constexpr double kBin_s = 0.01;  ///< within which changes count as one
+constexpr double kBin_s = 0.01;  ///< changes within it count as one
 
-/// Changes of a quantity: their sizes, and the middles of the sample intervals in which they
-/// happened.
+/// Sizes of a quantity's changes, and the middles of their sample intervals.
 struct Changes {
   std::vector<double> t_s, size;
 
@@ -82,8 +81,8 @@ struct Peak {
   double frequency_hz = 0, height = 0;
 };
 
-/// The periodogram at evenly spaced frequencies: each change's phase turns by the same angle from
-/// one frequency to the next.
+/// The periodogram at evenly spaced frequencies: each change's phasor turns by a constant angle
+/// between them.
 std::vector<double> HeightsOf(const Changes& changes, double lowest_hz, double step_hz,
                               std::size_t count) {
   const auto size = static_cast<Eigen::Index>(changes.t_s.size());
@@ -118,7 +117,7 @@ std::vector<Peak> PeaksOf(const Changes& changes, double lowest_hz, double highe
   return peaks;
 }
 
-/// The frequency of the highest value around a frequency.
+/// The frequency of the highest peak near a frequency.
 double Highest(const Changes& changes, double frequency_hz, double around_hz,
                double steps_of_resolution) {
   const std::vector<Peak> peaks =

@@ -4,11 +4,11 @@
 
 namespace tera {
 
-/// A period at which something happens repeatedly, at t = (k + phase) period.
+/// A period of recurring events, at t = (k + phase) period.
 struct Beat {
   double period_s = 0;
   double phase = 0;     ///< 0 to 1
-  double strength = 0;  ///< share of the changes that are in phase, 0 to 1
+  double strength = 0;  ///< share of the changes in phase, 0 to 1
 };
 
 struct BeatOptions {
@@ -16,15 +16,15 @@ struct BeatOptions {
   std::size_t most = 3;
 };
 
-/// The strongest beats in the times at which a measured quantity changes, as of a quantity that is
-/// set once a period.
+/// The strongest periods in the times at which a measured quantity changes. A quantity set
+/// periodically changes so.
 ///
-/// Model   Rayleigh periodogram of the absolute differences between samples, less their mean, over
-///         the minute with most change; its highest peaks, each refined over the whole recording.
-/// Omits   what makes a change last: the phase is that of its start only where it is sudden.
+/// Model   Rayleigh periodogram of the absolute differences between samples, minus their mean, over
+///         the minute with most change. Its highest peaks are refined over the whole recording.
+/// Omits   gradual changes: the phase is that of a change's start only if it is sudden.
 /// Source  Mardia and Jupp 2000, "Directional statistics", ch. 6 (Rayleigh's statistic).
 ///
-/// `t_s` rises. A difference over a gap of more than two median periods is left out.
+/// `t_s` ascends. Differences over gaps of more than two median periods are ignored.
 std::vector<Beat> BeatsOf(const std::vector<double>& t_s, const std::vector<double>& value,
                           const BeatOptions& options);
 

@@ -10,11 +10,11 @@
 
 namespace tera {
 
-/// Collects the mechanisms that are candidates for one target.
+/// Collects candidate mechanisms of one target.
 ///
-/// Model   a mechanism that the target has already may have wrong numbers: its starts are its
-///         present numbers, changed faintly first, and then those for a target without it; its
-///         bounds include the present numbers.
+/// Model   a mechanism that the target already has may have wrong parameters. Its starts are its
+///         present values, changed faintly first, and then those for a target without it. Its
+///         bounds include the present values.
 class CandidateList {
  public:
   /// The library must outlive the candidates.
@@ -22,7 +22,7 @@ class CandidateList {
                 std::span<const Mechanism> library)
       : target_(std::move(target)), kind_(kind), present_(present), library_(library) {}
 
-  /// Adds a mechanism; `id` must be in the library for targets of that kind, `starts` are for a
+  /// Adds a mechanism. The library must have `id` for this kind of target; `starts` are for a
   /// target without it. The reference is valid until the next call.
   Candidate& Add(std::string_view id, std::vector<FreeParameter> free,
                  std::vector<std::vector<double>> starts);
@@ -36,11 +36,11 @@ class CandidateList {
   std::vector<Candidate> found_;
 };
 
-/// The effects of a target with `terms`, each in place of what the target has of its mechanism.
+/// The effects of a target, with `terms` replacing its own effects of the same mechanisms.
 Effects WithTerms(Effects present, const Structure& terms);
 
-/// The machine with `terms` on the base, joints, gears and pumps that they act on. Terms of sensors
-/// and of anything else that is no part of the machine are ignored.
+/// The machine with `terms` on the base, joints, gears and pumps. Terms of sensors and poses are
+/// ignored.
 MachineModel WithTerms(MachineModel model, const Structure& terms);
 
 }  // namespace tera

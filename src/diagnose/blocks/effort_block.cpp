@@ -14,14 +14,13 @@ namespace tera {
 namespace {
 
 constexpr std::size_t kFewestEfforts = 200;
-constexpr double kNominalMass =
-    0.03;  ///< standard deviation of mass, inertia and weight, as shares
+constexpr double kNominalMass = 0.03;  ///< relative standard deviation of mass, inertia and weight
 /// Quantile of the efforts' magnitudes that bounds the sizes of candidates.
 constexpr double kLargestQuantile = 0.99;
 /// Width of the flexible regressor's smoothed sign, over the largest rate.
 constexpr double kSignWidth = 0.02;
 
-/// The largest effort and rate of the log, by which sizes of candidates are bounded.
+/// The log's largest effort and rate, which bound the sizes of candidates.
 struct EffortReach {
   double effort_nm = 0, rate_radps = 0;
   double viscous_nmsprad() const { return effort_nm / rate_radps; }
@@ -103,7 +102,7 @@ std::vector<RegimeVariable> VariablesOf(const std::string& joint, const EffortLo
   return variables;
 }
 
-/// The rate over its largest value, as a command by which manoeuvres are cut.
+/// The rate over its maximum, as the command that separates manoeuvres.
 Series CommandOf(const EffortLog& log, double largest_radps) {
   Series command{log.measured.period_s, log.rate_radps, Mask(log.rate_radps.size(), 1)};
   for (double& share : command.value) share /= largest_radps;
@@ -116,7 +115,7 @@ std::optional<ReplayBlock> MakeEffortBlock(const MachineModel& model, EffortLog 
   if (CountValid(given.measured.valid) < kFewestEfforts) return std::nullopt;
   const EffortReach reach = ReachOf(given);
   if (reach.rate_radps <= 0 || reach.effort_nm <= 0) return std::nullopt;
-  // The block's replay keeps both alive.
+  // The block's replay owns both.
   const auto log = std::make_shared<const EffortLog>(std::move(given));
   const auto machine = std::make_shared<const MachineModel>(model);
   const Joint& joint = machine->joints[log->joint];

@@ -7,16 +7,17 @@
 
 namespace tera {
 
-/// The block of one joint's drive: its measured effort against what its measured motion needs.
+/// Block of one joint's drive: its measured effort against the effort that its measured motion
+/// needs.
 ///
-/// Model   candidates are the friction of load_friction and its offset, with sizes by the largest
-///         effort and rate of the log. `asymmetric_friction` is looked for in one direction at a
-///         time, for more in both is no asymmetry. Flexible regressor: constant, sign and magnitude
-///         of the rate and their powers, all by position, and the acceleration. Nominal numbers:
-///         mass or inertia, and weight, known to 3 %. Manoeuvres are cut by the rate.
-/// Omits   friction that grows with the load; `payload`, which is a wrong mass.
+/// Model   candidates are the friction and offset of load_friction, with sizes by the log's largest
+///         effort and rate. `asymmetric_friction` is searched in one direction at a time, since
+///         more in both is no asymmetry. Flexible regressor: constant, sign, magnitude and powers
+///         of the rate, all by position, and the acceleration. Nominal numbers: mass or inertia,
+///         and weight, known to 3 %. The rate separates the manoeuvres.
+/// Omits   friction that grows with load; `payload`, which is a wrong mass.
 ///
-/// None where there is hardly a sample.
+/// None with too few samples.
 std::optional<ReplayBlock> MakeEffortBlock(const MachineModel& model, EffortLog log);
 
 }  // namespace tera

@@ -17,22 +17,22 @@ namespace {
 
 constexpr std::ptrdiff_t kFewestPositions = 100;
 constexpr std::array<const char*, 3> kEnuColumns = {"/east_m", "/north_m", "/up_m"};
-constexpr std::size_t kMostPositions = 1200;  ///< of a receiver, that are compared
-constexpr double kLargestYaw_deg = 135;       ///< of a pair: half a turn is an exchange
+constexpr std::size_t kMostPositions = 1200;  ///< compared positions of a receiver
+constexpr double kLargestYaw_deg = 135;       ///< of a pair; half a turn is an exchange
 constexpr double kPlacement_m = 0.01;    ///< standard deviation of an antenna's place on its link
-constexpr double kLeastOffset_m = 1e-3;  ///< standard deviation of a channel's offset, at least
-/// A machine that moves and turns slower is at rest.
+constexpr double kLeastOffset_m = 1e-3;  ///< least standard deviation of a channel's offset
+/// A machine below these speeds is at rest.
 constexpr double kLeastSpeed_mps = 0.05, kLeastBoomTurning_radps = 0.02;
-constexpr TimeNs kHalfSpan_ns = 250'000'000;  ///< over which velocities are means
-/// Delays that the flexible regressor can follow: short ones, and those between GPS time and UTC.
+constexpr TimeNs kHalfSpan_ns = 250'000'000;  ///< half the interval of mean velocities
+/// Delays that the flexible regressor covers: short ones, and those between GPS time and UTC.
 constexpr std::array<double, 8> kLate_s = {-18, -8, -3, -1, 1, 3, 8, 18};
 
 using AxisSeries = std::array<std::vector<double>, 3>;
 
 /// The time grid of all receivers of a block.
 struct CommonGrid {
-  std::vector<SampleGrid> of;      ///< by receiver, under its compared samples
-  std::vector<std::size_t> every;  ///< by receiver: each so many-th sample is compared
+  std::vector<SampleGrid> of;      ///< by receiver, for its compared samples
+  std::vector<std::size_t> every;  ///< by receiver: every n-th sample is compared
   TimeNs first_ns = 0;
 
   std::size_t size() const { return of.front().size; }
@@ -49,8 +49,7 @@ std::vector<Value> Every(std::size_t step, const std::vector<Value>& values) {
   return out;
 }
 
-/// The n of each receiver of whose positions every n-th is compared; a receiver with fewer
-/// positions keeps more of them.
+/// Thinning factor of each receiver; a receiver with fewer positions is thinned less.
 std::vector<std::size_t> ThinningOf(const GnssLog& log) {
   std::size_t most = 1;
   for (const ReceiverLog& one : log) most = std::max(most, one.t_ns.size());
@@ -81,14 +80,14 @@ CommonGrid GridOf(const GnssLog& log) {
   return grid;
 }
 
-/// The motion of an antenna at its documented mount, at the places of a grid.
+/// Motion of an antenna at its documented mount, on a grid.
 struct ReceiverCourse {
   std::vector<double> east_mps, north_mps, up_mps;
   std::vector<double> forward_mps, left_mps, turning_radps;
   std::vector<double> yaw_rad, roll_rad, pitch_rad, time_s;
   std::vector<double> raised, raised_east, raised_north;  ///< of the boom
   std::array<std::vector<Vec3>, kLate_s.size()>
-      away_m;  ///< where it was so much earlier, from here
+      away_m;  ///< earlier position relative to the present one, for each delay
 };
 
 void AddBoom(const ReceiverLog& log, TimeNs t_ns, ReceiverCourse* course) {
@@ -174,8 +173,7 @@ Eigen::MatrixXd FlexibleRegressor(const ReceiverCourse& course, int axis) {
   return columns;
 }
 
-/// Changes of east, north or up where the antenna is mounted a little further ahead, and to the
-/// left.
+/// Changes of east, north or up by an antenna mounted slightly further ahead, and further left.
 Eigen::MatrixXd PlacementColumns(const ReceiverCourse& course, std::size_t axis) {
   const auto size = static_cast<Eigen::Index>(course.yaw_rad.size());
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(size, axis < 2 ? 2 : 0);
@@ -205,7 +203,7 @@ std::vector<RegimeVariable> VariablesOf(const ReceiverCourse& course, bool has_b
   return variables;
 }
 
-/// Values over their largest, as a command; zero where even the largest is no motion.
+/// Values over their maximum, as a command; zero if even the maximum is below `least`.
 Series CommandOf(std::vector<double> values, double least, double period_s) {
   double largest = least;
   for (const double x : values) largest = std::max(largest, std::abs(x));
@@ -244,8 +242,8 @@ void AddCandidates(const SensorDescription& receiver, bool has_boom, bool is_pai
   std::move(found.begin(), found.end(), std::back_inserter(*candidates));
 }
 
-/// The candidates of a block. An effect that exchanges or turns a pair is a candidate of one of the
-/// two: of the one where the scenario has it, else of the first.
+/// The candidates of a block. Exchange and rotation of a pair belong to the receiver for which the
+/// scenario states them, else to the first.
 std::vector<Candidate> CandidatesOf(const std::vector<SensorDescription>& receivers,
                                     const GnssLog& log) {
   std::vector<Candidate> candidates;
@@ -271,7 +269,7 @@ AxisSeries Split(const std::vector<Vec3>& p_m, const std::vector<Vec3>& origin_m
   return split;
 }
 
-/// Whether a term acts on a receiver: it is the receiver's own, or exchanges or turns the pair.
+/// Whether a term acts on a receiver: it is the receiver's own, or exchanges or rotates the pair.
 bool Concerns(const SensorDescription& receiver, const Structure& terms) {
   return std::any_of(terms.begin(), terms.end(), [&](const Term& term) {
     const std::string_view id = term.candidate->mechanism->id;
@@ -279,7 +277,7 @@ bool Concerns(const SensorDescription& receiver, const Structure& terms) {
   });
 }
 
-/// The data that a block's replay keeps alive.
+/// Data owned by a block's replay.
 struct ReplayData {
   std::vector<SensorDescription> receivers;
   GnssLog log;

@@ -14,10 +14,9 @@ namespace {
 
 constexpr std::ptrdiff_t kFewestImuIntervals = 100;
 constexpr std::size_t kQuantities = 6;
-/// Correlation of a predicted quantity from one interval to the next, at least, for it to be
-/// motion.
+/// Least correlation between successive intervals of a predicted quantity that shows motion.
 constexpr double kLeastCorrelation = 0.3;
-constexpr double kLeastLinkTurning_radps = 0.02;  ///< of a link: less is rest
+constexpr double kLeastLinkTurning_radps = 0.02;  ///< of a link; below it the link is at rest
 constexpr std::array<const char*, kQuantities> kColumns = {"wx_radps", "wy_radps", "wz_radps",
                                                            "ax_mps2",  "ay_mps2",  "az_mps2"};
 /// Lags of the flexible regressor's columns, in intervals.
@@ -25,7 +24,7 @@ constexpr std::array<std::size_t, 4> kImuLags = {0, 1, 2, 4};
 
 using Quantities = std::array<std::vector<double>, kQuantities>;
 
-/// One number for the three rates and one for the three forces.
+/// A value for the three rates and another for the three forces.
 std::vector<double> Triads(double gyro, double accel) {
   return {gyro, gyro, gyro, accel, accel, accel};
 }
@@ -38,9 +37,8 @@ std::vector<FreeParameter> Axes(std::size_t first, double gyro_lower, double gyr
   return free;
 }
 
-/// Whether a predicted quantity shows motion, which lasts from one interval to the next;
-/// differentiated noise of encoders changes its sign. Against such noise any factor below 1 would
-/// look better than 1.
+/// Whether a predicted quantity shows motion, which persists between intervals. Differentiated
+/// encoder noise alternates in sign, and would favour any factor below 1.
 bool IsExcited(const std::vector<double>& predicted) {
   double mean = 0, square = 0, next = 0;
   for (const double x : predicted) mean += x / static_cast<double>(predicted.size());
@@ -102,7 +100,7 @@ void AddDirections(CandidateList* out) {
             {180, 0, 0}});
   std::vector<std::vector<double>> flips = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0},
                                             {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
-  for (auto& axes : flips) axes.resize(9);  // axes of one triad alone are found elsewhere
+  for (auto& axes : flips) axes.resize(9);  // flips of one triad are added elsewhere
   out->Add("axis_flip", {}, std::move(flips));
 }
 
@@ -134,7 +132,7 @@ std::vector<Candidate> CandidatesOf(const SensorDescription& sensor, const Quant
   return candidates;
 }
 
-/// The effects of a unit beside poses with a latency: relative to theirs its clock is early.
+/// The effects of a unit relative to poses with a latency: its clock then appears early.
 Effects WithPoseLatency(Effects effects, double late_s) {
   if (late_s == 0) return effects;
   const auto own = std::find_if(effects.begin(), effects.end(), [](const Effect& effect) {
@@ -148,7 +146,7 @@ Effects WithPoseLatency(Effects effects, double late_s) {
   return effects;
 }
 
-/// The quantities of samples, forces relative to a mean.
+/// The quantities of samples, with forces relative to a mean.
 Quantities Split(const std::vector<ImuSample>& samples, const Vec3& mean_f_S_mps2) {
   Quantities split;
   for (const ImuSample& sample : samples) {
@@ -187,7 +185,7 @@ Eigen::MatrixXd FlexibleRegressor(const Quantities& predicted) {
   return columns;
 }
 
-/// Adds the columns by which the flexible regressor follows a tilted map.
+/// Adds columns for a tilted map to the flexible regressor.
 void AddHeading(const ImuLog& log, Eigen::MatrixXd* columns) {
   const Eigen::Index first = columns->cols();
   columns->conservativeResize(Eigen::NoChange, first + 2);
@@ -224,8 +222,8 @@ std::vector<RegimeVariable> VariablesOf(const Quantities& predicted, const ImuLo
   return variables;
 }
 
-/// The rates about the three axes, each over its largest, as commands by which manoeuvres are cut.
-/// At rest all of the recording is one command.
+/// The rates about the three axes, each over its maximum, as commands that separate manoeuvres. At
+/// rest, a single command covers the recording.
 std::vector<Series> CommandsOf(const Quantities& predicted, double period_s) {
   if (IsAtRest(predicted)) {
     const std::size_t size = predicted[0].size();
@@ -248,7 +246,7 @@ std::vector<Series> CommandsOf(const Quantities& predicted, double period_s) {
 std::optional<ReplayBlock> MakeImuBlock(const SensorDescription& sensor, ImuLog given,
                                         const std::string& channel, bool poses_were_measured) {
   if (std::count(given.known.begin(), given.known.end(), true) < kFewestImuIntervals) return {};
-  // The block's replay keeps all three alive.
+  // The block's replay owns all three.
   const auto log = std::make_shared<const ImuLog>(std::move(given));
   const auto described = std::make_shared<const SensorDescription>(sensor);
   const auto replay = std::make_shared<const ImuReplay>(*described, *log);

@@ -4,13 +4,13 @@
 
 namespace tera {
 
-/// Lets the heading of a base whose motion was measured be off by one angle, as antennas and maps
-/// are: a machine that goes straight then seems to go sideways too.
+/// Allows a constant heading error of a base whose motion is measured, due to antennas or maps. A
+/// machine that drives straight then seems to drift sideways.
 ///
-/// Model   a nominal number of the sideways speed: -heading x forward speed as measured, for small
-///         angles; half of `tolerance_rad` is one standard deviation, so that no more than the
-///         tolerance is let pass (Likelihood). `base` is the block of MakeBaseBlock.
-/// Omits   what it changes of the forward speed, a thousandth of it.
+/// Model   a nominal number of the sideways speed: -heading times measured forward speed, for small
+///         angles. Half of `tolerance_rad` is one standard deviation, so that the bound is the
+///         tolerance (Likelihood). `base` is the block of MakeBaseBlock.
+/// Omits   its effect on the forward speed, a thousandth of it.
 void LetHeadingErr(double tolerance_rad, ReplayBlock* base);
 
 }  // namespace tera

@@ -8,33 +8,33 @@
 
 namespace tera {
 
-/// Whether samples, two at least, come about evenly: not in bursts, and without a gap far longer
-/// than all that was measured.
+/// Whether samples, at least two, are nearly even: no bursts, and no gap far longer than the whole
+/// measured time.
 bool ComeEvenly(const std::vector<TimeNs>& t_ns);
 
-/// A uniform grid of time under samples that come almost evenly.
+/// Uniform time grid for nearly even samples.
 ///
-/// Model   its period is the median step of the samples. A sample stands at the place nearest to
-///         its time; of two at one place the first counts.
+/// Model   the period is the median step of the samples. A sample is at the nearest grid point; of
+///         two at one point, the first counts.
 struct SampleGrid {
   double period_s = 0;
   std::size_t size = 0;
-  std::vector<std::size_t> place;  ///< of each sample
+  std::vector<std::size_t> place;  ///< grid point of each sample
 
-  /// The grid under samples, two at least, whose times rise. Throws InputError where most of the
-  /// grid would be empty: samples in bursts, or a gap far longer than all that was measured.
+  /// The grid of samples, at least two, with ascending times. Throws InputError if most of the grid
+  /// would be empty, because of bursts or a gap far longer than the whole measured time.
   static SampleGrid Under(const std::vector<TimeNs>& t_ns);
 
-  /// A grid from `first_ns` to `last_ns` on which several lists of samples stand, this one within.
+  /// A grid from `first_ns` to `last_ns` that several lists of samples share, this one included.
   static SampleGrid Over(TimeNs first_ns, TimeNs last_ns, double period_s,
                          const std::vector<TimeNs>& t_ns);
 
-  /// The first places of the grid, with the samples that stand there.
+  /// The first points of the grid, with their samples.
   SampleGrid First(std::size_t places) const;
 
-  /// Values of the samples at their places, interpolated linearly in between.
+  /// The samples' values at their grid points, linearly interpolated in between.
   std::vector<double> Spread(const std::vector<double>& at_samples) const;
-  /// Values of the samples as a series: valid at places of usable samples, 0 elsewhere.
+  /// The samples' values as a series: valid at points of usable samples, 0 elsewhere.
   Series SpreadSeries(const std::vector<double>& at_samples, const std::vector<bool>& usable) const;
 };
 

@@ -102,18 +102,19 @@ bool Holds(const std::vector<std::string>& names, std::string_view id) {
   return std::find(names.begin(), names.end(), id) != names.end();
 }
 
-/// The length of a range, as differences or as the logarithm of ratios, by which the number moves.
+/// Length of a range, as a difference, or as the logarithm of the ratio for a logarithmic
+/// parameter.
 double SpanOf(const FreeParameter& free) {
   return free.logarithmic ? std::log(free.upper / free.lower) : free.upper - free.lower;
 }
 
-/// Limits one number of a candidate to a range, in which it is free, or holds it.
+/// Limits a candidate's parameter to a range, or holds it if the range is a single value.
 void Limit(const NumberRange& range, Candidate* candidate) {
   FreeParameter limited = {.index = range.index, .lower = range.lower, .upper = range.upper};
   std::erase_if(candidate->free, [&](const FreeParameter& free) {
     if (free.index != range.index) return false;
     limited.logarithmic = free.logarithmic && range.lower > 0;
-    // The kinks of the likelihood stay as far apart as they are.
+    // The absolute distance of the likelihood's kinks stays.
     limited.kink = std::min(1.0, free.kink * SpanOf(free) / SpanOf(limited));
     return true;
   });
@@ -130,7 +131,7 @@ void Limit(const NumberRange& range, Candidate* candidate) {
   candidate->starts = std::move(starts);
 }
 
-/// A candidate that the block has not by itself. Its starts are spread over the first range.
+/// A candidate outside the block's own. Its starts are spread over the first range.
 Candidate NewCandidate(const Mechanism& mechanism, const std::vector<NumberRange>& ranges,
                        const std::string& target, const std::string& file) {
   std::vector<std::optional<NumberRange>> by_number(mechanism.parameters.size());

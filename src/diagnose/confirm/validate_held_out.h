@@ -33,9 +33,9 @@ struct HeldOutBlocks {
 HeldOutBlocks ReadHeldOut(const HeldOutCase& given, const SimulateMachine& simulate, int threads,
                           std::uint64_t seed);
 
-/// Moves stamps of poses and encoders of a held-out recording to their times of measurement, where
-/// the estimate of the first recording names their clocks, as StampPosesAnew and StampEncodersAnew
-/// do. Then rebuilds its blocks.
+/// Moves stamps of poses and encoders of a held-out recording to their times of measurement, by
+/// StampPosesAnew and StampEncodersAnew. Applies only to clocks that the estimate of the first
+/// recording names. Then rebuilds its blocks.
 void StampAnew(const SensorDiagnosis& estimate, int threads, std::uint64_t seed,
                HeldOutBlocks* held_out);
 

@@ -12,12 +12,12 @@ namespace {
 
 using Kind = CauseInRecording::Kind;
 
-/// Probability of telling that any number differs, where all are the same.
+/// Probability of any reported difference if all parameters agree.
 constexpr double kDifferingP = 0.01;
 
 using Candidates = std::vector<const Candidate*>;
 
-/// Whether two candidates, of two recordings perhaps, are one mechanism of one target.
+/// Whether two candidates, perhaps of two recordings, are the same mechanism of the same target.
 bool AreOne(const Candidate& a, const Candidate& b) {
   return a.target == b.target && a.mechanism == b.mechanism;
 }
@@ -27,7 +27,7 @@ bool Has(const Candidates& all, const Candidate& one) {
                      [&](const Candidate* other) { return AreOne(*other, one); });
 }
 
-/// A finding's candidate and those that do as well, on its target or on another.
+/// A finding's candidate and its rivals, on the same or another target.
 Candidates ClassOf(const Finding& finding) {
   Candidates all{finding.term.candidate};
   for (const Candidate* rival : finding.evidence.rivals) {
@@ -36,7 +36,7 @@ Candidates ClassOf(const Finding& finding) {
   return all;
 }
 
-/// The findings of one cause: one of each recording at most.
+/// Findings of one cause, at most one of each recording.
 struct Group {
   Candidates alike;
   std::vector<const Finding*> findings;  ///< null where a recording has none
@@ -73,7 +73,7 @@ std::vector<Group> GroupsOf(const std::vector<const Diagnosis*>& diagnoses) {
   return groups;
 }
 
-/// The candidate of a group that most recordings name, and of those the first.
+/// The first of the candidates that most recordings of a group name.
 const Candidate* MostNamed(const Group& group) {
   const auto count = [&](const Candidate* one) {
     return std::count_if(group.findings.begin(), group.findings.end(), [&](const Finding* finding) {
@@ -127,7 +127,7 @@ std::size_t MainNumber(const Candidate& candidate) {
   return candidate.free.empty() ? 0 : candidate.free.front().index;
 }
 
-/// The place of a number in a candidate's ladder of starts: that of the nearest.
+/// Index of the nearest start in a candidate's ladder of starts.
 std::size_t RungOf(const Candidate& candidate, double number) {
   std::size_t nearest = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -141,7 +141,7 @@ std::size_t RungOf(const Candidate& candidate, double number) {
   return nearest;
 }
 
-/// Whether a block would have shown a candidate with such a main number.
+/// Whether a candidate with this main parameter was detectable in a block.
 bool WouldShow(const Detectability& seen, const std::optional<double>& number) {
   return seen.smallest && number &&
          RungOf(*seen.candidate, *seen.smallest) <= RungOf(*seen.candidate, *number);
@@ -182,7 +182,7 @@ CauseInRecording InRecording(const Diagnosis& diagnosis, const Finding* finding,
   return {WithoutIt(diagnosis, cause, number), nullptr};
 }
 
-/// The numbers of a cause that recordings hold, pooled.
+/// Parameters of a cause, pooled over the recordings that estimate them.
 std::vector<SharedNumber> NumbersOf(const SharedCause& cause) {
   std::vector<SharedNumber> numbers;
   for (std::size_t i = 0; i < cause.mechanism().parameters.size(); ++i) {
@@ -225,7 +225,7 @@ SharedCause CauseOf(const Group& group, const std::vector<const Diagnosis*>& dia
   return cause;
 }
 
-/// Which numbers differ, over all that more than one recording holds.
+/// Marks parameters that differ between recordings (Holm).
 void JudgeDifferences(std::vector<SharedCause>* causes) {
   std::vector<SharedNumber*> numbers;
   std::vector<double> p;

@@ -54,9 +54,9 @@ struct SharedCause {
 ///
 /// Model   two recordings name one cause if their sets of equally good mechanisms intersect; the
 ///         class of the cause is the intersection over all. Parameters are pooled (Pool), and
-///         differ with p of at most 0.01 (Holm over all of them). A recording that does not name a
-///         cause lacks it if the candidate's ladder of starts, from faint to strong, was detectable
-///         no later than at the others' value.
+///         differ with p of at most 0.01 (Holm over all of them). A recording lacks a cause that it
+///         does not name, if an effect of the others' size was detectable in it. Sizes are compared
+///         on the candidate's ladder of starts.
 /// Omits   joint evidence of several recordings: each is diagnosed alone. The form error of the
 ///         library, five per cent of a parameter, is the same in all recordings. A pooled
 ///         parameter's deviation is therefore slightly too small, and differences below it are not

@@ -16,11 +16,12 @@
 namespace tera {
 namespace {
 
-constexpr double kLoadPeriod_s = 0.02;  ///< in which poses, and so loads, change little
-constexpr double kLongest_s = 86400;    ///< of a recording: one machine does not work for a day
-constexpr double kAtStop_rad = 0.01;    ///< distance from an end stop at which it may hold a joint
-constexpr double kPush = 0.02;        ///< lever that is pushed: what a dead band is expected to be
-constexpr double kLongestPush_s = 2;  ///< for which a lever that was let go may still act
+constexpr double kLoadPeriod_s = 0.02;  ///< poses, and thus loads, change little in it
+constexpr double kLongest_s = 86400;    ///< of a recording: no machine works for a day
+constexpr double kAtStop_rad = 0.01;    ///< distance from an end stop at which the stop may hold a
+                                        ///< joint
+constexpr double kPush = 0.02;        ///< least lever that counts as pushed: the expected dead band
+constexpr double kLongestPush_s = 2;  ///< a released lever may still act for so long
 
 /// Position and rate of one axis over time.
 struct AxisSamples {
@@ -140,16 +141,16 @@ void SetLevers(const MachineModel& model, const TableRecording& commands, AxisLo
   }
 }
 
-/// Frees the samples at an end stop from which the lever pushes away, and into which nothing pushed
-/// for so long that it could still act: there a motion begins, or waits for its dead time.
+/// Frees samples at an end stop if the lever drives away from it, and no lever that may still act
+/// drove into it. A motion begins there, or waits for its dead time.
 void FreeDepartures(const MachineModel& model, const std::vector<AxisSamples>& samples,
                     AxisLog* log) {
   for (MeasuredRate& measured : log->measured) {
     if (measured.axis >= model.joints.size()) continue;
     const Joint& joint = model.joints[measured.axis];
     const std::vector<double>& position_rad = samples[measured.axis].position_rad;
-    if (position_rad.size() != measured.is_free.size()) continue;  // another one's of the axis
-    double up_s = -INFINITY, down_s = -INFINITY;                   // when it was last pushed so
+    if (position_rad.size() != measured.is_free.size()) continue;  // of another encoder of the axis
+    double up_s = -INFINITY, down_s = -INFINITY;                   // last push in this direction
     std::size_t step = 0;
     for (std::size_t i = 0; i < measured.is_free.size(); ++i) {
       for (; step < log->steps && static_cast<double>(step) <= measured.at_step[i]; ++step) {

@@ -18,18 +18,17 @@ struct MeasuredRate {
   std::vector<TimeNs> t_ns;
   std::vector<double> at_step;  ///< times in steps of the log
   std::vector<double> rate_radps;
-  /// Whether the joint was clear of its end stops, or pushed away from the one that it was at.
+  /// Whether the joint was clear of its end stops, or driven away from the stop that it touched.
   std::vector<bool> is_free;
 };
 
-/// Levers of one machine and the measured motion of its axes on even steps, over which the chain of
-/// actuation is replayed. Axes are joints, then gears, in the model's order.
+/// Levers of one machine and the measured motion of its axes at even steps: input to the replay of
+/// the actuation chain. Axes are joints, then gears, in the model's order.
 ///
-/// Model   levers are the means over each step of commands that hold until the next one, neutral
-///         before the first. Positions and rates are linear between samples. The load bears the
-///         links' weight at the measured positions of a machine that stands level; the inertia is
-///         that of these positions. An axis without encoder stays at its initial position and has
-///         no rate.
+/// Model   a command holds until the next, with neutral before the first; levers are its means over
+///         each step. Positions and rates are linear between samples. Load and inertia are those of
+///         the links at the measured positions, on a level machine. An axis without encoder stays
+///         at its initial position and has no rate.
 /// Omits   the ground's load on tools and tracks; a base that is not level.
 struct AxisLog {
   TimeNs start_ns = 0;
@@ -58,9 +57,9 @@ struct NamedEncoders {
   EncoderRecording recording;
 };
 
-/// The log of a machine from its commands (columns by the names of levers) and encoders (axes by
-/// the names of joints and gears; others are ignored). Throws InputError where commands and
-/// encoders have no time in common or no column belongs to the machine.
+/// Log of a machine from its commands (columns named by levers) and encoders (axes named by joints
+/// and gears; others are ignored). Throws InputError where commands and encoders have no time in
+/// common or no column belongs to the machine.
 AxisLog MakeAxisLog(const MachineModel& model, const TableRecording& commands,
                     const std::vector<NamedEncoders>& encoders, double step_s);
 

@@ -42,7 +42,7 @@ double ChangePerEffort_radpspnm(double inertia_kgm2, double dt_s) {
   return inertia_kgm2 > 0 ? dt_s / inertia_kgm2 : 0;
 }
 
-/// The rate at the end of a step in which the motor has its full effort to accelerate the masses.
+/// Rate at the end of a step, limited by the acceleration of the masses under full effort.
 double Accelerated(double from_radps, double asked_radps, double full_nm, double load_nm,
                    double change_radpspnm) {
   if (change_radpspnm <= 0 || full_nm <= 0) return asked_radps;
@@ -163,7 +163,7 @@ std::vector<double> LoneAxisReplay::Predict(const AxisEffects& effects, const No
   return sampled.Take();
 }
 
-/// The number of steps up to the end of the one in which the last of some samples lies.
+/// Number of steps up to the end of the step that contains the last of the first `samples`.
 std::size_t LoneAxisReplay::StepsTo(std::size_t samples) const {
   if (samples == at_step_.size()) return lever_.size();
   const double last = samples == 0 ? 0 : at_step_[samples - 1];

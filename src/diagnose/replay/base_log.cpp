@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kLongestInterval_s = 1;  ///< between poses whose path is known
 
-/// Times over which an angle is held against the rate, and by how much of the rates' RMS the two
-/// may differ there.
+/// Window for the comparison of an angle with its rate, and the largest difference there over the
+/// rates' RMS.
 constexpr double kAngleWindow_s = 1, kMostAngleError = 0.1;
 
 /// The rate and angle of one gear over time.
@@ -26,8 +26,8 @@ struct GearSamples {
   std::vector<double> rate_radps, angle_rad;
   bool angle_is_of_rate = false;
 
-  /// The mean rate of a step about a time: by the angle at its ends, which is measured far better
-  /// than the rate, where the two belong together.
+  /// Mean rate of a step about a time. By the angle at its ends, if that is the rate's integral,
+  /// since the angle is measured far better.
   double MeanRate_radps(TimeNs middle_ns, TimeNs step_ns) const {
     const TimeNs from_ns = std::max(middle_ns - step_ns / 2, t_ns.front());
     const TimeNs to_ns = std::min(middle_ns + step_ns / 2, t_ns.back());
@@ -40,8 +40,8 @@ struct GearSamples {
   }
 };
 
-/// Whether a gear's angle is the integral of its rate, over every second or so: not one that begins
-/// again at each turn, nor a motor's, nor none.
+/// Whether a gear's angle is the integral of its rate over about every second. It is not if it
+/// wraps at each turn, is a motor's, or is missing.
 bool AngleIsOfRate(const GearSamples& gear) {
   double since_s = 0, apart_rad = 0, squares = 0, rates = 0, windows = 0;
   for (std::size_t k = 1; k < gear.t_ns.size(); ++k) {
@@ -76,8 +76,7 @@ GearSamples SamplesOf(const std::string& gear, const std::vector<NamedEncoders>&
       fmt::format("no encoder measures {}; a replay of the base needs every gear", gear));
 }
 
-/// From when to when all gears and the poses were measured; the end lies before where they have no
-/// time in common.
+/// Common time of all gears and poses; the end precedes the start if there is none.
 struct CommonTime {
   TimeNs first_ns = 0, last_ns = -1;
 };
@@ -121,7 +120,7 @@ PlanarTwist MeanTwist(const Pose& X_WA, const Pose& X_WB, const Vec3& contact_B_
           turned_rad / dt_s};
 }
 
-/// The position of each joint over time, as far as encoders measure it.
+/// Position of each joint over time; the initial one without an encoder.
 class JointPositions {
  public:
   JointPositions(const MachineModel& model, const std::vector<NamedEncoders>& encoders) {

@@ -14,7 +14,7 @@ namespace {
 
 using Way = Eigen::Vector3d;  ///< forward, left, turn
 
-/// A mass that friction under its two sides accelerates.
+/// A mass accelerated by friction under its two sides.
 class MassOnTracks {
  public:
   MassOnTracks(const TrackGeometry& geometry, const Grip& grip, const PlanarTwist& at_first)
@@ -26,7 +26,7 @@ class MassOnTracks {
     TERA_CHECK(inertia_kgm2_ > 0 && gauge_m_ > 0, inertia_kgm2_, gauge_m_);
   }
 
-  /// Its speeds after another step in which its tracks run at `target`.
+  /// Its speeds after a step with its tracks at `target`.
   PlanarTwist Follow(const PlanarTwist& target, double dt_s) {
     const double forward_n = mass_kg_ * (target.forward_mps - twist_.forward_mps) / dt_s;
     const double yaw_nm = inertia_kgm2_ * (target.yaw_radps - twist_.yaw_radps) / dt_s;
@@ -46,7 +46,7 @@ class MassOnTracks {
   PlanarTwist twist_;
 };
 
-/// The way of the base up to the start of each step, and up to the end of the last one.
+/// Displacement of the base up to the start of each step, and up to the end of the last.
 std::vector<Way> WaysOf(const TrackDrive& tracks, const BaseLog& log, MachineState state,
                         const std::optional<Grip>& grip) {
   const double dt_s = ToSeconds(BaseLog::kStep_ns);
@@ -63,7 +63,7 @@ std::vector<Way> WaysOf(const TrackDrive& tracks, const BaseLog& log, MachineSta
   return ways;
 }
 
-/// The way at a time in steps; beyond the first and the last step it goes on as in these.
+/// Displacement at a time in steps, extrapolated from the first and last step.
 Way WayAt(const std::vector<Way>& ways, double steps) {
   const double k = std::clamp(std::floor(steps), 0.0, static_cast<double>(ways.size() - 2));
   const auto step = static_cast<std::size_t>(k);

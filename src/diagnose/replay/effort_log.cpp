@@ -100,7 +100,7 @@ struct Kernels {
       smooth.push_back(std::exp(-0.5 * std::pow(i * step_s / sigma_s, 2)));
       sum += smooth.back();
     }
-    // Corrected so that a line has its slope and no curvature, and a parabola its curvature.
+    // Normalised such that a line has its slope and no curvature, and a parabola its curvature.
     double second = 0, fourth = 0;
     for (int i = -reach; i <= reach; ++i) {
       double& g = smooth[static_cast<std::size_t>(i + reach)];
@@ -129,7 +129,7 @@ struct JointMotion {
   std::vector<double> q_rad, qd_radps, qdd_radps2;
 };
 
-/// The efforts that accelerate and bear the links of a machine whose root stands still and level.
+/// Efforts that accelerate and support the links of a machine with a level root at rest.
 ///
 /// Model   accelerations of the links by second differences of their poses over a millisecond.
 class Dynamics {
@@ -174,7 +174,7 @@ class Dynamics {
   InertialEfforts inertial_;
 };
 
-/// The measurements that one log is made of.
+/// Measurements that form a log.
 struct Sides {
   Samples effort;
   std::vector<std::optional<Samples>> position;  ///< one for each joint
@@ -265,7 +265,7 @@ std::optional<EffortLog> MakeLog(const MachineModel& model, const std::string& c
   const auto stride =
       static_cast<std::size_t>(std::lround(1 / (kSamplesPerPeriod * log.band_hz * grid.step_s)));
   log.measured.period_s = static_cast<double>(stride) * grid.step_s;
-  // The rate takes one window of the position, and the smoothing of what is made of it another.
+  // The rate needs a window of positions, and its smoothing a further one.
   const std::size_t margin = kernels.smooth.size();
   log.first_ns = grid.t_ns(margin);
   Dynamics dynamics(model);
@@ -284,7 +284,7 @@ std::optional<EffortLog> MakeLog(const MachineModel& model, const std::string& c
   return log;
 }
 
-/// The joint that a column belongs to; -1 where it belongs to none.
+/// Index of a column's joint; -1 if it has none.
 int JointOf(const MachineModel& model, const std::string& column) {
   const bool is_torque = column.ends_with("_nm");
   if (!is_torque && !column.ends_with("_n")) return -1;

@@ -35,9 +35,9 @@ GnssLog MakeGnssLog(const MachineModel& model, const std::vector<SensorDescripti
 
 /// Positions that receivers would have measured along a measured motion.
 ///
-/// Model   the antenna at its true mount (TrueAntenna of a pair) at the time when its clock showed
-///         the stamp, with its documented bias; then the slots of a receiver: `multipath` of the
-///         rising part, datums, filter, steps.
+/// Model   position of the antenna at its true mount (TrueAntenna of a pair) at the time when its
+///         clock showed the stamp, with its documented bias. Then the slots of a receiver:
+///         `multipath` of the rising part, datums, filter, steps.
 /// Omits   noise, and the random effects `float_jump`, `outliers` and jitter of `latency`.
 class GnssReplay {
  public:

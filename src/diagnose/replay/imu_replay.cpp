@@ -15,12 +15,13 @@ namespace {
 constexpr int kStepsPerInterval = 2;
 constexpr int kSamplesPerInterval = 8;  ///< several, as a clock may be off by less than an interval
 constexpr double kForceNoise_mps2 = 0.05;  ///< of forces that are derived from poses, at most
-/// Samples in an interval over the usual number, at least, for its mean to count.
+/// Least ratio of an interval's samples to the usual number, for its mean to count.
 constexpr double kLeastSampleShare = 0.5;
 
-/// Smooths the force that a unit mounted with `R_LS` measured as the replay of an ideal unit does,
-/// which derives forces from velocities that are means over the track's steps. For a step that is
-/// the force in W averaged over the step's length and over the two half steps around its middle.
+/// Smooths the measured force of a unit mounted with `R_LS` as the replay smooths that of an ideal
+/// unit. The replay derives forces from velocities that are means over the track's steps. For a
+/// step, the result is the force in W averaged over the step's length and over the two half steps
+/// around its middle.
 class ForcesOfSteps {
  public:
   ForcesOfSteps(const LinkTrack& track, const Mat3& R_LS, TimeNs sample_ns)
@@ -104,7 +105,7 @@ void SetMeasured(const std::vector<ImuSample>& samples, const Mat3& R_LS, ImuLog
   }
 }
 
-/// Interpolates samples at rising times; before the first and after the last that sample holds.
+/// Interpolates samples at ascending times; the first and last sample hold beyond the ends.
 class ReadBetween {
  public:
   explicit ReadBetween(const std::vector<ImuSample>& samples) : samples_(samples) {}
@@ -153,7 +154,7 @@ bool AreLinear(const Effects& effects) {
   });
 }
 
-/// Sets each sample's turn rate to that in the step before it, of a unit mounted with `R_LS`.
+/// Sets each sample's turn rate to that of the preceding step, for a unit mounted with `R_LS`.
 void SetTurns(const LinkTrack& turns, const Mat3& R_LS, std::vector<ImuSample>* samples) {
   for (ImuSample& sample : *samples) {
     const Mat3 R_WA = turns.At(sample.t_ns - turns.step_ns).linear();

@@ -13,8 +13,8 @@ namespace tera {
 /// Frames  S as documented; both quantities are expressed in it.
 /// Model   turn rates are means over even intervals; interval k >= 1 ends at clock.Due(k) and is
 ///         entry k - 1. Specific forces have the replay's smoothing, since the replay knows the
-///         motion at the track's steps alone: in W, by a trapezoid over three steps, and turned
-///         back into S.
+///         motion only at the track's steps. A trapezoid over three steps smooths them in W; they
+///         are then rotated back into S.
 struct ImuLog {
   SampleClock clock;
   LinkTrack track;  ///< two steps per interval, source of the forces

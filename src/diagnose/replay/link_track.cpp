@@ -43,7 +43,7 @@ std::optional<Measured<double>> PositionOf(const std::string& joint,
   return std::nullopt;
 }
 
-/// The position of a joint, or what that of the joint that it follows makes of it.
+/// Position of a joint, derived from its leading joint if it follows one.
 std::optional<Measured<double>> PositionOf(const MachineModel& model, const Joint& joint,
                                            const std::vector<NamedEncoders>& encoders) {
   std::optional<Measured<double>> own = PositionOf(joint.name, encoders);
@@ -66,7 +66,7 @@ std::vector<std::size_t> WayTo(const MachineModel& model, int link) {
   return way;
 }
 
-/// The positions of the joints on the way, by joint; none where a moving one was not measured.
+/// Positions of the joints between base and link, by joint; none if a moving joint has no encoder.
 std::optional<std::vector<std::optional<Measured<double>>>> JointsTo(
     const MachineModel& model, const std::vector<NamedEncoders>& encoders, int link) {
   std::vector<std::optional<Measured<double>>> joints(model.joints.size());

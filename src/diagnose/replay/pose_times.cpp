@@ -10,12 +10,12 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kNeighbours = 7;        ///< steps on either side that one is compared with
+constexpr std::size_t kNeighbours = 7;        ///< steps on either side for comparison
 constexpr double kMostSideDifference = 0.25;  ///< of the steps on both sides, over their mean
-constexpr double kMostFromWhole = 0.3;        ///< of a ratio of steps, for it to be a whole number
+constexpr double kMostFromWhole = 0.3;        ///< distance of a ratio of steps from a whole number
 constexpr double kLeastStep_m = 0.02;         ///< a shorter step is rest, or noise
 constexpr double kPerRad_m = 1;               ///< about the radius of a machine's outline
-/// Deviation of usual distances of stamps from their median, over the median, at most.
+/// Largest relative deviation of usual stamp intervals from their median.
 constexpr double kUsualDeviation = 0.25;
 constexpr double kPeriodUncertainty = 0.01;  ///< over the period
 constexpr TimeNs kLeastWait = 2;             ///< in periods, of the pose that waits longest
@@ -32,7 +32,7 @@ std::vector<double> StepsOf_m(const std::vector<TruthPose>& poses) {
   return steps_m;
 }
 
-/// The ratio of each step to those around it as a whole number; 1 where it is none.
+/// Ratio of each step to its neighbours, as a whole number; 1 if it is none.
 std::vector<TimeNs> TimesAsFar(const std::vector<double>& steps_m) {
   std::vector<TimeNs> times(steps_m.size(), 1);
   for (std::size_t k = kNeighbours; k + kNeighbours < steps_m.size(); ++k) {
@@ -63,8 +63,8 @@ TimeNs PeriodOf(const std::vector<TruthPose>& poses) {
   return FromSeconds((1 - kPeriodUncertainty) * sum_s / count);
 }
 
-/// Whether the poses before one that waits so long arrived late enough to have waited before it;
-/// else it is late for another reason.
+/// Whether the previous poses arrived late enough to have queued before this one. Otherwise it is
+/// late for another reason.
 bool HasRoom(const std::vector<TruthPose>& poses, std::size_t pose, TimeNs waits_ns,
              TimeNs period_ns) {
   for (std::size_t k = pose; k > 0 && pose - k < kLongestQueue; --k) {

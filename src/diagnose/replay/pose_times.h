@@ -21,8 +21,8 @@ using PoseTimes = std::vector<TimeNs>;
 ///         multiple of those in the neighbouring steps means as many periods, with lost poses
 ///         between, if the previous poses waited long enough. A turn by a radian counts as a metre.
 /// Omits   a latency of all poses (measured_poses.h); losses while the machine stands, accelerates,
-///         or moves by less than 2 cm from pose to pose; recordings in which more than half of the
-///         poses wait, since the median is then that of arrivals.
+///         or moves by less than 2 cm from pose to pose. Recordings in which more than half of the
+///         poses wait: the median is then that of arrivals.
 ///
 /// None if no pose waits for longer than two periods, so that even stamps stay unchanged, or if
 /// there are fewer than three poses. Poses are in the order of their stamps.

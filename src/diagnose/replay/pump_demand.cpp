@@ -25,7 +25,7 @@ std::optional<std::size_t> OnlyPumpOf(const MachineModel& model, std::size_t axi
   return only;
 }
 
-/// The number of pumps that an axis draws from, from each the same part.
+/// Number of pumps that feed an axis, each with the same share.
 double PumpsOf(const MachineModel& model, std::size_t axis) {
   return static_cast<double>(
       std::count_if(model.pumps.begin(), model.pumps.end(), [&](const Pump& pump) {

@@ -13,7 +13,7 @@ namespace tera {
 /// Demand on the pump that feeds one axis, at each step of a log.
 ///
 /// Model   each of the pump's other functions demands its own chain's response to its recorded
-///         lever, with the model's effects; the axis takes oil by its displacement at the measured
+///         lever, with the model's effects. The axis takes oil by its displacement at the measured
 ///         position.
 /// Omits   axes that several pumps feed; the effect of an axis's own `cylinder_lever` on oil and
 ///         power.

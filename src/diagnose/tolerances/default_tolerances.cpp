@@ -15,8 +15,8 @@ constexpr double kGyroScale = 0.02, kAccelScale = 0.01;  ///< estimates: without
 constexpr double kWarming_k = 30;  ///< spreads a bias over the usual rise of temperature
 constexpr double kMount_deg = 0.46, kUnitPlace_m = 0.05, kAntennaPlace_m = 0.025;
 constexpr double kHeading_deg = 2.9, kDatum_m = 0.04;
-/// Estimate: half of what one reflection can change a carrier's phase by, a quarter of its length
-/// (Georgiadou and Kleusberg 1988).
+/// Estimate: half of the largest phase error by a reflection, which is a quarter of the carrier's
+/// wavelength (Georgiadou and Kleusberg 1988).
 constexpr double kReflected_m = 0.024;
 constexpr double kPoseTilt_deg = 1.15;   ///< estimate: of a map that was levelled by registration
 constexpr double kClockDrift_ppm = 100;  ///< estimate: a quartz without compensation

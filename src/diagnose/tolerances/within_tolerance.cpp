@@ -33,8 +33,8 @@ std::optional<Expected> ExpectedOf(const Tolerances& stated, const Candidate& ca
   return expected;
 }
 
-/// By how much a number changes where a lever is an interval of its log late, half of it in the
-/// mean; 0 of a number that is no delay of a command.
+/// Widening of a parameter's tolerance over the interval of the levers' log. 1 for a reader's
+/// period, 0.5 for delays and lags of commands, else 0.
 double LateByLever(const Candidate& candidate, const FreeParameter& free) {
   const std::string_view id = candidate.mechanism->id;
   const std::string_view name = candidate.mechanism->parameters[free.index].name;
@@ -45,12 +45,12 @@ double LateByLever(const Candidate& candidate, const FreeParameter& free) {
   return is_delay ? 0.5 : 0;
 }
 
-/// Whether a finding is as expected whatever its own numbers are.
+/// Whether a finding is within tolerance regardless of its parameters.
 bool IsExpectedAnyhow(const Finding& finding) {
   return !IsOfPracticalSize(finding) || IsExplainedAsExpected(finding);
 }
 
-/// Takes what is as expected out of the class of a finding that is more than that explains.
+/// Removes rivals within tolerance from the class of a finding beyond tolerance.
 void RejectExpectedRivals(TermEvidence* evidence) {
   const auto& expected = evidence->expected_rivals;
   std::erase_if(evidence->rivals, [&](const Candidate* rival) {

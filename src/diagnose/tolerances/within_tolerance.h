@@ -20,19 +20,20 @@ void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks,
 /// parameters within tolerance in the finding's place, less 1.645 standard deviations for noise.
 bool IsOfPracticalSize(const Finding& finding);
 
-/// Whether a hypothesis within tolerance explains as well in the finding's place: a rival with all
-/// parameters as expected is not rejected, and the finding's improvement over the best model within
-/// tolerance is not of practical size. A rival alone is no proof: if it costs much in some
-/// manoeuvres and gains in others, it leaves error, however steady.
+/// Whether a hypothesis within tolerance explains as well in the finding's place. A rival within
+/// tolerance must not be rejected, and the finding's improvement over the best model within
+/// tolerance must not be of practical size. The rival alone is no proof: it may lose much in some
+/// manoeuvres and gain in others, and still leave error.
 bool IsExplainedAsExpected(const Finding& finding);
 
-/// Whether one of a finding's parameters is significantly beyond tolerance, while the finding is of
-/// practical size and no hypothesis within tolerance explains as well in its place.
+/// Whether one of a finding's parameters is significantly beyond tolerance. The finding must also
+/// be of practical size, and no hypothesis within tolerance may explain as well.
 ///
-/// Model   a parameter is beyond its tolerance if 95 % of its posterior, normal about its estimate,
-///         lies beyond the nearer end of the tolerance about the scenario's value. A parameter
-///         without a posterior, at a bound of its range or undetermined, never is. A mechanism
-///         whose free parameters all lack a stated tolerance is beyond it if it acts at all.
+/// Model   a parameter is beyond its tolerance if 95 % of its posterior lies beyond the nearer end.
+///         The posterior is normal about the estimate, the tolerance about the scenario's value. A
+///         parameter without a posterior, at a bound of its range or undetermined, never is. A
+///         mechanism whose free parameters all lack a stated tolerance is beyond it if it acts at
+///         all.
 bool IsBeyondTolerance(const Finding& finding);
 
 /// Whether a finding is not of practical size, or a hypothesis within tolerance explains as well.

@@ -14,26 +14,26 @@
 namespace tera {
 namespace {
 
-/// A term that was chosen with this p at most is confirmed by a steady gain at the laxer level
-/// below: together the two are rarer than a choice at one per cent and a confirmation at five
-/// (Fisher's sum of logarithms).
+/// Level of p at which a term counts as surely chosen, and the laxer level at which FINAL then
+/// confirms it. Together they are rarer than a choice at 1 % and a confirmation at 5 % (Fisher's
+/// sum of logarithms).
 constexpr double kSurelyChosenP = 1e-5, kConfirmedPOfSurelyChosen = 0.2;
-/// RMSE of FINAL with a finding over that without it, at most: one manoeuvre of eight may differ
-/// so.
+/// Largest ratio of FINAL's RMSE with a finding to that without it: a single manoeuvre of eight may
+/// differ by so much.
 constexpr double kMostRmseRatio = 1.125;
-/// Share of FINAL's excess variance from which on next to nothing but noise is left.
+/// Share of FINAL's excess variance whose removal leaves little but noise.
 constexpr double kNearlyAllExcess = 0.9;
-/// Mechanisms of a class, at most, that names something in a channel where error remains.
+/// Largest class of rivals that names a cause in a channel where error remains.
 constexpr std::size_t kLargestNamingClass = 3;
-/// Share of the excess from which on a larger class names something too.
+/// Share of the excess that a larger class must remove to name a cause.
 constexpr double kExcessOfLargeClass = 0.75;
-/// Share of the excess below which a finding is too little to be what is wrong in its channel.
+/// Least share of the excess that the cause of a channel's error removes.
 constexpr double kLeastExcessOfCause = 1.0 / 3;
-/// RMS that the flexible regressor leaves in place of a finding over that with the finding, at
-/// most, for the finding to be a proxy.
+/// Ratio of the RMS that the flexible regressor leaves in place of a finding to that with the
+/// finding. A finding is a proxy below it.
 constexpr double kMostFlexibleRmsRatio = 0.5;
 
-/// Diagnoses one block under given models of its noise.
+/// Diagnoses one block under given noise models.
 class BlockDiagnoser {
  public:
   BlockDiagnoser(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
@@ -42,7 +42,7 @@ class BlockDiagnoser {
         fitter_(block, context_.likelihood, SeenSegmentsOf(manoeuvres), options.threads),
         tolerated_(ToleratedErrors()) {}
 
-  /// The answer for a block that has too few manoeuvres for a search.
+  /// The result for a block with too few manoeuvres for a search.
   BlockDiagnosis Untested() const;
   BlockDiagnosis Explain(SearchResult search) const;
 
@@ -65,14 +65,14 @@ class BlockDiagnoser {
   std::vector<double> ToleratedErrors() const;
 
   const EvaluationContext context_;
-  const StructureFitter fitter_;  ///< to TRAIN and SELECT
-  /// RMS by which a factor at the end of its tolerance changes each channel on FINAL.
+  const StructureFitter fitter_;  ///< fitted to TRAIN and SELECT
+  /// RMS change of each channel on FINAL by a rate factor at the end of its tolerance.
   const std::vector<double> tolerated_;
 };
 
 bool IsNearer(const HeldOutError& error) { return error.rmse_after < error.rmse_before; }
 
-/// Whether a finding makes FINAL worse than a few manoeuvres of another kind could.
+/// Whether a finding worsens FINAL by more than a few different manoeuvres could.
 bool IsMuchFurther(const HeldOutError& error) {
   return error.rmse_after > kMostRmseRatio * error.rmse_before;
 }
@@ -102,8 +102,8 @@ HeldOutError BlockDiagnoser::Compare(const FittedStructure& before, const Fitted
   return error;
 }
 
-/// The channel whose residual on TRAIN and SELECT falls most, over the variance of its noise. FINAL
-/// is not asked: it is not to choose the channel that it judges.
+/// The channel whose residual on TRAIN and SELECT falls most, relative to its noise variance. FINAL
+/// must not choose the channel that it judges.
 std::size_t BlockDiagnoser::MostImproved(const FittedStructure& before,
                                          const FittedStructure& after) const {
   std::size_t best = 0;
@@ -166,11 +166,11 @@ void BlockDiagnoser::MoveOut(const std::vector<bool>& is_out, std::vector<Findin
   }
   out->search.found = fitter_.Determine(fitter_.FitFrom(kept));
   out->search.evidence = std::move(evidence);
-  out->search.found_gain.reset();  // it was of them all
+  out->search.found_gain.reset();  // it belongs to all terms together
   DescribeAll(out);
 }
 
-/// Moves out the findings that FINAL does not confirm, until it confirms all that are left.
+/// Moves out the findings that FINAL does not confirm, until FINAL confirms all that remain.
 void BlockDiagnoser::Confirm(BlockDiagnosis* out) const {
   while (true) {
     std::vector<bool> is_out;
@@ -192,11 +192,11 @@ const Unexplained* UnexplainedIn(const BlockDiagnosis& out, std::size_t channel)
   return left != out.unexplained.end() ? &*left : nullptr;
 }
 
-/// Adds the loss of commands to the findings, in the place of error that was not explained.
+/// Adds the loss of commands to the findings if it explains error that nothing else explains.
 void BlockDiagnoser::FindLostCommands(BlockDiagnosis* out) const {
   if (context_.block.of_chance.empty()) return;
   const Unexplained* left = UnexplainedIn(*out, 0);
-  if (left != nullptr && left->p) return;  // what comes back is nobody's chance
+  if (left != nullptr && left->p) return;  // an error that repeats is not random
   const auto lost =
       LostCommandsOf(context_, out->search, out->residual_verdicts[0].noise.rms(), tolerated_[0]);
   if (!lost) return;
@@ -245,23 +245,22 @@ ErrorAsExpected BlockDiagnoser::AsExpected(const Misfit& found, const Misfit& in
           std::sqrt(variance) / std::max(count, 1.0)};
 }
 
-/// Tells findings what is tolerated in their channels, and those of whose numbers nothing is
-/// stated, or in whose place something that is as expected may do as well, what is left where all
-/// that is as expected stands there.
+/// Sets what is tolerated in the findings' channels. Findings whose parameters all lack a stated
+/// tolerance, or that have a rival within tolerance, also get the best error within tolerance.
 void BlockDiagnoser::CompareWithExpected(BlockDiagnosis* out) const {
   const Structure& found = out->search.found.terms;
   for (std::size_t t = 0; t < out->findings.size(); ++t) {
     Finding& finding = out->findings[t];
     const std::size_t channel = finding.held_out.channel;
     finding.tolerated = tolerated_[channel];
-    if (t >= found.size()) continue;  // lost commands are last
+    if (t >= found.size()) continue;  // lost commands come last
     if (IsStated(*finding.term.candidate) && finding.evidence.expected_rivals.empty()) continue;
     const Misfit instead = MisfitOfExpectedInstead(context_.block, fitter_, found, t);
     finding.as_expected = AsExpected(out->search.found.misfit, instead, channel);
   }
 }
 
-/// Holds what was found against a plain map, and moves all of it out where that is better.
+/// Compares the findings with a plain map, and moves all of them out if the map is better.
 void BlockDiagnoser::CompareWithPlainMap(BlockDiagnosis* out) const {
   const ReplayBlock& block = context_.block;
   if (block.channels.size() != 1 || !block.read_whole) return;
@@ -281,12 +280,13 @@ void BlockDiagnoser::CompareWithPlainMap(BlockDiagnosis* out) const {
   FindUnexplained(out);
 }
 
-/// Whether a finding removes too little of an excess that FINAL shows to be its cause.
+/// Whether a finding removes too little of FINAL's excess to be its cause.
 bool RemovesLittle(const HeldOutError& error) {
-  return error.excess_removed != 0 && error.excess_removed < kLeastExcessOfCause;  // 0: none shows
+  return error.excess_removed != 0 &&
+         error.excess_removed < kLeastExcessOfCause;  // 0: FINAL has no excess
 }
 
-/// Whether what its channel leaves unexplained shows that a finding is a proxy for something else.
+/// Whether the channel's unexplained error shows that a finding is a proxy (DiagnoseBlock).
 bool BlockDiagnoser::IsProxy(const BlockDiagnosis& out, std::size_t term) const {
   const Finding& finding = out.findings[term];
   const std::size_t channel = finding.held_out.channel;
@@ -306,8 +306,8 @@ bool BlockDiagnoser::IsProxy(const BlockDiagnosis& out, std::size_t term) const 
          kMostFlexibleRmsRatio * kMostFlexibleRmsRatio * MeanSquare(found, context_.final_mask);
 }
 
-/// Moves proxies out of the findings, one after the other, the one that explains least first. A
-/// finding without which nothing is unexplained any more is no proxy, and stays.
+/// Moves proxies out of the findings one by one, the least explaining first. A finding stays if its
+/// removal leaves nothing unexplained.
 void BlockDiagnoser::MoveProxies(BlockDiagnosis* out) const {
   std::vector<const Candidate*> stay;
   while (true) {
@@ -334,9 +334,9 @@ void BlockDiagnoser::MoveProxies(BlockDiagnosis* out) const {
   }
 }
 
-/// A candidate alone with its main number, which without effect is 1, at the lower end of what is
-/// as expected of it; none where nothing is, or it is another kind of number. What two tracks
-/// differ by is a factor of each.
+/// The candidate alone, with its main parameter at the lower end of its tolerance. Only for rate
+/// factors, whose neutral value is 1, and for the difference between tracks, which is a factor of
+/// each.
 std::optional<Term> FactorAtTolerance(const Candidate& candidate) {
   if (candidate.free.empty()) return std::nullopt;
   const FreeParameter& factor = candidate.free.front();
@@ -348,7 +348,7 @@ std::optional<Term> FactorAtTolerance(const Candidate& candidate) {
   return term;
 }
 
-/// For each channel the largest RMS on FINAL that a factor at the end of its tolerance changes.
+/// Largest RMS change of each channel on FINAL by a rate factor at the end of its tolerance.
 std::vector<double> BlockDiagnoser::ToleratedErrors() const {
   std::vector<double> most(context_.block.channels.size(), 0.0);
   const auto nothing = context_.block.predict({});

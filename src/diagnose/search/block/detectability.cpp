@@ -10,14 +10,14 @@
 namespace tera {
 namespace {
 
-/// Noiseless gain in log-likelihood of what can be seen, at least: what the criterion asks for on
-/// TRAIN, and as much on SELECT.
+/// Least noiseless gain in log-likelihood of a visible effect: the criterion's penalty on TRAIN,
+/// and as much on SELECT.
 constexpr double kLeastGain = 20;
-constexpr std::uint64_t kDraws = 20;  ///< of noise, of which three quarters must show a candidate
+constexpr std::uint64_t kDraws = 20;  ///< of noise; three quarters of them must show the candidate
 
-/// Whether a difference between two predictions would pass the tests of TRAIN with SELECT and of
-/// FINAL under most draws of the noise. A draw's gain in log-likelihood is normal: its mean is the
-/// possible gain, its variance twice that.
+/// Whether a difference between two predictions passes the tests of TRAIN with SELECT and of FINAL
+/// in most noise draws. The gain in log-likelihood of a draw is normal, with the possible gain as
+/// mean and twice that as variance.
 bool WouldBeSeen(const EvaluationContext& context, const Misfit& difference) {
   Misfit none = difference;
   for (Eigen::VectorXd& innovation : none.innovation) innovation.setZero();

@@ -7,15 +7,15 @@
 
 namespace tera {
 
-/// The smallest size at which a candidate would have been found, were noise the only trouble.
+/// Smallest size at which a candidate would have been found, limited by noise alone.
 struct Detectability {
   const Candidate* candidate = nullptr;
-  std::optional<double> smallest;  ///< of its main number; none where no start would be found
+  std::optional<double> smallest;  ///< of its main parameter; none if no start would be found
 };
 
-/// Takes the candidate's starts, from faint to strong, and returns the first that would pass the
-/// tests of TRAIN with SELECT and of FINAL under three quarters of twenty draws of the noise, its
-/// numbers being known.
+/// Tests the candidate's starts from faint to strong, with their numbers assumed known. Returns the
+/// first that passes the tests of TRAIN with SELECT and of FINAL in three quarters of twenty noise
+/// draws.
 Detectability DetectabilityOf(const EvaluationContext& context, const Candidate& candidate);
 
 }  // namespace tera

@@ -9,9 +9,8 @@
 
 namespace tera {
 
-/// What every step of a block's diagnosis is evaluated with: the block, one model of its noise, and
-/// its manoeuvres by what they may be used for. All that it is made of must outlive it and stay as
-/// it is.
+/// Inputs shared by all steps of a block's diagnosis: the block, one noise model for each channel,
+/// and the manoeuvres by part. All of its sources must outlive it unchanged.
 struct EvaluationContext {
   EvaluationContext(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
                     const std::vector<Manoeuvre>& manoeuvres, const std::vector<NoiseModel>& noise);
@@ -20,7 +19,7 @@ struct EvaluationContext {
   const SearchOptions& options;
   const Stream& stream;
   const std::vector<Manoeuvre>& manoeuvres;
-  /// The samples of each part, in pieces (PiecesOf); `seen` is TRAIN and SELECT.
+  /// Samples of each part, in pieces (PiecesOf). `seen` is TRAIN and SELECT.
   const std::vector<Segment> select, seen, final;
   const Mask final_mask, seen_mask;
   const Likelihood likelihood;  ///< of TRAIN and SELECT

@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-constexpr int kMostInstead = 3;  ///< mechanisms that are as expected, in the place of one
+constexpr int kMostInstead = 3;  ///< mechanisms within tolerance that may replace one term
 
 }  // namespace
 

@@ -6,14 +6,15 @@
 
 namespace tera {
 
-/// What is left of a block's channels where one term of a structure gives way to what is as
-/// expected of its target: delays, lags, bands and gains, each no further off than its tolerance.
+/// The misfit where parameters within tolerance (delays, lags, bands, gains of its target) replace
+/// one term of a structure.
 ///
-/// Model   every other mechanism of the term's target of which something is stated, its numbers
-///         within what is as expected and the others at their defaults, is tried beside the rest of
-///         the structure, whose numbers are fitted anew; the likeliest is kept, and again beside
-///         it, three at most, while the likelihood gains more than one for each number.
-/// Omits   that several numbers at the ends of their tolerances at once are rarer than one.
+/// Model   forward selection of at most three other mechanisms of the term's target that have a
+///         stated tolerance. Their parameters stay within tolerance, or at their defaults where
+///         none is stated. The rest of the structure is fitted anew. A mechanism is added while the
+///         log-likelihood rises by more than one for each parameter.
+/// Omits   that several parameters at the ends of their tolerances are less likely together than
+///         one.
 Misfit MisfitOfExpectedInstead(const ReplayBlock& block, const StructureFitter& fitter,
                                const Structure& found, std::size_t term);
 

@@ -12,23 +12,21 @@
 namespace tera {
 namespace {
 
-/// Share of a residual's energy below which a variable is not worth naming.
+/// Least share of a residual's energy for a variable to be named.
 constexpr double kLeastExplainedShare = 0.02;
-constexpr double kAlpha = 0.01;  ///< of any interval being found where there is noise alone
-constexpr double kLeastDeviation = 1e-6;  ///< of a residual, where there is no noise at all
-/// RMS of a residual over that of the noise above which regimes are judged beside white noise.
+constexpr double kAlpha = 0.01;           ///< probability of any interval in noise alone
+constexpr double kLeastDeviation = 1e-6;  ///< of a residual without any noise
+/// Ratio of residual to noise RMS above which regimes are tested against white noise.
 constexpr double kLeastRatioToNoise = 3;
-/// The bound kLeastRatioToNoise, for a recording without rest, where slow noise is not known.
+/// The same bound for a recording without rest, in which slow noise is unknown.
 constexpr double kLeastRatioToNoiseWithoutRest = 10;
-/// Deviation of long means over the noise's RMS at rest, at most: that of AR(1) with 0.8.
+/// Largest ratio of the deviation of long means to the noise's RMS at rest: that of AR(1) with 0.8.
 constexpr double kMostLongRunRatio = 3;
-/// The bound kMostLongRunRatio, over what third differences say of the noise, for a recording
-/// without rest.
+/// The same bound relative to third differences, for a recording without rest.
 constexpr double kMostLongRunRatioWithoutRest = 10;
-/// Explained share over the largest above which a variable counts as explaining as much.
+/// Share relative to the largest, above which variables count as explaining equally much.
 constexpr double kLeastShareOfLargest = 0.95;
-/// Criterion over that of the best significant variable above which a variable that is not
-/// significant comes first.
+/// Ratio of criteria above which a variable without significance precedes the best significant one.
 constexpr double kLeastCriterionRatio = 1.3;
 
 /// A variable that explains part of a residual.
@@ -37,8 +35,8 @@ struct Regressor {
   double p, share;
 };
 
-/// The variable that by itself explains most of the residual, more than `least`; among those that
-/// explain nearly as much, the one of the smallest p.
+/// The variable that by itself explains most of the residual, and more than `least`. Among those
+/// that explain nearly as much, the smallest p wins.
 Regressor BestRegressor(const std::vector<RegimeTestResult>& tests, double least) {
   const auto explains = [&](const RegimeTestResult& test) {
     return test.criterion > kLeastExplainedShare && test.whole_criterion > least;
@@ -59,9 +57,9 @@ Regressor BestRegressor(const std::vector<RegimeTestResult>& tests, double least
   return best;
 }
 
-/// The variables of the forward selection, in its order. A variable that explains much more than
-/// the first of them but moves too slowly for a p that means anything, as time does, comes before
-/// them; it is the only one where the selection is empty.
+/// Variables in the order of the forward selection. A variable that explains much more than the
+/// first comes before it, even if it moves too slowly for a valid p, as time does. If the selection
+/// is empty, only that variable is returned.
 std::vector<Regressor> RankedRegressors(const Partialling& found) {
   std::vector<Regressor> ranked;
   double least = kLeastExplainedShare;
@@ -80,7 +78,7 @@ std::vector<Regressor> RankedRegressors(const Partialling& found) {
   return ranked;
 }
 
-/// Union of two lists of intervals, in order, joined where they meet.
+/// Union of two lists of intervals, in order; intervals that touch are joined.
 std::vector<Segment> Union(std::vector<Segment> a, const std::vector<Segment>& b) {
   a.insert(a.end(), b.begin(), b.end());
   std::sort(a.begin(), a.end(),
@@ -97,16 +95,16 @@ std::vector<Segment> Union(std::vector<Segment> a, const std::vector<Segment>& b
 }
 
 /// Standard deviation of the noise, of single samples or of long means, whichever is larger. A
-/// noise model takes what the flexible regressor does not follow for noise with a long memory; the
-/// noise at rest, or what differences between samples say of it, bounds how much that may be.
+/// noise model takes errors that the flexible regressor does not follow for noise with long memory.
+/// The noise at rest, or third differences, bound that.
 double LongRunDeviation(const NoiseModel& noise, const NoiseLevel& level) {
   const double deviation = std::sqrt(std::max(VarianceOf(noise), LongRunVarianceOf(noise)));
   return std::min(deviation,
                   (level.at_rest ? kMostLongRunRatio : kMostLongRunRatioWithoutRest) * level.rms());
 }
 
-/// Where a residual is more than noise: by innovations, which show where it comes and goes, and by
-/// its own level, which shows where it stays.
+/// Intervals in which a residual exceeds noise: by innovations, which show where it begins and
+/// ends, and by its level, which shows where it persists.
 std::vector<Segment> Mismatch(const Series& residual, const NoiseModel& noise,
                               const NoiseLevel& level) {
   const std::vector<Segment> by_innovations =
@@ -124,12 +122,11 @@ std::vector<Segment> Mismatch(const Series& residual, const NoiseModel& noise,
 /// The noise that regimes are tested against.
 struct RegimeNoise {
   NoiseModel noise;
-  double repeats = 1;  ///< samples after which the residual says something new
+  double repeats = 1;  ///< samples after which the residual carries new information
 };
 
-/// The channel's noise, or, where the residual is much louder, white noise of the residual's size:
-/// other errors then count for more than noise of measurement, and levels as much as differences
-/// from sample to sample.
+/// The channel's noise. For a much louder residual, white noise of the residual's size: model error
+/// then outweighs measurement noise, and levels count as much as differences between samples.
 RegimeNoise NoiseForRegimes(const Series& residual, const NoiseModel& noise,
                             const NoiseLevel& level) {
   const double rms = Rms(residual);
@@ -138,8 +135,8 @@ RegimeNoise NoiseForRegimes(const Series& residual, const NoiseModel& noise,
   return {{.scale = rms, .dof = 10}, static_cast<double>(CorrelationLength(ValidValues(residual)))};
 }
 
-/// The channel's variables, each twice: the error may be a function of it, or the simulated value
-/// times a function of it.
+/// Each of the channel's variables twice: as argument of an additive error, and of a share of the
+/// simulated value.
 std::vector<RegimeVariable> VariablesAndShares(const Channel& channel, const Series& residual) {
   std::vector<double> simulated(residual.size(), 0.0);
   for (std::size_t k = 0; k < residual.size(); ++k) {
@@ -153,13 +150,13 @@ std::vector<RegimeVariable> VariablesAndShares(const Channel& channel, const Ser
   return variables;
 }
 
-/// The columns that are held fixed while a variable's curve is fitted: those of the regressors
-/// before it, and what its curve is multiplied with.
+/// Columns held fixed while a variable's curve is fitted: those of earlier regressors, and the
+/// curve's factor.
 Eigen::MatrixXd KnownBefore(const Eigen::MatrixXd& known, const RegimeAxis& axis) {
   return axis.has_times() ? WithColumns(known, axis.times()) : known;
 }
 
-/// The interval in which the squares of a residual exceed those of noise the most.
+/// The interval in which the squared residual exceeds noise the most.
 std::size_t WorstOf(const std::vector<Segment>& intervals, const Series& residual,
                     double noise_variance) {
   std::size_t worst = 0;

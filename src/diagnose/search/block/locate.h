@@ -13,39 +13,40 @@
 
 namespace tera {
 
-/// A variable that a channel's error is a function of, and the function's shape.
+/// A variable on which a channel's error depends, and the form of that dependence.
 struct Regime {
   std::string variable;
-  bool is_share = false;  ///< the curve is of the error over the simulated value
-  double p = 1;           ///< by Holm over the variables; unadjusted where shifts are too few
-  double share = 0;       ///< of the whitened residual's energy that it explains
+  bool is_share = false;  ///< the curve is the ratio of error to simulated value
+  double p = 1;           ///< by Holm over the variables; unadjusted if there are too few shifts
+  double share = 0;       ///< share of the whitened residual's energy that it explains
   CurveShape shape;
   RegimeCurve curve;
 };
 
-/// The place of a channel's error, in time and among the channel's variables.
+/// Where a channel's error occurs: in time and over the channel's variables.
 struct Location {
   std::size_t channel = 0;
   std::vector<Segment> intervals;  ///< in samples
   std::size_t worst = 0;           ///< index of the interval with the most error beyond noise
-  std::vector<Regime> regimes;     ///< the best regressor first; each given those before it
+  std::vector<Regime> regimes;     ///< the best regressor first; each given the previous ones
 };
 
-/// Locates the residual of a channel in time and among the channel's variables.
+/// Locates the residual of a channel in time and over the channel's variables.
 ///
-/// Model   In time (change_points.h), at one per cent: where innovations differ from noise, and
-///         where the residual's own level does. The latter is over the noise's deviation, of a
-///         sample or of long means, whichever is larger, but at most three times the noise at rest,
-///         or ten times what differences between samples say of it. By variable (partialling.h,
-///         regime_curve.h): the error as a function of each variable, and as the simulated value
-///         times such a function, tested against the noise. For a residual of three times the noise
-///         (ten times in a recording without rest) the test is against white noise of the
-///         residual's size. A variable that explains 1.3 times as much as the best significant one,
-///         or two per cent where none is significant, comes first with its unadjusted p: time, and
-///         places that are seldom revisited, have too few shifts for a small p. Of several that
-///         explain as much to a twentieth it is the one of the smallest p.
-/// Omits   that under white noise a slow residual says less about a curve's shape than its number
-///         of samples suggests.
+/// Model   In time (change_points.h), at 1 %: intervals where innovations differ from noise, and
+///         intervals where the residual's own level does. The level is relative to the noise's
+///         deviation, of a sample or of long means, whichever is larger. Its bound is three times
+///         the noise at rest or, without rest, ten times the estimate from third differences.
+///         By variable (partialling.h, regime_curve.h): the error as a function of each variable,
+///         and as the simulated value times such a function, tested against the noise. A residual
+///         of three times the noise (ten times without rest) is tested against white noise of its
+///         own size.
+///         Order: a variable without significance comes first, with its unadjusted p, if it
+///         explains 1.3 times as much as the best significant one. Without any significant one, 2 %
+///         suffice. Time and seldom revisited places have too few shifts for a small p. Among
+///         variables that explain equally much to a twentieth, the smallest p wins.
+/// Omits   correlation of a slow residual, which tells less about a curve's shape than white noise
+///         of as many samples would.
 Location Locate(const Channel& channel, std::size_t index, const Series& residual,
                 const NoiseModel& noise, const NoiseLevel& level, const Stream& stream,
                 int threads = 2);

@@ -10,21 +10,23 @@
 namespace tera {
 namespace {
 
-/// Shorter ones may be a delay within tolerance; longer ones a cut line.
+/// Shorter holds may be a delay within tolerance, longer ones a broken line.
 constexpr double kShortest_s = 0.08, kLongest_s = 5;
 constexpr double kDof = 5;
-constexpr double kClear = 5;  ///< in log-likelihood, beyond what a choice among all stretches gains
+constexpr double kClear = 5;  ///< gain in log-likelihood beyond that of the choice among all
+                              ///< intervals
 
 constexpr std::size_t kFewestHolds = 3;
 constexpr double kLeastOverEarly = 2, kLeastUnfollowed = 0.5, kLeastBesideOne = 0.5;
-constexpr double kMostAtReversals = 0.9;  ///< of the holds; chance puts half or two thirds there
-constexpr double kVisible = 3;  ///< noises by which a held rate differs from one that is not
+constexpr double kMostAtReversals = 0.9;  ///< share of holds; by chance it is a half to two thirds
+constexpr double kVisible = 3;  ///< deviation of a held rate, in standard deviations of noise, that
+                                ///< shows a loss
 
 double Deviance(double error, double noise) {
   return 0.5 * (kDof + 1) * std::log1p(error * error / (kDof * noise * noise));
 }
 
-/// The noise of a residual, of which bursts count little.
+/// Noise of a residual; robust against bursts.
 HoldNoise NoiseOf(const Series& residual, double rms) {
   std::vector<NoiseChannel> channel(1);
   channel[0].least = channel[0].sigma = rms;
@@ -73,8 +75,8 @@ double DevianceIn(const std::vector<Hold>& holds, const Series& residual, double
   return sum;
 }
 
-/// Of the time in which a command that was lost would have been seen, the share in which one was:
-/// where what is predicted differs from what it was before the length of a hold.
+/// Share of lost commands in the time in which a loss is visible: where the prediction differs by
+/// `least` from that of `length` samples earlier.
 double ShareLost(const std::vector<Hold>& holds, const std::vector<double>& predicted, double least,
                  std::size_t length) {
   std::size_t seen = 0, would_be_seen = 0;
@@ -91,8 +93,8 @@ double ShareLost(const std::vector<Hold>& holds, const std::vector<double>& pred
              : std::min(1.0, static_cast<double>(seen) / static_cast<double>(would_be_seen));
 }
 
-/// Whether the prediction goes back where a hold begins: as far as `least` one way before it, the
-/// other way in it.
+/// Whether the prediction reverses where a hold begins: it moves by more than `least` in one
+/// direction before it, and in the other direction within it.
 bool BeginsAtReversal(const Hold& hold, const std::vector<double>& predicted, double least) {
   const double held = predicted[hold.samples.begin];
   std::size_t before = hold.samples.begin;
@@ -104,7 +106,8 @@ bool BeginsAtReversal(const Hold& hold, const std::vector<double>& predicted, do
   return (held - predicted[before]) * furthest < 0;
 }
 
-/// The stretch from, or with `early` to, a sample that gains most; without samples if none gains.
+/// The interval with the largest gain that begins, or with `early` ends, at a sample. Empty if none
+/// gains.
 Hold BestAt(const Series& residual, const std::vector<double>& predicted, const HoldNoise& noise,
             bool early, std::size_t at, const Lengths& lengths) {
   Hold best;
@@ -124,8 +127,8 @@ Hold BestAt(const Series& residual, const std::vector<double>& predicted, const 
   return best;
 }
 
-/// The least gain of holds that is left where one mechanism of the library acts beside what was
-/// found, fitted alone, of those that gain on manoeuvres that they were not fitted to.
+/// Least gain of the holds that remain when a single mechanism of the library joins the findings,
+/// as fitted alone. Only mechanisms that gain on TRAIN and on SELECT count.
 double LeastGainBesideOne(const EvaluationContext& context, const SearchResult& search,
                           const HoldNoise& noise) {
   const Series& measured = context.block.channels.front().measured;

@@ -11,30 +11,28 @@
 namespace tera {
 namespace {
 
-/// Share of the flexible regressor's first gain that it must still have for the error to be asked
-/// about.
+/// Least share of its first gain that the flexible regressor must still have in an unexplained
+/// channel.
 constexpr double kLeastUnexplainedShare = 0.05;
-/// RMS of a residual over that of the noise up to which it passes for noise.
+/// Ratio of residual to noise RMS up to which a residual passes for noise.
 constexpr double kLargestNoiseRatio = 2;
-/// The bound kLargestNoiseRatio, for a recording without rest, where slow noise is not known.
+/// The same bound for a recording without rest, in which slow noise is unknown.
 constexpr double kLargestNoiseRatioWithoutRest = 10;
-/// RMSE over the noise from which a few loud manoeuvres of the whole recording are error.
+/// Ratio of RMSE to noise above which few loud manoeuvres of the whole recording are error.
 constexpr double kMuchLouder = 5;
-constexpr std::size_t kFewestLoud = 3;  ///< loud manoeuvres of the whole recording, for that
-/// Share of a channel's RMS that a residual may have and be no error: nominal numbers are known no
-/// better.
+constexpr std::size_t kFewestLoud = 3;  ///< loud manoeuvres of the whole recording for that
+/// Share of a channel's RMS that errors of nominal numbers may leave.
 constexpr double kNominalShare = 0.03;
-/// Share of the excess variance that a residual may have and be no error: the form that a mechanism
-/// has in the library is no better.
+/// Share of the excess variance that errors of a mechanism's form in the library may leave.
 constexpr double kFormShare = 0.02;
 
-/// The mean square up to which a residual passes for noise, off nominal numbers, and the difference
-/// between the library's form of a mechanism and the true one.
+/// Mean square up to which a residual passes for noise, errors of nominal numbers, and errors of a
+/// mechanism's form in the library.
 double QuietMeanSquare(const EvaluationContext& context, const SearchResult& search,
                        const ResidualVerdict& verdict, double loud) {
   const std::size_t c = verdict.channel;
   const double noise = verdict.noise.rms() * verdict.noise.rms();
-  double signal = 0;  // axes of one quantity: nominal directions are known no better either
+  double signal = 0;  // over the axes of one quantity, since nominal directions are uncertain too
   for (const Channel& channel : context.block.channels) {
     if (channel.unit != context.block.channels[c].unit) continue;
     signal = std::max(signal, MeanSquare(channel.measured, context.final_mask));
@@ -44,7 +42,7 @@ double QuietMeanSquare(const EvaluationContext& context, const SearchResult& sea
                                            kFormShare * std::max(0.0, excess));
 }
 
-/// Counts the manoeuvres that are louder than noise and decides what the residual is.
+/// Counts the loud manoeuvres and decides the verdict.
 void Decide(const EvaluationContext& context, const SearchResult& search,
             ResidualVerdict* verdict) {
   const Series& residual = search.found.misfit.residual[verdict->channel];
@@ -71,10 +69,10 @@ void Decide(const EvaluationContext& context, const SearchResult& search,
                                                 : ResidualVerdict::Kind::kOfFew;
 }
 
-/// The probability, by chance, of the flexible regressor following a channel's residual so
-/// steadily; none where it does not follow it. `cross_fitted` gives the residual beyond fits to
-/// other manoeuvres, by which all manoeuvres are asked where what is left is loud in few of them or
-/// may be slow noise. That is a second question, so that each counts twice.
+/// p-value of the flexible regressor's steady gain on a channel's residual; none if it has none.
+/// `cross_fitted` gives the residual after fits to other manoeuvres. It serves a second test over
+/// all manoeuvres if the residual is loud in few of them or may be slow noise. Its p-value is
+/// doubled.
 std::optional<double> FollowedP(const EvaluationContext& context, const Misfit& misfit,
                                 const Misfit& beyond,
                                 const std::function<const Misfit&()>& cross_fitted,

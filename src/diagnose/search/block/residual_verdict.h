@@ -11,55 +11,55 @@
 
 namespace tera {
 
-/// What is left of a channel on FINAL with all that was found, and whether it is noise.
+/// Residual of a channel on FINAL with all findings, and whether it is noise.
 struct ResidualVerdict {
   std::size_t channel = 0;
   double rmse = 0;
   NoiseLevel noise;
-  /// The flexible regressor predicts manoeuvres that it was not fitted to, so that it could show an
-  /// error that is left.
+  /// The flexible regressor predicts manoeuvres outside its fit, so that it could show a remaining
+  /// error.
   bool flexible_regressor_predicts = false;
-  std::size_t manoeuvres = 0;  ///< commanded ones of FINAL
-  std::size_t loud = 0;        ///< of these, the ones whose residual is louder than noise
+  std::size_t manoeuvres = 0;  ///< commanded manoeuvres of FINAL
+  std::size_t loud = 0;        ///< of these, manoeuvres whose residual exceeds noise
   enum class Kind {
-    kNoise,    ///< noise, or what nominal numbers are off by
-    kUnknown,  ///< louder than differences between samples say, without rest to tell slow noise
+    kNoise,    ///< noise, or errors of nominal numbers
+    kUnknown,  ///< louder than third differences; without rest, slow noise is not distinguishable
     kOfFew,    ///< error of few manoeuvres
     kError,    ///< error of most manoeuvres, or of several in the whole recording
   } kind = Kind::kNoise;
 };
 
-/// Error that no candidate takes away.
+/// Error that no candidate explains.
 struct Unexplained {
   Location location;
-  /// Probability, by chance, of the flexible regressor's gain being so steady; none where it does
-  /// not gain.
+  /// p-value of the flexible regressor's steady gain; none if it does not gain.
   std::optional<double> p;
-  double share = 0;  ///< of the gain in likelihood that the flexible regressor had over nothing
+  double share = 0;  ///< the flexible regressor's gain in likelihood, relative to its gain without
+                     ///< any term
   double rmse = 0;   ///< on FINAL
   double noise = 0;  ///< RMS of the channel's noise
 };
 
 /// The verdict on each channel's residual.
 ///
-/// Model   noise is at most twice the channel's noise (noise_level.h), or adds to it no more than
-///         3 % of the largest RMS among channels of its unit, the axes of one quantity, and 2 % of
-///         the variance that was there beyond noise before anything was found. Error is what is
-///         louder in half of the manoeuvres or more, or in one of FINAL where three of the whole
-///         recording are louder and the RMSE is five times the noise. In a recording without rest,
-///         error is ten times the noise, which third differences alone then tell: AR(1) noise with
-///         a coefficient of 0.983 is so much louder than they say.
+/// Model   a residual is noise up to twice the channel's noise (noise_level.h). An excess also
+///         passes for noise up to 3 % of the largest RMS among channels of its unit, plus 2 % of
+///         the variance beyond noise without any term. A residual is error if half of FINAL's
+///         manoeuvres or more exceed that. It is error too if any of FINAL and three of the whole
+///         recording do, with an RMSE of five times the noise. Without rest, the level is ten times
+///         the noise: third differences underestimate AR(1) noise with a coefficient of 0.983 by so
+///         much.
 std::vector<ResidualVerdict> ResidualVerdictsOf(const EvaluationContext& context,
                                                 const SearchResult& search);
 
-/// What no mechanism explains: residuals that are error, and those that the flexible regressor
-/// still follows.
+/// Errors that no mechanism explains: residuals with the verdict of error, and residuals that the
+/// flexible regressor still predicts.
 ///
-/// Model   the flexible regressor follows a channel steadily over SELECT (Bonferroni over the
-///         diagnosis's channels) and FINAL. Where what is left is loud in too few manoeuvres or may
-///         be noise, it is also asked over all manoeuvres, each by a fit to others, at half the
-///         level. As of a finding, what it follows is told only if it takes as much error on FINAL
-///         as is `tolerated` of the channel.
+/// Model   the flexible regressor predicts a channel if its gain is steady over SELECT (Bonferroni
+///         over the diagnosis's channels) and FINAL. All manoeuvres are tested too, each by a fit
+///         to the others, if few are loud or the residual may be slow noise. That test is at half
+///         the level. A predicted error is reported only if it reduces FINAL's error by at least
+///         `tolerated`.
 std::vector<Unexplained> UnexplainedOf(const EvaluationContext& context, const SearchResult& search,
                                        const std::vector<ResidualVerdict>& verdicts,
                                        const std::vector<double>& tolerated);

@@ -13,11 +13,11 @@ namespace tera {
 namespace {
 
 constexpr int kMostPasses = 3;
-/// Variance of a channel's noise, and scale of its innovations, over what they were, at most, for
-/// another search to be worth its time.
+/// Ratios of noise variance and of innovation scale, new to old, below which another search is
+/// worth its time.
 constexpr double kMuchQuieterVariance = 0.5, kMuchQuieterInnovations = 0.7;
 
-/// What a search under one model of the noise takes.
+/// Inputs of a search under one noise model.
 struct Pass {
   Pass(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
        const std::vector<Manoeuvre>& manoeuvres, const std::vector<NoiseModel>& noise)
@@ -30,10 +30,10 @@ struct Pass {
   }
 
   const EvaluationContext context;
-  const StructureFitter fitter;  ///< to TRAIN and SELECT
+  const StructureFitter fitter;  ///< fitted to TRAIN and SELECT
 };
 
-/// Whether any channel's noise is much less than it was estimated before.
+/// Whether any channel's noise is much less than in the previous estimate.
 bool IsMuchQuieter(const std::vector<NoiseModel>& now, const std::vector<NoiseModel>& before) {
   for (std::size_t c = 0; c < now.size(); ++c) {
     if (VarianceOf(now[c]) < kMuchQuieterVariance * VarianceOf(before[c])) return true;
@@ -42,7 +42,7 @@ bool IsMuchQuieter(const std::vector<NoiseModel>& now, const std::vector<NoiseMo
   return false;
 }
 
-/// Estimates noise and searches, in turn: what is found may have passed for noise at first.
+/// Alternates noise estimation and search.
 SearchedBlock SearchInTurn(const ReplayBlock& block, const SearchOptions& options,
                            const Stream& stream, const std::vector<Manoeuvre>& manoeuvres) {
   EarlierSearch earlier;
@@ -63,8 +63,8 @@ SearchedBlock SearchInTurn(const ReplayBlock& block, const SearchOptions& option
   }
 }
 
-/// Searches the whole block from what was found in its prefix, under noise estimated beside the
-/// fullest structure there.
+/// Searches the whole block, starting from its prefix's result. The noise is estimated with the
+/// prefix's fullest structure.
 SearchedBlock SearchWhole(const ReplayBlock& block, const SearchOptions& options,
                           const Stream& stream, const std::vector<Manoeuvre>& manoeuvres,
                           const SearchResult& prefix_result) {

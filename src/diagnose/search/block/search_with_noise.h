@@ -9,18 +9,18 @@
 
 namespace tera {
 
-/// A search and the noise that was estimated beside what it found.
+/// A search, and the noise estimated together with its result.
 struct SearchedBlock {
   std::vector<NoiseModel> noise;
   SearchResult search;
 };
 
-/// Searches a block that is testable (testable.h) for what explains it.
+/// Searches a testable block (testable.h) for the mechanisms that explain it.
 ///
-/// Model   noise is estimated and searched under in turn, three times at most, while any channel's
-///         falls by half or its innovations by a third: what is found may have passed for noise at
-///         first. A long block is searched by its prefix first (prefix_search.h), then from what
-///         was found there, under noise estimated beside that.
+/// Model   noise estimation and search alternate, at most three times, while any channel's noise
+///         variance halves or its innovations fall by a third. An unexplained error can pass for
+///         noise at first. A long block is searched by its prefix first (prefix_search.h), then
+///         from the prefix's result under noise estimated with it.
 SearchedBlock SearchBlock(const ReplayBlock& block, const SearchOptions& options,
                           const Stream& stream, const std::vector<Manoeuvre>& manoeuvres);
 

@@ -5,9 +5,9 @@
 namespace tera {
 namespace {
 
-/// Commanded manoeuvres of TRAIN and SELECT, at least: twice those of FINAL, as their shares are.
+/// Least number of commanded manoeuvres in TRAIN and SELECT: twice that of FINAL, by their shares.
 constexpr std::size_t kFewestSeen = 6;
-/// Commanded manoeuvres of FINAL, at least: Student's t over fewer confirms nothing
+/// Least number of commanded manoeuvres in FINAL: with fewer, Student's t cannot confirm
 /// (steady_gain.h).
 constexpr std::size_t kFewestFinal = 3;
 

@@ -6,8 +6,8 @@
 
 namespace tera {
 
-/// Whether enough manoeuvres were commanded for findings to be chosen and confirmed: six of TRAIN
-/// and SELECT, three of FINAL.
+/// Whether the commanded manoeuvres suffice to choose and confirm findings: six in TRAIN and
+/// SELECT, three in FINAL.
 bool IsTestable(const std::vector<Manoeuvre>& manoeuvres);
 
 }  // namespace tera

@@ -10,15 +10,15 @@
 
 namespace tera {
 
-/// Cross-fitted misfits: what structures leave of the manoeuvres of TRAIN and SELECT by fits that
-/// have not seen them.
+/// Cross-fitted misfits: each manoeuvre of TRAIN and SELECT is judged by a fit to the others.
 ///
 /// Model   the moving manoeuvres are dealt to five folds in order, and so are those at rest. A
-///         structure is fitted five times, each time to all folds but one, and evaluated on that
-///         one. So every manoeuvre counts; a single held-out part has too few to distinguish a
-///         steady gain from luck.
-/// Omits   that the fits share most of their manoeuvres; that each starts from numbers which may
-///         have seen all of them and goes three steps, in which parameters with kinks hardly move.
+///         structure is fitted five times, each time to four folds, and evaluated on the fifth.
+///         Thus every manoeuvre counts. A single held-out part has too few to distinguish a steady
+///         gain from luck.
+/// Omits   that the fits share most of their manoeuvres. Each fit starts from numbers that may
+///         depend on all manoeuvres and goes three steps, in which parameters with kinks hardly
+///         move.
 /// Source  Stone 1974, "Cross-validatory choice and assessment of statistical predictions".
 class CrossFit {
  public:
@@ -26,8 +26,8 @@ class CrossFit {
   CrossFit(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
            const std::vector<Manoeuvre>& manoeuvres);
 
-  /// The misfits of structures: samples of TRAIN and SELECT by the fits that have not seen them,
-  /// others by the first fit. Fits start from the structures' values and go a few steps.
+  /// Misfits of structures. Samples of TRAIN and SELECT come from the fits without them, other
+  /// samples from the first fit. Fits start from the structures' values and go a few steps.
   std::vector<Misfit> Evaluate(const std::vector<Structure>& structures, int threads) const;
 
  private:

@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-/// Makes the channel's lagging samples gaps; returns their share of the samples that were valid.
+/// Turns the channel's lagging samples into gaps; returns their share of the valid samples.
 double ExcludeLaggingSamplesOf(Channel* channel) {
   Mask& valid = channel->measured.valid;
   TERA_CHECK(channel->is_lagging.size() == valid.size(), channel->name);

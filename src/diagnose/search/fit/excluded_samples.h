@@ -7,15 +7,14 @@
 
 namespace tera {
 
-/// A channel of which some samples are excluded from the comparison.
+/// A channel with samples excluded from the comparison.
 struct ExcludedSamples {
   std::string channel;
-  double share = 0;  ///< of the samples that there are
+  double share = 0;  ///< share of the valid samples
 };
 
-/// Excludes the samples that lag behind by masses which the replay does not have
-/// (Channel::is_lagging): they become gaps. Afterwards no channel has such samples any more.
-/// Returns the channels that had some.
+/// Turns samples that lag behind by inertia absent from the replay (Channel::is_lagging) into gaps,
+/// and clears the flags. Returns the channels concerned.
 std::vector<ExcludedSamples> ExcludeLaggingSamples(std::vector<ReplayBlock>* blocks);
 
 }  // namespace tera

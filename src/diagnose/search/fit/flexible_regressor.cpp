@@ -13,24 +13,24 @@ namespace tera {
 namespace {
 
 constexpr double kClip =
-    3;  ///< robust scales: Huber's function keeps 99 % of normal errors as they are
-/// Ridge of the fit that noise is estimated beside: small, for that fit is not to predict.
+    3;  ///< robust scales; Huber's function leaves 99 % of normal errors unchanged
+/// Ridge of the fit for the noise: small, since that fit need not predict.
 constexpr double kNoiseRidge = 1e-6;
-/// Ridges to choose from, in parts of each column's energy: the last leaves hardly anything of a
-/// column.
+/// Candidate ridges, relative to each column's energy. The last suppresses a column almost
+/// entirely.
 constexpr std::array kRidges = {1e-4, 1e-2, 0.1, 1.0, 10.0, 100.0, 1000.0};
 constexpr std::size_t kRegressorFolds = 5;
 constexpr int kHuberReweightings = 3;      ///< of Huber's regression
 constexpr std::size_t kHighestOrder = 10;  ///< of the noise's autoregression
-/// Degrees of freedom of the innovations, at least. A machine that rests half the time leaves
-/// residuals of two scales; with heavier tails its motion would pass for outliers, and only rest
-/// would count.
+/// Least degrees of freedom of the innovations. A machine that rests half the time leaves residuals
+/// of two scales. Heavier tails would treat its motion as outliers, and only rest would count.
 constexpr double kLeastDof = 4;
-/// Scale of the innovations over the channel's RMS, at least: no replay is better.
+/// Least ratio of the innovations' scale to the channel's RMS: no replay is better.
 constexpr double kLeastScaleOfRms = 2e-3;
-constexpr double kLeastScale = 1e-6;  ///< of innovations, rad/s or m/s: less is rounding
+constexpr double kLeastScale = 1e-6;  ///< of innovations, in rad/s or m/s; smaller values are
+                                      ///< rounding
 
-/// Weighted products of columns with themselves and with what is to be explained.
+/// Weighted products of the columns with themselves and with the dependent variable.
 struct Products {
   Eigen::MatrixXd information;
   Eigen::VectorXd pull;
@@ -47,7 +47,7 @@ struct Products {
     energy -= other.energy;
     return *this;
   }
-  /// Sum of weighted squares that coefficients leave.
+  /// Weighted sum of squares of the residual.
   double Left(const Eigen::VectorXd& beta) const {
     return energy - 2 * pull.dot(beta) + beta.dot(information * beta);
   }
@@ -59,7 +59,7 @@ Eigen::VectorXd Solve(Eigen::MatrixXd information, const Eigen::VectorXd& pull, 
   return information.ldlt().solve(pull);
 }
 
-/// A regression: the rows of x and y that it is fitted to.
+/// Rows of x and y of a regression.
 struct Problem {
   Eigen::MatrixXd x;
   Eigen::VectorXd y;
@@ -84,8 +84,7 @@ Eigen::VectorXd Regress(const Problem& problem, double ridge) {
   return beta;
 }
 
-/// The ridge that predicts best the folds it was not fitted to; none where zero predicts them as
-/// well.
+/// The ridge that best predicts the folds outside its fit; none if zero predicts them as well.
 std::optional<double> BestRidge(const Problem& problem) {
   const Eigen::VectorXd weight =
       HuberWeights(problem.y - problem.x * Regress(problem, kRidges.front()));
@@ -116,7 +115,7 @@ Eigen::MatrixXd WithConstant(const Eigen::MatrixXd& columns, Eigen::Index rows) 
   return out;
 }
 
-/// The fold of each sample of TRAIN: its manoeuvres are dealt to the folds in turn.
+/// The fold of each sample of TRAIN, whose manoeuvres are dealt to the folds in turn.
 std::vector<std::size_t> FoldOfSamples(const std::vector<Manoeuvre>& manoeuvres,
                                        std::size_t samples) {
   std::vector<std::size_t> fold(samples, 0);
@@ -131,7 +130,7 @@ std::vector<std::size_t> FoldOfSamples(const std::vector<Manoeuvre>& manoeuvres,
   return fold;
 }
 
-/// A channel's flexible regressor with a constant column, as it is and whitened by the noise model.
+/// A channel's flexible regressor with a constant column, raw and whitened by the noise model.
 class WhitenedColumns {
  public:
   WhitenedColumns(const Channel& channel, const WhiteningFilter& filter)
@@ -143,7 +142,7 @@ class WhitenedColumns {
       white_.col(c) = filter.Apply(columns_.col(c));
   }
 
-  /// The regression over the samples of `fit_on`; none where there are too few of them.
+  /// The regression over the samples of `fit_on`; none if they are too few.
   std::optional<Problem> Over(const Mask& fit_on, const std::vector<std::size_t>& fold,
                               const Series& residual) const {
     std::vector<Eigen::Index> rows;
@@ -189,7 +188,7 @@ NoiseModel NoiseOf(const Channel& channel, const std::vector<double>& predicted,
   }
   const WhiteningFilter as_it_is({}, residual.valid);
   const WhitenedColumns columns(channel, as_it_is);
-  double freedom_share = 0;  // degrees of freedom that the columns take, of all rows
+  double freedom_share = 0;  // degrees of freedom of the columns, relative to the rows
   if (const auto problem =
           columns.Over(fit_on, std::vector<std::size_t>(residual.size(), 0), residual)) {
     residual = columns.Less(Regress(*problem, kNoiseRidge), std::move(residual));

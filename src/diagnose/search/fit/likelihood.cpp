@@ -10,10 +10,10 @@ namespace tera {
 namespace {
 
 constexpr int kReweightings = 2;  ///< of the Student-t regression of nuisances
-/// Standard deviations by which a nuisance may be off, at most.
+/// Bound of a nuisance, in standard deviations.
 constexpr double kMostDeviations = 2;
 
-/// Central differences; the ends have those of their neighbours.
+/// Central differences; the ends repeat their neighbours' values.
 std::vector<double> Slope(const std::vector<double>& y, double period_s) {
   std::vector<double> slope(y.size(), 0.0);
   for (std::size_t k = 1; k + 1 < y.size(); ++k) slope[k] = (y[k + 1] - y[k - 1]) / (2 * period_s);
@@ -28,7 +28,7 @@ Eigen::Map<const Eigen::VectorXd> AsVector(const std::vector<double>& x) {
   return {x.data(), static_cast<Eigen::Index>(x.size())};
 }
 
-/// The columns of the nuisances, each times its standard deviation.
+/// The columns of the nuisances, each scaled by its standard deviation.
 Eigen::MatrixXd ColumnsOf(const Channel& channel, const std::vector<double>& predicted) {
   const Nuisances& sigma = channel.nuisances;
   Eigen::MatrixXd columns(static_cast<Eigen::Index>(predicted.size()), 3 + channel.nominal.cols());
@@ -39,8 +39,8 @@ Eigen::MatrixXd ColumnsOf(const Channel& channel, const std::vector<double>& pre
   return columns;
 }
 
-/// Minimum of beta' information beta / 2 - pull' beta within the bound on each coefficient: as long
-/// as one is beyond, the one that is furthest beyond is held at the bound.
+/// Minimum of beta' information beta / 2 - pull' beta within the bound on each coefficient. Active
+/// set: while any coefficient exceeds the bound, the one furthest beyond is fixed at it.
 Eigen::VectorXd SolveBounded(const Eigen::MatrixXd& information, Eigen::VectorXd pull) {
   Eigen::VectorXd beta = Eigen::VectorXd::Zero(pull.size());
   std::vector<Eigen::Index> open;
@@ -61,17 +61,16 @@ Eigen::VectorXd SolveBounded(const Eigen::MatrixXd& information, Eigen::VectorXd
   return beta;
 }
 
-/// Rows that stay in the processor's first cache while products of columns are summed.
+/// Rows that fit into the processor's first-level cache while products of columns are summed.
 constexpr Eigen::Index kCachedRows = 256;
 
-/// Normal equations of a regression with weights.
+/// Normal equations of a weighted regression.
 struct NormalEquations {
   Eigen::MatrixXd information;  ///< lower half
   Eigen::VectorXd pull;
 };
 
-/// The normal equations of Student-t errors about beta with a unit normal prior on the
-/// coefficients.
+/// Normal equations of Student-t errors about beta, with a unit normal prior on the coefficients.
 NormalEquations EquationsAbout(const Eigen::VectorXd& beta, const Eigen::VectorXd& y,
                                const Eigen::MatrixXd& columns, double dof) {
   const Eigen::Index count = columns.cols();
@@ -92,7 +91,7 @@ NormalEquations EquationsAbout(const Eigen::VectorXd& beta, const Eigen::VectorX
   return sum;
 }
 
-/// Student-t regression of y on the columns, with coefficients within the bound.
+/// Student-t regression of y on the columns, with bounded coefficients.
 Eigen::VectorXd Regress(const Eigen::VectorXd& y, const Eigen::MatrixXd& columns, double dof) {
   Eigen::VectorXd beta = Eigen::VectorXd::Zero(columns.cols());
   for (int pass = 0; pass < kReweightings; ++pass) {

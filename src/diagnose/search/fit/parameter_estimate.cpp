@@ -7,16 +7,15 @@
 namespace tera {
 namespace {
 
-/// Eigenvalue of the information over the largest, at least: below, a direction is undetermined.
+/// Ratio to the largest eigenvalue of the information below which a direction is undetermined.
 constexpr double kLeastEigenvalueRatio = 1e-10;
-/// Distance from an end of a parameter's range, over the range, within which a number is at its
-/// bound.
+/// Distance from an end of a parameter's range, over the range, that counts as at the bound.
 constexpr double kBoundDistance = 1e-3;
-/// Standard deviation of a mechanism's number over the number, for nominal numbers that are off and
-/// for a form in the library that is not quite the true one.
+/// Standard deviation of a mechanism's parameter over its value, due to errors of nominal numbers
+/// and of the library's form.
 constexpr double kFormSigma = 0.05;
 
-/// Inverse of an information matrix where it has one, and which parameters it determines.
+/// Inverse of an information matrix, and the parameters that it determines.
 struct Covariance {
   Eigen::MatrixXd matrix;
   std::vector<bool> is_determined;
@@ -47,8 +46,8 @@ Covariance CovarianceOf(const Eigen::MatrixXd& information) {
   return out;
 }
 
-/// Standard deviations of the free parameters: the larger of what independent samples give and of
-/// what the scatter of scores over manoeuvres gives. None for a parameter in the null space of the
+/// Standard deviations of the free parameters: the larger of that for independent samples and that
+/// by the scatter of scores over manoeuvres. None for a parameter in the null space of the
 /// information.
 /// Source  Huber 1967, White 1982 (scores).
 std::vector<std::optional<double>> SigmasOf(const FittedStructure& fitted) {
@@ -71,14 +70,13 @@ bool IsAtBound(const FreeParameter& free, double value) {
   return place < kBoundDistance || place > 1 - kBoundDistance;
 }
 
-/// The deviation by the form of a mechanism of a number, or of what it differs by from none: none
-/// for sensors, which have the library's forms.
+/// Standard deviation of a parameter, or of its effect, by errors of the library's form. 0 for
+/// sensors, whose forms are exact.
 double FormDeviation(const Mechanism& mechanism, double value) {
   return mechanism.slot < Slot::kSensorGeometry ? kFormSigma * std::abs(value) : 0;
 }
 
-/// The unit of a parameter of a sliding joint, whose radians are metres and whose newton metres are
-/// newtons.
+/// Unit of a prismatic joint's parameter: radians are metres, and newton metres newtons.
 std::string UnitOfSliding(std::string_view unit) {
   if (unit == "rad") return "m";
   if (unit == "rad/s") return "m/s";

@@ -54,7 +54,7 @@ std::vector<Scored> ScoredFits::All(const std::vector<Structure>& structures,
                             [&](std::size_t k) { return Score(fit(structures[k])); });
 }
 
-/// Fits each structure once: swaps and rivals ask for many of the same.
+/// Fits each structure once, since swaps and rivals repeat many.
 std::vector<Scored> ScoredFits::Once(const std::vector<Structure>& structures,
                                      std::map<Key, Scored>* known, const Fit& fit) const {
   std::vector<Structure> fresh;

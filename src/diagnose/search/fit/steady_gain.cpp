@@ -7,17 +7,18 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastPossible = 2;  ///< gain in log-likelihood below which a piece says nothing
-/// Possible gain in log-likelihood far above which the scatter of noise does not count.
+constexpr double kLeastPossible = 2;  ///< gain in log-likelihood below which a piece is ignored
+/// Possible gain in log-likelihood far above which the scatter of noise is negligible.
 constexpr double kNoiseGain = 20;
-constexpr std::size_t kFewest = 3;       ///< pieces that say something, for a t statistic
-constexpr double kMostGainOfBet = 2.25;  ///< in log-likelihood, that one piece adds to a bet
-/// Level of p at which a bet confirms: three clear gains, 2 exp(-3 * 2.25), are less.
+constexpr std::size_t kFewest = 3;       ///< pieces, for a t statistic
+constexpr double kMostGainOfBet = 2.25;  ///< in log-likelihood, the largest factor of a bet by one
+                                         ///< piece
+/// Level of p at which a bet confirms: three clear gains, 2 exp(-3 * 2.25), are below.
 constexpr double kConfirmingBetP = 0.01;
 constexpr double kShortestPiece_s = 1;
 constexpr std::size_t kFewestPieceSamples = 5;
 
-/// One-sided Student's t of what `amount` gives of each piece.
+/// One-sided Student's t of `amount` over the pieces.
 template <typename Amount>
 double SteadyShareP(const std::vector<ManoeuvreGain>& gains, Amount amount) {
   std::vector<double> share;

@@ -14,15 +14,16 @@ namespace tera {
 namespace {
 
 constexpr double kStep = 0.002;  ///< of difference quotients, over a parameter's range
-/// Step of difference quotients over the distance of the likelihood's kinks, at least.
+/// Ratio of the difference quotient's step to the distance of the likelihood's kinks.
 constexpr double kStepOfKink = 0.5;
 constexpr double kFinestStep = 0.002;  ///< of the search over kinks, over a parameter's range
 constexpr int kMostMoves = 30;         ///< of one parameter in the search over kinks
 constexpr int kMostIterations = 12;    ///< of Levenberg-Marquardt, for a full fit
 constexpr int kFewIterations = 3;      ///< of Levenberg-Marquardt, for a fit of a few steps
-/// Mean squared innovation of the empty structure above which fits start under a smooth likelihood.
+/// Mean squared innovation of the empty structure above which fits also start under a smooth
+/// likelihood.
 constexpr double kBadFit = 2;
-/// Component of an undetermined unit direction that makes a parameter be held, at least.
+/// Least component of a held parameter in an undetermined unit direction.
 constexpr double kLeastComponent = 0.3;
 constexpr double kConvergedGain = 0.005;  ///< in log-likelihood, of the last step
 
@@ -36,7 +37,7 @@ std::vector<double> PlacesOf(const Structure& terms) {
   return places;
 }
 
-/// The step of each parameter's difference quotient, over its range.
+/// Step of each parameter's difference quotient, over its range.
 std::vector<double> StepsOf(const Structure& terms) {
   std::vector<double> steps;
   for (const Term& term : terms) {
@@ -56,7 +57,7 @@ Structure AtPlaces(Structure terms, const double* places) {
   return terms;
 }
 
-/// The deviances of a likelihood as a cost function of the free parameters' places, for one thread.
+/// Deviances of a likelihood as a cost function of the free parameters, relative to their ranges.
 class Deviance final : public ceres::CostFunction {
  public:
   Deviance(const ReplayBlock& block, const Likelihood& likelihood, const Structure& terms,
@@ -100,7 +101,7 @@ class Deviance final : public ceres::CostFunction {
     return true;
   }
 
-  /// The step from a place; inwards where it would leave the range at the upper end.
+  /// The step from a point; reversed where it would exceed the upper end of the range.
   double StepFrom(const std::vector<double>& at, std::size_t p) const {
     return at[p] + steps_[p] <= 1 ? steps_[p] : -steps_[p];
   }
@@ -119,7 +120,7 @@ class Deviance final : public ceres::CostFunction {
   double cost_at_start_ = 0;
 };
 
-/// The derivative of each free parameter by its place in its range.
+/// Derivative of each free parameter by its relative position in its range.
 Eigen::VectorXd RangesAt(const Structure& terms) {
   std::vector<double> ranges;
   for (const Term& term : terms) {
@@ -137,7 +138,7 @@ struct Freedom {
   Term* term = nullptr;
   std::size_t index = 0;
   double range = 1;
-  bool is_stated = false;  ///< whether something is as expected of it
+  bool is_stated = false;  ///< whether a tolerance is stated for it
 };
 
 std::vector<Freedom> FreedomsOf(Structure* terms) {
@@ -152,10 +153,9 @@ std::vector<Freedom> FreedomsOf(Structure* terms) {
   return freedoms;
 }
 
-/// Takes the direction that the information determines least. If it is not known to within the
-/// parameters' ranges, holds the parameter with the largest component in it at its default, or
-/// where none has a default, one of which nothing is stated where it is. Returns whether there was
-/// one.
+/// Takes the least determined direction of the information. If its standard deviation exceeds the
+/// parameters' ranges, holds the parameter with the largest component at its default. If none has a
+/// default, holds one without a stated tolerance at its value. Returns whether it held one.
 bool HoldUndetermined(const Eigen::MatrixXd& information, Structure* terms) {
   const std::vector<Freedom> freedoms = FreedomsOf(terms);
   if (freedoms.empty()) return false;
@@ -188,8 +188,7 @@ bool HoldUndetermined(const Eigen::MatrixXd& information, Structure* terms) {
   return true;
 }
 
-/// The likelihood under white noise of the size of the empty structure's misfit; none where that
-/// fits well.
+/// Likelihood under white noise of the empty structure's misfit; none if that fits well.
 std::optional<Likelihood> SmoothLikelihood(const ReplayBlock& block, const Likelihood& likelihood) {
   const Misfit misfit = likelihood.Evaluate(block.predict({}));
   std::vector<NoiseModel> noise;
@@ -282,7 +281,7 @@ Structure StructureFitter::RefineSmooth(const Structure& terms, const Likelihood
     problem.SetParameterUpperBound(places.data(), p, 1);
   }
   ceres::Solver::Options options;
-  options.num_threads = 1;  // Deviance evaluates in parallel itself
+  options.num_threads = 1;  // Deviance itself evaluates in parallel
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   options.max_num_iterations = most_iterations;
   options.function_tolerance =
@@ -294,8 +293,8 @@ Structure StructureFitter::RefineSmooth(const Structure& terms, const Likelihood
   return AtPlaces(terms, places.data());
 }
 
-/// Coordinate search over the parameters whose likelihood has kinks: each is moved by a step,
-/// either way, while that is likelier, then by half of the step.
+/// Coordinate search over the parameters with kinks: each moves by a step in either direction while
+/// the likelihood rises, then by half of the step.
 Structure StructureFitter::SearchKinks(Structure terms, const Likelihood& likelihood) const {
   double most = likelihood.LogLikelihood(block_.predict(terms));
   for (std::size_t t = 0; t < terms.size(); ++t) {
@@ -399,7 +398,7 @@ void StructureFitter::AddInformation(FittedStructure* fitted) const {
       ++row;
     }
     row += static_cast<std::size_t>(
-        3 + block_.channels[c].nominal.cols());  // those of the nuisances follow
+        3 + block_.channels[c].nominal.cols());  // skip the rows of the nuisances
   }
 }
 

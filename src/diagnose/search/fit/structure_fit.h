@@ -9,66 +9,65 @@
 
 namespace tera {
 
-/// A structure with the numbers that make the measurements most likely.
+/// A structure with its most likely parameters.
 struct FittedStructure {
   Structure terms;
-  double log_likelihood = 0;    ///< on the samples that it was fitted to, nuisances penalised
-  Misfit misfit;                ///< nuisances from the same samples
+  double log_likelihood = 0;    ///< on the fitted samples, with the penalty of nuisances
+  Misfit misfit;                ///< with nuisances from the same samples
   Eigen::MatrixXd information;  ///< of the free parameters, in the order of terms and their `free`
-  Eigen::MatrixXd scores;       ///< of the same by the manoeuvres fitted to, one column each
+  Eigen::MatrixXd scores;       ///< of the same parameters, a column for each fitted manoeuvre
 };
 
-/// The default of a parameter: the model's present number, or the mechanism's own; none where it
-/// must be given.
+/// Default of a parameter: the model's present value, or the mechanism's own. None if it must be
+/// given.
 std::optional<double> DefaultOf(const Candidate& candidate, std::size_t index);
-/// A free parameter as a place in its range, 0 to 1.
+/// A free parameter's relative position in its range, 0 to 1.
 double PlaceOf(const FreeParameter& free, double value);
-/// The free parameter at a place in its range.
+/// The inverse of PlaceOf.
 double ValueAt(const FreeParameter& free, double place);
 
-/// How far a fit goes: to convergence, or a few steps, which tell which of many structures are
-/// worth more and are enough where the numbers are nearly right.
+/// Effort of a fit: to convergence, or a few steps. These suffice to rank structures, and for
+/// parameters that are nearly right.
 enum class Effort { kFull, kFewSteps };
 
 /// Fits the free parameters of a structure.
 ///
-/// Model   maximum likelihood within the parameters' bounds by Levenberg–Marquardt on signed square
-///         roots of the Student-t deviance, difference quotients of a five-hundredth of each
-///         range, or of half the distance of its likelihood's kinks; numbers that have kinks are
-///         then moved by themselves, by that distance and steps that are halved; nuisances are
-///         fitted anew in every evaluation. Starts: the values of `terms` as given, and with the
-///         last term's replaced by each start of its candidate; the most likely one is refined.
-///         Where the empty structure fits badly (innovations of more than twice the noise's
-///         variance), a second fit first goes under white noise of the size of that misfit, whose
-///         likelihood is smooth far from the truth, and from there under the noise itself; the
+/// Model   maximum likelihood within the parameters' bounds, by Levenberg–Marquardt on signed
+///         square roots of the Student-t deviance. Difference quotients use a five-hundredth of
+///         each range, or half the distance of the likelihood's kinks. Parameters with kinks are
+///         then searched individually, by that distance and successively halved steps. Every
+///         evaluation fits the nuisances anew.
+///         Starts: the values of `terms` as given, and with the last term's replaced by each start
+///         of its candidate. The most likely one is refined. The empty structure fits badly if its
+///         innovations have more than twice the noise's variance. A second fit then first uses
+///         white noise of that misfit's size, whose likelihood is smooth far from the truth. The
 ///         likelier of both fits counts.
 /// Source  Ceres Solver (trust region with bounds); Golub and Pereyra 1973 (variable projection).
 class StructureFitter {
  public:
-  /// Fits to the samples that the likelihood is of, all in `manoeuvres`, in order, by which scores
-  /// are given. Block and likelihood must outlive it.
+  /// Fits to the likelihood's samples, all of them in `manoeuvres`, in order, which also structure
+  /// the scores. Block and likelihood must outlive it.
   StructureFitter(const ReplayBlock& block, const Likelihood& likelihood,
                   std::vector<Segment> manoeuvres, int threads = 1);
 
-  /// The fitted values alone, without information, scores and held numbers.
+  /// Fitted values only, without information, scores and held parameters.
   FittedStructure FitValues(const Structure& terms, Effort effort = Effort::kFull) const;
-  /// The likeliest fit from several structures, each refined by a few steps; there must be one.
+  /// The likeliest fit of several structures, at least one, each refined by a few steps.
   FittedStructure FitLikeliest(const std::vector<Structure>& starts) const;
-  /// FitValues without the smooth likelihood: for structures whose other terms are fitted
-  /// already.
+  /// FitValues without the smooth likelihood, for structures whose other terms are already fitted.
   FittedStructure FitNear(const Structure& terms, Effort effort = Effort::kFull) const;
-  /// FitValues from the given values alone.
+  /// FitValues from the given values only.
   FittedStructure FitFrom(const Structure& terms, Effort effort = Effort::kFull) const;
-  /// Adds information and scores to fitted values. Numbers that the measurements do not determine
-  /// (a direction of the information that is not known to within the parameters' ranges) are held
-  /// at their defaults, and the others fitted anew; of numbers without defaults one of which
-  /// nothing is stated is held where it is.
+  /// Adds information and scores to fitted values. A direction of the information is undetermined
+  /// if its standard deviation exceeds the parameters' ranges. One of its parameters is then held
+  /// at its default, and the others are fitted anew. Without a default, a parameter without a
+  /// stated tolerance is held where it is.
   FittedStructure Determine(FittedStructure fitted) const;
-  /// The structure with the values given, evaluated without a fit.
+  /// The structure with the given values, evaluated without a fit.
   FittedStructure AsGiven(Structure terms) const;
 
  private:
-  /// A start of a fit, and the prediction there.
+  /// Starting values of a fit and the prediction there.
   struct Start {
     Structure terms;
     std::vector<std::vector<double>> predicted;

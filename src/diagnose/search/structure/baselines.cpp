@@ -19,7 +19,7 @@ constexpr double kNormalDof = 1e6;
 
 using Rows = std::vector<Eigen::Index>;
 
-/// A channel's samples that are fitted to, and those of FINAL.
+/// A channel's samples of TRAIN and SELECT, and those of FINAL.
 struct Parts {
   Rows seen, final;
 };
@@ -46,7 +46,7 @@ Eigen::VectorXd ResidualOf(const Channel& channel, const std::vector<double>& pr
   return VectorOf(channel.measured.value) - VectorOf(predicted);
 }
 
-/// Residual of all rows of a least-squares fit to some of them.
+/// Residual of all rows after a least-squares fit to some of them.
 Eigen::VectorXd LessColumns(const Eigen::VectorXd& y, const Eigen::MatrixXd& columns,
                             const Rows& rows) {
   if (rows.empty()) return y;
@@ -107,7 +107,7 @@ double Criterion(double rms, std::size_t rows, std::size_t terms) {
   return n * 2 * std::log(std::max(rms, 1e-300)) + static_cast<double>(terms) * std::log(n);
 }
 
-/// The column of the library that correlates most with the residual.
+/// The column of the library with the largest correlation to the residual.
 std::optional<Eigen::Index> NextColumn(const Eigen::MatrixXd& library, const Eigen::VectorXd& left,
                                        const Rows& rows, const std::vector<Eigen::Index>& taken) {
   std::optional<Eigen::Index> best;
@@ -120,7 +120,7 @@ std::optional<Eigen::Index> NextColumn(const Eigen::MatrixXd& library, const Eig
   return best;
 }
 
-/// Residual of the matching pursuit; `terms` is set to the number of columns that it chose.
+/// Residual of the matching pursuit; sets `terms` to the number of its columns.
 Eigen::VectorXd Pursued(const Channel& channel, const Eigen::VectorXd& error, const Parts& parts,
                         std::size_t* terms) {
   const Eigen::VectorXd residual =
@@ -161,7 +161,7 @@ class GreedySearch {
           [&](std::size_t s) { return Grown(found, block_.candidates[s], fitter); });
       std::optional<std::size_t> best;
       for (std::size_t s = 0; s < grown.size(); ++s) {
-        if (grown[s].size() == found.size()) continue;  // it is in the structure already
+        if (grown[s].size() == found.size()) continue;  // already in the structure
         const double lower = CriterionOf(grown[s]);
         if (lower < criterion) criterion = lower, best = s;
       }

@@ -4,7 +4,7 @@
 
 namespace tera {
 
-/// RMS of the difference of two misfits over the RMS of the channel, the largest over channels.
+/// RMS difference of two misfits over the channel's RMS, the largest over channels.
 double EffectOf(const ReplayBlock& block, const Misfit& with, const Misfit& without);
 
 }  // namespace tera

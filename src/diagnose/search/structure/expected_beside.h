@@ -7,18 +7,19 @@
 
 namespace tera {
 
-/// Whether all numbers of a term of which something is stated are as expected, one at least.
+/// Whether a term is within tolerance: all its parameters with a stated tolerance are, and there is
+/// at least one.
 bool IsAsExpected(const Term& term);
 
-/// The mechanism held to what is as expected of it: its numbers move within their tolerances, those
-/// of which nothing is stated stay at their defaults. Without free numbers where nothing is stated.
+/// The mechanism confined to its tolerances. Parameters with a tolerance move within it, the others
+/// stay at their defaults. Without free parameters if none is stated.
 Candidate HeldToExpected(Candidate candidate);
 
-/// Whether a mechanism acts on a target in a structure, whichever candidate stands for it.
+/// Whether a mechanism acts on a target in a structure, whichever candidate represents it.
 bool ActsIn(const Structure& terms, const Candidate& candidate);
 
-/// The mechanisms of a target of which something is stated and that do not act in a structure, each
-/// held to what is as expected.
+/// Mechanisms of a target that have a stated tolerance and do not act in a structure, each confined
+/// to its tolerances.
 std::vector<Candidate> ExpectedBeside(const ReplayBlock& block, const Structure& terms,
                                       const std::string& target);
 

@@ -9,7 +9,7 @@ namespace tera {
 namespace {
 
 constexpr double kCommanded_s = 60;  ///< of commanded manoeuvres in a prefix
-/// Length of a prefix over that of the whole, at most: a longer one would spare too little.
+/// Largest ratio of a prefix's length to the whole; a longer one would save too little.
 constexpr double kMostPrefixShare = 2.0 / 3;
 
 Series First(const Series& series, std::size_t samples) {
@@ -78,7 +78,7 @@ SearchResult CarryToWhole(SearchResult search, const ReplayBlock& prefix,
   for (Term& term : search.found.terms) {
     move(&term.candidate);
     std::erase_if(term.held, [&](std::size_t held) {
-      if (!DefaultOf(*term.candidate, held)) return false;  // another number does the same
+      if (!DefaultOf(*term.candidate, held)) return false;  // another parameter has the same effect
       term.values[held] = term.candidate->starts.front()[held];
       return true;
     });

@@ -11,8 +11,8 @@
 namespace tera {
 namespace {
 
-/// Terms of a smaller structure that is fitted from starts far off as well: with more, each is held
-/// where it is by the others.
+/// Largest smaller structure that is also fitted from distant starts. With more terms, each is held
+/// in place by the others.
 constexpr std::size_t kMostTermsFittedAnew = 3;
 
 }  // namespace
@@ -42,7 +42,7 @@ std::vector<ManoeuvreGain> Pruning::GainsOnSeen(const Misfit& before, const Misf
   return GainsOf(likelihood_, before, after, seen_);
 }
 
-/// Gain of the flexible regressor, fitted to TRAIN, over a misfit on SELECT.
+/// Gain on SELECT of the flexible regressor, fitted to TRAIN, over a misfit.
 double Pruning::FlexibleGain(const Misfit& misfit) const {
   const Misfit free = ResidualBeyondFlexible(block_, likelihood_, misfit, manoeuvres_);
   double gain = 0;
@@ -50,7 +50,7 @@ double Pruning::FlexibleGain(const Misfit& misfit) const {
   return gain;
 }
 
-/// Evidence for the terms, taken together, that one structure has and the other lacks.
+/// Joint evidence for the terms of `with` that `without` lacks.
 TermEvidence Pruning::EvidenceOf(const Scored& with, const Scored& without,
                                  const Misfit& crossed_with, const Misfit& crossed_without) const {
   TermEvidence evidence;
@@ -76,7 +76,7 @@ bool Pruning::IsNeeded(const TermEvidence& evidence) const {
          evidence.effect >= kLeastTermEffect;
 }
 
-/// The p-value of the two terms together that `rest` lacks, by their steady gain.
+/// p-value, by steady gain, of the two terms together that `rest` lacks.
 double Pruning::JointP(const Scored& kept, const Misfit& crossed_kept,
                        const PrunedStructure& rest) const {
   return EvidenceOf(kept, rest.structure, crossed_kept, rest.crossed).steady_p;

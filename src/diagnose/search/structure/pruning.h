@@ -11,27 +11,27 @@
 
 namespace tera {
 
-/// A structure every term of which is needed.
+/// A structure whose terms are all needed.
 struct PrunedStructure {
   Scored structure;
   Misfit crossed;                      ///< cross-fitted (cross_fit.h)
   std::vector<TermEvidence> evidence;  ///< one for each term, without rivals
 };
 
-/// Removes the terms of a structure that it does as well without.
+/// Removes the terms that a structure does not need.
 ///
-/// Model   backward elimination: the least needed term goes, until all are needed (StructureSearch
-///         says when one is). Where exactly one term would go, and one other goes too once it is
-///         out, the two are tested together against the rest, with p corrected for the number of
-///         tests once for each: play in a joint that pulls harder than it pushes is needed only
-///         beside the asymmetry.
-/// Omits   that the pair was chosen by the same manoeuvres, beyond the number of tests; pairs of
-///         which neither term is needed by itself. FINAL is asked for each of the two by itself.
+/// Model   backward elimination of the least needed term until all are needed (criteria in
+///         StructureSearch). Exception: if exactly one term would be removed, and its removal makes
+///         one other removable, both are tested together against the rest. The p-value is then
+///         corrected twice for the number of tests. An example is play in a joint that pulls harder
+///         than it pushes: it is needed only with the asymmetry.
+/// Omits   selection of the pair by the same manoeuvres, beyond the number of tests; pairs of terms
+///         that are both unneeded alone. FINAL judges each of the two separately.
 class Pruning {
  public:
   /// `likelihood`, `fitter` and `fits` are of TRAIN. All must outlive it. `of_prefix`: the
-  /// structure was found in a prefix of the block; fits of smaller ones start from its values
-  /// alone.
+  /// structure comes from a prefix of the block, and fits of smaller structures start from its
+  /// values only.
   Pruning(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
           const std::vector<Manoeuvre>& manoeuvres, const Likelihood& likelihood,
           const StructureFitter& fitter, const ScoredFits& fits, const SearchOptions& options,
@@ -39,15 +39,15 @@ class Pruning {
   Pruning(const Pruning&) = delete;
   Pruning& operator=(const Pruning&) = delete;
 
-  /// The structure without the terms that are not needed.
+  /// The structure without unneeded terms.
   PrunedStructure Prune(Scored kept) const;
   /// Cross-fitted misfits of structures.
   std::vector<Misfit> Evaluate(const std::vector<Structure>& structures) const;
-  /// Gains of one misfit over another in pieces of TRAIN and SELECT.
+  /// Gains between two misfits in pieces of TRAIN and SELECT.
   std::vector<ManoeuvreGain> GainsOnSeen(const Misfit& before, const Misfit& after) const;
-  /// The structure without terms.
+  /// The empty structure.
   const Scored& nothing() const { return nothing_; }
-  /// Gain of the flexible regressor over nothing on SELECT.
+  /// Gain of the flexible regressor over the empty structure on SELECT.
   double flexible_gain() const { return flexible_gain_; }
 
  private:

@@ -10,9 +10,9 @@
 namespace tera {
 namespace {
 
-/// Whether what takes a term's place is as expected there, and so is every other term that was as
-/// expected before: a structure that moves the blame to another of its terms explains nothing by
-/// what is as expected.
+/// Whether a swap is within tolerance: the new term is, and all other terms that were within
+/// tolerance still are. A swap that pushes another term out of tolerance explains nothing by
+/// expected deviations.
 bool IsExpectedExchange(const Structure& found, const Structure& swapped) {
   return IsAsExpected(swapped.back()) &&
          std::none_of(swapped.begin(), swapped.end() - 1, [&](const Term& now) {
@@ -32,8 +32,8 @@ bool IsRejected(const Rival& rival) { return rival.p <= kRivalP && rival.lead >=
 
 }  // namespace
 
-/// The rival that ends a structure with a term swapped, by what that leaves and the structure
-/// itself does.
+/// The rival at the end of `swapped`, by the gain of the structure's misfit `crossed` over that of
+/// the swapped one, `left`.
 Rival RivalTests::CompareWith(const Structure& swapped, const Misfit& left,
                               const Misfit& crossed) const {
   const auto gains = pruning_.GainsOnSeen(left, crossed);
@@ -42,8 +42,9 @@ Rival RivalTests::CompareWith(const Structure& swapped, const Misfit& left,
   return rival;
 }
 
-/// The same with a mechanism of timing or actuator beside both that is as expected, the one
-/// likeliest beside the rival, which is not worse for lacking what the machine may have anyhow.
+/// CompareWith, with the timing or actuator mechanism within tolerance that is likeliest with the
+/// rival added to both. A rival is not worse for lacking a deviation that the machine may have
+/// anyway.
 Rival RivalTests::CompareWithExpectedBeside(const Structure& found, const Structure& swapped,
                                             const Misfit& crossed) const {
   const Candidate* rival = swapped.back().candidate;
@@ -53,7 +54,7 @@ Rival RivalTests::CompareWithExpectedBeside(const Structure& found, const Struct
   for (const Candidate& one : expected) {
     const Slot slot = one.mechanism->slot;
     if (slot != Slot::kCommandTiming && slot != Slot::kActuator) continue;
-    if (HasSlot(swapped, slot)) continue;  // it has what may be as expected there
+    if (HasSlot(swapped, slot)) continue;  // this slot's expected deviation is already in it
     FittedStructure fitted = fitter_.FitNear(With(swapped, one, one.starts.front()));
     if (fitted.log_likelihood > best.log_likelihood) best = std::move(fitted);
   }

@@ -8,20 +8,21 @@
 
 namespace tera {
 
-/// Tells a structure from those that have another candidate in place of one of its terms.
+/// Compares a structure with its rivals, in which another candidate replaces one of its terms.
 ///
-/// Model   a rival is rejected where the manoeuvres of TRAIN and SELECT, each left out of the fits
-///         that it judges, gain from the term with p at most kRivalP and at least kRivalGain, and
-///         do so as well with the likeliest mechanism of timing or actuator beside both that is as
-///         expected (expected_beside.h).
+/// Model   a rival is rejected if the manoeuvres of TRAIN and SELECT, cross-fitted, gain from the
+///         term with p at most kRivalP and at least kRivalGain. The same must hold when the
+///         likeliest timing or actuator mechanism within tolerance joins both structures
+///         (expected_beside.h).
 class RivalTests {
  public:
-  /// All must outlive it.
+  /// All arguments must outlive it.
   RivalTests(const ReplayBlock& block, const StructureFitter& fitter, const Pruning& pruning)
       : block_(block), fitter_(fitter), pruning_(pruning) {}
 
-  /// Adds the candidates that end the swapped structures to the rivals of the term that they stand
-  /// for, or to those that are rejected. `crossed` is what the found structure leaves.
+  /// Each of the `swapped` structures ends with the candidate that replaces the term. Adds these
+  /// candidates to the term's rivals or to its rejected ones. `crossed` is the cross-fitted misfit
+  /// of the found structure.
   void Discriminate(const Structure& found, const Misfit& crossed,
                     const std::vector<Structure>& swapped, TermEvidence* evidence) const;
 

@@ -14,17 +14,17 @@
 namespace tera {
 namespace {
 
-/// Gain in log-likelihood from which on a single candidate may mean something.
+/// Least gain in log-likelihood for a single candidate to be screened.
 constexpr double kScreenedGain = 6;
-constexpr std::size_t kMostScreened = 8;  ///< candidates that pairs and swaps are made of
+constexpr std::size_t kMostScreened = 8;  ///< candidates in pairs and swaps
 constexpr std::size_t kFullyFittedPairs = 8;
-constexpr std::size_t kFullyFittedSteps = 4;  ///< swaps and additions that are fitted in full
+constexpr std::size_t kFullyFittedSteps = 4;  ///< swaps and additions fitted in full
 constexpr std::size_t kFullyFittedRivals = 5;
-/// Terms of a structure that is grown from a single one.
+/// Largest number of terms that the forward search reaches.
 constexpr std::size_t kMostForwardTerms = 4;
-/// Difference of the criterion, in log-likelihood, up to which structures are as likely.
+/// Difference of the criterion, in log-likelihood, up to which structures count as equally likely.
 constexpr double kEquallyLikely = 0.5;
-/// Sum of effects over that of another structure, at most, to be preferred for less cancellation.
+/// Ratio of the sums of effects below which a structure has less cancellation and is preferred.
 constexpr double kLessCancellation = 0.8;
 
 void SortByCriterion(std::vector<Scored>* scored) {
@@ -90,9 +90,9 @@ class Search {
   ScoredFits fits_;
   const Pruning pruning_;
   const Scored nothing_;
-  std::vector<Scored> singles_;        ///< one a candidate, alone
+  std::vector<Scored> singles_;        ///< one a candidate, fitted alone
   std::vector<std::size_t> screened_;  ///< indices of candidates
-  PrunedStructure pruned_;             ///< the structure that Find found last
+  PrunedStructure pruned_;             ///< the last structure of Find
 };
 
 void Search::FitSingles() {
@@ -103,8 +103,8 @@ void Search::FitSingles() {
   singles_ = fits_.All(structures, [&](const Structure& one) { return fitter_.FitValues(one); });
 }
 
-/// Takes single candidates as they were fitted earlier. Where nothing was found, the likeliest are
-/// fitted anew, since one of them may be all there is.
+/// Keeps single candidates as fitted earlier. If nothing was found, the likeliest are fitted anew,
+/// since one of them may be the whole cause.
 void Search::ReuseSingles() {
   std::vector<Structure> structures;
   for (const SingleEvidence& single : earlier_.result->singles) {
@@ -136,7 +136,7 @@ void Search::Screen() {
   }
 }
 
-/// The best of some structures and of the empty one.
+/// The best of some structures and the empty one.
 Scored Search::BestOf(const std::vector<Scored>& structures) const {
   Scored best = nothing_;
   for (const Scored& scored : structures) {
@@ -145,8 +145,8 @@ Scored Search::BestOf(const std::vector<Scored>& structures) const {
   return best;
 }
 
-/// The chain of some readings: what was found under other noise, and the candidates of the readings
-/// beside it, within their bounds.
+/// The chain of some readings: the structure found under earlier noise, plus the readings'
+/// candidates, within their bounds.
 Structure Search::WholeOf(const std::vector<Reading>& readings) const {
   Structure whole;
   if (earlier_.result != nullptr) whole = earlier_.result->found.terms;
@@ -166,8 +166,8 @@ Structure Search::WholeOf(const std::vector<Reading>& readings) const {
   return whole;
 }
 
-/// Searches backwards from the whole chain: its readings are fitted, all numbers together, and
-/// terms leave and are added one by one. None where nothing is read.
+/// Backward search from the whole chain: all readings are fitted together, then terms are removed
+/// and added one by one. None if the block reads no chain.
 std::optional<Scored> Search::SearchFromWhole() {
   if (!block_.read_whole) return std::nullopt;
   std::vector<Structure> wholes;
@@ -178,7 +178,7 @@ std::optional<Scored> Search::SearchFromWhole() {
   return Grow(Shrink(fits_.Score(fitter_.FitLikeliest(wholes))));
 }
 
-/// Removes one term at a time as long as the criterion rises.
+/// Removes terms one by one while the criterion rises.
 Scored Search::Shrink(Scored best) {
   while (!best.terms.empty()) {
     std::vector<Structure> smaller;
@@ -192,7 +192,7 @@ Scored Search::Shrink(Scored best) {
   return fits_.Score(fitter_.FitFrom(best.terms));
 }
 
-/// The likeliest pairs of screened candidates; none where no candidate alone gains anything.
+/// The likeliest pairs of screened candidates; none if no candidate gains alone.
 std::vector<Scored> Search::Pairs() {
   std::vector<Structure> pairs;
   const bool any = std::any_of(singles_.begin(), singles_.end(), [&](const Scored& single) {
@@ -211,10 +211,10 @@ std::vector<Scored> Search::Pairs() {
   return fits_.Likeliest(fits_.All(pairs, few_steps), kFullyFittedPairs);
 }
 
-/// Searches backwards from the whole chain, and, unless that ends ahead of where the other way
-/// begins and with more terms than it goes to, forwards from the best single candidate, or from
-/// what was found under other noise. Where no chain is read the best pair stands for it: it may be
-/// one of which the best single candidate is no part.
+/// Searches backward from the whole chain, then forward. The forward search starts from the best
+/// single candidate, or from the structure found under earlier noise. It is skipped if the backward
+/// result is better than its start and has more terms than it may reach. Without a chain it also
+/// starts from the best pair, which need not contain the best single candidate.
 Scored Search::SearchFromScratch() {
   std::vector<Scored> grown;
   if (auto whole = SearchFromWhole()) grown.push_back(*std::move(whole));
@@ -235,7 +235,7 @@ Scored Search::SearchFromScratch() {
   return ReduceCancellation(BestOf(grown));
 }
 
-/// The structure that was found in the prefix, extended by what the whole block shows beyond it.
+/// The prefix's structure, extended by effects that only the whole block shows.
 Scored Search::ExtendEarlier() {
   const Structure& found = earlier_.result->found.terms;
   if (!found.empty()) return Grow(fits_.Score(fitter_.FitFrom(found)));
@@ -248,13 +248,13 @@ Scored Search::ExtendEarlier() {
   return is_any ? Grow(std::move(*first)) : nothing_;
 }
 
-/// Whether a change is so large that Prune would keep it.
+/// Whether a change is large enough for Prune to keep it.
 bool Search::ChangesEnough(const Structure& with, const Structure& without) const {
   const Misfit misfit = fitter_.AsGiven(with).misfit;
   return EffectOf(block_, misfit, fitter_.AsGiven(without).misfit) >= kLeastTermEffect;
 }
 
-/// Adds one term at a time as long as the criterion rises.
+/// Adds terms one by one while the criterion rises.
 Scored Search::Grow(Scored best, std::size_t most) {
   while (!best.terms.empty() && best.terms.size() < most) {
     std::vector<Structure> larger;
@@ -275,7 +275,7 @@ Scored Search::Grow(Scored best, std::size_t most) {
   return best;
 }
 
-/// The best structure with one term swapped for a screened candidate, if any is better.
+/// The best structure after swapping one term for a screened candidate, if any is better.
 Scored Search::Swap(Scored best) {
   std::vector<Structure> swapped;
   for (std::size_t t = 0; t < best.terms.size(); ++t) {
@@ -291,7 +291,7 @@ Scored Search::Swap(Scored best) {
   return best;
 }
 
-/// The sum of the effects of all terms: large where terms cancel each other.
+/// Sum of the effects of all terms: large if terms cancel each other.
 double Search::SumOfEffects(const Structure& terms) const {
   const Misfit all = fitter_.AsGiven(terms).misfit;
   double sum = 0;
@@ -301,8 +301,8 @@ double Search::SumOfEffects(const Structure& terms) const {
   return sum;
 }
 
-/// Prefers, of structures that are as likely, the one whose terms cancel each other less: an offset
-/// and friction in one direction do together what friction does.
+/// Among equally likely structures, prefers that with less cancellation: an offset with friction in
+/// one direction equals friction in both.
 Scored Search::ReduceCancellation(Scored found) {
   for (std::size_t t = 0; found.terms.size() > 1 && t < found.terms.size(); ++t) {
     for (const Structure& other : NearestRivals(found, t)) {
@@ -316,8 +316,8 @@ Scored Search::ReduceCancellation(Scored found) {
   return found;
 }
 
-/// The structure with each refining number held at its default, if that changes less than a term
-/// must.
+/// The structure with each refining parameter held at its default, if that changes less than a
+/// needed term.
 FittedStructure Search::Simplest(FittedStructure fitted) const {
   for (std::size_t t = 0; t < fitted.terms.size(); ++t) {
     for (const FreeParameter& free : fitted.terms[t].Free()) {
@@ -335,7 +335,7 @@ FittedStructure Search::Simplest(FittedStructure fitted) const {
   return fitted;
 }
 
-/// The pruned structure fitted to TRAIN and SELECT together, without terms that this fit shows to
+/// The pruned structure fitted to TRAIN and SELECT together, without terms that this fit reveals to
 /// be another mechanism in disguise.
 FittedStructure Search::FitToSeen() {
   while (!pruned_.structure.terms.empty()) {
@@ -350,7 +350,7 @@ FittedStructure Search::FitToSeen() {
   return on_seen_.AsGiven({});
 }
 
-/// The evidence for a term in the prefix, if it was found there.
+/// The evidence for a term in the prefix; null if it was not found there.
 const TermEvidence* Search::EarlierEvidenceOf(const Candidate& candidate) const {
   if (!earlier_.of_prefix) return nullptr;
   const Structure& found = earlier_.result->found.terms;
@@ -360,8 +360,8 @@ const TermEvidence* Search::EarlierEvidenceOf(const Candidate& candidate) const 
   return nullptr;
 }
 
-/// The likeliest structures with one term swapped: for screened candidates, or for the rivals that
-/// the term had in the prefix.
+/// The likeliest structures with one term swapped for screened candidates, or for the term's rivals
+/// in the prefix.
 std::vector<Structure> Search::NearestRivals(const Scored& found, std::size_t term) {
   std::vector<std::size_t> others = screened_;
   if (const TermEvidence* earlier = EarlierEvidenceOf(*found.terms[term].candidate)) {

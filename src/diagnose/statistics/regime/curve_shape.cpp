@@ -12,7 +12,7 @@ using Function = std::function<double(double)>;
 
 double Sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
-/// The gain of the best combination of some columns over a constant, and its coefficients.
+/// Gain of the best combination of columns over a constant, and its coefficients.
 struct Gain {
   double value = 0;
   Eigen::VectorXd coefficient;
@@ -38,7 +38,7 @@ Eigen::MatrixXd Columns(const RegimeCurve& curve, const std::vector<Function>& f
   return out;
 }
 
-/// The bins that hold samples, from first to last.
+/// First and last bin with samples.
 struct Visited {
   double low, high;
 };
@@ -54,7 +54,7 @@ Visited VisitedRange(const RegimeCurve& curve) {
   return out;
 }
 
-/// Tries families and keeps the best by gain less penalty.
+/// Tries families and keeps the best by gain minus penalty.
 class Contest {
  public:
   explicit Contest(const RegimeCurve& curve) : curve_(curve), price_(std::log(curve.rows)) {}
@@ -192,7 +192,7 @@ void TryFree(const RegimeCurve& curve, const Visited& all, Contest* contest, Cur
       2 * curve.pull.dot(curve.mean) - curve.mean.dot(curve.information * curve.mean);
   const double worth = free_gain - contest->price() * curve.effective_freedom;
   *shape = contest->best();
-  // A form that explains nearly all that a free curve does is kept, however many data there are.
+  // A form that explains nearly as much as a free curve is kept, regardless of the number of data.
   const bool needed = worth > contest->worth() && contest->best().gain < 0.95 * free_gain;
   if (needed) {
     const Visited interval = curve.angle ? all : EnergyInterval(curve);

@@ -22,16 +22,15 @@ enum class CurveForm {
 
 enum class CurveParity { kNotTested, kOdd, kEven, kNeither };
 
-/// The form and parity of a regime curve.
+/// Form and parity of a regime curve.
 ///
-/// Model   each form is a family of one to three coefficients, and a bend where it has
-///         one, tried over a ladder of bends; gain is the likelihood ratio 2 log(L /
-///         L_constant) under the curve's information; the form of the largest gain -
-///         (coefficients + bends) log(rows) wins. Parity by odd and even piecewise-linear
-///         functions of |x|, where both signs were visited. [low, high] is where the curve
-///         differs from a constant: between the bends (saturating, local), beyond them (threshold:
-///         `outside`), about the jump (step), where nine tenths of its energy lie (free),
-///         else all that was visited.
+/// Model   each form is a family of one to three coefficients, some with a bend, tried over a
+///         ladder of bends. The gain is the likelihood ratio 2 log(L / L_constant) under the
+///         curve's information. The form with the largest gain - (coefficients + bends) log(rows)
+///         wins. Parity by odd and even piecewise-linear functions of |x|, if both signs occur. The
+///         curve differs from a constant in [low, high]: between the bends (saturating, local),
+///         beyond them (threshold: `outside`), about the jump (step), where nine tenths of its
+///         energy lie (free), else over the whole visited range.
 /// Source  Schwarz 1978.
 struct CurveShape {
   CurveForm form = CurveForm::kNone;

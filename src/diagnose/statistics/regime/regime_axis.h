@@ -20,11 +20,11 @@ struct RegimeVariable {
   std::vector<double> times = {};
 };
 
-/// A variable cut into bins, and smooth functions over them.
+/// A variable in bins, and smooth functions over them.
 ///
 /// Model   64 equal bins from the 0.2 % to the 99.8 % quantile, with values beyond in the outermost
-///         bins; from -pi to pi for an angle; one bin for each value where there are at most 12
-///         values. Gaps are interpolated. Functions: uniform cubic B-splines (cyclic for an angle;
+///         bins. An angle has bins from -pi to pi. A variable with at most 12 values has a bin for
+///         each. Gaps are interpolated. Functions: uniform cubic B-splines (cyclic for an angle;
 ///         one column a value for discrete variables), roughness by squared second differences of
 ///         coefficients.
 /// Source  Eilers and Marx 1996, "Flexible smoothing with B-splines and penalties".

@@ -13,10 +13,9 @@ namespace tera {
 ///
 /// Model   penalised cubic B-splines (20) by generalised least squares with Huber's function; the
 ///         penalty by generalised cross-validation; centred so that its mean over the samples is 0.
-///         Band: blocks of the scores drawn with replacement, the estimate moved by its
-///         linearisation; `low` and `high` hold the whole curve over the occupied bins with the
-///         confidence of 90 %. The curve of a variable whose functions are multiplied is the
-///         factor.
+///         Band: block bootstrap of the scores, with the linearised estimate. `low` and `high`
+///         enclose the whole curve over the occupied bins with 90 % confidence. For a variable with
+///         a factor, the curve multiplies that factor.
 /// Omits   the bias of smoothing; the offset, which a coloured residual hardly determines.
 /// Source  Eilers and Marx 1996; Craven and Wahba 1979; Künsch 1989.
 struct RegimeCurve {

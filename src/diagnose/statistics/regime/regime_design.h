@@ -9,13 +9,12 @@
 
 namespace tera {
 
-/// The regression of a residual y on known columns Z, prepared for score tests of more columns.
+/// Regression of a residual y on known columns Z, prepared for score tests of further columns.
 ///
-/// Model   generalised least squares under the noise model with Huber's function: e
-///         = A (y - Z g), A the whitening filter, g such that (A Z)' psi(e) = 0,
-///         psi(e) = e clipped at `clip` robust scales, each at least the noise's; score = A'
-///         psi(e). For a function of a variable with bins B, B' score is its score
-///         vector and B' A' A B, less what Z explains, its information.
+/// Model   generalised least squares under the noise model with Huber's function. e = A (y - Z g),
+///         with A the whitening filter and g such that (A Z)' psi(e) = 0. psi(e) is e clipped at
+///         `clip` robust scales, at least the noise's. score = A' psi(e). A function of a variable
+///         with bins B has the score vector B' score. Its information is B' A' A B beyond Z.
 /// Source  Huber 1981, "Robust statistics", chapter 7 (modified residuals); Rao's score test.
 class RegimeDesign {
  public:

@@ -11,9 +11,9 @@ namespace {
 
 constexpr Eigen::Index kTestSplines = 10;
 constexpr double kEffectiveFreedom = 5;
-/// Information of a direction over that of the best known one, at least.
+/// Least ratio of a direction's information to that of the best known one.
 constexpr double kLeastInformation = 2e-3;
-constexpr double kRounding = 1e-9;  ///< over the information that the mean takes away
+constexpr double kRounding = 1e-9;  ///< relative to the information of the mean
 /// Share of a direction's information that the known columns must leave.
 constexpr double kLeastShareBeyondKnown = 0.05;
 
@@ -31,8 +31,8 @@ Eigen::VectorXd ShrinkingWeights(const Eigen::VectorXd& roughness) {
   return weights(std::exp(low));
 }
 
-/// The directions that are judged: eigenvectors Q of the information that the design leaves of a
-/// probe's directions, with eigenvalues mu.
+/// The tested directions: eigenvectors Q, with eigenvalues mu, of the information of a probe's
+/// directions beyond the design's known columns.
 struct JudgedDirections {
   Eigen::MatrixXd project;    ///< Q Q'
   Eigen::MatrixXd normalise;  ///< Q mu^-1/2 Q', which gives scores unit variance
@@ -54,7 +54,7 @@ JudgedDirections JudgedDirectionsOf(const Eigen::MatrixXd& information) {
   return out;
 }
 
-/// Sums of a score by the bins of a variable that is turned against it by `offset` samples.
+/// Sums of a score by the bins of a variable that is shifted circularly by `offset` samples.
 Eigen::VectorXd ShiftedSumByBin(const RegimeAxis& axis, const Eigen::VectorXd& score,
                                 std::size_t offset) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(axis.bins());

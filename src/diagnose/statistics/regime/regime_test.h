@@ -17,9 +17,9 @@ struct RegimeTestOptions {
 
 /// A variable, prepared to be tested repeatedly under one noise model.
 ///
-/// Model   ten B-splines in the basis in which both their information under the noise and their
-///         roughness are diagonal (Demmler and Reinsch), weighted to five effective degrees of
-///         freedom. A constant, times the axis's factor, is projected out.
+/// Model   ten B-splines, weighted to five effective degrees of freedom. In their basis, both
+///         information under the noise and roughness are diagonal (Demmler and Reinsch). A
+///         constant, times the axis's factor, is projected out.
 class RegimeProbe {
  public:
   RegimeProbe(const RegimeVariable& variable, const WhiteningFilter& filter);
@@ -43,18 +43,18 @@ struct RegimeTestResult {
   ShiftComparison comparison;  ///< of the weighted score
   /// Share of the whitened residual's energy that the variable explains beyond chance.
   double share = 0;
-  /// The share with at least log(rows) off for each direction (Schwarz 1978).
+  /// The share minus a penalty of at least log(rows) for each direction (Schwarz 1978).
   double criterion = 0;
   /// The criterion of the variable together with a constant times the axis's factor.
   double whole_criterion = 0;
 };
 
-/// Tests whether E[residual | variable], given the design's known columns, is not constant. Of a
-/// variable with a factor the design must know that factor.
+/// Tests whether E[residual | variable], given the design's known columns, is not constant. The
+/// design must know the factor of a variable that has one.
 ///
 /// Model   score statistic; the reference is the statistic with the variable shifted circularly
-///         against the residual. Directions of which the known columns leave less than 5 % of the
-///         information are not tested.
+///         against the residual. Directions that keep less than 5 % of their information beyond the
+///         known columns are not tested.
 /// Source  Freedman and Lane 1983, "A nonstochastic interpretation of reported significance
 ///         levels".
 RegimeTestResult TestRegime(const RegimeDesign& design, const RegimeProbe& probe,

@@ -24,7 +24,7 @@ constexpr std::size_t kFewest = 10;  ///< with fewer manoeuvres the recording is
 constexpr double kBlock_s = 5;       ///< of these
 constexpr std::array<double, 3> kShareOfPart = {0.4, 0.3, 0.3};  ///< TRAIN, SELECT, FINAL
 
-/// The commands that are given, and those of them that are negative.
+/// The active commands, and the negative ones among them.
 struct Activity {
   std::uint64_t axes = 0, backward = 0;
   bool operator==(const Activity&) const = default;
@@ -137,7 +137,7 @@ std::vector<std::vector<std::size_t>> Strata(const std::vector<Manoeuvre>& manoe
 /// The number of manoeuvres of each part.
 using Filling = std::array<double, 3>;
 
-/// The manoeuvres by which a part would be short of its share if there were one more.
+/// Number of manoeuvres that a part would lack of its share after the next one.
 double Lack(const Filling& filled, std::size_t part) {
   const double total = filled[0] + filled[1] + filled[2] + 1;
   return kShareOfPart[part] * total - filled[part];

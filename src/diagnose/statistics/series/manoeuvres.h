@@ -19,16 +19,16 @@ struct Manoeuvre {
   Part part = Part::kTrain;
 };
 
-/// Cuts a recording by its commands into manoeuvres and assigns them to parts: TRAIN 40, SELECT 30
-/// and FINAL 30 %.
+/// Cuts a recording into manoeuvres by its commands, and assigns them to TRAIN (40 %), SELECT (30
+/// %) and FINAL (30 %).
 ///
-/// Model   a manoeuvre is a run over which the same set of commands exceeds 2 % of full, each in
-///         one direction, with 1 s of the following rest. The remaining rest is a piece of its own.
-///         Runs under 0.5 s are joined to the previous one; those over 3 s are cut into equal
-///         pieces. With fewer than 10 such pieces: blocks of 5 s. Pieces with the same axes,
+/// Model   a manoeuvre is a run in which the same set of commands exceeds 2 % of full, each in a
+///         single direction. It includes 1 s of the following rest. The remaining rest is a piece
+///         of its own. Runs under 0.5 s are joined to the previous one; those over 3 s are cut into
+///         equal pieces. With fewer than 10 such pieces: blocks of 5 s. Pieces with the same axes,
 ///         directions and half of amplitudes form a stratum. Within each, in random order, a piece
-///         goes to the part that lacks most of its share of the stratum. Ties are decided by the
-///         shares of all moving pieces, or of all rest. Shares are by number.
+///         goes to the part that is furthest below its share of the stratum. Ties are resolved by
+///         the shares over all moving, or all resting, pieces. Shares are by number.
 /// Omits   effects of a manoeuvre on the next one beyond the tail.
 ///
 /// Needs at least one command and at most 64, of equal length, with gaps bridged. The pieces cover

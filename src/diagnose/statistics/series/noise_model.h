@@ -27,20 +27,20 @@ struct NoiseModel {
 struct NoiseFitOptions {
   std::optional<std::size_t> order;  ///< by BIC up to `highest_order` where not given
   std::size_t highest_order = 20;
-  double least_dof = 0;       ///< bounds how heavy tails may be; the scale takes up the rest
+  double least_dof = 0;       ///< bounds the weight of the tails; the scale absorbs the rest
   bool estimate_mean = true;  ///< else the mean is 0 and an offset stays in the innovations
 };
 
 /// Fits the model to the valid samples.
 ///
-/// Model   conditional maximum likelihood by iteratively reweighted least squares, weights
-///         (dof + 1) / (dof + e^2 / scale^2); dof by profile likelihood; rows that reach over a gap
-///         are excluded; the order by BIC on the rows that the highest order can use. Reflection
+/// Model   conditional maximum likelihood by iteratively reweighted least squares, with weights
+///         (dof + 1) / (dof + e^2 / scale^2). dof by profile likelihood. Rows that reach over a gap
+///         are excluded. The order by BIC on the rows that the highest order can use. Reflection
 ///         coefficients are held within +-0.9999, so that the result is stationary.
 /// Source  Lange, Little and Taylor 1989, "Robust statistical modeling using the t distribution";
 ///         Schwarz 1978.
 ///
-/// Needs 16 valid samples; the order falls where segments are too short for it.
+/// Needs 16 valid samples. The order falls if segments are too short for it.
 NoiseModel FitNoise(const Series& series, const NoiseFitOptions& options = {});
 
 /// Best linear predictors of order 0 .. p of an AR(p) process, and the ratio of their error

@@ -21,12 +21,11 @@ struct Innovations {
 
 /// The innovations of a series under a noise model.
 ///
-/// Model   each valid sample is predicted from the valid samples right before it, at
-///         most order() of them: after a gap by the shorter predictor, whose larger
-///         error is scaled down likewise, so that a segment of Gaussian noise is
-///         whitened exactly from its first sample. log_likelihood is that of Student-t
-///         innovations.
-/// Omits   information of samples before a gap on those after it.
+/// Model   each valid sample is predicted from the valid samples right before it, at most order()
+///         of them. After a gap, a shorter predictor is used and its larger error scaled down. A
+///         segment of Gaussian noise is thus whitened exactly from its first sample. log_likelihood
+///         is that of Student-t innovations.
+/// Omits   information of samples before a gap about those after it.
 Innovations Whiten(const NoiseModel& noise, const Series& series);
 
 /// The whitening filter A of a noise model as a linear map: (A x)_t = x_t - sum_i ar_i x_(t-i) for

@@ -11,7 +11,7 @@ namespace tera {
 /// [0, size) cut into blocks of `length`; the last one is up to half longer or shorter.
 std::vector<Segment> CutIntoBlocks(std::size_t size, std::size_t length);
 
-/// The number of times each of `blocks` blocks is drawn in a replicate: with replacement, as many
+/// Counts of each of `blocks` blocks in a bootstrap replicate, drawn with replacement, as many
 /// draws as blocks.
 ///
 /// Omits   dependence between blocks: they must be longer than the correlation.

@@ -28,17 +28,17 @@ struct ChangePoints {
 
 /// Finds where in time innovations differ from the noise model, in level or in variance.
 ///
-/// Model   with e Student-t of `dof`: location score (dof + 1) e / (dof + e^2) and scale score
-///         (dof + 1) e^2 / (dof + e^2) - 1, both bounded and of mean 0. Each has unit variance in
-///         cells, by the larger of theory and, where guarded, the scatter from cell to cell.
-///         Minimises the sum of squares plus a penalty for each change, exactly, by pruned dynamic
-///         programming (PELT). The penalty, 2 log(cells / alpha), bounds the probability of a
-///         change in innovations of the noise model (chi-square tail of two degrees of freedom,
-///         union over positions). A segment whose energy or level differs from the noise by the
-///         same bound is a mismatch.
+/// Model   e is Student-t with `dof`. Its location score is (dof + 1) e / (dof + e^2), its scale
+///         score (dof + 1) e^2 / (dof + e^2) - 1. Both are bounded with mean 0. Each has unit
+///         variance in cells, by the larger of theory and, where guarded, the scatter from cell to
+///         cell. Minimises the sum of squares plus a penalty for each change, exactly, by pruned
+///         dynamic programming (PELT). The penalty, 2 log(cells / alpha), bounds the probability of
+///         a change in innovations of the noise model. It follows from the chi-square tail with two
+///         degrees of freedom and a union over positions. A segment whose energy or level differs
+///         from the noise by the same bound is a mismatch.
 /// Omits   mismatch that is quieter than the noise.
 /// Source  Killick, Fearnhead and Eckley 2012, "Optimal detection of changepoints with a linear
-///         computational cost"; scores of the t distribution as in Harvey 2013, "Dynamic models for
+///         computational cost". Scores of the t distribution: Harvey 2013, "Dynamic models for
 ///         volatility and heavy tails".
 ChangePoints FindChangePoints(const Series& innovations, double dof,
                               const ChangePointOptions& options = {});

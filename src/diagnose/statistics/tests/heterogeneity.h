@@ -13,7 +13,7 @@ struct UncertainNumber {
 struct PooledNumber {
   double value = 0, sigma = 0;
   double between = 0;  ///< standard deviation between measurements, beyond their errors
-  double p = 1;        ///< p-value of so large a scatter under a constant quantity
+  double p = 1;        ///< of the scatter, under a constant quantity
 };
 
 /// Pools one or more measurements of a possibly constant quantity, each with a sigma above 0.
