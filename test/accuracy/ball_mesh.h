@@ -15,9 +15,8 @@ namespace tera {
 
 /// Writes a ball of radius 1 m about its origin as an OBJ file; a scenario scales it.
 ///
-/// Model   128 meridians and 64 parallels with vertices on the sphere, so that
-///         the mesh lies at most 1 - cos(pi / 64) = 0.12 % of the radius inside
-///         it.
+/// Model   128 meridians and 64 parallels with vertices on the sphere, so that the mesh lies at
+///         most 1 - cos(pi / 64) = 0.12 % of the radius inside it.
 inline std::filesystem::path WriteBallMesh() {
   constexpr int kMeridians = 128, kParallels = 64;
   const auto file = OwnFolder() / "ball.obj";

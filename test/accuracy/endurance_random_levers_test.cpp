@@ -39,8 +39,8 @@ constexpr std::array<double, kSoils> kStart_x_m = {-5, 0, 5};
 
 /// Stiff springs' worth, not through the ground.
 constexpr double kUndercarriage_m = 0.1;
-/// Of what digs: bucket and arm stand in the walls of what the edge has opened, where slew and
-/// tracks press them there and only two of the arm's points feel the ground.
+/// Depth of tools. Bucket and arm enter the walls of the edge's own cut, where slew and tracks
+/// press them. Only two points of the arm collide with the ground.
 constexpr double kTools_m = 0.4;
 
 /// Levers that go on where they were when the simulation before this one ended.
@@ -61,7 +61,7 @@ struct Deepest {
   double depth_m = 0, at_s = 0;
 };
 
-/// What came of all levers at random for a while.
+/// Result of random levers over some time.
 struct Shaken {
   double until_s = 0;  ///< to here all was finite
   int turns = 0;       ///< as often it was set up
@@ -89,8 +89,8 @@ Scenario ReadTurn(int seed, bool hydraulic, int soil) {
   return scenario;
 }
 
-/// One machine after another on fresh ground, the next one as soon as the last has lain for long or
-/// been at it for its share of the time; the same stream of levers goes on through all of them.
+/// Successive machines on fresh ground. The next one starts when the last has lain for long, or has
+/// used its share of the time. The same stream of levers continues through all of them.
 class Shake {
  public:
   Shake(int seed, double length_s)

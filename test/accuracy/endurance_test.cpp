@@ -20,14 +20,14 @@ namespace {
 constexpr double kEnduranceUsual_s = 120;
 /// A machine that works stands on both tracks: slopes and its own rocking tilt it by less.
 constexpr double kStanding_rad = 20 * kDeg;
-/// In a longer shift a cut sometimes gets stuck, and the boom lifts the machine on its bucket, as
-/// one of a real excavator can. On its side it would be past this.
+/// In a longer shift a cut sometimes gets stuck, and the boom lifts the machine on its bucket, as a
+/// real excavator's can. A machine on its side would exceed this.
 constexpr double kEnduranceLying_rad = 60 * kDeg;
 
 /// Where the machine leant most.
 struct Lean {
   double tilt_rad = 0, at_s = 0;
-  double deep_m = 0;  ///< by which the bucket's tip is below the ground as it was
+  double deep_m = 0;  ///< depth of the bucket's tip below the original ground
 };
 
 Vec3 BucketTip_W_m(const MachineModel& model, const MachineState& machine) {
@@ -39,7 +39,7 @@ Vec3 BucketTip_W_m(const MachineModel& model, const MachineState& machine) {
   throw std::logic_error("the machine has no bucket_tip");
 }
 
-/// The most by which the ground has sunk below the patches of the running gear.
+/// Largest sinkage of the ground below the patches of the running gear.
 double Undermined_m(const MachineModel& model, const MachineState& machine,
                     const TerrainSurface& before, const TerrainSurface& now) {
   double most_m = 0;

@@ -4,8 +4,8 @@
 #include "ball_mesh.h"
 #include "generated.h"
 
-// Balls at known places, seen by cameras on a slewing machine: the middle of each ball's label mask
-// must be where the truth in the files projects it.
+// Balls at known places, seen by cameras on a slewing machine. The middle of each ball's label mask
+// must equal the projection of the truth in the files.
 
 namespace tera {
 namespace {
@@ -149,8 +149,8 @@ CameraMisfit MisfitOf(const Recording& recording, const std::string& folder) {
       const Mask& mask = masks[instance.id];
       const Vec3& centre_W_m = centres_m.at(std::stoi(instance.name.substr(4)));
       const Outline outline = OutlineOf(X_CW * centre_W_m, lens);
-      // Whole and not behind the boom: what is hidden would shift the mask's middle. A ball's edge
-      // alone leaves 1 % of the area open.
+      // Whole and not behind the boom: occlusion would shift the mask's middle. A ball's edge alone
+      // leaves 1 % of the area open.
       constexpr double kWhole = 0.997;
       if (!outline.inside || mask.pixels < kWhole * outline.area_px2) continue;
       const Vec2 d_px = mask.sum_px / mask.pixels - outline.centroid_px;
@@ -164,12 +164,13 @@ CameraMisfit MisfitOf(const Recording& recording, const std::string& folder) {
   return misfit;
 }
 
-// A ball of radius R px has about 2 pi R pixels on its edge, each in or out by the place of its
-// centre: an error of 1/sqrt(12) px2 of area at lever arm R (1/sqrt(2) of it along an axis), which
-// moves the middle by sqrt(2 pi R / 24) R / (pi R^2) = 0.16 / sqrt(R) px along each axis. For the
-// pinhole's R = 60 to 80 that is 0.020 px; for the distorted picture's R = 90 to 120, whose edge is
-// rounded twice, sqrt(2) 0.016 = 0.023 px. A single view passes 0.1 px at four deviations of the
-// two axes' Rayleigh distribution, one in 3000; the mean of ten views has a tenth of that.
+// A ball of radius R px has about 2 pi R pixels on its edge, each inside or outside by the place of
+// its centre. Each errs by 1/sqrt(12) px2 of area at lever arm R (1/sqrt(2) of it along an axis).
+// The middle thus moves by sqrt(2 pi R / 24) R / (pi R^2) = 0.16 / sqrt(R) px along each axis. For
+// the pinhole's R = 60 to 80 that is 0.020 px. For the distorted picture's R = 90 to 120, whose
+// edge is rounded twice, it is sqrt(2) 0.016 = 0.023 px. A single view exceeds 0.1 px at four
+// deviations of the two axes' Rayleigh distribution, one in 3000; the mean of ten views has a tenth
+// of that.
 void ExpectTruePointsWhereTheyAreRendered(const std::string& name, const std::string& camera) {
   const Recording recording = Generated(name, SiteWithBalls(camera));
   const CameraMisfit misfit = MisfitOf(recording, "excavator1/" + name);

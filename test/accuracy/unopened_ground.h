@@ -12,7 +12,7 @@
 namespace tera {
 
 /// Lowest height of the ground so far at each place. Soil below it was never opened by a tool,
-/// however much soil lies above it.
+/// regardless of the soil above it.
 class UnopenedGround {
  public:
   explicit UnopenedGround(const TerrainSurface& ground)

@@ -4,7 +4,7 @@
 #include "app/refused.h"
 #include "core/faults.h"
 
-// Ground that cannot be: rasters, soils, layers, regions, and what is to be recorded of it.
+// Impossible ground: rasters, soils, layers, regions, and settings of its recording.
 
 namespace tera {
 namespace {

@@ -5,7 +5,7 @@
 #include "app/program.h"
 #include "core/faults.h"
 
-// The commands besides `generate`, and what they have in common.
+// The commands other than `generate`, and their common behaviour.
 
 namespace tera {
 namespace {

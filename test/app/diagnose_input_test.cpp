@@ -200,10 +200,10 @@ TEST_F(BadRecording, WithATimeThatComesTwiceSaysWhere) {
   ExpectRefusedWith(HasSubstr("encoders/data.csv:11"));
 }
 
-/// A recording of the boom and, in an encoder of its own, of an arm at times that are given.
+/// A recording of the boom and, in a separate encoder, of an arm at given times.
 class PartlyBadRecording : public BadRecording {
  protected:
-  /// What is said of it.
+  /// Output of the diagnosis.
   std::string DiagnosedWithArmAt(const std::vector<double>& times_s) const {
     HandMade made;
     made.valve = DeadTo0_1;

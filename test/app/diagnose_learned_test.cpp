@@ -68,7 +68,7 @@ machines:
   double RmsOfRates(const std::string& recording, const std::string& other) const;
 };
 
-/// Of the arm's rate between two recordings of the same times.
+/// RMS difference of the arm's rate between two recordings with equal times.
 double DiagnoseWhatHasNoName::RmsOfRates(const std::string& recording,
                                          const std::string& other) const {
   const auto rates = [&](const std::string& name) {

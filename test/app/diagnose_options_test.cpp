@@ -39,7 +39,7 @@ class DiagnoseOptions : public testing::Test {
 };
 
 TEST_F(DiagnoseOptions, AFurtherRecordingIsJudgedWithWhatTheFirstOneShowed) {
-  // Of the second the valve lets nothing through up to 0.1 as well; the third is as the scenario.
+  // The second also has a dead band up to 0.1; the third equals the scenario.
   WriteHandMade(scratch_.path() / "same", {.valve = DeadTo0_1, .seed = 2});
   WriteHandMade(scratch_.path() / "other", {.seed = 3});
   const auto json = Diagnosed({"--held-out", "same", "--held-out", "other"});
@@ -59,7 +59,7 @@ TEST_F(DiagnoseOptions, AFurtherRecordingIsJudgedWithWhatTheFirstOneShowed) {
   EXPECT_THAT(out_, HasSubstr("On same, which nothing was fitted to: RMSE of boom rate"));
 }
 
-// Of the first two the valve lets nothing through up to 0.1; the third is as the scenario.
+// The first two have a dead band up to 0.1; the third equals the scenario.
 TEST_F(DiagnoseOptions, SeveralRecordingsSayWhatTheyShareAndWhereTheyDiffer) {
   WriteHandMade(scratch_.path() / "same", {.valve = DeadTo0_1, .seed = 2});
   WriteHandMade(scratch_.path() / "other", {.seed = 3});
@@ -85,7 +85,7 @@ TEST_F(DiagnoseOptions, SeveralRecordingsSayWhatTheyShareAndWhereTheyDiffer) {
   }
 }
 
-// What two share is an overlay that the scenario takes.
+// The scenario accepts the overlay of the shared causes.
 TEST_F(DiagnoseOptions, WhatSeveralRecordingsShareLoads) {
   WriteHandMade(scratch_.path() / "same", {.valve = DeadTo0_1, .seed = 2});
   const Outcome outcome =

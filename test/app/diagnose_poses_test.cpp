@@ -33,7 +33,7 @@ std::string AsTheyArrive(std::istream& poses) {
   return arrived.str();
 }
 
-/// An excavator that drives on asphalt, and what it measured as if it had been a real one.
+/// An excavator that drives on asphalt, with the measurements of a real one.
 class DiagnoseMeasuredPoses : public DiagnoseByScenario {
  protected:
   DiagnoseMeasuredPoses() {

@@ -18,13 +18,13 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// What a receiver says of an antenna, and when.
+/// A receiver's report on an antenna.
 struct Said {
   double t_s = 0, east_m = 0, north_m = 0, up_m = 0;
 };
 
-/// A recording that nothing simulated: a machine on a winding way, level, and what receivers say,
-/// each of an antenna 0.9 m behind and 2.1 m above the machine's origin.
+/// A recording without simulation: a level machine on a winding path, and receivers with antennas
+/// 0.9 m behind and 2.1 m above the machine's origin.
 class ReceiverRecording : public testing::Test {
  protected:
   ReceiverRecording() {
@@ -44,8 +44,8 @@ class ReceiverRecording : public testing::Test {
     WriteWholeFile(FileIn("truth/excavator1", "pose.csv"), poses.str());
   }
 
-  /// A receiver, and a sensor of the scenario at `documented`. `measured` changes what it would say
-  /// at a time of an antenna at x, y, z of the machine.
+  /// A receiver, and a sensor of the scenario at `documented`. `measured` changes its report at a
+  /// time for an antenna at x, y, z of the machine.
   void Write(const std::string& name, const Said& documented_m, const Said& antenna_m,
              const std::function<Said(Said)>& measured) {
     std::ostringstream gnss;

@@ -75,11 +75,11 @@ TEST_F(DiagnoseCommand, NamesADeadBandThatTheScenarioLacksAndWritesTheOverlayTha
   EXPECT_EQ(finding["target"], "boom");
   EXPECT_EQ(finding["channel"], "excavator1/encoders/boom_radps");
   EXPECT_NEAR(finding["parameters"]["width"]["value"].get<double>(), 0.08, 0.005);
-  // What is left the replay of a joint alone has with nothing concealed as well
+  // The replay of a single joint leaves the same residual without any concealed effect
   // (docs/reference/diagnose.md).
   EXPECT_GT(finding["held_out"]["excess_variance_removed"].get<double>(), 0.3);
   EXPECT_THAT(Read("why/report.html"), HasSubstr("</html>"));
-  // The simulation as a whole comes as near to the recording as it is itself.
+  // The whole simulation matches the recording as well as the replay does.
   const auto& whole = json["whole_simulation"]["channels"];
   ASSERT_EQ(whole.size(), 1u) << json["whole_simulation"];
   EXPECT_EQ(whole[0]["channel"], "excavator1/encoders/boom_radps");

@@ -12,7 +12,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// A machine on hard ground with two receivers, of which nobody recorded poses.
+/// A machine on hard ground with two receivers, without recorded poses.
 class DiagnoseWithoutPoses : public DiagnoseByScenario {
  protected:
   DiagnoseWithoutPoses() {
@@ -62,7 +62,7 @@ TEST_F(DiagnoseWithoutPoses, NothingIsSaidOfABaseThatMovesAsItsScenarioSays) {
   EXPECT_TRUE(is_compared);
 }
 
-// Tracks are measured, and one receiver alone does not tell where the machine points.
+// Tracks are measured, and a single receiver does not give the machine's heading.
 TEST_F(DiagnoseWithoutPoses, ABaseWhoseMotionIsNotKnownIsSaidNotToBeCompared) {
   Write("library.yaml", "only: [rate_gain]\n");  // of the tracks, which are compared
   RecordMeasurements("real", {});

@@ -6,7 +6,7 @@
 #include "app/program.h"
 #include "core/config/csv.h"
 
-// --effects: what lies over a scenario's own effects, and what comes of it.
+// --effects: an overlay on a scenario's own effects, and its result.
 
 namespace tera {
 namespace {

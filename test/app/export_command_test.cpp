@@ -18,8 +18,7 @@
 #include "core/units.h"
 #include "dataset/format/recording.h"
 
-// `tera export` as its user runs it, and its formats as programs read them that nobody of this
-// project wrote.
+// `tera export` from a user's view, with its formats read by independent programs.
 
 namespace tera {
 namespace {
@@ -108,11 +107,11 @@ TEST_F(ExportCommand, GpsdReadsTheReceivers) {
   std::size_t fixes = 0, headings = 0;
   std::istringstream lines(*output);
   for (std::string line; std::getline(lines, line);) {
-    // What gpsdecode 3.22 writes of a heading is no JSON: a comma is doubled, another missing.
+    // The heading from gpsdecode 3.22 is invalid JSON: a comma is doubled, another missing.
     const std::string heading = "\"heading\":";
     if (const std::size_t at = line.find(heading); at != std::string::npos) {
       // The machine looks 30 deg to the left of east: 60 deg to the right of north. Receivers 1 m
-      // apart that measure to 1 cm tell that to about a degree.
+      // apart with an accuracy of 1 cm give that to about a degree.
       EXPECT_NEAR(std::stod(line.substr(at + heading.size())), 60, 5);
       ++headings;
       continue;
@@ -129,7 +128,7 @@ TEST_F(ExportCommand, GpsdReadsTheReceivers) {
     EXPECT_NEAR(report["altHAE"].get<double>(), sample->alt_m, 1e-3);
     ++fixes;
   }
-  // It tells a fix when the next one begins.
+  // It reports a fix when the next one begins.
   EXPECT_GE(fixes, samples.size() - 2);
   EXPECT_GE(headings, samples.size() - 2);
 }
@@ -277,8 +276,8 @@ TEST_F(ExportCommand, Ros1BagIsReadByAnotherLibrary) {
   EXPECT_EQ(sent["header"]["stamp"]["nsec"], imu.t_ns);
 }
 
-// Ground that rises at 5 deg towards 30 deg north of east: 14 x 10 m, of which columns stand at the
-// borders too. A grid map begins in the north-east and ends in the south-west.
+// Ground that rises at 5 deg towards 30 deg north of east: 14 x 10 m, with columns at the borders
+// too. A grid map begins in the north-east and ends in the south-west.
 TEST_F(ExportCommand, GroundIsAGridMapInTheWorld) {
   SKIP_WITHOUT_NODE();
   WriteWholeFile(Path("slope.yaml"), R"(name: slope
@@ -345,8 +344,8 @@ double LastOf(const TableRecording& table, const std::string& column) {
   return table.rows.back().at(static_cast<std::size_t>(found - table.columns.begin()));
 }
 
-// A machine whose boom, slew and one track are driven, read back in both kinds of bags: its levers
-// by their fields, and the bucket's edge where the angles lead by the pins of tb235.yaml.
+// A machine with driven boom, slew and one track, read back in both kinds of bags: its levers by
+// their fields, and the bucket's edge by the angles and the pins of tb235.yaml.
 TEST_F(ExportCommand, TheExcavatorsOwnMessagesAreItsLeversAndItsBucketsEdge) {
   SKIP_WITHOUT_NODE();
   WriteWholeFile(Path("levers.csv"),

@@ -20,8 +20,8 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-/// An excavator that drives and turns past another, a truck, a tree and a person who walks. Its
-/// front camera has a lens that distorts; the camera on its boom has none.
+/// An excavator that drives and turns past another, a truck, a tree and a walking person. Its front
+/// camera has a distorting lens, the boom's camera none.
 constexpr const char* kYard = R"(name: yard
 seed: 5
 duration_s: 1
@@ -81,7 +81,7 @@ class ExportLabels : public testing::Test {
     ASSERT_EQ(outcome.status, 0) << outcome.err;
   }
   static fs::path Path(const std::string& file) { return scratch_->path() / file; }
-  /// What a judge has seen; it fails where something is wrong.
+  /// A judge's result; fails the test if it reports a fault.
   static json Judged(const std::string& judge, const std::string& arguments) {
     const auto seen =
         OutputOf(fmt::format("cd {} && {} -B {}/test/app/judges/{} {}", Path("").string(),

@@ -9,7 +9,7 @@
 #include "app/program.h"
 #include "core/faults.h"
 
-// A run of `tera generate` from its start to its end, or to what stops it.
+// A run of `tera generate` from its start to its end, or to its refusal.
 
 namespace tera {
 namespace {
@@ -80,7 +80,7 @@ TEST_F(GenerateRun, SaysAtItsEndWhatItCostButNoProgressWhereThereIsNoTerminal) {
   EXPECT_FALSE(fs::exists(path() / "run.incomplete"));
 }
 
-/// The lines that one after another stood on one row of a terminal.
+/// The successive lines of one row of a terminal.
 std::vector<std::string> ProgressLines(const std::string& terminal) {
   std::vector<std::string> lines;
   std::stringstream stream(terminal.substr(0, terminal.find("\r\n")));
@@ -98,7 +98,7 @@ TEST_F(GenerateRun, ShowsOnATerminalHowFarItIsAndHowFast) {
   for (const std::string& line : lines) {
     EXPECT_THAT(line, ContainsRegex("^\\[[#.]+\\] [0-9]+\\.[0-9] / 1\\.0 s  [0-9]+\\.[0-9][0-9] x "
                                     "real time  [0-9]+ frames  [0-9]+:[0-9][0-9] left"));
-    // A line of 80 would wrap, and the next \r no longer reach its beginning. ESC [ K takes 3.
+    // A line of 80 would wrap, and the next \r would not reach its beginning. ESC [ K takes 3.
     EXPECT_LE(line.size(), 79u + 3u);
   }
   EXPECT_THAT(lines.front(), HasSubstr("0.2 / 1.0 s"));

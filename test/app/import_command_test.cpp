@@ -9,7 +9,7 @@
 #include "core/units.h"
 #include "dataset/format/recording.h"
 
-// `tera import` as its user meets it; what files may look like is in test/dataset/import.
+// `tera import` from a user's view; test/dataset/import covers the forms of files.
 
 namespace tera {
 namespace {
@@ -28,8 +28,8 @@ encoders: [{name: arms, joints: [{name: arm, stroke: {column: arm_mm, unit: mm}}
 )";
 
 TEST(ImportCommand, StrokeOfACylinderBecomesItsJointsAngle) {
-  // Strokes and angles of a run are told by the simulation itself: hydraulics.csv has the length
-  // between a cylinder's pins beyond the shortest, joints.csv the angle.
+  // Strokes and angles of a run, from the simulation itself: hydraulics.csv has the length between
+  // a cylinder's pins beyond the shortest, joints.csv the angle.
   const ScratchDirectory scratch;
   WriteWholeFile(scratch.path() / "run.yaml", R"(name: run
 duration_s: 0.1
@@ -63,7 +63,8 @@ machines:
 }
 
 TEST(ImportCommand, StrokesThatTheMachineCannotHaveAreTold) {
-  // Of two the unit is that of another sensor: centimetres as millimetres would fit, metres do not.
+  // Of two readings, the unit is another sensor's: centimetres read as millimetres would fit,
+  // metres do not.
   const ScratchDirectory scratch;
   WriteWholeFile(scratch.path() / "mapping.yaml", kStrokes);
   WriteWholeFile(scratch.path() / "log.csv", "t,arm_mm\n0,300\n0.1,3000\n0.2,3100\n");
@@ -147,7 +148,7 @@ tables:
 }
 
 TEST(ImportCommand, SuggestedMappingOfABagIsOneThatItTakes) {
-  // A mast has no joints, but a topic of their kind.
+  // A mast has no joints, but a topic of that kind.
   const ScratchDirectory scratch;
   WriteWholeFile(scratch.path() / "run.yaml", R"(name: run
 duration_s: 0.2
@@ -178,8 +179,8 @@ machines:
             Recording(scratch.path() / "run").LoadImu("excavator1/imu_boom").size());
 }
 
-/// What two loggers write of a boom that moves in bumps: one its gyro at 50 Hz, the other its
-/// encoder, by a clock that is 3 s ahead and gains 50 ppm; `other` has bumps of its own.
+/// Files of two loggers on a boom that moves in bumps. One has its gyro at 50 Hz, the other its
+/// encoder, with a clock that is 3 s ahead and gains 50 ppm. `other` has different bumps.
 void WriteTwoLogs(const fs::path& folder, bool other) {
   const auto rate_radps = [](double t_s, unsigned seed) {
     double sum = 0;

@@ -10,8 +10,8 @@
 #include "core/faults.h"
 #include "dataset/format/recording.h"
 
-// What a dataset was made from besides its scenario, and what becomes of a replay and of a resumed
-// run where that has changed.
+// Inputs of a dataset other than its scenario, and the effect of their change on a replay and a
+// resumed run.
 
 namespace tera {
 namespace {
@@ -71,7 +71,7 @@ std::string Sha256ByCoreutils(const fs::path& file) {
 class Inputs : public testing::Test {
  protected:
   Inputs() {
-    // A GeoTIFF is what a run without one leaves of its ground.
+    // A GeoTIFF as recorded by a run without one.
     WriteWholeFile(path() / "flat.yaml", SmallScenario());
     ExpectDone({"generate", "flat.yaml", "--out", "flat", "--duration", "0.01"});
     fs::create_directories(site() / "robot/urdf");
@@ -124,7 +124,7 @@ class Inputs : public testing::Test {
     return AllFiles(path() / "whole");
   }
 
-  /// What a run leaves that is killed as soon as it has prefix_result.
+  /// State of a run that is killed once it has prefix_result.
   void Kill(const Arguments& arguments, const fs::path& prefix_result) const {
     TeraProcess run(arguments, {path()});
     while (!fs::exists(path() / prefix_result) && run.Running()) {

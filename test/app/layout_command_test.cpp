@@ -4,7 +4,7 @@
 #include "app/refused.h"
 #include "core/faults.h"
 
-// `tera layout` as its user meets it: what it takes, and how it refuses the rest.
+// `tera layout` from a user's view: accepted and refused inputs.
 
 namespace tera {
 namespace {

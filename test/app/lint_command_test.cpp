@@ -7,7 +7,7 @@
 #include "app/refused.h"
 #include "core/faults.h"
 
-// `tera lint` as its user runs it, on what this program itself writes.
+// `tera lint` from a user's view, on the program's own output.
 
 namespace tera {
 namespace {

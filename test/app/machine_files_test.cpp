@@ -1,7 +1,7 @@
 #include "app/refused.h"
 #include "core/faults.h"
 
-// Machine files of strangers: what the program takes, what it doubts, what it refuses.
+// Foreign machine files: accepted, doubted and refused.
 
 namespace tera {
 namespace {

@@ -19,7 +19,7 @@ using testing::UnorderedElementsAre;
 
 const std::string kScenario = TERA_SOURCE_DIR "/config/scenarios/paper_drive.yaml";
 
-/// What `tera compare` says of two trajectories.
+/// Result of `tera compare` for two trajectories.
 struct Compared {
   double reference_m = 0, compared_m = 0;  ///< lengths
   double aligned_m = 0;                    ///< RMSE after the best rotation and shift in the plane
@@ -64,7 +64,7 @@ class PaperDrive : public testing::Test {
   const ScratchDirectory scratch_;
 };
 
-/// "mechanism of target" of each finding; "unexplained of channel" of what has no name.
+/// "mechanism of target" of each finding; "unexplained of channel" of unexplained errors.
 Names NamesIn(const Json& report) {
   Names names;
   for (const Json& finding : report["findings"]) {

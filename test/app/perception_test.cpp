@@ -15,7 +15,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-/// Of a GeoTIFF, as GDAL's own program reads it.
+/// Value of a GeoTIFF, by GDAL's own program.
 double ValueAt(const std::filesystem::path& file, double x_m, double y_m) {
   const std::string command =
       fmt::format("gdallocationinfo -valonly -geoloc {} {} {}", file.string(), x_m, y_m);

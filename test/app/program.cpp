@@ -47,7 +47,7 @@ Outcome Ended(int wait_status) {
   return outcome;
 }
 
-/// Whatever the program writes as a dataset keeps the rules of datasets.
+/// Every dataset of the program passes lint.
 void ExpectSoundDataset(const Arguments& arguments, const fs::path& directory) {
   static const std::set<std::string> kWriters = {"generate", "replay", "resense", "import"};
   const auto out = std::find(arguments.begin(), arguments.end(), "--out");

@@ -10,7 +10,7 @@
 
 #include "dataset/format/sample_recording.h"
 
-/// The `tera` program as its user meets it: arguments in, exit status and text out.
+/// The `tera` program from a user's view: arguments in, exit status and text out.
 
 namespace tera {
 
@@ -54,7 +54,7 @@ class TeraProcess {
 /// Runs to the end. A dataset that it wrote must pass `tera lint`.
 Outcome RunTera(const Arguments& arguments, const Surroundings& surroundings);
 
-/// A run on a terminal of `columns`; `out` holds all that appears there.
+/// A run on a terminal of `columns`; `out` holds all its output.
 Outcome RunTeraOnTerminal(const Arguments& arguments, const std::filesystem::path& directory,
                           int columns);
 
@@ -67,7 +67,7 @@ std::string SmallScenario(const std::string& more_sensors = "");
 extern const char* const kCamera;
 extern const char* const kLidar;
 
-/// `text` with its first `from` replaced by `to`; fails the test where there is none.
+/// `text` with its first `from` replaced by `to`; fails the test without one.
 std::string Edited(std::string text, const std::string& from, const std::string& to);
 
 /// "line:column" of the first `needle` in `text`, counted from 1.

@@ -7,9 +7,9 @@
 #include "app/recorded_drive.h"
 #include "dataset/format/recording.h"
 
-// Recordings of real machines that are too large to ship. They lie in folders of TERA_RECORDINGS,
-// which CMake is told of: drive_warthog (the whole DRIVE recordings), emps, hydraulic_actuator.
-// What they show is in docs/evidence/real.md.
+// Recordings of real machines that are too large to ship, in folders of TERA_RECORDINGS, which
+// CMake receives: drive_warthog (the whole DRIVE recordings), emps, hydraulic_actuator.
+// docs/evidence/real.md has the results.
 
 namespace tera {
 namespace {
@@ -37,8 +37,8 @@ class RealRecording : public testing::Test {
   const ScratchDirectory scratch_;
 };
 
-// RTKLIB's own solution of a receiver that was carried about for 75 minutes (gnss_rtk), in GPS
-// time: its first line says 21:28:42, which was 18 s earlier by UTC.
+// RTKLIB's own solution of a receiver that was carried for 75 minutes (gnss_rtk), in GPS time: its
+// first line has 21:28:42, 18 s ahead of UTC.
 TEST(RealReceiver, ASolutionOfRtklibComesInBySuggestion) {
   const fs::path log = fs::path(TERA_RECORDINGS) / "gnss_rtk/demo5_b34f_f.pos";
   if (!fs::is_regular_file(log)) GTEST_SKIP() << "no " << log;
@@ -181,7 +181,7 @@ TEST_F(DiagnosisOfReality, GivesTheHydraulicActuatorNoNameItDoesNotHave) {
   EXPECT_EQ(why["findings"][0]["regime"]["variable"], "lever/pressure");
 }
 
-// How far the ground slopes under it, which nothing tells, is no bias of its forces.
+// The slope of the ground under it is unknown, and is no bias of its forces.
 TEST_F(DiagnosisOfReality, FindsNothingInAUnitOnAParkedVehicle) {
   Import("drive_warthog.yaml", "drive_warthog/parked.csv", "parked");
   const Json why = Diagnose(

@@ -10,7 +10,7 @@
 #include "core/units.h"
 #include "dataset/format/recording.h"
 
-// The shipped recording beside its simulation, by the commands that docs name.
+// The shipped recording against its simulation, by the commands in docs.
 
 namespace tera {
 namespace {
@@ -22,15 +22,14 @@ using testing::HasSubstr;
 constexpr const char* kAsphalt =
     TERA_SOURCE_DIR "/examples/recordings/drive_warthog/asphalt_2024-09-20.csv";
 
-// Of config/machines/warthog.yaml, the vehicle's own.
+// From config/machines/warthog.yaml, the vehicle's own.
 constexpr double kGauge_m = 1.08, kWheelbase_m = 0.90, kRadius_m = 0.30;
-/// By how much wider than its gauge b a skid-steer vehicle of wheelbase l turns on the spot, at
-/// rate w. Friction acts against each wheel's slip: v - w b / 2 along the wheel, at b / 2 from the
-/// middle, and w l / 2 across it, at l / 2. Their torques balance where v = w b / 2 (1 + (l /
-/// b)^2).
+/// Widening of the gauge b by which a skid-steer vehicle of wheelbase l turns on the spot, at rate
+/// w. Friction opposes each wheel's slip: v - w b / 2 along the wheel, at b / 2 from the middle,
+/// and w l / 2 across it, at l / 2. The torques balance at v = w b / 2 (1 + (l / b)^2).
 constexpr double kWidening = 1 + (kWheelbase_m / kGauge_m) * (kWheelbase_m / kGauge_m);
 
-/// What a vehicle did from rest to rest, by three instruments of one recording.
+/// A vehicle's motion from rest to rest, by three instruments of one recording.
 struct Turn {
   double by_gyro_rad = 0;
   double by_pose_rad = 0;
@@ -91,7 +90,7 @@ TEST(RecordedDrive, ATurnOnTheSpotIsSimulatedAndRecordedAsFrictionHasIt) {
     // Ten seconds of a gyro with a bias of 5 mrad/s.
     EXPECT_NEAR(std::remainder(turn.by_gyro_rad - turn.by_pose_rad, 2 * kPi), 0, 0.05);
     EXPECT_NEAR(turn.by_wheels_rad / turn.by_gyro_rad, kWidening, 0.1 * kWidening);
-    // On the spot: no further than its wheels rolled, but for the registration's few centimetres
+    // On the spot: no further than its wheels rolled, except for the registration's few centimetres
     // and the arc.
     EXPECT_LT(turn.moved_m, std::abs(turn.rolled_m) + 0.1);
   }

@@ -4,7 +4,7 @@
 #include "app/refused.h"
 #include "core/faults.h"
 
-// `tera resense` as its user meets it: a dataset whose state was kept, measured with another rig.
+// `tera resense` from a user's view: a dataset with its state, measured with another rig.
 
 namespace tera {
 namespace {

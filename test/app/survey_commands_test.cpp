@@ -72,9 +72,9 @@ TEST_F(SurveyCommands, TheScenarioIsReadAndStandsOnTheEarthWhereTheSurveyDoes) {
   EXPECT_NEAR(report["origin"]["height_m"].get<double>(), 420 + 0.05 * 20, 0.1);
 }
 
-// North of the map is turned against true north by the difference of longitude from the zone's
-// meridian (9 deg) times the sine of the latitude, and its scale on the ellipsoid is 0.9996 times
-// 1 + (100 km)^2 / 2R^2.
+// North of the map is rotated against true north by the difference of longitude from the zone's
+// meridian (9 deg) times the sine of the latitude. Its scale on the ellipsoid is 0.9996 times 1 +
+// (100 km)^2 / 2R^2.
 TEST_F(SurveyCommands, ThingsAreTurnedFromTheMapsNorthToTrueNorth) {
   const json report = JsonOf(File("site/site.json"));
   const double turn_rad = (10.3254 - 9) * std::sin(47.3959 * kDeg) * kDeg;
@@ -100,7 +100,7 @@ TEST_F(SurveyCommands, ThingsAreTurnedFromTheMapsNorthToTrueNorth) {
 }
 
 TEST_F(SurveyCommands, AScanIsRegisteredWithTheSurveyAndLessWithItsTerrain) {
-  // A view of the yard from a scanner of its own frame.
+  // A view of the yard from a scanner in its own frame.
   const Pose X_MS = MakePose(kMap_m + Vec3(20, 14, 3), 0, 0, 25 * kDeg);
   std::vector<Vec3> scan_m;
   for (const Vec3& p : testing_survey::YardScanner(6).Scan(0.2)) {
@@ -125,7 +125,7 @@ TEST_F(SurveyCommands, AScanIsRegisteredWithTheSurveyAndLessWithItsTerrain) {
   }
   EXPECT_NEAR(pose["X_AB"]["rpy_deg"][2].get<double>(), 25, 0.1);
 
-  // Of the ground a plane and a cone are left, about whose axis all of it may be turned.
+  // The ground reduces to a plane and a cone, about whose axis it may rotate.
   const Outcome less = registered("site/terrain.tif");
   EXPECT_EQ(less.status, 5) << less.out << less.err;
   const json motions = JsonOf(File("pose.json"))["open_motions"];

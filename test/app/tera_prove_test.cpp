@@ -41,8 +41,8 @@ TEST(TeraProve, ConcealsAsksAndMarksCasesOfAFrozenSeed) {
   }
 }
 
-/// Of a bucket with play that pulls harder than it pushes, play alone tells nothing and the pull is
-/// steady only beside it.
+/// For a bucket with play that pulls harder than it pushes, play alone reveals nothing, and the
+/// pull is steady only together with it.
 TEST(TeraProve, NamesTwoOfWhichEachIsNeededOnlyBesideTheOther) {
   const ScratchDirectory scratch;
   const Outcome outcome =
@@ -53,7 +53,7 @@ TEST(TeraProve, NamesTwoOfWhichEachIsNeededOnlyBesideTheOther) {
                                      "bucket backlash by lever/bucket |"));
 }
 
-/// A reader of the bus, of which the beat is seen a step late.
+/// A reader of the bus, whose period appears a step late.
 TEST(TeraProve, NamesAReaderThatLooksOnceAPeriod) {
   const ScratchDirectory scratch;
   const Outcome outcome =

@@ -12,8 +12,8 @@
 #include "app/refused.h"
 #include "core/faults.h"
 
-// `tera view` as its user runs it, on a recording that was written by hand. What is drawn is tested
-// in a browser (test/view/view_in_browser_test.py).
+// `tera view` from a user's view, on a hand-written recording. The drawing is tested in a browser
+// (test/view/view_in_browser_test.py).
 
 namespace tera {
 namespace {

@@ -8,9 +8,8 @@
 
 #include "architecture/source_includes.h"
 
-// A header and the source of the same name are one part. Parts include each other in one direction:
-// whoever changes one knows which others that can touch, and what two of them share stands in a
-// header of its own.
+// A header and the source of the same name are one part. Parts include each other in one direction,
+// so that a change's reach is known. Code shared by two parts has its own header.
 
 namespace {
 
@@ -18,7 +17,7 @@ using testing_architecture::AllIncludes;
 using testing_architecture::Include;
 using testing_architecture::IncludesOf;
 
-using Parts = std::map<std::string, std::set<std::string>>;  ///< what each part includes
+using Parts = std::map<std::string, std::set<std::string>>;  ///< includes of each part
 
 std::string PartOf(const std::string& file) { return file.substr(0, file.rfind('.')); }
 
@@ -66,8 +65,8 @@ std::vector<std::string> Circles(const std::vector<Include>& includes) {
   return Walk(parts).circles();
 }
 
-/// The room of a file: the folder within one of the folders of src/. Nothing for a file that stands
-/// in such a folder itself, as that includes any room and any includes it.
+/// The room of a file: its folder within one of the folders of src/. Empty for a file directly in
+/// such a folder, which may include any room and be included by any.
 std::string RoomOf(const std::string& file) {
   const std::size_t folder = file.find('/');
   const std::size_t room = folder == file.npos ? file.npos : file.find('/', folder + 1);

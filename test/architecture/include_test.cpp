@@ -11,9 +11,8 @@
 
 #include "architecture/source_includes.h"
 
-// Reads every #include line under src/ and blind/ and holds it against the architecture: which
-// folder may see which, which folder alone may see a third-party library, and what a public header
-// may show.
+// Checks every #include line under src/ and blind/ against the architecture: visibility between
+// folders, the single folder of each third-party library, and the contents of public headers.
 
 namespace {
 
@@ -46,7 +45,7 @@ const std::map<std::string, std::set<std::string>> kMaySee = {
 };
 
 /// Headers of a library by their beginning, and the folders that may include them. A header that is
-/// neither here nor free is a fault, so that a new library has to be entered.
+/// neither listed nor free is a fault, so that every new library is listed.
 const std::multimap<std::string, std::string> kFolderOfLibrary = {
     {"yaml-cpp/", "core"},
     {"Random123/", "core"},
@@ -169,7 +168,7 @@ LibrariesOfFolders LibrariesOf(const std::vector<Include>& includes) {
   return libraries;
 }
 
-/// The last column of the page's table of folders, without what stands in brackets.
+/// The last column of the page's table of folders, without parts in brackets.
 LibrariesOfFolders LibrariesOfThePage() {
   LibrariesOfFolders libraries;
   const std::regex row_form(R"(^\| (?:src/)?(\w+) \|.*\| ([^|]*)\|$)"), name_form("[^,;]*[^,; ]");
@@ -193,7 +192,7 @@ bool MayInclude(const std::string& folder, const std::string& library) {
   return std::any_of(first, last, [&](const auto& entry) { return entry.second == folder; });
 }
 
-/// Of the operating system.
+/// Headers of the operating system.
 const std::set<std::string> kPosix = {"fcntl.h",     "poll.h",         "sys/file.h", "sys/ioctl.h",
                                       "sys/prctl.h", "sys/resource.h", "sys/wait.h", "unistd.h"};
 
@@ -221,13 +220,13 @@ const std::set<std::string>& InternalHeaders() {
   return headers;
 }
 
-/// Of the program alone, and not installed: app/ and blind/.
+/// False for the program's own folders, which are not installed: app/ and blind/.
 bool IsPublic(const std::string& file) {
   return file.ends_with(".h") && !file.starts_with("app/") && !file.starts_with("blind/") &&
          !InternalHeaders().contains(file);
 }
 
-// Each rule as what breaks it.
+// Violations of each rule.
 
 std::vector<Include> AgainstTheArrows(const std::vector<Include>& includes) {
   std::vector<Include> faults;

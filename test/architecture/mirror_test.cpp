@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-// test/ mirrors src/, so that whoever reads a source finds its test: test/soil/track/tread_test.cpp
-// is of src/soil/track/tread.cpp. Two things are held here: a test lies in a folder that src/ has
-// too, and one that bears the name of a source lies in that source's folder. It is not held that
-// every source has a test, nor that every test bears the name of a source.
+// test/ mirrors src/, so that a reader of a source finds its test: test/soil/track/tread_test.cpp
+// is of src/soil/track/tread.cpp. Two rules: a test's folder exists in src/, and a test with a
+// source's name lies in that source's folder. A source may lack a test, and a test may have its own
+// name.
 
 namespace {
 
@@ -33,7 +33,7 @@ std::vector<std::string> FilesUnder(const fs::path& root, const std::string& end
 
 std::string FolderOf(const std::string& file) { return fs::path(file).parent_path().string(); }
 
-/// What a test of this name would be of: "tread" for "soil/track/tread_test.cpp".
+/// The subject of a test of this name: "tread" for "soil/track/tread_test.cpp".
 std::string SubjectOf(const std::string& test) {
   const std::string name = fs::path(test).stem().string();
   return name.substr(0, name.size() - std::string("_test").size());

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-// The benchmark must not be written with what it tests: of this project it sees a few plain headers
-// of the core, and links nothing but the core.
+// The benchmark must be independent of its subject: of this project it includes a few plain headers
+// of the core, and links only the core.
 
 namespace {
 

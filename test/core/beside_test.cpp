@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-// Each waits for the other: one after the other they would wait for ever.
+// Each waits for the other: in sequence they would wait for ever.
 TEST(Beside, GoesOnWhileTheCallerDoes) {
   std::latch both(2);
   auto other = Beside([&] {

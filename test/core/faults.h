@@ -68,7 +68,7 @@ inline auto HasFaultAt(const std::string& place) {
       ::testing::Truly([place](const std::string& at) { return LiesAt(at, place); })));
 }
 
-/// There is one fault, of that kind, at a place that ends in `place`.
+/// Matches exactly one fault, of that kind, at a place that ends in `place`.
 inline auto HasOnlyFault(FaultKind kind, const std::string& place = "") {
   return ::testing::ElementsAre(IsFault(kind, place));
 }

@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-/// Draws of a stream, one after the other.
+/// Successive draws of a stream.
 std::vector<std::uint64_t> FromStream(const Stream& stream, std::uint64_t first, std::size_t n) {
   std::vector<std::uint64_t> bits;
   for (std::size_t k = 0; k < n; ++k) {

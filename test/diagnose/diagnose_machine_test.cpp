@@ -40,7 +40,7 @@ SimulatedCourse CourseOf(const MachineModel& model, const std::function<double(d
   return course;
 }
 
-/// A boom whose valve does nothing up to 0.1, beside a scenario in which it does.
+/// A boom with a dead band of 0.1 that the scenario lacks.
 class DiagnosisOfABoom : public testing::Test {
  protected:
   DiagnosisOfABoom() {

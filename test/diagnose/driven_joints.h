@@ -7,8 +7,8 @@ namespace tera {
 
 inline constexpr double kLate_s = 0.16;
 
-/// A machine whose joints follow their levers at once, at 1 rad/s for full lever. Encoder stamps
-/// are late, and so are lever stamps where the clock is the same.
+/// A machine whose joints follow their levers without lag, at 1 rad/s for full lever. Encoder
+/// stamps are late; lever stamps too, if they share that clock.
 struct DrivenJoints {
   explicit DrivenJoints(bool levers_share_the_clock) : made(Made{.has_poses = false}) {
     const double levers_late_s = levers_share_the_clock ? kLate_s : 0;

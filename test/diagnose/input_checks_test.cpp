@@ -38,7 +38,7 @@ TEST(InputChecks, ARateThatIsHalfAStrokeLateDoesNotGoAgainstItsLever) {
   EXPECT_NO_THROW(CheckUnitsOf({"real", "m"}, {ToAndFro(0.83)}));
 }
 
-/// A recording of 10 s that begins so long after the others' first moment.
+/// A recording of 10 s that begins `late_s` after the others.
 Recording Begun(const std::string& name, double late_s, bool has_epoch = true) {
   DatasetInfo info{.scenario_name = name, .simulated = false};
   if (has_epoch) {

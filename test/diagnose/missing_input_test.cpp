@@ -100,8 +100,8 @@ TEST(MissingInput, IsNotWhatCreeps) {
   EXPECT_THAT(drive.Found(), IsEmpty());
 }
 
-// Its own lever is pushed for three seconds of sixty; all the time it swings at 2 Hz with others,
-// by a quarter or by half of what its lever makes it do.
+// Its own lever moves for three seconds of sixty. Throughout, it shakes at 2 Hz with other axes, by
+// a quarter or half of its rate under the lever.
 TEST(MissingInput, IsNotAShakeUnderALeverThatRests) {
   for (const double size : {0.08, 0.16}) {
     Drive drive;

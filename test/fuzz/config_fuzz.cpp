@@ -1,7 +1,7 @@
 #include "core/config/config.h"
 #include "untrusted_file.h"
 
-// YAML as every configuration is read: anchors, merges, nesting, overrides, and what is said of
+// YAML as read for every configuration: anchors, merges, nesting, overrides, and messages on
 // unknown keys.
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

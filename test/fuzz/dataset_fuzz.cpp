@@ -3,7 +3,7 @@
 #include "dataset/format/recording.h"
 #include "untrusted_file.h"
 
-// A dataset's description and one file of rows, which stands for all that it lists: the input is
+// A dataset's description and one file of rows, used for all files that it lists. The input is
 // dataset.yaml, a 0, the rows.
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -5,7 +5,7 @@
 #include "dataset/import/suggest/suggest.h"
 #include "untrusted_file.h"
 
-// Logs of known form: PX4's ULog, RTKLIB's solutions, NMEA 0183, and KITTI's oxts, of which the
+// Logs of known form: PX4's ULog, RTKLIB's solutions, NMEA 0183, and KITTI's oxts. For oxts the
 // input has the timestamps, a 0, and one frame's numbers. The input's first byte chooses the form.
 
 namespace {

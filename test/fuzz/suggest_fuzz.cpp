@@ -1,7 +1,7 @@
 #include "dataset/import/suggest/suggest.h"
 #include "untrusted_file.h"
 
-// A first mapping of a table or a bag that nobody has described.
+// A first mapping of an undescribed table or bag.
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto suggest = [](const std::filesystem::path& file) { tera::SuggestMapping(file); };

@@ -16,8 +16,8 @@
 #include "sim/state/state_log.h"
 #include "sim/state/state_playback.h"
 
-// Figures of layouts beside the scans of datasets that were generated with them: what an elevation
-// map made of these really lacks, and how many points really lie on a person.
+// Figures of layouts against scans of datasets generated with them: the gaps of an elevation map
+// from the scans, and the points on a person.
 
 namespace tera {
 namespace {
@@ -42,9 +42,9 @@ obstacles:
   - {name: person1, label: person, mesh: person.obj, xy_m: [3.5, -4.5], yaw_deg: -52}
 )";
 
-// A lidar on the roof, one that looks over the bonnet from low down, one that is tilted down at the
-// arm's side: worse and worse in this order or another, which is what is asked. And one on the roof
-// whose rows are much farther apart than its columns.
+// A lidar on the roof, one that looks over the bonnet from low down, and one tilted down at the
+// arm's side. Figures must rank them as the datasets do. A further one on the roof has rows much
+// farther apart than its columns.
 const std::map<std::string, std::string> kMounts = {
     {"roof",
      "preset: tera:config/sensors/os1_64.yaml, xyz_m: [0.05, 0.35, 2.3], rpy_deg: [0, 10, 0]"},
@@ -71,7 +71,7 @@ f 1 5 7 3
 f 2 4 8 6
 )";
 
-/// The dataset of each layout over one recorded scene, and what the tool says of it.
+/// The dataset of each layout over one recorded scene, and the tool's figures.
 class Ranking : public testing::Test {
  protected:
   Ranking() {
@@ -151,15 +151,15 @@ TEST_F(Ranking, OfElevationMapsIsThatOfMapsMadeFromDatasets) {
     const double predicted = MeanOf(*FindFigure(reports_[l], {Measure::kElevationGaps}));
     RecordProperty(layouts_[l].name, fmt::format("{:.3f} predicted, {:.3f} real", predicted, real));
     if (layouts_[l].name == "rows") {
-      // Rows 2 deg apart lie more than a cell of 0.2 m apart on the ground: at a depression of 35
-      // deg, the steepest, and 2.3 m above it at least, 2.3 m / sin^2(35 deg) 2 deg = 0.24 m. Of
-      // the gaps between them the figure knows nothing.
+      // Rows 2 deg apart lie more than a cell of 0.2 m apart on the ground. At the steepest
+      // depression of 35 deg, from at least 2.3 m above: 2.3 m / sin^2(35 deg) 2 deg = 0.24 m. The
+      // figure does not know the gaps between them.
       EXPECT_GT(real, predicted);
       continue;
     }
     predicted_and_real.emplace_back(predicted, real);
-    // Beams stand in rows, which leave fewer cells empty than points at random where they are
-    // closer than cells are wide: between a Poisson process' exp(-n) and 1 - n lies at most 1/e.
+    // Beams are in rows, which leave fewer empty cells than random points if they are closer than a
+    // cell. Between a Poisson process' exp(-n) and 1 - n lies at most 1/e.
     EXPECT_NEAR(predicted, real, 0.1) << layouts_[l].name;
   }
   std::sort(predicted_and_real.begin(), predicted_and_real.end());

@@ -51,8 +51,8 @@ class PointCubes {
   std::map<std::array<long, 3>, std::vector<std::size_t>> cubes_;
 };
 
-/// Euclidean clusters: two points belong together if steps of at most `tolerance_m` from point to
-/// point connect them. Only clusters of `least` points or more.
+/// Euclidean clusters: two points belong together if steps of at most `tolerance_m` between points
+/// connect them. Only clusters of `least` points or more.
 ///
 /// Source  Rusu, Semantic 3D Object Maps for Everyday Manipulation in Human Living Environments
 ///         (2009), as in pcl::EuclideanClusterExtraction. pcl_clusters_test, built where the Point

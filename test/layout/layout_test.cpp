@@ -128,7 +128,7 @@ TEST_F(SceneLayouts, ExpensesAddUp) {
   EXPECT_EQ(expense.sensors, 3);
   EXPECT_EQ(expense.priced, 3);
   EXPECT_EQ(expense.powered, 2);
-  // 640 x 480 pixels of three bytes and 16 x 500 points of coordinates and what else a point holds.
+  // 640 x 480 pixels of three bytes, and 16 x 500 points with all their fields.
   const auto& camera = std::get<CameraModel>(layout.sensors[2].model);
   const double pictures = camera.intrinsics.width_px * camera.intrinsics.height_px * 3.0 *
                           layout.sensors[2].clock.rate_hz;
@@ -195,8 +195,8 @@ TEST_F(SceneLayouts, AreComparedAtTheSameMomentsWithFiguresOfTheSameNames) {
     for (std::size_t m = 0; m < 3; ++m) {
       EXPECT_TRUE(std::isfinite(a.at[m])) << NameOf(a.id);
       EXPECT_TRUE(a.error.empty() || std::isfinite(a.error[m])) << NameOf(a.id);
-      // A sensor more takes nothing away, but cells of an elevation map that it measures worse than
-      // others do are measured at all.
+      // A further sensor reduces nothing, except that it adds cells to an elevation map with larger
+      // errors than others.
       if (a.id.measure == Measure::kElevationSigma) continue;
       EXPECT_TRUE(IsMoreBetter(a.id.measure) ? b.at[m] >= a.at[m] : b.at[m] <= a.at[m])
           << NameOf(a.id);

@@ -48,7 +48,7 @@ struct PartInH {
 struct SiteText {
   double size_m = 80;
   std::vector<BoxInH> boxes = {};
-  std::vector<PartInH> parts = {};  ///< none: a post that nobody sees
+  std::vector<PartInH> parts = {};  ///< none: a post that is invisible
   std::string terrain = "";         ///< more keys of the terrain, each behind a comma
 };
 

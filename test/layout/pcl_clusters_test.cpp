@@ -10,8 +10,8 @@
 
 #include "layout/people_around.h"
 
-// The clusters of the plain detector beside those of the Point Cloud Library. Built only where that
-// is installed (libpcl-dev).
+// Clusters of the plain detector against the Point Cloud Library's. Built only where that is
+// installed (libpcl-dev).
 
 namespace tera {
 namespace {
@@ -53,7 +53,7 @@ TEST(EuclideanClusters, AreThoseOfThePointCloudLibrary) {
   std::uniform_real_distribution<double> place_m(-6, 6);
   std::vector<Vec3> points_m;
   for (int i = 0; i < 3000; ++i) {
-    // In single precision, so that no distance is within the tolerance for one of both alone.
+    // In single precision, so that both detectors agree on which distances are within tolerance.
     const Vec3 p_m(place_m(random), place_m(random), 0.1 * place_m(random));
     points_m.push_back(p_m.cast<float>().cast<double>());
   }

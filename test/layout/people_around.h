@@ -23,7 +23,7 @@ namespace tera {
 inline constexpr double kPeopleDuration_s = 10;
 inline constexpr int kPeopleOfRing = 3;
 
-/// Radii about the machine on which people go, from beside it to the end of the near zone.
+/// Radii about the machine for people, from its immediate vicinity to the end of the near zone.
 inline std::vector<double> PeopleRings_m() { return {3.5, 5, 7, 9, 11, 13}; }
 
 /// Upright and without a step, along a third of a ring. The inner two rings leave out the bucket's
@@ -49,7 +49,7 @@ inline std::string PersonOnRing(int ring, int one) {
       name, first, path);
 }
 
-/// The dataset of the people, of which each rig has its own.
+/// The dataset of the people; each rig has its own.
 class PeopleAround {
  public:
   PeopleAround() {
@@ -128,7 +128,7 @@ struct PeopleDetector {
   double ground_m = 0.2, highest_m = 2.2, tolerance_m = 0.5;
   std::size_t least = 5;
 
-  /// Points of neither the machine nor the ground, in H.
+  /// Points on neither the machine nor the ground, in H.
   std::vector<Vec3> Standing(const LidarScan& scan, const Pose& X_HS) const {
     std::vector<Vec3> points_H_m;
     for (const LidarPoint& point : scan.points) {

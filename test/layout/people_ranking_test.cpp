@@ -15,8 +15,8 @@
 #include "sim/state/state_log.h"
 #include "sim/state/state_playback.h"
 
-// Probabilities of detection beside a detector of people in generated datasets: do they order
-// layouts as it does, and are they what it finds?
+// Probabilities of detection against a detector of people in generated datasets: do they rank
+// layouts equally, and do they agree in value?
 
 namespace tera {
 namespace {
@@ -44,7 +44,7 @@ struct Tried {
   double Predicted() const { return ProbabilityOfAtLeast(least, expected); }
 };
 
-/// What is said of a layout, and what came of it, with clusters of one least size.
+/// Prediction and outcome of a layout, with clusters of one least size.
 struct Outcome {
   std::string layout;
   double figure = 0;  ///< of the evaluation: mean over the places around the machine
@@ -56,7 +56,7 @@ struct Outcome {
                            [](double sum, const Tried& t) { return sum + t.Predicted(); }) /
            static_cast<double>(tried.size());
   }
-  /// Points on all persons as a share of those that are expected.
+  /// Points on all persons over the expected number.
   double Fill() const {
     double expected = 0, counted = 0;
     for (const Tried& t : tried) {
@@ -70,7 +70,7 @@ struct Outcome {
                std::count_if(tried.begin(), tried.end(), [](const Tried& t) { return t.found; })) /
            static_cast<double>(tried.size());
   }
-  /// Of what is found, as a share of as many persons at places drawn at random.
+  /// Error of the found share, for as many persons at random places.
   double Error() const { return ShareError(Found(), tried.size()); }
 };
 
@@ -213,8 +213,7 @@ TEST_F(PeopleRanking, IsThatOfADetectorInDatasets) {
     for (const Outcome& outcome : outcomes) fmt::print("  {}\n", TextOf(outcome));
   }
   for (const Outcome& outcome : of_.at(study_.person.cluster_points)) {
-    // Two standard errors of a share of as many persons, which holds what is left to chance of
-    // where they stand.
+    // Two standard errors of the share cover the randomness of the persons' places.
     EXPECT_NEAR(outcome.Predicted(), outcome.Found(), 2 * outcome.Error()) << outcome.layout;
   }
   for (const auto& [least, outcomes] : of_) {

@@ -8,8 +8,7 @@
 #include "sim/scenario/load_scenario.h"
 #include "sim/state/state_log.h"
 
-// A scene that was recorded once, measured by rigs that it was not recorded with: what they give is
-// what they would have given.
+// A recorded scene measured by other rigs: results equal those of a direct run.
 
 namespace tera {
 namespace {
@@ -112,7 +111,7 @@ class ResenseScene : public testing::Test {
   }
   ResenseRig Other() const { return {.file = path() / "other_rig.yaml", .machine = ""}; }
 
-  /// Expects an error of these words, and that all is left as it was.
+  /// Expects an error with these words, and unchanged files.
   void ExpectRefused(const ResenseRig& rig, const testing::Matcher<std::string>& message) {
     const auto before = AllFiles(path());
     EXPECT_THAT([&] { Resensed(rig); }, ThrowsMessage<InputError>(message));
@@ -258,7 +257,7 @@ TEST_F(ResenseScene, ARigWithAFaultIsRefused) {
 }
 
 TEST_F(ResenseScene, AnEffectOfASensorThatTheRigLacksIsRefused) {
-  // A direct run with that rig would be, too.
+  // A direct run with this rig is refused too.
   Generated("base", true);
   WriteWholeFile(path() / "without_imu.yaml",
                  "sensors: [{name: lidar, preset: tera:config/sensors/vlp16.yaml, link: upper}]\n");

@@ -40,8 +40,8 @@ inline std::string ObjOf(const TestBox& box) {
   return text + "f 1 2 3 4\nf 6 5 8 7\nf 5 1 4 8\nf 2 6 7 3\nf 4 3 7 8\nf 5 6 2 1\n";
 }
 
-/// The machine's base is an undercarriage, 2.5 m by 1.6 m and 0.4 m high; a mast turns on it, and
-/// carries a box. Neither stands along an axis of W, nor along the other.
+/// The machine's base is an undercarriage, 2.5 m by 1.6 m and 0.4 m high. A mast turns on it and
+/// carries a box. Neither is aligned with an axis of W, nor with the other.
 class Yard {
  public:
   explicit Yard(const TestBox& on_mast, const std::string& more = "")

@@ -54,7 +54,7 @@ inline MachineModel WithEffects(MachineModel model, const std::string& yaml) {
   return model;
 }
 
-/// The message with all faults of a description, empty if it has none.
+/// All faults of a description; empty if it has none.
 inline std::vector<InputFault> FaultsOf(const std::string& yaml,
                                         const std::vector<std::string>& overrides = {}) {
   return FaultsIn([&] { MachineFromText(yaml, overrides); });

@@ -13,7 +13,7 @@
 namespace tera {
 namespace {
 
-/// A wall across y of W, 4 m ahead of the eye, white but for a tenth, on a night without a sky.
+/// A wall across y of W, 4 m ahead of the eye, white except for a tenth, on a night without a sky.
 Stage NightBeforeAWall() {
   Stage stage;
   stage.AddBox(MakePose(Vec3(0, 4.1, 1)), {6, 0.1, 5}, SemanticClass::kStructure,
@@ -87,7 +87,7 @@ TEST(Lamp, LightsAWallByTheSquareOfItsDistance) {
   const LuminancePicture picture = Shoot(stage);
   const double peak_cd = PeakIntensity_cd(stage.model.lamps[0]);
   const CameraIntrinsics lens = Pinhole();
-  // What a rough wall reflects is 0.9 E / pi and its sheen, a few hundredths.
+  // A rough wall reflects 0.9 E / pi plus its sheen, a few hundredths.
   for (const double x_m : {0.0, 0.5, 0.9}) {
     const double off = std::atan(x_m / 3), d2 = 9 + x_m * x_m;
     const double pattern = std::pow(1 - std::pow(off / (30 * kDeg), 2), 2);
@@ -117,8 +117,8 @@ TEST(Lamp, ThrowsAShadow) {
     const int x = static_cast<int>(at.x() + 0.5), y = static_cast<int>(at.y() + 0.5);
     return Luminance(shaded, x, y) / Luminance(open, x, y);
   };
-  // The shadow reaches from 0.4 to 0.8 m above the lamp's height; the eye, a metre behind the lamp,
-  // sees the board from 0.32 to 0.64 m there.
+  // The shadow reaches from 0.4 to 0.8 m above the lamp. The eye, a metre behind the lamp, sees the
+  // board from 0.32 to 0.64 m there.
   EXPECT_LT(ratio(0, 1.72), 0.02);
   EXPECT_LT(ratio(0.15, 1.72), 0.02);
   EXPECT_GT(ratio(0.3, 1.72), 0.95);

@@ -110,8 +110,8 @@ TEST_F(SensorsOfACart, APartIsCountedFromTheFirstScanAndHasBothItsEnds) {
   }
 }
 
-// Of 130 scans every second or third is taken to have 60, of pictures every third or fourth to
-// have 40; the first is one of them, and no more is left out after the last than between two.
+// Of 130 scans, every second or third is taken to have 60; of pictures, every third or fourth to
+// have 40. The first is one of them, and the gap after the last is no larger than the others.
 TEST_F(SensorsOfACart, OfMoreThan60ScansOr40PicturesSomeAreTakenEvenly) {
   constexpr int kNumber = 130;
   for (const RecordedSensor& sensor : Seeing(kNumber)) {
@@ -180,8 +180,8 @@ machines:
     motions_.emplace_back(scenario_.machines[0].placement, "digger",
                           WriteCart(scratch_.path() / "r", digger));
   }
-  /// Of a place 1.5 m ahead of the middle of the left track, which is level over 1.6 m: it comes to
-  /// lie under it at 0.35 s.
+  /// Height of a place 1.5 m ahead of the left track's middle. The track is level over 1.6 m and
+  /// covers the place at 0.35 s.
   static double HeightAhead_m(const ScanCaster::Scan& scan) {
     const Vec3 p_W_m = Sunk(0) * Vec3(1.5, 0.57, 0);
     return scan.moment.ground->HeightAt(p_W_m.x(), p_W_m.y());

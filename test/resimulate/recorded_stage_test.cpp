@@ -14,7 +14,7 @@
 namespace tera {
 namespace {
 
-/// Joints and tracks as they are, at every step.
+/// True joints and tracks at every step.
 constexpr char kTrueEncoders[] =
     "{sensors: [{name: encoders, type: encoder, rate_hz: 500, joints: [slew, swing, boom, arm, "
     "bucket, blade, left_track, right_track]}]}";
@@ -47,7 +47,7 @@ class RecordedWork : public ::testing::Test {
 const Scenario* RecordedWork::scenario_ = nullptr;
 std::filesystem::path RecordedWork::folder_;
 
-/// Soil that was moved from one ground to another: the mean of what rose and what fell.
+/// Volume of soil moved between two grounds: the mean of rise and fall.
 double Moved_m3(const std::vector<float>& from_m, const std::vector<float>& to_m, double cell_m) {
   double sum_m = 0;
   for (std::size_t k = 0; k < from_m.size(); ++k) sum_m += std::abs(to_m[k] - from_m[k]);
@@ -81,17 +81,16 @@ std::vector<bool> Worked(const std::vector<float>& site_m, const std::vector<flo
   return worked;
 }
 
-// A motion that is stepped again to the last bit gives its ground to the last bit
-// (test/sim/motion_source_test.cpp). A recording has poses and angles alone. Angles are means over
-// 50 ms, so that links are up to 8 mm off where the machine accelerates; rates are differences over
-// 10 ms, without the shocks of single steps; and of the time before t = 0, when the machines came
-// to rest, it has nothing. Of the 0.36 m3 that are moved, 0.3 % lie elsewhere for that rest alone,
-// 3.8 % with true links and recorded rates, 4.0 % with recorded links and true rates, 4.1 % with
-// both recorded: soil that has come loose ends elsewhere whatever small difference there is.
-// How much may lie elsewhere follows from how far off the links are, d: what stands off by d leaves
-// the area A that it works off by no more than d on average, up in one place for down in another,
-// which is d A / 2. Where it may lie follows too: d is less than a cell, so that the same cells are
-// worked, and those next to them.
+// A motion repeated to the last bit gives its ground to the last bit
+// (test/sim/motion_source_test.cpp). A recording has only poses and angles. Angles are means over
+// 50 ms, so that links err by up to 8 mm in acceleration. Rates are differences over 10 ms, without
+// the shocks of single steps. The time before t = 0, when the machines came to rest, is missing.
+// Of the 0.36 m3 moved, 0.3 % lie elsewhere for that rest alone. It is 3.8 % with true links and
+// recorded rates, 4.0 % with recorded links and true rates, and 4.1 % with both recorded: loose
+// soil ends elsewhere after any small difference.
+// The volume elsewhere follows from the links' error d. A surface off by d leaves the area A that
+// it works off by at most d on average, up in one place for down in another: d A / 2. The place
+// follows too: d is less than a cell, so that the same cells and their neighbours are worked.
 TEST_F(RecordedWork, GivesTheGroundOfTheSimulationThatRecordedIt) {
   Simulation simulation(*scenario_);
   double off_m = 0;
@@ -145,7 +144,7 @@ TEST_F(RecordedWork, PressesNoGroundUnderAPlankThatTracksClimb) {
       const Vec3 p_W_m = X_WB * Vec3(x_m, y_m, 0);
       const double site_m = site.HeightAt(p_W_m.x(), p_W_m.y());
       if (site_m > top_m - 0.03) continue;  // the ground rises out of the plank
-      // What tracks and blade throw aside may lie on it.
+      // Soil thrown aside by tracks and blade may lie on it.
       EXPECT_GT(end.ground->HeightAt(p_W_m.x(), p_W_m.y()), site_m - 1e-6) << x_m << ' ' << y_m;
       ++places;
     }

@@ -51,7 +51,7 @@ double RangeToPlane_m(const Pose& X_WS, const Vec3& d_S, const Vec3& on_plane_W,
   return normal_W.dot(on_plane_W - X_WS.translation()) / normal_W.dot(X_WS.linear() * d_S);
 }
 
-/// The direction of S in which a point lies.
+/// Direction of a point in S.
 Vec3 Towards(const Vec3& p_W, double t_s) { return (SensorAt(t_s).inverse() * p_W).normalized(); }
 
 class CastFromTheCart : public testing::Test {

@@ -10,8 +10,8 @@
 
 namespace tera {
 
-/// Reads a payload field by field with Fast CDR, in the order of the ROS definition. Throws what
-/// Fast CDR throws where the payload ends too soon.
+/// Reads a payload field by field with Fast CDR, in the order of the ROS definition. Throws Fast
+/// CDR's exception if the payload ends too soon.
 class CdrReader {
  public:
   explicit CdrReader(Payload payload)

@@ -31,7 +31,7 @@ using eprosima::fastrtps::rtps::SerializedPayload_t;
 
 constexpr std::chrono::seconds kPatience(60);
 
-/// A type of which nothing is known but its name: bytes in, bytes out.
+/// A type known only by its name: bytes in, bytes out.
 class RawType : public fdds::TopicDataType {
  public:
   explicit RawType(const std::string& name) {
@@ -97,8 +97,8 @@ struct FastPeer::Impl : fdds::DomainParticipantListener {
       Payload payload;
       fdds::SampleInfo info;
       while (reader->take_next_sample(&payload, &info) == ReturnCode_t::RETCODE_OK) {
-        // While it matches a writer on a busy machine, Fast DDS 2.9 at times gives a sample that it
-        // calls valid, with sequence number 0, which no writer sends, and without any bytes.
+        // While it matches a writer on a busy machine, Fast DDS 2.9 sometimes delivers an invalid
+        // sample as valid: sequence number 0, which no writer sends, and no bytes.
         if (!info.valid_data || payload.empty()) continue;
         const std::lock_guard lock(peer->mutex);
         messages.push_back(payload);

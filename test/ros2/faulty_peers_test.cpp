@@ -96,7 +96,7 @@ TEST(LiveRos, ReliableReaderThatHangsStopsNothing) {
   EXPECT_EQ(report.dropped, 0);
 }
 
-/// While it lives, participants of Cyclone DDS that start lose so many packets of a thousand.
+/// While it lives, starting participants of Cyclone DDS lose this many packets of a thousand.
 class Lossy {
  public:
   explicit Lossy(int per_mille) {

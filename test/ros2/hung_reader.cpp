@@ -7,8 +7,10 @@
 
 #include "ros2/fast_peer.h"
 
-// hung_reader DOMAIN TOPIC TYPE [TOPIC TYPE]...: reads the topics reliably until a message of each
-// has come, then stops itself where it stands: there, but neither reading nor acknowledging.
+// hung_reader DOMAIN TOPIC TYPE [TOPIC TYPE]...
+//
+// Reads the topics reliably until a message of each arrives, then stops itself: present, but
+// neither reading nor acknowledging.
 
 int main(int argc, char** argv) {
   if (argc < 4 || argc % 2 != 0) {

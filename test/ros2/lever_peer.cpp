@@ -5,10 +5,11 @@
 #include "ros2/cdr.h"
 #include "ros2/fast_peer.h"
 
-// lever_peer DOMAIN MACHINE BOOM: answers every /clock with the boom's lever, and prints its stamp.
-// The lever stands at BOOM for two seconds of simulated time and at -BOOM for the next two, so that
-// the boom moves however late it is looked at and never rests at the end of its stroke. A program
-// of its own so that it can be killed.
+// lever_peer DOMAIN MACHINE BOOM
+//
+// Answers every /clock with the boom's lever, and prints its stamp. The lever alternates between
+// BOOM and -BOOM every two seconds of simulated time. The boom thus always moves, and never rests
+// at the end of its stroke. It is a separate program so that a test can kill it.
 
 int main(int argc, char** argv) {
   if (argc != 4) {

@@ -7,8 +7,10 @@
 
 #include "ros2/fast_peer.h"
 
-// ros2_listen DOMAIN SECONDS: subscribes to every topic that is offered on this host within the
-// first two seconds, listens, and prints what has come of each. A tool for trying things by hand.
+// ros2_listen DOMAIN SECONDS
+//
+// Subscribes to every topic offered on this host within the first two seconds, listens, and prints
+// the messages received from each. A tool for experiments by hand.
 
 int main(int argc, char** argv) {
   if (argc != 3) {

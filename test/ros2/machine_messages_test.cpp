@@ -12,7 +12,7 @@
 #include "ros2/lever_input.h"
 #include "ros2/names.h"
 
-// What becomes of samples, machines and levers, before it reaches the network.
+// Conversion of samples, machines and levers to messages, without a network.
 
 namespace tera {
 namespace {
@@ -77,7 +77,7 @@ TEST(MachineMessages, EndEffectorIsTheCuttingEdgeSeenFromTheUndercarriage) {
   EXPECT_EQ(message.header.frame_id, "digger/undercarriage");
   EXPECT_EQ(message.header.t_ns, 7);
   // Slew axis to boom pin 0.62 + 0.18 forward and 0.56 + 0.10 + 0.20 up, boom 2.5 level, then arm
-  // 1.545 and bucket 0.78 straight down; forward is the undercarriage's left.
+  // 1.545 and bucket 0.78 straight down. Forward is the undercarriage's left.
   const Vec3 tip(0, 0.62 + 0.18 + 2.5, 0.86 - 1.545 - 0.78);
   EXPECT_LT((message.pose.translation() - tip).norm(), 1e-9);
   EXPECT_LT((message.pose.linear().col(0) - Vec3(0, 0, -1)).norm(), 1e-9);

@@ -27,7 +27,7 @@ TEST(LiveRos, LockstepGoesOnWithEachAnswerAndNotWithout) {
         EXPECT_EQ(ClockOf(Require(peer.Next("rt/clock"), "repeated clock")), now_ns);
       }
     }
-    if (tick == 20) {  // an answer to another time is none
+    if (tick == 20) {  // a reply to another time does not count
       LeverMessage stale{.stamp_sec = 1000};
       peer.Publish("rt/red/delta_can", stale.Encode());
       for (int i = 0; i < 5; ++i) {

@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// A program in a process of its own, killed when this goes.
+/// A program in a separate process, killed on destruction.
 class PeerProcess {
  public:
   explicit PeerProcess(std::vector<std::string> command);

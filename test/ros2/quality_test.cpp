@@ -10,7 +10,7 @@
 #include "ros2/participant.h"
 #include "ros2/peer_process.h"
 
-// What a participant promises of its topics, and whether it keeps it.
+// Quality of service that a participant offers for its topics, and its compliance.
 
 namespace tera {
 namespace {
@@ -63,7 +63,7 @@ TEST_F(Quality, OffersTheQualityOfServiceThatRosHas) {
             (OfferedTopic{"rosgraph_msgs::msg::dds_::Clock_", false, false}));
 }
 
-/// What discovery says of how many messages each writer keeps, by topic.
+/// Number of messages that each writer keeps, by topic, as discovered.
 std::map<std::string, int> OfferedDepths(int domain_id) {
   const dds_entity_t participant =
       dds_create_participant(static_cast<dds_domainid_t>(domain_id), nullptr, nullptr);

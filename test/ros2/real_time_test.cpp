@@ -4,7 +4,7 @@
 
 #include "ros2/pace.h"
 
-// Simulated time beside a clock on the wall that the test itself moves: nothing here waits.
+// Simulated time against a wall clock that the test itself advances: nothing here waits.
 
 namespace tera {
 namespace {
@@ -26,7 +26,7 @@ TEST(RealTime, GoesByAsOnTheWallWhereTheSimulationIsFaster) {
   ros::RealTime time = Started();
   Moment now = kStart;
   for (int tick = 1; tick <= 500; ++tick) {
-    now += 1ms;  // what the tick took to simulate
+    now += 1ms;  // the tick's computing time
     const Moment due = time.Due(kStart_ns + tick * kTick_ns, now);
     EXPECT_EQ(due, kStart + tick * 10ms);
     now = due;

@@ -6,7 +6,7 @@
 
 #include "ros2/live_run.h"
 
-// What a run offers and says.
+// Topics and messages of a run.
 
 namespace tera {
 namespace {

@@ -12,15 +12,15 @@
 #include "dataset/format/sample_recording.h"
 #include "ros2/live_run.h"
 
-// Every message of a driven machine beside what geometry or the files of the same run say.
+// Every message of a driven machine against geometry or the files of the same run.
 
 namespace tera {
 namespace {
 
 using testing::ElementsAre;
 
-/// Messages of one run, all of a moment at which red travels, slews and raises its boom, and the
-/// dataset that was recorded meanwhile.
+/// Messages of one run, all from a moment at which red travels, slews and raises its boom, and the
+/// dataset recorded at the same time.
 class DrivenRun : public testing::Test {
  protected:
   static constexpr TimeNs kMoving_ns = 800'000'000;
@@ -45,8 +45,8 @@ class DrivenRun : public testing::Test {
     levers.right_travel = 0.4f;
     levers.slew = 0.5f;
     levers.boom = 0.4f;
-    // What waits in the inbox may be older than the first levers: only the motion itself says that
-    // they have arrived.
+    // Messages in the inbox may precede the first levers: only the motion itself shows their
+    // arrival.
     std::optional<TimeNs> moving_ns;
     const auto drive = [&](const Payload& payload) {
       peer.Publish("rt/red/delta_can", levers.Encode());

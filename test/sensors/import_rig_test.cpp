@@ -65,9 +65,9 @@ std::string FaultOf(const std::string& text, const std::string& machine = "") {
 
 TEST(ImportRig, TheChassisImuOfThePaperStandsWhereUnityHasIt) {
   // By hand. Place: Unity's (right, up, forward) = (0.3436, 0.15, -0.2921) is -0.2921 forward,
-  // -0.3436 left, 0.15 up. Turn: Unity's Ry(-90) Rz(90), left-handed, takes the sensor's forward
-  // to the machine's left (forward is kept by Rz, and -90 about up turns it from z to -x), its
-  // left, -x, to down (Rz takes x to y, Ry keeps y), and its up to the rear.
+  // -0.3436 left, 0.15 up. Rotation: Unity's Ry(-90) Rz(90), left-handed. It takes the sensor's
+  // forward to the machine's left (Rz keeps forward, and -90 about up turns it from z to -x). It
+  // takes the sensor's left, -x, to down (Rz takes x to y, Ry keeps y), and its up to the rear.
   const SensorDescription imu = Imported(kExample).at(0);
   EXPECT_EQ(imu.name, "imu_chassis");
   EXPECT_EQ(imu.link, "upper");
@@ -107,7 +107,7 @@ TEST(ImportRig, TheNoiseIsApplied) {
   EXPECT_DOUBLE_EQ(gps.white_horizontal_m, 0.75);
   EXPECT_EQ(gps.bias_enu_m, Vec3(0.2, 0.2, 0.2));
 
-  // The IMU's output itself: mean 0.01 and deviation 0.05 on every axis. n = 10000: five standard
+  // The IMU's own output: mean 0.01 and deviation 0.05 on every axis. n = 10000: five standard
   // errors are 0.05 * 5 / 100 of the mean, 5 / sqrt(2 n) = 3.5 % of the deviation.
   const SensorDescription& s = sensors[0];
   Imu imu(std::get<ImuModel>(s.model), s.X_BS, s.clock, 0, 1, "excavator1/imu_chassis");
@@ -210,8 +210,8 @@ TEST(ImportRig, SeveralMachinesBecomeThoseOfAScenario) {
   EXPECT_EQ(machines[1].Map("rig").List("sensors").size(), 0u);
   EXPECT_EQ(machines[1].Map("start").Vector2("xy_m", Any("m")), Vec2(-5, 2));
   EXPECT_NEAR(machines[1].Map("start").Number("yaw_deg", Any("deg")), 30, 1e-9);
-  // The text tells what the ground decides; the lidar's mean is an effect. A turn of 3 degrees
-  // about right, left-handed, brings the nose down.
+  // The comment states what the ground determines; the lidar's mean is an effect. A rotation of 3
+  // degrees about right, left-handed, lowers the nose.
   EXPECT_THAT(text, HasSubstr("# height 1 m, roll 0 and pitch 0 deg are left to the ground"));
   EXPECT_THAT(text, HasSubstr("# height 0 m, roll 0 and pitch 3 deg are left to the ground"));
   EXPECT_THAT(text,

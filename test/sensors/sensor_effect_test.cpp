@@ -8,8 +8,8 @@
 #include "render/hand_made_scene.h"
 #include "sensors/sensor.h"
 
-// That every key of a sensor changes what the sensor puts out, from the YAML to the measurement.
-// (Those of cameras: camera_test.cpp; name, link, xyz_m, rpy_deg and joints: test/sim.)
+// Every key of a sensor changes its output, from the YAML to the measurement. (Cameras:
+// camera_test.cpp; name, link, xyz_m, rpy_deg and joints: test/sim.)
 
 namespace tera {
 namespace {
@@ -103,7 +103,7 @@ Output OutputOf(const std::string& keys) {
   return out;
 }
 
-/// Each of `changes` beside `keys` must change what comes out.
+/// Each of `changes`, added to `keys`, must change the output.
 void ExpectEachChanges(const std::string& keys, const std::vector<std::string>& changes) {
   const Output plain = OutputOf(keys);
   ASSERT_FALSE(plain.empty());

@@ -6,7 +6,7 @@
 #include "serve/sample_keeper.h"
 #include "sim/run/live_run.h"
 
-// What is told of a simulation: description, state, samples, patches of ground.
+// Observations of a simulation: description, state, samples, patches of ground.
 
 namespace tera {
 namespace {

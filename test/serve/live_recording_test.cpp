@@ -50,7 +50,8 @@ TEST(LiveStages, AFolderThatCannotBeWrittenIsRefusedAtTheStart) {
   std::fclose(std::fopen(file.c_str(), "w"));
   EXPECT_THROW(StagesThatRecordIn(file), InputError);
   EXPECT_THROW(StagesThatRecordIn(file / "inside"), InputError);
-  EXPECT_THROW(StagesThatRecordIn("/proc"), InputError);  // of nobody's making, root's neither
+  EXPECT_THROW(StagesThatRecordIn("/proc"), InputError);  // a folder that nobody can create, not
+                                                          // even root
 }
 
 TEST(LiveStages, TryingItsFolderLeavesNothingThere) {

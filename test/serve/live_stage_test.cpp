@@ -2,7 +2,7 @@
 
 #include "serve/live_stage_fixture.h"
 
-// What requests do to a simulation, and which of them are refused.
+// Effects of requests on a simulation, and refused requests.
 
 namespace tera {
 namespace {

@@ -24,7 +24,7 @@ using testing::HasSubstr;
 constexpr int kEndless = 1000, kFaulty = 2;  // physics steps
 constexpr std::size_t kLarge = 10 << 20;
 
-/// A step of one physics step is done at once; one of kEndless goes on until the session has ended.
+/// A step of one physics step completes at once; one of kEndless runs until the session ends.
 class EndlessStage : public Stage {
  public:
   EndlessStage(std::function<bool()> ended, std::atomic<int>* alive, std::atomic<bool>* stepping)
@@ -54,7 +54,7 @@ class EndlessStage : public Stage {
   std::atomic<bool>* stepping_;
 };
 
-/// A client that sends what it likes.
+/// A client that sends arbitrary bytes.
 class RawClient {
  public:
   explicit RawClient(const std::string& address)

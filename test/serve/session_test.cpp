@@ -14,8 +14,8 @@ namespace {
 using grpc::StatusCode;
 using testing::HasSubstr;
 
-/// Counts physics steps as nanoseconds; seed 13 is refused, and so is a step of 13. A step of 14
-/// ends the episode.
+/// Counts physics steps as nanoseconds; refuses seed 13 and steps of 13. A step of 14 ends the
+/// episode.
 class CountingStage : public Stage {
  public:
   v1::Description Describe() override {
@@ -134,7 +134,7 @@ TEST_F(SessionTest, EndsAtARequestOfAnUnknownKind) {
   ExpectEnd(Send(Numbered(2)), StatusCode::UNIMPLEMENTED, "of no kind that protocol 1 knows");
   Session another(&stage_, "");
   another.Handle(Hello(1).SerializeAsString());
-  // Field 15, of wire type 2, with no bytes: what a later client might send.
+  // Field 15 of wire type 2, empty: a later client might send it.
   ExpectEnd(another.Handle(Numbered(2).SerializeAsString() + std::string("\x7a\x00", 2)),
             StatusCode::UNIMPLEMENTED, "of no kind");
 }
@@ -195,7 +195,7 @@ TEST_F(SessionTest, RefusesAHelloWithAFieldThatItDoesNotKnowAndWaitsForAnother) 
   ExpectEnd(Session(&stage_, "").Handle(Describe(1).SerializeAsString()),
             StatusCode::FAILED_PRECONDITION, "the first request is not Hello");
   EXPECT_TRUE(Response(Hello(2)).has_welcome());
-  // Another protocol's Hello may have any fields: what matters is the protocol.
+  // Another protocol's Hello may have any fields: only the protocol matters.
   hello.mutable_hello()->set_protocol(2);
   ExpectEnd(Session(&stage_, "").Handle(hello.SerializeAsString()), StatusCode::FAILED_PRECONDITION,
             "protocol 2 asked for");

@@ -6,7 +6,7 @@
 #include "core/units.h"
 #include "drive_fixture.h"
 
-/// What a whole machine does with its tracks, blade and bucket.
+/// A whole machine with its tracks, blade and bucket on the ground.
 
 namespace tera {
 namespace {
@@ -30,8 +30,8 @@ std::string Ground(const std::string& ground) { return "    ground: " + ground +
 double Tilt_rad(const Drive& drive) { return std::acos(drive.body().X_WB.linear()(2, 2)); }
 
 TEST(Base, TipsOverWhereItsWeightPassesTheEdgeOfItsTrack) {
-  // Hard and rough ground, on which nothing sinks or slides, rising to the left: the right track's
-  // outer edge is 0.574 + 0.15 m off the middle.
+  // Hard, rough ground without sinkage or slip, rising to the left. The right track's outer edge is
+  // 0.574 + 0.15 m from the middle.
   const auto lean = [](double slope_deg, const std::string& ground) {
     Drive drive(kExcavator, At(0, 0, 0),
                 "cell_m: 0.05, soil: rough, custom_soils: [{preset: "
@@ -52,7 +52,7 @@ TEST(Base, TipsOverWhereItsWeightPassesTheEdgeOfItsTrack) {
   }
 }
 
-/// A ground to drive on, and what moves the machine over it.
+/// A ground, and the model of the base's motion over it.
 const std::pair<const char*, const char*> kGrounds[] = {
     {"asphalt", "terramechanics"}, {"dirt", "terramechanics"}, {"dirt", "ideal"}};
 
@@ -67,7 +67,7 @@ TEST(Base, TravelsAlongASideSlope) {
     drive.Run(4.0);
     const Vec3 way = drive.place() - start;
     EXPECT_NEAR(way.x() / (4.0 * 0.75), 1, 0.05) << soil << ' ' << ground;
-    // It drifts downhill if at all, by less than a tenth of the way.
+    // Downhill drift stays below a tenth of the path.
     EXPECT_LT(way.y(), 0.01) << soil << ' ' << ground;
     EXPECT_GT(way.y(), -0.3) << soil << ' ' << ground;
     EXPECT_NEAR(drive.yaw_rad() / kDeg, 0, 5) << soil << ' ' << ground;
@@ -92,8 +92,8 @@ TEST(Base, ClimbsAStepAndNotAWall) {
     // Road wheels press with twice the mean of 36 kPa: on dirt, by Bekker, a rut of 1.3 cm.
     const double rut_m = soil == std::string("dirt") ? 0.013 : 0;
     EXPECT_NEAR(over.place().z(), 0.15 - rut_m, 0.03) << soil << ' ' << ground;
-    // With its nose on the step and its heel on the ground: 0.15 m over the tracks' 1.6 m, more
-    // when it balances on the edge before it falls over; in dirt the edge gives as the heel does.
+    // Nose on the step, heel on the ground: 0.15 m over the tracks' 1.6 m. More when it balances on
+    // the edge before it tips over; in dirt the edge yields as the heel does.
     EXPECT_GT(most_rad, 0.95 * std::asin(0.15 / 1.6)) << soil << ' ' << ground;
     EXPECT_LT(most_rad, 3 * std::asin(0.15 / 1.6)) << soil << ' ' << ground;
 
@@ -168,7 +168,7 @@ TEST(Base, TracksPushTheBucketIntoAPile) {
           std::max(raised_m, drive.simulation->ground().HeightAt(x_m, 0) - before.HeightAt(x_m, 0));
     }
     EXPECT_GT(tip().x(), 3.4) << ground;
-    EXPECT_GT(raised_m, 0.05) << ground;  // what it pushes ahead
+    EXPECT_GT(raised_m, 0.05) << ground;  // soil pushed ahead
     EXPECT_GT(most_n, free_n / n + 2000) << ground;
     const MassLedger ledger = drive.simulation->state().ground().ledger();
     EXPECT_NEAR(ledger.total_kg() / ledger.shifted_kg, 0, 1e-9) << ground;

@@ -11,7 +11,7 @@
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
 
-// What a bucket carries, as cameras and lidars see it.
+// The load of a bucket, as cameras and lidars see it.
 
 namespace tera {
 namespace {

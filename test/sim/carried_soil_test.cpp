@@ -53,9 +53,9 @@ TEST(CarriedSoil, MixesSoilsByTheirShareOfTheVolume) {
   Vec3 mean = Vec3::Zero();
   const auto& albedos = shape->parts[0].albedos;
   for (const Eigen::Vector3f& albedo : albedos) mean += albedo.cast<double>() / albedos.size();
-  // Some 1300 grains, a quarter of whose colour is one soil's or the other's, of standard deviation
-  // 0.43 of their difference, and whose brightness varies by 0.09: five standard errors are 2 %;
-  // points of the border count more often, for the skirt.
+  // Some 1300 grains. A quarter of their colour is either soil's, with a deviation of 0.43 of the
+  // difference, and their brightness varies by 0.09. Five standard errors are 2 %; border points
+  // count more often, because of the skirt.
   EXPECT_LT((mean - mixed).cwiseAbs().maxCoeff(), 0.03 * mixed.maxCoeff());
 }
 
@@ -84,7 +84,7 @@ TEST(CarriedSoil, SameLoadInTheSamePositionLooksTheSame) {
   EXPECT_TRUE(AreAlike(a.get(), b.get()));
   EXPECT_FALSE(AreAlike(a.get(), more.get()));
   EXPECT_FALSE(AreAlike(a.get(), nullptr));
-  // Turned about the vertical it lies as before, tilted it does not.
+  // Rotated about the vertical it keeps its shape, tilted it does not.
   const Pose turned = MakePose(Vec3(1, 0, 0), RotationFromRpy(0, 0, 0.5)) * kX_WB;
   const Pose tilted = kX_WB * MakePose(Vec3::Zero(), RotationFromRpy(0, 0.1, 0));
   const auto again = soil.Shape(Load(0.05, {70}), turned);

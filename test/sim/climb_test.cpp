@@ -7,7 +7,7 @@
 #include "core/units.h"
 #include "drive_fixture.h"
 
-/// What lies on the ground and a machine drives over, or does not.
+/// Objects on the ground that a machine drives over, or not.
 
 namespace tera {
 namespace {

@@ -7,7 +7,7 @@
 #include "sim/scenario/load_scenario.h"
 #include "sim/simulation.h"
 
-/// What the digging operator of the compact excavator carries away.
+/// Soil removed by the digging operator of the compact excavator.
 
 namespace tera {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 /// Struck capacity, 0.11 m3, of dirt that has loosened by a tenth of its volume.
 constexpr double kStruck_kg = 0.11 * 1474 / 1.1;
 
-/// Mean over a minute of what the bucket holds as it swings past 0.9 rad on its way to the dump.
+/// Mean load of the bucket over a minute, as it swings past 0.9 rad on its way to the dump.
 double MeanLoad_kg(const std::vector<std::string>& overrides,
                    const std::vector<std::string>& effects) {
   const LoadedScenario loaded = LoadScenario("config/scenarios/dig_cycle.yaml", overrides, effects);

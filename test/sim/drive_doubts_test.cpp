@@ -24,7 +24,7 @@ std::string TextOf(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// One replacement in one of the two files of the machine.
+/// A replacement in either file of the machine.
 struct Change {
   std::string from, to;
 };
@@ -70,7 +70,7 @@ TEST(DriveDoubts, NameALeverThatMovesNothing) {
 }
 
 // At 30 deg the boom's own 140 kg are 0.85 m out: 9.81 x 140 x (0.85 cos 30 - 0.1 sin 30) = 0.9 kN
-// m of what it has to hold.
+// m of its required effort.
 TEST(DriveDoubts, NameAnEffortThatDoesNotHoldWhatHangsOnIt) {
   EXPECT_THAT(OfUrdf(R"(velocity="0.6" effort="16000")", R"(velocity="0.6" effort="16")"),
               ElementsAre(HasSubstr("its effort is 16: is that in kN m?")));
@@ -87,8 +87,8 @@ TEST(DriveDoubts, NameRunningGearOfAnotherUnitOrSide) {
               ElementsAre(HasSubstr("gauge_m is 800 m, and its running gear lies 0.8 m apart")));
 }
 
-// The undercarriage's box ends 0.2 m above the ground, on which tracks of 0.19 m about z = 0.19
-// stand.
+// The undercarriage's box ends 0.2 m above the ground. Tracks of 0.19 m stand on it, about z =
+// 0.19.
 TEST(DriveDoubts, NameTracksAboveTheChassis) {
   EXPECT_THAT(OfYaml("[0, 0.40, 0.19]", "[0, 0.40, 0.59]"),
               ElementsAre(HasSubstr("left_track ends 0.2 m above the bottom of base_link")));

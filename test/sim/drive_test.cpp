@@ -36,7 +36,7 @@ double Shake_mps2(Drive* drive, double duration_s) {
   return std::sqrt(std::max(0.0, square / n - (sum / n).squaredNorm()));
 }
 
-/// Sinkage of a plate of width b under pressure p: Bekker's (p / (k_c/b + k_phi))^(1/n) and the
+/// Sinkage of a plate of width b under pressure p: Bekker's (p / (k_c/b + k_phi))^(1/n), plus the
 /// elastic settlement p b (1 - nu^2) I / E of a plate on a half space, nu = 0.3, I = 0.88.
 struct Bearing {
   double k_c, k_phi, n, young_pa;
@@ -45,8 +45,8 @@ struct Bearing {
   double Sinkage_m(double pressure_pa) const {
     return Rut_m(pressure_pa) + pressure_pa * kB_m * (1 - 0.3 * 0.3) * 0.88 / young_pa;
   }
-  /// Pressure under stiff shoes at `depth_m` where the road wheels press `share` times the mean:
-  /// the rut takes what the ground does not give elastically.
+  /// Pressure under stiff shoes at `depth_m`, where the road wheels press `share` times the mean.
+  /// The rut takes the inelastic part.
   double Pressure_pa(double depth_m, double share) const {
     double low_pa = 0, high_pa = Modulus() * std::pow(depth_m, n);
     while (high_pa - low_pa > 1) {
@@ -55,7 +55,7 @@ struct Bearing {
     }
     return low_pa;
   }
-  /// Depth of a level track at rest under its mean pressure: four wheels 0.32 m apart press their
+  /// Depth of a level track at rest under its mean pressure. Four wheels 0.32 m apart press their
   /// 1.28 m of the run with 1 + cos(2 pi x / pitch) of the mean (Wills 1963), the ends evenly.
   double SinkageUnderWheels_m(double mean_pa) const {
     constexpr int kParts = 64;
@@ -174,8 +174,8 @@ TEST(Drive, EqualLeversDriveStraightAtTheTracksSpeed) {
 }
 
 TEST(Drive, RidesSmoothlyInRutsDeeperThanItsTracksOuterSidesAreHigh) {
-  // Loose sand, in which it goes 14 to 18 cm deep: sand stands beside the shoes, which press it
-  // aside as tracks do. The blade, raised, and the car body, 24 cm high, clear the ruts' rims.
+  // Loose sand, with a sinkage of 14 to 18 cm: the shoes press sand aside, where it stands. The
+  // raised blade and the car body, 24 cm high, clear the ruts' rims.
   const std::string start =
       "{xy_m: [-8, -4], yaw_deg: 20, joints_deg: {boom: 55, arm: -130, bucket: -40, blade: 25}}";
   for (const double lever : {0.6, 1.0}) {
@@ -223,8 +223,8 @@ TEST(Drive, LeavesTwoRutsInTheGround) {
     EXPECT_GE(ground.HeightAt(x_m, 1 + side * (kGauge_m / 2 + 0.5)), 0);
     EXPECT_NEAR(ground.HeightAt(x_m, 1 + side * (kGauge_m / 2 + 1)), 0, 1e-6);
   }
-  // Sand that pressure does not press together heaves up to 0.74 m beside each track, Prandtl's b
-  // sqrt(N_q): from both between them, but less than they sink.
+  // Incompressible sand heaves up to 0.74 m from each track, Prandtl's b sqrt(N_q): on both sides
+  // between them, but less than they sink.
   EXPECT_GT(ground.HeightAt(x_m, 1), 0);
   EXPECT_LT(ground.HeightAt(x_m, 1), stood_m);
 }
@@ -268,9 +268,10 @@ TEST(Drive, UnequalLeversSteerBySkidding) {
   EXPECT_GT(slip[1], 0);
 }
 
-/// Slip of a rigid track at that share of its strength, its load's centre `behind_m` behind its
-/// middle: the pressure is linear in x from its front, and nil before it where the centre is out of
-/// the middle third; share = mean of p(x) (1 - exp(-slip x / K)) over p's (Wong 2008, ch. 2).
+/// Slip of a rigid track at a share of its strength, with its load's centre `behind_m` behind its
+/// middle. The pressure is linear in x from its front, and zero before it if the centre lies
+/// outside the middle third. share = mean of p(x) (1 - exp(-slip x / K)) over that of p (Wong 2008,
+/// ch. 2).
 double JanosiSlip(double share, double shear_modulus_m, double behind_m) {
   constexpr int kParts = 400;
   const double bears_m = std::min(kL_m, 3 * (0.5 * kL_m - behind_m));
@@ -314,7 +315,7 @@ TEST(Drive, SlipGrowsWithTheSlopeItClimbsAsJanosiSays) {
       slip /= n;
       thrust_n /= n;
       const double weight_n = kMass_kg * kG_mps2, slope = slope_deg * kDeg;
-      // The thrust lifts the machine, and what is left of it is the rut's.
+      // The thrust lifts the machine; the rest is the rut's resistance.
       const double resistance_n = thrust_n - weight_n * std::sin(slope);
       EXPECT_GT(resistance_n, 0) << where;
       EXPECT_LT(resistance_n, 0.15 * weight_n) << where;

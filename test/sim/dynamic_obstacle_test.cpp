@@ -114,7 +114,7 @@ Vec3 HookOf(const Drive& drive) {
   return drive.machine().links[static_cast<std::size_t>(link)].X_WB * kHook_B_m;
 }
 
-/// A sling at the bucket's pin to the middle of a cube of 0.3 m that hangs `aside_m` beside it.
+/// A sling from the bucket's pin to the middle of a cube of 0.3 m that hangs `aside_m` to its side.
 std::string Load(const Vec3& hook_W_m, double length_m, double aside_m) {
   const double down_m = std::sqrt(length_m * length_m - aside_m * aside_m);
   return BoxAt("load", hook_W_m.x(), hook_W_m.y() + aside_m, {0.3, 0.3, 0.3},

@@ -18,7 +18,7 @@
 namespace tera {
 namespace {
 
-/// What joints and running gears put in over a step, braking not counted back.
+/// Work of joints and running gears over a step, without energy recovered by braking.
 double WorkIn_j(const MachineState& state, double dt_s) {
   double power_w = 0;
   for (std::size_t k = 0; k < state.q_rad.size(); ++k) {
@@ -41,8 +41,8 @@ int TipFrame(const MachineModel& model) {
   return frame;
 }
 
-/// Joint angles that hold the bucket's edge a little above level ground, its teeth downwards, with
-/// reach and pitch at random: so that a boom that goes down drives in the edge, not the back.
+/// Joint angles with the bucket's edge slightly above level ground, teeth downwards, at random
+/// reach and pitch. A falling boom thus drives in the edge, not the back.
 std::string PoseAboveTheGround(const MachineModel& model, const Stream& random, int trial) {
   const PlanarArm::Joints joints{model.JointIndex("slew"), model.JointIndex("boom"),
                                  model.JointIndex("arm"), model.JointIndex("bucket")};
@@ -68,7 +68,7 @@ std::string PoseAboveTheGround(const MachineModel& model, const Stream& random, 
 
 struct Outcome {
   bool is_finite = true;
-  double most_gained_j = -1e9;  ///< kinetic and potential energy beyond what the drives gave
+  double most_gained_j = -1e9;  ///< kinetic and potential energy beyond the work of the drives
   double fastest_link_mps = 0;
   double lifted_m = 0;    ///< highest rise of a corner of the undercarriage
   double boom_share = 0;  ///< of its greatest rate, mean over the last quarter second
@@ -172,7 +172,7 @@ TEST_P(FullLever, OfAHundredEdgesDrivenIntoTheGroundEachLiftsTheMachineOrStallsA
       ++ways[static_cast<int>(way)];
     }
     EXPECT_LT(outcome.deepest_tip_m, 1.3) << trial;
-    // The elastic ground gives back what it held at the start.
+    // The elastic ground returns its initial energy.
     EXPECT_LT(outcome.most_gained_j, 100) << trial;
     EXPECT_LT(outcome.fastest_link_mps, 6) << trial;
     EXPECT_LT(outcome.lost_share, 1e-9) << trial;

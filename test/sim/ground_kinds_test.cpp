@@ -12,7 +12,7 @@
 #include "own_folder.h"
 #include "physics/traction/track_kinematics.h"
 
-/// A scenario's choice of what moves a machine over the ground, and the effects of its base.
+/// The ground model of a scenario, and the effects of the machine's base.
 
 namespace tera {
 namespace {
@@ -121,7 +121,7 @@ TEST(TrackDrive, ScaleAndAsymmetryActOnTheSoilToo) {
 }
 
 TEST(TrackDrive, ScaleAndAsymmetryLieBetweenSprocketsAndShoes) {
-  // 0.1 of 1.25 m/s on sprockets of 0.25 m is 0.5 rad/s, whatever the shoes make of it.
+  // 0.1 of 1.25 m/s on sprockets of 0.25 m is 0.5 rad/s, independent of the shoes' slip.
   for (const char* ground : {"terramechanics", "ideal", "kinematic"}) {
     Drive drive(kGroundKindsExcavator, kStart, "cell_m: 0.1, soil: asphalt", 0.1, 0.1,
                 GroundOf(ground, "track_scale: {scale: 0.9}, track_asymmetry: {difference: 0.1}"));
@@ -134,8 +134,8 @@ TEST(TrackDrive, ScaleAndAsymmetryLieBetweenSprocketsAndShoes) {
 }
 
 TEST(TrackDrive, TheGroundHoldsNoMoreThanItsStrength) {
-  // Locked tracks on wet pavement of friction 20 deg: still at 14 deg, and at 24 deg sliding with
-  // g (sin 24 - tan 20 cos 24) = 0.728 m/s^2.
+  // Locked tracks on wet pavement of friction 20 deg: at rest on 14 deg; on 24 deg sliding with g
+  // (sin 24 - tan 20 cos 24) = 0.728 m/s^2.
   const auto slide = [](double slope_deg) {
     Drive drive(kGroundKindsExcavator, "{xy_m: [0, 3], yaw_deg: 90}",
                 fmt::format("cell_m: 0.1, soil: wet, custom_soils: [{{preset: "

@@ -99,8 +99,8 @@ TEST(LargeMachines, WeighWhatTheirClassesDo) {
 }
 
 TEST(LargeMachines, StandLevelInRutsOfTheirGroundPressure) {
-  // Bekker's sinkage of sandy loam under the mean pressure, (p / (k_c / b + k_phi))^(1 / n), and
-  // 0.88 (1 - 0.3^2) p b / E of elastic settlement.
+  // Bekker's sinkage of sandy loam under the mean pressure, (p / (k_c / b + k_phi))^(1 / n), plus
+  // an elastic settlement of 0.88 (1 - 0.3^2) p b / E.
   const auto expected_m = [](double mass_kg, double length_m, double width_m) {
     const double pressure_pa = mass_kg * 9.81 / (2 * length_m * width_m);
     return std::pow(pressure_pa / (5270 / width_m + 1515040), 1 / 0.7) +
@@ -138,8 +138,8 @@ TEST(LargeMachines, DriveAtTheSpeedOfTheirDataSheets) {
 }
 
 TEST(LargeMachines, TracksAndBoomShareTheFlowOfThePump) {
-  // At full levers the tracks take all of 439 l/min; so does the boom, whose cylinders of 2 x 113
-  // cm2 go out by 1.334 m over 111 deg, at 27 deg/s. Together each has half.
+  // At full levers the tracks take all of 439 l/min. So does the boom, whose cylinders of 2 x 113
+  // cm2 extend by 1.334 m over 111 deg, at 27 deg/s. Together each gets half.
   const std::string enough = "effects: {m: {main: {flow_sharing: none}}}\n";
   // The arm reaches out, so that the bucket is clear of the ground that the tracks drive on.
   const std::string start =
@@ -187,9 +187,9 @@ TEST(LargeMachines, TheExcavatorDigsLiftsAndDumps) {
 }
 
 TEST(LargeMachines, TheExcavatorStandsInItsPlaceAsItSlews) {
-  // Its slew's 65 kN m are less than half of the (c A + W tan phi) 1.4 m that locked tracks bear in
-  // dirt. Two buckets from the same place: what it turns is less than takes its bucket out of its
-  // trench, half of 1.05 m at 7.8 m.
+  // Its slew's 65 kN m are less than half of the (c A + W tan phi) 1.4 m that locked tracks hold in
+  // dirt. For two buckets from the same place, the machine's rotation is less than half of 1.05 m
+  // at 7.8 m, which would move its bucket out of its trench.
   std::string twice = kDig + ", slew_braking_degps2: 20}";
   twice.replace(twice.find("cycles: 1"), 9, "cycles: 2");
   WorkSite site("excavator20t", kReach, twice);
@@ -208,7 +208,7 @@ TEST(LargeMachines, TheExcavatorLoadsATruck) {
   config.Finish();
   Simulation simulation(scenario);
   const int slew = scenario.machines[0].placement.model.JointIndex("slew");
-  // What it holds over the bed, and what lies there after each of two dumps.
+  // Load above the bed, and soil in the bed after each of two dumps.
   double over_bed_kg = 0, sum_kg = 0;
   int dumps = 0;
   for (bool full = false; dumps < 2 && simulation.state().t_ns < FromSeconds(60);) {
@@ -305,7 +305,7 @@ TEST(LargeMachines, TheDozerPushesAWindrowBeforeItsBlade) {
   site.Run(11.0);
   const Pose X_WB = site.X_WB();
   ASSERT_GT((X_WB.translation() - Vec3(-10, 2, 0)).norm(), 4.0);
-  // Soil that lies within 1.5 m before the blade, and what is missing from its way.
+  // Soil within 1.5 m ahead of the blade, and soil removed from its path.
   double heaped_m3 = 0, cut_m3 = 0;
   const TerrainSurface& end = site.simulation.ground();
   for (int j = 0; j < end.ny; ++j) {

@@ -95,7 +95,7 @@ TEST(MachineDoubts, AGyrationBeyondWhatIsDrawnCannotBeMeant) {
 }
 
 TEST(MachineDoubts, LinksThatAreFixedTogetherAreOneBody) {
-  // Neither fits its own box: a long arm is drawn by a link that is fixed to what has its mass.
+  // Neither fits its own box: a link fixed to the massive one carries the drawing of a long arm.
   const std::string arm = LinkText("arm", 180, 300, R"(<box size="0.2 0.2 0.2"/>)") +
                           LinkText("shell", 1, 0.001, R"(<box size="5 0.5 0.5"/>)") +
                           JointText("revolute", "arm") + JointText("fixed", "shell", "arm");
@@ -183,7 +183,7 @@ TEST(MachineDoubts, ACentreOfMassFarBesideTheLinkIsTold) {
     return DoubtsWith(base.insert(base.find("<mass"), "<origin xyz=\"" + xyz + "\"/>"));
   };
   EXPECT_THAT(at("85 0 10"), ElementsAre(HasSubstr("its centre of mass lies 8")));
-  EXPECT_THAT(at("1.5 0 -0.6"), IsEmpty());  // a counterweight below what is drawn
+  EXPECT_THAT(at("1.5 0 -0.6"), IsEmpty());  // a counterweight below the drawn parts
 }
 
 TEST(MachineDoubts, WhatBearsOnNothingFalls) {

@@ -26,8 +26,8 @@ class RecordedStates : public MotionSource {
   std::size_t step_ = 0;
 };
 
-// The ground follows from poses and rates of links and gears alone: with the same ones at every
-// step it is the same to the last bit. So are obstacles and what lies in beds.
+// The ground follows only from poses and rates of links and gears. Equal ones at every step give an
+// equal ground to the last bit, as well as equal obstacles and beds.
 TEST(MotionSource, AMotionSteppedAgainGivesItsOwnGround) {
   constexpr int kSteps = 5000;                             // dug, and dumped into the truck
   const Scenario scenario = WorkScenario({"settle_s=0"});  // states before t = 0 are not shown

@@ -83,8 +83,8 @@ TEST(ObstacleBodies, OneBootOfAWalkerStandsOnTheGroundAtAnyTime) {
 TEST(ObstacleBodies, TheBootThatStandsKeepsItsPlaceWhileTheBodyGoesOn) {
   const Scenario scenario = Walker();
   const Scene scene(scenario);
-  // 1.25 m/s and a stride of 1.41 m. While the left leg goes from ahead to behind, its ankle stays
-  // within 0.12 m of where it was put down; the body has gone on by 0.6 m.
+  // 1.25 m/s and a stride of 1.41 m. While the left leg moves from front to back, its ankle stays
+  // within 0.12 m of its foothold; the body moves by 0.6 m.
   const Vec3 ankle(0, 0.095, 0.08);
   const double stride_s = scenario.obstacles[0].gait.stride_m / 1.25;
   const std::size_t boot = scene.Limb("left_boot");

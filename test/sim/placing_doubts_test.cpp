@@ -10,7 +10,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// A site of 30 m to a side about the origin, with an excavator at `xy_m` and what `more` adds.
+/// A site 30 m wide about the origin, with an excavator at `xy_m` and the additions `more`.
 std::vector<std::string> DoubtsAt(const std::string& xy_m, const std::string& more = "") {
   const Config config = Config::FromText(
       "name: t\nduration_s: 2\nterrain: {size_m: [30, 30], cell_m: 0.2, soil: dirt}\nmachines:\n"

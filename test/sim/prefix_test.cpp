@@ -10,7 +10,7 @@
 #include "own_folder.h"
 #include "sim/run/generate.h"
 
-// What is written of a moment does not depend on how long the run goes on after it.
+// Data of a moment do not depend on the run's remaining length.
 
 namespace tera {
 namespace {

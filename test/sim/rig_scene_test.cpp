@@ -28,7 +28,7 @@ class SceneOfARig : public testing::Test {
     scene_->FollowAir(scenario_);
     scene_->OpenRasterizers(EglOptions{}, late);
   }
-  /// A step at whose end the ground is that high at one place.
+  /// A step that ends with this ground height at one place.
   void Step(float height_m) {
     ground_.Set(40, 40, {height_m, {}});
     simulation_.Step();

@@ -5,7 +5,7 @@
 
 #include "work_fixture.h"
 
-// Simulations that share one scenario. They must not feel each other: what is compared is exact.
+// Simulations that share a scenario do not affect each other: comparisons are exact.
 
 namespace tera {
 namespace {
@@ -74,7 +74,7 @@ TEST(SharedScenario, GivesTheSameRunsStepByStepInTurn) {
   Course of_a, of_b;
   for (int k = 0; k < kSteps; ++k) {
     a.Step();
-    // The other one is now ahead, now behind.
+    // The other simulation is alternately ahead and behind.
     const int steps = k % 100 < 50 ? 2 : 0;
     for (int s = 0; s < steps; ++s) b.Step();
     if (k % 100 == 99) {

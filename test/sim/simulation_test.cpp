@@ -107,7 +107,7 @@ TEST(Simulation, DigCycleMovesSoilToTheDumpAndLosesNone) {
   EXPECT_LT(simulation.state().machines[0].shovel_load[0].mass_kg, 0.2 * most_kg);
   const MassLedger after = simulation.state().ground().ledger();
   EXPECT_NEAR(after.total_kg() / after.shifted_kg, 0, 1e-9);
-  // What was taken ahead of the machine lies to its left. Volumes of change, from the surface.
+  // Soil from ahead of the machine lies to its left. Volumes of change, from the surface.
   double ahead_m3 = 0, left_m3 = 0;
   const TerrainSurface& end = simulation.ground();
   for (int j = 0; j < end.ny; ++j) {
@@ -182,7 +182,7 @@ TEST(Simulation, ThreeDigsLeaveATrenchAndAHeapButNoNeedles) {
     config.Finish();
     Simulation simulation(scenario);
     const int slew = scenario.machines[0].placement.model.JointIndex("slew");
-    double dumped_m3 = 0, swung_rad = 0;  // what swings out, less what comes back
+    double dumped_m3 = 0, swung_rad = 0;  // outward minus returning load
     while (simulation.state().t_ns < FromSeconds(44)) {
       simulation.Step();
       const MachineState& machine = simulation.state().machines[0];
@@ -195,7 +195,7 @@ TEST(Simulation, ThreeDigsLeaveATrenchAndAHeapButNoNeedles) {
     dumped_m3 -= stuck_m3;
     const TerrainSurface& end = simulation.ground();
     float highest_m = -1, lowest_m = 1, needle_m = -1;
-    double heap_m3 = 0;  // of what lies above the former ground, two metres and more to the left
+    double heap_m3 = 0;  // soil above the former ground, two metres or more to the left
     for (int j = 1; j + 1 < end.ny; ++j) {
       for (int i = 1; i + 1 < end.nx; ++i) {
         const float z_m = end.height_m(i, j);
@@ -236,12 +236,12 @@ TEST(Simulation, DigCycleFillsItsBucketThroughDeadBandsAndDelay) {
     simulation.Step();
     most_kg = std::max(most_kg, simulation.state().machines[0].shovel_load[0].mass_kg);
   }
-  EXPECT_GT(most_kg, 75.0);  // half of what the bucket holds
+  EXPECT_GT(most_kg, 75.0);  // half of the bucket's capacity
   EXPECT_LT(simulation.state().machines[0].shovel_load[0].mass_kg, 0.2 * most_kg);
 }
 
 TEST(Simulation, DigCycleFeelsItsWayThroughDeadBands) {
-  // The levers' full rate is less by the band, which the operator is not told.
+  // The full rate falls by the dead band, unknown to the operator.
   const auto most_kg = [](const std::string& width) {
     std::vector<std::string> overrides;
     for (const char* joint : {"slew", "boom", "arm", "bucket"}) {

@@ -11,7 +11,7 @@
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
 
-// Sites as cameras and lidars see them: a textured mesh and what stands on it, ground in the rain.
+// Sites as cameras and lidars see them: a textured mesh with obstacles, and ground in the rain.
 
 namespace tera {
 namespace {
@@ -68,7 +68,7 @@ TEST(SiteMeshPicture, GroundAndWallShowTheirTexturesColours) {
   EXPECT_EQ(strongest_at(Vec3(1, 6, 1.5), SemanticClass::kBarrier), 2);
 }
 
-// Saturated soil reflects half of what dry soil does to a lidar.
+// Saturated soil reflects half as much lidar light as dry soil.
 TEST(GroundInTheRain, DarkensForCamerasAndLidars) {
   const Config config = Config::FromText(
       "name: t\nduration_s: 1\nsettle_s: 0\nenvironment: {rain_mmph: 12, cloud_cover: 1}\n"

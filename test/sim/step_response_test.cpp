@@ -12,7 +12,7 @@ namespace tera {
 namespace {
 
 // Eq. (1) of the TERA paper for a lever of 60 %, eta = 20 rad/s, beta = 6 1/s, phi = 0, on the
-// shipped excavator with its own cylinders, reliefs and masses. Before 0.1 s the equation asks for
+// shipped excavator with its own cylinders, reliefs and masses. Before 0.1 s the equation requires
 // a jump.
 TEST(StepResponse, OfTheShippedExcavatorIsThePapersToOnePercent) {
   const Config config = Config::FromFile(DataRoot() / "config/scenarios/step_60.yaml",

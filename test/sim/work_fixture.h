@@ -6,12 +6,12 @@
 #include "core/config/config.h"
 #include "sim/simulation.h"
 
-/// Machines that dig, load a truck and drive over a plank: all that can change a ground.
+/// Machines that dig, load a truck and drive over a plank: every kind of change of a ground.
 
 namespace tera {
 
-/// One excavator digs and dumps into the bed of a truck that moves away; another one drives over a
-/// plank on loose soil, its levers partly at random.
+/// An excavator digs and dumps into the bed of a truck that moves away. Another drives over a plank
+/// on loose soil, with partly random levers.
 inline Scenario WorkScenario(const std::vector<std::string>& overrides = {}) {
   const Config config = Config::FromText(R"(
 name: work

@@ -39,7 +39,7 @@ std::string FromBase64(const std::string& text) {
   return bytes;
 }
 
-/// What the page would read under a name.
+/// Content that the page reads under a name.
 std::string Packed(const std::string& html, const std::string& name) {
   const json head = json::parse(Between(html, "id=\"pack-head\">", "</script>"));
   const auto& place = head["places"][name];

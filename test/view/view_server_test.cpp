@@ -11,8 +11,7 @@
 #include "core/faults.h"
 #include "view/small_recording.h"
 
-// What comes back over a plain socket, byte by byte, so that no client tidies a path before it is
-// sent.
+// Responses over a plain socket, byte by byte, so that no client normalises a path first.
 
 namespace tera {
 namespace {
@@ -130,7 +129,7 @@ TEST_F(ServerOfASmallRecording, AnswersThisComputerAlone) {
                   "GET /index.json HTTP/1.1\r\nHost: elsewhere.example\r\n"
                   "Connection: close\r\n\r\n"),
               StartsWith("HTTP/1.1 403"));
-  EXPECT_EQ(Connect("127.0.0.2", server_.port()), -1);  // loopback too, but not the one bound
+  EXPECT_EQ(Connect("127.0.0.2", server_.port()), -1);  // loopback too, but not the bound address
   EXPECT_EQ(server_.address(), fmt::format("http://127.0.0.1:{}/", server_.port()));
 }
 

@@ -4,7 +4,7 @@
 #include "sim/scenario/scenario.h"
 #include "sim/simulation.h"
 
-// A rover that nobody drives stays where it stands.
+// A rover without a driver stays in place.
 int main() {
   const tera::Config config = tera::Config::FromFile(SCENARIO);
   const tera::Scenario scenario = tera::ReadScenario(config.root());

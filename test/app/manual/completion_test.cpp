@@ -39,14 +39,14 @@ class Completion : public testing::Test {
     for (std::string line; std::getline(stream, line);) lines.push_back(line);
     return lines;
   }
-  /// What bash offers after these words, the last of which is being typed.
+  /// bash's completions of these words, the last of which is incomplete.
   std::vector<std::string> InBash(const std::string& words) const {
     return LinesOf("bash --norc", "source ../script.bash\nCOMP_WORDS=(" + words +
                                       ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_tera\n"
                                       "((${#COMPREPLY[@]})) && printf '%s\\n' \"${COMPREPLY[@]}\"\n"
                                       "exit 0\n");
   }
-  /// What fish offers, without descriptions.
+  /// fish's completions, without descriptions.
   std::vector<std::string> InFish(const std::string& line) const {
     std::vector<std::string> offered =
         LinesOf("fish --no-config", "source ../script.fish\ncomplete -C '" + line + "'\n");
@@ -85,7 +85,7 @@ TEST_F(Completion, FishOffersTheSame) {
   EXPECT_THAT(InFish("tera dig "), Contains("a hole.yaml"));
 }
 
-// A terminal of zsh's own, in which lines are typed and completed.
+// A terminal of zsh itself, in which lines are typed and completed.
 TEST_F(Completion, ZshOffersTheSame) {
   if (!HasProgram("zsh")) GTEST_SKIP() << "needs zsh";
   std::string commands = R"zsh(zmodload zsh/zpty

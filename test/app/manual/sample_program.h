@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// A program of two commands, one of which has two subcommands.
+/// A program with two commands, one with two subcommands.
 class SampleProgram {
  public:
   SampleProgram() {

@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Pair;
 
-/// What a diagnosis of a boom with a dead band says, but for the keys that follow the brace.
+/// The diagnosis of a boom with a dead band, without the keys that follow the brace.
 constexpr const char* kRest = R"(
   "verdict": ["named", "untestable"],
   "findings": [

@@ -47,7 +47,7 @@ TEST(Mark, OfTheRightAnswer) {
   const Mark mark = HiddenDeadBand().Of(DeadBandOfBoom());
   EXPECT_TRUE(mark.right_first && mark.right_channel && mark.right_variable);
   EXPECT_FALSE(mark.confident_wrong || mark.spurious);
-  // 10 s of the 11 s in which it shows, half a second around.
+  // 10 s of the 11 s in which it shows, with half a second on either side.
   EXPECT_NEAR(mark.overlap, 10.0 / 11, 0.02);
   ASSERT_EQ(mark.parameters.size(), 1u);
   EXPECT_NEAR(mark.parameters[0].RelativeError(), 0.1, 1e-9);
@@ -76,7 +76,7 @@ TEST(Mark, OfOneNameForTwoThatDoTheSameAsksForNoNumber) {
   EXPECT_EQ(mark.named, 2);
   EXPECT_TRUE(mark.parameters.empty());
 
-  // Each with a finding of its own, though either name would do for both.
+  // Each has its own finding, though either name fits both.
   two.c.hidden[0].alike = {"lever_saturation"};
   Finding other = DeadBandOfBoom();
   other.names = {"lever_saturation"}, other.mechanism = "lever_saturation";
@@ -86,7 +86,7 @@ TEST(Mark, OfOneNameForTwoThatDoTheSameAsksForNoNumber) {
 }
 
 TEST(Mark, AVariableIsThatOfWhatIsNamed) {
-  // A lag that is found first depends on no variable, whatever the dead band beside it does.
+  // A lag that is found first depends on no variable, regardless of the dead band.
   HiddenDeadBand two;
   two.c.kind = CaseKind::kTwo;
   Concealed lag = two.c.hidden[0];
@@ -173,7 +173,7 @@ TEST(Mark, OfAnEffectThatHasNoName) {
 }
 
 TEST(Table, HasWilsonsInterval) {
-  // Of 0 in 10, 0 to 27.8 %; of 8 in 10, 49.0 % to 94.3 %: Brown, Cai and DasGupta 2001.
+  // 0 in 10: 0 to 27.8 %; 8 in 10: 49.0 % to 94.3 %. Brown, Cai and DasGupta 2001.
   EXPECT_NEAR((Share{0, 10}.high()), 0.278, 0.001);
   EXPECT_EQ((Share{0, 10}.low()), 0);
   EXPECT_NEAR((Share{8, 10}.low()), 0.490, 0.001);

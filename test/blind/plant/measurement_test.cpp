@@ -7,7 +7,7 @@
 namespace tera::blind {
 namespace {
 
-/// A machine at rest, so that what is measured is noise.
+/// A machine at rest, so that measurements are noise.
 Motion AtRest(double duration_s, const EncoderNoise& noise, const Stream& stream) {
   Motion motion;
   motion.t_s = SampleTimes(duration_s, noise, stream);
@@ -28,7 +28,7 @@ TEST(Measurement, HasTheNoiseThatIsAskedFor) {
     crossed += rows.w_radps[k][1] * rows.w_radps[k][2];
   }
   const double n = static_cast<double>(rows.w_radps.size());
-  // Of 60 000 samples with memory 0.7 some 10 000 are worth independent ones: 1 % of deviation.
+  // 60 000 samples with memory 0.7 equal some 10 000 independent ones: 1 % of deviation.
   EXPECT_NEAR(std::sqrt(energy / n), noise.rate_radps, 0.05 * noise.rate_radps);
   EXPECT_NEAR(lagged / energy, 0.7, 0.03);
   EXPECT_NEAR(crossed / energy, 0, 0.05);

@@ -66,7 +66,7 @@ TEST(Excavator, BearsWhatHangsBeyondAJointByItsMassAndArm) {
   const AxisValues level = {0.7, 30 * kDeg, -60 * kDeg, 75 * kDeg};
   EXPECT_NEAR(Tb235().Loads_nm(level)[kBucket], 124.9 * 9.80665 * 0.32, 0.5);
   EXPECT_NEAR(Tb235().Loads_nm(level)[kSlew], 0, 1e-9);
-  // The slope of the potential energy: raising the boom by 1 mrad lifts what it bears.
+  // The gradient of the potential energy: raising the boom by 1 mrad lifts its load.
   EXPECT_GT(Tb235().Loads_nm(level)[kBoom], Tb235().Loads_nm(level)[kBucket]);
 }
 
@@ -98,7 +98,7 @@ TEST(Plant, AnOverlappedSpoolDoesNotAnswerWithinItsOverlap) {
               (0.5 - 0.15 - form.notch / 2) * 43.3 * kDeg, 1e-3);
 }
 
-/// Time by which a step is late: the area between it and the answer, over its height.
+/// Delay of a step response: the area between step and response, over its height.
 double Lateness_s(const AxisForm& form) {
   const Motion motion = Driven(kBucket, form, 1.6, [](double) { return 0.5; });
   double late_s = 0;
@@ -148,8 +148,8 @@ TEST(Plant, AMassOnASpringSwingsAtItsFrequency) {
 }
 
 TEST(Plant, FrictionTakesItsRateFromAWeakDrive) {
-  // Steady: the drive falls behind by friction over its damping I / T, and what sticks holds until
-  // 1 / 0.6 of that is asked for.
+  // Steady: the drive lags by friction over its damping I / T, and stiction holds up to 1 / 0.6 of
+  // that.
   AxisForm form;
   const double lost_radps = 0.05;
   form.bristle_nm =

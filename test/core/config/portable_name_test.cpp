@@ -39,7 +39,7 @@ TEST(PortableName, FollowsLinksToFoldersButNotTheFileItself) {
   const fs::path folder = file.parent_path().parent_path();
   fs::create_directory_symlink("real", folder / "linked");
   EXPECT_EQ(PortableName(folder / "linked/digger.urdf"), file.string());
-  // Its meshes lie beside the link.
+  // Its meshes lie next to the link.
   fs::create_symlink(file, folder / "digger.urdf");
   EXPECT_EQ(PortableName(folder / "digger.urdf"), (folder / "digger.urdf").string());
 }

@@ -20,7 +20,7 @@ const std::vector<LearnedVariable> kVariables = {
     {"lever/boom", "1", LearnedVariable::Kind::kLever, 1},
     {"position/boom", "rad", LearnedVariable::Kind::kPosition, 1}};
 
-/// "learned" of one target, with other lines in place of its own.
+/// "learned" of one target, with other lines instead of the usual ones.
 std::string Table(const std::string& at = "[-1, 0, 2]", const std::string& value = "[0.5, 0, 1]",
                   const std::string& head = "variable: position/boom, unit: rad, as: added",
                   const std::string& band = "low: [0, -1, 0], high: [1, 1, 2]") {

@@ -125,8 +125,8 @@ double Held_bytes() {
 }
 
 TEST(TerrainSurface, ARefinedTileTakesMemoryForItselfAlone) {
-  // Of a copy too, whose memory is as large as what it holds: no tile that was refined before is
-  // put elsewhere, which on a site of 500 m took 48 ms of one step.
+  // Also for a copy, whose memory is as large as its content: no refined tile is moved, which on a
+  // site of 500 m took 48 ms of one step.
   constexpr int kTiles = 20;
   TerrainSurface first(TerrainGrid{.nx = kTiles * TerrainGrid::kTileCells + 1,
                                    .ny = kTiles * TerrainGrid::kTileCells + 1});

@@ -41,8 +41,8 @@ void WriteCircle(const fs::path& directory, const std::string& machine, double s
   writer.Finish();
 }
 
-/// A link that leans, on which two sensors of a kind that only their own sensor.yaml names measure
-/// it; `offset_rad` sets two recordings apart.
+/// A leaning link with two sensors of a kind known only from their own sensor.yaml; `offset_rad`
+/// separates two recordings.
 void WriteLeaning(const fs::path& directory, double offset_rad) {
   DatasetWriter writer(directory, SampleInfo(), {});
   for (const char* folder : {"husky/tilt_boom", "husky/tilt_arm"}) {
@@ -189,7 +189,7 @@ TEST(Compare, SetsPointsOfTablesBesideEachOther) {
   WriteSetPoints(scratch.path() / "sim", 0.25);
   const Comparison c = Compare(scratch.path() / "real", scratch.path() / "sim");
   ASSERT_EQ(c.machines.size(), 1u);
-  ASSERT_EQ(c.machines[0].channels.size(), 2u);  // neither levers nor truth
+  ASSERT_EQ(c.machines[0].channels.size(), 2u);  // without levers and truth
   EXPECT_NEAR(Find(c.machines[0], "forward_mps").mean, 0.25, 1e-12);
   EXPECT_NEAR(Find(c.machines[0], "boom_rad").rmse, 0, 1e-12);
   EXPECT_THAT(ComparisonTable(c), HasSubstr("setpoints forward_mps"));

@@ -90,8 +90,8 @@ class ReceiverTracksTest : public testing::Test {
   ScratchDirectory scratch_;
 };
 
-// Half a metre east and 0.1 m up, and a heading that is 3 deg off, which takes the left antenna,
-// 1.0817 m from the axis of the turn, by 2 1.0817 m sin(1.5 deg) = 0.0566 m elsewhere.
+// Half a metre east and 0.1 m up, and a heading error of 3 deg. That moves the left antenna, 1.0817
+// m from the axis of rotation, by 2 1.0817 m sin(1.5 deg) = 0.0566 m.
 TEST_F(ReceiverTracksTest, ReceiversAloneTellPlaceAndHeading) {
   const MachineComparison same = Compared({}, {.shift_m = Vec3(0.3, 0.4, 0)});
   ASSERT_EQ(same.tracks.size(), 2u);
@@ -129,7 +129,7 @@ TEST_F(ReceiverTracksTest, AnAntennaThatSitsElsewhereIsMovedByTheHeading) {
   const MachineComparison moved = Compared({}, other);
   EXPECT_NEAR(moved.tracks.at(0).unaligned.ape_translation_m.max, 0, 1e-6);
   EXPECT_THAT(moved.remarks, Contains(HasSubstr("left sits 0.583 m elsewhere")));
-  // Without a second antenna there is no heading to move it by, which is told.
+  // Without a second antenna no heading is available for the move; a remark says so.
   other.antennas.pop_back();
   Made one;
   one.antennas.pop_back();
@@ -155,8 +155,8 @@ TEST_F(ReceiverTracksTest, OfOneReceiverOrOfUnknownPlacesThePathIsCompared) {
   }
 }
 
-// The bucket's antenna stands first and on a link of its own; two of the upper structure tell the
-// heading of that alone, whichever order they have.
+// The bucket's antenna comes first, on another link; two on the upper structure give the heading of
+// that link only, in either order.
 TEST_F(ReceiverTracksTest, AHeadingIsThatOfAntennasOnItsLinkAlone) {
   Made one;
   one.antennas = {{"bucket", Vec3(5, 0.2, 0)},
@@ -180,7 +180,7 @@ TEST_F(ReceiverTracksTest, AHeadingIsThatOfAntennasOnItsLinkAlone) {
 
 TEST_F(ReceiverTracksTest, ASlowReceiverIsComparedWithAFastOne) {
   const MachineComparison slow = Compared({}, {.rate_hz = 0.5});
-  // Straight lines over 2 s of a circle of 8 m at 0.63 m/s lie 1.26^2 / (8 8) = 0.025 m beside it.
+  // Chords over 2 s of a circle of 8 m at 0.63 m/s lie 1.26^2 / (8 8) = 0.025 m inside it.
   EXPECT_LT(slow.tracks.at(0).unaligned.ape_translation_m.max, 0.035);
   EXPECT_GT(slow.tracks.at(0).unaligned.ape.size(), 150u);
 }

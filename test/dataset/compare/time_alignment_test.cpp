@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr TimeNs kSummer_ns = 1'700'000'000 * kNsPerSecond;
 
-/// A recording of one table of 2 s in which `x` is the time by the epoch of kSummer_ns.
+/// A recording with a table of 2 s, in which `x` is the time by the epoch of kSummer_ns.
 Recording Written(const fs::path& folder, const std::optional<RecordingEpoch>& epoch,
                   bool simulated = false) {
   DatasetInfo info = SampleInfo();
@@ -48,7 +48,7 @@ class TimeAlignmentTest : public testing::Test {
 
 TEST_F(TimeAlignmentTest, AnEpochComesBackExactlyFromItsFile) {
   for (const ClockScale clock : {ClockScale::kUtc, ClockScale::kGps, ClockScale::kUnknown}) {
-    const RecordingEpoch epoch{kSummer_ns + 1, clock};  // beyond what a double holds
+    const RecordingEpoch epoch{kSummer_ns + 1, clock};  // beyond the resolution of a double
     fs::remove_all(scratch_.path() / "run");
     EXPECT_EQ(Written(scratch_.path() / "run", epoch).info().epoch, epoch);
   }

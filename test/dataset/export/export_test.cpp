@@ -33,7 +33,7 @@ class ExportTest : public testing::Test {
   ExportReport To(ExportFormat format, std::optional<TimeNs> start_utc_ns = std::nullopt) {
     return Export(recording(), out(), {.format = format, .start_utc_ns = start_utc_ns});
   }
-  /// What is said, and that nothing is left behind.
+  /// The fault of an export, which leaves no file behind.
   std::vector<InputFault> FaultOf(const ExportOptions& options, const fs::path& out) {
     const auto entries = [&] {
       std::size_t count = 0;
@@ -71,7 +71,7 @@ class ExportTest : public testing::Test {
   ScratchDirectory scratch_;
 };
 
-// Five frames of each sensor, of which many are on their way at a time.
+// Five frames of each sensor, many of them in progress at a time.
 TEST_F(ExportTest, IsTheSameBytesWithAnyNumberOfThreads) {
   fs::remove_all(recording());
   WriteFramesRecording(recording());

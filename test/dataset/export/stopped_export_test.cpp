@@ -60,7 +60,7 @@ class StoppedExport : public testing::Test {
 
     const auto old = fs::file_time_type::clock::now() - std::chrono::hours(1);
     for (const auto& [name, content] : AllFiles(half())) fs::last_write_time(half() / name, old);
-    // What a kill leaves: frames that are not whole, and files that have not got their name.
+    // State after a kill: incomplete frames, and files under temporary names.
     for (const auto& [name, content] : whole) {
       if (fs::exists((half() / name).parent_path()) && !fs::exists(half() / name)) {
         WriteWholeFile(half() / name, "ha");
@@ -81,8 +81,8 @@ class StoppedExport : public testing::Test {
 constexpr const char* kPicture = "digger/front/rgb/250000000.png";
 constexpr const char* kScan = "digger/lidar/scans/200000000.pcd";
 
-// Two frames are whole: of each two copies of picture and points in all three layouts that have
-// them, calib and label_2 of object, oxts of raw, and depth.
+// Two frames are complete: for each, picture and points in all three layouts that have them, calib
+// and label_2 of object, oxts of raw, and depth.
 TEST_F(StoppedExport, OfKittiGoesOnWithTheFramesThatAreWhole) {
   EXPECT_EQ(KeptOf({.format = ExportFormat::kKitti}, kPicture), 2 * (2 * 4 + 2 + 1 + 1));
 }
@@ -102,8 +102,8 @@ TEST_F(StoppedExport, OfCocoNumbersAllImages) {
   EXPECT_EQ(KeptOf({.format = ExportFormat::kCoco}, kPicture), 2 * 2);
 }
 
-// Annotations are made first, so what is damaged must not be needed for them: a picture. By then
-// three scans and two pictures are whole; scans 0 and 2 are of samples and have labels.
+// Annotations come first, so the damaged file must be irrelevant to them: a picture. By then three
+// scans and two pictures are complete; scans 0 and 2 belong to samples and have labels.
 TEST_F(StoppedExport, OfNuscenesHasItsTablesOfAllFrames) {
   EXPECT_EQ(KeptOf({.format = ExportFormat::kNuscenes, .key_frames_hz = 5}, kPicture), 3 + 2 + 2);
 }

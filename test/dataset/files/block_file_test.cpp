@@ -32,7 +32,7 @@ std::string Number(std::uint32_t value) {
   return bytes;
 }
 
-/// Most address space for a while, over what is taken already: what asks for more gets bad_alloc.
+/// Limits the address space, relative to its present use: larger requests get bad_alloc.
 class MemoryLimit {
  public:
   explicit MemoryLimit(std::uint64_t more_bytes) {
@@ -70,10 +70,10 @@ class BlockFile : public testing::Test {
     BlockFileReader reader(path());
     Content content{reader.header(), {}};
     while (std::optional<Block> block = reader.Next()) content.blocks.push_back(*block);
-    EXPECT_FALSE(reader.Next());  // as often as it is asked
+    EXPECT_FALSE(reader.Next());  // repeatedly
     return content;
   }
-  /// What is read of a file of these bytes; nothing where they are refused as they should be.
+  /// Content of a file with these bytes; none if it is refused as expected.
   std::optional<Content> ReadFrom(const std::string& bytes) {
     std::ofstream(path(), std::ios::binary) << bytes;
     try {
@@ -121,8 +121,8 @@ TEST_F(BlockFile, ABlockOfNoStreamIsOurOwnMistake) {
 }
 
 TEST_F(BlockFile, CompressesEachStreamByItself) {
-  // A run of one byte: at most one block of 128 KiB in some ten bytes, so far below a thousandth.
-  // Random bytes: no compressor gains anything, and a frame's own bytes are few.
+  // A run of one byte: at most one block of 128 KiB in some ten bytes, far below a thousandth.
+  // Random bytes: no compressor gains, and a frame's own bytes are few.
   const std::string same(1 << 20, 'z'), random = RandomBytes(1 << 20, 4);
   EXPECT_LT(Written({"", {{same}}}).size(), 1100u);
   const std::size_t both = Written({"", {{same, random}}}).size();
@@ -154,9 +154,9 @@ TEST_F(BlockFile, BytesBehindTheEndAreRefused) {
 }
 
 TEST_F(BlockFile, WithAByteThatIsAnotherNoBlockIsRead) {
-  // The header has no checksum: whoever knows what it should be compares it. Of a frame one bit is
-  // without meaning, by RFC 8878 3.1.1.1.1.3. So either the file is refused, or the blocks are
-  // those that were written.
+  // The header has no checksum; callers compare it with the expected one. One bit of a frame has no
+  // meaning, by RFC 8878 3.1.1.1.1.3. Hence either the file is refused, or the blocks are
+  // unchanged.
   const std::string whole = Written(kSmall);
   for (std::size_t at = 0; at < whole.size(); ++at) {
     for (const int mask : {0x10, 0xff}) {

@@ -13,7 +13,7 @@ using enum FaultKind;
 namespace fs = std::filesystem;
 
 TEST(CheckedFile, ReportsAFullDevice) {
-  // /dev/full takes no byte; the temporary name beside a link to it leads there.
+  // /dev/full accepts no byte; the temporary name next to a link to it leads there.
   ScratchDirectory scratch;
   fs::create_symlink("/dev/full", scratch.path() / "data.csv.part");
   CheckedFile file(scratch.path() / "data.csv");

@@ -77,7 +77,7 @@ TEST(InOrder, HoldsNoMoreResultsThanTwoForEachThread) {
     }
     numbers.Finish();
   });
-  // While the first is not done, the one with which there are too many is the last that is given.
+  // While the first piece is unfinished, the first piece beyond the limit is the last one accepted.
   while (begun < kMost + 1) std::this_thread::yield();
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
   EXPECT_EQ(begun, kMost + 1);

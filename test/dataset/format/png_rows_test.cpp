@@ -15,7 +15,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// What the files of these tests are of.
+/// Form of the test files.
 struct Form {
   int width = 0, height = 0;
   int colour = 0;  ///< 0 grey, 2 red, green, blue

@@ -28,7 +28,7 @@ TEST(RecordedInputs, HaveTheDigestsOfTheStandardsExamples) {
   const auto digest = [&](const std::string& bytes) {
     return DigestsOf({Written(scratch.path() / "file", bytes)}).at(0).sha256;
   };
-  // NIST, "SHA-256" of the example values beside FIPS 180-4: nothing, one block, many blocks.
+  // NIST, "SHA-256", the example values for FIPS 180-4: nothing, one block, many blocks.
   EXPECT_EQ(digest(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
   EXPECT_EQ(digest("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   EXPECT_EQ(digest(std::string(1'000'000, 'a')),

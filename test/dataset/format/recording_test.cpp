@@ -71,7 +71,7 @@ TEST_F(RecordingTest, NamesTheVersionOfTheProgramThatWroteIt) {
 }
 
 TEST_F(RecordingTest, ATableWithoutColumnsIsItsTimes) {
-  // The joints of a machine that has none.
+  // The joints of a machine without any.
   const ScratchDirectory scratch;
   DatasetInfo info;
   info.scenario_name = "mast";
@@ -250,7 +250,7 @@ TEST_F(RecordingTest, RejectsAnEmptyOrTruncatedPng) {
   }
 }
 
-// A PPM of one red pixel, and behind it what a PNG ends with: no decoder but PNG's may see it.
+// A PPM of one red pixel, followed by the end of a PNG: only PNG's decoder may read it.
 TEST_F(RecordingTest, RejectsAPictureOfAnotherFormUnderThatName) {
   const auto file = directory() / "digger/front/rgb/0.png";
   const std::string png = ReadWholeFile(file);

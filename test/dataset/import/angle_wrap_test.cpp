@@ -45,7 +45,7 @@ TEST(AngleWrap, WhatGoesOnFastOrFoldsBackIsNoJump) {
   EXPECT_THAT(JumpsOf({0, 5, 10, 15, 20}, 2 * kPi), IsEmpty());        // a wheel of 5 rad a row
   EXPECT_THAT(JumpsOf({10, 40, 70, 90, 70, 40}, 2 * kPi), IsEmpty());  // degrees taken for radians
   EXPECT_THAT(JumpsOf({85, 89, 87, 80}, 360), IsEmpty());              // an inclinometer beyond 90
-  // A step of half a turn exactly, as of -90 to 90, is as much the one way as the other.
+  // A step of exactly half a turn, as from -90 to 90, has no direction.
   EXPECT_THAT(JumpsOf({80, 88, -88, -80}, 360), IsEmpty());
 }
 

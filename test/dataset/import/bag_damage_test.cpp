@@ -42,7 +42,7 @@ class DamagedBag : public ::testing::TestWithParam<Kind> {
     WriteWholeFile(scratch_.path() / "mapping.yaml", kMapping + ("file: " + log_ + "\n"));
   }
 
-  /// What the import says of these bytes: empty where it takes them.
+  /// Fault of an import of these bytes; empty if accepted.
   std::string FaultOf(const std::string& bytes, bool skips, ImportReport* report = nullptr) {
     WriteWholeFile(scratch_.path() / log_, bytes);
     fs::remove_all(Out());
@@ -72,7 +72,7 @@ TEST_P(DamagedBag, CutOffAnywhereIsToldOfAndReadAsFarAsItGoes) {
     EXPECT_NE(FaultOf(cut, false), "") << k;
     ImportReport report;
     if (FaultOf(cut, true, &report).empty()) {
-      // What was read must say that there would be more.
+      // The partial data must indicate the missing rest.
       ASSERT_EQ(report.channels.size(), 2u);
       for (const ImportedChannel& channel : report.channels) EXPECT_GT(channel.left_out, 0) << k;
     }

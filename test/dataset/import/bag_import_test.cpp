@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 namespace fs = std::filesystem;
 
-/// A mapping of `file` by `keys`, and what comes of it.
+/// A mapping of `file` by `keys`, and its import.
 class BagImport : public ::testing::Test {
  protected:
   ImportReport Import(const std::string& file, const std::string& keys,
@@ -56,7 +56,7 @@ std::string Table(const std::string& field, const std::string& more = "") {
          more + "}]\n";
 }
 
-// --- What our own exporter wrote comes back.
+// --- Data of TERA's own exporter.
 
 struct Container {
   const char* name;
@@ -172,8 +172,8 @@ TEST_F(BagImport, FieldsAreFoundByTheDefinitionThatTheBagCarries) {
   EXPECT_EQ(table.rows[1][2], 21);
 }
 
-// Files that stand in another order than their names, of which the first does not have the topic
-// under the same number; the folder itself is the mapping's `file`.
+// Files in another order than their names, the first with another number for the topic. The
+// mapping's `file` is the folder.
 TEST_F(BagImport, AFolderOfSeveralFilesIsReadInTheOrderOfItsMetadata) {
   const fs::path bag = scratch_.path() / "run4";
   fs::create_directory(bag);

@@ -91,7 +91,7 @@ TEST_F(ForeignBag, OfRosbag2InSqliteNeedsNoDefinitionOfStandardTypes) {
   }
 }
 
-/// What is wrong with an import of `file`.
+/// Fault of an import of `file`.
 std::string FaultOfTopic(const fs::path& folder, const std::string& file,
                          const ImportOptions& options = {}) {
   WriteWholeFile(folder / "mapping.yaml",
@@ -127,7 +127,7 @@ TEST_F(ForeignBag, CompressedAsAWholeByZstdIsRead) {
     EXPECT_EQ(FaultOfTopic(folder, file), "no fault");
     EXPECT_EQ(Recording(folder / "out").LoadGnss("digger/gnss").size(), 4u) << file;
   }
-  // Whatever the name, the bytes tell.
+  // The bytes decide, independent of the name.
   for (const char* file : {"log.db3.zst", "log.zst", "recording"}) {
     fs::copy(packed, folder / file);
     EXPECT_EQ(FaultOfTopic(folder, file), "no fault") << file;
@@ -145,7 +145,7 @@ TEST_F(ForeignBag, CompressedAsAWholeByZstdIsRead) {
   ASSERT_TRUE(
       OutputOf("head -c 100000000 /dev/zero | zstd -q -f -19 -o '" + packed.string() + "'"));
   EXPECT_THAT(FaultOfTopic(folder, "log.db3.zstd"), HasSubstr("which no bag's do"));
-  // What was packed is told by its own name, not by where it was unpacked.
+  // A packed file is reported by its own name, not by that of its unpacked copy.
   WriteWholeFile(folder / "text", "t,x\n0,1\n");
   ASSERT_TRUE(pack(folder / "text", packed));
   EXPECT_THAT(FaultOfTopic(folder, "log.db3.zstd"), HasSubstr("log.db3.zstd: is no bag"));
@@ -157,7 +157,7 @@ TEST_F(ForeignBag, InSeveralFilesEachCompressedIsUnpackedOnce) {
     GTEST_SKIP() << "needs python3 and zstd";
   }
   const fs::path folder = scratch_.path();
-  // As a recorder leaves it that kept a log of writes beside the file.
+  // As left by a recorder with a write-ahead log next to the file.
   ASSERT_TRUE(
       OutputOf("/usr/bin/python3 -c \"import sqlite3, sys; "
                "sqlite3.connect(sys.argv[1]).execute('PRAGMA journal_mode=WAL')\" '" +

@@ -1,6 +1,6 @@
 #include "dataset/import/foreign_csv.h"
 
-/// Channels that a mapping makes of tables.
+/// Channels from tables, by a mapping.
 
 namespace tera {
 namespace {

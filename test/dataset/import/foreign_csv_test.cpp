@@ -62,7 +62,7 @@ TEST_F(ForeignCsv, AFieldThatNoTableHasIsRefused) {
   EXPECT_FALSE(fs::exists(Out()));
 }
 
-// Room is made for what the text can hold, not for as many wide rows as it has lines.
+// Memory is reserved for the text's possible content, not for as many wide rows as it has lines.
 TEST_F(ForeignCsv, AWideTableWithMillionsOfEmptyLinesIsRead) {
   std::string head = "t,x,y", first = "0,1.5,-2", second = "1,3,4e-3";
   for (int k = 0; k < 200'000; ++k) {

@@ -53,7 +53,7 @@ TEST_F(ForeignCsv, ZeroIsThatOfTheEarliestChannel) {
 }
 
 TEST_F(ForeignCsv, ZeroIsOfNoRowThatWasLeftOut) {
-  // Of the first rows the value, the fix and the quaternion cannot be read.
+  // The value, the fix and the quaternion of the first rows are unreadable.
   Log("t,x,w\n10,ERR,0.5\n12,1.5,1\n13,3,1\n");
   const std::string axes =
       "x: {constant: 0}, y: {constant: 0}, z: {constant: 0}, qx: {constant: 0}, qy: {constant: "
@@ -161,7 +161,7 @@ TEST_F(ForeignCsv, TheZoneOfADateIsThatOfTheClockBesideIt) {
   const std::string time = "zero: start\ntime: {date: day, clock: t}\n";
   EXPECT_EQ(Import(time + Table("x", "y")).zero_ns, 1'714'566'899'990'000'000);
   EXPECT_EQ(Times(), kTwentyMs);
-  // A clock with a zone of its own keeps it.
+  // A clock with its own zone keeps it.
   Log("day,t,x,y\n2024-05-01,12:34:59.990Z,1,1\n2024-05-01,12:35:00.010Z,2,2\n");
   EXPECT_EQ(Import(time + Table("x", "y")).zero_ns, 1'714'566'899'990'000'000);
 }
@@ -220,7 +220,7 @@ TEST_F(ForeignCsv, AnEpochWithoutANumberIsOfTimesThatCountFrom1970) {
   EXPECT_EQ(Import(clock + Table("x", "y")).epoch,
             (RecordingEpoch{1'700'000'000 * kNsPerSecond, ClockScale::kUtc}));
   EXPECT_EQ(Recording(Out()).info().epoch->clock, ClockScale::kUtc);
-  // A number beside such times would count twice.
+  // A number next to such times would count twice.
   EXPECT_THAT(
       [&] {
         Import("zero: start\nepoch: {since_1970_ns: \"1700000000000000000\", clock: utc}\n" +

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr double kTight = 1e-12;
 
-/// A logger's file, its mapping, and the recording made of them.
+/// A logger's file, its mapping, and the resulting recording.
 class ImportTest : public testing::Test {
  protected:
   ImportTest() {

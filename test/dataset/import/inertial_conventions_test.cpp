@@ -69,8 +69,8 @@ TEST(InertialConventions, ALevelUnitWhoseZPointsDownIsToldAndOneThatHangsSoByIts
   EXPECT_THAT(DoubtsOf(Turned(still, on_its_side), on_its_side * Vec3::UnitZ()), IsEmpty());
 }
 
-// A boom between -50 and 85 deg, an arm whose link turns from 20 to 150 deg from level as it digs,
-// the same parked at 150 deg, and a bucket over more than a turn: z points up, down and aside.
+// A boom between -50 and 85 deg; an arm whose link turns from 20 to 150 deg from level as it digs,
+// also parked at 150 deg; and a bucket over more than a turn. z points up, down and aside.
 TEST(InertialConventions, UnitsOnLinksThatTiltAsTheyWorkAreNotTold) {
   EXPECT_THAT(DoubtsOf(Boom(-85, 50)), IsEmpty());
   EXPECT_THAT(DoubtsOf(Boom(20, 150)), IsEmpty());

@@ -34,7 +34,7 @@ Pose ChassisAt(double t_s) {
 /// The same at every time: the axis of the turn is fixed in the chassis.
 Vec3 TurnInChassis() { return ChassisAt(0).linear().transpose() * Vec3(0, 0, kTurn_radps); }
 
-/// The centripetal acceleration of a place that turns is all that a steady drive has.
+/// In steady motion, only the centripetal acceleration of a turn remains.
 ImuSample ImuAt(TimeNs t_ns) {
   const Mat3 R_BS = RotationFromRpy(0, 0, kImuYaw_rad);
   const Vec3 w_B = TurnInChassis(),

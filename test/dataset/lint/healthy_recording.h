@@ -10,13 +10,13 @@
 #include "dataset/format/sample_recording.h"
 #include "dataset/lint/lint.h"
 
-/// A recording without fault, small and with every kind of channel, whose channels tell of one
-/// motion and one scene; and what breaks it.
+/// A small faultless recording with every kind of channel, all consistent with one motion and one
+/// scene; and its mutations.
 
 namespace tera {
 
-/// Writes it: a chassis that drives east at 0.5 m/s, pitched, and turns left at 0.4 rad/s for 2 s;
-/// on it an inertial unit, a receiver, an encoder of two joints, a camera before a wall 5 m away
+/// Writes it. A chassis drives east at 0.5 m/s, pitched, and turns left at 0.4 rad/s for 2 s. It
+/// carries an inertial unit, a receiver, an encoder of two joints, a camera before a wall 5 m away
 /// with a truck and a boom in the picture, and a lidar that sees the wall.
 void WriteHealthyRecording(const std::filesystem::path& directory);
 
@@ -31,7 +31,7 @@ class LintTest : public testing::Test {
   LintReport Linted(const LintOptions& options = {}) const { return Lint(run(), options); }
   /// Ids of the rules that found something.
   std::set<std::string> Found() const;
-  /// That this rule found something in this channel, and no other rule did; its finding.
+  /// Expects that this rule alone found something in this channel; returns its finding.
   LintFinding Only(const std::string& rule, const std::string& channel) const;
 
   /// Puts `to` in the place of the first `from` in a file.

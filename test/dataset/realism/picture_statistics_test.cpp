@@ -50,8 +50,8 @@ Image<float> PowerLaw(int side, double slope, unsigned seed) {
 }
 
 // A ring of radius k has about 2 pi k amplitudes, Rayleigh distributed (deviation over mean 0.52)
-// and alike in pairs, so that its mean's logarithm is off by 0.52 / sqrt(pi k): 0.15 at the
-// narrowest, 0.04 at the widest. Over four octaves that moves the slope by some 0.03.
+// and equal in pairs. The logarithm of its mean errs by 0.52 / sqrt(pi k): 0.15 at the narrowest,
+// 0.04 at the widest. Over four octaves that moves the slope by some 0.03.
 TEST(AmplitudeSlope, IsThatOfNoiseOfAKnownPowerLaw) {
   for (const double slope : {0.0, -0.8, -1.2, -1.5}) {
     double mean = 0;
@@ -96,8 +96,8 @@ SurfaceSums SumsOf(const Image<std::uint8_t>& picture) {
   return whole;
 }
 
-// The median of 250 x 250 mask responses, which lie on about a ninth as many independent ones, has
-// a standard error of 1.17 sigma / sqrt(7000), 1.4 %. Rounding adds a variance of 1/12.
+// The median of 250 x 250 mask responses, about a ninth of them independent, has a standard error
+// of 1.17 sigma / sqrt(7000), 1.4 %. Rounding adds a variance of 1/12.
 TEST(SurfaceSums, NoiseOfAFlatPictureIsItsDeviation) {
   for (const double sigma : {2.0, 5.0, 12.0}) {
     std::normal_distribution<double> normal(0, sigma);
@@ -118,9 +118,9 @@ TEST(SurfaceSums, NoiseIsBlindToSlopesAndEdges) {
   EXPECT_LT(SumsOf(picture).noise_dn(), 0.05);
 }
 
-// Each value is part of the mean and the deviation that it is held against, which cuts its tails,
-// so that noise is not at 2: with the weights of 7 x 7 at 7/6 px NumPy's sums over 4.8 million
-// numbers give 2.95 of normal ones of deviation 20, 1.61 of Laplacian ones of scale 14.
+// Each value is part of the mean and the deviation that normalise it, which cuts its tails, so that
+// noise is not at 2. With the weights of 7 x 7 at 7/6 px, NumPy's sums over 4.8 million numbers
+// give 2.95 for normal ones of deviation 20, and 1.61 for Laplacian ones of scale 14.
 TEST(SurfaceSums, MscnShapeOfWhiteNoiseIsThatOfTheSameSumsInNumPy) {
   std::normal_distribution<double> normal(0, 20);
   EXPECT_NEAR(SumsOf(Noise(384, 128, 5, normal)).mscn_shape(), 2.95, 0.06);
@@ -132,9 +132,9 @@ TEST(SurfaceSums, MscnShapeOfWhiteNoiseIsThatOfTheSameSumsInNumPy) {
 }
 
 TEST(SurfaceSums, StepsBetweenIndependentLogarithmsHaveTheirKurtosis) {
-  // Differences of two normal numbers are normal: 3. Of two Laplacian ones the excess of 3 halves:
-  // 4.5. Steps meet in a pixel, so that fourth powers of 2 x 250 x 250 have a standard error of
-  // some 0.03 and 0.1.
+  // Differences of two normal numbers are normal: 3. For two Laplacian ones the excess of 3 halves:
+  // 4.5. Neighbouring steps share a pixel, so that fourth powers of 2 x 250 x 250 have a standard
+  // error of some 0.03 and 0.1.
   const auto grey_of = [](double log_luminance) {
     const double y = std::exp(log_luminance) - 0.01;
     return 255 * (1.055 * std::pow(y, 1 / 2.4) - 0.055);
@@ -153,7 +153,7 @@ TEST(SurfaceSums, StepsBetweenIndependentLogarithmsHaveTheirKurtosis) {
 
 TEST(SurfaceSums, ClassesAreKeptApart) {
   // Left grey without noise, right a colour: sRGB (200, 100, 50) is Lab (53.6, 36.3, 45.4) by CIE
-  // 15 with D65, of which chroma is 58.1.
+  // 15 with D65, with a chroma of 58.1.
   Image<std::uint8_t> rgb(128, 96, 3), semantic(128, 96);
   for (int y = 0; y < 96; ++y) {
     for (int x = 0; x < 128; ++x) {
@@ -168,7 +168,7 @@ TEST(SurfaceSums, ClassesAreKeptApart) {
   std::vector<SurfaceSums> of_class(3);
   AddPicture(rgb, semantic, &whole, &of_class);
   EXPECT_EQ(of_class[0].pixels(), 0);
-  // Of 64 x 96 pixels, without 3 at each side; a step needs the next pixel inside too.
+  // 64 x 96 pixels without 3 at each side; a step also needs the next pixel inside.
   EXPECT_EQ(of_class[1].pixels(), 58 * 90);
   EXPECT_NEAR(of_class[1].chroma(), 0, 0.05);
   EXPECT_NEAR(of_class[2].chroma(), 58.1, 0.2);

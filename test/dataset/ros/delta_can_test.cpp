@@ -8,8 +8,8 @@
 namespace tera::ros {
 namespace {
 
-// A machine's levers lie in fields by their names, those of its gears by their sides, and the rest
-// in the order in which the machine has them.
+// A machine's levers are in fields by their names, those of its gears by their sides, and the rest
+// in the machine's order.
 TEST(DeltaCan, HasEachLeverInItsPlace) {
   const std::vector<NamedLever> levers = {{"left_track", true},  {"tilt"},  {"boom"},
                                           {"right_track", true}, {"thumb"}, {"arm"}};
@@ -27,8 +27,8 @@ TEST(DeltaCan, HasEachLeverInItsPlace) {
 }
 
 // Counted by hand from the definition: header 4 + 4 + (4 + 1), 3 to align, 8 floats, 3 bools, 1 to
-// align, a length and two floats; without padding in ROS 1, whose header has its number and whose
-// texts have no final 0.
+// align, a length and two floats. ROS 1 has no padding; its header has its number, and its texts no
+// final 0.
 TEST(DeltaCan, IsAsLongAsItsDefinitionSays) {
   const DeltaCan message = DeltaCanOf({{"tilt"}, {"thumb"}}, {0.25, -0.25}, 0);
   Serializer cdr(WireForm::kCdr), ros1(WireForm::kRos1);

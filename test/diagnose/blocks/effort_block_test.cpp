@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::UnorderedElementsAre;
 
-/// What is found of a sled's drive.
+/// A sled and the diagnosis of its drive.
 struct DiagnosedSled : Sled {
   using Sled::Sled;
   BlockDiagnosis Diagnose() {
@@ -38,7 +38,7 @@ const Finding& FindingOf(const BlockDiagnosis& diagnosis, std::string_view id) {
   throw std::runtime_error("not found: " + std::string(id));
 }
 
-/// Whether a mechanism is a finding, or not told apart from one.
+/// Whether a mechanism is a finding or a rival of one.
 bool IsNamedOrAlike(const BlockDiagnosis& diagnosis, std::string_view id) {
   for (const Finding& finding : diagnosis.findings) {
     for (const Candidate* candidate : finding.evidence.rivals) {
@@ -55,7 +55,7 @@ TEST(EffortBlock, NamesDryAndViscousFrictionAndAnOffset) {
   const Finding& viscous = FindingOf(diagnosis, "viscous_friction");
   EXPECT_NEAR(viscous.parameters[0].value, 200, 6);
   EXPECT_EQ(viscous.parameters[0].unit, "N s/m");
-  // Dry friction of one direction beside an offset is dry friction of both beside another offset.
+  // Dry friction in one direction plus an offset equals dry friction in both plus another offset.
   EXPECT_TRUE(IsNamedOrAlike(diagnosis, "coulomb_friction"));
   EXPECT_TRUE(IsNamedOrAlike(diagnosis, "effort_offset"));
 }

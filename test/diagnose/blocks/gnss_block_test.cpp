@@ -95,7 +95,7 @@ TEST(GnssBlock, NamesAClockThatIsLate) {
   EXPECT_NEAR(late.parameters[0].value, 0.35, 0.03);
 }
 
-/// The same at a rate so many times as high, straight in between.
+/// The samples at `times` their rate, linearly interpolated.
 std::vector<GnssSample> Denser(const std::vector<GnssSample>& samples, int times) {
   std::vector<GnssSample> denser;
   for (std::size_t k = 0; k + 1 < samples.size(); ++k) {

@@ -22,7 +22,7 @@ struct Case {
   double duration_s = 120;
   bool moves = true;
   double poses_late_s = 0, pose_noise_m = 0;
-  Mat3 R_WL = Mat3::Identity();  ///< the level's axes to those of the poses' map
+  Mat3 R_WL = Mat3::Identity();  ///< from the level's axes to the poses' map
   Vec3 gyro_bias_radps = Vec3::Zero(), accel_bias_mps2 = Vec3::Zero();
 };
 
@@ -75,7 +75,7 @@ struct Recorded {
   ReplayBlock block;
 };
 
-/// "imu clock_offset" and what is not told apart from it.
+/// "imu clock_offset" and its rivals.
 std::vector<std::string> ImuBlockNamesOf(const BlockDiagnosis& diagnosis) {
   std::vector<std::string> names;
   for (const Finding& finding : diagnosis.findings) {

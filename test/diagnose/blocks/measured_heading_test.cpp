@@ -9,8 +9,8 @@
 namespace tera {
 namespace {
 
-// A machine goes straight at 0.8 m/s, stands, and comes back; its heading is measured 0.03 rad too
-// far to the left, so that it seems to go v cos(0.03) forward and -v sin(0.03) to the left.
+// A machine drives straight at 0.8 m/s, stops, and returns. Its measured heading is 0.03 rad too
+// far left, so that its apparent velocity is v cos(0.03) forward and -v sin(0.03) to the left.
 TEST(MeasuredHeading, ExplainsThatAMachineSeemsToGoSideways) {
   ReplayBlock base;
   base.channels.resize(3);

@@ -74,7 +74,7 @@ class StraightDrive : public testing::Test {
   Measurements measured_;
 };
 
-// A recording with receivers and without poses: where the base was is what all sensors say.
+// A recording with receivers and without poses: the base's motion is estimated from all sensors.
 TEST_F(StraightDrive, PathOfABaseWithoutPosesIsThatOfItsEstimate) {
   measured_.estimated_poses = Poses();
   const WholeSimulation whole = Whole(Poses());

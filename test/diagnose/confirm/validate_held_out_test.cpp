@@ -28,7 +28,7 @@ double BoomError_radps(const HeldOutBlocks& held_out) {
   return 0;
 }
 
-/// The same machine, recorded once more: its encoders are as late as they were.
+/// A second recording of the machine with the same encoder delay.
 HeldOutBlocks RecordedOnceMore(DrivenJoints* driven) {
   const DiagnosisInput& input = driven->made.Input();
   return {{input, nullptr},

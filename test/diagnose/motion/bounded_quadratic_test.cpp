@@ -9,8 +9,8 @@
 
 #include "core/random.h"
 
-// The least of a convex quadratic in a box is, for one choice of which numbers are at which bound,
-// that of the others where the derivatives are nothing: all 3^n choices are tried.
+// The minimum of a convex quadratic in a box fixes some numbers at bounds and minimises freely over
+// the others. The reference tries all 3^n choices.
 
 namespace tera {
 namespace {
@@ -113,7 +113,7 @@ TEST(SmallestWithin, IsTheLeastWhereUnitsDifferByManyDecades) {
   for (std::uint64_t seed = 0; seed < 400; ++seed) ExpectLeast(Draw(seed, 4), 1e-5, seed);
 }
 
-// Of 1e8 times the quadratic, as much information as a long recording has.
+// 1e8 times the quadratic: as much information as a long recording has.
 TEST(SmallestWithin, IsTheLeastOfLargeValues) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     Drawn made = Draw(seed, 0);

@@ -35,7 +35,7 @@ std::vector<int> AllPlaces(const MachineModel& model) {
   return places;
 }
 
-/// Positions of the chain's steps out of those of all joints.
+/// Positions of the chain's steps, selected from those of all joints.
 std::vector<double> OfSteps(const KinematicChain& chain, const std::vector<double>& q) {
   std::vector<double> of_steps;
   for (const KinematicChain::Step& step : chain.steps) of_steps.push_back(q[step.joint]);
@@ -97,7 +97,7 @@ TEST(KinematicChain, OfMoreThanSixMovingJointsIsNotLookedAt) {
   const MachineModel model = RandomMachine(4, std::vector<JointType>(7, kRevolute));
   EXPECT_TRUE(ChainTo(model, 6, AllPlaces(model)));
   EXPECT_FALSE(ChainTo(model, 7, AllPlaces(model)));
-  // What rests does not count.
+  // Joints at rest do not count.
   std::vector<int> places = AllPlaces(model);
   places[3] = -1;
   EXPECT_TRUE(ChainTo(model, 7, places));

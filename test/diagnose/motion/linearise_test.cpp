@@ -39,7 +39,7 @@ std::string Told(const Observation& seen) {
          std::to_string(seen.from_s);
 }
 
-// Derivatives are those of what is predicted, of which the residual has the negative.
+// Derivatives are of the prediction; the residual has their negative.
 TEST(Linearise, HasTheDerivativesByTheMotionOfEveryKindOfObservation) {
   for (const std::uint64_t seed : {1, 2, 3}) {
     const MadeProblem made(seed);
@@ -77,7 +77,7 @@ TEST(Linearise, HasTheDerivativesByTheParametersOfEveryKindOfObservation) {
   }
 }
 
-// Gear that travels ahead does not travel sideways: a row of its own.
+// Forward motion of a gear is no sideways motion: the latter has its own row.
 TEST(Linearise, HasAsManyRowsAsWasMeasured) {
   const MadeProblem made(7);
   const int expected[] = {6, 3, 1, 6, 3};
@@ -118,7 +118,7 @@ TEST(Linearise, OfATimeThatTheMotionDoesNotCoverIsFalse) {
     seen.from_s = seen.to_s = 0;
     EXPECT_TRUE(made.Of(seen, &rows)) << Told(seen);
   }
-  // 0.3 s late, what is stamped at 0.2 s was measured before the motion begins.
+  // With a delay of 0.3 s, a stamp of 0.2 s precedes the motion.
   made.parameters[made.problem.axes[0].late] = 0.3;
   EXPECT_FALSE(made.Of({.kind = kAxis, .from_s = 0.2, .to_s = 0.2}, &rows));
   EXPECT_TRUE(made.Of({.kind = kAxis, .from_s = 0.4, .to_s = 0.4}, &rows));
@@ -169,8 +169,8 @@ TEST(Linearise, PredictsAnAntennaAtItsPlaceOfTheTimeBefore) {
   EXPECT_LT(rows.residual.head<3>().norm(), 1e-12) << rows.residual.transpose();
 }
 
-// A pair that is turned by a right angle about its middle has its left antenna, which stood 0.7 m
-// left of the middle, 0.7 m behind it.
+// A pair turned by a right angle about its middle: the left antenna, 0.7 m left of the middle, is
+// now 0.7 m behind it.
 TEST(Linearise, TurnsAPairAboutItsMiddle) {
   MadeProblem made(10);
   const ReceiverChannel& receiver = made.problem.receivers[0];
@@ -220,7 +220,7 @@ TEST(Linearise, PredictsPosesInAMapThatIsTurnedAboutItsPivotAndShifted) {
   EXPECT_LT(rows.residual.norm(), 1e-11) << rows.residual.transpose();
 }
 
-// Of a short time, within which no product of motions changes.
+// Over a short time, in which no product of motions changes.
 TEST(Linearise, PredictsAnInertialUnitByTheMotionOfItsTrueFrame) {
   MadeProblem made(13);
   UnitChannel& unit = made.problem.imus[0];
@@ -235,7 +235,7 @@ TEST(Linearise, PredictsAnInertialUnitByTheMotionOfItsTrueFrame) {
   bias << 0.1, -0.2, 0.3, -0.4, 0.5, -0.6;
   made.parameters.segment<6>(unit.scale) = scale;
   made.parameters.segment<6>(unit.bias) = bias;
-  // Poses of the sensor, of which differences give what it measures.
+  // Poses of the sensor, whose differences give its measurements.
   Pose X_LS = unit.X_LS;
   X_LS.translation() += shift;
   X_LS.linear() = unit.X_LS.linear() * RotationFromRpy(turn[0], turn[1], turn[2]);

@@ -5,8 +5,8 @@
 #include "diagnose/motion/linearise.h"
 #include "diagnose/motion/random_machine.h"
 
-// A problem with a channel of every kind, each with all its parameters, on a machine of a hinge and
-// a slide, and a motion of random coefficients.
+// A problem with one channel of every kind and all parameters, on a machine with a hinge and a
+// slide, under a motion with random coefficients.
 
 namespace tera {
 

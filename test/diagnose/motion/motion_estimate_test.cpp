@@ -7,8 +7,8 @@
 
 #include "core/random.h"
 
-// Two encoders of one joint, of which the second has a zero of its own: what they tell of it is the
-// mean of their differences, whose variance is that of the two noises over the number of samples.
+// Two encoders of one joint, the second with an unknown zero. Its estimate is the mean of their
+// differences, with the sum of both noise variances over the number of samples.
 
 namespace tera {
 namespace {
@@ -105,13 +105,13 @@ TEST(EstimateMotion, StaysWithinBoundsAndGivesWayToItsPrior) {
   const MotionEstimate bounded = Estimated(problem, Prior(10, -0.001, 0.001), false);
   EXPECT_LE(bounded.parameters[0], 0.001);
   EXPECT_NEAR(bounded.parameters[0], 0.001, 1e-5);
-  // Data of information I and a prior of 1 / sigma^2 = I meet in the middle.
+  // Data of information I and a prior of 1 / sigma^2 = I contribute equally.
   const double information = 3 * kWeightOfSmall * kSamples / kVariance;
   const MotionEstimate held = Estimated(problem, Prior(1 / std::sqrt(information)), false);
   EXPECT_NEAR(held.parameters[0], 0.002, 5 * 0.5 * 0.1 * std::sqrt(kVariance / 1500));
 }
 
-// What wanders by w from segment to segment is known from one to 1 / I + w^2.
+// A parameter that walks by w between segments is known from one to 1 / I + w^2.
 TEST(EstimateMotion, IntegratesOutWhatWandersFromSegmentToSegment) {
   MotionProblem problem = TwoEncoders(3, 0.01, 0.07);
   problem.wander[0] = 0.004;

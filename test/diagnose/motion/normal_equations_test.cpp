@@ -6,7 +6,7 @@
 
 #include "diagnose/motion/made_problem.h"
 
-// The block-tridiagonal solution against a dense one of all unknowns.
+// The block-tridiagonal solution against a dense one.
 
 namespace tera {
 namespace {
@@ -48,7 +48,7 @@ struct Both {
         Add(seen, draw, ++drawn);
       }
     }
-    // What nothing measures, the first and last coefficients, is held by a prior.
+    // A prior holds the unmeasured first and last coefficients.
     const int numbers = made.problem.numbers();
     for (int i = 0; i < made.spline.coefficients; ++i) {
       for (int number = 0; number < numbers; ++number) AddPrior(i, number, {1}, 0.1, 2);
@@ -77,7 +77,7 @@ struct Both {
       by(0, (first + static_cast<int>(k)) * numbers + number) = pattern[k];
     }
     const double root = std::sqrt(weight);
-    // Like an observation's, the residual is what is wanted less what is there.
+    // As for an observation, the residual is the target minus the value.
     dense.Append(root * by, MatrixXd::Zero(1, made.problem.parameters),
                  VectorXd::Constant(1, root * residual));
   }
@@ -116,7 +116,7 @@ TEST(NormalEquations, LeaveForTheParametersWhatADenseEliminationDoes) {
   }
 }
 
-// The best parameters and motion together are those of one least squares of everything.
+// The joint optimum of parameters and motion is that of a single least-squares problem.
 TEST(NormalEquations, HaveTheSolutionOfOneLeastSquaresOfEverything) {
   Both both(3);
   ParameterQuadratic reduced = both.equations.Reduce();

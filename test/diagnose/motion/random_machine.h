@@ -16,7 +16,7 @@ inline Pose RandomPose(const Stream& draw, std::uint64_t index) {
   return MakePose(p, rpy[0], 0.4 * rpy[1], rpy[2]);
 }
 
-/// `kinds` are those of the joints, from the base on. Moving joints start away from zero.
+/// `kinds` of the joints, from the base on. Moving joints start away from zero.
 inline MachineModel RandomMachine(std::uint64_t seed, const std::vector<JointType>& kinds) {
   const Stream draw(seed, "machine");
   MachineModel model;

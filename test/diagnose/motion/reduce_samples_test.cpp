@@ -15,7 +15,7 @@ constexpr TimeNs kEpoch_ns = 1'700'000'000'000'000'000;
 
 int OneSegment(TimeNs) { return 0; }
 
-/// Samples of which the k-th has the values k, 2 k, ... of its own time.
+/// Samples whose k-th has the values k, 2 k, ... of its own time.
 std::vector<ImuSample> Samples(int count, TimeNs start_ns = kEpoch_ns) {
   std::vector<ImuSample> samples;
   for (int k = 0; k < count; ++k) {
@@ -26,8 +26,8 @@ std::vector<ImuSample> Samples(int count, TimeNs start_ns = kEpoch_ns) {
   return samples;
 }
 
-/// What holds for windows of any samples: they follow each other, overlap by no more than stamps
-/// may be wrong, and are no mean of anything beyond the samples.
+/// Requirements for windows of any samples: they are in sequence, overlap by no more than stamps
+/// may err, and lie within the samples.
 void ExpectSound(const std::vector<ImuWindow>& windows, const std::vector<ImuSample>& samples,
                  double longest_s, TimeNs stamps_ns = 0) {
   double least = 1e300, most = -1e300;
@@ -233,7 +233,7 @@ TEST(TravelOfGears, OfStandingGearIsStillWhateverItsNoise) {
   EXPECT_GE(still, 0.95 * all);
 }
 
-// The last step of an angle, 0.01 rad, comes and goes by its noise in one of five samples.
+// The last step of an angle, 0.01 rad, flickers with noise in one of five samples.
 TEST(TravelOfGears, OfStandingGearIsStillWhateverItsQuantisation) {
   const Stream draw(3, "encoder");
   int drawn = 0, still = 0;

@@ -39,8 +39,8 @@ TEST(ErrorWeight, FallsAsStudentsTWithFiveDegreesOfFreedomHasIt) {
   }
 }
 
-// The expected information of log sigma is 2 nu / (nu + 3) = 1.25 an error (Lange, Little and
-// Taylor 1989): of 20000 errors it is known to 1 / sqrt(25000) = 0.0063.
+// The expected information of log sigma is 2 nu / (nu + 3) = 1.25 for each error (Lange, Little and
+// Taylor 1989). From 20000 errors, its standard error is 1 / sqrt(25000) = 0.0063.
 TEST(EstimateNoise, FindsTheScaleOfStudentsErrors) {
   for (const double scale : {1e-4, 0.3, 50.0}) {
     const NoiseChannel noise = Estimated({WhiteT(20000, scale, 1)});
@@ -60,9 +60,9 @@ TEST(EstimateNoise, LeavesOutWhatAllResidualsAreOffByAlike) {
   EXPECT_LT(noise.inflation, 1.1);
 }
 
-// The variance of a mean of errors of which each keeps rho of the one before is (1 + rho) / (1 -
-// rho) times that of independent ones; summed as far as correlations exceed 0.05, that is for 0.6
-// five lags, 1 + 2 * 1.383 = 3.77. Weights take a little of it.
+// The variance of a mean of AR(1) errors with coefficient rho is (1 + rho) / (1 - rho) times that
+// of independent errors. Correlations above 0.05 are summed: for rho = 0.6 over five lags, 1 + 2 *
+// 1.383 = 3.77. Weights reduce it slightly.
 TEST(EstimateNoise, FindsHowMuchErrorsThatFollowEachOtherInflateAMean) {
   const Stream draw(2, "steps");
   std::vector<double> residuals = {draw.Gaussian(0)};

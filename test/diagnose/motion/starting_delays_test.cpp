@@ -69,7 +69,7 @@ TEST(StartingDelays, AreLookedForAboutTheDocumentedOne) {
   EXPECT_NEAR(StartingDelay(Turning(0.3, 1.1, 0.05), 0.8), 1.1, 0.026);
 }
 
-// A machine that stands turns no unit: what noise is like best is no delay.
+// A machine at rest turns no unit: the best match of noise is no delay.
 TEST(StartingDelays, StayAsDocumentedWhereNothingTurns) {
   EXPECT_EQ(StartingDelay(Turning(0, 0.3, 0.05), 0.02), 0.02);
 }

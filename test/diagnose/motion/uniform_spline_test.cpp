@@ -8,7 +8,7 @@
 
 #include "core/random.h"
 
-// A cubic B-spline reproduces polynomials: sum_i B(x - i) of i, i^2 - 1/3 and i^3 - i are x, x^2
+// A cubic B-spline reproduces polynomials: sum_i B(x - i) of i, i^2 - 1/3 and i^3 - i gives x, x^2
 // and x^3 (its second moment is 1/3, Marsden's identity).
 
 namespace tera {
@@ -44,7 +44,7 @@ std::vector<double> RandomCoefficients(std::uint64_t seed) {
   return c;
 }
 
-/// Of 300 times from the beginning to the end, both among them, and every knot.
+/// 300 times from start to end, both included, and every knot.
 std::vector<double> Times() {
   std::vector<double> times;
   for (int k = 0; k <= 300; ++k) times.push_back(kSpline.end_s() * k / 300);
@@ -124,8 +124,8 @@ TEST(UniformSpline, HasMeansOfDerivativesAsRectanglesSumThem) {
       EXPECT_NEAR(Apply(mean, d, c), expected, 3e-3 * std::pow(5.0, d - 1))
           << "derivative " << d << " from " << from << " to " << to;
     }
-    // Simpson's rule is off by what the third derivative jumps by at a knot, |jump| h^3 / 324 at
-    // most; coefficients of the size of one let it jump by some 10 / h^3.
+    // The error of Simpson's rule is at most |jump| h^3 / 324 for a jump of the third derivative at
+    // a knot. Coefficients of size 1 allow a jump of some 10 / h^3.
     EXPECT_NEAR(Apply(mean, 0, c), MeanByRectangles(c, 0, from, to), 0.03) << from << " " << to;
   }
 }

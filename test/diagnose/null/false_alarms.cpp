@@ -1,8 +1,8 @@
-// How often `tera diagnose` finds something in recordings in which nothing is wrong.
+// Rate of false alarms of `tera diagnose` in recordings without any error.
 //
 //   false_alarms [RECORDINGS [SECONDS [FIRST_SEED]]]
 //
-// prints what each alarm was, and the share of recordings with any, with Wilson's interval.
+// prints each alarm, and the share of recordings with alarms, with Wilson's interval.
 
 #include <fmt/format.h>
 

@@ -40,7 +40,7 @@ MachineModel OffNominal(MachineModel model, const Stream& stream) {
   return model;
 }
 
-/// What one joint is told for a while.
+/// A command to one joint for some time.
 struct Gesture {
   enum class Kind { kRest, kStep, kRamp, kSine } kind = Kind::kRest;
   double size = 0, from_s = 0, to_s = 0;
@@ -61,7 +61,7 @@ struct Gesture {
   }
 };
 
-/// Draws gestures one after the other for one joint, away from the nearer end stop.
+/// Draws successive gestures of one joint, away from the nearer end stop.
 class Hand {
  public:
   Hand(const Stream& stream, const Joint& joint) : stream_(stream), joint_(joint) {}

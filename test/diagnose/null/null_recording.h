@@ -32,7 +32,7 @@ NullRecording SimulateNull(const MachineModel& model, double duration_s, std::ui
 /// Result of diagnosing it.
 struct NullOutcome {
   std::size_t judged = 0, blocks = 0;  ///< of the blocks, those with manoeuvres enough
-  std::vector<std::string> alarms;     ///< what was found or left unexplained
+  std::vector<std::string> alarms;     ///< findings and unexplained errors
   std::vector<std::string> unconfirmed;
 };
 

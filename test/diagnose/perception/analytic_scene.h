@@ -91,7 +91,7 @@ inline Pose LinkAt(double t_s) {
                   0.3 + 0.6 * std::sin(t_s));
 }
 
-/// Range at which dust ends a ray, for a draw in (0, 1); infinite where the ray passes.
+/// Range at which dust ends a ray, for a draw in (0, 1); infinite if the ray passes.
 inline double DustStop_m(const AnalyticScene& scene, const Vec3& p_W_m, const Vec3& d_W,
                          double draw) {
   const double along_m = d_W.dot(scene.dust_W_m - p_W_m);

@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// Squares of paint 0.7 m wide, softened at their edges, each of its own grey.
+/// Painted squares 0.7 m wide with soft edges, each with a different grey.
 inline double PaintAt(double u_m, double v_m) {
   static const Stream paint(11, "test/paint");
   const auto square = [&](int i, int j) {

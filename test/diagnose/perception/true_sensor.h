@@ -14,7 +14,8 @@ namespace tera::testing {
 
 /// True deviation of a sensor from its description.
 ///
-/// Frames  B link; S sensor as documented; T as it is: p_BT = p_BS + shift_B, R_BT = R_BS R(rpy).
+/// Frames  B link; S sensor as documented; T true sensor: p_BT = p_BS + shift_B, R_BT = R_BS
+///         R(rpy).
 struct TrueSensor {
   Vec3 shift_B_m = Vec3::Zero();
   Vec3 rpy_deg = Vec3::Zero();

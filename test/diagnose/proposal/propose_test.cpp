@@ -14,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST(Proposal, OfAGainThatFallsWithTemperatureIsThatProduct) {
-  // Oil that thins: what the lever asks for is less by a share in proportion to the temperature.
+  // Oil thins: the response to the lever falls in proportion to the temperature.
   const Odd odd(21, [](double lever, double temperature) { return -0.2 * lever * temperature; });
   const auto proposal = odd.Proposed();
   ASSERT_TRUE(proposal.has_value());
@@ -60,7 +60,7 @@ TEST(Proposal, OfAGainThatGoesUpAndDownIsItsCurve) {
     beyond += truth < curve.low[bin] - 0.03 || truth > curve.high[bin] + 0.03 ? 1 : 0;
   }
   EXPECT_LT(std::sqrt(square / 64), 0.04);  // of 0.28
-  EXPECT_LE(beyond, 4);                     // of 64, but for what smoothing cuts off
+  EXPECT_LE(beyond, 4);                     // of 64, except for the smoothing's loss
   EXPECT_NEAR(proposal->rmse_after, kNoise, 0.02);
   EXPECT_GT(proposal->rmse_before, 2 * proposal->rmse_after);
   EXPECT_THAT(SentenceOf(odd.block, *proposal),

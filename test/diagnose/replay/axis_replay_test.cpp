@@ -24,7 +24,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// What a recording of a drive would hold: the levers of each step, and ideal encoders at 100 Hz.
+/// Recording of a drive: the levers of each step, and ideal encoders at 100 Hz.
 struct Recorded {
   TableRecording commands;
   NamedEncoders encoders{"m/encoders", {}};
@@ -81,7 +81,7 @@ double Rms(const std::vector<double>& predicted, const MeasuredRate& measured) {
   return std::sqrt(square / n);
 }
 
-/// RMS of what a replay leaves of a joint's measured rate.
+/// RMS residual of a replay for a joint's measured rate.
 double Residual_radps(const AxisLog& log, const MachineModel& model, const MachineEffects& effects,
                       const std::string& joint) {
   const auto predicted = AxisReplay(model, log).Predict(effects);
@@ -195,7 +195,7 @@ TEST(LoneAxisReplay, FallsShortAtEverySampleThatAWeakDriveChanges) {
     }
     EXPECT_GE(changed, 20);
     EXPECT_EQ(spared, 0);
-    // At both ends one of a step too many at most.
+    // At most one step too many at each end.
     EXPECT_LE(std::count(marked.begin(), marked.end(), true), changed + 2 * 7 + 1);
   };
   for (const double step_s : {0.002, 0.02, 0.067}) {  // the last with six or seven samples
@@ -204,7 +204,7 @@ TEST(LoneAxisReplay, FallsShortAtEverySampleThatAWeakDriveChanges) {
   }
 }
 
-/// Of the boom, which shares pump 1 with the bucket.
+/// The block of the boom, which shares pump 1 with the bucket.
 ReplayBlock BlockOfBoom(const Drive& drive, const Recorded& recorded) {
   const MachineModel& model = drive.scenario.machines[0].placement.model;
   const AxisLog log = MakeAxisLog(model, recorded.commands, {recorded.encoders}, 0.005);
@@ -428,8 +428,8 @@ TEST(CandidatesOfAxis, ARingSwingsBeforeItIsGone) {
   EXPECT_FALSE(ring.is_itself({6, 20, 0}));
 }
 
-/// The largest value that a search may give the first number of a mechanism of the arm, by the
-/// first encoder; 0 where the mechanism is no candidate.
+/// Upper bound of a mechanism's first parameter in a search, for the arm by the first encoder. 0 if
+/// the mechanism is no candidate.
 double MostOfArm(const MachineModel& model, const Recorded& recorded,
                  const std::vector<NamedEncoders>& encoders, const std::string& id) {
   const AxisLog log = MakeAxisLog(model, recorded.commands, encoders, 0.002);
@@ -453,7 +453,7 @@ NamedEncoders Every(const NamedEncoders& encoders, TimeNs period_ns) {
   return thinned;
 }
 
-/// Rows as often as before, each with what was measured last once a period.
+/// The same number of rows, each holding the last measurement of its period.
 NamedEncoders Held(const NamedEncoders& encoders, TimeNs period_ns) {
   NamedEncoders held = encoders;
   EncoderSample last = held.recording.samples.front();
@@ -465,7 +465,7 @@ NamedEncoders Held(const NamedEncoders& encoders, TimeNs period_ns) {
   return held;
 }
 
-// Samples at f tell swings of up to f / 2 from slower ones: pi f in rad/s.
+// Samples at f resolve oscillations up to f / 2: pi f in rad/s.
 TEST(CandidatesOfAxis, NothingSwingsFasterThanHalfTheRateOfSamples) {
   Drive drive = Swaying("");
   const MachineModel& model = drive.scenario.machines[0].placement.model;

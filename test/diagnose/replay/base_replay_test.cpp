@@ -109,8 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
                       BaseReplayCase{"soil: dirt, relief: {slope_deg: 8}",
                                      "slope_slip: {slip: 0.02, slip_per_slope: 1.5}"}));
 
-/// How much further a machine goes than its tracks, of which either goes one way for 2 s and the
-/// other way for 2 s.
+/// Distance by which a machine exceeds that of its tracks, each of which reverses after 2 s.
 double FurtherThanItsTracks(double left_mps, double right_mps, double PlanarTwist::*part,
                             const Grip& grip) {
   Drive drive = Meandering("soil: asphalt", "");
@@ -170,8 +169,8 @@ TEST(BaseBlock, LetsPassWhatGroundThatHoldsLittleChanges) {
   EXPECT_EQ(block->channels[2].nominal.cols(), 0);  // turning
 }
 
-// On a side slope of 0.1 rad, left side up, turning left at 0.3 rad/s: about the middle of its
-// load, and downhill until friction of 0.7 under a contact of length L holds the weight across it.
+// A left turn at 0.3 rad/s on a side slope of 0.1 rad, left side up. The centre is the middle of
+// the load, shifted downhill until friction of 0.7 under a contact of length L holds the weight.
 TEST(BaseBlock, LetsPassThatAMachineTurnsAboutTheMiddleOfItsLoad) {
   Drive drive = Meandering("soil: asphalt", "");
   const MachineModel& model = drive.scenario.machines[0].placement.model;
@@ -251,7 +250,7 @@ TEST(BaseBlock, ExcludesTheSameTurningHoweverLongTheMachineStandsAfterwards) {
 }
 
 TEST(BaseReplay, AReversalIsHeldBackByTheFrictionOfTheGround) {
-  // 1 m/s is lost at 0.2 g, over which it goes v^2 / 2 a further than its tracks.
+  // 1 m/s decays at 0.2 g: the machine moves v^2 / 2 a further than its tracks.
   const double further_m = FurtherThanItsTracks(0.5, 0.5, &PlanarTwist::forward_mps, {0.2, 3000});
   EXPECT_NEAR(further_m, 1 / (2 * 0.2 * kStandardGravity_mps2), 0.025);  // of half a step
 }
@@ -292,8 +291,8 @@ TEST(BaseLog, TellsHowFarOnAnArc) {
   }
 }
 
-/// Rates of the first gear over a minute, in which it turns at 2 rad/s. Its encoder says so with an
-/// error of 0.5 rad/s, of one sign and the other; `angle_rad` is the angle that it says at a time.
+/// Rates of the first gear over a minute at 2 rad/s, with an encoder error of 0.5 rad/s of
+/// alternating sign. `angle_rad` is its reported angle at a time.
 std::vector<double> GearRates(const std::function<double(double t_s)>& angle_rad) {
   Drive drive = Meandering("soil: asphalt", "");
   const MachineModel& model = drive.scenario.machines[0].placement.model;
@@ -374,8 +373,8 @@ TEST(BaseBlock, BesideLatePosesWouldHaveMovedAsMuchLater) {
   }
 }
 
-/// The same machine on even ground, as it was driven for 60 s, its poses stamped as they arrive:
-/// those of the first third of each second wait for its end.
+/// The same machine on even ground for 60 s with arrival stamps: poses of the first third of each
+/// second wait for its end.
 struct Waited {
   Drive drive = Meandering("soil: asphalt", "");
   const MachineModel& model = drive.scenario.machines[0].placement.model;

@@ -40,7 +40,7 @@ RecordedEfforts RecordArm(const std::string& effects, double duration_s) {
   return recorded;
 }
 
-/// RMS of what is left, over that of the effort.
+/// RMS of the residual over that of the effort.
 double ShareLeft(const EffortLog& log, const std::vector<double>& predicted_nm) {
   double left = 0, all = 0;
   for (std::size_t k = 0; k < predicted_nm.size(); ++k) {

@@ -32,8 +32,7 @@ SensorDescription OnTheBoom() {
   return sensor;
 }
 
-/// What a recording would hold: the unit at 200 Hz with `effects`, ideal encoders and poses at 100
-/// Hz.
+/// A recording: the unit at 200 Hz with `effects`, ideal encoders and poses at 100 Hz.
 struct ImuReplayRecorded {
   std::vector<ImuSample> imu;
   std::vector<NamedEncoders> encoders{{"m/encoders", {}}};
@@ -118,7 +117,7 @@ TEST(ImuReplay, MeasuresWhatTheUnitOnTheMovingMachineMeasured) {
   EXPECT_LT(error.f_mps2, 0.03);
 }
 
-/// A unit on the root link, turned by 0.9 rad, and what it measures of a motion in 30 s.
+/// A unit on the root link, turned by 0.9 rad, and its measurements of a motion of 30 s.
 struct Carried {
   Drive drive = Working();
   SensorDescription sensor = OnTheBoom();
@@ -142,8 +141,8 @@ struct Carried {
   }
 };
 
-/// A replay from pose to pose smooths a shake of 2 Hz more than a mean over an interval does: what
-/// was measured must be smoothed alike.
+/// A replay between poses smooths a 2 Hz oscillation more than a mean over an interval does.
+/// Measurements need the same smoothing.
 TEST(ImuReplay, ComparesForcesThroughTheSameWindow) {
   const Carried carried([](double t_s) {
     return MakePose({0.05 * std::sin(2 * kPi * 2 * t_s), 0, 0}, 0, 0, 0.3 * t_s);
@@ -154,8 +153,8 @@ TEST(ImuReplay, ComparesForcesThroughTheSameWindow) {
   EXPECT_LT(error.f_mps2, 0.01);
 }
 
-/// Intervals as long as the forces of noisy poses need them do not blur the turn rates of a unit
-/// whose clock is behind by a part of one.
+/// Intervals long enough for forces from noisy poses do not blur the turn rates of a unit whose
+/// clock lags by a fraction of them.
 TEST(ImuReplay, TurnsWithinLongIntervalsAsTheLinkDid) {
   Carried carried([](double t_s) {
     return MakePose({0, 0, 0}, 0, 0, 0.3 * std::sin(2 * kPi * 0.5 * t_s));
@@ -166,7 +165,7 @@ TEST(ImuReplay, TurnsWithinLongIntervalsAsTheLinkDid) {
   log.known.back() = false;  // the unit had ended before the poses did
   const ImuReplayRms error =
       ErrorOf(log, ImuReplay(carried.sensor, log).Predict({Named("clock_offset", {-0.22})}));
-  // Of 0.67 rad/s, of which straight lines over half an interval would leave 0.02.
+  // of 0.67 rad/s; straight lines over half an interval would leave 0.02
   EXPECT_LT(error.w_radps, 0.004);
 }
 

@@ -14,8 +14,8 @@ namespace {
 constexpr double kPeriod_s = 0.1, kAtBest_s = 0.04, kHandling_s = 0.03;
 constexpr double kDrift_s = 0.012;  ///< one per cent of a period for each of a dozen that wait
 
-/// Poses measured every 0.1 s for 60 s at 1.5 m/s along x, but at rest until 10 s, of which every
-/// `lost`th is lost.
+/// Poses measured every 0.1 s for 60 s, at rest until 10 s, then at 1.5 m/s along x. Every `lost`th
+/// is lost.
 std::vector<double> MeasuredTimes(int lost) {
   std::vector<double> t_s;
   for (int k = 0; k < 600; ++k) {
@@ -60,7 +60,7 @@ TEST(PoseTimes, AreThoseAtWhichWaitingPosesWereMeasured) {
 }
 
 TEST(PoseTimes, CountThePosesThatWereLostWhileTheMachineMoved) {
-  // A loss while poses wait puts what waited before it a period earlier.
+  // A loss among waiting poses shifts the earlier ones by a period.
   std::vector<double> measured_s = MeasuredTimes(0);
   measured_s.erase(measured_s.begin() + 303);
   const std::vector<TruthPose> poses = Arrive(measured_s, 0.8);

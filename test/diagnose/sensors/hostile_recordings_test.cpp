@@ -5,8 +5,8 @@
 #include "diagnose/sensors/made_recording.h"
 #include "diagnose/sensors/sensor_diagnosis.h"
 
-// Recordings that nobody would make on purpose, in none of which anything is wrong with a sensor:
-// nothing is named, nothing is thrown but an InputError, and all numbers are finite.
+// Hostile recordings without any sensor error: nothing is named, only InputError is thrown, and all
+// numbers are finite.
 
 namespace tera {
 namespace {

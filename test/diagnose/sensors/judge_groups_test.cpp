@@ -10,8 +10,8 @@
 #include "core/random.h"
 #include "sensors/sensor_mechanisms.h"
 
-// Quadratics of segments about a truth that is known: information I = J' J of drawn rows, score I p
-// + noise of covariance I, as linear measurements with white noise of one have.
+// Quadratics of segments about a known truth: information I = J' J of random rows, score I p +
+// noise of covariance I. Linear measurements with unit white noise have these.
 
 namespace tera {
 namespace {
@@ -119,8 +119,8 @@ TEST(JudgeGroups, NamesNothingOfFewRowsMoreOftenThanItSays) {
   EXPECT_LE(named, kMostNamed);
 }
 
-// Errors that segments have in common, as of a motion that is not as the model has it: scores
-// scatter by three times what the information says.
+// Errors common to segments, as from a motion unlike the model's: scores scatter three times as
+// much as the information states.
 TEST(JudgeGroups, NamesNothingWhereScoresScatterMoreThanInformationSays) {
   const ParameterTable table = Table(4);
   int named = 0;
@@ -159,7 +159,7 @@ TEST(JudgeGroups, NamesTheOneBeyondWithItsNumbers) {
     }
   }
   EXPECT_GE(alone, 97);
-  // Of 200 normal errors 0.5 are expected beyond three and 9 beyond two sigma.
+  // Of 200 normal errors, 0.5 are expected beyond three sigma and 9 beyond two.
   EXPECT_GE(within_three, numbers - 4);
   EXPECT_GE(within_two, numbers - 24);
 }
@@ -187,8 +187,7 @@ TEST(JudgeGroups, FindsParametersThatAreBestWithTheNamedFree) {
   for (int p = 0; p < 8; ++p) EXPECT_NEAR(judged.parameters[p], truth[p], 0.3) << p;
 }
 
-// What the data see is only the sum of the first numbers of groups 1 and 3, which is four
-// tolerances and may be of either.
+// The data determine only the sum of the first numbers of groups 1 and 3, which is four tolerances.
 TEST(JudgeGroups, SaysThatTwoWithTheSameEffectAreNotToldApart) {
   const ParameterTable table = Table(4);
   for (int seed = 0; seed < 20; ++seed) {
@@ -213,11 +212,11 @@ TEST(JudgeGroups, SaysThatTwoWithTheSameEffectAreNotToldApart) {
   }
 }
 
-// As of the zeros of two encoders, of a boom (group 3) and of an arm behind it (group 4), with the
-// mounts of three units, one on the boom: the data see the sum of groups 0 and 3, and those of 1
-// and of 2 with 3 and 4. Group 3 is off by 2.8 tolerances, group 0 by a little more than one. That
-// group 0 alone is off, by 2.9, fits even a little better, but takes all others to be off by about
-// a tolerance, two sigma of what is expected of each.
+// As for the zeros of two encoders, of a boom (group 3) and of an arm behind it (group 4), and the
+// mounts of three units, one on the boom. The data determine the sum of groups 0 and 3, and those
+// of 1 and of 2 with 3 and 4. Group 3 is off by 2.8 tolerances, group 0 by a little more than one.
+// The hypothesis that only group 0 is off, by 2.9, fits slightly better, but needs all others to be
+// off by about a tolerance, two sigma each.
 TEST(JudgeGroups, NamesTheCauseForWhichNothingElseMustBeStretched) {
   const ParameterTable table = Table(5);
   int right = 0;
@@ -302,7 +301,7 @@ TEST(JudgeGroups, OfOneSegmentOrNoneNamesNothing) {
   EXPECT_THAT(JudgeGroups(Table(0), {}).named, IsEmpty());
 }
 
-// A collision in one of ten segments that says ten tolerances, while all others say nothing.
+// A collision in one of ten segments suggests ten tolerances; all others suggest none.
 TEST(JudgeGroups, DoesNotNameWhatASingleSegmentSays) {
   const ParameterTable table = Table(4);
   for (int seed = 0; seed < 30; ++seed) {

@@ -10,12 +10,12 @@
 #include "core/units.h"
 #include "diagnose/measurements.h"
 
-// A short recording of a base that winds about, its upper structure and its boom, made by formulas
-// of sines: inertial units on the upper structure and the boom, two antennas, encoders, poses.
+// A short recording of a base on a winding path, its upper structure and its boom, by formulas of
+// sines. Inertial units on the upper structure and the boom, two antennas, encoders, poses.
 
 namespace tera {
 
-/// What is wrong with it, each beside what is documented. In SI units.
+/// Errors, each relative to the documented value. SI units.
 struct Wrong {
   Vec3 gyro_bias_radps = Vec3::Zero(), accel_bias_mps2 = Vec3::Zero();  ///< of the boom's unit
   Vec3 mount_rad = Vec3::Zero(), place_m = Vec3::Zero();                ///< of the boom's unit
@@ -141,7 +141,7 @@ class MadeRecording {
   bool IsKept(const std::string& name, int k) const {
     return Draw(name + "/lost").Uniform(k) >= how_.lost;
   }
-  /// The stamp of what was measured at a time.
+  /// The stamp of a measurement at time `t`.
   TimeNs Stamp(const std::string& name, int k, double t) const {
     const double by_s = how_.jitter_s * (2 * Draw(name + "/jitter").Uniform(k) - 1);
     return how_.epoch_ns + FromSeconds(t + by_s);
@@ -174,7 +174,7 @@ class MadeRecording {
       measured.imus[s].push_back(sample);
     }
   }
-  /// Rates and forces over a time, whose middle stands for it unless blows fall within.
+  /// Mean rates and forces over an interval, by its middle unless blows fall within.
   std::pair<Vec3, Vec3> MeanOver(int link, const Pose& X_LS, double from_s, double over_s) const {
     const int parts = how_.blows_radps > 0 ? 20 : 1;
     const double h = how_.blows_radps > 0 ? over_s / parts / 2 : 1e-3;

@@ -15,7 +15,7 @@ using ::testing::SizeIs;
 
 constexpr std::size_t kLeft = 0, kRight = 1;
 
-/// How a machine on tracks moved, and what is wrong with what its receivers say.
+/// Motion of a tracked machine, and the errors of its receivers.
 struct Tracked {
   double drives = 1, slews = 1;  ///< times the usual
   double slip = 0;
@@ -26,8 +26,8 @@ struct Tracked {
   bool has_right = true;
 };
 
-/// A machine with two tracks and a swing, two antennas, encoders of all of them: its tracks start,
-/// stop and turn it anew every few seconds, and so does the swing.
+/// A machine with two tracks and a swing, two antennas, and encoders of all axes. Its tracks and
+/// swing start, stop and turn anew every few seconds.
 class TrackedRecording {
  public:
   explicit TrackedRecording(const Tracked& how) : model(TurningMachine()) {

@@ -163,7 +163,7 @@ TEST(PathLag, IsNotToldOfASteadyDrive) {
   EXPECT_GT(POf(driven), 0.05);
 }
 
-// Strokes that repeat themselves every ten seconds look alike at all multiples of these.
+// Strokes that repeat every ten seconds match at all multiples of that lag.
 TEST(PathLag, IsNotToldWhereMotionRepeatsItself) {
   Driven driven = Restless(1);
   driven.speed_mps = [](double t_s) { return std::sin(2 * M_PI * t_s / 10); };

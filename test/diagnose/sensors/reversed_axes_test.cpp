@@ -36,7 +36,7 @@ Effect Flip() {
   return {};
 }
 
-/// A recording in which the boom's encoder reads 2 pivot - q, where `pivot` is given.
+/// A recording in which the boom's encoder reads 2 pivot - q.
 struct Recorded {
   MadeRecording made;
   explicit Recorded(std::optional<double> pivot_rad, double lever_sign = 1) : made(Made{}) {

@@ -29,15 +29,15 @@ std::vector<std::string> NamesOf(const std::vector<SensorFinding>& findings) {
   return names;
 }
 
-/// One thing that is wrong, and how it is told.
+/// A single error and its expected report.
 struct Case {
   Wrong wrong;
   std::string name, number;
   double value = 0;  ///< in the mechanism's unit
 };
 
-/// Four times as much as is tolerated; eight times of the place of the unit and of a reflection,
-/// sixteen times of an accelerometer's bias, of which a minute tells little beside a lean within
+/// Four times the tolerance. Eight times for the place of the unit and for a reflection, sixteen
+/// times for an accelerometer's bias, of which a minute reveals little next to a tilt within
 /// tolerance.
 std::vector<Case> Cases() {
   const UsualTolerances& of = kTolerances;
@@ -180,7 +180,7 @@ TEST(SensorDiagnosis, TwoAntennasOneAboveTheOtherHaveNoYaw) {
   }
 }
 
-// Nothing turns a unit about what it sits on, so that its place is told by the waves alone.
+// Nothing turns a unit about its mount, so that only the waves reveal its place.
 TEST(SensorDiagnosis, OfWavesUnderAMachineWhoseJointsRestNamesNothing) {
   for (const bool has_poses : {true, false}) {
     MadeRecording made({.seed = 19, .slew_moves = 0, .boom_moves = 0, .has_poses = has_poses});
@@ -197,7 +197,7 @@ TEST(SensorDiagnosis, OfNothingWrongButLostRowsAndJitterNamesNothing) {
 }
 
 /// A machine that stands and raises its boom, with a bias of the boom's gyro about z. Only the boom
-/// has an encoder, and no receiver or pose shows the base: levers alone, at 10 Hz, say that neither
+/// has an encoder, and no receiver or pose observes the base. Levers at 10 Hz show that neither
 /// tracks nor swing move.
 MadeRecording StandingByItsLevers(double gyro_z_radps) {
   Wrong wrong;
@@ -221,7 +221,7 @@ MadeRecording StandingByItsLevers(double gyro_z_radps) {
   return made;
 }
 
-// Without what the levers say, a place of the boom's unit 0.46 m off would be named beside.
+// Without the levers, a place of the boom's unit 0.46 m off would be named too.
 TEST(SensorDiagnosis, KnowsByLeversThatABaseWithoutSensorsStands) {
   const double bias_radps = 8 * kTolerances.gyro_bias_radps;
   MadeRecording made = StandingByItsLevers(bias_radps);

@@ -59,9 +59,8 @@ TEST(SensorParameters, AreInGroupsThatFollowEachOtherWithoutAGap) {
   EXPECT_EQ(next, static_cast<int>(all.table.parameters.size()));
 }
 
-// A joint that stays where it is, within what its zero may be off, shows no scale: half of 0.56
-// mrad of noise and quantisation is far below a tolerance of some milliradians, half of 0.2 rad
-// beyond.
+// A joint at rest, within the tolerance of its zero, shows no scale. Half of 0.56 mrad of noise and
+// quantisation is far below a tolerance of some milliradians; half of 0.2 rad is above.
 TEST(SensorParameters, TheScaleOfAnAxisIsNamedOnlyWhereItSwings) {
   for (const auto& [swing, may_be_named] : {std::pair{0.00056, false}, std::pair{0.2, true}}) {
     ParameterTable table;
@@ -73,7 +72,7 @@ TEST(SensorParameters, TheScaleOfAnAxisIsNamedOnlyWhereItSwings) {
   }
 }
 
-// A tolerance of 0.05 rad for the heading holds for all that turns the line between two antennas.
+// A tolerance of 0.05 rad for the heading covers every rotation of the line between two antennas.
 TEST(SensorParameters, ThePairsYawLeavesRoomForWhatPlacesTurn) {
   SensorDescription gnss;
   gnss.name = "gnss";
@@ -90,7 +89,7 @@ TEST(SensorParameters, ThePairsYawLeavesRoomForWhatPlacesTurn) {
   }
 }
 
-// A group is told as a mechanism of the library with its parameters.
+// A group is reported as a mechanism of the library with its parameters.
 TEST(SensorParameters, AreNumbersOfMechanismsThatThereAre) {
   const All all;
   for (const ParameterGroup& group : all.table.groups) {
@@ -146,7 +145,7 @@ TEST(SensorParameters, AreDocumentedAsTheEffectsOfTheScenarioHaveThem) {
   EXPECT_NEAR(all.At(all.receiver.late).documented, -0.2, 1e-12) << "its stamps are early";
 }
 
-// Where no effect is documented the scale is one, everything else nothing.
+// Without documented effects, the scale is one and everything else zero.
 TEST(SensorParameters, AreDocumentedAsIdealWithoutEffects) {
   const All all;
   for (const SensorParameter& one : all.table.parameters) {

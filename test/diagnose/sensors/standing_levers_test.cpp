@@ -9,8 +9,8 @@
 namespace tera {
 namespace {
 
-/// A tracked machine that stands, with levers ten times a second of which the tracks' move from 10
-/// to 12 s, and whose upper structure turns with an encoder.
+/// A tracked machine at rest, with levers at 10 Hz. The tracks' levers move from 10 to 12 s, and
+/// the upper structure with an encoder turns.
 struct Standing {
   explicit Standing(double base_moves = 0)
       : made({.duration_s = 30, .base_moves = base_moves, .has_poses = false}) {

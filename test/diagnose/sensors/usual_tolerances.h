@@ -2,8 +2,8 @@
 
 namespace tera {
 
-/// Expected deviations of the faultless recordings, in SI units. Those of scales and of a unit's
-/// mount are from docs/reference/diagnose.md.
+/// Expected deviations of the faultless recordings, in SI units. Scales and a unit's mount are from
+/// docs/reference/diagnose.md.
 struct UsualTolerances {
   double gyro_bias_radps = 0.002, accel_bias_mps2 = 0.04;
   double gyro_scale = 0.02, accel_scale = 0.01;

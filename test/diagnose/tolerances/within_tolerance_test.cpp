@@ -58,8 +58,8 @@ TEST(Tolerance, LiesOnBothSidesOfTheNumberWithoutEffect) {
   EXPECT_FALSE(IsBeyondTolerance(FindingOf(blocks[0], {0.95}, {0.001})));
 }
 
-// A rate 14 % too high, known to 0.2 % by the data, and its effect to a twentieth of itself: 0.14
-// less 1.645 * 0.0073 is beyond 0.06, though the number itself is told with 0.057.
+// A rate 14 % too high, known to 0.2 % by the data, and its effect to a twentieth. 0.14 - 1.645 *
+// 0.0073 exceeds 0.06, although the parameter itself has a sigma of 0.057.
 TEST(Tolerance, OfAFactorIsHeldAgainstWhatItDiffersByFromOne) {
   auto blocks = BlockOf(MechanismOf("rate_gain", EffectTarget::kJoint), "boom");
   StateTolerances({}, &blocks);
@@ -100,7 +100,7 @@ TEST(Tolerance, IsNotExceededByANumberThatIsNotDetermined) {
   EXPECT_FALSE(IsBeyondTolerance(held));
 }
 
-// Of a latency of 3 s at the end of its range nobody knows whether it is more.
+// A latency of 3 s at the end of its range may be larger.
 TEST(Tolerance, LeavesWhatIsNotDeterminedAndLiesBeyondUnconfirmed) {
   auto blocks = BlockOf(MechanismOf("latency", EffectTarget::kImu), "imu_boom");
   StateTolerances({}, &blocks);
@@ -151,7 +151,8 @@ TEST(Tolerance, WhatTakesLessThanAFactorWithinItsToleranceLeavesIsNotTold) {
   EXPECT_FALSE(IsBeyondTolerance(FindingThatTakes(blocks[0], 0.0285, 0.0299, 0.0010)));
 }
 
-// From 0.0299 to 0.0285 rad/s, of which what is expected takes the way to 0.0290: 0.00536 is left.
+// From 0.0299 to 0.0285 rad/s. The expected deviation explains the part down to 0.0290: 0.00536
+// remains.
 TEST(Tolerance, IsAskedBeyondWhatIsExpectedInTheFindingsPlace) {
   auto blocks = BlockOf(MechanismOf("structural_flex", EffectTarget::kJoint), "boom");
   StateTolerances({}, &blocks);
@@ -179,8 +180,8 @@ TEST(Tolerance, OfARivalThatDoesAsWellHoldsForTheFinding) {
   EXPECT_TRUE(IsWithinTolerance(finding));
 }
 
-// With the rival and all else that is as expected 0.0102 rad/s is left, sqrt(0.0102^2 - 0.01^2) =
-// 0.00201 more than the finding leaves; or 0.02, 0.0173 more.
+// With the rival and all other expected deviations, 0.0102 rad/s remain: sqrt(0.0102^2 - 0.01^2) =
+// 0.00201 more than the finding leaves. Or 0.02: 0.0173 more.
 TEST(Tolerance, OfARivalIsHeldAgainstTheErrorThatItLeaves) {
   auto blocks = BlockOf(MechanismOf("structural_flex", EffectTarget::kJoint), "boom");
   StateTolerances({}, &blocks);
@@ -220,7 +221,7 @@ TEST(Tolerance, ThatABlockStatesItselfStandsUnlessTheOwnerStatesAnother) {
   EXPECT_TRUE(IsBeyondTolerance(FindingOf(blocks[0], {0.0168, 0.02, 1, 0.02}, sigmas)));
 }
 
-// A drive that answers 0.18 s late is slower than expected, however little friction it has beside.
+// A drive that responds 0.18 s late is slower than expected, regardless of its small friction.
 TEST(Tolerance, OfALagHoldsWhereFrictionHasTheLag) {
   auto blocks = BlockOf(MechanismOf("drive_friction", EffectTarget::kJoint), "slew");
   blocks[0].candidates[0].free.push_back({.index = 1, .upper = 0.5});
@@ -231,7 +232,7 @@ TEST(Tolerance, OfALagHoldsWhereFrictionHasTheLag) {
   EXPECT_FALSE(IsBeyondTolerance(FindingOf(blocks[0], {0.005, 0.03, 1, 0.02}, sigmas)));
 }
 
-// Of levers that were logged ten times a second each change is known to 0.05 s.
+// In a lever log at 10 Hz, each change is known to 0.05 s.
 TEST(Tolerance, OfADelayHoldsBesideWhatTheLogOfALeverTells) {
   const std::vector<std::optional<double>> sigmas = {0.001, {}};
   for (const std::string_view id : {"actuator_lag", "command_delay"}) {

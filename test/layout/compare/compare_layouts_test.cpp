@@ -43,8 +43,7 @@ LayoutReport ReportOf(const std::string& name, const std::vector<std::vector<dou
 
 std::vector<double> Zeros(std::size_t n) { return std::vector<double>(n, 0.0); }
 
-/// A stationary series of mean zero and unit variance, each value alike to the one before it by
-/// `phi`.
+/// A stationary series of zero mean and unit variance; `phi` correlates successive values.
 std::vector<double> Series(std::size_t n, double phi, std::mt19937_64* random) {
   std::normal_distribution<double> normal;
   std::vector<double> series = {normal(*random)};
@@ -87,8 +86,8 @@ TEST(LayoutComparison, ADifferenceBeyondAllErrorsIsDecided) {
   const std::vector<double> first = Series(50, 0.5, &random);
   std::vector<double> other = first;
   for (double& value : other) value += 0.1;
-  // Errors are of the places that were tried, the same at all moments: they do not average out, so
-  // that the difference has one of 0.01 sqrt(2).
+  // Errors belong to the tested places, equal at all moments: they do not average out, and the
+  // difference has an error of 0.01 sqrt(2).
   const Difference d = Compare(ReportOf("a", {first}, 0.01), ReportOf("b", {other}, 0.01)).front();
   EXPECT_EQ(d.figure, IdOf(0));
   EXPECT_NEAR(d.of_other - d.of_first, 0.1, 1e-12);
@@ -121,9 +120,9 @@ TEST(LayoutComparison, LessIsBetterWhereTheFigureSaysSo) {
             Verdict::kBetter);
 }
 
-// Of an interval made from k blocks the variance is short by 1/k, since it is about the mean of the
-// series itself, and it is estimated from k values: a share P(|t| < 1.96 sqrt(1 - 1/k)) of trials,
-// t of k - 1 degrees of freedom, is undecided. Of two minutes in blocks of 2 s that is 94.3 %.
+// An interval from k blocks underestimates the variance by 1/k, since it is about the series' own
+// mean, and it rests on k values. A share P(|t| < 1.96 sqrt(1 - 1/k)) of trials, t with k - 1
+// degrees of freedom, is undecided. For two minutes in blocks of 2 s, that is 94.3 %.
 TEST(LayoutComparison, NoiseIsUndecidedInNineteenOfTwentyTrials) {
   constexpr int kTrials = 100;
   const int undecided = Undecided(kTrials, 600, 0, 2.0);
@@ -133,10 +132,10 @@ TEST(LayoutComparison, NoiseIsUndecidedInNineteenOfTwentyTrials) {
   EXPECT_LT(undecided, kTrials);
 }
 
-// Of a series whose correlation decays by phi a moment, blocks of b moments hold a share
-// 1 - 2 phi / ((1 - phi^2) b) of the variance of the mean (Kuensch 1989; Lahiri 2003, ch. 5),
-// single moments (1 - phi) / (1 + phi). For phi = exp(-0.4), a decay in 0.5 s, and b = 10 these are
-// 0.757 and 0.197: a normal value lies within 1.96 sqrt of them with a chance of 90.7 and 61.6 %.
+// The correlation of the series decays by phi a moment. Blocks of b moments hold a share 1 - 2 phi
+// / ((1 - phi^2) b) of the variance of the mean (Kuensch 1989; Lahiri 2003, ch. 5), single moments
+// (1 - phi) / (1 + phi). For phi = exp(-0.4), a decay in 0.5 s, and b = 10, these are 0.757 and
+// 0.197. A normal value lies within 1.96 sqrt of them with a probability of 90.7 and 61.6 %.
 TEST(LayoutComparison, MomentsThatAreAlikeAreTakenInBlocks) {
   constexpr int kTrials = 100;
   const double phi = std::exp(-0.4);
@@ -184,7 +183,7 @@ TEST(LayoutComparison, OtherQuestionsAreRefused) {
 }
 
 TEST(LayoutComparison, WhatIsSeenOfAZoneIsDecidedOnlyWhereWhatIsNotIsTooAndBack) {
-  // The volume differs by 1 m^3 in 10 at every moment, the share by less than its places can tell.
+  // The volume differs by 1 m^3 in 10 at every moment, the share by less than its places resolve.
   std::vector<double> ones(50, 1.0), more(50, 0.51), less(50, 0.5);
   const auto report = [&](const std::string& name, const std::vector<double>& seen,
                           const std::vector<double>& blind_m3, double error) {

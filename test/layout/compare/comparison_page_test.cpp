@@ -69,7 +69,7 @@ TEST(PageOfAComparison, WhatLooksLikeMarkupIsText) {
 }
 
 TEST(PageOfAComparison, DifferencesOfMapsAreOfTheirOwnScale) {
-  // Half of the map's scale less or more: red or blue, nowhere the grey of what is not known.
+  // Half of the map's scale less or more: red or blue, never the grey of unknown cells.
   LayoutReport first = SampleReport(), worse = SampleReport("worse"),
                better = SampleReport("better");
   for (const auto& [report, value] :

@@ -177,7 +177,7 @@ class ArmFilter {
     return z;
   }
 
-  /// Of the state and the coordinates and rates of the time before, in one column.
+  /// Prediction from the state, and from the previous coordinates and rates, in one column.
   Eigen::VectorXd Expected(const Eigen::VectorXd& x, const ArmSamples::Moment& moment) const {
     std::vector<double> z;
     Eigen::Index error = 3 * n_;

@@ -64,9 +64,9 @@ TEST(BlindMap, WithoutAViewerAllIs) {
   EXPECT_NEAR(Blind_m2(map, "24m"), Ring_m2(0, 24), 1e-6);
 }
 
-// A tall wall whose face lies 3 m ahead and spans 25 deg of azimuth, seen from the middle: the five
-// sectors ahead, from the ring that begins at 3 m on. The wall's back is 3.1 m / cos 10 deg = 3.15
-// m away at most, so that no middle of a cell is in it.
+// A tall wall whose face lies 3 m ahead and spans 25 deg of azimuth, seen from the middle. It
+// covers the five sectors ahead, from the ring that begins at 3 m. Its back is at most 3.1 m / cos
+// 10 deg = 3.15 m away, so that no middle of a cell is in it.
 SiteText WallAhead(double height_m = 9) {
   const double half_m = 3 * std::tan(12.5 * kDeg);
   return {.boxes = {{"wall1", {3, -half_m, 0}, {3.1, half_m, height_m}}}};
@@ -87,10 +87,9 @@ TEST(BlindMap, BehindAWallIsBlindAndNowhereElse) {
 }
 
 TEST(BlindMap, ALowWallHidesTheGroundButNotWhatIsHigher) {
-  // From 3 m over the edge of a wall of 1 m, 3.1 m away: behind it the line falls by 2 / 3.1 a
-  // metre and is at 4.65 m on the ground, at 0.9 m of height already at 3.26 m. Across the sectors
-  // that is times 1 / cos: 4.72 m at 10 deg at most. Of the ring from 4 to 5 m the middle is 4.5
-  // m.
+  // From 3 m over the edge of a wall of 1 m, 3.1 m away. Behind it the line falls by 2 / 3.1 per
+  // metre: it reaches the ground at 4.65 m, and 0.9 m of height at 3.26 m. Across the sectors the
+  // factor is 1 / cos: 4.72 m at 10 deg at most. The ring from 4 to 5 m has its middle at 4.5 m.
   const LookedAtSite site(WallAhead(1));
   const Layout layout = LayoutOf({ViewerAt("eye", {0, 0, 3})});
   EXPECT_NEAR(Blind_m2(Mapped(site, layout, 0), "12m"), Ring_m2(3, 5, 5.0 / 72), 1e-6);

@@ -24,7 +24,7 @@ Zone Box(const Vec3& low_m, const Vec3& high_m) {
 
 constexpr int kMany = 40000;
 
-/// What a layout sees of a zone whose frame is H.
+/// Coverage of a zone with frame H by a layout.
 ZoneCoverage Covered(const LookedAtSite& site, const Zone& zone, const Layout& layout,
                      int places = kMany, const SeenFrom& seen = {}) {
   ZoneCoverage coverage(zone, places, 5);
@@ -62,8 +62,8 @@ TEST(ZoneCoverage, WithoutAViewerAllIsBlind) {
   EXPECT_NEAR(At(coverage, "blind_m3"), 16, 1e-9);
 }
 
-// From (0, 0, 2) a wall at x = 3 of half a width of 1 m, higher than every line into the zone,
-// hides |y| < x / 3: of x from 4 to 8 and y from -4 to 4 the area (8^2 - 4^2) / 3 = 16 of 32.
+// From (0, 0, 2), a wall at x = 3 with half a width of 1 m, higher than every line into the zone,
+// hides |y| < x / 3. Of x from 4 to 8 and y from -4 to 4, that is (8^2 - 4^2) / 3 = 16 of 32.
 const SiteText kWall = {.boxes = {{"wall1", {3, -1, 0}, {3.2, 1, 6}}}};
 const Zone kBehind = Box({4, -4, 0.5}, {8, 4, 1.5});
 
@@ -79,8 +79,8 @@ TEST(ZoneCoverage, AWallThatIsLowHidesWhatLiesBelowItsEdge) {
   const LookedAtSite site({.boxes = {{"wall1", {3, -30, 0}, {3.2, 30, 1}}}});
   const auto coverage =
       Covered(site, Box({3.4, -1, 0}, {5.4, 1, 2}), LayoutOf({ViewerAt("eye", {0, 0, 3})}));
-  // From (0, 0, 3) the line over the wall's far edge, at 3.2 m, falls by 2 / 3.2 a metre: it is at
-  // 0.875 m at x = 3.4 and on the ground at 4.8. That triangle is hidden, of a section of 2 x 2.
+  // From (0, 0, 3), the line over the wall's far edge, at 3.2 m, falls by 2 / 3.2 per metre. It is
+  // at 0.875 m at x = 3.4 and on the ground at 4.8. That triangle of a section of 2 x 2 is hidden.
   EXPECT_NEAR(At(coverage, "seen_by_1"), 1 - 0.5 * 1.4 * 0.875 / 4, 0.005);
 }
 
@@ -111,8 +111,8 @@ TEST(ZoneCoverage, AnErrorHoldsTheTruth) {
 }
 
 TEST(ZoneCoverage, CountsHowManySee) {
-  // Three viewers in one place that look ahead, ahead and to the left: of a box around them half is
-  // seen by two, and of that half by the third.
+  // Three viewers in one place that look ahead, ahead and left. Of a box around them, two see half,
+  // and the third sees half of that.
   const auto towards = [](const Vec3& d_S) {
     ViewField field = EverywhereAlike();
     field.per_steradian = [d_S](const Vec3& d) { return d.dot(d_S) > 0 ? 1e9 : 0.0; };
@@ -166,8 +166,8 @@ TEST(ZoneCoverage, SeesNoFartherThanItReachesAndNoNearerThanItBegins) {
 }
 
 TEST(ZoneCoverage, CausesAreSharesOfTheBlindPlaces) {
-  // A wall hides |y| < x / 3 behind it, and what looks does so ahead alone: of x from -8 to 8 the
-  // half behind is out of view; of the half ahead, from 4 to 8, a half is behind the wall.
+  // A wall hides |y| < x / 3 behind it, and the viewer looks ahead only. Of x from -8 to 8, the
+  // rear half is out of view; of the front half, from 4 to 8, half is behind the wall.
   ViewField ahead = EverywhereAlike();
   ahead.per_steradian = [](const Vec3& d) { return d.x() > 0 ? 1e9 : 0.0; };
   const LookedAtSite site(kWall);
@@ -175,8 +175,8 @@ TEST(ZoneCoverage, CausesAreSharesOfTheBlindPlaces) {
   ZoneCoverage coverage(zone, 60000, 5);
   coverage.Add(coverage.PlacesInAir(X_WH(), site.sighting(), site.ground()),
                LayoutOf({ViewerAt("eye", {0, 0, 2}, ahead)}), {}, site.sighting());
-  // Areas: 64 out of view; the wall's shadow from x = 3.2 to 8, (8^2 - 3.2^2) / 3, and beside it
-  // what lies between the shadow and the wall from x = 3 on: within it nothing counts.
+  // Areas: 64 out of view; the wall's shadow from x = 3.2 to 8, (8^2 - 3.2^2) / 3; next to it, the
+  // region between the shadow and the wall from x = 3 on. The wall's inside does not count.
   const double out = 64, shadow = (64 - 3.2 * 3.2) / 3 + (3.2 * 3.2 - 9) / 3 - 0.2 * 2;
   const auto causes = coverage.Causes();
   ASSERT_EQ(causes.size(), 2u);

@@ -86,7 +86,7 @@ Viewer EvenLidar(const Yard& yard, double per_sr) {
   return ViewerOf(ViewField::Samples::kPoints, per_sr, yard.X_WH() * MakePose(Vec3(0, 0, 0.875)));
 }
 
-/// Of a standing person ahead, at the distance from the hull that is tried last.
+/// Probability for a standing person ahead, at the farthest tested distance.
 double Ahead(const Yard& yard, const std::vector<Viewer>& viewers, double farthest_m,
              int cluster_points = 5) {
   PersonStudy study;
@@ -102,8 +102,8 @@ double Ahead(const Yard& yard, const std::vector<Viewer>& viewers, double farthe
   return map.value.at(static_cast<std::size_t>(map.rings - 1));
 }
 
-/// Points per steradian by which this many lie on her, who fills half of a front of 0.5 m by
-/// 1.75 m, 20 m from the hull.
+/// Points per steradian with `points` on a person who fills half of a front of 0.5 m by 1.75 m, 20
+/// m from the hull.
 double PerSr(const Yard& yard, double points) {
   const double hull_m = HullRadii_m(yard.X_WH(), 0, kSectors, yard.sighting()).front();
   const double front_m = hull_m + 20 - 0.15;
@@ -111,8 +111,8 @@ double PerSr(const Yard& yard, double points) {
 }
 
 TEST(DetectionProbability, IsThatOfTheSolidAngleThatSheFills) {
-  // The solid angle of her front is its area over the distance squared to 0.2 %, and the
-  // probability of five or more of five changes by 5 e^-5 5^4 / 4! = 0.88 times the share.
+  // The solid angle of the front is its area over the squared distance to 0.2 %. The probability of
+  // five or more, with five expected, changes by 5 e^-5 5^4 / 4! = 0.88 times the share.
   const Yard yard(Nothing());
   EXPECT_NEAR(Ahead(yard, {EvenLidar(yard, PerSr(yard, 5))}, 20), 0.559507, 0.002);
   EXPECT_NEAR(Ahead(yard, {EvenLidar(yard, PerSr(yard, 0.7))}, 20, 1), 1 - std::exp(-0.7), 0.002);

@@ -10,7 +10,7 @@ namespace tera {
 namespace {
 
 TEST(ElevationMap, BeyondTheSiteIsNoGap) {
-  // A site of 30 m about W's origin, and a viewer 3 m above its ground that sees all of that to the
+  // A site of 30 m about W's origin, and a viewer 3 m above its ground that sees all of it to the
   // edge, 2.5 m ahead, and nothing of the land beyond.
   const LookedAtSite site({.size_m = 30});
   ViewField field = EverywhereAlike();
@@ -25,7 +25,7 @@ TEST(ElevationMap, BeyondTheSiteIsNoGap) {
   }
 }
 
-/// 3 m above the origin of H, of which it sees what `sees` says; its distances are off by 2 cm.
+/// 3 m above the origin of H; it sees what `sees` accepts, with a distance error of 2 cm.
 Viewer LidarThatSees(std::function<bool(const Vec3&)> sees, double per_steradian) {
   ViewField field = EverywhereAlike();
   field.per_steradian = [=](const Vec3& d_S) { return sees(d_S) ? per_steradian : 0.0; };
@@ -34,10 +34,9 @@ Viewer LidarThatSees(std::function<bool(const Vec3&)> sees, double per_steradian
 }
 
 TEST(ElevationMap, TheErrorOfHeightsIsThatOfCellsWithPointsHoweverManyHaveNone) {
-  // Two cells of 1 m by 7 m on level ground, their middles 3.5 m to the left and to the right of H.
-  // A point lies there at a slant of sqrt(3.5^2 + 3^2) m under an incidence of cosine 3 / slant:
-  // errors of distance move it up by that cosine, and of n points the mean is off by 1 / sqrt(n) as
-  // much.
+  // Two cells of 1 m by 7 m on level ground, with middles 3.5 m to the left and right of H. The
+  // slant to a point is sqrt(3.5^2 + 3^2) m, with a cosine of incidence of 3 / slant. Distance
+  // errors move it up by that cosine; the mean of n points errs by 1 / sqrt(n) as much.
   const LookedAtSite site({});
   const double slant_m = std::hypot(3.5, 3), cosine = 3 / slant_m, per_steradian = 4000;
   const double points = 7 * per_steradian * cosine / (slant_m * slant_m);

@@ -109,8 +109,8 @@ inline std::vector<ArmMotion> DrawCourse(const Arm& arm, const ArmLaw& law, int 
   return course;
 }
 
-/// What the sensors of an arm measure over a course, at each of the times of inertial units; empty
-/// where a slower sensor has nothing. Inertial units and antennas are in the order of the rig.
+/// Measurements of an arm's sensors over a course, at each time of the inertial units; empty where
+/// a slower sensor has none. Inertial units and antennas are in the order of the rig.
 struct ArmSamples {
   struct Moment {
     std::vector<ImuSample> imus;

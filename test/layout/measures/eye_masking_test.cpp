@@ -41,8 +41,8 @@ EyeMasking Masked(const Yard& yard, const EyeStudy& eye) {
   return masking;
 }
 
-/// From above, the eye at the origin and looking along x: the place on the line `at` whose ray from
-/// the left light grazes the plate's left edge. Places farther left are in sight of that light.
+/// From above, with the eye at the origin, looking along x: the place on the line `at` whose ray
+/// from the left light grazes the plate's left edge. That light sees places farther left.
 Vec2 LeftEnd(const Vec2& edge_m, double spacing_m, const std::function<Vec2(double)>& at,
              double low, double high) {
   for (int k = 0; k < 60; ++k) {
@@ -72,7 +72,8 @@ TEST(EyeMasking, OfOneLightIsThePlatesShadow) {
   eye.most_masking_m = 1;
   const EyeMasking masking = Masked(Yard(Plate(2, 0.6)), eye);
   EXPECT_NEAR(WidestOnCircle_m(masking), 2 * 12 * std::sin(std::atan(0.3 / 2)), kTolerance_m);
-  // The middle of the shadow is 12 m ahead of the eye, which is beside the origin of H: 0.47 deg.
+  // The middle of the shadow is 12 m ahead of the eye, which is to the side of H's origin: 0.47
+  // deg.
   EXPECT_THAT(masking.Warnings(), Contains(testing::AllOf(HasSubstr("circle, digger/mast masks"),
                                                           HasSubstr("at azimuth 0 deg"))));
 }
@@ -83,9 +84,9 @@ TEST(EyeMasking, OfTwoLightsIsTheUmbra) {
     const EyeMasking masking = Masked(yard, Eye(spacing_m));
     const double width_m = WidestOnCircle_m(masking);
     EXPECT_NEAR(width_m, UmbraOnCircle_m(2, 0.6, spacing_m), kTolerance_m);
-    // By similar triangles, as Directive 2008/2/EC has it for tractors, were the circle's chord as
-    // far away as the circle: it is nearer by 12 m (1 - cos 8.5 deg) = 0.13 m at most, which makes
-    // the shadow of 0.3 m at 2 m narrower by 2 x 0.15 x 0.13 m.
+    // By similar triangles, as in Directive 2008/2/EC for tractors, with the circle's chord as far
+    // away as the circle. It is nearer by at most 12 m (1 - cos 8.5 deg) = 0.13 m, which narrows
+    // the shadow of 0.3 m at 2 m by 2 x 0.15 x 0.13 m.
     EXPECT_NEAR(width_m, (0.6 - spacing_m) / 2 * 12 + spacing_m, 0.04 + kTolerance_m);
     const double circumference_m = 2 * kPi * 12;
     EXPECT_NEAR(FigureOf(masking.Figures(), "eye/circle/masked_share").at[0],

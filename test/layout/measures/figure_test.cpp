@@ -46,15 +46,15 @@ TEST(Figure, ErrorsOfTheSamePlacesDoNotAverageOut) {
 }
 
 TEST(EvenSigma, IsTheDeviationOfWhatLiesAnywhere) {
-  // Of a width of 2 in a million middles of equal parts.
+  // Over a width of 2, in the middles of a million equal parts.
   double squares = 0;
   for (int k = 0; k < 1000000; ++k) squares += std::pow(2 * (k + 0.5) / 1e6 - 1, 2);
   EXPECT_NEAR(EvenSigma(2), std::sqrt(squares / 1e6), 1e-9);
 }
 
 TEST(ShareError, IsTheDeviationOfACountedShare) {
-  // Counted shares of 400 places, drawn 3000 times: their deviation is known within 5 / sqrt(6000),
-  // 6.5 % at 5 sigma, and what smoothing adds at 400 places is below 2 %.
+  // Counted shares of 400 places, drawn 3000 times. Their deviation is known within 5 / sqrt(6000),
+  // 6.5 % at 5 sigma, and smoothing adds less than 2 % at 400 places.
   std::mt19937 random(1);
   for (const double share : {0.1, 0.5, 0.8}) {
     std::binomial_distribution<int> seen(400, share);
@@ -66,8 +66,8 @@ TEST(ShareError, IsTheDeviationOfACountedShare) {
 }
 
 TEST(ShareError, OfPlacesOfUnlikeWeightsIsThatOfFewerLikeOnes) {
-  // 400 places of which every other one weighs three times as much: (200 + 600)^2 / (200 + 1800) is
-  // 320. Drawn 3000 times, as above.
+  // 400 places, every second one with three times the weight: (200 + 600)^2 / (200 + 1800) is 320.
+  // Drawn 3000 times, as above.
   std::vector<double> weights;
   for (int i = 0; i < 400; ++i) weights.push_back(i % 2 == 0 ? 1 : 3);
   EXPECT_NEAR(LikeCount(weights), 320, 1e-9);

@@ -145,9 +145,9 @@ Deviations Observed(const Arm& arm, const std::vector<SensorDescription>& rig, i
   return squares;
 }
 
-// Errors of one run are correlated over the seconds that count, as biases are. Each run gives one
-// independent error at least, so that the deviation over N runs has a relative standard error of
-// 1 / sqrt(2 N) at most: 9 % for 60, which 30 % is three times.
+// Errors of a run are correlated over the relevant seconds, as biases are. Each run gives at least
+// one independent error. The deviation over N runs thus has a relative standard error of at most 1
+// / sqrt(2 N): 9 % for 60. 30 % is three times that.
 constexpr int kSeeds = 60;
 
 void ExpectAlike(const Deviations& predicted, const Deviations& observed) {
@@ -194,8 +194,8 @@ Deviations AtRest(const Arm& arm, const std::vector<SensorDescription>& rig,
 }
 
 TEST(JointInformation, ABiasedAccelerometerAtRestTellsAPitchToBiasOverGravity) {
-  // The boom lies level and the unit's axes are along it: a small pitch p adds g p to the axis
-  // along the boom, as a bias does, so that neither is told from the other: b / g = 0.292 deg.
+  // The boom lies level, with the unit's axes along it. A small pitch p adds g p to the axis along
+  // the boom, like a bias; they are indistinguishable: b / g = 0.292 deg.
   const Arm arm{.fixed_base = true};
   Eigen::VectorXd c = arm.Start();
   c[1] = 0;
@@ -204,8 +204,8 @@ TEST(JointInformation, ABiasedAccelerometerAtRestTellsAPitchToBiasOverGravity) {
 }
 
 TEST(JointInformation, WhatNothingObservesIsKnownAsWellAsItsTravelSaysAndNamed) {
-  // A unit does not feel a turn about the vertical, nor what moves beyond it. Of something evenly
-  // anywhere in an interval the deviation is its length / sqrt(12).
+  // A unit observes neither a turn about the vertical nor motion beyond it. The deviation of a
+  // uniform value is the interval's length / sqrt(12).
   const Arm arm{.fixed_base = true};
   std::vector<std::string> warnings;
   const Deviations at_rest =
@@ -277,9 +277,9 @@ TEST(JointInformation, TwoAntennasTellTheHeadingByTheirDistance) {
 }
 
 TEST(JointInformation, AnEncoderOfAJointTellsIt) {
-  // Alone, an encoder at 10 Hz says more with each sample as long as the joint does not move on:
-  // better than one sample, 0.33 deg, and not by more than the square root of the samples within
-  // the joint's response, 0.3 s.
+  // Alone, an encoder at 10 Hz improves with each sample while the joint does not move on. It is
+  // better than one sample, 0.33 deg, by at most the square root of the samples within the joint's
+  // response, 0.3 s.
   const Arm arm{.fixed_base = true};
   const double slew_deg = AtRest(arm, {SlewEncoder()}, arm.Start()).at("state/slew/sigma_deg");
   const double sample_deg = std::hypot(0.3, 0.5 / std::sqrt(12.0));

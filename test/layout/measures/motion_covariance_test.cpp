@@ -24,9 +24,9 @@ TEST(MotionCovariance, RatesAndAccelerationsStayAsUncertainAsTheyWere) {
 }
 
 TEST(MotionCovariance, APositionWandersOffByTheCorrelationOfItsRate) {
-  // The rate's autocorrelation is sigma^2 (1 + s / tau) e^(-s / tau), whose integral over s >= 0 is
-  // 2 tau and whose first moment 3 tau^2: the variance of the way in t >> tau is
-  // 2 sigma^2 (2 tau t - 3 tau^2).
+  // The rate's autocorrelation is sigma^2 (1 + s / tau) e^(-s / tau). Its integral over s >= 0 is 2
+  // tau and its first moment 3 tau^2. The variance of the displacement in t >> tau is 2 sigma^2 (2
+  // tau t - 3 tau^2).
   MotionCovariance known({{0.2, 0.5}}, {});
   for (int k = 0; k < 1000; ++k) known.Pass(0.02);
   const double way = 2 * 0.25 * (2 * kResponse_s * 20 - 3 * kResponse_s * kResponse_s);
@@ -34,9 +34,9 @@ TEST(MotionCovariance, APositionWandersOffByTheCorrelationOfItsRate) {
 }
 
 TEST(MotionCovariance, MeansAreThoseOfTheLastStepAlone) {
-  // Over a step that is short beside the response the mean rate is the rate, and the mean
-  // acceleration the acceleration; over one that is long the mean rate is the way over the time,
-  // the mean acceleration the difference of two rates that know nothing of each other.
+  // Over a step much shorter than the response, the mean rate is the rate, and the mean
+  // acceleration the acceleration. Over a long step, the mean rate is the displacement over the
+  // time, and the mean acceleration the difference of two independent rates.
   MotionCovariance known({{0.2, 0.5}}, {});
   known.Pass(1e-4);
   EXPECT_NEAR(known.VarianceAt(MotionCovariance::At(0, kMeanRate)), 0.25, 1e-3);

@@ -9,15 +9,15 @@ namespace {
 
 constexpr double kVoxel_m = 0.5;
 
-/// A point that a person is at, in H, so that she is in the one voxel whose middle it is.
+/// A person's point in H, at the middle of the only voxel that it occupies.
 Occupant PersonAt(const Pose& X_WH, const Vec3& p_H_m) {
   return {X_WH * MakePose(p_H_m), Vec3::Zero(), Vec3::Zero()};
 }
 
-/// Of the voxels of 0.5 m about H; far from the machine's own boxes.
+/// Two voxels of 0.5 m about H, far from the machine's own boxes.
 const Vec3 kOften_m(3.25, 2.25, 0.75), kSeldom_m(-3.25, 2.25, 0.75);
 
-/// Four moments: someone at the one place in two of them, at the other in one.
+/// Four moments: a person at one place in two of them, at the other in one.
 std::vector<Figure> FiguresOf(const Yard& yard, const std::vector<Viewer>& viewers) {
   OccupancyEntropy entropy(4, 1, kVoxel_m);
   const Pose X_WH = yard.X_WH();
@@ -73,7 +73,7 @@ TEST(OccupancyEntropy, NeedsARayInTheVoxel) {
 }
 
 TEST(OccupancyEntropy, IsLessWithOcclusionThanWithout) {
-  const Yard yard({Vec3(1.8, -2, -1), Vec3(1.9, 4, 3)});  // across the line to the one ahead
+  const Yard yard({Vec3(1.8, -2, -1), Vec3(1.9, 4, 3)});  // across the line to the voxel ahead
   const auto figures = FiguresOf(yard, {Lidar(yard, 1e4)});
   EXPECT_NEAR(FigureOf(figures, "information/smig").at[0], kOften_nat + kSeldom_nat, 1e-5);
   EXPECT_NEAR(FigureOf(figures, "information/smig_occluded").at[0], kSeldom_nat, 1e-5);

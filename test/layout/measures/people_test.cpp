@@ -12,7 +12,7 @@
 #include "sensors/camera/camera_view.h"
 #include "sensors/lidar/lidar_view.h"
 
-// From where a person is detected, beside scans and pictures of a box of her size.
+// Distances of detection of a person, against scans and pictures of a box of this size.
 
 namespace tera {
 namespace {
@@ -48,7 +48,7 @@ bool IsDetected(const LookedAtSite& site, const Posture& posture, const Layout& 
   return range.Curve().mean.at(static_cast<std::size_t>(2 * sector)) >= distance_m;
 }
 
-/// The most points or pixels of which as many are expected on her, by halving.
+/// The largest number of points or pixels that is still expected on the person, by bisection.
 double Expected(const LookedAtSite& site, const Posture& posture, const Layout& layout, int sector,
                 double distance_m) {
   double low = 0, high = 1e5;
@@ -92,9 +92,9 @@ double PointsOnBox(const LidarModel& model, const Pose& X_WS, const Scanned& whe
 }
 
 TEST(PersonRange, ExpectsAsManyPointsAsAScanHas) {
-  // A scan counts whole rows and columns on the box: over attitudes by fractions of a step their
-  // number is as by chance, off by half of one of some tens each at most, which four attitudes
-  // halve. 5 % hold that and what eight patches a side leave of her solid angle.
+  // A scan has whole rows and columns on the box. Over attitudes by fractions of a step, their
+  // number is random, off by at most half of one of some tens each, which four attitudes halve. 5 %
+  // cover that and the error of the solid angle by eight patches a side.
   const LookedAtSite site({});
   const LidarModel model = FineLidar();
   for (const Scanned& where : kScanned) {
@@ -160,8 +160,8 @@ TEST(PersonRange, ExpectsAsManyPixelsAsAPictureHas) {
 }
 
 TEST(PersonRange, OfHerOnlyWhatIsInSightCounts) {
-  // Over the edge of a wall a metre before her a lidar sees her upper half: from (0, 0, 2.4) over
-  // the middle of her front, at 5.85 m and 0.875 m.
+  // Over the edge of a wall a metre before the person, a lidar sees the upper half: from (0, 0,
+  // 2.4) over the middle of the front, at 5.85 m and 0.875 m.
   const double edge_m = 2.4 - (2.4 - 0.875) * 5 / 5.85;
   const LookedAtSite site({.boxes = {{"wall1", {5, -3, 0}, {5.001, 3, edge_m}}}});
   const LidarModel model = FineLidar();
@@ -208,15 +208,16 @@ TEST(PersonRange, EndsWhereALidarReachesNoFarther) {
 }
 
 TEST(PersonRange, DistancesCountFromTheHullOfTheMachine) {
-  // A machine that is 1.5 m long ahead, 1 m behind and 0.8 m wide on either side, with a lidar on a
-  // pole above it. Her front at d is d + 1.5 - 0.15 m ahead, and of her upper parts, from 0.87 m
-  // on, the range is within sqrt((d + 1.35)^2 + 1.3^2): 5.51 m at 4 m, and of all more than 6.3 m
+  // A machine 1.5 m long ahead, 1 m behind and 0.8 m wide on either side, with a lidar on a pole
+  // above it. The person's front at d is d + 1.5 - 0.15 m ahead. The range to the upper parts, from
+  // 0.87 m on, is within sqrt((d + 1.35)^2 + 1.3^2): 5.51 m at 4 m. To all parts it exceeds 6.3 m
   // at 5 m.
   const LookedAtSite site({.parts = {{"undercarriage", {-1, -0.8, 0.1}, {1.5, 0.8, 1}}}});
   const Layout layout = LayoutOf({ViewerAt("lidar", {0, 0, 2.2}, ReachingField(6.1))});
   const PersonRange range = RangeOf(site, layout);
   EXPECT_EQ(range.Curve().mean.at(0), 4);
-  // Behind, 1 m: at 5 m the front is at 5.85 m, of whose top the range is below 5.9 m; at 6 m not.
+  // Behind, 1 m: at 5 m the front is at 5.85 m, and the range to its top below 5.9 m; at 6 m it is
+  // not.
   EXPECT_EQ(range.Curve().mean.at(36), 5);
   // To the left, 0.8 m: 5.65 m at 5 m, 6.65 m at 6 m.
   EXPECT_EQ(range.Curve().mean.at(18), 5);
@@ -237,9 +238,9 @@ TEST(PersonRange, AWallEndsItInItsDirectionAlone) {
   EXPECT_EQ(at("detected_to_m_left"), 24);
   EXPECT_EQ(at("detected_to_m_behind"), 24);
   EXPECT_EQ(at("detected_to_m_right"), 24);
-  // Of 72 x 12 places those at 5 to 12 m in three directions are hidden: the wall spans 7.6 deg to
-  // either side, and of her, 5 deg aside, what faces the lidar is seen at 0.125 m to either side,
-  // 1.4 deg at 5 m.
+  // Of 72 x 12 places, those at 5 to 12 m in three directions are hidden. The wall spans 7.6 deg to
+  // either side. Of a person 5 deg aside, the facing side extends 0.125 m to either side, 1.4 deg
+  // at 5 m.
   EXPECT_NEAR(at("detected_within_12m"), 1 - 3 * 8.0 / (72 * 12), 1e-9);
 }
 
@@ -255,8 +256,8 @@ TEST(PersonRange, WithoutAViewerSheIsDetectedNowhere) {
 }
 
 TEST(PersonRange, FromWhereOnSheIsDetectedIsToldToo) {
-  // A lidar 4.5 m up that looks down by less than acos(0.9) = 25.8 deg has her top, 1.75 m above
-  // the ground, in its view from (4.5 - 1.75) / tan(25.8 deg) = 5.7 m on: where she is at 6 m.
+  // A lidar 4.5 m up that looks down by less than acos(0.9) = 25.8 deg sees the person's top, 1.75
+  // m above the ground, from (4.5 - 1.75) / tan(25.8 deg) = 5.7 m on, hence at 6 m.
   const LookedAtSite site({});
   ViewField field = ReachingField(99);
   field.per_steradian = [](const Vec3& d) { return d.head<2>().norm() > 0.9 ? 1e9 : 0.0; };
@@ -275,9 +276,9 @@ TEST(PersonRange, FromWhereOnSheIsDetectedIsToldToo) {
 }
 
 TEST(PersonRange, AGapIsMissingFromTheMetresAtWhichSheIsDetected) {
-  // A fence of 3 m, 5.3 m ahead, hides her from a lidar 4.5 m up until her top, 1.75 m above the
-  // ground, comes into sight over it: from 5.3 (4.5 - 1.75) / (4.5 - 3) = 9.7 m on, so that she is
-  // not detected at 6, 7, 8 and 9 m.
+  // A fence of 3 m, 5.3 m ahead, hides a person from a lidar 4.5 m up until the top, 1.75 m above
+  // the ground, is visible above it. That is from 5.3 (4.5 - 1.75) / (4.5 - 3) = 9.7 m on, so that
+  // detection fails at 6, 7, 8 and 9 m.
   const LookedAtSite site({.boxes = {{"fence1", {5.3, -9, 0}, {5.31, 9, 3}}}});
   const PersonRange range =
       RangeOf(site, LayoutOf({ViewerAt("lidar", {0, 0, 4.5}, ReachingField(99))}));
@@ -287,7 +288,8 @@ TEST(PersonRange, AGapIsMissingFromTheMetresAtWhichSheIsDetected) {
   }
   EXPECT_EQ(range.Curve().worst_from.at(0), 1);
   EXPECT_EQ(range.Curve().worst.at(0), 24);
-  // Of the quarter's directions, 45 deg aside she is hidden to 9.7 m / cos(45 deg) = 13.7 m.
+  // Among the quarter's directions, 45 deg aside hides the person up to 9.7 m / cos(45 deg) = 13.7
+  // m.
   EXPECT_EQ(FigureOf(range.Figures(), "person/standing/detected_over_m_ahead").at.at(0), 24 - 8);
 }
 

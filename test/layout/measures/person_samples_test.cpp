@@ -23,8 +23,9 @@ TEST(PersonSamples, PatchesAreAllOfHerButHerSoles) {
 }
 
 TEST(PersonSamples, AreThoseOfTheSolidAngleThatSheFills) {
-  // From 20 m away, level with her middle: only her front, 0.5 m by 1.75 m, whose solid angle is
-  // its area over 20 m less half her depth squared, within (1.75 / 2 / 20)^2 = 0.2 %.
+  // From 20 m away, level with the person's middle: only the front, 0.5 m by 1.75 m, is visible.
+  // Its solid angle is its area over the square of 20 m minus half the depth, within (1.75 / 2 /
+  // 20)^2 = 0.2 %.
   const Yard yard(PersonSamplesNothing());
   const Pose X_WP = MakePose(Vec3(-12, 9, 0), 0, 0, 0.7);
   const Viewer viewer = ViewerOf(ViewField::Samples::kPixels, 1e5,

@@ -13,7 +13,7 @@ constexpr double kPxPerRad = 1000;  ///< so that the density is 1000 px / m at 1
 /// Out of the way of everything.
 TestBox PixelDensityNothing() { return {Vec3(0, 0, -0.5), Vec3(0.01, 0.01, -0.4)}; }
 
-/// Above the origin of H and level with the places, turned as it is.
+/// Above the origin of H, level with the places, with H's orientation.
 Viewer Camera(const Yard& yard, std::function<bool(const Vec3&)> looks) {
   return ViewerOf(ViewField::Samples::kPixels, kPxPerRad * kPxPerRad,
                   yard.X_WH() * MakePose(Vec3(0, 0, PixelDensity::kHeight_m)), std::move(looks));
@@ -29,8 +29,8 @@ PixelDensity DensityOf(const Yard& yard, const Viewer& viewer) {
 TEST(PixelDensity, FallsWithDistanceThroughTheStandardsPurposes) {
   const Yard yard(PixelDensityNothing());
   const PixelDensity density = DensityOf(yard, Camera(yard, [](const Vec3&) { return true; }));
-  // 25 px/m at 40 m, beyond the grid; 62.5 at 16, 125 at 8, 250 at 4 m, so that the last cells have
-  // their middles at 23.5, 15.5, 7.5, 3.5 m.
+  // 25 px/m at 40 m, beyond the grid; 62.5 at 16, 125 at 8, 250 at 4 m. The last cells have their
+  // middles at 23.5, 15.5, 7.5, 3.5 m.
   const std::vector<double> farthest_m = {23.5, 15.5, 7.5, 3.5};
   for (std::size_t purpose = 0; purpose < farthest_m.size(); ++purpose) {
     for (int sector = 0; sector < 72; ++sector) {
@@ -51,8 +51,7 @@ TEST(PixelDensity, IsThatOfDirectionsThatACameraShows) {
   const std::vector<Figure> figures = DensityOf(yard, Camera(yard, to_the_left)).Figures();
   EXPECT_EQ(FigureOf(figures, "pixels/recognise/mean_to_m_left").at[0], 7.5);
   EXPECT_EQ(FigureOf(figures, "pixels/recognise/mean_to_m_right").at[0], 0);
-  // Directions 5 deg apart from -45 to 45 deg are 19, of which those from 10 deg on, 8, are in
-  // view.
+  // Directions 5 deg apart from -45 to 45 deg are 19; the 8 from 10 deg on are in view.
   EXPECT_NEAR(FigureOf(figures, "pixels/recognise/mean_to_m_ahead").at[0], 7.5 * 8 / 19, 1e-9);
 }
 

@@ -42,7 +42,7 @@ TEST(ShovelView, IsSeenByALidarAsFarAsItsReflectanceLets) {
 }
 
 TEST(ShovelView, IsSeenOfAnEdgeWhatNoWallHides) {
-  // A wall half way hides what lies to the left of the middle.
+  // A wall half way hides everything left of the middle.
   const LookedAtSite site({.boxes = {{"wall1", {2, 0, 0}, {2.1, 3, 4}}}});
   EXPECT_NEAR(EdgeSeen(site, ViewerAt("eye", {0, 0, 1}), 0.2), 0.5, 0.51 / 21);
 }

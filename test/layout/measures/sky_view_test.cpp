@@ -41,7 +41,7 @@ std::string WallMesh(double distance_m, double height_m) {
 
 enum class WallOf { kNobody, kMachine, kSite };
 
-/// What an antenna 1.6 m above the ground sees of the sky beside a wall.
+/// The sky view of an antenna 1.6 m above the ground next to a wall.
 SkyView Seen(WallOf whose, double distance_m, double height_m, double mask_deg) {
   const auto folder = OwnFolder();
   WriteWholeFile(folder / "wall.obj", WallMesh(distance_m, height_m));
@@ -83,10 +83,10 @@ double ShareOf(const SkyView& view, const std::string& name) {
   return -1;
 }
 
-// Directions are drawn one in each of 72 by 18 cells (16 above the mask), so that only cells which
-// the border of what is hidden passes are uncertain: some 2 * 18 of 1296, each by half its part at
-// most. The standard error is sqrt(36) / 2 / 1296 = 0.0023, of cells that are twice the mean in
-// solid angle 0.0046; two of that.
+// Directions are drawn one in each of 72 by 18 cells (16 above the mask), so that only cells on the
+// border of the hidden part are uncertain. These are some 2 * 18 of 1296, each by at most half. The
+// standard error is sqrt(36) / 2 / 1296 = 0.0023; for cells of twice the mean solid angle 0.0046,
+// two of that.
 constexpr double kWithin = 0.0092;
 
 TEST(SkyView, NothingAroundHidesNothing) {
@@ -108,9 +108,9 @@ TEST(SkyView, AWallWithoutEndBesideTheAntennaHidesHalfOfTheSky) {
 }
 
 TEST(SkyView, ALongWallHidesTheLuneBetweenTheGroundAndItsEdge) {
-  // A straight edge without end and the horizon through the antenna are two great half-circles with
-  // the same ends: between them lies a lune, whose share of the hemisphere is its angle over pi.
-  // The wall's ends, 200 m to each side of 2.5 m, leave less than (2.5 / 200)^2 of it open.
+  // An infinite straight edge and the horizon through the antenna are two great half-circles with
+  // common ends. Between them lies a lune, whose share of the hemisphere is its angle over pi. The
+  // wall's ends, 200 m to each side of 2.5 m, leave less than (2.5 / 200)^2 of it open.
   for (const double above_m : {0.8, 2.5, 9.0}) {
     const SkyView view = Seen(WallOf::kMachine, 2.5, kAntennaHeight_m + above_m, 0);
     EXPECT_NEAR(ShareOf(view, "sky/roof/hidden"), std::atan(above_m / 2.5) / kPi, kWithin)
@@ -125,7 +125,7 @@ TEST(SkyView, WhatTheSiteHidesIsCountedApart) {
 }
 
 TEST(SkyView, TheMapIsTurnedToTheHeadingOfTheAntennasLink) {
-  // The wall is left of the base, at azimuth 90 deg; the top is turned 40 deg to the left, so that
+  // The wall is left of the base, at azimuth 90 deg. The top is turned 40 deg to the left, so that
   // the wall's foot is at 50 deg. Seen at right angles it reaches up to 45 deg.
   const std::vector<PolarMap> maps =
       Seen(WallOf::kMachine, 2.5, kAntennaHeight_m + 2.5, SkyView::kMask_deg).Maps();

@@ -40,7 +40,7 @@ TEST(Genes, OfATypeNoughtLeaveAnOptionalSensorOut) {
   ASSERT_EQ(sensors.size(), 1u);
   EXPECT_EQ(sensors[0].name, "first");
   EXPECT_EQ(sensors[0].cost, 100);
-  // The first mount at its lowest: 5 degrees to the one side, and turned about.
+  // The first mount at its lowest: 5 degrees to one side, and turned about.
   EXPECT_NEAR(sensors[0].X_BS.linear()(2, 2), std::cos(5 * kDeg), 1e-9);
 }
 

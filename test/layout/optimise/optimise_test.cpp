@@ -86,7 +86,7 @@ TEST_F(Optimising, FindsThePlaceFromWhichGeometrySaysThatMostIsSeen) {
   EXPECT_NEAR(p_B_m.x(), 0, 1e-9);
   EXPECT_NEAR(p_B_m.z(), kLidarHeight_m, 1e-9);
   EXPECT_LT(BlindThroughSlit_m3(p_B_m.y()), 1.03 * best_m3) << p_B_m.y() << " beside " << best_y_m;
-  // What it says is blind is what geometry says, by the share of 400 places.
+  // The blind volume equals that of geometry, by the share of 400 places.
   const double zone_m3 = (kZoneFar_m - kZoneNear_m) * (kZoneLeft_m - kZoneRight_m) * kZoneHeight_m;
   EXPECT_NEAR(result.front[0].objectives[0], BlindThroughSlit_m3(p_B_m.y()),
               3 * zone_m3 * std::sqrt(0.25 / 400));
@@ -147,7 +147,8 @@ TEST_F(Optimising, NoneOfTheFrontIsBeatenByAnother) {
   EXPECT_EQ(rows.back().rig, "greedy.yaml");
   for (const Row& one : rows) {
     if (one.rig == "greedy.yaml") continue;
-    // Both objectives are to be small. The greedy layout stands beside the front and may be on it.
+    // Both objectives are minimised. The greedy layout is listed next to the front and may be on
+    // it.
     for (const Row& other : rows) {
       const bool beats = other.values[0] <= one.values[0] && other.values[1] <= one.values[1] &&
                          other.values != one.values;
@@ -161,7 +162,7 @@ TEST_F(Optimising, EachOfTheFrontIsARigThatDoesWhatItsRowSays) {
   const std::vector<Row> rows = RowsOf(site_.path() / "out/front.csv");
   ASSERT_EQ(rows.size(), result.front.size() + 1);
   for (const Row& row : rows) {
-    // Nothing moves, so that other moments than those of the search say the same.
+    // Nothing moves, so that other moments than the search's give the same.
     const LayoutReport report = Evaluated(site_.path() / "out" / row.rig);
     EXPECT_NEAR(row.values[0], WorstOf(*FindFigure(report, {Measure::kBlindVolume, "behind_wall"})),
                 1e-7)
@@ -255,8 +256,8 @@ TEST_F(Optimising, HypervolumeIsKnownOfEveryGenerationAndTheFirstIsBeforeAny) {
 }
 
 TEST_F(Optimising, AFigureThatIsBelowZeroIsWrittenSo) {
-  // People at the mast alone, whom the lidar sees with hundreds of points: by 2 ln(sigma) + 1 +
-  // ln(2 pi) with a sigma of 0.001 their entropy is about -11.
+  // People only at the mast, where the lidar sees them with hundreds of points. By 2 ln(sigma) + 1
+  // + ln(2 pi), a sigma of 0.001 gives an entropy of about -11.
   const fs::path study = site_.path() / "study.yaml";
   WriteWholeFile(study, ReadWholeFile(study) + "person: {farthest_m: 12}\n");
   fs::path search = site_.OneLidar();

@@ -62,7 +62,7 @@ class Search : public testing::Test {
     WriteWholeFile(folder() / "search.yaml", text);
     return LoadSearch(folder() / "search.yaml");
   }
-  /// It is refused at the line on which `place` stands first, in words that hold all of `words`.
+  /// Expects a refusal at the line of the first `place`, with all of `words`.
   void ExpectRefused(const std::string& text, const std::string& place,
                      const std::vector<std::string>& words) const {
     const std::size_t at = text.find(place);
@@ -234,7 +234,7 @@ TEST_F(Search, AFileThatIsMissingIsRefused) {
   ExpectRefused("keep: keep.yaml", "keep: absent.yaml", "absent.yaml", {"absent.yaml"});
 }
 
-// What only the cycle can tell.
+// Faults that only the cycle reveals.
 
 class SearchOfACycle : public testing::Test {
  protected:
@@ -263,7 +263,7 @@ TEST_F(SearchOfACycle, AFigureThatThereIsNotIsRefusedWhereItStandsWithTheNearest
   ExpectRefused(Replaced(TwoLidars(), "zone/behind_wall/blind_m3", "zone/behind_wal/blind_m3"),
                 {"search.yaml:21:23: objectives[0].figure", "zone/behind_wal/blind_m3",
                  "did you mean 'zone/behind_wall/blind_m3'", "zone/around/blind_m3"});
-  // What is like none is told how figures begin.
+  // For a name without similar ones, the message lists how figures begin.
   ExpectRefused(Replaced(TwoLidars(), "zone/behind_wall/blind_m3", "visibility"),
                 {"visibility", "need one of", "zone/...", "person/...", "information/...", "cost",
                  "power_w", "data_mbyteps", "sensors"});

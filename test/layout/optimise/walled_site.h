@@ -73,7 +73,7 @@ class WalledSite {
 
   const std::filesystem::path& path() const { return scratch_.path(); }
 
-  /// Writes a search file: one lidar anywhere on a bar, and what `more` says.
+  /// Writes a search file: one lidar anywhere on a bar, plus `more`.
   std::filesystem::path OneLidar(const std::string& more = "generations: 12\npopulation: 16\n") {
     return Write(fmt::format(
         "cycle: site.yaml\nstudy: study.yaml\nmoments: 2\n"

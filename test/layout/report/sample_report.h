@@ -59,8 +59,8 @@ inline LayoutReport SampleReport(const std::string& name = "front") {
 inline constexpr char kMarkup[] = "a<b>&\"c\"";
 inline constexpr char kEscapedMarkup[] = "a&lt;b&gt;&amp;&quot;c&quot;";
 
-/// Every tag that opens is closed, in order, with its quotes; nothing but entities begins with an
-/// ampersand. What HTML leaves empty needs no end.
+/// Every open tag is closed in order, with its quotes; an ampersand only begins entities. HTML's
+/// void elements need no end.
 inline void ExpectWellFormed(const std::string& html) {
   std::vector<std::string> open;
   for (std::size_t i = 0; i < html.size(); ++i) {
@@ -95,7 +95,7 @@ inline void ExpectWellFormed(const std::string& html) {
   EXPECT_TRUE(open.empty()) << open.back();
 }
 
-/// Nothing is fetched from elsewhere, neither from a network nor from files beside the page.
+/// Nothing is fetched, neither from a network nor from files next to the page.
 inline void ExpectSelfContained(const std::string& html) {
   for (const char* link : {"http:", "https:", "src=", "href=", "url(", "@import", "<link"}) {
     EXPECT_EQ(html.find(link), html.npos) << link;

@@ -98,7 +98,7 @@ TEST_F(WrittenReport, ProbabilitiesOfPeopleStandPlaceByPlace) {
                          .rings = 2,
                          .value = {1, 0.5, -1, 0.25, -1, -1, 0, -1}});
   WriteReport(report, path());
-  // A quarter is 90 degrees to the left of the one before; a ring is named by its outer side.
+  // Each quarter is 90 degrees left of the previous one; a ring is named by its outer side.
   EXPECT_THAT(Rows(path() / "people.csv"),
               ElementsAre(ElementsAre("map", "azimuth_deg", "distance_m", "probability"),
                           ElementsAre("person/standing/probability", "0", "1", "1"),

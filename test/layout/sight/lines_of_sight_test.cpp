@@ -13,7 +13,7 @@ const SiteText kBoxes = {.boxes = {{"wall1", {3, -2, 0}, {3.2, 2, 4}},
 
 class SightOverBoxes : public testing::Test {
  protected:
-  /// What is named between two places of H; empty where one sees the other.
+  /// The named obstacle between two places of H; empty with a free line of sight.
   std::string Between(const Vec3& from_H_m, const Vec3& to_H_m) {
     const Sighting::Line line{X_WH() * from_H_m, X_WH() * to_H_m};
     const auto blocked = site_.sighting().Try({&line, 1});
@@ -28,7 +28,7 @@ TEST_F(SightOverBoxes, IsBlockedByWhatLiesOnTheWayAndByNothingElse) {
   EXPECT_EQ(Between({0, 0, 2}, {6, 0, 2}), "wall1");
   EXPECT_EQ(Between({6, 0, 2}, {0, 0, 2}), "wall1");
   EXPECT_EQ(Between({0, 0, 2}, {2.9, 0, 2}), "");
-  EXPECT_EQ(Between({0, 0, 2}, {6, 4.2, 2}), "");  // beside its edge at (3, 2)
+  EXPECT_EQ(Between({0, 0, 2}, {6, 4.2, 2}), "");  // next to its edge at (3, 2)
   EXPECT_EQ(Between({0, 0, 2}, {6, 3.8, 2}), "wall1");
   EXPECT_EQ(Between({0, 0, 5}, {6, 0, 3.5}), "");  // over its edge at 4 m
   EXPECT_EQ(Between({0, 0, 5}, {6, 0, 2.5}), "wall1");
@@ -64,7 +64,7 @@ TEST_F(SightOverBoxes, InsideIsWhatLiesInABox) {
 }
 
 TEST_F(SightOverBoxes, InsideIsWhatLiesInABoxThatIsSunkIntoTheGround) {
-  // Whose bottom is nearer to nothing than the ground is.
+  // A box sunk into the ground, with its bottom below the surface.
   EXPECT_TRUE(IsInside({-8, 0.3, 0.5}));
   EXPECT_TRUE(IsInside({-6.2, -2.5, 0.1}));
   EXPECT_FALSE(IsInside({-8, 0.3, 1.1}));

@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-/// Of surfaces that return a tenth of the light it sees as far as 6 m.
+/// It sees surfaces that return a tenth of the light up to 6 m.
 ViewField Lidar(double per_sr = 1e9) {
   ViewField field = EverywhereAlike(per_sr);
   field.reach_m = [](double returned) { return 6 * std::sqrt(returned / 0.1); };
@@ -82,7 +82,7 @@ TEST_F(LookAtATarget, ShowsBeyondTheLimitsInWhichItMeasures) {
 
 TEST_F(LookAtATarget, ADepthCameraGoesByDepthAlongItsAxis) {
   // 4 m along the axis and 3 m aside: 5 m away. f b = 160 px 0.05 m, sigma_z = 4^2 0.1 / 8 = 0.2 m,
-  // along the ray 5 / 4 of it.
+  // and 5 / 4 of it along the ray.
   CameraModel camera;
   camera.intrinsics = {
       .width_px = 320, .height_px = 240, .fx_px = 160, .fy_px = 160, .cx_px = 160, .cy_px = 120};
@@ -113,7 +113,7 @@ TEST_F(LookAtATarget, SeesNothingBehindAWallUnlessItsMarginHoldsIt) {
 }
 
 TEST(LookFrom, ThroughAPaneACameraShowsWhatItAndALidarDoNotMeasure) {
-  // Two panes, of 8 mm, and behind one of them a wall.
+  // Two panes of 8 mm, with a wall behind one of them.
   const LookedAtSite site({.boxes = {{"pane1", {3, -2, 0}, {3.008, 2, 4}, true},
                                      {"pane2", {4, -2, 0}, {4.008, 2, 4}, true},
                                      {"wall1", {5, 0, 0}, {5.1, 2, 4}}}});

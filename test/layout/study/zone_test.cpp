@@ -122,7 +122,7 @@ constexpr int kCounts[] = {10, 100, 2000, 6000};
 TEST(PointsIn, LieInABoxAboutItsOrigin) {
   for (const int count : kCounts) {
     const auto points = PointsIn(ZoneOf("name: a, box_m: [8, 0.2, 3]"), count, 1);
-    // As many cells as are asked for, but for what rounding the sides to whole cells makes.
+    // The requested number of cells, except for rounding of the sides to whole cells.
     EXPECT_GE(points.size(), 0.5 * count) << count;
     EXPECT_LE(points.size(), 3.0 * count + 1) << count;
     for (const Vec3& p : points) {
@@ -171,8 +171,8 @@ TEST(PointsIn, OfAFlatZoneAreNotMore) {
 }
 
 TEST(PointsIn, SpreadEvenly) {
-  // The mean of n points that are uniform in a body misses its middle by its spread over sqrt(n),
-  // and a share p that of the volume by sqrt(p (1 - p) / n), at 1 sigma. Points of cells do better.
+  // The mean of n uniform points in a body misses its middle by its spread over sqrt(n), and a
+  // share p its volume by sqrt(p (1 - p) / n), at 1 sigma. Points of cells do better.
   const auto expect_even = [](const std::string& shape, const Vec3& middle, const Vec3& spread,
                               double share, auto is_in_part) {
     const auto points = PointsIn(ZoneOf("name: a, " + shape), 6000, 4);
@@ -194,16 +194,16 @@ TEST(PointsIn, SpreadEvenly) {
   // x of a disc of radius r has the standard deviation r / 2; within half of it lies a quarter.
   expect_even("cylinder: {radius_m: 2, height_m: 3}", {0, 0, 1.5}, {1, 1, 3 * of_1}, 0.25,
               [](const Vec3& p) { return p.head<2>().norm() < 1; });
-  // Of the bars 4 x 1 and 1 x 2 with middles (2, 0.5) and (0.5, 2).
+  // Bars of 4 x 1 and 1 x 2 with middles (2, 0.5) and (0.5, 2).
   const Vec3 middle((4 * 2 + 2 * 0.5) / 6, (4 * 0.5 + 2 * 2) / 6, 0.25);
   expect_even(kConcave, middle, {1.5, 1, 2.5 * of_1}, 1.0 / 3,
               [](const Vec3& p) { return p.y() > 1; });
 }
 
 TEST(PointsIn, AShareIsCountedBetterThanAtRandom) {
-  // Half of a cube on one side of an inclined plane, over seeds: at random the share of n points
-  // strays by sqrt(0.25 / n); with one point in each of n cells only those strays that lie in the
-  // n^(2/3) cells on the plane's way, by at most sqrt(0.25 k n^(2/3)) / n with k of some 2.
+  // Half of a cube on one side of an inclined plane, over seeds. For random points the share errs
+  // by sqrt(0.25 / n). With one point in each of n cells, only those in the n^(2/3) cells on the
+  // plane err, by at most sqrt(0.25 k n^(2/3)) / n with k of some 2.
   const Zone zone = ZoneOf("name: a, box_m: [2, 2, 2]");
   double squares = 0, n = 0;
   constexpr int kSeeds = 40;

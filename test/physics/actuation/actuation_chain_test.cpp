@@ -76,9 +76,9 @@ TEST(ActuationChain, APumpsPowerCountsWhatMovesAgainstItsLoad) {
 }
 
 TEST(ActuationChain, AJointsLeverTakesPowerFromThePumpButNoOil) {
-  // Pins of 0.4 m and 1 m, 90 deg apart at the reference and 143.13 deg at q = 0.92730: lever arms
-  // 0.4 / sqrt(1.16) = 0.371391 m and 0.24 / sqrt(1.80) = 0.178885 m, so that the joint there is
-  // 2.07614 times as fast for the same rate of the piston.
+  // Pins of 0.4 m and 1 m, 90 deg apart at the reference and 143.13 deg at q = 0.92730. Lever arms
+  // 0.4 / sqrt(1.16) = 0.371391 m and 0.24 / sqrt(1.80) = 0.178885 m: the joint there is 2.07614
+  // times as fast at the same piston rate.
   const std::string lever =
       "lift: {cylinder_lever: {barrel_m: 0.4, rod_m: 1, angle_at_zero_rad: 1.5707963, "
       "reference_rad: 0}}";
@@ -141,7 +141,7 @@ TEST(ActuationChain, AMachinesOwnCylindersExtendSteadily) {
   }
 }
 
-/// What a joint of the compact excavator is asked for at a position and a load.
+/// Demand on a joint of the compact excavator at a position and a load.
 double RateUnder(const MachineModel& model, std::size_t axis, double lever, double q_rad,
                  double load_nm) {
   Actuation chain(model, {"m", 1});
@@ -192,7 +192,7 @@ TEST(ActuationChain, ALeakAtReliefIsOneFlowWhereverTheCylinderStands) {
       WithEffects(ShippedMachine("tb235"), "boom: {sag: {drift_radps: 0.0004}}");
   const auto boom = static_cast<std::size_t>(model.JointIndex("boom"));
   const Joint& joint = model.joints[boom];
-  // 1.0e-7 m3/s or so: what the rated effort's pressure drives through, seen at mid-travel.
+  // about 1.0e-7 m3/s: the leak under the rated effort's pressure at mid-travel
   std::vector<double> flows;
   for (const double share : {0.05, 0.3, 0.5, 0.8}) {
     const double q_rad = std::lerp(joint.lower_rad, joint.upper_rad, share);

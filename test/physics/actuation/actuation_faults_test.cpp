@@ -9,7 +9,7 @@
 
 #include "physics/machine_fixture.h"
 
-// Effects that would change nothing: the machine lacks what they act through.
+// Effects without any action: the machine lacks the part they act through.
 
 namespace tera {
 namespace {

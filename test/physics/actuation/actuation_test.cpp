@@ -196,7 +196,7 @@ TEST(Actuation, EveryMechanismAtItsBoundsKeepsAJointWithinItsLimits) {
     }
   }
   // All but cylinder_lever at its lower bounds, an angle without pins, and dead_band and
-  // drive_friction at their upper ones, which leave nothing of positive levers, or of any.
+  // drive_friction at their upper bounds, at which positive levers, or all levers, have no effect.
   EXPECT_EQ(tried, 2 * static_cast<int>(ActuationMechanisms().size()) - 3);
 }
 

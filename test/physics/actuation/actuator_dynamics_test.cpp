@@ -66,7 +66,7 @@ TEST(ActuatorDynamics, APilotBeforeALagIsASecondOne) {
         StepResponse("actuator_lag: {time_s: 0.3, pilot_ratio: 0.33333333333333333}", 2000, dt_s);
     EXPECT_NEAR(rates[at(0.2)], 0.2975419631, 1e-9);
     EXPECT_NEAR(rates[at(0.6)], 0.7982364512, 1e-9);
-    // Of equal times: 1 - (1 + t / T) e^(-t / T).
+    // Equal time constants: 1 - (1 + t / T) e^(-t / T).
     const auto equal = StepResponse("actuator_lag: {time_s: 0.3, pilot_ratio: 1}", 2000, dt_s);
     EXPECT_NEAR(equal[at(0.3)], 0.2642411177, 1e-9);
   }

@@ -35,8 +35,8 @@ TEST(CommandTiming, ADelayOfWholeStepsShiftsTheCommand) {
 }
 
 TEST(CommandTiming, AnyDelayKeepsWhatTheCommandSumsTo) {
-  // The integral of a delayed signal is that of the signal, later: a lever that goes up at 0 and
-  // stays has moved the joint by (t - d).
+  // A delayed signal has a delayed integral: under a lever that steps up at 0, the joint moves by
+  // (t - d).
   for (const double delay_s : {0.0007, 0.0503, 0.25, 0.3331}) {
     CommandTiming timing = TimingFrom("command_delay: {delay_s: " + std::to_string(delay_s) + "}");
     double sum_s = 0;
@@ -62,8 +62,8 @@ TEST(CommandTiming, ASineComesLaterByTheDelayAtAnyFraction) {
   EXPECT_NEAR(std::hypot(in_phase, quadrature) / 500, 1, 1e-4);
 }
 
-// The mean of delays that are spread evenly over w: over whole periods the phase is that of the
-// middle, and the amplitude sin(pi f w) / (pi f w).
+// Mean over delays spread evenly over w: over whole periods the phase is that of the mean delay,
+// and the amplitude sin(pi f w) / (pi f w).
 TEST(CommandTiming, ASpreadDelayRoundsASineByTheWidthOfItsBox) {
   constexpr double kDelay_s = 0.2, kSpread_s = 0.06, kSine_hz = 2;
   CommandTiming timing = TimingFrom("command_delay: {delay_s: 0.2, spread_s: 0.06}");
@@ -100,7 +100,7 @@ TEST(CommandTiming, ASpreadDelayKeepsWhatTheCommandSumsTo) {
 TEST(CommandTiming, NoSpreadIsSoWideThatACommandActsBeforeItIsGiven) {
   CommandTiming timing = TimingFrom("command_delay: {delay_s: 0.05, spread_s: 0.5}");
   for (int i = 0; i < 100; ++i) EXPECT_EQ(timing.Step(0, kCommandTimingStep_s), 0);
-  EXPECT_GT(timing.Step(1, kCommandTimingStep_s), 0);  // the fastest part has no delay at all
+  EXPECT_GT(timing.Step(1, kCommandTimingStep_s), 0);  // the fastest part has no delay
   for (int i = 0; i < 49; ++i) EXPECT_LT(timing.Step(1, kCommandTimingStep_s), 1);
   EXPECT_NEAR(timing.Step(1, kCommandTimingStep_s), 1, 0.021);
 }
@@ -122,7 +122,8 @@ TEST(CommandTiming, AHeldCommandChangesOnceAPeriodAtItsPhase) {
 }
 
 TEST(CommandTiming, BeforeTheFirstNewLookTheFirstCommandOfAllStands) {
-  // A recording that begins with a lever out: the sender has looked at it before, at 0.5 it holds.
+  // A recording that begins with a deflected lever: the sender sampled it earlier and holds it at
+  // 0.5.
   CommandTiming timing = TimingFrom("input_hold: {period_s: 0.05, phase: 0.4}");
   for (int step = 0; step < 10; ++step)
     EXPECT_EQ(timing.Step(0.5 + 0.01 * step, kCommandTimingStep_s), 0.5);

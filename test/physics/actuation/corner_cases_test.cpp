@@ -12,8 +12,8 @@
 #include "physics/traction/ground_mechanisms.h"
 #include "physics/traction/track_drive.h"
 
-// Every mechanism, and every two of them, with all numbers at the ends of their ranges: what is not
-// refused is finite, and a full lever moves something.
+// Every mechanism, and every pair, with all numbers at the ends of their ranges: accepted ones give
+// finite results, and a full lever moves the machine.
 
 namespace tera {
 namespace {
@@ -86,7 +86,7 @@ MachineModel PumpedArm(const Effects& effects) {
   return model;
 }
 
-/// What becomes of the rate that a lever asks for.
+/// Response to the rate that a lever commands.
 struct Motion {
   bool finite = true;
   double fastest_radps = 0;  ///< along the lever

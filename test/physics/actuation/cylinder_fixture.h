@@ -4,10 +4,10 @@
 
 namespace tera {
 
-/// An arm of 20 kg on a fixed post, its centre of mass 0.8 m from the pin, raised by a cylinder
-/// above it: pins 0.5 m and 1.3 m from the joint, at angles of 126.870 deg and, on the arm,
-/// 22.620 deg (triangles 3-4-5 and 5-12-13). The joint's frame is off the post's by
-/// (0.2, 0.1, 1.1) m and 30 deg about z.
+/// An arm of 20 kg on a fixed post, with its centre of mass 0.8 m from the pin, raised by a
+/// cylinder above it. Pins 0.5 m and 1.3 m from the joint, at angles of 126.870 deg and, on the
+/// arm, 22.620 deg (triangles 3-4-5 and 5-12-13). The joint's frame is off the post's by (0.2, 0.1,
+/// 1.1) m and 30 deg about z.
 inline const std::string kCylinderArm = R"(
 kind: cylinder_arm
 fixed_base: true

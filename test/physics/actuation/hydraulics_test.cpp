@@ -111,8 +111,8 @@ TEST(Hydraulics, AHeldArmsWeightIsThePressureAroundTheRod) {
       CylinderArm({"links.hook.mass_kg=1e-6", "links.hook.inertia_kgm2=[1e-9, 1e-9, 1e-9]"});
   run.StepFor(0.5);
   const CylinderState& ram = run.state().cylinders[0];
-  // 20 kg * 9.81 m/s2 * 0.8 m * cos(14.25 deg) = 152.13 N m at an arm of 0.466673 m: 325.99 N
-  // of pull, and the head side at the return pressure of 0.2 MPa.
+  // 20 kg * 9.81 m/s2 * 0.8 m * cos(14.25 deg) = 152.13 N m at an arm of 0.466673 m: a pull of
+  // 325.99 N, with the head side at the return pressure of 0.2 MPa.
   EXPECT_NEAR(ram.force_n, -325.99, 0.05);
   EXPECT_NEAR(ram.head_pressure_pa, 0.2e6, 1);
   EXPECT_NEAR(ram.rod_pressure_pa, 0.2e6 * 1.5625 + 325.99 / kRod_m2, 20);
@@ -140,7 +140,7 @@ TEST(Hydraulics, BothPressuresBalanceTheForceAndNeitherFallsBelowTheReturnLine) 
 }
 
 TEST(Hydraulics, AStalledCylinderPullsWithReliefPressureOnTheRodSide) {
-  // The arm is too heavy: 2000 kg hang at 0.8 m, of which relief holds a part.
+  // The arm is too heavy: 2000 kg hang at 0.8 m, and the relief pressure holds only part.
   MachineRun run = CylinderArm({"links.arm.mass_kg=2000", "hydraulics.relief_pa=2.0e6",
                                 "cylinders.ram.count=2", "cylinders.ram.spacing_m=0.2"});
   run.input.levers[0] = 1;
@@ -199,8 +199,8 @@ TEST(Hydraulics, EveryHingeOfTheExcavatorHasItsCylinder) {
 }
 
 TEST(Hydraulics, TheBladeCanLiftTheExcavatorsFront) {
-  // About the rear ends of the tracks, with the tools stowed: at most half of the weight at the
-  // blade's edge, which is 2.3 m from there where the weight is not beyond 1.1 m.
+  // About the rear ends of the tracks, with the tools stowed: at most half of the weight is at the
+  // blade's edge. The edge is 2.3 m from there, and the weight at most 1.1 m.
   const MachineModel model = ShippedMachine("tb235");
   const int joint = model.JointIndex("blade");
   for (const double q_deg : {-20.0, -10.0, 0.0}) {

@@ -10,7 +10,7 @@
 #include "physics/actuation/actuation_faults.h"
 #include "physics/machine_fixture.h"
 
-// What has no name, at the end of the chain.
+// Learned effects, without a mechanism's name, at the end of the chain.
 
 namespace tera {
 namespace {
@@ -105,7 +105,7 @@ TEST(LearnedRate, LeavesAJointAtRestUnderNeutralLevers) {
   EXPECT_NEAR(run.state().q_rad[0], 0, 1e-6);
   run.input.levers = {0.1};
   run.StepFor(0.5);
-  EXPECT_NEAR(run.state().qd_radps[0], 2 * 3 * kDeg, 1e-6);  // twice what a tenth asks for
+  EXPECT_NEAR(run.state().qd_radps[0], 2 * 3 * kDeg, 1e-6);  // twice the response to a tenth
 }
 
 TEST(LearnedRate, CountsTimeFromTheStartOfTheScenario) {

@@ -16,8 +16,8 @@ namespace {
 
 using enum FaultKind;
 
-/// The crank turns about z, and the rocker's pin is 1 m beside its joint. With a crank of 0.3 m,
-/// a coupler of 1 m and a rocker of 0.3 m this is a parallelogram.
+/// The crank turns about z, and the rocker's pin is 1 m to the side of its joint. A crank of 0.3 m,
+/// a coupler of 1 m and a rocker of 0.3 m form a parallelogram.
 const std::string kParallelogram = R"(
 kind: parallelogram
 fixed_base: true

@@ -72,8 +72,8 @@ TEST(LoadFriction, WhatFrictionHoldsDoesNotLeak) {
 
 TEST(LoadFriction, OilThickensInTheColdAsItsGradeDoes) {
   // ISO VG 46 (ISO 3448: 41.4 to 50.6 mm2/s at 40 C). Makers' sheets of mineral oils of this grade
-  // with a viscosity index of 95 to 105 give 6.6 to 7.0 mm2/s at 100 C and 500 to 640 mm2/s at 0 C;
-  // the chart of ASTM D341 reads 11 mm2/s at 80 C, to 10 %.
+  // with a viscosity index of 95 to 105 state 6.6 to 7.0 mm2/s at 100 C and 500 to 640 mm2/s at 0
+  // C. The chart of ASTM D341 reads 11 mm2/s at 80 C, to 10 %.
   EXPECT_NEAR(OilViscosity_cst(40), 46, 0.1);
   EXPECT_NEAR(OilViscosity_cst(100), 6.8, 0.2);
   EXPECT_NEAR(OilViscosity_cst(80), 11, 1.1);
@@ -89,7 +89,7 @@ TEST(LoadFriction, WarmOilLeaksFaster) {
 }
 
 TEST(LoadFriction, FlexRingsAtItsDampedFrequencyWithItsOvershoot) {
-  // Second order, z = 0.2, w = 12: the first peak comes at pi / (w sqrt(1 - z^2)) = 0.26720 s with
+  // Second order, z = 0.2, w = 12: the first peak is at pi / (w sqrt(1 - z^2)) = 0.26720 s, with
   // the overshoot e^(-pi z / sqrt(1 - z^2)) = 0.52662.
   LoadFriction load = LoadFrom("structural_flex: {natural_radps: 12, damping: 0.2}");
   double peak = 0, at_s = 0, rate = 0;
@@ -114,8 +114,8 @@ TEST(LoadFriction, FlexPassesASineAsASecondOrderFilter) {
 }
 
 TEST(LoadFriction, FlexGivesWayToALoadAndSwingsAboutIt) {
-  // A spring of 1e5 N m/rad: 2000 N m more bend it by 0.02 rad in the end; on the way there it
-  // swings beyond by e^(-pi z / sqrt(1 - z^2)) = 0.52662 of that, at pi / (w sqrt(1 - z^2)).
+  // A spring of 1e5 N m/rad: another 2000 N m bend it by 0.02 rad in the end. It overshoots by
+  // e^(-pi z / sqrt(1 - z^2)) = 0.52662 of that, at pi / (w sqrt(1 - z^2)).
   LoadFriction load =
       LoadFrom("structural_flex: {natural_radps: 12, damping: 0.2, compliance_radpnm: 1e-5}");
   EXPECT_EQ(load.Step(0, 5000, 0, 0.001), 0);  // bent already
@@ -130,8 +130,8 @@ TEST(LoadFriction, FlexGivesWayToALoadAndSwingsAboutIt) {
 }
 
 TEST(LoadFriction, DryFrictionTakesItsRateFromADriveThatGivesWay) {
-  // T dw/dt = u - w - r from rest: w = (u - r) (1 - e^(-t/T)); back to rest T ln(1 + (u - r) / r)
-  // after the lever is let go.
+  // T dw/dt = u - w - r from rest: w = (u - r) (1 - e^(-t/T)). After the lever's release it comes
+  // to rest in T ln(1 + (u - r) / r).
   LoadFriction load = LoadFrom("drive_friction: {lost_radps: 0.1, time_s: 0.2}");
   double rate = 0;
   for (int i = 1; i <= 200; ++i) rate = load.Step(0.5, 0, 0, 0.001);
@@ -145,7 +145,7 @@ TEST(LoadFriction, DryFrictionTakesItsRateFromADriveThatGivesWay) {
 }
 
 TEST(LoadFriction, WhatSticksTakesMoreToBreakAway) {
-  // Rest holds up to 1.5 times what sliding loses, either way; once it moves it is less.
+  // At rest it holds up to 1.5 times the sliding loss, in either direction; in motion it is less.
   LoadFriction load = LoadFrom(
       "drive_friction: {lost_radps: 0.1, time_s: 0.05, breakaway: 1.5, stribeck_radps: 0.01}");
   for (const double u : {0.149, -0.149}) EXPECT_EQ(load.Step(u, 0, 0, 0.001), 0);

@@ -16,10 +16,10 @@ using enum FaultKind;
 
 const std::string kRover = "kind: rover\nurdf: test/physics/data/rover.urdf\nlevers: [pan]\n";
 
-/// rover.urdf with its bodies put together by hand. The chassis stands at (1, 0, 0.2) m turned left
-/// by 90 deg, so that its x is the root's y; its centre is at (1, 0, 0.3) and the battery's, 3 m
-/// along its y, at (-2, 0, 0.3). 60 kg and 30 kg 3 m apart: the centre is a third of the way, at
-/// (0, 0, 0.3), and 60 * 1^2 + 30 * 2^2 = 180 kg m2 are added about y and z.
+/// rover.urdf with its bodies combined by hand. The chassis stands at (1, 0, 0.2) m turned left by
+/// 90 deg, so that its x is the root's y. Its centre is at (1, 0, 0.3) and the battery's, 3 m along
+/// its y, at (-2, 0, 0.3). 60 kg and 30 kg are 3 m apart: the centre is at a third of that, (0, 0,
+/// 0.3), and 60 * 1^2 + 30 * 2^2 = 180 kg m2 are added about y and z.
 const std::string kTwin = R"(
 kind: rover
 links:
@@ -50,7 +50,8 @@ TEST(FixedLinks, ARootWithoutMassHasThatOfWhatIsFixedToIt) {
   EXPECT_NEAR(root.mass_kg, 90, 1e-9);
   EXPECT_NEAR(model.TotalMass_kg(), 94, 1e-9);
   EXPECT_TRUE(root.com_B_m.isApprox(Vec3(0, 0, 0.3), 1e-9)) << root.com_B_m;
-  // Chassis 2, 5, 6 about axes of which x and y change places; battery 0.3, 0.5, 0.7 the same.
+  // The chassis has 2, 5, 6 about axes whose x and y are exchanged; the battery likewise 0.3, 0.5,
+  // 0.7.
   const Mat3 expected = Vec3(5 + 0.5, 2 + 0.3 + 180, 6 + 0.7 + 180).asDiagonal();
   EXPECT_TRUE(root.inertia_B_kgm2.isApprox(expected, 1e-9)) << root.inertia_B_kgm2;
   for (const char* name : {"base_link", "chassis_link", "battery_link", "camera_link"}) {

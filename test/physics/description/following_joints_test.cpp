@@ -24,7 +24,7 @@ std::string Bar(const std::string& name, double mass_kg) {
          "</link>";
 }
 
-/// A joint about -y, so that positive angles raise what it carries.
+/// A joint about -y, so that positive angles raise its child.
 std::string Hinge(const std::string& name, const std::string& parent, const std::string& child,
                   const std::string& limit, const std::string& mimic = "") {
   return "<joint name=\"" + name + "\" type=\"revolute\"><parent link=\"" + parent +

@@ -41,7 +41,7 @@ TEST(UrdfForm, TheNameSpaceAndNotItsPrefixTellsXacro) {
   EXPECT_THAT(
       FaultsOf(MachineOf(RobotWith("<x:arm/>", R"(xmlns:x="http://www.ros.org/wiki/xacro")"))),
       HasFault(kUnsupported, "digger.urdf:4: x:arm"));
-  // Declared where it is used, as an attribute, within what other programs read.
+  // An attribute of a declared namespace, within elements that other programs read.
   EXPECT_THAT(FaultsOf(MachineOf(RobotWith(
                   "<gazebo>\n<m:if xmlns:m=\"http://wiki.ros.org/xacro\" value=\"1\"/></gazebo>"))),
               HasFault(kUnsupported, "digger.urdf:5: m:if"));
@@ -73,7 +73,7 @@ TEST(UrdfForm, WhatXacroWroteIsAUrdf) {
               testing::IsEmpty());
 }
 
-/// The one fault tells the user this command.
+/// A single fault with this command as its remedy.
 auto Remedy(const std::string& command) {
   return testing::ElementsAre(
       testing::Field("finding", &InputFault::finding, testing::HasSubstr(command)));

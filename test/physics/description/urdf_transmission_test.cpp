@@ -50,7 +50,7 @@ TEST(UrdfTransmission, ALeverAsksForTheVelocityLimitOfItsJoint) {
 }
 
 TEST(UrdfTransmission, AJointWithoutDriveSwingsFreely) {
-  // The flange's weight hangs 5 cm beside the axis of `spin`, which lies level.
+  // The flange's weight hangs 5 cm to the side of the level axis of `spin`.
   const auto turned_rad = [](const MachineModel& model) {
     MachineRun run(model);
     run.StepFor(0.3);

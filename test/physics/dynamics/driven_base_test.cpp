@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-/// 1000 kg on two tracks of 2 m; `blade` says what carries its blade.
+/// 1000 kg on two tracks of 2 m; `blade` is the blade's support.
 std::string Pusher(const std::string& blade) {
   return R"(
 kind: pusher
@@ -72,7 +72,7 @@ double Dragged_mps(const std::string& blade, double force_n) {
     run.input.soil.link_wrench[link].AddForceAt(base.X_WB.linear() * Vec3(force_n, 0, 0),
                                                 base.X_WB * Vec3(1.5, 0, 0),
                                                 run.state().links[link].X_WB.translation());
-    // What carries the root is no force of a tool.
+    // A force that supports the root is no tool force.
     run.input.soil.link_wrench[0].force_W_n = base.X_WB.linear() * Vec3(0, 4000, 0);
     run.Step();
   }
@@ -80,7 +80,7 @@ double Dragged_mps(const std::string& blade, double force_n) {
 }
 
 TEST(DrivenBase, ABladeDragsTheMachineOnAHingeOrWelded) {
-  // Half the weight, 0.2 of it beyond what holds, at 0.5 m/s a weight.
+  // Half the weight: 0.2 of it beyond the holding force, at 0.5 m/s per weight.
   const double weight_n = kMass_kg * kStandardGravity_mps2;
   for (const char* blade : {"arm", "mount"}) {
     EXPECT_NEAR(Dragged_mps(blade, 0.5 * weight_n), 0.1, 1e-3) << blade;

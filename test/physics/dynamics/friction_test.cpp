@@ -76,7 +76,7 @@ TEST(Friction, APassiveArmNeverGainsEnergy) {
 }
 
 TEST(Friction, CoulombFrictionTakesTheSameFromEverySwing) {
-  // Harmonic motion loses 4 F / (m g d) of amplitude a period; at 0.25 rad the pendulum's
+  // Harmonic motion loses 4 F / (m g d) of amplitude per period. At 0.25 rad the pendulum's
   // restoring torque is weaker than harmonic by about a^2 / 6.
   const std::vector<double> peaks = Peaks(Pendulum(0.25, "coulomb_friction: {effort_nm: 0.2}"), 5);
   for (std::size_t k = 1; k < peaks.size(); ++k) {
@@ -153,7 +153,7 @@ TEST(Friction, TheMotorMakesUpForAnOffsetBothWays) {
   }
 }
 
-/// Of the lift arm about its pin.
+/// Inertia of the lift arm about its pin.
 constexpr double kLiftInertia_kgm2 = 3.0 + 20 * 0.64;
 
 /// Rates of the weightless, unpowered lift arm while `torque_nm` acts on it for `push_s` and in the
@@ -175,7 +175,7 @@ std::vector<double> PushedRates_radps(double viscous_nmsprad, double torque_nm, 
 }
 
 TEST(Friction, AStiffDamperLetsALoadCreepAtItsSteadyRate) {
-  // Ten times what an explicit scheme could bear: c dt / I = 20.
+  // Ten times the stable limit of an explicit scheme: c dt / I = 20.
   const double c = 20 * kLiftInertia_kgm2 / kStep_s;
   const std::vector<double> rates = PushedRates_radps(c, 300, 0.1, 0.2);
   double last = 0;
@@ -250,7 +250,7 @@ TEST(Friction, AHeldJointSagsAtTheRateOfItsLoad) {
 }
 
 TEST(Friction, AFlexibleJointAtRestIsBentByItsLoadAlready) {
-  // 157 N m on a spring of 1000 N m/rad, of which it is said where it stands with its load on.
+  // 157 N m on a spring of 1000 N m/rad, whose stated angle is that under load.
   MachineModel model = WithEffects(
       MachineFromText(kLiftArm),
       "lift: {structural_flex: {natural_radps: 8, damping: 0.1, compliance_radpnm: 0.001}}");
@@ -270,8 +270,8 @@ TEST(Friction, AJointThatFrictionHoldsDoesNotSag) {
 
 TEST(Friction, ABucketsTorqueGrowsWithItsPayload) {
   // Boom 45, arm -120, bucket 30: the bucket's x axis points down (45 - 120 + 30 - 45 deg) and its
-  // z axis ahead, the payload 0.45 m ahead of the pin. Relief holds this much here, but not with
-  // the arm stretched out.
+  // z axis ahead, with the payload 0.45 m ahead of the pin. The relief pressure holds this much
+  // here, but not with a stretched arm.
   const auto torque_nm = [](double mass_kg) {
     MachineModel model = ShippedMachine("tb235", {"fixed_base=true"});
     model = WithEffects(model, "bucket: {payload: {x_m: 0.15, z_m: 0.45, mass_kg: " +

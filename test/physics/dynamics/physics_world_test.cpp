@@ -166,7 +166,7 @@ links:
 
 TEST(PhysicsWorld, AnExcavatorOnSpringsSettlesUnderItsWeight) {
   const MachineModel model = ShippedMachine("tb235");
-  // Springs under the bottom run of both tracks, explicit as those of soil are.
+  // Explicit springs under the bottom run of both tracks, like those of soil.
   const double stiffness_npm = 60e3, damping_nspm = 3e3;
   MachineRun run(model, MakePose(Vec3(2, -1, 0.01), 0, 0, 0.7));
   const GroundTools& tools = model.ground_tools;

@@ -7,7 +7,7 @@
 #include "physics/actuation/actuation_faults.h"
 #include "physics/machine_fixture.h"
 
-/// What pumps and drives see of a load on tracks, whatever ground they move the machine over.
+/// Load of tracks on pumps and drives, for every ground model.
 
 namespace tera {
 namespace {
@@ -31,13 +31,13 @@ constexpr double kFullRate_radps = 1 / kRadius_m;
 constexpr GroundModel kGrounds[] = {GroundModel::kTerramechanics, GroundModel::kIdeal,
                                     GroundModel::kKinematic};
 
-/// What holds the machine back, in its root's frame: a force as of a slope, and a torque.
+/// Resistance to the machine in its root's frame: a force, as of a slope, and a torque.
 struct Resistance {
   double force_n = 0, torque_nm = 0;
 };
 
-/// The crawler on the ground, without weight. Of terramechanics the soil is a damper between shoes
-/// and ground, steep as soils are: 2 % of slip at full speed is 1000 N.
+/// The crawler on weightless ground. The terramechanic soil is a damper between shoes and ground,
+/// as steep as soils are: 2 % of slip at full speed is 1000 N.
 class CrawlerRun {
  public:
   CrawlerRun(const std::string& effects, GroundModel ground, const Resistance& resistance)
@@ -95,7 +95,7 @@ class CrawlerRun {
   MachineRun run_;
 };
 
-/// Levers of the left and the right track, and what stands against that: 1000 N of each track.
+/// Levers of the left and right track, against 1000 N on each.
 struct Travel {
   double left, right;
   Resistance resistance;
@@ -166,8 +166,8 @@ bool ReadsLoad(const Mechanism& mechanism) {
   return mechanism.id == "pressure_droop" || mechanism.id == "sag" || mechanism.id == "power_limit";
 }
 
-/// Drives forth and back, and counts the steps in which a track's rate turns back by more than 1 %
-/// of its full one after having changed by as much the other way.
+/// Drives back and forth. Counts steps in which a track's rate reverses its change by more than 1 %
+/// of the full rate.
 int Reversals(const std::string& effects, GroundModel ground) {
   CrawlerRun run(effects, ground, {2000, 0});
   int reversals = 0;

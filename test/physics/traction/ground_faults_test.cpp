@@ -9,7 +9,7 @@
 #include "physics/machine_fixture.h"
 #include "physics/traction/ground_mechanisms.h"
 
-// Effects of the base that would change nothing: the machine lacks what they act through.
+// Effects of the base without any action: the machine lacks the part they act through.
 
 namespace tera {
 namespace {

@@ -60,7 +60,7 @@ TEST(TrackKinematics, WithoutEffectsIsADifferentialDrive) {
   EXPECT_DOUBLE_EQ(arc.forward_mps / arc.yaw_radps, 1.4);
   EXPECT_DOUBLE_EQ(arc.yaw_radps * 0.8, 0.4);
   EXPECT_EQ(arc.left_mps, 0);
-  // Whatever it stands on and whatever its tools do.
+  // Independent of the ground and of its tools.
   const PlanarTwist leaning = Move({0.4, 1.0}, Effects(),
                                    {.roll_rad = 0.3,
                                     .pitch_rad = -0.2,
@@ -72,8 +72,8 @@ TEST(TrackKinematics, WithoutEffectsIsADifferentialDrive) {
 }
 
 TEST(TrackKinematics, EffectiveGaugeWidensTheCircle) {
-  // A full circle of the middle at 0.7 m/s with r B = 2.1 m takes 2 pi r B / 0.6 s; it has the
-  // radius 0.7 r B / 0.6 = 2.45 m and ends where it began.
+  // A full circle of the middle at 0.7 m/s with r B = 2.1 m takes 2 pi r B / 0.6 s. Its radius is
+  // 0.7 r B / 0.6 = 2.45 m, and it closes.
   const Effects effects = One("effective_gauge", {1.75});
   const double period_s = 2 * kPi * 2.1 / 0.6;
   const auto twist = [&] { return Move({0.4, 1.0}, effects); };
@@ -108,7 +108,7 @@ TEST(TrackKinematics, ScaleAndSlipShortenTheWay) {
 }
 
 TEST(TrackKinematics, ATurnTakesForwardSpeedAndNoYawRate) {
-  // Sides at 0.4 and 1.0 m/s: 0.6 over 1.4 of what is lost where one side stands.
+  // Sides at 0.4 and 1.0 m/s: 0.6 over 1.4 of the loss with one side at rest.
   const Effects effects = One("track_slip", {0.1, 0, 0.7, 0.7});
   const PlanarTwist arc = Move({0.4, 1.0}, effects), straight = Move({0.7, 0.7}, effects);
   EXPECT_NEAR(straight.forward_mps, 0.63, 1e-12);
@@ -120,8 +120,8 @@ TEST(TrackKinematics, ATurnTakesForwardSpeedAndNoYawRate) {
 }
 
 TEST(TrackKinematics, AsymmetryBendsAStraightLineIntoACircle) {
-  // Right track 3 % faster than the mean, left 3 % slower: the outer track's circle is by 6 % of
-  // the mean radius longer, so that the gauge of 1.2 m is 6 % of the radius of 20 m.
+  // Right track 3 % faster than the mean, left 3 % slower: the outer track's circle is longer by 6
+  // % of the mean radius. The gauge of 1.2 m is thus 6 % of the radius of 20 m.
   const PlanarTwist twist = Move({0.5, 0.5}, One("track_asymmetry", {0.06}));
   EXPECT_NEAR(twist.forward_mps / twist.yaw_radps, 20, 1e-9);
   EXPECT_NEAR(twist.forward_mps, 0.5, 1e-12);
@@ -129,9 +129,9 @@ TEST(TrackKinematics, AsymmetryBendsAStraightLineIntoACircle) {
 }
 
 TEST(TrackKinematics, SlipUnderThrustIsJanosisOverTheWeightOnTheSlope) {
-  // Climbing at 20 deg on mu = tan 39 deg = 0.8098 needs tan 20 / tan 39 = 0.4495 of the strength:
-  // 1 - (1 - e^-x) / x = 0.4495 has the root x = 1.3444 (bisection by hand in a calculator, see
-  // also Drive.SlipGrowsWithTheSlopeItClimbsAsJanosiSays), i = x K / L with K = 18 mm.
+  // Climbing at 20 deg on mu = tan 39 deg = 0.8098 needs tan 20 / tan 39 = 0.4495 of the strength.
+  // 1 - (1 - e^-x) / x = 0.4495 has the root x = 1.3444 (bisection by hand; see also
+  // Drive.SlipGrowsWithTheSlopeItClimbsAsJanosiSays), i = x K / L with K = 18 mm.
   const double mu = std::tan(39 * kDeg);
   const Effects janosi = One("track_slip", {0, 0.018, mu, 0});
   const double climbing = 1 - Move({0.5, 0.5}, janosi, Climbing(20 * kDeg)).forward_mps / 0.5;
@@ -197,7 +197,7 @@ TEST(TrackKinematics, RollingResistanceCostsSlipInProportionToAllThrust) {
 }
 
 TEST(TrackKinematics, RollingResistanceFadesWithoutAStep) {
-  // What is left at f = 0 is the slip of the other thrust, tan = 0.3 over 20.
+  // At f = 0 the slip of the other thrust remains, tan = 0.3 over 20.
   const TrackCircumstances loads[] = {Climbing(std::atan(0.3)),
                                       {.tool_force_B_n = {-3430, 500}, .tool_torque_B_nm = 900}};
   for (const TrackCircumstances& load : loads) {
@@ -226,7 +226,7 @@ TEST(TrackKinematics, AForceBesideTheMiddleLoadsTheTrackOnItsSide) {
 TEST(TrackKinematics, DiggingDragsAMachineThatItsTracksCannotHold) {
   const Effects effects = One("digging_force", {0.8, 0.3});
   EXPECT_EQ(Move({0, 0}, effects, {.tool_force_B_n = {0.29 * 34300, 0}}).forward_mps, 0);
-  // Half the weight along a 3-4-5 direction: 0.2 beyond what holds, at 0.8 m/s a weight.
+  // Half the weight along a 3-4-5 direction: 0.2 beyond the holding force, at 0.8 m/s per weight.
   const PlanarTwist dragged =
       Move({0, 0}, effects, {.tool_force_B_n = 0.5 * 34300 * Vec2(0.6, -0.8)});
   EXPECT_NEAR(dragged.forward_mps, 0.16 * 0.6, 1e-12);

@@ -10,8 +10,8 @@
 namespace tera {
 namespace {
 
-/// A chassis of 1000 kg with its mass `ahead_m` of the middle of its tracks, and on it 500 kg that
-/// turn about a point 0.1 m ahead of that middle, 0.4 m from it.
+/// A chassis of 1000 kg with its mass `ahead_m` of the middle of its tracks. 500 kg on it turn
+/// about a point 0.1 m ahead of that middle, at a distance of 0.4 m.
 std::string Crawler(double ahead_m) {
   return fmt::format(R"(
 kind: crawler
@@ -37,8 +37,7 @@ TEST(TurningCentre, FollowsFromTheMassesWhereTheyReachFarthest) {
   EXPECT_NEAR(TurningCentreReach_m(MachineFromText(Crawler(-0.2))), 1.5 * 350 / 1500, 1e-12);
 }
 
-// The place that has half of the load on either side, and the centre of the load, of a track whose
-// load falls linearly; the two by summing over a million slices of it.
+// The median and the centre of a linearly falling load of a track, by sums over a million slices.
 TEST(TurningCentre, LiesHalfAsFarAgainFromTheMiddleAsTheCentreOfTheLoad) {
   constexpr int kSlices = 1'000'000;
   constexpr double kSlope = 0.1;  // the load is 1 + 0.1 x over a track from -1 to 1

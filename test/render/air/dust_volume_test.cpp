@@ -14,9 +14,9 @@ namespace {
 using testing::DustBox;
 
 TEST(DustVolume, OpticalDepthThroughEvenDustIsExtinctionTimesWay) {
-  // Cells from x = -2 to 6, of 0.3 / m, falling to nothing over half a cell beyond them: a line
-  // through the middle has 8 m of full extinction, since what the edges lack within they have
-  // beyond.
+  // Cells from x = -2 to 6 with 0.3 / m, falling to zero over half a cell beyond them. A line
+  // through the middle has 8 m of full extinction, since the edges' loss inside equals their gain
+  // outside.
   const DustVolume dust = DustBox(Vec3(-2, 1, 4), 0.5, {16, 12, 8}, 0.3);
   const Vec3 origin(-20, 4, 6);
   constexpr double kFar = std::numeric_limits<double>::infinity();
@@ -48,8 +48,8 @@ TEST(DustVolume, EddiesKeepTheMeanAndRepeat) {
   }
   const auto n = static_cast<double>(eddies.factors().size());
   EXPECT_NEAR(sum / n, 1, 1e-6);
-  // A log-normal factor of mean 1 has the variance exp(s^2) - 1; a period holds some tens of the
-  // largest whirls, so that its own variance is known to a fifth or so.
+  // A log-normal factor of mean 1 has the variance exp(s^2) - 1. A period holds some tens of the
+  // largest whirls, so that its own variance is known to about a fifth.
   const double variance = std::exp(DustEddies::kSpread * DustEddies::kSpread) - 1;
   EXPECT_NEAR(squares / n - 1, variance, 0.35 * variance);
   const Vec3 p(1.3, -4.1, 0.7);
@@ -58,9 +58,9 @@ TEST(DustVolume, EddiesKeepTheMeanAndRepeat) {
 }
 
 TEST(SunThroughDust, EvenDustShadesByTheWayToItsTop) {
-  // 8 layers of 0.5 m of 0.4 / m under a sun at 30 degrees: from the middle of the lowest one, 3.75
-  // m below the top, the way is twice as long. Steps are a cell long and hit cells at their
-  // middles, so that the sum may be off by a cell.
+  // 8 layers of 0.5 m with 0.4 / m under a sun at 30 degrees. From the middle of the lowest one,
+  // 3.75 m below the top, the path is twice as long. Steps are a cell long and sample cells at
+  // their middles, so that the sum may err by a cell.
   const DustVolume dust = DustBox(Vec3(0, 0, 0), 0.5, {60, 10, 8}, 0.4);
   const double c = std::sqrt(0.75);
   const std::vector<float> depths = OpticalDepthsToSun(dust, Vec3(c, 0, 0.5));

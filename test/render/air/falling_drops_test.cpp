@@ -14,8 +14,8 @@ Pose Ahead() {  // looking along +y of W
 }
 
 TEST(FallingDrops, StreaksAreAsLongAsDropsFallInTheExposure) {
-  // In still air straight down; 8 m/s of wind from the west lean them to the right of a camera that
-  // looks north: 2 m above the ground there is 0.79 of it.
+  // Straight down in still air. A wind of 8 m/s from the west tilts them to the right of a camera
+  // that looks north: 2 m above the ground it has 0.79 of its speed.
   const Rain rain(20);
   for (const double wind_mps : {0.0, 8.0}) {
     const FallingDrops drops(rain, {.speed_mps = wind_mps, .from_rad = 1.5 * M_PI});
@@ -41,7 +41,7 @@ TEST(FallingDrops, ThereAreAsManyAsMarshallAndPalmerHave) {
     }
     expected += rain.CountAbove_1pm3(2e-3) * (2 * M_PI / 3 * 64 - M_PI * 16 * 0.15);
   }
-  // The same drops come back again and again: their number in one box is all that is drawn.
+  // The same drops recur: the sample is their number in one box.
   EXPECT_NEAR(seen / expected, 1, 0.05);
 }
 

@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// Integral over drops of all sizes of what a drop of that diameter has, for each m^3.
+/// Integral of a drop's property over drops of all sizes, for each m^3.
 template <typename OfDrop>
 double Sum_1pm3(const Rain& rain, OfDrop of_drop) {
   constexpr double kStep_m = 2e-6;
@@ -22,8 +22,8 @@ double Sum_1pm3(const Rain& rain, OfDrop of_drop) {
 }
 
 TEST(Rain, ItsWaterIsMarshallAndPalmersMoment) {
-  // Liquid water pi rho N0 / L^4 (the fourth moment's closed form): of 10 mm/h L is 2.528 / mm, so
-  // that 0.615 g/m^3 are in the air.
+  // Liquid water pi rho N0 / L^4 (closed form of the fourth moment): for 10 mm/h L is 2.528 / mm,
+  // hence 0.615 g/m^3 in the air.
   const Rain rain(10);
   const double water_kgpm3 = Sum_1pm3(rain, [](double d) { return 1000 * kPi / 6 * d * d * d; });
   EXPECT_NEAR(std::log(rain.CountAbove_1pm3(0.001) / rain.CountAbove_1pm3(0.002)), 2.528, 0.001);
@@ -70,8 +70,8 @@ TEST(Snowfall, ItsWaterIsGunnAndMarshallsMoment) {
 }
 
 TEST(Snowfall, OfOneMillimetreLeavesTheVisibilityOfModerateSnow) {
-  // Moderate snow is one in which 0.5 to 1 km are seen (WMO-No. 306, code 4677; observers relate it
-  // to 1 mm/h and more of water). At the visibility 2 % of the contrast is left.
+  // Moderate snow has a visibility of 0.5 to 1 km (WMO-No. 306, code 4677; observers relate it to 1
+  // mm/h and more of water). At the visibility 2 % of the contrast remains.
   const double visibility_m = std::log(50.0) / Snowfall(1).Extinction_1pm();
   EXPECT_GT(visibility_m, 500);
   EXPECT_LT(visibility_m, 1000);

@@ -19,7 +19,7 @@ double Fresnel(double cos_in, double n) {
   return 0.5 * (s * s + p * p);
 }
 
-/// Of diffuse light: the mean over a hemisphere, by the cosine.
+/// Reflectance of diffuse light: the mean over a hemisphere, weighted by the cosine.
 double Diffuse(double n) {
   constexpr int kSteps = 20000;
   double sum = 0;

@@ -7,7 +7,7 @@
 #include "rasterizer_stage.h"
 #include "render/gl/rasterizer.h"
 
-/// What boxes say of what is hidden or beyond the picture, against geometry.
+/// Boxes of occluded or cut objects, against geometry.
 
 namespace tera {
 namespace {
@@ -67,8 +67,8 @@ TEST(AmodalBox, HoldsTheVisibleOneBehindALens) {
     const auto object = stage.AddBox(MakePose(Vec3(-0.7, 2.5, 0.6), 0.3, 0.2, 0.5), {0.5, 0.4, 0.3},
                                      SemanticClass::kRock);
     const ObjectBox box = BoxOf(stage.Shoot(lens, kAhead), object);
-    // Corners bound a convex body but where the lens bows its edges, here by less than half a
-    // pixel; the tip of a corner may cover no pixel's middle.
+    // Corners bound a convex body except where the lens bends its edges, here by less than half a
+    // pixel. The tip of a corner may cover no pixel's middle.
     EXPECT_LE(box.amodal_min_px.x(), box.x_min_px + 0.5);
     EXPECT_GE(box.amodal_max_px.x(), box.x_max_px - 0.5);
     EXPECT_LE(box.amodal_min_px.y(), box.y_min_px + 0.5);

@@ -4,8 +4,8 @@
 #include "rasterizer_stage.h"
 #include "render/gl/rasterizer.h"
 
-/// A rasterizer keeps much of what it drew: ground, shadows, lamps' light, silhouettes. No picture
-/// may show that.
+/// A rasterizer caches ground, shadows, lamps' light and silhouettes. No picture may depend on the
+/// cache.
 
 namespace tera {
 namespace {
@@ -40,7 +40,7 @@ void Dig(TerrainSurface* terrain, int from, int to, float by_m) {
 
 class DrawnBefore : public testing::Test {
  protected:
-  /// The picture now by the rasterizer that drew all before, beside one by a new one.
+  /// Compares a picture by the used rasterizer with one by a new rasterizer.
   void ExpectAsNew(const CameraIntrinsics& camera, const Vec3& eye_W_m) {
     const Pose X_WC = LookAt(eye_W_m, kTarget);
     const CameraFrame used = rasterizer_.Render(camera, X_WC, stage_.state);

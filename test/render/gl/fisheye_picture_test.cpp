@@ -32,7 +32,7 @@ CameraIntrinsics LargeFisheye(LensKind kind) {
   return c;
 }
 
-/// Of the pixels that show the box's object.
+/// Mean pixel of the box's object.
 Vec2 MeanPixel(const CameraFrame& frame, const ObjectBox& box) {
   Vec2 sum = Vec2::Zero();
   for (int v = box.y_min_px; v <= box.y_max_px; ++v) {
@@ -45,9 +45,9 @@ Vec2 MeanPixel(const CameraFrame& frame, const ObjectBox& box) {
 
 class FisheyePicture : public testing::TestWithParam<LensKind> {};
 
-// As RasterizerProjection has it, by turns of the camera by parts of a pixel; plates of some 400
-// px. They stand across seams (45 degrees), beside and behind the eye. The projection itself is
-// checked against OpenCV's in test/sensors.
+// As RasterizerProjection, with camera rotations by fractions of a pixel and plates of some 400 px.
+// They lie across seams (45 degrees), to the side of and behind the eye. test/sensors checks the
+// projection itself against OpenCV's.
 TEST_P(FisheyePicture, ThingsLandWhereTheLensProjectsThem) {
   Stage stage;
   const Pose X_WC = LookAt(kEye, kTarget);
@@ -77,7 +77,7 @@ TEST_P(FisheyePicture, ThingsLandWhereTheLensProjectsThem) {
       error[k] += (MeanPixel(frame, box) - expected) / kTurns;
     }
   }
-  // Pinhole pictures whose rows run along the lens' put a plate at 30 degrees off by 0.12 and 0.18
+  // Pinhole pictures with rows along the lens' rows displace a plate at 30 degrees by 0.12 and 0.18
   // px, one at 38 degrees by 0.12 px: 5 and 2 of their pixels there are 3 and 1 of the lens'.
   for (std::size_t k = 0; k < error.size(); ++k) EXPECT_LT(error[k].norm(), 0.1) << k;
 }
@@ -111,8 +111,8 @@ TEST(FisheyePicture, NothingIsSeenBeyondTheField) {
   EXPECT_GT(lit, 100'000);
 }
 
-// Level ground h below the eye lies at the distance h / sin(depression) along each ray, beside and
-// behind the eye as well.
+// Level ground h below the eye lies at the distance h / sin(depression) along each ray, also to the
+// side and behind.
 TEST(FisheyePicture, DepthIsTheDistanceAlongTheRay) {
   Stage stage;
   stage.SetTerrain(Ground(200, 0.1, Level));
@@ -133,7 +133,7 @@ TEST(FisheyePicture, DepthIsTheDistanceAlongTheRay) {
   EXPECT_GT(behind, 20);
 }
 
-// Light of a seam's two sides differs by what noise of shading may make of it, not by a line.
+// Light on both sides of a seam differs by shading noise only, without a visible line.
 TEST(FisheyePicture, SeamsDoNotShow) {
   Stage stage;
   stage.SetTerrain(Ground(200, 0.1, Level));

@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// A box that moves along over ground on which something changes, picture by picture.
+/// A moving box over changing ground, picture by picture.
 class PicturesOfABox : public testing::Test {
  protected:
   static constexpr int kPictures = 6;
@@ -31,7 +31,7 @@ class PicturesOfABox : public testing::Test {
     return rasterizer->Render(Pinhole(), LookAt(kEye, kTarget), state);
   }
 
-  /// Of all pictures, ordered before the first is looked at.
+  /// Requests all pictures before the first is examined.
   std::vector<CameraFrame> AllBy(RasterizerPool* rasterizers) const {
     std::vector<std::future<CameraFrame>> ordered;
     for (int k = 0; k < kPictures; ++k) {

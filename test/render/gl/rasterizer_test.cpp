@@ -214,9 +214,9 @@ TEST(Rasterizer, TheSameSceneGivesTheSameBytes) {
 }
 
 TEST(Rasterizer, FogLeavesTwoPercentContrastAtTheVisibility) {
-  // A black and a white plate at range V: with fog, the difference of their radiances falls to 2 %
-  // of what it is in clear air. Exposure is chosen so that the tone curve does not saturate; what
-  // is compared is the sRGB difference, which for so small a contrast is below 6 % of full scale.
+  // A black and a white plate at range V. In fog, the difference of their radiances falls to 2 % of
+  // that in clear air. The exposure keeps the tone curve from saturation. The comparison uses the
+  // sRGB difference, below 6 % of full scale for so small a contrast.
   Stage stage;
   const Vec3 half_m(20, 0.1, 20);
   stage.AddBox(MakePose(Vec3(-25, 200, 25)), half_m, SemanticClass::kStructure, Vec3::Zero());

@@ -3,7 +3,7 @@
 #include "rasterizer_stage.h"
 #include "render/gl/rasterizer.h"
 
-/// What threads share of a picture shows nowhere: the ground's texels, labels, boxes.
+/// Pictures do not depend on data shared between threads: the ground's texels, labels, boxes.
 
 namespace tera {
 namespace {

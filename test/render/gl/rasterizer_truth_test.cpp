@@ -11,7 +11,7 @@
 
 namespace tera {
 
-/// What a test of several lenses is told apart by.
+/// Name of a lens in a parametrised test.
 static void PrintTo(const CameraIntrinsics& camera, std::ostream* out) {
   *out << camera.width_px << " x " << camera.height_px << " px"
        << (camera.Distorted() ? ", distorted" : "");
@@ -25,9 +25,8 @@ TEST(Intrinsics, ProjectFollowsBrownConradyByHand) {
   c.k2 = 0.01;
   c.p1 = 0.001;
   c.p2 = 0.002;
-  // x = 1/2, y = 1/4: r2 = 0.3125, radial = 1 + 0.03125 + 0.0009765625 = 1.0322265625;
-  // x' = 0.51611328125 + 0.00025 + 0.001625 = 0.51798828125, y' = 0.258056640625 + 0.0004375 +
-  // 0.0005.
+  // x = 1/2, y = 1/4: r2 = 0.3125, radial = 1 + 0.03125 + 0.0009765625 = 1.0322265625. x' =
+  // 0.51611328125 + 0.00025 + 0.001625 = 0.51798828125, y' = 0.258056640625 + 0.0004375 + 0.0005.
   const Vec2 p = c.Project(Vec3(1.0, 0.5, 2.0));
   EXPECT_NEAR(p.x(), 260 * 0.51798828125 + 163.2, 1e-9);
   EXPECT_NEAR(p.y(), 255 * 0.258994140625 + 117.7, 1e-9);
@@ -62,8 +61,8 @@ TEST_P(RasterizerDepth, OfASlopeIsThatOfItsPlane) {
       const double z_m = depth_m(u, v);
       const Vec3 p_W = X_WC * Vec3(camera.Unproject(Vec2(u, v)) * z_m);
       if (z_m < 0 || p_W.head<2>().cwiseAbs().maxCoeff() > 9.5) continue;
-      // Drivers round the vertices of a triangle to parts of a pixel, NVIDIA's and Mesa's to 1/256;
-      // of a fisheye that is in the pictures that its own is put together from.
+      // Drivers round the vertices of a triangle to fractions of a pixel, NVIDIA's and Mesa's to
+      // 1/256. For a fisheye, that applies to the pictures that compose its own.
       const double rounded_m =
           (std::abs(depth_m(u + 1, v) - z_m) + std::abs(depth_m(u, v + 1) - z_m)) /
           (camera.IsAngular() ? 64 : 256);
@@ -114,7 +113,7 @@ TEST_P(RasterizerDepth, OfATurnedBoxIsThatOfItsFaces) {
       hits += z_m > 0;
     }
   }
-  EXPECT_GT(hits, camera.IsAngular() ? 5 : 100);  // so much smaller through a fisheye
+  EXPECT_GT(hits, camera.IsAngular() ? 5 : 100);  // much smaller through a fisheye
 }
 
 INSTANTIATE_TEST_SUITE_P(Lenses, RasterizerDepth,
@@ -122,11 +121,11 @@ INSTANTIATE_TEST_SUITE_P(Lenses, RasterizerDepth,
 
 class RasterizerProjection : public testing::TestWithParam<CameraIntrinsics> {};
 
-/// Thin square plates facing the camera; the centroid of the pixels of each against its projected
-/// mean. Pixel quantisation: the centroid of a plate of about 400 px whose borders fall anywhere
-/// within pixels errs by about 0.29 px / sqrt(80 px of border) = 0.03 px, and more where a border
-/// runs along a direction of the grid. Over 16 shifts of the picture by parts of a pixel, which
-/// average the border's place within pixels, 0.1 px is over 5 standard errors for a plate.
+/// Thin square plates facing the camera: the centroid of each one's pixels against its projected
+/// mean. The centroid of a plate of about 400 px, with borders anywhere within pixels, errs by
+/// about 0.29 px / sqrt(80 px of border) = 0.03 px. It errs more where a border follows the grid.
+/// 16 shifts of the picture by fractions of a pixel average the border's place, so that 0.1 px is
+/// over 5 standard errors for a plate.
 TEST_P(RasterizerProjection, TruthPointsLandOnTheirFeatures) {
   Stage stage;
   const Pose X_WC = LookAt(kEye, kTarget);

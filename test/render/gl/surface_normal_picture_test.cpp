@@ -106,8 +106,8 @@ TEST_P(NormalPicture, OfABallPointsFromItsMiddleTowardsTheCamera) {
       const auto n_C = NormalAt(frame.normal, u, v);
       ASSERT_TRUE(n_C) << u << " " << v;
       EXPECT_LT(n_C->dot(d_C), 0) << u << " " << v;
-      // A lens takes the nearest pixel of a finer picture, 0.6 px off at most: 0.6 / 255 of the
-      // range across, at 0.9 of the radius 2.3 times as far on the ball.
+      // A lens takes the nearest pixel of a finer picture, at most 0.6 px off: 0.6 / 255 of the
+      // range across, and at 0.9 of the radius 2.3 times as far on the ball.
       const double tolerance = camera.Distorted() ? 0.6 / 255 * range_m * 2.3 / radius_m : 2e-3;
       EXPECT_LT((*n_C - (range_m * d_C - middle_C) / radius_m).norm(), tolerance) << u << " " << v;
       ++seen;

@@ -43,7 +43,7 @@ void ExpectWhole(const TexelWindow& window) {
 }
 
 TEST(TexelRows, HoldEachTexelOfTheirWindowsOnce) {
-  // Two neighbours that share a border, one across both, one apart, one of nothing.
+  // Two adjacent windows, one across both, one apart, one empty.
   const std::vector<TexelWindow> windows = {
       {0, 0, 5, 5}, {4, 0, 9, 5}, {2, 3, 7, 8}, {12, 1, 14, 2}, {3, 3, 3, 9}};
   std::map<std::pair<int, int>, int> rows;
@@ -73,7 +73,7 @@ TEST(TexelWindows, AreGatheredWhereLittleLiesBetween) {
 }
 
 TEST(GroundShadow, IsKnownEverywhereAfterTheFirstUpdate) {
-  // At height 0 the sunny border has the value that stands in the memory before.
+  // At height 0 the sunny border has the previous value of the memory.
   for (const Vec3& to_sun_W : {ToSun(0.7), Vec3(-0.3, -0.8, 0.5), Vec3(0.1, 0.9, 0.4)}) {
     GroundShadow shadow(to_sun_W.normalized());
     ExpectWhole(shadow.Update(Texels(FlatGround()), {}));

@@ -8,8 +8,8 @@ namespace tera {
 namespace {
 
 TEST(Hollows, WaterStandsToTheBrimOrToItsDepth) {
-  // A row of ground, three cells wide: 5 4 2 4 3 1 0.5 3.5 6, and 9 on both sides of the middle
-  // row, so that water runs off over its ends alone. Over the left end everything is filled to 5.
+  // A row of ground, three cells wide: 5 4 2 4 3 1 0.5 3.5 6, with 9 on both sides of the middle
+  // row, so that water leaves over its ends only. The left end fills everything to 5.
   constexpr int kWidth = 9;
   const float middle[kWidth] = {5, 4, 2, 4, 3, 1, 0.5f, 3.5f, 6};
   std::vector<float> height(3 * kWidth, 9.0f);

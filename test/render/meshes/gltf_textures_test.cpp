@@ -55,7 +55,7 @@ TEST_F(GltfTextures, APictureBesideTheFileIsReadRowByRowFromTheTop) {
   // sRGB 128 is 0.2159 linear. The factor halves red.
   const double grey = 0.2158605;
   EXPECT_NEAR(part.material.lidar_reflectance, (1 + grey) / 4 * (0.5 + 1 + 1) / 3, 1e-6);
-  // The picture is among what the mesh was made from.
+  // The picture is one of the mesh's files.
   EXPECT_THAT(mesh.files, ::testing::Contains(folder_ / "paint.png"));
 }
 

@@ -10,8 +10,8 @@
 namespace tera::testing_mesh {
 
 /// Writes `name`.gltf and its buffer into a folder: a square of 2 m in glTF's x-y plane, which is
-/// our x-z plane, facing our -y; u runs to the right (x), v down, from the upper left corner.
-/// `material` and `pictures` are what stands in the JSON; texture k shows picture k.
+/// TERA's x-z plane, facing TERA's -y. u runs to the right (x), v down, from the upper left corner.
+/// `material` and `pictures` are parts of the JSON; texture k shows picture k.
 inline std::filesystem::path WriteTexturedSquare(const std::filesystem::path& folder,
                                                  const std::string& material,
                                                  const std::string& pictures, int picture_count,

@@ -50,7 +50,8 @@ TEST(TopOfMesh, IsTheHighestOfWhatLiesAboveEachOtherInAnyOrder) {
 }
 
 TEST(TopOfMesh, HasTheColourOfTheTextureAtThatPoint) {
-  // One column of 0 (black) and one of 255 (white): linear 0 and 1, evenly between their middles.
+  // One column of 0 (black) and one of 255 (white): linear 0 and 1, interpolated between their
+  // middles.
   auto picture = std::make_shared<Texture>();
   picture->width_px = 2;
   picture->height_px = 1;

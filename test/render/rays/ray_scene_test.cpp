@@ -86,8 +86,8 @@ TEST(RayScene, ARayMeetsAMovingBodyWhereItStandsAtTheRaysTime) {
 }
 
 TEST(RayScene, ATurningWallKeepsItsShapeBetweenKeys) {
-  // A wall turning by 60 degrees between two poses: at a fraction s it stands at 60 s degrees, and
-  // its face is 4 m from the axis.
+  // A wall that turns by 60 degrees between two poses: at a fraction s it is at 60 s degrees, with
+  // its face 4 m from the axis.
   SceneModel model = OneBodyEach({WallMesh(3, 0.5)});
   model.nodes[0].X_BG = MakePose({4, 0, 0});
   RayScene scene(model);
@@ -268,8 +268,8 @@ TEST(RayScene, TellsWhetherARayGoesIntoASolidOrComesOutOfItAndThroughWhat) {
 }
 
 TEST(RayScene, TellsTheMemoryThatItsMeshesTake) {
-  // A hundred unlike walls more, of four vertices and two triangles at least, of three numbers of 4
-  // bytes each; and what was given back is not counted.
+  // A hundred further, different walls, each of at least four vertices and two triangles, with
+  // three numbers of 4 bytes each. Released memory is not counted.
   std::vector<Mesh> walls;
   for (int k = 0; k < 101; ++k) walls.push_back(WallMesh(1 + 0.01 * k, 0.5));
   const RayScene one(OneBodyEach({walls.front()})), all(OneBodyEach(walls));

@@ -20,7 +20,7 @@ Pose Straight(double t_s) {
 }
 double Turn(double t_s) { return 0.2 * t_s; }
 
-/// The cart, recorded from 1 to 5 s, and an excavator of which nothing was.
+/// The cart, recorded from 1 to 5 s, and an unrecorded excavator.
 class MachinesOfARecording : public testing::Test {
  protected:
   MachinesOfARecording() {

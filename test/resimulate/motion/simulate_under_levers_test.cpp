@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kElbow = 1;
 
-/// Two arms on the same site; the first turns its elbow by an operator of its own.
+/// Two arms on the same site; an operator turns the first one's elbow.
 Scenario TwoArms() {
   const Config config = Config::FromText(R"(
 name: arms

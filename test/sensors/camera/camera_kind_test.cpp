@@ -12,8 +12,7 @@
 #include "sensors/camera/camera_on_a_link.h"
 #include "sensors/sensor.h"
 
-// A camera whose pictures are taken beside a run that goes on writes the same as one whose pictures
-// are taken at once.
+// Pictures taken concurrently with the run equal those taken at once.
 
 namespace tera {
 namespace {
@@ -54,7 +53,7 @@ class WorkedScene : public SensedScene {
   std::int64_t k_ = 0;
 };
 
-/// Keeps frames, and the times of those that it has already: every `has_every`-th.
+/// Keeps frames; it already has those at the times of every `has_every`-th.
 class FrameShelf : public MeasurementSink {
  public:
   explicit FrameShelf(int has_every) : has_every_(has_every) {}
@@ -77,7 +76,7 @@ class FrameShelf : public MeasurementSink {
 
 class PicturesBesideARun : public ::testing::TestWithParam<std::string> {
  protected:
-  /// What a camera of 10 Hz writes in 0.8 s.
+  /// Frames of a camera of 10 Hz over 0.8 s.
   FrameShelf Run(int beside, int has_every = 0) const {
     const CameraOnALink camera("width_px: 80, height_px: 60, fx_px: 60, " + GetParam());
     FrameShelf sink(has_every);

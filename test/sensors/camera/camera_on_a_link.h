@@ -9,9 +9,9 @@
 
 namespace tera {
 
-/// A camera of 10 Hz on the one link of a machine.
+/// A camera of 10 Hz on the only link of a machine.
 struct CameraOnALink {
-  /// `keys` are those of the camera beside its rate.
+  /// `keys` of the camera, except its rate.
   explicit CameraOnALink(const std::string& keys) {
     const Config config = Config::FromText(
         "sensor: {name: s, type: camera, link: upper, rate_hz: 10, " + keys + "}", "rig.yaml");
@@ -20,7 +20,7 @@ struct CameraOnALink {
     machine.links.emplace_back();
     machine.links.back().name = "upper";
   }
-  /// What measures by it into a channel of `sink`. Both must outlive it.
+  /// The camera's sampler, writing to a channel of `sink`. Both must outlive it.
   std::unique_ptr<SensorSampler> SamplerInto(MeasurementSink* sink) const {
     return KindOf(sensor).sampler({sensor, {sensor}, machine, "m/s", 1, {sink, 0}});
   }

@@ -169,8 +169,8 @@ TEST_F(CameraBeforeAWall, DepthOutsideItsLimitsIsNotMeasured) {
 }
 
 TEST_F(CameraBeforeAWall, DepthNoiseGrowsWithTheSquareOfDepth) {
-  // sigma_z = 36 * 0.05 / (150 * 0.06) = 0.2 m at 6 m, of the second order 0.5 % more. n > 4000
-  // pixels of wall: five standard errors of the deviation, 5 / sqrt(2 n) = 5.6 %.
+  // sigma_z = 36 * 0.05 / (150 * 0.06) = 0.2 m at 6 m; the second order adds 0.5 %. n > 4000 pixels
+  // of wall: five standard errors of the deviation, 5 / sqrt(2 n) = 5.6 %.
   camera_.disparity_noise_px = 0.05;
   camera_.baseline_m = 0.06;
   const CameraFrame frame = Measure(camera_);
@@ -186,8 +186,8 @@ TEST_F(CameraBeforeAWall, DepthNoiseGrowsWithTheSquareOfDepth) {
 }
 
 TEST_F(CameraBeforeAWall, FarDepthIsLostInNoiseAndNeverNear) {
-  // A disparity of 150 * 0.06 / 6 = 1.5 px with a noise of 0.3 px: within 4.3 sigma no disparity is
-  // above 2.8 px, which is 3.2 m.
+  // A disparity of 150 * 0.06 / 6 = 1.5 px with 0.3 px of noise: within 4.3 sigma none exceeds 2.8
+  // px, which is 3.2 m.
   camera_.disparity_noise_px = 0.3;
   camera_.baseline_m = 0.06;
   const CameraFrame frame = Measure(camera_);
@@ -243,9 +243,9 @@ Patch PatchOf(const ImageSensor& sensor, const Image<float>& luminance, std::int
   return patch;
 }
 
-// Photon transfer of a wall as it is rendered, by shutter times up to where it saturates; 1200
-// pixels make a variance good to 4 %, twenty levels a slope to 1 %, and so do twenty pairs in the
-// dark their deviation to half of that.
+// Photon transfer of a rendered wall over shutter times up to saturation. 1200 pixels determine a
+// variance to 4 %, and twenty levels a slope to 1 %. Twenty pairs in the dark determine their
+// deviation to half of that.
 TEST_F(CameraBeforeAWall, PhotonTransferOfARenderedWallReturnsGainReadNoiseAndFullWell) {
   LuminancePicture seen{.white_cdpm2 = 2e4};
   rasterizer_.RenderLuminance(camera_.intrinsics,
@@ -293,8 +293,7 @@ TEST_F(CameraBeforeAWall, AnImageSensorsExposureIsItsOwn) {
   EXPECT_EQ(bright.depth_m.data, dim.depth_m.data);
 }
 
-// Two scenes of which one is exposed eight times as long: seen by eyes they differ, by the sensor
-// not.
+// Two scenes, one with eight times the exposure: they differ to the eye, not to the sensor.
 TEST_F(CameraBeforeAWall, WhatAnImageSensorSeesDoesNotFollowTheScenesExposure) {
   const CameraFrame plain = Measure(camera_);
   camera_.image_sensor = ImageSensorModel{.exposure_s = 3e-4};

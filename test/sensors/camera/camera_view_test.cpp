@@ -143,9 +143,9 @@ TEST(CameraView, PixelsOfASquareAreAsManyAsThePictureHas) {
     const ViewField field = ViewOf(model, 10);
     for (const Vec2& where : {Vec2(150, 120), Vec2(80, 75), Vec2(250, 170), Vec2(318, 120)}) {
       if (!model.intrinsics.p1 && where.x() != 80) continue;  // once without this lens
-      // A square 3 m away about the ray through this pixel, askew so that its edges cross rows and
-      // columns: its outline of some 400 pixels makes sqrt(400) / 3 of ten thousand. The last one
-      // is cut by the border of the picture.
+      // A square 3 m away about the ray through this pixel, skewed so that its edges cross rows and
+      // columns. Its outline of some 400 pixels contributes sqrt(400) / 3 of ten thousand. The
+      // picture's border cuts the last one.
       SceneState state;
       const Vec3 p_W = X_WS * (3 * DirectionOf(model, where.x(), where.y()));
       state.X_WB = {MakePose(p_W, X_WS.linear() * RotationFromRpy(0.35, 0.3, -0.25))};
@@ -178,7 +178,8 @@ TEST(CameraView, SaysWhatItMeasures) {
   EXPECT_NEAR(field.distance_sigma_m(4), 4 * 0.1 / (250 * 0.05 / 4), 1e-9);
   EXPECT_EQ(field.samples_per_s, 320 * 240 * 5);
   EXPECT_GT(field.bytes_per_sample, 0);
-  // Pictures go on to the horizon, depth ends; what makes no pictures shows no more than depth.
+  // Pictures reach the horizon, depth ends. A camera without pictures reaches no further than its
+  // depth.
   EXPECT_EQ(field.reach_m(0.2), std::numeric_limits<double>::infinity());
   model.rgb = false;
   model.labels.reset();

@@ -32,8 +32,8 @@ SeenScene Scene(const DustVolume* dust) {
 }
 
 TEST(DustSight, OpticalDepthIsExtinctionTimesTheWayOfEachPixel) {
-  // Dust from y = 0 to 5 m, wide enough for all pixels: a wall of depth 6 m stands 2 m within... at
-  // y = 3, behind 3 m of dust; the sky is behind all 5.
+  // Dust from y = 0 to 5 m, wide enough for all pixels. A wall at a depth of 6 m is behind 3 m of
+  // dust, at y = 3; the sky is behind all 5 m.
   const DustVolume dust = DustBox(Vec3(-15, 0, -10), 0.5, {64, 10, 48}, 0.3);
   Image<float> depth_m(40, 30);
   for (int y = 0; y < 30; ++y) {

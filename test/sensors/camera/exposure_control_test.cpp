@@ -65,7 +65,7 @@ class Controlled {
     return used;
   }
   double Signal() const { return sensor_.Meter(raw_, {}).signal; }
-  /// The luminance that fills so much of the range at the start.
+  /// The luminance that fills this share of the range at the start.
   double LuminanceFor(double signal) const {
     return signal * sensor_.white_cdpm2(sensor_.UsualSettings());
   }
@@ -167,7 +167,7 @@ TEST(ExposureControl, BalanceStaysWithinItsLimits) {
   EXPECT_NEAR(used.balance[2], 1.5, 1e-12);
 }
 
-/// What is said of keys of an image sensor that are refused; nothing where they are not.
+/// Faults of an image sensor's keys; empty if accepted.
 std::vector<InputFault> Refusal(const std::string& keys) {
   return FaultsIn([&] {
     const Config config = Config::FromText("image_sensor: {" + keys + "}", "rig.yaml");

@@ -21,8 +21,8 @@ CameraIntrinsics ImageSensorLens() {
           .cy_px = 59.5};
 }
 
-/// A sensor for each colour, of 12 bits and 10 000 electrons, behind a lens so long that its light
-/// is even: what photons there are follows from the luminance alone.
+/// A sensor per colour, of 12 bits and 10 000 electrons, behind a lens so long that its light is
+/// even: photons follow from the luminance alone.
 ImageSensorModel ImageSensorPlain() {
   ImageSensorModel model;
   model.filter.reset();
@@ -49,7 +49,7 @@ struct Moments {
   double mean = 0, variance = 0;
 };
 
-/// Over the pixels of a picture, or the difference of two, those of one channel.
+/// Moments of one channel's pixels, of a picture or of the difference of two.
 Moments MomentsOf(const Image<std::uint16_t>& a, const Image<std::uint16_t>* less, int channel) {
   Moments out;
   double squares = 0, count = 0;
@@ -64,7 +64,7 @@ Moments MomentsOf(const Image<std::uint16_t>& a, const Image<std::uint16_t>* les
   return out;
 }
 
-/// Luminance at which the mean of green is so many electrons.
+/// Luminance at which green has this mean number of electrons.
 double LuminanceFor(const ImageSensorModel& model, double electrons) {
   const double area_m2 = std::pow(model.pixel_um * 1e-6, 2);
   const double lux = kPi * model.transmission / (4 * model.f_number * model.f_number);
@@ -72,9 +72,9 @@ double LuminanceFor(const ImageSensorModel& model, double electrons) {
   return electrons / (photons * model.quantum_efficiency[1]);
 }
 
-// The photon transfer of EMVA 1288, 6.7: of pairs of flat pictures half the variance of the
-// difference over the mean above dark rises by K; what is left in the dark is read noise and
-// rounding, and the brightest level is the full well.
+// The photon transfer of EMVA 1288, 6.7. For pairs of flat pictures, half the variance of the
+// difference over the mean above dark rises by K. The dark remainder is read noise and rounding,
+// and the brightest level is the full well.
 TEST(ImageSensor, PhotonTransferReturnsGainReadNoiseAndFullWell) {
   const ImageSensorModel model = ImageSensorPlain();
   const ImageSensor sensor(model, ImageSensorLongLens(), 1, "camera");
@@ -141,8 +141,8 @@ TEST(ImageSensor, ACornerIsDarkerByTheFourthPowerOfItsCosine) {
   EXPECT_NEAR(corner / middle, std::pow(cosine, 4), 0.003);
 }
 
-// EMVA 1288, chapter 8: what stays from picture to picture, by the mean of 16, which leaves a
-// sixteenth of the variance of noise. A deviation of 19 200 pixels is good to 0.5 %.
+// EMVA 1288, chapter 8: the constant pattern, by the mean of 16 pictures, which leaves a sixteenth
+// of the noise variance. The deviation of 19 200 pixels is known to 0.5 %.
 TEST(ImageSensor, SensitivityAndDarkSignalDifferFromPixelToPixelAndStay) {
   ImageSensorModel model = ImageSensorPlain();
   model.prnu = 0.02;

@@ -5,8 +5,7 @@
 namespace tera {
 namespace {
 
-/// Two shovels, of which the second is empty at first, and a picture with six pixels of the first's
-/// soil.
+/// Two shovels, the second initially empty, and a picture with six pixels of the first's soil.
 class TwoShovels : public ::testing::Test {
  protected:
   TwoShovels() {

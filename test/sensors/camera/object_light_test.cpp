@@ -17,8 +17,8 @@ using testing::WallMesh;
 constexpr double kFocal_px = 150, kDistance_m = 6, kExposure_s = 0.05;
 constexpr TimeNs kStamp_ns = 400'000'000;
 
-/// A matt square, 2 m wide, 6 m ahead of a camera that looks along +y of W, and a large one 60 m to
-/// the side, beyond the picture. The sun stands behind the camera and to its right, 30 degrees
+/// A matt square, 2 m wide, 6 m ahead of a camera that looks along +y of W, and a large square 60 m
+/// to the side, outside the picture. The sun stands behind the camera and to its right, 30 degrees
 /// high.
 class SquareInTheSun : public ::testing::Test {
  protected:
@@ -81,7 +81,7 @@ TEST_F(SquareInTheSun, BlurIsItsSpeedTimesTheExposureInThePicture) {
   EXPECT_NEAR(LightOf(Shoot({3, 0, 4}, kAside_W_m)).blur_px, 5 * 1.25, 1e-3);
 }
 
-// What comes nearer moves outwards: a point at the radius r by r v t / z, corners most.
+// An approaching object expands: a point at the radius r moves by r v t / z, corners most.
 TEST_F(SquareInTheSun, WhatComesNearerIsBlurredTowardsItsRim) {
   const CameraFrame frame = Shoot({0, -12, 0}, kAside_W_m);
   const double most_px = std::sqrt(2.0) * 25 * 12 * kExposure_s / kDistance_m;
@@ -95,8 +95,8 @@ TEST_F(SquareInTheSun, WithoutAShutterNothingIsBlurred) {
   EXPECT_EQ(LightOf(Shoot({4, 0, 0}, kAside_W_m)).blur_px, 0);
 }
 
-// The sun's illuminance on a plane is that of one that faces it times the cosine, here of 45
-// degrees; with the large square before the sun that is what is missing.
+// The sun's illuminance on a plane is that of a facing plane times the cosine, here of 45 degrees.
+// The large square in front of the sun removes exactly that.
 TEST_F(SquareInTheSun, ShadowTakesTheSunAway) {
   const CameraFrame sunlit = Shoot({0, 0, 0}, kAside_W_m),
                     shaded = Shoot({0, 0, 0}, kBeforeSun_W_m);
@@ -140,7 +140,7 @@ TEST_F(SquareInTheSun, ThePicturesExposureStandsBeside) {
   ASSERT_TRUE(frame.exposure);
   EXPECT_EQ(frame.exposure->exposure_s, kExposure_s);
   EXPECT_EQ(frame.exposure->f_number, 4);
-  // Electrons of the full well over those of a candela a square metre: image_sensor.h's equations.
+  // Electrons over the full well for one candela per square metre: image_sensor.h's equations.
   const ImageSensorModel& s = *camera_.image_sensor;
   const double lux_s = kPi * s.transmission / (4 * 4 * 4) * kExposure_s;
   const double photons = lux_s * kPhotonsPerLuxSecond / 3 * std::pow(s.pixel_um * 1e-6, 2);

@@ -36,7 +36,7 @@ TEST(ReadCamera, AnImageSensorTakesThePlaceOfAPresetsNoise) {
   const CameraModel model = Read(over, &resolved);
   EXPECT_EQ(model.rgb_noise, 0);
   EXPECT_EQ(model.image_sensor->gain_db, 6);
-  // What was resolved reads as the same camera again.
+  // The resolved text gives the same camera.
   const Config again = Config::FromText(resolved, "resolved.yaml");
   const SensorDescription s = ReadSensor(again.root().Map("sensor"));
   again.Finish();

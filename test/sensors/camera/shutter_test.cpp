@@ -27,7 +27,7 @@ TEST(Exposures, EveryRowsLightIsWhole) {
   }
 }
 
-// The mean time of what a row gathers is the middle of its exposure, to half a slot.
+// The mean time of a row's light is the middle of its exposure, to half a slot.
 TEST(Exposures, ARowsLightIsOfItsOwnTime) {
   const Exposures exposures({.readout_s = 0.03}, 0.012, kRows, 21);  // slots of 2 ms
   for (int row = 0; row < kRows; ++row) {

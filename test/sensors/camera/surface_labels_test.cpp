@@ -28,8 +28,8 @@ LabelSet Labels(std::initializer_list<std::size_t> channels) {
   return labels;
 }
 
-/// A camera that looks along +y of W at a wall 6 m ahead of the place where it stands at first,
-/// with a square of 1 m, 3 m ahead.
+/// A camera that looks along +y of W at a wall 6 m ahead of its initial place, and a square of 1 m,
+/// 3 m ahead.
 class FlowBeforeAWall : public ::testing::Test {
  protected:
   FlowBeforeAWall()
@@ -269,8 +269,8 @@ TEST_F(LabelsOfGround, ThereIsNoneBeyondTheSite) {
   EXPECT_EQ(frame.ground_change.at(40 + 22, 30), 0);
 }
 
-// A ball of 0.2 m seen from 2 m at 60 px is 6 px in radius; the corners of a clod lie up to 0.22 of
-// that nearer or farther.
+// A ball of 0.2 m seen from 2 m at 60 px is 6 px in radius; a clod's corners lie up to 0.22 of that
+// nearer or farther.
 TEST_F(LabelsOfGround, SoilInFlightIsWhereTheClodIs) {
   SurfaceLabels labels(lens_, Labels({kSoilInFlightChannel}));
   ground_.SetGrains({{.p_W_m = {0, 0, 1}, .radius_m = 0.2f}});

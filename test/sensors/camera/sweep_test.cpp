@@ -84,8 +84,8 @@ class SquareThatPasses : public ::testing::Test {
   LuminancePicture luminance_;
 };
 
-// The square passes at f v / z = 100 px/s: over a readout of 0.12 s a row stands 0.1 px ahead of
-// the row above it, 12 px in all. Steps are 1 px, so that a row may be half of one off.
+// The square passes at f v / z = 100 px/s. Over a readout of 0.12 s each row is 0.1 px ahead of the
+// row above it, 12 px in all. Steps are 1 px, so that a row may be half a pixel off.
 TEST_F(SquareThatPasses, ItsUprightEdgeIsSkewedByItsSpeedTimesTheTimeOfTheRows) {
   const CameraFrame frame = Shoot({.readout_s = 0.12, .motion_blur = false}, 0.001, 4.0, 0);
   const double left_px = 79.5 - kSweepFocal_px / kSweepDistance_m;
@@ -99,8 +99,8 @@ TEST_F(SquareThatPasses, ItsUprightEdgeIsSkewedByItsSpeedTimesTheTimeOfTheRows) 
   EXPECT_NEAR(slope, 0.1, 1.0 / 40);
 }
 
-// Seen from a camera that turns to its left at w, what stands still moves to the right by
-// f tan(w t) on the axis: 0.9 rad/s and 0.12 s are 16.2 px.
+// To a camera that turns left at w, static objects move right by f tan(w t) on the axis: 0.9 rad/s
+// and 0.12 s are 16.2 px.
 TEST_F(SquareThatPasses, ATurningCameraSkewsWhatStandsStill) {
   const CameraFrame frame =
       Shoot({.readout_s = 0.12, .motion_blur = false, .step_px = 0.5, .most_pictures = 101}, 0.001,
@@ -113,8 +113,8 @@ TEST_F(SquareThatPasses, ATurningCameraSkewsWhatStandsStill) {
   }
 }
 
-// The light of an edge that passes at 100 px/s for 0.12 s is a ramp of 12 px: 9.6 px from a tenth
-// to nine tenths of the way, about where the edge is in the middle of the exposure.
+// An edge that passes at 100 px/s for 0.12 s is a ramp of 12 px. It takes 9.6 px from a tenth to
+// nine tenths, about its position in the middle of the exposure.
 TEST_F(SquareThatPasses, ItsEdgeIsBlurredOverItsSpeedTimesTheExposure) {
   const CameraFrame frame = Shoot({.readout_s = 0}, 0.12, 4.0, 0);
   for (const int row : {45, 60, 75}) {

@@ -22,8 +22,9 @@ TEST(Vignetting, IsTheCommonAreaOfRimAndPupil) {
   EXPECT_EQ(PupilShare(rim, 2, std::atan(0.59)), 1);         // all of the pupil
 }
 
-// A lens of 8 mm (fx 2000 px of 4 um): at f/2 its pupil has 2 mm radius, at f/8 half a millimetre,
-// which a rim of 2.5 mm, 4 mm before it, shades no more where tan(angle) is below 1/2.
+// A lens of 8 mm (fx 2000 px of 4 um): at f/2 its pupil has a radius of 2 mm, at f/8 half a
+// millimetre. A rim of 2.5 mm, 4 mm in front, does not shade the smaller one where tan(angle) is
+// below 1/2.
 TEST(Vignetting, GoesWhereTheLensIsStoppedDown) {
   const CameraIntrinsics lens = {.width_px = 161,
                                  .height_px = 3,

@@ -34,7 +34,7 @@ TEST(Encoder, ReadsTheTravelOfPrismaticJointsInMetres) {
   const Encoder quantised(model, {.rate_hz = 50}, 0, 1, "m/joints", {false, true});
   EXPECT_EQ(quantised.Measure(0, {0.3, 0.31}, {0, 0}).q_rad, (std::vector<double>{0.25, 0.32}));
 
-  // Noise of the other kind of axis leaves a value as it is.
+  // Noise of the other kind of axis has no effect.
   model = {};
   model.noise_rad = model.rate_noise_radps = 1;
   const EncoderSample turned =

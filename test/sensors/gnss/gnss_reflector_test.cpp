@@ -6,7 +6,7 @@
 
 #include "core/config/config.h"
 
-// What reflects beside an antenna is found by geometry, not by names.
+// Reflectors near an antenna are found by geometry, not by names.
 
 namespace tera {
 namespace {

@@ -71,7 +71,7 @@ TEST(Gnss, WhiteErrorHasItsDeviationAndReportsIt) {
 
 TEST(Gnss, CorrelatedErrorIsStationaryAndForgetsWithItsTimeConstant) {
   // tau = 2 s at 10 Hz. n = 200000 samples hold about n (1 - a^2) / (1 + a^2) = 9995 independent
-  // values of x^2 (a = e^-0.05): five standard errors of the variance are 5 sqrt(2 / 9995) = 7 %;
+  // values of x^2 (a = e^-0.05). Five standard errors of the variance are 5 sqrt(2 / 9995) = 7 %;
   // of a correlation (Bartlett) less than 5 sqrt(2 / 9995) = 0.07.
   GnssModel model;
   model.correlated_horizontal_m = 0.5;

@@ -39,7 +39,7 @@ TEST(ImuErrors, AnImuSaturatesAtItsLimitsOnBothSides) {
   const ImuSample sample = Reported(slots, {249, -300, 1000}, {-25, 19.5, 21});
   ExpectNear(sample.w_WS_S_radps, {249, -250, 250}, 1e-9);
   ExpectNear(sample.f_S_mps2, {-20, 19.5, 20}, 1e-12);
-  // Without numbers of its own a chip of 2000 deg/s and 16 g.
+  // Default: a chip of 2000 deg/s and 16 g.
   const ImuSample usual = Reported(ImuWith("{saturation: {}}"), {2500, 0, 0}, {0, 0, 500});
   EXPECT_NEAR(usual.w_WS_S_radps.x(), 2000, 1e-9);
   EXPECT_NEAR(usual.f_S_mps2.z(), 16 * kG_mps2, 1e-9);
@@ -70,7 +70,7 @@ TEST(ImuErrors, OutliersOfAnImuComeAsOftenAndAsLargeAsSaid) {
   }
   // Standard error of a share: sqrt(0.1 * 0.9 / 20000) = 0.0021; five of them.
   EXPECT_NEAR(static_cast<double>(wild) / n, 0.1, 0.0106);
-  // Of an rms over 3 * 2000 draws: 1 / sqrt(2 * 6000) = 0.9 %; five of them.
+  // Five standard errors of an rms over 3 * 2000 draws, each 1 / sqrt(2 * 6000) = 0.9 %.
   EXPECT_NEAR(std::sqrt(gyro_squares / wild), 40, 40 * 0.046);
   EXPECT_NEAR(std::sqrt(accel_squares / wild), 5, 5 * 0.046);
 }
@@ -93,7 +93,7 @@ TEST(ImuErrors, AVibratingAccelerometerShiftsByTheVarianceOfWhatItFeels) {
       "{vibration_rectification: {z_s2pm: 0.01, x_s2pm: -0.002, engine_rms_mps2: 3, window_s: 5}}");
   Vec3 shift = Vec3::Zero();
   for (int k = 0; k < 60000; ++k) {
-    // 4 m/s^2 at 50 Hz: a variance of 8 m^2/s^4 beside the engine's 9.
+    // 4 m/s^2 at 50 Hz: a variance of 8 m^2/s^4, plus the engine's 9.
     const Vec3 f_mps2(0, 0, 9 + 4 * std::sin(2 * kPi * 50 * 0.001 * k));
     ImuSample sample{TimeNs{k} * 1'000'000, 0, Vec3::Zero(), f_mps2};
     slots.Apply(&sample);

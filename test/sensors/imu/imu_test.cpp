@@ -57,10 +57,10 @@ TEST(Imu, MountedNoseUpItReadsGravityAlongX) {
 
 TEST(Imu, TheLeverArmAddsCentripetalAndTangentialAcceleration) {
   // A level body spins about its own z with 2 rad/s, growing by 3 rad/s^2. The sensor sits 1.5 m
-  // ahead of the axis and looks to the body's left: the centripetal 6 m/s^2 point back to the axis,
+  // ahead of the axis and looks to the body's left. The centripetal 6 m/s^2 point back to the axis,
   // its left; the tangential 4.5 m/s^2 to the body's left, its front.
   Imu imu({}, MakePose({1.5, 0, 0.4}, 0, 0, 90 * kDeg), {.rate_hz = 1000}, 0, 1, "imu");
-  // The sample in the middle of three is the one of the curve's own instant.
+  // The middle of three samples is that of the curve's own instant.
   const auto at = [](double t_s) {
     BodyState body = AtRest(MakePose({10, -4, 2}, 0, 0, 1.1 + 2 * t_s + 1.5 * t_s * t_s));
     body.w_WB_radps = Vec3(0, 0, 2 + 3 * t_s);
@@ -103,10 +103,10 @@ struct Slewing {
 };
 
 TEST(Imu, WhileABodySlewsItReadsThatCircularMotionAtItsOwnPlace) {
-  // The sensor moves on a circle about the axis too: centripetal w^2 rho towards it, tangential
-  // alpha rho along its path, whatever body carries it. Samples of 250 Hz are means over two steps,
-  // in which the motion turns by 6 mrad at most: chords and means are off by the square of that
-  // over 24 at most, 2e-6 of 20 m/s^2.
+  // The sensor also moves on a circle about the axis: centripetal w^2 rho towards it, tangential
+  // alpha rho along its path, on any body. Samples of 250 Hz are means over two steps, in which the
+  // body turns by at most 6 mrad. Chords and means err by at most the square of that over 24, 2e-6
+  // of 20 m/s^2.
   const Pose X_BS = MakePose({1.2, -0.7, 0.4}, 0.3, 0.2, -1.1);
   Imu imu({}, X_BS, {.rate_hz = 250}, 0, 1, "imu");
   std::vector<ImuSample> samples;
@@ -139,7 +139,7 @@ TEST(Imu, WhileABodySlewsItReadsThatCircularMotionAtItsOwnPlace) {
 
 TEST(Imu, RatesAddUpToTheTurnOfThePoseWhateverTheVelocitySays) {
   // A semi-implicit step turns the pose by the rate at its end, so that rates and poses differ by
-  // half a step. What is seen and what is measured must be the same motion all the same.
+  // half a step. Sight and measurement must nevertheless have the same motion.
   Imu imu({}, MakePose({0.3, 0.2, 0.1}, 0.4, -0.2, 1.0), {.rate_hz = 200}, 0, 1, "imu");
   const Pose X_BS = MakePose({0.3, 0.2, 0.1}, 0.4, -0.2, 1.0);
   BodyState body = AtRest(MakePose({1, 2, 3}, 0.1, -0.3, 0.8));
@@ -210,8 +210,8 @@ TEST(Imu, IntervalsBeforeTheClocksStartAreLeftOut) {
   EXPECT_NEAR(samples[0].f_S_mps2.x(), 1, 1e-12);
 }
 
-/// Yaw, pitch and place of a body that swings on a curve, with exact first and second derivatives
-/// taken from the pose by central differences of 1e-4 s (error of the order of 1e-8).
+/// Yaw, pitch and place of a body that swings on a curve, with first and second derivatives from
+/// the pose by central differences of 1e-4 s (error of the order of 1e-8).
 Pose CurveAt(double t) {
   return MakePose({3 * std::sin(0.5 * t), 2 * std::cos(0.7 * t), 0.3 * std::sin(1.1 * t)},
                   0.2 * std::sin(1.3 * t), 0.15 * std::sin(0.9 * t), 0.8 * std::sin(0.6 * t));
@@ -312,7 +312,7 @@ TEST(Imu, SampleNoiseDoesNotDependOnTheRate) {
 
 TEST(Imu, BiasWalksWithVarianceGrowingInTime) {
   // Only the walk is on, so a sample shows the bias. Over N = 3 * 300 independent walks (axes and
-  // seeds) the variance at time t is sigma^2 t with a relative standard error sqrt(2 / N) = 4.7 %;
+  // seeds), the variance at time t is sigma^2 t with a relative standard error sqrt(2 / N) = 4.7 %;
   // five of them: 24 %.
   ImuModel model;
   model.gyro_bias_random_walk_radps2rthz = 0.01;

@@ -13,7 +13,7 @@
 #include "sensors/sensor_mechanisms.h"
 #include "sensors/slots/given_effects.h"
 
-// What an inclinometer reads of a link, from its keys to its rows.
+// Readings of an inclinometer on a link, from its keys to its rows.
 
 namespace tera {
 namespace {
@@ -142,8 +142,8 @@ TEST(Inclinometer, NoiseHasTheStatedDeviationsAboutTheBias) {
 }
 
 TEST(Inclinometer, VibrationShakesTheTiltLessBehindItsFilterAndShiftsItByItsSquare) {
-  // Level. Noise of rms a along x is a / g of tilt; behind a first-order filter over samples T
-  // apart it is sqrt(c / (2 - c)) of that, c = 1 - e^(-T / tau). The shift is k a^2 / g.
+  // Level. Noise of rms a along x is a / g of tilt; after a first-order filter over samples T apart
+  // it is sqrt(c / (2 - c)) of that, c = 1 - e^(-T / tau). The shift is k a^2 / g.
   const double n = 4000, rms_mps2 = 0.5, k_s2pm = 0.5, tau_s = 0.05;
   const auto samples = Samples(
       ", vibration_rms_mps2: 0.5, vibration_rectification_s2pm: 0.5, time_constant_s: 0.05",

@@ -57,9 +57,9 @@ TEST(AirEchoes, DustDimsAWallTwiceByBeerAndLambert) {
 }
 
 TEST(AirEchoes, ThickDustReturnsItselfNearItsFront) {
-  // 2 / m: the wall behind 6 m of it is gone (exp(-24)), and the front returns as a surface of pi
-  // (2 / 50) 0.75 = 0.094 would, less what dust before it takes. At 6 m, 0.1 of ((6 + 3.67) / (50 +
-  // 3.67))^2 is enough: 0.0032.
+  // 2 / m: the wall behind 6 m of it is gone (exp(-24)). The front returns like a surface of pi (2
+  // / 50) 0.75 = 0.094, minus the loss in the dust before it. At 6 m, 0.1 of ((6 + 3.67) / (50 +
+  // 3.67))^2 suffices: 0.0032.
   const DustVolume dust = DustBox(Vec3(8, -40, -4), 0.5, {12, 160, 16}, 2);
   const LidarScan scan = Scan(OneBeam(), {&dust, 0}, 22);
   const LidarPoint* ahead = Ahead(scan);
@@ -112,9 +112,9 @@ TEST(AirEchoes, RainDimsByItsExtinctionAndReturnsMoreOftenTheHarderItFalls) {
 }
 
 TEST(AirEchoes, TheNumberOfDropsSeenIsThatOfThePoissonProcess) {
-  // Drops large enough for the threshold, counted here by a sum over shells of the beam: a drop of
-  // diameter D in a beam of area A returns pi^2 D^2 / (2 S A). At close range the receiver sees
-  // (D r / (d + D r))^2 of that; it must reach what a tenth does at 50 m.
+  // Drops large enough for the threshold, by a sum over shells of the beam: a drop of diameter D in
+  // a beam of area A returns pi^2 D^2 / (2 S A). At close range the receiver sees (D r / (d + D
+  // r))^2 of that. It must reach the return of a 10 % target at 50 m.
   const double rate_mmph = 30;
   const Rain rain(rate_mmph);
   double expected = 0;
@@ -135,12 +135,12 @@ TEST(AirEchoes, TheNumberOfDropsSeenIsThatOfThePoissonProcess) {
 }
 
 TEST(AirEchoes, FogDimsAWallByKoschmiedersLaw) {
-  // 2 % of the contrast is left at the visibility, so that of a wall at a fifth of it, seen there
-  // and back, 50^(-2 / 5) is left. In fog of 100 m the wavelength does not matter (Kim et al.).
+  // 2 % of the contrast remains at the visibility. A wall at a fifth of it, with the way back, thus
+  // keeps 50^(-2 / 5). In fog of 100 m the wavelength does not matter (Kim et al.).
   const LidarScan scan = Scan(OneBeam(), {.visibility_m = 100}, 22);
   ASSERT_NE(Ahead(scan), nullptr);
   EXPECT_NEAR(Ahead(scan)->intensity, 0.5 * std::pow(50, -0.4), 1e-4);
-  // A haze of 8 km takes (905 / 550)^-1.3 of what it takes of visible light.
+  // A haze of 8 km attenuates by (905 / 550)^-1.3 of its attenuation of visible light.
   const LidarScan haze = Scan(OneBeam(), {.visibility_m = 8000}, 22);
   const double visible = std::pow(50, -2 * 20 / 8000.0);
   EXPECT_NEAR(Ahead(haze)->intensity, 0.5 * std::pow(visible, std::pow(905 / 550.0, -1.3)), 1e-5);
@@ -188,8 +188,8 @@ TEST(AirEchoes, SnowfallDimsAndReturnsMoreThanRainOfTheSameWater) {
 }
 
 TEST(AirEchoes, SteadyRainHardlyReturnsAndADownpourNoOftenerThanIsReported) {
-  // Of an OS1 in the open: hardly any effect in moderate steady rain (the maker), and returns of 9
-  // to 13 % of the pulses at 25 mm/h (a field trial of an OS1-32: 80 to 120 in 10 deg of a scan).
+  // An OS1 in the open: almost no effect in moderate steady rain (the maker), and returns from 9 to
+  // 13 % of the pulses at 25 mm/h (a field trial of an OS1-32: 80 to 120 in 10 deg of a scan).
   LidarModel os1 = OneBeam();
   os1.range_at_10_percent_m = 45;
   os1.columns = 36000;

@@ -171,7 +171,7 @@ TEST(LidarBeam, SurfacesWithinAPulseAreMixed) {
 
 TEST(LidarBeam, PicksTheFirstTheLastOrTheStrongestEcho) {
   const auto ranges = [](const std::string& pick) {
-    // The column whose axis meets the near wall 0.4 w beside its edge.
+    // The column whose axis hits the near wall 0.4 w from its edge.
     const LidarModel model = WideBeam(36000, 1, pick);
     std::vector<double> ranges_m;
     for (const LidarPoint& p : ScanOfEdge(model, 10, 20).points) {
@@ -182,8 +182,8 @@ TEST(LidarBeam, PicksTheFirstTheLastOrTheStrongestEcho) {
   };
   for (const double r_m : ranges("first")) EXPECT_NEAR(r_m, 10, 2e-3);
   for (const double r_m : ranges("last")) EXPECT_NEAR(r_m, 20, 2e-3);
-  // With half of the energy on its axis the beam's strongest echo is of what the axis meets, or of
-  // the nearer wall, which returns four times as much of each ray.
+  // With half of the energy on its axis, the beam's strongest echo comes from the surface on the
+  // axis, or from the nearer wall, which returns four times as much per ray.
   for (const double r_m : ranges("strongest")) EXPECT_LT(std::min(r_m - 10, 20 - r_m), 2e-3);
 }
 
@@ -225,8 +225,8 @@ TEST(LidarBeam, ScansDoNotDependOnTheNumberOfThreads) {
 }
 
 TEST(LidarNoise, GrowsToItsLimitAsTheReturnWeakens) {
-  // A 10 % wall at the dark target's range and at half of it, where it returns four times as much:
-  // the deviation of weak returns is halved. 4000 columns meet a wall of 20 m: 5 standard errors
+  // A 10 % wall at the dark target's range, and at half of it, where it returns four times as much
+  // and the deviation of weak returns is halved. 4000 columns hit a wall of 20 m: 5 standard errors
   // of a deviation are 5 / sqrt(2 n).
   for (const double part : {0.999, 0.5}) {
     LidarModel model = WideBeam(20000, 1);

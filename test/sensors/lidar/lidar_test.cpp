@@ -175,8 +175,8 @@ TEST(Lidar, ARevolutionTurnsClockwiseFromBehind) {
 }
 
 TEST(Lidar, AScanOfATurningSensorIsSkewedByItsTurn) {
-  // The sensor turns left by 36 degrees in a revolution: column 180 looks along its +x when it has
-  // turned by 18 degrees, so that the wall 5 m away appears at 5 / cos(18 deg).
+  // The sensor turns left by 36 degrees in a revolution. Column 180 looks along its +x after a turn
+  // of 18 degrees, so that the wall 5 m away appears at 5 / cos(18 deg).
   RayScene scene(OneBodyEach({CubeMesh(5)}));
   scene.Update({{MakePose({0, 0, 0})}}, NoGround());
   PoseTrack track;
@@ -284,7 +284,7 @@ TEST(Lidar, TerrainPointsLieOnTheTerrain) {
     const Vec3 p_W = X_WS * PointOf(p);
     if (p_W.head<2>().cwiseAbs().maxCoeff() > 10 - 1e-3) continue;  // the land around
     ++on_site;
-    // A grazing ray turns an error of range into a smaller one of height.
+    // A grazing ray turns a range error into a smaller height error.
     EXPECT_NEAR(p_W.z(), ground.HeightAt(p_W.x(), p_W.y()), 1e-4);
     EXPECT_EQ(p.label, static_cast<std::uint8_t>(SemanticClass::kTerrain));
   }
@@ -366,8 +366,8 @@ TEST(LidarPresets, HaveTheBeamsTheirManualsList) {
 
 TEST(LidarPresets, OfTheFirstOs1FollowItsSheetsRepeatabilityOverSignalToNoise) {
   // Data sheet of the first OS1: 1.5, 3 and 10 cm at signal to noise above 250, of 100 and of 12. A
-  // deviation that falls as the root of signal to noise from 10 cm on has 3.5 cm at 100 and 2.2 cm
-  // at 250: within a centimetre.
+  // deviation that falls from 10 cm as the root of signal to noise has 3.5 cm at 100 and 2.2 cm at
+  // 250: within a centimetre.
   const LidarModel model = Preset("os1_32");
   const auto sigma_m = [&](double snr) {
     return std::hypot(model.range_noise_m, *model.range_noise_at_limit_m * std::sqrt(12 / snr));

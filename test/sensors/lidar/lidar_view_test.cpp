@@ -25,7 +25,7 @@ LidarModel EvenBeams(int beams, double high_deg, double step_deg, int columns) {
   return model;
 }
 
-/// Beams that stand closer in the middle, as those of some lidars do.
+/// Beams that are denser in the middle, as in some lidars.
 LidarModel UnevenBeams() {
   LidarModel model = EvenBeams(0, 0, 0, 720);
   for (const double deg : {15.0, 11.0, 8.0, 5.0, 3.0, 2.0, 1.33, 0.67, 0.0, -0.67, -1.33, -2.0,
@@ -90,8 +90,8 @@ TEST(LidarView, OfOneBeamOrOfTwoAtOneElevationIsFinite) {
 }
 
 TEST(LidarView, PointsOnASurfaceThatFacesItAreThoseOfTheDataSheetsSteps) {
-  // Beams every 2 deg and columns every 360 / 1808 deg: at the range r they are r 2 deg apart in
-  // height and r cos(e) 0.199 deg across.
+  // Beams every 2 deg and columns every 360 / 1808 deg. At range r they are r 2 deg apart in height
+  // and r cos(e) 0.199 deg across.
   const ViewField field = ViewOf(ViewPreset("vlp16"), 10);
   for (const double elevation_deg : {-13.0, -7.3, 0.0, 1.0, 10.0}) {
     const double r_m = 7;
@@ -99,8 +99,8 @@ TEST(LidarView, PointsOnASurfaceThatFacesItAreThoseOfTheDataSheetsSteps) {
         r_m * 2 * kDeg * r_m * std::cos(elevation_deg * kDeg) * 360 / 1808 * kDeg;
     for (const double azimuth_deg : {0.0, 100.0, -170.0}) {
       const Vec3 d_S = Direction(elevation_deg * kDeg, azimuth_deg * kDeg);
-      // Within a cell of 2 deg, 1 / cos of its middle stands for all of it: at 15 deg by
-      // tan(15 deg) 1 deg, half of a per cent.
+      // Within a cell of 2 deg, 1 / cos of its middle applies throughout: at 15 deg an error of
+      // tan(15 deg) 1 deg, half a per cent.
       EXPECT_NEAR(field.per_steradian(d_S) / (r_m * r_m), 1 / apart_m2, 0.01 / apart_m2);
     }
   }
@@ -144,10 +144,9 @@ double PointsOnWall(const ViewField& field, const Pose& X_WS) {
 }
 
 TEST(LidarView, PointsOnAWallAreAsManyAsTheLidarMeasures) {
-  // A wall that is askew, so that its edges run across rows and columns of points. The number on it
-  // is off by its outline in steps: some 200 points are within half a step of it, of which half
-  // count, one by one as by chance: sqrt(200) / 2 = 7 of thousands, and less over several
-  // attitudes.
+  // A skewed wall, so that its edges cross rows and columns of points. The count errs by the steps
+  // of its outline: some 200 points are within half a step of it, and half of them count,
+  // individually at random. sqrt(200) / 2 = 7 of thousands, and less over several attitudes.
   for (const LidarModel& model : {EvenBeams(128, 30, 0.5, 1024), ViewPreset("os1_128")}) {
     const ViewField field = ViewOf(model, 10);
     double measured = 0, expected = 0;

@@ -42,7 +42,7 @@ TEST(RangeErrors, OfALidarMoveItsPointsAlongTheirBeams) {
   scan = ScanReported("{temperature_drift: {warm_up_k: -50, time_constant_s: 2, range_mpk: -0.01}}",
                       Points(100));
   ExpectPoint(scan.points.at(0), {3.3, 4.4, 0});
-  // What would lie behind the sensor is no return.
+  // A range behind the sensor is no return.
   scan = ScanReported("{range_bias: {range_m: -3}}", Points());
   ASSERT_EQ(scan.points.size(), 1u);
   ExpectPoint(scan.points.at(0), {1.2, 1.6, 0});

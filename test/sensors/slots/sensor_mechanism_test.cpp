@@ -17,8 +17,8 @@
 #include "sensors/slots/given_effects.h"
 #include "sensors/slots/true_mount.h"
 
-// That every parameter of every mechanism changes what its sensor reports, and that a sensor
-// without effects reports what it measured.
+// Every parameter of every mechanism changes the report of its sensor. A sensor without effects
+// reports its measurements.
 
 namespace tera {
 namespace {
@@ -124,7 +124,7 @@ Output OfCamera(const Effects& effects) {
   });
 }
 
-/// Of a kind of rows that this test knows nothing of, on a link that drives a circle and rocks.
+/// Output of any kind of row sensor, on a link that drives a circle and rocks.
 Output OfAnyKind(const EffectTarget& target, const Effects& effects) {
   const auto kind = std::find_if(kSensorKinds.begin(), kSensorKinds.end(),
                                  [&](const SensorKind* k) { return k->target == target; });
@@ -164,7 +164,7 @@ struct TwoValues {
   double a, b;
 };
 
-/// Where the two halves of the default's neighbourhood do not tell.
+/// Parameters for which the two halves of the default's neighbourhood do not differ.
 std::vector<TwoValues> Chosen(const Mechanism& mechanism) {
   static const std::vector<TwoValues> chosen = {
       {"gyro_limit_degps", 200, 100},
@@ -203,7 +203,7 @@ Effects With(const Mechanism& mechanism, const std::vector<TwoValues>& values, s
   return {effect};
 }
 
-/// Whether every number is one; NaN differs from everything, itself included.
+/// Whether every number is finite; NaN differs from everything, itself included.
 bool AllFinite(const Output& output) {
   return std::all_of(output.begin(), output.end(), [](double x) { return std::isfinite(x); });
 }

@@ -17,8 +17,8 @@ using testing::Given;
 
 const SiteFrame kSensorTimingSite(46.78, -71.27, 90);
 
-/// Times that each type of sensor writes on measurements that were valid at `t_ns`, in this order:
-/// imu, gnss, encoder, lidar, camera; and when they can be had, 30 ms later than that.
+/// Stamps by each type of sensor for measurements valid at `t_ns`, in this order: imu, gnss,
+/// encoder, lidar, camera. Their times of availability are 30 ms later.
 struct Stamps {
   std::vector<std::vector<TimeNs>> written, available;
 };
@@ -178,8 +178,8 @@ TEST(SensorTiming, AFilterHalvesThePowerAtItsCornerAndTurnsThePhaseByAnEighth) {
   EXPECT_NEAR(std::atan2(-quadrature, in_phase), 45 * kDeg, 0.01);
 }
 
-/// What each sensor with a filter of 0.1 s and `more` makes of a pulse of 10 (rad, rad/s, m, m/s^2)
-/// over the second of samples 0.1 s apart: of it the filter leaves 10 (1 - 1/e) = 6.321, then
+/// Response of each sensor with a filter of 0.1 s and `more` to a pulse of 10 (rad, rad/s, m,
+/// m/s^2) over the second of samples 0.1 s apart. The filter leaves 10 (1 - 1/e) = 6.321, then
 /// 2.325, 0.855, 0.315.
 struct Pulse {
   std::vector<double> gyro, east, angle, rate;

@@ -22,8 +22,8 @@ using testing::Given;
 
 constexpr double kG_mps2 = 9.80665;
 
-/// What a unit documented at X_BS reads on a body that turns about the vertical at 2 rad/s, its
-/// origin, which is at rest, on the axis.
+/// Reading of a unit documented at X_BS, on a body that turns about the vertical at 2 rad/s, with
+/// its origin at rest on the axis.
 ImuSample OnATurntable(const Pose& X_BS, const Effects& effects) {
   const SampleClock clock{100, 0};
   Imu imu({}, TrueMount(X_BS, effects), clock, 0, 1, "m/imu");
@@ -55,8 +55,9 @@ TEST(SensorGeometry, AnImuOffTheAxisFeelsTheCentripetalAcceleration) {
 }
 
 TEST(SensorGeometry, ATiltedImuSplitsGravityAndTheTurnOverItsAxes) {
-  // Documented as looking along the link's y, and about its own axes, not the link's:
-  // pitched by 30 degrees, x looks down: -g / 2 along it, g cos 30 along z; so with the turn.
+  // Documented as looking along the link's y. The rotation is about its own axes, not the link's:
+  // pitched by 30 degrees, x looks down, with -g / 2 along it and g cos 30 along z. The turn
+  // likewise.
   const ImuSample sample =
       OnATurntable(MakePose({0, 0, 0.3}, 0, 0, 90 * kDeg),
                    Given(EffectTarget::kImu, "{mount_rotation: {pitch_deg: 30}}"));
@@ -152,7 +153,7 @@ TEST(SensorGeometry, ALidarOutOfPlaceSeesItsRoomFromThere) {
   const auto given = [](const std::string& yaml) { return Given(EffectTarget::kLidar, yaml); };
   expect(ranges(given("{extrinsic: {x_m: 0.5, y_m: -0.25}}")), {7.5, 4.25, 4.5, 7.75});
   expect(ranges(given("{extrinsic: {yaw_deg: 90}}")), {8, 7, 4, 5});
-  // Rolled by 60 degrees, the left beam meets the ceiling 4.5 m above, the right one the floor.
+  // Rolled by 60 degrees, the left beam hits the ceiling 4.5 m above, the right one the floor.
   const double steep = std::sin(60 * kDeg);
   expect(ranges(given("{extrinsic: {roll_deg: 60}}")), {7, 4.5 / steep, 5, 7.5 / steep});
 }

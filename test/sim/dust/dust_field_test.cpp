@@ -47,8 +47,8 @@ Spread SpreadOf(const DustField& field) {
 }
 
 TEST(DustField, APuffMovesWithTheWindAndSpreadsAsTheRootOfTwiceDiffusivityTimesTime) {
-  // A puff in the middle of air that moves as one: after t its middle is U t farther, and the
-  // variance along each axis has grown by 2 K t. Settling is 0.03 mm/s.
+  // A puff in uniformly moving air: after t its middle has moved by U t, and the variance along
+  // each axis has grown by 2 K t. Settling is 0.03 mm/s.
   const Vec2 wind_W_mps(2.0, -0.7);
   constexpr double kDiffusivity = 0.15, kTime_s = 6;
   DustField field(Box(72, 56, 40, 0.5), Uniform(40, wind_W_mps, kDiffusivity));
@@ -95,7 +95,7 @@ TEST(DustField, StillAirLetsEachSizeDownAtStokesSpeed) {
   const double height_m = SpreadOf(field).mean_m.z();
   for (int step = 0; step < 250; ++step) field.Advance(1), coarse.Advance(1);
   EXPECT_NEAR(height_m - SpreadOf(field).mean_m.z(), 250 * SettlingSpeed_mps(0), 1e-3);
-  // Of unit density and 17.3 um: 9.0 mm/s.
+  // Unit density and 17.3 um: 9.0 mm/s.
   EXPECT_NEAR(SettlingSpeed_mps(2), 9.0e-3, 0.2e-3);
   double first = 0;
   for (int k = 0; k < 30; ++k) {

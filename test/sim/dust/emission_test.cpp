@@ -10,8 +10,8 @@ namespace {
 double Sum(const DustMass& mass) { return std::accumulate(mass.begin(), mass.end(), 0.0); }
 
 TEST(Emission, ADropAtTheReferenceWindAndMoistureIsTheTableOfAp42) {
-  // Section 13.2.4, equation 1 at U = 2.2 m/s and M = 2 %: both ratios are 1, so that k 0.0016 kg/t
-  // is left, with k = 0.053, 0.35 and 0.74 for particles below 2.5, 10 and 30 um.
+  // Section 13.2.4, equation 1 at U = 2.2 m/s and M = 2 %. Both ratios are 1, which leaves k 0.0016
+  // kg/t, with k = 0.053, 0.35 and 0.74 for particles below 2.5, 10 and 30 um.
   const DustMass of_tonne = DropEmission_kgpt(2.2, 2.0);
   EXPECT_NEAR(of_tonne[0], 0.053 * 0.0016, 1e-12);
   EXPECT_NEAR(of_tonne[0] + of_tonne[1], 0.35 * 0.0016, 1e-12);
@@ -31,7 +31,7 @@ TEST(Emission, TheDropEquationEndsWhereItsMeasurementsDo) {
 
 TEST(Emission, ARoadAtTheReferenceSiltAndWeightIsTheTableOfAp42) {
   // Section 13.2.2, equation 1a at s = 12 % and W = 3 short tons: 4.9 lb/VMT below 30 um, 1.5 below
-  // 10 and 0.15 below 2.5, of which one is 281.9 g/VKT.
+  // 10 and 0.15 below 2.5. 1 lb/VMT is 281.9 g/VKT.
   const DustMass of_km = RoadEmission_kgpkm(12, 3 * 907.18474);
   EXPECT_NEAR(Sum(of_km), 4.9 * 0.2819, 1e-9);
   EXPECT_NEAR(of_km[0] + of_km[1], 1.5 * 0.2819, 1e-9);

@@ -32,7 +32,8 @@ Scenario Read(const std::string& yaml) {
 
 constexpr double kDry = 0.02, kMoist = 0.3;
 
-/// Dust after 100 steps of 2 ms in which the first shovel takes up 1 kg each or the tracks run.
+/// Dust after 100 steps of 2 ms, in each of which the first shovel takes up 1 kg, or the tracks
+/// run.
 struct Worked {
   Scenario scenario;
   Simulation simulation;
@@ -64,8 +65,8 @@ struct Worked {
 TEST(SiteDust, SoilTakenUpRaisesWhatAp42SaysOfItsMassAndMoisture) {
   Worked dry(Dusty(kDry));
   dry.Run(1, 0);
-  // Dirt with 2 % of its pores full: 0.02 (1 / 1474 - 1 / 2650) 1000 = 0.602 % water; but the cover
-  // keeps the degree of saturation in 255ths, so 5 / 255 of it.
+  // Dirt with 2 % of its pores full: 0.02 (1 / 1474 - 1 / 2650) 1000 = 0.602 % water. The cover
+  // stores the degree of saturation in 255ths, hence 5 / 255 of it.
   const double moisture = 5 / 255.0 * 100 * (1000 / 1474.0 - 1000 / 2650.0);
   const double expected_kg =
       0.1 * 0.74 * 0.0016 * std::pow(3 / 2.2, 1.3) / std::pow(moisture / 2, 1.4);

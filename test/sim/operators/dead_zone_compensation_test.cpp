@@ -10,9 +10,8 @@ namespace {
 
 constexpr double kStep_s = 0.002;
 
-/// A joint whose valve opens beyond `zone` of the lever, by as much as the lever is beyond it; the
-/// rate, 1 rad/s at 1, follows within 50 ms. The controller asks for 2/s of what is left to the
-/// target.
+/// A joint whose valve opens beyond `zone` of the lever, in proportion to the excess. The rate, 1
+/// rad/s at 1, follows within 50 ms. The controller commands 2/s of the remaining error.
 struct Valve {
   double zone = 0;
   double q_rad = 0, rate_radps = 0;
@@ -50,7 +49,7 @@ TEST(DeadZoneCompensation, PushesUntilTheJointComesNearItsTarget) {
   const double first_s = valve.Reach(0.5, 0.03);
   EXPECT_LT(first_s, 4);
   valve.q_rad = valve.rate_radps = 0;
-  EXPECT_LT(valve.Reach(0.5, 0.03), first_s - 0.4);  // what is learnt stays
+  EXPECT_LT(valve.Reach(0.5, 0.03), first_s - 0.4);  // the learnt width stays
 }
 
 TEST(DeadZoneCompensation, LearnsEachDirectionOnItsOwn) {

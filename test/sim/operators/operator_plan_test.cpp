@@ -187,7 +187,7 @@ MachineModel Excavator() {
   return model;
 }
 
-/// What is wrong with a dig cycle of the machine, or nothing.
+/// Faults of a dig cycle of the machine, if any.
 std::vector<InputFault> DigFaults(const std::string& keys,
                                   const MachineModel& model = Excavator()) {
   const Config config = Config::FromText("{type: dig_cycle, " + keys + "}", "operator.yaml");

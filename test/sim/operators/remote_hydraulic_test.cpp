@@ -6,8 +6,8 @@
 #include "core/units.h"
 #include "remote_machine.h"
 
-// The modes of control on top of levers, of a machine whose levers have dead bands, curves and
-// delay, whose joints rub, droop and sag: the shipped overlay of its hydraulics.
+// The control modes above levers, on a machine with dead bands, curves, delay, friction, droop and
+// sag: the shipped overlay of its hydraulics.
 
 namespace tera {
 namespace {

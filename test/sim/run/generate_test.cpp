@@ -44,7 +44,7 @@ machines:
 obstacles: [{name: cone1, preset: tera:config/obstacles/cone.yaml, xy_m: [5, 1]}]
 )";
 
-/// The scenario above with what is put in for its words in capitals.
+/// The scenario above with its words in capitals replaced.
 std::string ScenarioText(const std::string& driver = kDigging, const std::string& sensors = "") {
   std::string text = kScenario;
   const auto put = [&](const std::string& word, const std::string& by) {
@@ -154,7 +154,7 @@ TEST(Generate, AnotherSensorLeavesTheOthersUnchanged) {
   }
 }
 
-/// Files of `effects` that differ from those of the same run without them, or are new.
+/// Files of `effects` that differ from those of a run without them, or are new.
 std::vector<std::string> ChangedBy(const std::string& effects, const std::string& name) {
   const Files plain = Generated("plain");
   const Files files =
@@ -288,7 +288,7 @@ machines:
   EXPECT_NEAR(columns[2].back(), 1.392839 - 0.930287, 1e-6);
   EXPECT_NEAR(columns[3].back(), 0, 1e-9);
   // It hangs on its rod: 20 kg at 0.8 m and the hook's 1 kg at the pin, at 14.25 deg, over the
-  // lever arm of 0.5 * 1.3 / 1.392839 m; the piston's other side is open to the return line of 0.2
+  // lever arm of 0.5 * 1.3 / 1.392839 m. The piston's other side is open to the return line of 0.2
   // MPa.
   const double pull_n = 20 * 9.81 * 0.8 * 0.969231 / 0.466673;
   EXPECT_NEAR(columns[4].back(), -pull_n, 1e-3 * pull_n);
@@ -296,7 +296,7 @@ machines:
   EXPECT_NEAR(columns[6].back(), (pull_n + 0.2e6 * 7.853982e-3) / 5.026548e-3, 100);
 }
 
-/// Names of what is kept of the ground.
+/// Names of the ground's files.
 std::vector<std::string> GroundFiles(const Files& files) {
   const std::string folder = "truth/terrain/";
   std::vector<std::string> names;

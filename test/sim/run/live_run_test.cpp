@@ -83,7 +83,7 @@ std::map<std::string, std::string> ReadLiveRun(const fs::path& root) {
   return files;
 }
 
-/// Counts what arrives at each channel.
+/// Counts the measurements of each channel.
 class CountingSink : public MeasurementSink {
  public:
   ChannelId AddChannel(const ChannelInfo& info) override {
@@ -210,7 +210,7 @@ TEST(LiveRun, ThatWasStoppedIsReplayedAsFarAsItsCommandsCame) {
 
   Scenario as_commanded = *loaded.scenario;
   CommandAsFarAsRecorded(stopped, &as_commanded);
-  // 640 rows, of which one is cut and the last is of the levers in force at the end.
+  // 640 rows. One is cut, and the last has the levers in force at the end.
   EXPECT_DOUBLE_EQ(as_commanded.duration_s, 638 / as_commanded.physics_rate_hz);
   Generate(as_commanded, loaded.yaml, {.out = folder / "replayed"});
   Record(folder / "whole", 638, true);
@@ -257,7 +257,7 @@ TEST(LiveRun, WhoseRecordingFailsSaysWhatIsKept) {
 TEST(LiveRun, ThatCannotBeginLeavesNoRecordingBehind) {
   const Loaded& loaded = Load();
   LiveOptions options{.record = OwnFolder() / "none"};
-  options.egl.device = 99;  // there are not so many
+  options.egl.device = 99;  // beyond the number of devices
   EXPECT_THROW(LiveRun(loaded.scenario, loaded.yaml, options, {}), InputError);
   EXPECT_FALSE(fs::exists(OwnFolder() / "none"));
   EXPECT_FALSE(fs::exists(OwnFolder() / "none.incomplete"));

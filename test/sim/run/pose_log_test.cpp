@@ -70,7 +70,7 @@ Pose PoseOf(const RowSample& row) {
   return X;
 }
 
-/// A second at 200 steps/s, what it was at each of them, and what was written.
+/// A second at 200 steps/s: the pose at each step, and the log.
 struct Second {
   explicit Second(const std::string& record) : scenario(ReadPoseLog(record)) {
     PoseLog log(scenario, &sink);

@@ -80,7 +80,7 @@ TEST(EffectFaults, RefusesEffectsOfAPairOfAntennasThatIsNone) {
       HasFault(kInconsistent));
 }
 
-/// What was learned of a joint as a share of its rate over one variable.
+/// A learned effect of a joint as a share of its rate over one variable.
 std::string LearnedOver(const std::string& variable, const std::string& unit) {
   return "{learned: {variable: " + variable + ", unit: " + unit +
          ", as: share, at: [0, 1], value: [0.1, 0.2], low: [0, 0], high: [1, 1]}}";
@@ -254,11 +254,11 @@ TEST(EffectFaults, AreToldAtTheKeyThatTheUserWroteWhereverThatWas) {
               HasOnlyFault(kOutOfRange, "--set: machines[0].machine.effects.boom.dead_band.width"));
   EXPECT_THAT(OverlayFaults("bom: {dead_band: {width: 2}}", {}),
               HasOnlyFault(kUnknown, "over.yaml:3:5: effects.excavator1.bom"));
-  // Of one effect from two places, each at its own.
+  // One effect at two places, with a fault at each.
   EXPECT_THAT(OverlayFaults("boom: {dead_band: {width: 0.3}}",
                             {"effects.excavator1.boom.dead_band.asymmetry=2"}),
               HasOnlyFault(kOutOfRange, "--set: effects.excavator1.boom.dead_band.asymmetry"));
-  // What is found out later, by checks of the machine.
+  // Faults found later, by checks of the machine.
   EXPECT_THAT(OverlayFaults("slew: {end_cushion: {zone_rad: 0.1}}", {}),
               HasFaultAt("over.yaml:3:25: effects.excavator1.slew.end_cushion"));
   EXPECT_THAT(OverlayFaults("base: {track_slip: {slip: 0.1}}", {}),

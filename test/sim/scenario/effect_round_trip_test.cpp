@@ -18,8 +18,8 @@
 #include "sim/scenario/scenario.h"
 #include "sim/scenario/scenario_text.h"
 
-// A dataset is generated again, replayed and served from the scenario.yaml that is written into it,
-// which has every default in place. So what is read with an effect must be read again from there.
+// The scenario.yaml in a dataset, with all defaults, serves to generate, replay and serve it again.
+// Effects must be readable from it.
 
 namespace tera {
 namespace {
@@ -129,7 +129,7 @@ void List(std::string_view place, const Effects& effects, std::vector<std::strin
   }
 }
 
-/// All effects of the one machine and its sensors.
+/// All effects of the single machine and its sensors.
 std::vector<std::string> EffectsOf(const Scenario& scenario) {
   std::vector<std::string> listed;
   const MachineModel& model = scenario.machines.at(0).placement.model;
@@ -152,7 +152,7 @@ std::vector<std::string> EffectsOf(const Scenario& scenario) {
   return listed;
 }
 
-/// Whether one of these is of the mechanism at the place.
+/// Whether one of these is the place's mechanism.
 bool Has(const std::vector<std::string>& effects, const Place& place, std::string_view mechanism) {
   const std::string start = fmt::format("{}.{}:", place.name, mechanism);
   return std::any_of(effects.begin(), effects.end(),
@@ -192,7 +192,7 @@ double Another(const EffectParameter& parameter) {
   return parameter.otherwise != one ? one : 0.5 * (parameter.lower + one);
 }
 
-/// What YAML has of a mechanism's parameters; or that the effect is taken away again.
+/// Form of a mechanism's parameters in YAML, or removal of the effect.
 enum class Given { kTakenAway, kRequired, kDefaults, kAllThatCanAct };
 
 std::string Mapping(const Mechanism& mechanism, const Place& place, Given given) {
@@ -219,8 +219,8 @@ bool ActsAt(const Mechanism& mechanism, const Place& place, std::string_view gro
   return mechanism.slot != Slot::kGround || of_any_ground || ground == "kinematic";
 }
 
-/// Reads each mechanism of `library`, at all places where it may stand, and again from what that
-/// resolves to. Returns how many mechanisms there are.
+/// Reads each mechanism of `library` at all its possible places, then again from the resolved text.
+/// Returns the number of mechanisms.
 std::size_t ReadAllTwice(const std::string& machine, std::string_view ground,
                          const std::vector<Place>& places, std::span<const Mechanism> library) {
   std::size_t count = 0;

@@ -14,15 +14,15 @@
 #include "sensors/sensor_kinds.h"
 #include "sensors/sensor_mechanisms.h"
 
-// docs/reference/mechanisms.md says of every mechanism of the three libraries what the program
-// takes, and nothing that it does not take: chapter, name, parameters, units, ranges, defaults.
+// docs/reference/mechanisms.md lists exactly what the program accepts for every mechanism of the
+// three libraries: chapter, name, parameters, units, ranges, defaults.
 
 namespace tera {
 namespace {
 
 using ::testing::IsEmpty;
 
-/// What one row says: "sensor_static/bias (imu) gyro_x_degps | deg/s | -100 to 100 | 0".
+/// One row: "sensor_static/bias (imu) gyro_x_degps | deg/s | -100 to 100 | 0".
 using Rows = std::set<std::string>;
 
 std::string Row(std::string_view slot, std::string_view id, std::string_view targets,
@@ -90,12 +90,12 @@ std::vector<std::string> Quoted(const std::string& text) {
 
 struct Document {
   Rows rows;
-  std::set<std::string> described;  ///< "sensor_static/bias", by a text or a row of its own
+  std::set<std::string> described;  ///< "sensor_static/bias", with its own text or row
 };
 
 /// Machines: chapters `## slot`, mechanisms "### `id`", rows of name, unit, range, default,
-/// meaning. Sensors: chapters `### sensor_...`, rows of mechanism, targets, what it does in three
-/// cells; and of mechanism, targets, names, unit, range, default.
+/// meaning. Sensors: chapters `### sensor_...`; rows of mechanism, targets, effect; and rows of
+/// mechanism, targets, names, unit, range, default.
 Document Documented() {
   Document document;
   std::string slot, id;

@@ -10,7 +10,7 @@
 #include "own_folder.h"
 #include "sim/scenario/scenario.h"
 
-// One mistake gives one message: what follows from it is not told beside it.
+// A single mistake gives a single message, without consequential faults.
 
 namespace tera {
 namespace {

@@ -104,7 +104,7 @@ TEST_F(RandomSite, ThingsKeepApartAndMachinesStartOnFreeGround) {
         EXPECT_EQ(scenario.site->surface().HeightAt(x, y), 0) << x << " " << y;
       }
     }
-    // There are heaps, higher than the one that is written down, or beside it.
+    // Heaps rise above the stated one, or lie elsewhere.
     double highest_m = 0;
     for (double x = -24; x < 24; x += 0.5) {
       for (double y = -24; y < 24; y += 0.5) {
@@ -202,7 +202,7 @@ TEST_F(RandomSite, FaultsSayWhereTheyAre) {
   EXPECT_THAT(
       load("fences: {count: [1, 1], panels: [1.5, 2.7], of: ['tera:config/obstacles/fence.yaml']}"),
       ThrowsMessage<InputError>(HasSubstr("panels: from 1.5 to 2.7; need whole numbers")));
-  // Whatever characters a text has, it stays a text.
+  // A text stays a text with any characters.
   EXPECT_THAT(load("patches: {count: [1, 1], size_m: [1, 1], soils: ['sand}']}"),
               ThrowsMessage<InputError>(HasSubstr("sand}")));
   EXPECT_THAT(load("plants: {count: [1, 1], size_m: [1, 1], of: [\"it's.yaml\"]}"),

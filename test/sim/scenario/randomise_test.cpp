@@ -74,7 +74,7 @@ TEST(Randomise, DrawsNormalNumbersThatMayBeCut) {
   EXPECT_NEAR(CovarianceOf(of, of), 4, 0.5);
   const std::vector<double> cut = Numbers("  - {key: a, normal: [0, 1], within: [0, 9]}\n", "a");
   EXPECT_GE(*std::min_element(cut.begin(), cut.end()), 0);
-  // Of a half normal distribution, the root of 2 / pi.
+  // Mean of a half normal distribution: the root of 2 / pi.
   EXPECT_NEAR(MeanOf(cut), std::sqrt(2 / 3.14159265), 5 * 0.6 / std::sqrt(kEpisodes));
 }
 

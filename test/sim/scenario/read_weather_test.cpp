@@ -45,8 +45,8 @@ TEST(ReadWeather, WindIsNamedByWhereItComesFrom) {
 }
 
 TEST(ReadWeather, RainTakesItsPartOfTheVisibility) {
-  // 25 mm/h by Marshall and Palmer: pi 8e6 / (4100 25^-0.21)^3 = 2.77 / km, beside the 1.956 / km
-  // that leave 2 % over 2 km.
+  // 25 mm/h by Marshall and Palmer: pi 8e6 / (4100 25^-0.21)^3 = 2.77 / km. A contrast of 2 % over
+  // 2 km adds 1.956 / km.
   const Environment rain = ReadEnvironment("rain_mmph: 25, cloud_cover: 1");
   EXPECT_NEAR(rain.fog_visibility_m, std::log(50.0) / (2.77e-3 + 1.956e-3), 2);
 }
@@ -96,7 +96,7 @@ TEST(ReadWeather, RainAndEvaporationActOnTheGround) {
   EXPECT_FALSE(acts(""));
 }
 
-// A recording keeps the resolved scenario, from which replay and resense read the same again.
+// A recording keeps the resolved scenario, which replay and resense read with equal results.
 TEST(ReadWeather, AResolvedScenarioHasTheSameAirAndGround) {
   const Config given = Config::FromText(SiteWithWeather("rain_mmph: 9, cloud_cover: 1"), "s.yaml");
   const Scenario scenario = ReadScenario(given.root());

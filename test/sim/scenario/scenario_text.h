@@ -7,7 +7,7 @@
 #include "core/faults.h"
 #include "sim/scenario/scenario.h"
 
-// Scenarios as text, from parts, and what is wrong with them.
+// Scenarios as text, composed of parts, and their faults.
 
 namespace tera {
 
@@ -53,7 +53,7 @@ machines:
          sensors + "]}\n";
 }
 
-/// What is wrong with a scenario, or nothing.
+/// Faults of a scenario, if any.
 inline std::vector<InputFault> ScenarioFaults(const std::string& yaml,
                                               const std::vector<std::string>& overrides = {}) {
   return FaultsIn([&] {

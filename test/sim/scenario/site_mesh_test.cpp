@@ -21,8 +21,8 @@ namespace {
 using enum FaultKind;
 using ::testing::AllOf;
 
-/// A ramp z = 0.1 x + 0.5 over x and y of -8 to 8 m, and on it a wall of 0.2 m from x = 4 on, up to
-/// z = 3.
+/// A ramp z = 0.1 x + 0.5 over x and y of -8 to 8 m. From x = 4 on, a wall of 0.2 m stands on it,
+/// up to z = 3.
 const std::string kSiteObj = R"(
 o ground
 v -8 -8 -0.3
@@ -124,7 +124,8 @@ TEST_F(SiteMeshFile, OnlySolidPartsAreWallsForMachines) {
   EXPECT_EQ(Read(Yaml(kGroundAndWall)).site_mesh->Walls().indices.size(), 3u * 12u);
   const std::string open = "parts: [{node: wall, solid: false}]";
   EXPECT_TRUE(Read(Yaml(open)).site_mesh->Walls().empty());
-  // Without parts and ground it is one solid thing: two triangles of the ground beside the wall's.
+  // Without parts and ground it is a single solid object: the ground's two triangles and the
+  // wall's.
   const Scenario whole = Read(Yaml("scale: 1"));
   EXPECT_EQ(whole.site_mesh->Walls().indices.size(), 3u * 14u);
   EXPECT_EQ(whole.site_mesh->parts.at(0).name, "site");

@@ -34,8 +34,8 @@ TEST(Sun, IsOverheadOnTheTropicAtTheSolstice) {
 }
 
 TEST(Sun, HasNoLeapsBelowTheHorizon) {
-  // Zurich, 10 December 2026, from before sunset on: 8 to 10 degrees an hour, each minute a little
-  // lower than the one before.
+  // Zurich, 10 December 2026, from before sunset on: it sinks 8 to 10 degrees an hour, every
+  // minute.
   const SiteOrigin zurich{47.3763, 8.5477, 460};
   const TimeNs start_ns = *ParseUtc("2026-12-10T15:00:00Z");
   double before_deg = Height_deg(ToSun(start_ns, zurich));

@@ -11,7 +11,7 @@
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
 
-// A backhoe loader of 23 links, all that a URDF may hold, from its file to a run.
+// A backhoe loader of 23 links, with every element of URDF, from its file to a run.
 
 namespace tera {
 namespace {
@@ -154,8 +154,8 @@ TEST(UrdfMachine, MovesByItsLeversWithinItsLimits) {
       ASSERT_LE(now.q_rad[j], joint.upper_rad + 1e-3) << joint.name;
     }
   }
-  // Half the rate of <limit velocity> for a second, but for `extend`, whose command interface
-  // allows 0.25 m/s. None comes to its stop.
+  // Half the rate of <limit velocity> for a second, except `extend`, whose command interface allows
+  // 0.25 m/s. No joint reaches its stop.
   const std::vector<std::pair<std::string, double>> moved = {{"loader_lift", 0.3},
                                                              {"loader_tilt", 0.45},
                                                              {"swing", 0.35},

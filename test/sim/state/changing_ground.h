@@ -13,7 +13,7 @@
 
 namespace tera {
 
-/// Vertices of which no tile is whole at the border, and ground that is known only here and there.
+/// A grid with incomplete tiles at the border, and ground that is known only in parts.
 inline TerrainSurface UnevenGround(int nx = 118, int ny = 163, int base_cells = 10) {
   const TerrainGrid grid{.origin_W_m = Vec2(-3, 2), .cell_m = 0.05, .nx = nx, .ny = ny};
   std::vector<float> heights;

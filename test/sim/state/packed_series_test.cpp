@@ -25,7 +25,7 @@ bool SameBits(const Rows& a, const Rows& b) {
   return true;
 }
 
-/// Packs the parts one after another, unpacks them, and expects what was packed.
+/// Packs the parts in sequence, unpacks them, and expects equality.
 void ExpectLossless(std::size_t columns, const std::vector<Rows>& parts) {
   PackedSeries packer(columns), unpacker(columns);
   for (const Rows& rows : parts) {
@@ -125,7 +125,7 @@ TEST(PackedSeries, OfNoRowsAndOfNoColumnsThereIsNothing) {
   EXPECT_TRUE(out.empty());
 }
 
-/// Bytes in a file, over those of a file without numbers.
+/// Bytes in a file, minus those of a file without numbers.
 std::int64_t CompressedBytes(std::size_t columns, const Rows& rows) {
   const ScratchDirectory scratch;
   const auto bytes = [&](const Block& block) {
@@ -139,19 +139,18 @@ std::int64_t CompressedBytes(std::size_t columns, const Rows& rows) {
   return bytes(block) - bytes(Block(PackedSeries::kStreams));
 }
 
-// Of n numbers, what is left of a prediction is below 2^b in magnitude: with its sign it fills the
-// lowest (b + 1) / 8 bytes, rounded up, and the others are zero throughout. Compression gains
-// nothing on random bytes and costs 3 bytes for every 128 KiB and 14 for a frame (RFC 8878 3.1.1),
-// and a stream of n zeros, n up to 128 KiB, takes 4 bytes beside that. The first three numbers,
-// which nothing predicts, take 8 bytes each, and where they stand in a stream some tens of bytes of
-// sequences. 400 bytes hold all this.
+// If the residual of a prediction is below 2^b in magnitude, it fills the lowest (b + 1) / 8 bytes
+// with its sign, rounded up. The others are zero throughout. Random bytes do not compress and cost
+// 3 bytes per 128 KiB and 14 per frame (RFC 8878 3.1.1). A stream of n zeros, n up to 128 KiB,
+// takes 4 bytes more. The first three numbers have no prediction and take 8 bytes each; their
+// positions in a stream take some tens of bytes of sequences. 400 bytes hold all this.
 constexpr std::int64_t kOverhead = 400;
 
 TEST(PackedSeries, WhatStaysOrGrowsEvenlyTakesAlmostNothing) {
   constexpr int kCount = 20000;
   Rows constant(kCount, 0.1), ramp, parabola;
   for (int k = 0; k < kCount; ++k) {
-    // All in one binade and exact, so that a polynomial of the numbers is one of their bits.
+    // All in one binade and exact, so that a polynomial of the numbers is also one of their bits.
     ramp.push_back(1 + std::ldexp(k, -20));
     parabola.push_back(1 + std::ldexp(static_cast<double>(k) * k, -40));
   }
@@ -176,10 +175,10 @@ TEST(PackedSeries, ASmoothMotionTakesTheBytesOfItsThirdDifferences) {
 }
 
 TEST(PackedSeries, ColumnsDoNotSpoilOneAnother) {
-  // Beside a column of random bits a constant one still takes almost nothing: streams hold bytes of
-  // one weight of all columns, and zstd must find the zeros between them. Half of the bytes of each
-  // stream are random; a literal's Huffman code of a half-zero source takes, at 1/2 + 1/512 for
-  // zero, 1 bit for a zero and at most 10 for another: 11 / 16 of the bytes.
+  // Next to a column of random bits, a constant column still takes almost nothing. Streams hold
+  // bytes of one weight of all columns, and zstd must find the zeros between them. Half of the
+  // bytes of each stream are random. A Huffman code with probability 1/2 + 1/512 for zero takes 1
+  // bit for a zero and at most 10 for another byte: 11 / 16 of the bytes.
   constexpr int kCount = 20000;
   const Rows random = RandomBits(kCount, 5);
   Rows rows;
@@ -218,8 +217,8 @@ TEST(PackedSeries, StreamsOfOtherRowsAreRefused) {
 }
 
 TEST(PackedSeries, DamagedStreamsAreRefusedOrGiveOtherNumbers) {
-  // Nothing but bytes of numbers and degrees: where they are damaged, degrees that are none are
-  // refused, and all else gives as many numbers as there were. Nothing reads out of bounds.
+  // Damaged bytes of numbers and degrees: invalid degrees are refused, and any other damage gives
+  // the same count of numbers. Nothing reads out of bounds.
   Block good;
   const Rows rows = RandomBits(50, 6);
   PackedSeries(5).Pack(rows, &good);
@@ -262,7 +261,7 @@ TEST(PackedSeries, BitsAreOrderedAsNumbersAre) {
     EXPECT_LT(OrderedBits(static_cast<float>(k - 1.0)), OrderedBits(static_cast<float>(k)));
     EXPECT_LT(OrderedBits(-static_cast<float>(k)), OrderedBits(static_cast<float>(1.0 - k)));
   }
-  // Neighbours are one apart, across zero too but for its two signs.
+  // Neighbours differ by one, also across zero, except between its two signs.
   for (const double x : {-3.7, -1.0, -Limits::denorm_min(), 0.0, 1.0, 1e300}) {
     EXPECT_EQ(OrderedBits(std::nextafter(x, Limits::infinity())), OrderedBits(x) + 1) << x;
   }

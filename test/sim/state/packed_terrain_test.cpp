@@ -120,8 +120,8 @@ TEST(PackedTerrain, GivesBackGrainsOfAnyBits) {
 }
 
 TEST(PackedTerrain, GivesBackGrainsThatShareANumberAndChangeTheirKind) {
-  // Two that fly apart under one number; one whose radius and soil change under way; one that is
-  // gone for some steps and back; all in another order at times.
+  // Two grains that separate under one number; a grain whose radius and soil change in flight; one
+  // that is absent for some steps; at times all in another order.
   int k = 0;
   ExpectLossless(Pack(UnevenGround(), {30, 30}, [&](TerrainSurface* ground) {
     const double t = 0.02 * ++k;
@@ -152,9 +152,9 @@ TEST(PackedTerrain, AGroundThatRestsTakesAlmostNothing) {
 
 TEST(PackedTerrain, ClodsInFreeFallTakeFewerBytesThanTheirPlaces) {
   // 40 clods on parabolas: numbers, radii and kinds stay, which leaves three coordinates of 4
-  // bytes. A parabola's third difference is 0; coordinates between 2 and 4 m are rounded to 2^-22
-  // m, by at most (1 + 3 + 3 + 1) / 2 of that, so that what is left is below 2^4 with its sign and
-  // fills one byte of each.
+  // bytes. A parabola's third difference is 0. Coordinates between 2 and 4 m are rounded to 2^-22
+  // m, with an error of at most (1 + 3 + 3 + 1) / 2 of that. The residual with its sign is thus
+  // below 2^4 and fills one byte of each.
   constexpr int kSteps = 500, kClods = 40;
   int k = 0;
   const Packed packed = Pack(UnevenGround(51, 51, 50), {kSteps}, [&](TerrainSurface* ground) {
@@ -165,14 +165,14 @@ TEST(PackedTerrain, ClodsInFreeFallTakeFewerBytesThanTheirPlaces) {
     }
     ground->SetGrains(grains);
   });
-  // At first three places of 12 bytes each and what a clod is, and a byte for its number.
+  // Initially three places of 12 bytes each, the clod's kind, and a byte for its number.
   EXPECT_LT(CompressedBytes(packed), 3 * kSteps * kClods + kClods * (3 * 12 + 8 + 1) + 1000);
 }
 
 TEST(PackedTerrain, AVertexThatSinksALittleTakesFewBytes) {
-  // 100 vertices side by side sink by some 1e-5 m at heights from 0.5 to 1 m, whose spacing is
-  // 2^-24 m: 168 of it, with its sign below 2^9, so two bytes; a place from one to the next one
-  // more at most, and what differs of the cover one.
+  // 100 adjacent vertices sink by some 1e-5 m at heights from 0.5 to 1 m, whose spacing is 2^-24 m.
+  // That is 168 spacings, below 2^9 with its sign, hence two bytes. A place relative to the
+  // previous one takes at most one more, a change of cover one.
   constexpr int kSteps = 200, kVertices = 100;
   TerrainSurface start(TerrainGrid{.nx = 118, .ny = 163});
   for (int i = 0; i < kVertices; ++i) start.Set(i, 60, {0.95f, {}});

@@ -12,7 +12,7 @@
 #include "sim/state/state_log.h"
 #include "sim/work_fixture.h"
 
-// A simulation, and what is played back of it: everything that sensors see is the same to the bit.
+// A simulation and its playback: everything that sensors observe is bitwise equal.
 
 namespace tera {
 namespace {
@@ -120,7 +120,7 @@ std::optional<std::size_t> FirstDifference(const std::vector<double>& a,
 class Playback : public testing::Test {
  protected:
   /// Runs the scenario as `tera generate` does, one step beyond its end, and keeps its state.
-  /// Returns what was to be seen at the start and after each step.
+  /// Returns the visible state at the start and after each step.
   std::vector<Seen> Keep(const Scenario& scenario, const std::string& text = kText) {
     Simulation simulation(scenario);
     StateLog log(scenario, text, file(), simulation.state());
@@ -365,8 +365,8 @@ TEST_F(DamagedPlayback, LongerThanItsRunIsRefused) {
 }
 
 TEST_F(DamagedPlayback, WithStreamsThatAreOthersIsRefusedOrPlaysAnotherRun) {
-  // What passes every checksum and is still not of this run: nothing crashes, and streams that are
-  // not there or too short are refused.
+  // States that pass every checksum but belong to another run: no crash, and missing or short
+  // streams are refused.
   for (std::size_t b = 0; b < good_.blocks.size(); ++b) {
     for (std::size_t s = 0; s < good_.blocks[b].size(); ++s) {
       Content other = good_;

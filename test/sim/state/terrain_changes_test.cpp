@@ -133,7 +133,7 @@ TEST(TerrainChanges, EveryTileThatChangesGetsAnotherVersion) {
     Apply(change, &told);
     for (int b = 0; b < ground.tiles_y(); ++b) {
       for (int a = 0; a < ground.tiles_x(); ++a) {
-        // Of a tile, with its border.
+        // Changes of a tile, with its border.
         bool changes = before.IsRefined(a, b) != told.IsRefined(a, b);
         for (int j = 50 * b; j <= std::min(50 * b + 50, ground.ny - 1); ++j) {
           for (int i = 50 * a; i <= std::min(50 * a + 50, ground.nx - 1); ++i) {

@@ -12,8 +12,8 @@
 #include "dataset/import/cloud/read_point_cloud.h"
 #include "survey/align/registration.h"
 
-// Frames of real lidars, in the folder of TERA_RECORDINGS: an Ouster OS1-128 on a moving vehicle
-// with the poses that its maker's software found, and a frame of a VLP-16.
+// Frames of real lidars, in the folder of TERA_RECORDINGS: an Ouster OS1-128 on a moving vehicle,
+// with poses by its maker's software, and a frame of a VLP-16.
 
 namespace tera {
 namespace {
@@ -91,9 +91,9 @@ double TurnBetween_rad(const Pose& a, const Pose& b) {
   return Eigen::AngleAxisd(a.linear().transpose() * b.linear()).angle();
 }
 
-// The vehicle moves by 0.25 m while a frame is taken; the maker's poses are of points that were
-// moved to one instant, and ours are of points as they came. Over two frames of the same speed that
-// cancels but for what the vehicle accelerates.
+// The vehicle moves by 0.25 m during a frame. The maker's poses refer to points moved to one
+// instant, ours to the original points. Over two frames of equal speed that cancels, except for the
+// vehicle's acceleration.
 TEST(RealFrames, AnOustersFramesLieToEachOtherAsItsMakersSoftwareSays) {
   const fs::path folder = kRecordings / "lidar_ouster";
   const std::string name = "OS-1-128_v2.3.0_1024x10";

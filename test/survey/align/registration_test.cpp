@@ -21,7 +21,7 @@ using testing::IsEmpty;
 using testing::StartsWith;
 using testing::UnorderedElementsAre;
 
-/// Points of rectangles, each with noise of its own.
+/// Points of rectangles, each with its own noise.
 class Sampler {
  public:
   Sampler(unsigned seed, double noise_m) : random_(seed), noise_(0, noise_m) {}
@@ -91,7 +91,7 @@ TEST(Registration, FindsAPoseFromHalfAMetreAndFiveDegreesAway) {
 }
 
 TEST(Registration, AStartFarFromTheOriginOfBothIsNoHarder) {
-  // A lies in a map, B in a frame of its own.
+  // A lies in a map, B in its own frame.
   const Pose X_MA = MakePose({432'100, 5'245'700, 460});
   const Pose X_AB = MakePose({10, 20, 3}, 0, 0, 70 * kDeg);
   std::vector<Vec3> a;
@@ -104,8 +104,8 @@ TEST(Registration, AStartFarFromTheOriginOfBothIsNoHarder) {
 }
 
 // The squared error over the stated covariance is chi-squared of six: 95 % of it below 12.59, its
-// mean 6. Of 60 trials at least 51 lie below, five standard deviations (1.7) less than the expected
-// 57 being 48.6; the mean of 60 has a standard deviation of 0.45.
+// mean 6. Of 60 trials at least 51 lie below: 57 expected minus five standard deviations (1.7) is
+// 48.6. The mean of 60 has a standard deviation of 0.45.
 TEST(Registration, ErrorsAreAsLargeAsTheCovarianceSays) {
   constexpr int kTrials = 60;
   constexpr double kWithin = 12.59;
@@ -142,7 +142,7 @@ TEST(Registration, AFlatFloorLeavesXYAndYawOpen) {
   EXPECT_EQ(found.open.size(), 3u);
   EXPECT_THAT(found.ObservedAt(found.centre_A_m),
               ElementsAre(false, false, true, true, true, false));
-  // What it can tell it does: the height of the floor's middle, and how the floor leans.
+  // It determines the observable part: the height of the floor's middle, and the floor's tilt.
   EXPECT_NEAR((found.X_AB * (X_AB.inverse() * Vec3::Zero())).z(), 0, 0.005);
   EXPECT_NEAR(found.X_AB.linear()(2, 0), X_AB.linear()(2, 0), 0.001);
 }
@@ -160,7 +160,7 @@ TEST(Registration, AFloorAndAWallLeaveTheWaysAlongTheirEdgeOpen) {
   ASSERT_EQ(found.open.size(), 1u);
   const Vec3 along = found.open[0].translation.normalized();
   EXPECT_NEAR(std::abs(along.dot(Vec3(1, 1, 0).normalized())), 1, 0.01);
-  // A shift along (1, 1, 0) is one of x and of y.
+  // A shift along (1, 1, 0) is a combination of x and y.
   EXPECT_THAT(found.ObservedAt(found.centre_A_m),
               ElementsAre(false, false, true, true, true, true));
   // Across the edge it is found: the wall's plane is x = y.

@@ -29,7 +29,7 @@ using testing_survey::WriteBytes;
 
 const Vec3 kUtm_m(600'000, 5'250'000, 420);
 
-/// Twelve by nine metres of ground, anywhere in which points lie.
+/// Twelve by nine metres of ground, with points anywhere in it.
 PointCloud CloudAt(const Vec3& low_m, const std::function<double(double)>& stored) {
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> part(0, 1);

@@ -12,7 +12,7 @@
 #include "survey/survey_files.h"
 #include "survey/surveyed_yard.h"
 
-// A survey of a yard that is known: its ground, and what stands there.
+// A survey of a known yard: its ground, and the objects on it.
 
 namespace tera {
 namespace {
@@ -57,11 +57,11 @@ bool NearTrenchWall(const Vec2& at, double margin_m) {
   return outside && !inside;
 }
 
-// One point lies anywhere in each square of 0.1 m, which is the finest size of cells of which half
-// have points; noise of 10 mm carries 4 x 0.01 / (0.1 sqrt(2 pi)) = 16 % of them over a side, so
-// that some 13 % of the cells stay empty. A cell's height is then off by the point's noise (10 mm)
-// and by the slope times its place in the cell: 0.05 x 0.05 m on the plane, tan 35 deg x 0.071 m =
-// 50 mm at most on the pile.
+// One point lies anywhere in each square of 0.1 m, which is the finest cell size with points in
+// half of the cells. Noise of 10 mm moves 4 x 0.01 / (0.1 sqrt(2 pi)) = 16 % of them over a side,
+// so that some 13 % of the cells stay empty. A cell's height thus errs by the point's noise (10 mm)
+// and by the slope times its place in the cell: 0.05 x 0.05 m on the plane, at most tan 35 deg x
+// 0.071 m = 50 mm on the pile.
 TEST_F(YardSite, HeightsAreThoseOfTheGround) {
   EXPECT_DOUBLE_EQ(site_->terrain.grid.cell_m, 0.1);
   double squares_m2 = 0;
@@ -144,7 +144,7 @@ TEST_F(YardSite, EachThingIsFoundWithItsSizeAndNoneIsInvented) {
 }
 
 TEST_F(YardSite, WhatStandsAloneIsLeftOut) {
-  EXPECT_GE(site_->outliers, 54);  // of 60, some of which lie near something
+  EXPECT_GE(site_->outliers, 54);  // of 60, some of them near an object
   EXPECT_LE(site_->outliers, 70);
 }
 

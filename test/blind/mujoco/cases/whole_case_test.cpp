@@ -84,8 +84,8 @@ TEST(WholeCase, NothingWrongIsDrawnWithinTheTolerances) {
     for (const DriveForm& drive : forms.plant.drives) {
       EXPECT_LT(std::abs(drive.gain * drive.negative * (1 + std::abs(drive.wave)) - 1), 0.06);
       EXPECT_LT(drive.overlap, 0.02);
-      // A spring is late by 2 zeta / omega; the area of its squared error after a step is
-      // (1 + 4 zeta^2) / (4 zeta omega), which a delay has by as much. Behind it pilot and bus.
+      // A spring has a delay of 2 zeta / omega. The area of its squared error after a step is (1 +
+      // 4 zeta^2) / (4 zeta omega); an equal delay has that area too. Pilot and bus follow.
       const OilNumbers& oil = drive.oil;
       const double late_s = 2 * oil.damping / oil.natural_radps;
       const double off_s =
@@ -113,7 +113,7 @@ TEST(WholeCase, NothingWrongIsDrawnWithinTheTolerances) {
   }
 }
 
-/// Straight, in arcs and on the spot: way and turning over what the sprockets turned, by the
+/// Straight, in arcs and on the spot: path and rotation relative to the sprockets' turns, by the
 /// files' radius and gauge.
 void ExpectDrivesAsTheFilesSay(const MachineNumbers& numbers) {
   WholeCase c = First(CaseKind::kNothing, true, 40, numbers);
@@ -208,8 +208,8 @@ TEST(WholeCase, TheWorkingSetDrawsBothOfItsFormsMachinesAndNothingOfTheReserve) 
     for (const Manoeuvre kind : Drawn(k).habit.kinds) EXPECT_FALSE(IsReserved(kind));
   }
   EXPECT_EQ(machines.size(), 2u);
-  // Two forms of 21 effects and four outside, one of which is told by its two levers; or one of
-  // each and four. Some 400 things are hidden. What is untestable has one form alone.
+  // Two forms of 21 effects and four others, one of which its two levers reveal; or one of each and
+  // four. Some 400 effects are hidden. Untestable ones have only one form.
   EXPECT_EQ(working.size(), 2u * 21 + 5 + 3);
   EXPECT_EQ(reserved.size(), 21u + 4 + 3);
   const std::set<std::string> of_both = {"valve that ends where no lever goes",
@@ -233,7 +233,7 @@ TEST(WholeCase, ShowsInItsChannelsWhatItHides) {
   }
 }
 
-/// Medium or strong: what is faint may lie below the noise.
+/// Medium or strong: a faint effect may lie below the noise.
 TEST(WholeCase, EveryFormInReserveShowsInItsChannels) {
   std::set<std::string> seen;
   for (int k = 0; seen.size() < 25; ++k) {

@@ -44,7 +44,7 @@ TEST(Hand, GradingMovesTheBucketLevel) {
   EXPECT_NEAR(way.z(), 0, 1e-6);
 }
 
-/// A machine that does at once what its levers say, on a plane.
+/// A machine that follows its levers at once, on a plane.
 Instant Moved(const Instant& before, const PerAxis<double>& levers, double step_s) {
   Instant at = before;
   for (std::size_t i = 0; i < kAxisCount; ++i) {

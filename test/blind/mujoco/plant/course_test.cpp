@@ -24,7 +24,7 @@ Operator Pushes(std::size_t axis, double level, double length_s) {
 
 const Operator kRests = [](double, const Instant&) { return PerAxis<double>{}; };
 
-/// Of a column of instants, by the trapezoidal rule.
+/// Integral of a column of instants, by the trapezoidal rule.
 template <typename Value>
 double Integral(const Course& course, const Value& value) {
   double sum = 0;
@@ -36,8 +36,8 @@ double Integral(const Course& course, const Value& value) {
 
 TEST(MujocoCourse, AUnitAtRestReadsGravityAgainstItsFall) {
   const Instant rest = DriveBy(kRests, 1).At(1);
-  // The chassis is level; the boom's x points 0.35 rad up, the arm's 0.35 - 1.4 rad. What the
-  // machine sinks into its ground at one end is less than 2 mrad.
+  // The chassis is level; the boom's x points 0.35 rad up, the arm's 0.35 - 1.4 rad. The machine's
+  // sinkage at one end is less than 2 mrad.
   const double up[] = {0, 0.35, 0.35 - 1.4, 0.35 - 1.4 - 0.3};
   for (std::size_t u = 0; u < kUnits; ++u) {
     EXPECT_NEAR(rest.accelerometer_mps2[u].x(), kGravity_mps2 * std::sin(up[u]), 0.03) << u;
@@ -136,8 +136,8 @@ TEST(MujocoCourse, AGapIsCrossedBeforeALinkFollows) {
   };
   const double with = DriveBy(back_and_forth, 4, form).At(4).angle_rad[kSlew];
   const double without = DriveBy(back_and_forth, 4).At(4).angle_rad[kSlew];
-  // Pushed one way and back as far: the motor ends where it began, the link a gap behind, less
-  // what it lacked of one at the start, where it lies in the middle.
+  // Pushed one way and back equally far: the motor returns to its start, the link lags by a gap,
+  // minus its initial lag in the middle of the gap.
   EXPECT_GT(with - without, 0.012);
   EXPECT_LT(with - without, 0.03);
 }

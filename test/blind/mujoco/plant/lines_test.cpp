@@ -22,9 +22,9 @@ TEST(Arbitration, AMessageWaitsForItsSlotAndForThoseThatOthersWin) {
     waits_s += slot_s - t_s;
     last_s = slot_s;
   }
-  // The phase is one of 0 to 6 ms; a geometric number of slots beside, 0.25 / 0.75 on average, of
-  // deviation sqrt(0.25) / 0.75: five standard errors are 0.17 ms. Being in order costs those
-  // behind one that loses three slots or more, one in 64, a slot or so: 0.1 ms.
+  // The phase is uniform from 0 to 6 ms, plus a geometric number of slots, 0.25 / 0.75 on average,
+  // of deviation sqrt(0.25) / 0.75: five standard errors are 0.17 ms. A message that loses three
+  // slots or more, one in 64, delays those behind it by about a slot: 0.1 ms.
   const double expected_s = 0.003 + 0.007 * 0.25 / 0.75;
   EXPECT_NEAR(waits_s / kMessages, expected_s + 0.0001, 0.0002);
 }

@@ -56,8 +56,8 @@ TEST(ReservedForms, AJointRingsAsItsOilDoes) {
     const double rate_radps = course.At(t_s).rate_radps[kBucket];
     if (rate_radps > most_radps) most_radps = rate_radps, at_s = t_s;
   }
-  // Of a step of x'' + 2 z w x' + w^2 x: the peak after pi / (w sqrt(1 - z^2)), 0.004 s behind the
-  // pilot, over by exp(-pi z / sqrt(1 - z^2)). What carries it gives a little.
+  // A step of x'' + 2 z w x' + w^2 x: the peak is at pi / (w sqrt(1 - z^2)), 0.004 s behind the
+  // pilot, and overshoots by exp(-pi z / sqrt(1 - z^2)). The support yields slightly.
   const double root = std::sqrt(1 - 0.25 * 0.25);
   EXPECT_NEAR(at_s - 0.5, M_PI / (30 * root) + 0.004, 0.008);
   const double full_radps = 0.5 * FourTons().full_rate_radps[kBucket];
@@ -101,7 +101,7 @@ TEST(ReservedForms, ARingRubsByTheMomentThatTiltsIt) {
   }
 }
 
-/// What a slew lags behind its motor that went there and back, by a start where the ring is.
+/// Lag of a slew behind its motor after motion to and fro, by a start at the ring's position.
 double Lost_rad(double slew_rad, const PlantForm& form) {
   Start start = SomeStart();
   start.joints_rad[0] = slew_rad;

@@ -10,7 +10,7 @@ namespace {
 TEST(Valves, ASoftStartIsFlatAtItsThresholdAndLacksBothFarBeyond) {
   EXPECT_EQ(SoftStart(0.099, 0.1, 0.05), 0);
   EXPECT_EQ(SoftStart(-0.099, 0.1, 0.05), 0);
-  // Of the second order at first: s^2 / (2 soft).
+  // Initially of second order: s^2 / (2 soft).
   EXPECT_NEAR(SoftStart(0.102, 0.1, 0.05), 0.002 * 0.002 / 0.1, 1e-6);
   EXPECT_NEAR(SoftStart(1, 0.1, 0.05), 1 - 0.15, 1e-6);
   EXPECT_NEAR(SoftStart(-0.6, 0.1, 0.05), -0.45, 1e-5);

@@ -10,9 +10,9 @@ namespace tera::blind::mujoco {
 namespace {
 
 TEST(MujocoMeasured, ADegreeIsAsLongAsPublished) {
-  // Length of a degree of latitude: 111132.954 - 559.822 cos 2 phi + 1.175 cos 4 phi metres, of
-  // longitude 111412.84 cos phi - 93.5 cos 3 phi + 0.118 cos 5 phi, both on the ellipsoid; 430 m
-  // above it longer by 430 m over the radius.
+  // Length of a degree of latitude: 111132.954 - 559.822 cos 2 phi + 1.175 cos 4 phi metres. Of
+  // longitude: 111412.84 cos phi - 93.5 cos 3 phi + 0.118 cos 5 phi. Both are on the ellipsoid; 430
+  // m above it they are longer by 430 m over the radius.
   const double phi = 47.4 * M_PI / 180, higher = 1 + 430 / 6.38e6;
   const double north_m =
       (111132.954 - 559.822 * std::cos(2 * phi) + 1.175 * std::cos(4 * phi)) * higher;
@@ -32,7 +32,7 @@ TEST(MujocoMeasured, RowsAreLostAndStampsJitterAndRise) {
   noise.lost = 0.02;
   noise.bursts_1ps = 0;
   const std::vector<Row> rows = Log(600, 0.01, {0.2, 0}, noise, 3, "unit");
-  // Of 60000 rows 2 % are lost: 1200, five standard deviations being 171.
+  // 2 % of 60000 rows are lost: 1200, with five standard deviations of 171.
   EXPECT_NEAR(static_cast<double>(rows.size()), 60000 - 1200 - 12, 171 + 12);
   double late_s = 0, squared_s2 = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {

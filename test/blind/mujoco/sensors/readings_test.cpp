@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kGravity_mps2 = 9.8071;
 
-/// What a unit feels on a link whose slope changes from 0.3 rad at 0.5 rad/s after a second.
+/// Readings of a unit on a link whose slope changes from 0.3 rad at 0.5 rad/s after a second.
 std::array<double, 6> OnLink(double t_s) {
   const double turning_s = std::max(0.0, t_s - 1), up_rad = 0.3 + 0.5 * turning_s;
   return {0, turning_s > 0 ? -0.5 : 0,        0, kGravity_mps2 * std::sin(up_rad),
@@ -45,7 +45,7 @@ TEST(Clock, DriftsAndIsSet) {
   EXPECT_EQ(set.OffsetAt(12.1), 0.3);
 }
 
-/// A course in which one joint turns from -2 rad at 0.5 rad/s, and the base looks north.
+/// A course with a joint that turns from -2 rad at 0.5 rad/s, and a base that looks north.
 Course Turning(std::size_t axis) {
   Course course;
   for (int k = 0; k <= 4000; ++k) {
@@ -71,7 +71,7 @@ MachineNumbers Plain() {
   return numbers;
 }
 
-/// Rates are what angles change by.
+/// Rates are the derivatives of angles.
 void ExpectRateOfAngle(const Readings& readings, double t_s) {
   const double change = readings.Angle_rad(kArm, t_s + 0.01) - readings.Angle_rad(kArm, t_s - 0.01);
   EXPECT_NEAR(readings.Rate_radps(kArm, t_s), change / 0.02, 1e-6);
@@ -123,7 +123,7 @@ TEST(Readings, ARaisedBoomThatShadesPushesAwayAndDown) {
   form.receivers[0].shaded_m = 0.3;
   const Readings readings(numbers, course, form);
   const Vec3 level_m = readings.Receiver_m(0, 4) - Vec3(3, 4, 5);
-  // Boom level, nose north: half a metre counts as raised, of which 0.5 / 1.1 is left.
+  // Boom level, nose north: half a metre counts as raised, which leaves 0.5 / 1.1.
   EXPECT_NEAR(level_m.x(), 0, 1e-9);
   EXPECT_NEAR(level_m.y(), -0.3 * 0.5 / 1.1, 1e-9);
   EXPECT_NEAR(level_m.z(), -0.15 * 0.5 / 1.1, 1e-9);

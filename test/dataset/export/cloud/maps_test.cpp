@@ -81,8 +81,8 @@ Vec3 PackedPlace(const std::string& bytes, std::size_t point) {
 
 constexpr std::size_t kPackedBytes = 4 * 4 + 8 + 3 * 2 + 1;
 
-/// The lidar is 2 m along the boom and sees 3 m further: 5 m from the pin at (10, 0, 1), north at
-/// first and, a quarter of a turn to the left later, west.
+/// The lidar is 2 m along the boom and sees 3 m further: 5 m from the pin at (10, 0, 1), first to
+/// the north and, after a quarter turn to the left, to the west.
 void ExpectPackedPoints(const std::string& points) {
   ASSERT_EQ(points.size(), 2 * kPackedBytes);
   EXPECT_TRUE(PackedPlace(points, 0).isApprox(Vec3(10, 5, 1), 1e-6));
@@ -170,8 +170,8 @@ TEST_F(MapsTest, ALasOfARecordingWithoutAPlaceOnTheEarthIsLocal) {
   EXPECT_EQ(At<std::int32_t>(las, At<std::uint32_t>(las, 96) + 8), 10'000);
 }
 
-// The tangent plane at a place leaves the ellipsoid by d^2 / 2R: 7.83 m at 10 km to the east,
-// where R is 6 389 km at 46.78 deg N.
+// The tangent plane at a place leaves the ellipsoid by d^2 / 2R: 7.83 m at 10 km to the east, with
+// R = 6 389 km at 46.78 deg N.
 TEST(LasPlaces, HeightsAreAboveTheEllipsoid) {
   const Vec3 place_m = LasPlaces(SampleInfo())(Vec3(10'000, 0, 3));
   EXPECT_NEAR(place_m.z(), 90.5 + 3 + 1e8 / (2 * 6'389'000.0), 0.01);

@@ -138,8 +138,8 @@ std::string FileOf(std::vector<ObjectBox> boxes) {
   return EncodeBoxes(frame);
 }
 
-// A person's points come in COCO's order, whatever theirs; the nose is the first. What lies beyond
-// the picture has no place, and counts as not labelled.
+// A person's points are in COCO's order, independent of their own; the nose is first. A point
+// outside the picture has no place and counts as not labelled.
 TEST_F(CocoTest, KeyPointsAreInTheOrderOfTheirCategory) {
   std::vector<Keypoint> person;
   for (const char* name : kBackwards) {

@@ -43,7 +43,7 @@ KittiLabel LabelOf(const ObjectBox& box) {
   return KittiLabels({box}, MaskOf(box.instance), Lens(), "digger").at(0);
 }
 
-// Of the development kit: ry 0 is along the camera's x; a car ahead that drives away has -pi/2.
+// By the development kit: ry 0 is along the camera's x; a car ahead that drives away has -pi/2.
 TEST(KittiLabel, RotationIsAboutTheCamerasDownwardAxis) {
   EXPECT_NEAR(LabelOf(Upright(Vec3::UnitX())).rotation_y_rad, 0, 1e-12);
   EXPECT_NEAR(LabelOf(Upright(Vec3::UnitZ())).rotation_y_rad, -90 * kDeg, 1e-12);

@@ -124,8 +124,8 @@ float FloatAt(const std::string& bytes, std::size_t index) {
   return value;
 }
 
-// The scans begin at 0, 100 and 200 ms: during the first there are pictures at 0 and 40, of which
-// the latter is nearer to its middle, during the second one at 120, during the third none.
+// Scans begin at 0, 100 and 200 ms. During the first there are pictures at 0 and 40, the latter
+// nearer to its middle; during the second one at 120; during the third none.
 TEST_F(KittiTest, AFrameIsAScanWithThePictureNearestToItsMiddle) {
   To({KittiLayout::kRaw});
   const std::string drive = "raw/2024_01_01/2024_01_01_drive_0001_sync/";
@@ -138,7 +138,7 @@ TEST_F(KittiTest, AFrameIsAScanWithThePictureNearestToItsMiddle) {
   EXPECT_FALSE(fs::exists(out() / "object"));
 }
 
-// 40 ms after a ray of time 0 the lidar is 4 cm further; one of 90 ms is ahead by 5 cm.
+// 40 ms after a ray of time 0, the lidar is 4 cm further; for one of 90 ms it is 5 cm less far.
 TEST_F(KittiTest, PointsAreWhereTheLidarSeesThemAtTheTimeOfThePicture) {
   To({KittiLayout::kOdometry});
   const std::string points = Written("odometry/sequences/00/velodyne/000000.bin");

@@ -38,16 +38,16 @@ std::vector<std::pair<std::size_t, bool>> Told(const std::vector<FrameOfSample>&
   return told;
 }
 
-// Samples at 0, 500 and 1000 ms. The camera's pictures at 460 and 530 both are nearest to the
-// second, which is nearer to the latter; 300 follows none yet and leads to the second; 1300 is
-// behind all, and further from the last than a frame may be.
+// Samples at 0, 500 and 1000 ms. The camera's pictures at 460 and 530 are both nearest to the
+// second, which is nearer to the latter. 300 has no sample before it in reach and leads to the
+// second. 1300 is after all, and further from the last than a frame may be.
 TEST(KeyFrames, AFrameIsKeyWhereItAndItsSampleAreNearestToEachOther) {
   EXPECT_THAT(Told(FramesOfSamples(Ms({10, 300, 460, 530, 1300}), Ms({0, 500, 1000}), 200 * kMs)),
               ElementsAre(std::pair(0u, true), std::pair(1u, false), std::pair(1u, false),
                           std::pair(1u, true), std::pair(2u, false)));
 }
 
-// A camera of 1 Hz has no key frame at every other sample, and none is of two.
+// A camera of 1 Hz has no key frame at every second sample, and none at two samples.
 TEST(KeyFrames, ASlowSensorHasKeyFramesAtSomeSamples) {
   EXPECT_THAT(Told(FramesOfSamples(Ms({0, 1000}), Ms({0, 500, 1000}), 500 * kMs)),
               ElementsAre(std::pair(0u, true), std::pair(2u, true)));

@@ -156,7 +156,7 @@ class NuscenesTest : public testing::Test {
   ScratchDirectory scratch_;
 };
 
-// Scans take 100 ms: their middles are at 50, 150 and 550 ms, of which the second is too soon.
+// Scans take 100 ms: their middles are at 50, 150 and 550 ms. The second is too soon.
 TEST_F(NuscenesTest, SamplesAreInTheMiddleOfScans) {
   const json samples = Table("sample");
   ASSERT_EQ(samples.size(), 2u);
@@ -176,9 +176,8 @@ TEST_F(NuscenesTest, MoreKeyFramesWhereTheyAreAskedFor) {
   EXPECT_EQ(Table("sample").size(), 3u);
 }
 
-// The camera's picture at 0 is as near to the first sample as that at 100 ms. The boom turns about
-// its y by 1 rad from the one row of its joints to the other, between which it is on the straight
-// way.
+// The camera's pictures at 0 and 100 ms are equally near to the first sample. The boom turns about
+// its y by 1 rad between the two rows of its joints, linearly.
 TEST_F(NuscenesTest, ASensorThatMovesHasANewMountForEachFrame) {
   const json front = DataOf("CAM_FRONT"), boom = DataOf("CAM_BOOM_EYE");
   ASSERT_EQ(front.size(), 3u);
@@ -204,8 +203,8 @@ TEST_F(NuscenesTest, ASensorThatMovesHasANewMountForEachFrame) {
   }
 }
 
-// Between pictures the person is on the line from one to the next: at 50 ms 0.1 m to the north, at
-// 550 ms 1.1 m. Neither the machine itself nor its boom is annotated, nor what no pixel shows.
+// Between pictures the person moves linearly: at 50 ms it is 0.1 m to the north, at 550 ms 1.1 m.
+// Neither the machine, nor its boom, nor invisible objects are annotated.
 TEST_F(NuscenesTest, AnObjectIsAnnotatedWhereItIsAtTheTimeOfTheSample) {
   const json annotations = Table("sample_annotation");
   ASSERT_EQ(annotations.size(), 2u);

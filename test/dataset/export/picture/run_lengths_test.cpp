@@ -5,8 +5,8 @@
 namespace tera {
 namespace {
 
-// Texts by hand from COCO's description: five bits a character from '0' (48) on, 32 where more
-// follow, sign in bit 16, from the fourth run on less the run two before.
+// Texts by hand from COCO's description: five bits a character from '0' (48) on, plus 32 if more
+// follow, sign in bit 16. From the fourth run on, minus the run two before.
 TEST(RunLengths, ShortRunsAreOneCharacterEach) {
   RunLengths runs;
   runs.Add(2, 3);

@@ -18,7 +18,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-/// Three squares to the east and two to the north, whose values tell which is which: 10 j + i.
+/// Three squares to the east and two to the north, with values that identify them: 10 j + i.
 GroundSquares Numbered(const fs::path& file, const std::string& layer) {
   const float base = layer == "elevation" ? 0.0f : 100.0f;
   GroundSquares squares{Vec2(-1, 2), 0.5, 3, 2, {}};

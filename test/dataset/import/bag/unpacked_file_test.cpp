@@ -55,7 +55,7 @@ class TemporaryFolder {
   std::filesystem::path path_ = OwnFolder() / "temporary";
 };
 
-// Whatever ends the program, Ctrl-C or a kill, the system has nothing left to remove.
+// After any end of the program, Ctrl-C or a kill, no file remains.
 TEST(UnpackedFile, HasNoNameThatCouldBeLeftBehind) {
   const std::string bytes = Bytes(100'000);
   const std::filesystem::path packed = Packed("log.db3.zstd", bytes);
@@ -83,7 +83,7 @@ TEST(UnpackedFiles, UnpackEachOnce) {
   UnpackedFiles files;
   const UnpackedFile& first = files.Of(one);
   EXPECT_EQ(ReadWholeFile(files.Of(two).path()), "two");
-  // Another way to the same file; and another file would be another one.
+  // Another path to the same file; another file would give another object.
   EXPECT_EQ(&files.Of(OwnFolder() / "." / "one.db3.zstd"), &first);
   std::filesystem::remove(one);
   EXPECT_EQ(ReadWholeFile(files.Of(one).path()), "one");

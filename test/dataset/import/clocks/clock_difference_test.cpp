@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
-// Motions that nobody drove: bumps of random height, width and time, one about every three seconds.
-// One channel tells them at 100 Hz by a clock that is right, another at 50 Hz by a clock that is 3
-// s ahead and gains 50 ppm.
+// Artificial motions: bumps of random height, width and time, about one every three seconds. One
+// channel observes them at 100 Hz with a correct clock. Another observes them at 50 Hz with a clock
+// 3 s ahead that gains 50 ppm.
 
 namespace tera {
 namespace {
@@ -97,7 +97,7 @@ TEST(ClockDifference, AnOffsetAndADriftAreFoundWithinTheirBounds) {
     EXPECT_LT(found[0].drift_bound, 60e-6);
     EXPECT_GE(found[0].stretches, 8);
   }
-  // Of twenty intervals of 95 % at least 17 hold in 98 of 100 such series of twenty.
+  // Of twenty intervals of 95 %, at least 17 hold in 98 of 100 such series.
   EXPECT_GE(within_offset, 17);
   EXPECT_GE(within_drift, 17);
 }

@@ -93,7 +93,7 @@ TEST(PointCloudFile, PlyOfEachFormIsRead) {
               both);
 }
 
-/// What a LAS file is made of.
+/// Contents of a LAS file.
 struct Las {
   int minor = 2;
   std::uint8_t format = 1;
@@ -168,7 +168,7 @@ TEST(PointCloudFile, Las14HasItsCountsFlagsAndClassesElsewhere) {
   Las las;
   las.minor = 4;
   las.format = 6;
-  las.record = 32;  // two bytes of its own behind the 30 of the format
+  las.record = 32;  // two extra bytes after the format's 30
   const auto point = [](std::int32_t x, std::uint8_t flags, std::uint8_t kind) {
     return Raw(x) + Raw(std::int32_t{0}) + Raw(std::int32_t{0}) + std::string(3, '\0') +
            Raw(flags) + Raw(kind) + std::string(15, '\0');

@@ -134,7 +134,7 @@ TEST_F(ForeignLog, SuggestionsForReceiversComeIn) {
   EXPECT_NEAR(Recording(Out()).LoadGnss("machine/gnss")[0].enu_m.norm(), 0, 1e-3);
 }
 
-// --- NMEA 0183. The three sentences are those of the format's many descriptions.
+// --- NMEA 0183. The three sentences are from common descriptions of the format.
 
 constexpr char kGga[] = "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\r\n";
 constexpr char kRmc[] = "$GPRMC,123519,A,4807.038,N,01131.000,E,022.4,084.4,230394,003.1,W*6A\r\n";
@@ -165,8 +165,8 @@ std::string Sentence(const std::string& body) {
   return fmt::format("${}*{:02x}\r\n", body, sum);
 }
 
-// Headings come after a position of their time; at midnight the date is the next one, before the
-// first date the one that leads up to it.
+// Headings follow a position of the same time. After midnight the next date applies; before the
+// first date, the one that leads up to it.
 TEST_F(ForeignLog, DatesGoOnOverMidnightAndBack) {
   Log("log.nmea",
       Sentence("GNGGA,235959.50,4807.0,N,01131.0,E,4,,,500,M,,M,,") + Sentence("GNHDT,12.5,T") +
@@ -206,8 +206,8 @@ TEST_F(ForeignLog, ABadChecksumIsAFaultOrCounted) {
       {.skips_bad_rows = true});
   ASSERT_EQ(report.channels.size(), 1u);
   EXPECT_EQ(report.channels[0].rows, 7);
-  // The changed one, what is none, one of a wrong sum, a date that is none, minutes beyond 60, a
-  // year that no whole number holds and a line that was cut off.
+  // The changed line, a line of another kind, a wrong checksum, an invalid date, minutes beyond 60,
+  // a year beyond any integer, and a truncated line.
   EXPECT_EQ(report.channels[0].left_out, 7);
 }
 

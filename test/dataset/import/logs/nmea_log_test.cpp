@@ -100,7 +100,7 @@ TEST_F(NmeaLog, SentencesAreKnownByTheirBytesWhateverTheName) {
   for (const char* name : {"base.log", "base.txt", "base.ubx", "base.csv", "base"}) {
     ExpectThePlace(Suggested(name, RmcAt(0) + GgaAt(0) + RmcAt(1) + GgaAt(1)), 2);
   }
-  // A table whose columns are separated by commas is none, nor is one with a dollar in it.
+  // A table with columns separated by commas is no NMEA log, even with a dollar in it.
   WriteWholeFile(scratch_.path() / "costs.csv", "t,cost\n0,$5\n1,$6\n");
   EXPECT_EQ(TypeOfLog(scratch_.path() / "costs.csv"), "");
 }
@@ -122,13 +122,13 @@ TEST_F(NmeaLog, ALoggersOwnTimesAroundSentencesArePassedOver) {
   }
 }
 
-// UBX-NAV-EOE (class 1, id 0x61): 4 bytes of payload. The sums of 01 61 04 00 00 00 00 00 are, one
-// after the other, 01 62 66 66 66 66 66 66 and 01 63 c9 2f 95 fb 61 c7 (mod 256).
+// UBX-NAV-EOE (class 1, id 0x61): 4 bytes of payload. The running sums of 01 61 04 00 00 00 00 00
+// are 01 62 66 66 66 66 66 66 and 01 63 c9 2f 95 fb 61 c7 (mod 256).
 const std::string kUbxFrame("\xb5\x62\x01\x61\x04\x00\x00\x00\x00\x00\x66\xc7", 12);
 
 TEST_F(NmeaLog, FramesOfUbxBetweenSentencesArePassedOver) {
-  // A frame whose payload holds a dollar and ends of lines, with its sums by hand: 02 13 03 00 '$'
-  // '\n' '\n' adds up to 02 15 18 18 3c 46 50 and 02 17 2f 47 83 c9 19.
+  // A frame whose payload holds a dollar and line ends, with its sums by hand: 02 13 03 00 '$' '\n'
+  // '\n' adds up to 02 15 18 18 3c 46 50 and 02 17 2f 47 83 c9 19.
   const std::string other("\xb5\x62\x02\x13\x03\x00$\n\n\x50\x19", 11);
   const std::string log = kUbxFrame + RmcAt(0) + GgaAt(0) + other + RmcAt(1) + kUbxFrame +
                           kUbxFrame + GgaAt(1) + kUbxFrame;
@@ -212,7 +212,7 @@ TEST_F(NmeaLog, TwoReceiversOfOneTalkerCannotBeTold) {
 
 TEST_F(NmeaLog, RowsThatHaveNoPlaceOrAreNoMeasurementAreLeftOutByTheSuggestion) {
   const std::string estimated = Checked("GNGGA,120003.00,4807.5,N,01130.0,W,6,12,0.7,500,M,46,M,,");
-  // Speed at 2 Hz, places at 1 Hz, deviations of one of them.
+  // Speed at 2 Hz, positions at 1 Hz, with the deviations of one of them.
   const auto fixes = Suggested(
       "rover.nmea", RmcAt(0) + GgaAt(0) + Checked("GNGST,120000.00,1,,,,0.01,0.02,0.03") +
                         Checked("GNRMC,120000.50,A,4807.5,N,01130.0,W,0.0,,010524,,,R,V") +
@@ -294,7 +294,7 @@ TEST_F(NmeaLog, ADateOfTrimblesStandsWithItsOwnTime) {
       ImportCsv(scratch_.path() / "mapping.yaml", Out(), {.skips_bad_rows = true});
   EXPECT_EQ(report.channels.at(0).left_out, 1);
   EXPECT_EQ(report.channels[0].last_ns, kNsPerSecond);
-  // A GGK alone whose place contradicts none, but which another talker is chosen before.
+  // A single GGK whose position contradicts none, but another talker has precedence.
   WriteWholeFile(scratch_.path() / "rover.nmea", ggk(0, "050124", 7.5) + GgaAt(1) + GgaAt(2));
   WriteWholeFile(scratch_.path() / "mapping.yaml",
                  "name: n\nmachine: machine\nzero: start\nfile: rover.nmea\ntalker: GN\ntables: "

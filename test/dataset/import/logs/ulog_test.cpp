@@ -147,8 +147,8 @@ TEST_F(UlogTest, ASuggestionComesInWithAxesForwardLeftAndUp) {
   EXPECT_TRUE(imu[0].f_S_mps2.isApprox(Vec3(0.5, -1.5, 9.75), 1e-12));  // at rest +g along z
 }
 
-// Both spellings of a receiver's fields follow a message without a fix; the bytes tell whatever the
-// name.
+// Both spellings of a receiver's fields after a message without a fix; the bytes decide,
+// independent of the name.
 TEST_F(UlogTest, TheSuggestedOriginIsTheFirstFixAboveTheEllipsoid) {
   const auto newer = [](std::uint64_t t_us, std::uint8_t fix, double lat_deg) {
     return Bytes(t_us) + Bytes(lat_deg) + Bytes(fix == 0 ? 0.0 : 8.5) +
@@ -206,7 +206,7 @@ TEST_F(UlogTest, TopicsAndFieldsThatAreMissingAreNamed) {
   EXPECT_THAT(FaultOf("imus: [{name: imu}]\n"), HasSubstr("topic"));
 }
 
-// What a log that was cut off holds before is read where that is asked for.
+// The readable part of a truncated log is read on request.
 TEST_F(UlogTest, ALogThatWasCutOffIsAFaultOrCounted) {
   const std::string whole = Whole().bytes();
   for (const std::size_t less : {1u, 20u, 33u, 34u}) {

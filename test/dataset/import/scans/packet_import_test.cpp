@@ -18,9 +18,9 @@ constexpr char kVlp16[] = "file: log.pcap, unit: vlp16";
 // --- Velodyne.
 
 TEST_F(LidarImportTest, AVelodynesReturnsLieWhereItsManualSays) {
-  // Laser 0 looks down by 15 degrees, laser 1 up by 1; at azimuth 90 they look to the right.
-  // Of the second firing of a block, 55.296 us later, half of the 0.4 degrees of the block's turn
-  // have passed, and another 2.304 / 110.592 of them at laser 1.
+  // Laser 0 looks down by 15 degrees, laser 1 up by 1; at azimuth 90 they look to the right. At the
+  // second firing of a block, 55.296 us later, half of the block's turn of 0.4 degrees has passed,
+  // and a further 2.304 / 110.592 of it at laser 1.
   File("log.pcap", PcapByHand()
                        .Packet(1000, Vlp16Packet(7000, 90, 0.4)
                                          .Return(0, 0, 5000, 51)    // 10 m
@@ -100,7 +100,7 @@ TEST_F(LidarImportTest, OfTwoReturnsTheStrongerOneIsKeptUnlessBothAreAskedFor) {
 }
 
 TEST_F(LidarImportTest, TheUnitsClockIsCompletedByTheReceiversHour) {
-  // Received 0.1 s into an hour, 0.2 s after the packet's first firing in the hour before.
+  // Received 0.1 s into an hour, 0.2 s after the packet's first firing in the previous hour.
   const double hour_s = 471000.0 * 3600;
   File("log.pcap",
        PcapByHand()
@@ -235,7 +235,7 @@ std::string LowPixel(std::uint16_t steps, std::uint8_t reflectivity) {
   return Bytes(steps) + Bytes(reflectivity) + std::string(1, '\7');
 }
 
-/// Where beam `i` of OusterMetadata sees range r at column m, in the sensor's frame: the manual's
+/// Point of beam `i` of OusterMetadata at range r and column m, in the sensor's frame: the manual's
 /// "Lidar range to XYZ", with its 180 degrees about z and 40 mm up.
 Vec3 OusterPlace(double r_m, int beam, int column) {
   const double theta = 2 * std::numbers::pi * (1 - column / 8.0), n_m = 0.020;

@@ -95,7 +95,7 @@ TEST_F(PointTopic, TimesThatAreNoScansAreAskedFor) {
   ExpectFault(kTopic, FaultKind::kOutOfRange, "log.mcap: /points message 1");
   Import(std::string(kTopic) + ", time_unit: us");
   EXPECT_EQ(Scans()[0].points[1].time_offset_ns, 50'000'000u);
-  // None at all.
+  // No point at all.
   Bag({}, 12, PlaceBytes(3, 4, 0) + PlaceBytes(0, 0, 1));
   ExpectFault(kTopic, FaultKind::kMissing, "log.mcap: /points message 1");
   ExpectFault(std::string(kTopic) + ", stamp: last", FaultKind::kMissing, "duration_s");

@@ -16,9 +16,8 @@
 #include "dataset/format/sample_recording.h"
 #include "dataset/import/import_csv.h"
 
-// Packets of real lidars, in the folder of TERA_RECORDINGS, beside what other projects made of
-// them: lidar_velodyne and lidar_hesai beside clouds by tier4/nebula, lidar_ouster beside plain
-// counts.
+// Packets of real lidars, in the folder of TERA_RECORDINGS, against results of other projects:
+// lidar_velodyne and lidar_hesai against clouds by tier4/nebula, lidar_ouster against plain counts.
 
 namespace tera {
 namespace {
@@ -110,7 +109,7 @@ class Grid {
   std::map<Cell, std::vector<std::size_t>> cells_;
 };
 
-/// Of the other project's points, the share that ours have within `reach_m`.
+/// Share of the other project's points that have one of ours within `reach_m`.
 double ShareFound(const std::vector<Vec3>& theirs, const std::vector<Vec3>& ours, double reach_m) {
   const Grid grid(ours, reach_m);
   const auto found = std::count_if(theirs.begin(), theirs.end(),
@@ -124,8 +123,8 @@ std::vector<Vec3> PlacesOf(const LidarScan& scan) {
   return places;
 }
 
-/// Ours of the scans that the other project's one cloud can be of: its first or last points belong
-/// to the turns beside.
+/// Best share over the scans that the other project's cloud may contain: its first or last points
+/// belong to the neighbouring turns.
 double BestShare(const std::vector<Vec3>& theirs, const std::vector<std::vector<Vec3>>& scans) {
   constexpr double kReach_m = 0.01;
   double best = 0;
@@ -147,9 +146,9 @@ TEST_F(RealLidar, AVlp16IsDecodedAsByAnotherProject) {
   ASSERT_EQ(theirs.size(), 14831u);
   Import("lidar_velodyne/1673400471837873222_0.db3",
          "topic: /velodyne_packets, unit: vlp16, returns: all");
-  // That project leaves out how far above or below the origin each beam leaves, which the manual
-  // gives: from 11.2 mm of the lowest to -11.2 mm of the highest ring. Of the last blocks of a
-  // packet it takes the block's azimuth for all firings, of second returns that of the next block.
+  // That project ignores the beams' height above or below the origin, which the manual states: from
+  // 11.2 mm of the lowest to -11.2 mm of the highest ring. In the last blocks of a packet it uses
+  // the block's azimuth for all firings, for second returns that of the next block.
   constexpr double kUp_m[] = {-0.0112, -0.0097, -0.0081, -0.0066, -0.0051, -0.0037,
                               -0.0022, -0.0007, 0.0007,  0.0022,  0.0037,  0.0051,
                               0.0066,  0.0081,  0.0097,  0.0112};
@@ -183,8 +182,9 @@ TEST_F(RealLidar, AVlp32cIsDecodedAsByAnotherProject) {
   ASSERT_EQ(theirs.size(), 26216u);
   Import("lidar_velodyne/vlp32_1713492677464078412_0.db3",
          "topic: /sensing/lidar/front/velodyne_packets, unit: vlp32c");
-  // That project turns the azimuth on by one firing a laser, and not at all in the last block of a
-  // packet; by the manual two lasers fire at once, so that laser n has turned by n / 2 firings.
+  // That project advances the azimuth by one firing for each laser, and not at all in the last
+  // block of a packet. By the manual two lasers fire at once, so that laser n has turned by n / 2
+  // firings.
   constexpr int kLaserOfRing[] = {29, 30, 25, 26, 21, 22, 17, 13, 18, 14, 9,  5, 10, 6, 1, 31,
                                   2,  28, 27, 23, 24, 20, 19, 15, 16, 12, 11, 8, 7,  4, 3, 0};
   constexpr double kFiring_deg = 360 / 0.1001 * 2.304e-6;
@@ -224,8 +224,8 @@ TEST_F(RealLidar, AnOs0OfTwoReturnsHasThePixelsThatAPlainCountFinds) {
   const ImportReport report = Import(stem + ".pcap", keys);
   const auto scans = Scans();
   ASSERT_EQ(scans.size(), 1u);
-  // 34 % of 32 times 1024 pixels have no first return: 21 631 have one. Of the others 115 have a
-  // return that stands second alone.
+  // 34 % of 32 times 1024 pixels have no first return: 21 631 have one. 115 of the others have only
+  // a second return.
   EXPECT_EQ(scans[0].points.size(), 21631u + 115u);
   EXPECT_THAT(report.channels[0].remarks, Contains(HasSubstr("33.6 % of the rays")));
   EXPECT_THAT(report.channels[0].remarks, Contains(HasSubstr("57 second returns")));

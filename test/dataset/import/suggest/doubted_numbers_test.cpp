@@ -72,7 +72,7 @@ TEST(DoubtedNumbers, AJointThatBeginsAnewIsMappedSoWithARemark) {
                 "turn; one turn is 400"));
 }
 
-/// Rows of a unit that lies still and level but for `az`, and turns about z.
+/// Rows of a still, level unit, except for `az`, that turns about z.
 struct Still {
   std::vector<TimeNs> t_ns;
   NumbersOfColumn zero{.name = "zero"}, wz, az;
@@ -86,7 +86,7 @@ struct Still {
       az.values.push_back(az_value);
     }
   }
-  /// The axis that moves first: its name tells the unit.
+  /// The axis that moves first: its name gives the unit.
   std::string Remarks() const {
     const std::vector<const NumbersOfColumn*> rates = {&wz, &zero, &zero};
     const std::vector<const NumbersOfColumn*> forces = {&zero, &zero, &az};

@@ -335,7 +335,7 @@ TEST_F(SuggestBag, TopicsOfOneNumberAreLeversAnglesOrTablesByTheirNames) {
   const Recording recording = Suggested();
   const TableRecording levers = recording.LoadTable("machine/commands.csv");
   EXPECT_THAT(levers.columns, ElementsAre("boom", "left_track"));
-  // From when both have been said, at each time of either, what the other said last.
+  // Once both have been sent: at each time of either, the other's last value.
   EXPECT_THAT(levers.t_ns,
               ElementsAre(kStep_ns, 2 * kStep_ns, 3 * kStep_ns, 4 * kStep_ns, 5 * kStep_ns));
   EXPECT_EQ(levers.rows[0], (std::vector<double>{0, -0.5}));
@@ -411,7 +411,7 @@ TEST_F(SuggestBag, LeversOfDeltaCanAreCommands) {
   EXPECT_THAT(yaml_, HasSubstr("# always 0, slew: "));
 }
 
-// --- What does not come in
+// --- Topics without import
 
 TEST_F(SuggestBag, PicturesAreToldWithTheReason) {
   TopicsMcap bag;

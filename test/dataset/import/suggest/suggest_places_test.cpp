@@ -70,7 +70,7 @@ TEST_F(SuggestedPlace, WholeNumbersAreTenMillionthsOfADegreeWhereNothingElseFits
   EXPECT_NEAR(fixes.at(0).lat_deg, 48.125, 1e-9);
   EXPECT_NEAR(fixes.at(0).lon_deg, 11.5, 1e-9);
   EXPECT_NEAR(fixes.at(0).alt_m, 500, 1e-9);
-  // Near the equator they may be millionths as well.
+  // Near the equator they may also be millionths.
   EXPECT_THAT(Refusal(Rows("lat,lon,alt_m", [](int) { return "12500000,99000000,500"; })),
               HasFault(FaultKind::kNoSuchName, "columns.lat.unit"));
 }

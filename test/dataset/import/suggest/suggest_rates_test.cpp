@@ -2,7 +2,7 @@
 
 #include "dataset/import/suggest/suggested_table.h"
 
-// Units of rates, angles and inertial units that no name tells. Each suggestion is run.
+// Units of rates, angles and inertial units without a hint in the names. Each suggestion is run.
 
 namespace tera {
 namespace {
@@ -25,8 +25,8 @@ std::string Log(const std::string& head, int rows,
   return log;
 }
 
-/// An inertial unit on a boom that pitches by 20 deg there and back in 8 s; one unit of its rates
-/// is so many rad/s.
+/// An inertial unit on a boom that pitches by 20 deg and back in 8 s; `unit_radps` is the unit of
+/// its rates.
 std::string Pitching(double unit_radps) {
   return Log("time_s,gx,gy,gz,ax,ay,az", 1000, [=](double t_s) {
     const double w = 2 * kPi / 8, pitch_rad = 20 * kDeg * std::sin(w * t_s);
@@ -65,7 +65,7 @@ TEST_F(SuggestedTable, AnAngleTellsTheUnitOfItsRate) {
       EXPECT_NEAR(joints.samples[0].qd_radps[0], 20 * kDeg, 1e-6) << name;
     }
   }
-  // The angle's own unit is that of the arm beside it.
+  // The angle's own unit is that of the neighbouring arm.
   const std::string arm = Log("time_s,boom,boom_rate,arm", 400, [](double t_s) {
     return std::vector<double>{20 * std::sin(t_s), 20 * std::cos(t_s), -80};
   });
@@ -85,7 +85,7 @@ TEST_F(SuggestedTable, RatesOfJointsAloneHaveTheUnitOfTheirNameOrNone) {
               1e-9);
   EXPECT_NEAR(Joints(Log("time_s,boom velocity [rpm]", 50, rate)).samples[0].qd_radps[0],
               20 * 2 * kPi / 60, 1e-9);
-  // Of a cylinder, and asked for.
+  // A cylinder's rate, and a commanded one.
   Suggest(Log("time_s,boom_velocity_mmps,arm_rate_cmd", 50, [](double) {
     return std::vector<double>{1, 2};
   }));
@@ -112,7 +112,7 @@ TEST_F(SuggestedTable, CountsOfAnInertialUnitAreToBeFilledInAndJudgedByTheirDire
 }
 
 TEST_F(SuggestedTable, AUnitWhoseXOrYIsUprightIsToldWithTheTurnThatMakesItZ) {
-  // The turn is applied to gravity as it was measured.
+  // The rotation is applied to gravity as measured.
   for (const auto& [up, rpy] : {std::pair{Vec3(1, 0, 0), "[0, -90, 0]"},
                                 {Vec3(-1, 0, 0), "[0, 90, 0]"},
                                 {Vec3(0, 1, 0), "[90, 0, 0]"},

@@ -182,8 +182,8 @@ TEST_F(Trajectory, LinesThatAreNoPoseAreToldOf) {
   EXPECT_THROW(Imported(yaml), InputError);
 }
 
-// mav0 as it is published: the ground truth's first name has no unit, blanks stand behind commas,
-// and its biases have names that end as the inertial unit's do.
+// mav0 as published: the ground truth's first name has no unit, blanks follow commas, and its
+// biases have names that end like the inertial unit's.
 TEST_F(Trajectory, AFolderOfEurocAsPublishedHasUnitAndPose) {
   const auto write = [&](const std::string& file, const std::string& text) {
     fs::create_directories((scratch_.path() / file).parent_path());

@@ -97,7 +97,7 @@ TEST_F(FileRules, HashesAreHeldOnceTheyAreWritten) {
   // descriptions.
   EXPECT_EQ(WriteFrameHashes(run()), 88 + 21 + 10 + 3 + 2);
   EXPECT_TRUE(Found().empty());
-  // sha256sum reads the list, which is what its form is for.
+  // sha256sum reads the list, which has its format.
   const std::string check = "cd '" + run().string() + "' && sha256sum -c --quiet frames.sha256";
   EXPECT_EQ(std::system(check.c_str()), 0);
 }

@@ -16,9 +16,8 @@ CameraLens Lens() {
   return lens;
 }
 
-// By hand for (0.3, -0.2, 1): r2 = 0.13,
-// radial 1 - 0.1 * 0.13 + 0.02 * 0.0169 = 0.987338, x 0.2962014 + 2 * 1e-3 * (-0.06) + 2e-3 * (0.13
-// + 0.18).
+// By hand for (0.3, -0.2, 1): r2 = 0.13, radial 1 - 0.1 * 0.13 + 0.02 * 0.0169 = 0.987338, x
+// 0.2962014 + 2 * 1e-3 * (-0.06) + 2e-3 * (0.13 + 0.18).
 TEST(LensProjection, FollowsBrownAndConrady) {
   CameraLens lens = Lens();
   lens.k1 = -0.1;

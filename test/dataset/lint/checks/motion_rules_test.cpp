@@ -130,7 +130,7 @@ TEST_F(MotionRules, AnEncoderThatCountsBackwards) {
   Only("encoders.rates", "digger/joints");
 }
 
-// Both in degrees agree with each other; without a truth only their size tells.
+// Both in degrees agree with each other; without truth only their magnitude reveals it.
 TEST_F(MotionRules, AnEncoderAllInDegrees) {
   fs::remove(run() / "truth/digger/joints.csv");
   Edit("dataset.yaml", "  - {path: \"truth/digger/joints.csv\", type: table}\n", "");
@@ -141,8 +141,8 @@ TEST_F(MotionRules, AnEncoderAllInDegrees) {
               HasSubstr("rad at the first row"));
 }
 
-// A boom at 15 deg that rises to 25 deg and sinks again, and one that stays at 20 deg; a wheel, and
-// a cab that swings, may be there.
+// A boom at 15 deg that rises to 25 deg and sinks again, and one that stays at 20 deg. A wheel and
+// a swinging cab may be at these angles.
 TEST_F(MotionRules, AnAngleOfSomeTurnsIsInDegreesWhereItsJointNeitherTurnsOnNorSwings) {
   fs::remove(run() / "truth/digger/joints.csv");
   Edit("dataset.yaml", "  - {path: \"truth/digger/joints.csv\", type: table}\n", "");
@@ -211,7 +211,7 @@ TEST_F(MotionRules, GyroscopeInDegreesOfAUnitWhoseMountIsNotKnown) {
               HasSubstr("57.3 times as far as its machine"));
 }
 
-// The healthy unit is pitched by 0.1 rad: its z is 9.755 m/s2, whose opposite is told.
+// The healthy unit is pitched by 0.1 rad: its z is 9.755 m/s2. The report has the opposite.
 TEST_F(MotionRules, AUnitWhoseZPointsDown) {
   LeaveTheUnitAlone("");
   EXPECT_TRUE(Found().empty());
@@ -262,7 +262,7 @@ TEST_F(MotionRules, AReceiverFarFromTheOrigin) {
 }
 
 TEST_F(MotionRules, ForceInG) {
-  Put("digger/imu/sensor.yaml", "type: imu\nrate_hz: 100\n");  // else imu.up tells, too
+  Put("digger/imu/sensor.yaml", "type: imu\nrate_hz: 100\n");  // otherwise imu.up reports too
   Scale("digger/imu/data.csv", kForces, 1 / 9.80665);
   EXPECT_THAT(Only("imu.gravity", "digger/imu").places[0].message, HasSubstr("is 1 m/s2"));
 }
@@ -272,7 +272,7 @@ TEST_F(MotionRules, ForceWithGravityDownwards) {
   EXPECT_THAT(Only("imu.up", "digger/imu").places[0].message, HasSubstr("-9.8"));
 }
 
-// The poses of the sensor itself, where they are recorded, are what it is held to.
+// Recorded poses of the sensor itself are the reference.
 TEST_F(MotionRules, AMountThatIsNotTheRecordedOne) {
   fs::create_directories(run() / "truth/digger/sensors");
   fs::copy(run() / "truth/digger/pose.csv", run() / "truth/digger/sensors/imu.csv");

@@ -71,7 +71,7 @@ TEST_F(PictureRules, AClassThatIsNotTheInstances) {
               HasSubstr("1 pixels are person and of instance 1 (truck), which is truck"));
 }
 
-// A panoptic picture beside each pair of class and instance, one of them with other numbers.
+// A panoptic picture for each pair of class and instance, one of them with other numbers.
 TEST_F(PictureRules, APanopticPictureOfOtherNumbers) {
   for (int k = 0; k <= 10; ++k) {
     const std::string name = fmt::format("{}.png", 200'000'000LL * k);
@@ -102,7 +102,7 @@ TEST_F(PictureRules, DepthInTheSky) {
   EXPECT_EQ(Only("pictures.depth", "digger/front").places[0].file, "digger/front/depth/0.png");
 }
 
-// What is along the ray cannot be nearer than what is along the axis.
+// The distance along the ray cannot be less than that along the axis.
 TEST_F(PictureRules, DistanceAndDepthTheOtherWayRound) {
   const std::string depth = "digger/front/depth/0.png", distance = "digger/front/distance/0.png";
   const std::string bytes = ReadWholeFile(run() / depth);
@@ -127,7 +127,7 @@ TEST_F(PictureRules, AFlowOfTheFirstPicture) {
   EXPECT_THAT(Only("pictures.flow", "digger/front").places[0].message, HasSubstr("first picture"));
 }
 
-// From this picture to the one before, not the other way.
+// Flow from this picture to the previous one, which is the wrong direction.
 TEST_F(PictureRules, AFlowOfTheOtherSign) {
   for (int k = 1; k <= 10; ++k) {
     EditPicture<std::uint16_t>("flow_to_previous", std::to_string(200'000'000LL * k), 3,
@@ -167,7 +167,7 @@ TEST_F(PictureRules, AShareBeyondOne) {
 
 TEST_F(PictureRules, ABoxBeyondThePicture) {
   EditBoxes("\"x_max_px\": 6", "\"x_max_px\": 24");
-  const LintReport report = Linted();  // which its mask contradicts, too
+  const LintReport report = Linted();  // its mask contradicts it too
   ASSERT_EQ(report.findings.size(), 2u);
   EXPECT_EQ(report.findings[0].rule->id, "boxes.bounds");
   EXPECT_EQ(report.findings[1].rule->id, "boxes.mask");

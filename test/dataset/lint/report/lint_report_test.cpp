@@ -75,7 +75,7 @@ TEST_F(LintReports, SarifHasItsForm) {
   const json& driver = run["tool"]["driver"];
   EXPECT_EQ(driver["name"], "tera lint");
   ASSERT_EQ(driver["rules"].size(), kLintRules.size());
-  ASSERT_EQ(run["results"].size(), 6u);  // five places of the one and one of the other
+  ASSERT_EQ(run["results"].size(), 6u);  // five places of the first and one of the second
   for (const json& result : run["results"]) {
     EXPECT_EQ(driver["rules"][result["ruleIndex"].get<std::size_t>()]["id"], result["ruleId"]);
     EXPECT_TRUE(result["message"]["text"].is_string());

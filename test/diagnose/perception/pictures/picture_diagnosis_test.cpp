@@ -41,7 +41,7 @@ BodyState LinkAt(double t_s, bool moves) {
   return link;
 }
 
-/// Where a ray meets the bonnet, which moves with B; infinite where it does not.
+/// Range to the bonnet, which moves with B; infinite without a hit.
 double BonnetAt(const Vec3& from_B_m, const Vec3& d_B) {
   const double t = (1.5 - from_B_m.x()) / d_B.x();
   return d_B.x() > 0 && from_B_m.z() + t * d_B.z() < 0.15 ? t : 1e9;

@@ -54,7 +54,7 @@ PictureSource Wall(double away_m) {
   return source;
 }
 
-/// Of all landmarks of the wall.
+/// Residuals of all landmarks on the wall.
 std::vector<PointResidual> ResidualsOf(const PictureSource& source,
                                        const testing::TrueSensor& sensor, int level) {
   const PictureRegistration pictures(source, source.calibration());
@@ -73,8 +73,8 @@ TEST(PictureRegistration, JudgesNoLandmarkBeyondTheBorderOfThePicture) {
   const PictureSource source = Wall(6);
   EXPECT_GT(ResidualsOf(source, {}, 0).size(), 200u);
   EXPECT_EQ(ShareJudged(ResidualsOf(source, {}, 0)), 1);
-  // Turned by half of its field of view, half of what it saw is beside it, and some of the rest,
-  // being nearer to the edge then, above and below.
+  // A turn by half of the field of view moves half of the landmarks out of it. Some of the others
+  // leave it above and below, since they are nearer to the edge.
   testing::TrueSensor turned;
   turned.rpy_deg.z() =
       std::atan(0.5 * kPictureRegistrationWidth / kPictureRegistrationFocal_px) / kDeg;
@@ -85,9 +85,9 @@ TEST(PictureRegistration, JudgesNoLandmarkBeyondTheBorderOfThePicture) {
 }
 
 TEST(PictureRegistration, MovesALandmarkAcrossThePictureAsTheCameraIsShiftedAndTurned) {
-  // Of a point near the axis, 6 m away: a camera that moves right by 1 cm sees it 1 cm times the
-  // focal length over the distance further left, one that turns left by 1 deg sees it further right
-  // by the focal length times the angle.
+  // A point near the axis, 6 m away. A shift of the camera by 1 cm to the right moves its image
+  // left by 1 cm times the focal length over the distance. A turn by 1 deg to the left moves it
+  // right by the focal length times the angle.
   const PictureSource source = Wall(6);
   const auto at = ResidualsOf(source, {}, 0);
   const auto derivative = [&](std::size_t i, const Vec3& axis_S, int element) {
@@ -101,7 +101,7 @@ TEST(PictureRegistration, MovesALandmarkAcrossThePictureAsTheCameraIsShiftedAndT
     if (std::abs(per_m) < 0.9 * kPictureRegistrationFocal_px / 6) continue;
     ++steep;
     const double per_rad = derivative(i, Vec3::UnitZ(), kTurnOfMount);
-    // A turn moves what is aside further, by the square of the tangent, at most a third here.
+    // A turn moves lateral points further, by the square of the tangent, at most a third here.
     EXPECT_LT(per_rad / per_m, -6 * 0.99);
     EXPECT_GT(per_rad / per_m, -6 * 1.35);
   }

@@ -27,8 +27,8 @@ TEST(ModeratedTTest, OfAFewBlocksThatAgreeIsNotSure) {
 }
 
 TEST(ModeratedTTest, ShrinksTheVarianceOfAMeanTowardsThePrior) {
-  // Mean 3 and sum of squares 2 of two degrees of freedom, with 4 of a scatter of 0.5: variance
-  // (2 + 1) / (2 + 4), over three values, and 0.2 squared.
+  // Mean 3, sum of squares 2 with two degrees of freedom, and a prior of 4 with a scatter of 0.5.
+  // The variance is (2 + 1) / (2 + 4) over three values, plus 0.2 squared.
   const ModeratedTTest test{.prior_blocks = 4, .prior_scatter = 0.5, .least_sigma = 0.2};
   const ModeratedTTest::Mean mean = test.MeanOf({2, 3, 4});
   EXPECT_NEAR(mean.mean, 3, 1e-12);

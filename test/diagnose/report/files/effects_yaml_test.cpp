@@ -89,7 +89,7 @@ TEST(EffectsYaml, OfARegisteredSensorHasWhatItsScansMovedClearOfThePriorAndNothi
                                  "0.4 cm.")));
 }
 
-/// The boom with what is left of it, unexplained, and a proposal for that.
+/// The boom with an unexplained residual, and a proposal for it.
 DiagnosedBlock BoomWithUnexplained(Proposal proposal) {
   DiagnosedBlock boom = BoomWithDeadBand();
   boom.diagnosis.unexplained = {GrowingBeyond12kNm()};

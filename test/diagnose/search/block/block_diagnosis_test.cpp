@@ -63,8 +63,8 @@ TEST(BlockDiagnosis, NamesTheOneThatActsWithItsSizeAndWhereItIsSeen) {
   EXPECT_EQ(found.location.regimes[0].shape.parity, CurveParity::kEven);
 }
 
-/// The toy with a lag of 0.1 s; its square counts as a number that without effect is `neutral`, and
-/// that is as expected within 0.3 of 0.
+/// The toy with a lag of 0.1 s. The square counts as a parameter with the given neutral value and a
+/// tolerance of 0.3 about 0.
 BlockDiagnosis OfALagBesideASquareThatIsExpected(double neutral) {
   const std::vector<double> lever = ToyLever(kSamples, 12);
   static ReplayBlock block;  // findings point into it
@@ -73,7 +73,7 @@ BlockDiagnosis OfALagBesideASquareThatIsExpected(double neutral) {
   return DiagnoseBlock(block, {}, Stream(12, "diagnose"));
 }
 
-/// A toy of two candidates that do the same, of which one's number is as expected within this.
+/// A toy with two equivalent candidates, one of them with this tolerance.
 TermEvidence OfTwinsWithTolerance(double half_width) {
   const std::vector<double> lever = ToyLever(kSamples, 14);
   ReplayBlock block =
@@ -85,22 +85,22 @@ TermEvidence OfTwinsWithTolerance(double half_width) {
   EXPECT_EQ(diagnosis.findings.size(), 1u);
   TermEvidence evidence = diagnosis.findings.at(0).evidence;
   EXPECT_EQ(evidence.rivals.size(), 2u);
-  // The block is gone: only whether there is one is left of it.
+  // The block is destroyed: only the existence of candidates matters.
   static const Candidate kSomeCandidate;
   for (const Candidate*& rival : evidence.expected_rivals) rival = &kSomeCandidate;
   return evidence;
 }
 
-// Either does it with 0.2: where one of them may be as large, nothing is proven.
+// Either explains it with 0.2: if one may be as large within tolerance, nothing is proven.
 TEST(BlockDiagnosis, KnowsWhetherARivalThatDoesAsWellIsAsExpected) {
   EXPECT_THAT(OfTwinsWithTolerance(0.3).expected_rivals, SizeIs(1));
   EXPECT_THAT(OfTwinsWithTolerance(0.1).expected_rivals, IsEmpty());
 }
 
-/// A machine whose square acts in four seconds of every twelve, and that has a faint wave in the
-/// others. The twin, as expected with up to 1, has the wave and in place of the square its own
-/// `twin_of` the lever: in most manoeuvres it gains, by far less than it loses in others. A factor
-/// within its tolerance changes a hundredth.
+/// A machine with a square in four seconds of every twelve and a faint wave in the others. The
+/// twin, with a tolerance of 1, has the wave, and `twin_of` the lever instead of the square. It
+/// gains in most manoeuvres, by far less than it loses in the others. A rate factor within its
+/// tolerance changes a hundredth.
 BlockDiagnosis WithATwinThatHasAFaintWave(const std::function<double(double)>& twin_of) {
   const std::vector<double> lever = ToyLever(kSamples, 14);
   const auto is_early = [](std::size_t k) { return k % 1200 < 400; };
@@ -129,8 +129,8 @@ BlockDiagnosis WithATwinThatHasAFaintWave(const std::function<double(double)>& t
   return DiagnoseBlock(block, {}, Stream(14, "diagnose"));
 }
 
-// One that is half the square, but for a ripple, leaves less than a factor within its tolerance
-// does; the size of the lever alone leaves more.
+// A twin of half the square plus a ripple leaves less than a rate factor within its tolerance does.
+// The lever's magnitude alone leaves more.
 TEST(BlockDiagnosis, KnowsWhatARivalThatIsAsExpectedLeaves) {
   const BlockDiagnosis same = WithATwinThatHasAFaintWave(
       [](double lever) { return 0.5 * lever * lever + 0.03 * std::sin(9 * lever); });
@@ -144,8 +144,8 @@ TEST(BlockDiagnosis, KnowsWhatARivalThatIsAsExpectedLeaves) {
   EXPECT_TRUE(IsBeyondTolerance(other.findings[0]));
 }
 
-/// The rivals of a twin that answers 0.05 s late beside its square, where a square and a lag of
-/// this size at most are known as well, and both act.
+/// Rivals of a twin that responds 0.05 s late next to its square, if a square and a lag of at most
+/// this size are within tolerance, and both act.
 std::size_t RivalsOfALateTwin(double expected_lag_s) {
   const std::vector<double> lever = ToyLever(kSamples, 14);
   ReplayBlock block =
@@ -169,7 +169,7 @@ TEST(BlockDiagnosis, RejectsNoRivalForLackingAnExpectedLag) {
   EXPECT_EQ(RivalsOfALateTwin(0.01), 1u);
 }
 
-// What a square of 0.3 changes of the channel; manoeuvres kept back are a third of the recording.
+// Change of the channel by a square of 0.3; held-out manoeuvres are a third of the recording.
 TEST(BlockDiagnosis, KnowsWhatAFactorWithinItsToleranceChangesOfAFindingsChannel) {
   const BlockDiagnosis diagnosis = OfALagBesideASquareThatIsExpected(1);
   ASSERT_THAT(NamesOf(diagnosis.findings), ElementsAre("lag"));
@@ -185,7 +185,7 @@ TEST(BlockDiagnosis, WhatIsNoFactorToleratesNoErrorOfOthers) {
   EXPECT_EQ(diagnosis.findings[0].tolerated, 0);
 }
 
-// Of a square of 0.2 its twin within 0.15 leaves one of 0.05; noise and nuisances are beside it.
+// Of a square of 0.2, its twin within 0.15 leaves 0.05, plus noise and nuisances.
 TEST(BlockDiagnosis, KnowsWhatIsLeftWhereWhatIsExpectedStandsInAFindingsPlace) {
   const std::vector<double> lever = ToyLever(kSamples, 14);
   ReplayBlock block =
@@ -224,7 +224,7 @@ TEST(BlockDiagnosis, NamesTwoThatActTogether) {
 }
 
 TEST(BlockDiagnosis, FindsTheLesserOfTwoThoughTheGreaterPassedForNoiseAtFirst) {
-  // A ripple too fine for the flexible regressor, which `step` stands for here.
+  // A ripple too fine for the flexible regressor; `step` models it here.
   const std::vector<double> lever = ToyLever(kSamples, 31);
   const auto response = [&](double square, double ripple) {
     std::vector<double> y;
@@ -262,7 +262,7 @@ TEST(BlockDiagnosis, KeepsANameThoughOneManoeuvreHeldBackIsOfAnotherKind) {
 }
 
 TEST(BlockDiagnosis, NamesNothingThatMakesWhatIsKeptBackMuchWorse) {
-  // A little nearer in many manoeuvres, and in one of larger levers far off.
+  // Slightly nearer in many manoeuvres, far off in one of larger levers.
   std::vector<double> lever = ToyLever(kSamples, 12);
   const auto block_of = [&](const std::vector<double>& response) {
     return ToyBlock(lever, ToyMeasured(response, kNoise, 12), {0, 2, 3});
@@ -327,8 +327,8 @@ ReplayBlock ToyOfSizes(const std::vector<double>& lever, const Series& measured,
 }
 
 TEST(BlockDiagnosis, WhatOnlyComesNearestStandsInForWhatIsUnexplained) {
-  // A multiple of |lever| that goes up and down with the temperature, of which the library has the
-  // mean, and a flexible regressor all.
+  // A multiple of |lever| that varies with the temperature. The library has only its mean, the
+  // flexible regressor all of it.
   const std::vector<double> lever = ToyLever(kSamples, 36);
   ReplayBlock block = ToyOfSizes(lever, ToyMeasured(lever, kNoise, 36), {2});
   Channel& channel = block.channels[0];
@@ -438,8 +438,8 @@ TEST(BlockDiagnosis, WhatIsLoudInManyButHardlyInThoseKeptBackIsUnexplained) {
 }
 
 TEST(BlockDiagnosis, WhatActsNowAndThenIsToldFromSlowNoiseByAllManoeuvres) {
-  // Nobody rests, so that slow noise cannot be ruled out by its size; and what acts only while it
-  // is hottest is no steady gain of the manoeuvres kept back.
+  // The machine never rests, so that its size does not exclude slow noise. An effect only at the
+  // highest temperature is no steady gain on the held-out manoeuvres.
   std::vector<double> lever = ToyLever(kSamples, 15);
   for (double& u : lever) {
     if (std::abs(u) < 0.05) u = std::copysign(0.05, u);
@@ -510,8 +510,8 @@ TEST(BlockDiagnosis, CallsErrorAboveTheNoiseUnexplainedThoughNoFreeCurveFollowsI
 }
 
 TEST(BlockDiagnosis, AsksOfAnAxisWhatThreePerCentOfItsQuantityAre) {
-  // A second axis that hardly moves, with a wave of 1 % of the first's size: an axis that is askew
-  // by half a degree shows as much. As another quantity it is error.
+  // A second axis that almost rests, with a wave of 1 % of the first's size. A misalignment by half
+  // a degree would cause as much. In another quantity it is error.
   const std::vector<double> lever = ToyLever(kSamples, 18);
   ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 18), {0, 2, 3});
   std::vector<double> wave(kSamples, 0.0);
@@ -534,8 +534,8 @@ TEST(BlockDiagnosis, AsksOfAnAxisWhatThreePerCentOfItsQuantityAre) {
 }
 
 TEST(BlockDiagnosis, LeavesFinalOutOfEverythingThatChooses) {
-  // The same recording, but for a mechanism that sets in only where FINAL is: nothing but what is
-  // said of FINAL itself may differ.
+  // The same recording with a mechanism that sets in only at FINAL. Nothing but the results on
+  // FINAL may differ.
   const std::vector<double> lever = ToyLever(kSamples, 19);
   ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 19), {0, 2, 3});
   const BlockDiagnosis before = DiagnoseBlock(block, {}, Stream(19, "diagnose"));

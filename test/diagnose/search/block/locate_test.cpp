@@ -16,8 +16,7 @@ namespace {
 constexpr std::size_t kLocateSamples = 4500;
 constexpr double kPeriod_s = 0.01;
 
-/// A lever moves a joint; what is measured is off by `error` of lever, angle and time, and by
-/// noise.
+/// A lever moves a joint, with a measurement error `error` of lever, angle and time, plus noise.
 class Locating : public testing::Test {
  protected:
   using Error = std::function<double(double lever, double angle, double t_s)>;

@@ -44,7 +44,7 @@ std::vector<double> Received(const std::vector<double>& lever, double mean_gap_s
   }
 }
 
-/// Play of a lever: what is driven follows once the gap is gone.
+/// Play of a lever: the driven part follows once the gap is closed.
 std::vector<double> WithPlay(const std::vector<double>& lever, double gap) {
   std::vector<double> driven(lever.size(), 0.0);
   for (std::size_t k = 1; k < lever.size(); ++k) {
@@ -85,7 +85,7 @@ TEST(LostCommands, AreNotNamedWhereNothingIsLost) {
   }
 }
 
-// Play holds what it drives at each reversal, which comes back with the lever; no candidate has it.
+// Play holds its output at each reversal, repeatably with the lever; no candidate has it.
 TEST(LostCommands, AreNotNamedForPlay) {
   for (const std::uint64_t seed : {31u, 32u, 33u}) {
     const std::vector<double> lever = ToyLever(kLostCommandsSamples, seed);
@@ -95,7 +95,7 @@ TEST(LostCommands, AreNotNamedForPlay) {
   }
 }
 
-/// What was lost in the search's eyes, if one candidate alone were to make this of the lever.
+/// Lost commands of a search with a single candidate that predicts `alone`.
 std::optional<LostCommands> LostBeside(const std::vector<double>& alone) {
   const std::vector<double> lever = ToyLever(kLostCommandsSamples, 11);
   ReplayBlock block = ToyBlock(

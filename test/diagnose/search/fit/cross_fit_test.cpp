@@ -18,8 +18,8 @@ double MeanOf(const Series& residual, std::size_t manoeuvre) {
   return sum / kLength;
 }
 
-// Nothing to predict, and an offset of its own in each manoeuvre: what a fit makes of the others is
-// the mean of those that it has seen.
+// A prediction of zero and an individual offset in each manoeuvre: each fit predicts the mean of
+// the manoeuvres it has seen.
 TEST(CrossFit, JudgesEveryManoeuvreByFitsThatHaveNotSeenIt) {
   const std::vector<Manoeuvre> manoeuvres = EqualManoeuvres(kManoeuvres, kLength);
   std::vector<double> measured(kManoeuvres * kLength), offset(kManoeuvres);
@@ -49,7 +49,7 @@ TEST(CrossFit, JudgesEveryManoeuvreByFitsThatHaveNotSeenIt) {
   }
 }
 
-// What fits only because it was fitted gains nothing where it is judged unseen.
+// Overfitting yields no gain on unseen manoeuvres.
 TEST(CrossFit, AStructureThatFollowsNoiseGainsNothing) {
   const std::vector<double> lever = ToyLever(kManoeuvres * kLength, 4);
   const ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, 0.05, 4), {0});

@@ -32,7 +32,7 @@ class FlexibleRegressor : public ::testing::Test {
     const ReplayBlock block = ToyBlock(lever_, MakeSeries(0.01, measured_), {});
     const Likelihood likelihood(block, {{.ar = {0.7}, .scale = 0.05}}, Mask(kSamples, 1));
     Misfit nothing = likelihood.Evaluate(block.predict({}));
-    for (std::size_t k = 0; k < kSamples; ++k) {  // nuisances are not what is asked about here
+    for (std::size_t k = 0; k < kSamples; ++k) {  // no nuisances in this test
       nothing.residual[0].value[k] = measured_[k] - lever_[k];
     }
     return CrossFittedResidual(block, likelihood, nothing, manoeuvres_);
@@ -56,7 +56,7 @@ TEST_F(FlexibleRegressor, HasNotSeenTheManoeuvreThatItIsJudgedBy) {
   const Segment& own = manoeuvres_[6].samples;
   for (std::size_t k = own.begin; k < own.end; ++k) measured_[k] += 1 + lever_[k];
   const Misfit after = Left();
-  // But for what the first innovation of the manoeuvre after it remembers.
+  // Except for the memory of the first innovation of the next manoeuvre.
   for (std::size_t k = own.begin; k < own.end; ++k) {
     EXPECT_NEAR(after.residual[0].value[k] - before.residual[0].value[k], 1 + lever_[k], 1e-3) << k;
     if (k == own.begin) continue;  // its innovation remembers another manoeuvre

@@ -65,7 +65,7 @@ TEST(Likelihood, TakesANominalNumberForWhatItMayBe) {
     block.channels[0].nominal(k, 0) = slower[at] - nominal[at];
   }
   const Misfit misfit = Likelihood(block, {{.scale = 1e-3}}, first).Evaluate({nominal});
-  EXPECT_NEAR(misfit.nuisances[0][3], 1.5, 0.15);  // 0.03 s over 0.02 s, but for curvature
+  EXPECT_NEAR(misfit.nuisances[0][3], 1.5, 0.15);  // 0.03 s over 0.02 s, except for curvature
   EXPECT_GT(without, 0.01);
   EXPECT_LT(left(), 0.2 * without);
 }
@@ -105,7 +105,7 @@ TEST(Likelihood, FitsToTheMaskWhatItThenJudgesEverywhere) {
   EXPECT_NEAR(misfit.residual[0].value[100], 0, 1e-6);
   EXPECT_NEAR(misfit.residual[0].value[1900], 0.1, 1e-6);
   EXPECT_EQ(likelihood.fitted_samples(0).size(), kSize / 2);
-  // The sum over the samples fitted to, less the nuisances, is what the fit makes large.
+  // The fit maximises the sum over the fitted samples minus the nuisances.
   EXPECT_NEAR(likelihood.LogLikelihood({predicted}),
               likelihood.Sum(misfit, {0, kSize / 2}) - 0.5 * misfit.nuisances[0].squaredNorm(),
               1e-9);

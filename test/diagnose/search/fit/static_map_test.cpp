@@ -17,7 +17,8 @@ double RampOf(double u) {
   return u > 0 ? 1.4 * size : -0.9 * size;
 }
 
-// Steps of all sizes but 0.6, each way; what is measured is a ramp of the lever 0.24 s before.
+// Steps of all sizes except 0.6, in both directions; the measurement is a ramp of the lever,
+// delayed by 0.24 s.
 TEST(StaticMap, IsALeversRampWithItsDeadTimeAlsoBetweenSizesThatWereDriven) {
   std::vector<double> lever(kPlaces), rate(kPlaces, 0.0);
   for (std::size_t k = 0; k < kPlaces; ++k) {

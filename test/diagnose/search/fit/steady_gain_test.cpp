@@ -7,7 +7,8 @@
 namespace tera {
 namespace {
 
-/// Gains of `count` manoeuvres in which `possible` could be gained, `mean` of it is, with noise.
+/// Gains of `count` manoeuvres with a possible gain of `possible` and a mean gain of `mean`, with
+/// noise.
 std::vector<ManoeuvreGain> Gains(std::size_t count, double possible, double mean, double scatter,
                                  std::uint64_t seed) {
   std::vector<ManoeuvreGain> gains;
@@ -18,8 +19,8 @@ std::vector<ManoeuvreGain> Gains(std::size_t count, double possible, double mean
 }
 
 TEST(SteadyGain, HasTheProbabilityOfStudentsT) {
-  // Shares 0.2, 0.4, 0.6 of a gain that is so large that noise is nothing: t = 0.4 / (0.2 / sqrt 3)
-  // = 3.4641 with two degrees of freedom, whose upper tail is 0.5 (1 - t / sqrt(2 + t^2)).
+  // Shares 0.2, 0.4, 0.6 of a gain so large that noise is negligible. t = 0.4 / (0.2 / sqrt 3) =
+  // 3.4641 with two degrees of freedom, whose upper tail is 0.5 (1 - t / sqrt(2 + t^2)).
   const std::vector<ManoeuvreGain> gains = {{0.2e9, 1e9}, {0.4e9, 1e9}, {0.6e9, 1e9}};
   EXPECT_NEAR(SteadyGainP(gains), 0.5 * (1 - 3.46410 / std::sqrt(2 + 12)), 1e-5);
 }
@@ -32,8 +33,8 @@ TEST(SteadyGain, OfManyManoeuvresIsSurerThanOfOneThatIsAsLarge) {
 }
 
 TEST(SteadyGain, OfErrorsThatLastAManoeuvreIsNotOfEachOfTheirSamples) {
-  // Nothing is to be gained, but every manoeuvre errs by far more than noise, to either side: the
-  // share of 4000 recordings that pass at 1 % is 1 % at most (binomial: 2.8 sigma above it 1.45 %).
+  // No gain is possible, but every manoeuvre errs by far more than noise, in either direction. At
+  // most 1 % of 4000 recordings pass at 1 % (binomial: 2.8 sigma above it, 1.45 %).
   int passed = 0;
   for (std::uint64_t seed = 0; seed < 4000; ++seed) {
     passed += SteadyGainP(Gains(6, 1e4, 0, 0.5, seed)) <= 0.01 ? 1 : 0;
@@ -56,7 +57,7 @@ TEST(SteadyGain, OfManoeuvresThatDifferInSizeIsNoneTheSurer) {
 std::vector<ManoeuvreGain> InFewOf(double gain, double possible) {
   std::vector<ManoeuvreGain> gains(30, {-0.2, 2.5});
   for (std::size_t k = 0; k < gains.size(); k += 6) gains[k] = {gain, possible};
-  gains[0] = {8 * gain, 8 * possible};  // one of them large
+  gains[0] = {8 * gain, 8 * possible};  // a single large one
   return gains;
 }
 
@@ -69,7 +70,7 @@ TEST(Gain, IsWorthABetWhereFewManoeuvresTellClearly) {
 TEST(Gain, OfOneManoeuvreIsWorthNoMoreThanTen) {
   EXPECT_NEAR(GainP({{5000, 5000}}), 2 * std::exp(-2.25), 1e-12);
   EXPECT_EQ(GainP({{-5000, 5000}, {3, 10}}), 1);
-  EXPECT_EQ(GainP({{1.5, 1.9}, {1.5, 1.9}, {1.5, 1.9}, {1.5, 1.9}}), 1);  // could not tell
+  EXPECT_EQ(GainP({{1.5, 1.9}, {1.5, 1.9}, {1.5, 1.9}, {1.5, 1.9}}), 1);  // no information
 }
 
 TEST(Gain, IsTheSteadyOneWhereThatIsSurer) {
@@ -109,9 +110,9 @@ TEST(Gain, IsConfirmedBySteadyOnesOrByThreeThatAreClear) {
   EXPECT_TRUE(AreConfirming(Gains(8, 4, 0.2, 0.02, 1), 0.05));
 }
 
-/// Gains of `pieces` pieces by noise beside an effect that is `there` times as large as predicted:
-/// residuals times the difference over the variance are normal with twice the possible gain as
-/// variance, and the gain is that less the possible one.
+/// Gains of `pieces` pieces by noise and an effect `there` times as large as predicted. Residuals
+/// times the difference over the variance are normal, with twice the possible gain as variance. The
+/// gain is that minus the possible one.
 std::vector<ManoeuvreGain> OfEffect(std::uint64_t seed, int pieces, double possible, double there) {
   std::vector<ManoeuvreGain> gains;
   for (int m = 0; m < pieces; ++m) {

@@ -121,7 +121,7 @@ TEST(StructureFit, ANumberThatMovesInstantsIsFoundFromAfar) {
 }
 
 TEST(StructureFit, AnInstantBetweenTwoStepsOfAReplayIsNoPlaceToEnd) {
-  // What acts between two steps of the replay, 0.05 apart, is smeared over both.
+  // An effect between two steps of the replay, 0.05 apart, is smeared over both.
   Fixture toy(0);
   const auto smeared = [&](double place) {
     const double between = 20 * place - std::floor(20 * place);

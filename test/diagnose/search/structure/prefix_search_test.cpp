@@ -16,7 +16,7 @@ using ::testing::UnorderedElementsAre;
 constexpr std::size_t kFourMinutes = 24000;
 constexpr double kPrefixSearchNoise = 0.05;
 
-/// Manoeuvres of one length, of which every other one is at rest.
+/// Manoeuvres of equal length, every second one at rest.
 std::vector<Manoeuvre> MovingHalfTheTime(std::size_t count, std::size_t length) {
   std::vector<Manoeuvre> manoeuvres;
   for (std::size_t m = 0; m < count; ++m) {
@@ -76,8 +76,8 @@ TEST(Prefix, DoesNotHideWhatActsLater) {
   }
 }
 
-// Of a number that the prefix does not hold, the whole is asked again: `late` acts only through
-// the last two minutes.
+// The whole recording determines a parameter that the prefix does not: `late` acts only in the last
+// two minutes.
 TEST(Prefix, NumbersThatItDoesNotDetermineAreFreeAgain) {
   static const Mechanism kBoth{
       "both", Slot::kLeverMap, {}, {{"size", "1", -2, 2, 0.0}, {"late", "1", -2, 2, 0.0}}};
@@ -100,8 +100,8 @@ TEST(Prefix, NumbersThatItDoesNotDetermineAreFreeAgain) {
   EXPECT_NEAR(diagnosis.findings[0].parameters[1].value, 0.1, 0.01);
 }
 
-// What the prefix tells apart, and what the whole is asked for the rest of it, are a candidate's
-// own: all pointers are into the block's list.
+// Candidates of the prefix's search and of its extension are the block's own: all pointers are into
+// its list.
 TEST(Prefix, NamesTheBlocksOwnCandidates) {
   const std::vector<double> lever = ToyLever(kFourMinutes, 22);
   const ReplayBlock block = ToyBlock(
@@ -113,7 +113,7 @@ TEST(Prefix, NamesTheBlocksOwnCandidates) {
   };
   ASSERT_EQ(diagnosis.findings.size(), 1u);
   const TermEvidence& evidence = diagnosis.findings[0].evidence;
-  ASSERT_EQ(evidence.rivals.size(), 2u);  // `twin` does what `square` does
+  ASSERT_EQ(evidence.rivals.size(), 2u);  // `twin` equals `square`
   EXPECT_FALSE(evidence.rejected.empty());
   for (const Candidate* rival : evidence.rivals) EXPECT_TRUE(is_own(rival));
   for (const Rival& rival : evidence.rejected) EXPECT_TRUE(is_own(rival.candidate));

@@ -13,13 +13,13 @@ constexpr std::size_t kManoeuvres = 12, kLength = 200;
 constexpr double kSigma = 0.05;
 constexpr std::size_t kSquare = 0, kStep = 1;  ///< the block's candidates
 
-/// The toy with a square and a step of the lever in what was measured.
+/// The toy with a square and a step of the lever in the measurement.
 ReplayBlock BlockWith(double square, double step, std::uint64_t seed) {
   const std::vector<double> lever = ToyLever(kManoeuvres * kLength, seed);
   return ToyBlock(lever, ToyMeasured(ToyResponse(lever, square, step, 0), kSigma, seed), {0, 2});
 }
 
-/// What is left of square and step, both fitted, under the noise that there is.
+/// The pruned structure of square and step, both fitted, under the true noise.
 PrunedStructure Pruned(const ReplayBlock& block, double alpha = 0.01) {
   const std::vector<Manoeuvre> manoeuvres = EqualManoeuvres(kManoeuvres, kLength);
   const std::vector<NoiseModel> noise = {
@@ -60,7 +60,7 @@ TEST(Pruning, LosesWhatIsAnotherMechanismInDisguiseHoweverMuchItExplains) {
   EXPECT_EQ(NamesIn(Pruned(block).structure.terms), std::vector<std::string>{"step"});
 }
 
-// Nothing is there: what stays is a false alarm, of one term or of the two together.
+// Nothing acts: any remaining term, or the two together, is a false alarm.
 TEST(Pruning, KeepsNothingOfNoiseMoreOftenThanItSays) {
   constexpr int kRecordings = 40;
   constexpr double kAlpha = 0.1;

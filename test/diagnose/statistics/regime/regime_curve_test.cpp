@@ -129,7 +129,8 @@ TEST(Partialling, TakesWhatExplainsAndLeavesWhatOnlyFollowsIt) {
   ASSERT_EQ(found.steps.size(), 2u);
   EXPECT_EQ(found.steps[0].variable, 2u);
   EXPECT_EQ(found.steps[1].variable, 3u);
-  EXPECT_LT(found.steps[0].tests[0].comparison.p, 0.01);  // at first the follower speaks, too
+  EXPECT_LT(found.steps[0].tests[0].comparison.p, 0.01);  // at first the follower is significant
+                                                          // too
   EXPECT_GT(found.left[0].comparison.p, 0.01);
   EXPECT_GT(found.left[1].comparison.p, 0.01);
 }

@@ -13,7 +13,7 @@
 
 namespace tera {
 
-/// A series of values, in which those that are not finite are gaps.
+/// A series of values; non-finite ones are gaps.
 inline Series MakeSeries(double period_s, std::vector<double> value) {
   Series series{period_s, std::move(value), {}};
   series.valid.resize(series.size());
@@ -45,7 +45,7 @@ inline std::vector<double> SimulateNoise(const NoiseModel& noise, std::size_t co
   return x;
 }
 
-/// AR(1) noise of coefficient 0.95 with heavy tails: what the tests have to hold under.
+/// AR(1) noise of coefficient 0.95 with heavy tails, under which the tests must hold their level.
 inline NoiseModel StubbornNoise() { return {.ar = {0.95}, .scale = 1, .dof = 4}; }
 
 inline Series NoiseSeries(const NoiseModel& noise, std::size_t size, const Stream& stream) {
@@ -65,7 +65,7 @@ inline Series WithDropouts(Series series, double share, const Stream& stream) {
   return series;
 }
 
-/// A lever as it is moved: held for 0.2 to 1 s at one of many values, at rest a third of the time.
+/// A realistic lever: held for 0.2 to 1 s at one of many values, at rest a third of the time.
 inline Series LeverSeries(std::size_t size, const Stream& stream) {
   std::vector<double> value(size);
   double held = 0;

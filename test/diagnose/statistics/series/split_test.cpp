@@ -58,7 +58,7 @@ TEST(ChangePoints, FewRecordingsOfNothingHaveAny) {
 }
 
 TEST(ChangePoints, GuardedTakeNoiseThatRemembersForNoChanges) {
-  // Of unit variance a sample; cells of 20 scatter by more than a twentieth of that.
+  // Unit variance for each sample; cells of 20 scatter by more than a twentieth of that.
   int guarded = 0, trusting = 0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const Series x =
@@ -119,7 +119,7 @@ TEST(Manoeuvres, EveryPartHasEveryKindInItsShare) {
   EXPECT_NEAR(overall[Part::kSelect] / total, 0.3, 0.03);
   EXPECT_NEAR(overall[Part::kFinal] / total, 0.3, 0.03);
   ASSERT_EQ(time.size(), 5u);
-  // Twenty equal pieces a kind: within one of 8, 6 and 6.
+  // Twenty equal pieces of each kind: within one of 8, 6 and 6.
   for (auto& [kind, parts] : time) {
     if (kind.first == 0) continue;
     EXPECT_NEAR(parts[Part::kTrain] / 300, 8, 1.01);

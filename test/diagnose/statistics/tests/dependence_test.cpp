@@ -116,7 +116,7 @@ TEST(Dependence, RegimeTestFindsADeadBandThatIsATenthOfTheNoise) {
   EXPECT_GE(found, 32);
 }
 
-/// What a machine does at 10 units a second of full lever, where something takes a share of it.
+/// A machine with 10 units a second at full lever, of which an effect removes a share.
 class ShareOfTheSimulated : public testing::Test {
  protected:
   static constexpr std::size_t kOther = 0, kPlace = 1;
@@ -151,7 +151,7 @@ class ShareOfTheSimulated : public testing::Test {
     const Partialling found = SelectRegimes(residual, FitNoise(residual, {.highest_order = 3}),
                                             variables_, {}, Stream(5, "shifts"));
     if (!found.steps.empty()) return found.steps.front().variable;
-    // A place goes round too seldom for enough shifts: the one that explains most, if any does.
+    // A place recurs too seldom for enough shifts: the variable that explains most, if any does.
     const auto best =
         std::max_element(found.left.begin(), found.left.end(),
                          [](const auto& a, const auto& b) { return a.criterion < b.criterion; });

@@ -15,7 +15,7 @@ TEST(Pool, OfOneValueIsThatValue) {
   EXPECT_EQ(one.p, 1);
 }
 
-// Of values that agree, the weights are 1 / sigma^2: (100 * 1 + 25 * 1.1) / 125.
+// Consistent values have the weights 1 / sigma^2: (100 * 1 + 25 * 1.1) / 125.
 TEST(Pool, WeighsValuesThatAgreeByTheirErrors) {
   const PooledNumber pooled = Pool({{1, 0.1}, {1.1, 0.2}});
   EXPECT_NEAR(pooled.value, 127.5 / 125, 1e-12);

@@ -35,8 +35,8 @@ int Rejected(double coefficient, double level) {
   return rejected;
 }
 
-// Of 400 at a level of 0.01 four are expected, of 0.5 two hundred; five standard errors of these
-// are 10 and 50.
+// Of 400 trials, four are expected below a level of 0.01 and two hundred below 0.5; five standard
+// errors are 10 and 50.
 TEST(Opposition, OfWhiteNoiseHasAUniformP) {
   EXPECT_LE(Rejected(0, 0.01), 14);
   EXPECT_NEAR(Rejected(0, 0.5), 200, 50);

@@ -38,8 +38,8 @@ double Contrast(const Image<float>& picture) {
 }
 
 TEST(DustPass, ContrastFallsByBeerAndLambertsExponential) {
-  // Both plates stand behind the same dust: what it adds cancels, and their difference is exp(-tau)
-  // of what it is in clear air. 6 m of 0.2 / m, seen 8.7 degrees off its axis.
+  // Both plates are behind the same dust: its added light cancels, and their difference is
+  // exp(-tau) of that in clear air. 6 m of 0.2 / m, seen 8.7 degrees off its axis.
   Plates plates;
   const DustVolume dust = DustBox(Vec3(-12, 8, -4), 0.5, {48, 12, 24}, 0.2);
   const double clear = Contrast(plates.Shoot(nullptr, Pinhole()));
@@ -67,9 +67,9 @@ TEST(DustPass, DustBehindAPlateIsNotSeen) {
 }
 
 TEST(DustPass, ThickDustInTheSunIsBrightAndFacingItBrighter) {
-  // Most of the light that enters thick dust leaves it again: with the sun behind the camera it is
-  // within a factor of three of a white surface that faces the sun half; forward scattering makes
-  // it brighter against the sun.
+  // Most light that enters thick dust leaves it again. With the sun behind the camera it is within
+  // a factor of three of a white surface half facing the sun; forward scattering makes it brighter
+  // against the sun.
   Plates plates;
   const DustVolume dust = DustBox(Vec3(-12, 8, -4), 0.5, {48, 12, 24}, 3);
   const Image<float> lit = plates.Shoot(&dust, Pinhole());

@@ -45,15 +45,15 @@ double Area_1pm(double rain_mmph, double least_m, double most_m) {
   return sum;
 }
 
-/// Share of the picture that drops cover: of each solid angle, their cross-section over the way
-/// from 0.15 m to where their boxes end, 0.8, 2 and 4 m.
+/// Share of the picture covered by drops: for each solid angle, their cross-section from 0.15 m to
+/// the end of their boxes, 0.8, 2 and 4 m.
 double Covered(double rain_mmph) {
   return Area_1pm(rain_mmph, 0.5e-3, 1e-3) * 0.65 + Area_1pm(rain_mmph, 1e-3, 2e-3) * 1.85 +
          Area_1pm(rain_mmph, 2e-3, 6e-3) * 3.85;
 }
 
 TEST(RainPass, CoversAsMuchOfThePictureAsItsDropsDo) {
-  // The wall itself gives a little, by what a matt black surface mirrors.
+  // The wall itself contributes slightly: the specular reflection of a matt black surface.
   const double wall = MeanOfBlackWall(0, 0.001);
   const double light = MeanOfBlackWall(8, 0.001) - wall, heavy = MeanOfBlackWall(60, 0.001) - wall;
   ASSERT_GT(light, 0);

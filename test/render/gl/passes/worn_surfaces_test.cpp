@@ -30,7 +30,7 @@ NodeWear OnGround(const Wear& wear) {
           .from_soil_offset_m = 1};  // the box's frame is in its middle
 }
 
-/// Mean share of blue in what is seen of the box where its world height is in a range.
+/// Mean share of blue in the visible part of the box within a range of world heights.
 double Blue(const CameraFrame& frame, double low_m, double high_m) {
   const CameraIntrinsics camera = Pinhole();
   const Pose X_WC = LookAt(Vec3(1.2, -4.2, 3.2), Vec3(0, 0, 0.9));

@@ -86,8 +86,8 @@ TEST(ThinLens, DiscIsThatOfTheLensEquation) {
   EXPECT_NEAR(lens.Radius_px(0), lens.Radius_px(1e9), 1e-6);  // infinitely far
 }
 
-// The optical transfer function of a disc of radius r: 2 J1(x) / x, x = 2 pi nu r. Its ratio to
-// that of the sharp picture has neither the pixels' nor the bins' part.
+// The optical transfer function of a disc of radius r: 2 J1(x) / x, x = 2 pi nu r. Relative to the
+// sharp picture, the pixels' and bins' parts cancel.
 TEST(Defocus, ModulationOfASlantedEdgeIsThatOfADisc) {
   const ThinLens lens = Lens();
   const double slope = std::tan(5 * kDeg);
@@ -144,9 +144,9 @@ TEST(Defocus, ABlurredBackgroundDoesNotRunOverWhatIsNearerAndSharp) {
   }
 }
 
-// A disc whose middle lies `d` beyond an edge covers of it the segment (arccos u - u sqrt(1 - u^2))
-// / pi, u = d / r. The sharp background shows as far as the blurred thing before it does not cover
-// it, on both sides of where its edge would be.
+// A disc whose middle lies `d` beyond an edge overlaps it by the segment (arccos u - u sqrt(1 -
+// u^2)) / pi, u = d / r. The sharp background shows as far as the blurred foreground does not cover
+// it, on both sides of its edge.
 TEST(Defocus, ABlurredEdgeBeforeASharpBackgroundIsTheSegmentOfADisc) {
   const double near_m = 0.9, radius_px = Lens().Radius_px(near_m);
   ASSERT_NEAR(radius_px, 0.5 * 4e-3 * Lens().image_m * (1 / near_m - 0.5) / 5e-6, 1e-9);

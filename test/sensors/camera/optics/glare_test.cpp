@@ -43,9 +43,9 @@ TEST(PictureGlare, AnEvenPictureStaysEven) {
   for (const float value : picture.data) ASSERT_NEAR(value, 300, 0.01);
 }
 
-// Veiling glare by ISO 9358's black spot in a bright field: what arrives in the middle of a spot of
-// angular radius R is s times the scattered light from beyond it, of slope 2
-// 1 - ln(1 + (R / core)^2) / ln(1 + 1 / core^2).
+// Veiling glare by ISO 9358's black spot in a bright field. The middle of a spot of angular radius
+// R receives s times the light scattered from beyond it. For slope 2, that is 1 - ln(1 + (R /
+// core)^2) / ln(1 + 1 / core^2).
 TEST(PictureGlare, ABlackSpotIsVeiledByWhatLiesAroundIt) {
   constexpr double kScattered = 0.03, kCore_rad = 0.5 * kDeg, kSpot_px = 20;
   const CameraIntrinsics lens = GlareLens();
@@ -62,15 +62,15 @@ TEST(PictureGlare, ABlackSpotIsVeiledByWhatLiesAroundIt) {
   const double spot_rad = kSpot_px / lens.fx_px;
   const double within =
       std::log1p(std::pow(spot_rad / kCore_rad, 2)) / std::log1p(1 / (kCore_rad * kCore_rad));
-  // The spot darkens the mean by a twentieth, which stands for what lies beyond the picture.
+  // The spot darkens the mean by a twentieth; the mean represents the surroundings of the picture.
   const double beyond_mean = kPi * kSpot_px * kSpot_px / (lens.width_px * lens.height_px);
   EXPECT_NEAR(picture.at(80, 60, 1), 1000 * kScattered * (1 - within),
               1000 * kScattered * 0.6 * beyond_mean);
   EXPECT_GT(picture.at(80, 60, 1), 5);
 }
 
-// A source of E lx seen at the angle a from the axis veils by s E cos(a) p(t) at the angle t from
-// it; of slope 2, p = 1 / (pi core^2 ln(1 + 1 / core^2) (1 + (t / core)^2)).
+// A source of E lx at the angle a from the axis adds a veil of s E cos(a) p(t) at the angle t from
+// it. For slope 2, p = 1 / (pi core^2 ln(1 + 1 / core^2) (1 + (t / core)^2)).
 TEST(SourceGlare, FollowsTheAngleFromASourceBeyondThePicture) {
   const GlareModel model{.scattered = 0.02, .core_deg = 0.5, .slope = 2};
   const Vec3 to_source_C(std::sin(35 * kDeg), 0, std::cos(35 * kDeg));

@@ -16,7 +16,7 @@ using testing::OneBodyEach;
 using testing::WallMesh;
 
 /// A camera that looks along +x of W, the sun ahead at 20 degrees to its left and 10 degrees high,
-/// and a wall that may stand before the sun.
+/// and an optional wall in front of the sun.
 class CameraBeforeTheSun : public ::testing::Test {
  protected:
   CameraBeforeTheSun() : model_(OneBodyEach({WallMesh(2, 0.5)})) {
@@ -28,7 +28,7 @@ class CameraBeforeTheSun : public ::testing::Test {
     seen_.state.X_WB = {MakePose({-50, 0, 40}, 0, 0, 0)};
   }
 
-  /// What comes on top of a picture without any light.
+  /// Light added to a picture that is otherwise dark.
   Image<float> OnTop(const OpticsModel& model) {
     Image<float> picture(lens_.width_px, lens_.height_px, 3);
     const Image<float> depth_m(lens_.width_px, lens_.height_px);
@@ -48,8 +48,8 @@ class CameraBeforeTheSun : public ::testing::Test {
   SeenScene seen_;
 };
 
-// In the middle of the picture the veil of the sun is s E cos(a) p(a), a the sun's angle from the
-// axis (glare_test has p), and dimmer on the side away from it: here left is where the sun is.
+// In the middle of the picture the sun's veil is s E cos(a) p(a), with a the sun's angle from the
+// axis (p in glare_test). It fades away from the sun, which is on the left.
 TEST_F(CameraBeforeTheSun, TheSunVeilsThePictureByItsAngle) {
   const GlareModel glare{.scattered = 0.02, .core_deg = 0.5, .slope = 2};
   const Image<float> veil = OnTop({.glare = glare});

@@ -47,8 +47,8 @@ TEST(Soiling, AFilmTakesItsShareOnAverage) {
   EXPECT_GT(most, 0.82);
 }
 
-// A speck that is much larger than the disc hides at least half of the light in its middle; one
-// much smaller takes of each pixel less than the area of the one over that of the other.
+// A speck much larger than the disc hides at least half of the light in its middle. One much
+// smaller removes less than the ratio of both areas from each pixel.
 TEST(Soiling, SmallSpecksAreOutOfFocus) {
   const auto darkest = [](const SoilingModel& model) {
     return *std::ranges::min_element(On(model).transmitted().data);
@@ -82,8 +82,8 @@ TEST(Soiling, SpecksAreDarkBesideAFilm) {
   }
 }
 
-// A flat cap of a sphere of radius R is a plano-convex lens of the focal length R / (n - 1), which
-// turns rays at the height h by h / f.
+// A flat cap of a sphere of radius R is a plano-convex lens of focal length R / (n - 1), which
+// deflects rays at height h by h / f.
 TEST(Soiling, ADropTurnsRaysAsALensOfWater) {
   const double sphere_mm = 4, px_per_mm = 20;
   const Vec2 from_px(0.02 * px_per_mm, -0.01 * px_per_mm);  // near its axis
@@ -101,7 +101,7 @@ TEST(Soiling, DropsOfClearWaterLeaveAnEvenPictureEven) {
   EXPECT_LT(MeanOf(soiling.transmitted()), 0.999) << "but they let nothing through undeviated";
 }
 
-// What is on the left shows on the right in a drop.
+// Objects on the left appear on the right in a drop.
 TEST(Soiling, ADropShowsTheSceneTurnedRound) {
   Image<float> ramp = SoilingEven(0);
   for (int y = 0; y < ramp.height_px; ++y) {

@@ -92,8 +92,8 @@ TEST(Stereo, DepthIsQuantisedByTheDisparity) {
   EXPECT_NEAR(*next - median_m, step_m, 0.05 * step_m);
 }
 
-/// A wall of dots before which a square stands, as the eyes see them: the square covers of the wall
-/// f b / z1 - f b / z2 pixels to its left, which the right eye does not see.
+/// A wall of dots and a square in front of it, as the eyes see them. The square occludes f b / z1 -
+/// f b / z2 pixels of the wall to its left from the right eye.
 TEST(Stereo, BesideANearThingIsAShadowAsWideAsItsDisparity) {
   constexpr double kNear_px = 40, kFar_px = 12;
   constexpr int kFrom = 130, kTo = 190;  // of the square in the left picture
@@ -125,7 +125,7 @@ TEST(Stereo, WithoutTextureNothingMatches) {
   EXPECT_LT(std::ranges::count_if(depth_m.data, [](float z_m) { return z_m > 0; }), 200);
 }
 
-/// A camera before a smooth wall, 1.6 m ahead, in which there is nothing to be matched.
+/// A camera 1.6 m before a smooth wall without any texture to match.
 class BeforeASmoothWall : public ::testing::Test {
  protected:
   BeforeASmoothWall() : model_(OneBodyEach({WallMesh(4, 0.5)})), rasterizer_(model_, {}) {

@@ -28,7 +28,7 @@ TEST(TimeOfFlight, LightOfAPatchHasItsDistanceAndFallsWithItsSquare) {
   EXPECT_NEAR(std::abs(light), 0.5 / 4, 1e-12);
 }
 
-// By way of a patch: r = 3 m to it, 2 m on from there; it throws on the point rho E cos cos A / pi
+// Light via a patch: r = 3 m to it, then 2 m; it illuminates the point with rho E cos cos A / pi
 // d^2.
 TEST(TimeOfFlight, LightOverAPatchComesByItsWholeWay) {
   const LitPatch other{.p_C_m = {0, 0, 3},
@@ -53,7 +53,7 @@ class CameraBeforeWalls : public ::testing::Test {
         .width_px = 96, .height_px = 72, .fx_px = 80, .fy_px = 80, .cx_px = 47.5, .cy_px = 35.5};
   }
 
-  /// Of what stands at a pixel: pi times its luminance over its illuminance.
+  /// Reflectance at a pixel: pi times its luminance over its illuminance.
   static double Reflectance(const std::vector<Mesh>& meshes, const std::vector<Pose>& X_WB, int x,
                             int y) {
     const SceneModel model = OneBodyEach(meshes);
@@ -94,8 +94,8 @@ TEST_F(CameraBeforeWalls, AWallIsMeasuredModuloTheAmbiguityRange) {
   }
 }
 
-// The left edge of a square at 2 m cuts a column of pixels at a third: six of nine parts show the
-// square, three the wall at 4 m. Both are of one stuff, so that amplitudes go as 1 / r^2.
+// The left edge of a square at 2 m divides a column of pixels at a third: six of nine parts show
+// the square, three the wall at 4 m. Both have one material, so that amplitudes scale as 1 / r^2.
 TEST_F(CameraBeforeWalls, AtAnEdgePixelsFlyBetweenBothSurfaces) {
   const double edge_px = 40 - 0.5 + 1.0 / 3, half_m = 1, near_m = 2, far_m = 4;
   const double left_m = -(edge_px - 47.5) / 80 * near_m;  // along +y of W, to the left
@@ -119,8 +119,8 @@ TEST_F(CameraBeforeWalls, AtAnEdgePixelsFlyBetweenBothSurfaces) {
   EXPECT_NEAR(sharp_m.at(40, 35), near_m, 0.01);
 }
 
-// A corner of two walls, the camera 3 m before it: what the other wall adds is integrated here over
-// a fine grid on it.
+// A corner of two walls, the camera 3 m before it. The reference integrates the other wall's
+// contribution over a fine grid.
 TEST_F(CameraBeforeWalls, InACornerTheWayOverTheOtherWallIsAdded) {
   const double half_m = 1.5;
   const Vec3 corner_W_m(4, 0, 40);
@@ -142,14 +142,14 @@ TEST_F(CameraBeforeWalls, InACornerTheWayOverTheOtherWallIsAdded) {
   const Vec3 n_R_C = X_CW.linear() * X_WR.linear() * -Vec3::UnitX();
   const Vec3 n_L_C = X_CW.linear() * X_WL.linear() * -Vec3::UnitX();
   const double rho = Reflectance(walls, {X_WL, X_WR}, 30, 35), r_m = at_C_m.norm();
-  EXPECT_NEAR(rho, 0.5, 0.1);  // of a mesh without a colour of its own, with its sheen
+  EXPECT_NEAR(rho, 0.5, 0.1);  // a mesh without a colour, with its sheen
   Phasor over = 0;
   constexpr int kFine = 300;
   for (int a = 0; a < kFine * kFine; ++a) {
     const Vec3 p_L(0, half_m * (2 * (a % kFine + 0.5) / kFine - 1),
                    half_m * (2 * (a / kFine + 0.5) / kFine - 1));
     const Vec3 p_C_m = X_CW * (X_WL * p_L), way_m = at_C_m - p_C_m;
-    // Only what the camera sees of it is lit and taken into account.
+    // Only surfaces visible to the camera are lit and counted.
     const Vec2 pixel_px = Lens().Project(p_C_m);
     if (pixel_px.x() < -0.5 || pixel_px.y() < -0.5 || pixel_px.x() > 95.5 || pixel_px.y() > 71.5)
       continue;
@@ -194,8 +194,8 @@ TEST_F(CameraBeforeWalls, NoiseIsThatOfThePhasorsPhase) {
   EXPECT_LT(reflectance, 0.65);  // with its sheen
 }
 
-// The air returns light from nearby, whose phase is near zero: it draws that of a wall within half
-// of the ambiguity range nearer, the more, the less of the wall's own light is left.
+// The air returns light from nearby, with a phase near zero. It makes a wall within half of the
+// ambiguity range appear nearer, the more so the weaker the wall's own light.
 TEST_F(CameraBeforeWalls, FogDrawsAWallNearer) {
   const auto depth_m = [](double visibility_m) {
     SceneModel model = OneBodyEach({WallMesh(20, 0.5)});
