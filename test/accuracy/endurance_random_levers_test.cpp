@@ -30,20 +30,20 @@ constexpr double kUsual_s = 30;
 constexpr int kUsualSeeds = 2;
 
 constexpr double kUpright_rad = 45 * kDeg, kLying_rad = 60 * kDeg;
-constexpr double kLongestLying_s = 10;  ///< then it is set up again
+constexpr double kLongestLying_s = 10;  ///< then it is reset
 constexpr double kLongestTurn_s = 600;  ///< on one soil, upright or not
 
 constexpr int kSoils = 3;
-/// Middles of where the scenario's soils begin: a little beyond the borders between them.
+/// Starts of the scenario's soils, slightly beyond the borders between them.
 constexpr std::array<double, kSoils> kStart_x_m = {-5, 0, 5};
 
-/// Stiff springs' worth, not through the ground.
+/// Deflection of stiff springs, without passing through the ground.
 constexpr double kUndercarriage_m = 0.1;
 /// Depth of tools. Bucket and arm enter the walls of the edge's own cut, where slew and tracks
 /// press them. Only two points of the arm collide with the ground.
 constexpr double kTools_m = 0.4;
 
-/// Levers that go on where they were when the simulation before this one ended.
+/// Levers that continue where the previous simulation ended.
 class Onward : public Operator {
  public:
   Onward(Operator* levers, TimeNs before_ns) : levers_(levers), before_ns_(before_ns) {}
@@ -56,7 +56,7 @@ class Onward : public Operator {
   TimeNs before_ns_;
 };
 
-/// How far a part has been in unopened ground, and when.
+/// Depth of a part in unopened ground, and its time.
 struct Deepest {
   double depth_m = 0, at_s = 0;
 };
@@ -64,14 +64,14 @@ struct Deepest {
 /// Result of random levers over some time.
 struct Shaken {
   double until_s = 0;  ///< to here all was finite
-  int turns = 0;       ///< as often it was set up
+  int turns = 0;       ///< number of resets
   double upright_s = 0;
   std::array<double, kSoils> on_s = {};  ///< upright, both tracks wholly on the soil
   double most_j = 0, fall_j = 0;
   double steepest_rad = 0;
   std::map<std::string, Deepest> deepest;  ///< by part
   double shifted_kg = 0;
-  double lost = 0;  ///< of the soil that was shifted, the worst of all turns
+  double lost = 0;  ///< of the displaced soil, the worst of all turns
   double wall_s = 0;
 };
 
@@ -197,8 +197,8 @@ void Print(int seed, bool hydraulic, const Shaken& shaken) {
   std::fflush(stdout);
 }
 
-/// The excavator may dig itself in and tip over, but everything must stay finite, above ground, and
-/// no faster than levers and a fall make it.
+/// The excavator may dig itself in and tip over. Everything must stay finite and above ground, and
+/// no faster than levers and a fall allow.
 TEST(Endurance, RandomLeversOnThreeSoilsEndInNothingImpossible) {
   const int first = static_cast<int>(FromEnvironment("TERA_ENDURANCE_FIRST_SEED", 1));
   const int seeds = static_cast<int>(FromEnvironment("TERA_ENDURANCE_SEEDS", kUsualSeeds));

@@ -11,8 +11,8 @@
 #include "kinetic_energy.h"
 #include "sim/simulation.h"
 
-// A long shift of digging on the quickstart's site, by an operator who never moves on.
-// TERA_ENDURANCE_S in the environment sets its length in simulated seconds.
+// A long shift of digging on the quickstart's site, by a stationary operator. TERA_ENDURANCE_S in
+// the environment sets its length in simulated seconds.
 
 namespace tera {
 namespace {
@@ -102,7 +102,7 @@ TEST(Endurance, DiggingGoesOnUprightFiniteAndWithAllItsSoil) {
   EXPECT_LT(most_j, links_at_4_mps_j);
   EXPECT_LT(most.tilt_rad, length_s <= kEnduranceUsual_s ? kStanding_rad : kEnduranceLying_rad);
   EXPECT_LE(leaning_s, 0.1 * length_s);
-  EXPECT_LT(furthest_m, 1.0);       // further and it would be in its own pit
+  EXPECT_LT(furthest_m, 1.0);       // beyond it, the machine would be in its own pit
   EXPECT_LT(undermined_m, 0.5);     // as high as its tracks
   EXPECT_GT(heaviest_load_kg, 10);  // it did dig
   EXPECT_NEAR(ledger.total_kg() / ledger.shifted_kg, 0, 1e-9);

@@ -3,8 +3,8 @@
 
 #include "generated.h"
 
-// Strapdown navigation from the written inertial data alone: started on the truth, it must stay on
-// it.
+// Strapdown navigation from the written inertial data alone: it starts on the truth and must stay
+// on it.
 
 namespace tera {
 namespace {
@@ -73,7 +73,7 @@ NavigationState StartOnTruth(const LinkTruth& truth, const std::string& link, in
 
 struct Drift {
   double travelled_m = 0, position_m = 0,
-         attitude_rad = 0;  ///< the last two: greatest of all times
+         attitude_rad = 0;  ///< the last two: maxima over all times
 };
 
 /// Navigates from the truth at `start_ns` to the end.
@@ -114,7 +114,7 @@ TEST(InertialData, IntegratedFromTheTrueStartStaysWithinACentimetreForTenSeconds
         drift.travelled_m, 1e3 * drift.position_m, 1e3 * drift.attitude_rad);
     EXPECT_LT(drift.position_m, 0.01) << imu;
     EXPECT_LT(drift.attitude_rad, 1e-4) << imu;
-    // Something was measured: without the machine's motion the test would be empty.
+    // Without motion of the machine the test would be empty.
     EXPECT_GT(drift.travelled_m, imu == "imu_chassis" ? 0.2 : 5.0) << imu;
   }
 }

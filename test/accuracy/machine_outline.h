@@ -17,9 +17,9 @@ struct PartOutline {
 /// Outlines of the undercarriage, of every link above it with a collision box, and of the body
 /// behind the cutting edge of each shovel that carries soil.
 ///
-/// Model   undercarriage: the corners of the tracks' shoes below and, mirrored, above the
-///         sprockets' height, which matter when the machine lies on its side; and the corners of
-///         boxes that belong to no track. (A track's box is square where the track is round.) Other
+/// Model   undercarriage: the corners of the tracks' shoes and, mirrored above the sprockets'
+///         height, those that touch when the machine lies on its side. Also the corners of boxes
+///         that belong to no track. (A track's box is square where the track is round.) Other
 ///         links: their boxes' corners. Shovels: the floor, backwards from where the profile leaves
 ///         the edge.
 /// Omits   links whose shovel carries nothing (a blade).

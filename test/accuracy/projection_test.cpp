@@ -29,7 +29,7 @@ constexpr const char* kPinhole =
     "{name: pinhole, type: camera, rate_hz: 12.5, width_px: 640, height_px: 480, "
     "horizontal_fov_deg: 60, rgb: false, link: upper, xyz_m: [-0.3, 0.86, 1.9], "
     "rpy_deg: [3, 8, 90]}";
-/// The labels of a distorted picture are the nearest of a finer one: more pixels make up for it.
+/// The labels of a distorted picture are the nearest of a finer picture: more pixels compensate.
 constexpr const char* kBarrel =
     "{name: barrel, preset: tera:config/sensors/rgb_640.yaml, rate_hz: 12.5, width_px: 960, "
     "height_px: 720, rgb: false, link: upper, xyz_m: [-0.3, 0.86, 1.8], rpy_deg: [-4, 6, 130]}";

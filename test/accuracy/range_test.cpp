@@ -7,8 +7,8 @@
 #include "generated.h"
 #include "own_folder.h"
 
-// Ranges in the files of a camera and a lidar on a mast, against planes that the scenario puts
-// there, and against each other.
+// Ranges in the files of a camera and a lidar on a mast, against planes of the scenario, and
+// against each other.
 
 namespace tera {
 namespace {
@@ -72,7 +72,7 @@ Plane WallFace() {
 
 class Ranges : public ::testing::Test {
  protected:
-  // In each test's own setting-up: a failure of a suite's would count its tests as skipped.
+  // In each test's own set-up: a failure in a suite's would count its tests as skipped.
   void SetUp() override {
     if (recording_) return;
     recording_ = new Recording(Generated("ranges", SiteWithMast()));
@@ -113,8 +113,8 @@ class Ranges : public ::testing::Test {
     return worst_m;
   }
 
-  /// How far the depth at a pixel is from the middle of two neighbours', in inverse depth: zero on
-  /// a plane.
+  /// Deviation of a pixel's depth from the mean of two neighbours', in inverse depth: zero on a
+  /// plane.
   static double Bend(int x, int y, int dx, int dy) {
     const double z_m = frame_.depth_m.at(x, y), a_m = frame_.depth_m.at(x - dx, y - dy),
                  b_m = frame_.depth_m.at(x + dx, y + dy);
@@ -138,7 +138,8 @@ class Ranges : public ::testing::Test {
     return worst_m;
   }
 
-  /// Within the site, and on the face of the wall rather than its edges, a millimetre kept clear.
+  /// Within the site, and on the face of the wall instead of its edges, with a millimetre of
+  /// margin.
   static bool OnSurface(SemanticClass label, const Vec3& p_W_m) {
     constexpr double kSiteHalf_m = 12, kClear_m = 1e-3;
     if (label == SemanticClass::kTerrain) {
@@ -206,8 +207,8 @@ TEST_F(Ranges, DepthAndLidarAgreeOnSmoothSurfacesWithinFiveMillimetres) {
       nearest_m = std::min(nearest_m, z_m);
       farthest_m = std::max(farthest_m, z_m);
     }
-    // Smooth: no edge (the file's millimetres bend a plane by two), no limb, and not hidden from
-    // the camera by another part.
+    // Smooth: no edge (the file's millimetres bend a plane by two), no limb, and no occlusion of
+    // the camera's view.
     if (!smooth || farthest_m - nearest_m > kSteepest_m) continue;
     if (std::abs(1 / inverse_1pm - p_C_m.z()) > kHidden_m) continue;
     ++compared;

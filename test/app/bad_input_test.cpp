@@ -232,7 +232,7 @@ TEST(BadInput, AFolderForAFileIsRefusedWithItsPath) {
   ExpectRefused(scratch, {"check", folder}, says_so);
   ExpectRefused(scratch, {"generate", folder, "--out", "run"}, says_so);
   ExpectRefused(scratch, {"import", folder, "--out", "run"}, says_so);
-  // A recording in the place of its scenario.
+  // A recording in place of its scenario.
   WriteWholeFile(fs::path(folder) / "scenario.yaml", "name: dug\n");
   const auto names_it = StartsWith(folder + ": is a folder; need a YAML file, such as " + folder +
                                    "/scenario.yaml\n");

@@ -5,7 +5,7 @@
 #include "core/faults.h"
 #include "dataset/files/tiny_disk.h"
 
-// Where a dataset cannot go, and pictures without OpenGL.
+// Impossible places for a dataset, and pictures without OpenGL.
 
 namespace tera {
 namespace {
@@ -43,7 +43,7 @@ TEST_F(BadOutput, ANameThatIsNoneIsRefused) {
 }
 
 TEST_F(BadOutput, ADirectoryThatMayNotBeWrittenIsRefused) {
-  // Root may write whatever a folder's mode says, but not on a disk that is read-only.
+  // Root may write to a folder of any mode, but not to a read-only disk.
   TinyDisk disk(scratch_.path() / "disk", "1m");
   ASSERT_TRUE(disk.mounted() && disk.MakeReadOnly("1m")) << kNeedsTinyDisk;
   ExpectOutRefused("disk/run", AllOf(StartsWith("disk/run"), HasSubstr("cannot be created: "),
@@ -92,7 +92,7 @@ TEST_F(BadOutput, ADiskThatFillsUpKeepsARunThatCanBeFinished) {
   EXPECT_TRUE(AllFiles(scratch_.path() / "disk/run") == AllFiles(scratch_.path() / "whole"));
 }
 
-// No OpenGL: a loader that finds no driver.
+// No OpenGL: a loader without drivers.
 
 const std::map<std::string, std::string> kNoEgl = {{"__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent"},
                                                    {"__EGL_VENDOR_LIBRARY_FILENAMES", ""}};

@@ -8,7 +8,7 @@
 #include "core/faults.h"
 #include "dataset/format/png.h"
 
-// `tera check --sample --sheet` and `tera realism` as their user runs them.
+// `tera check --sample --sheet` and `tera realism` from a user's view.
 
 namespace tera {
 namespace {
@@ -47,7 +47,7 @@ TEST_F(SheetOfEpisodes, IsWrittenWithATileForEach) {
   EXPECT_THAT(outcome.out, HasSubstr("sheet.png: 3 episodes"));
   const Image<std::uint8_t> sheet = ReadRgbPng(Path("sheet.png"));
   EXPECT_EQ(sheet.width_px, 2 * 324 + 4);
-  // Two values differ from episode to episode.
+  // Two values differ between episodes.
   EXPECT_EQ(sheet.height_px, 2 * (244 + 2 * 13) + 4);
 }
 

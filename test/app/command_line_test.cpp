@@ -253,7 +253,7 @@ TEST(Overview, DrawsADatasetInItsOwnFolder) {
   EXPECT_EQ(ReadWholeFile(scratch.path() / "run/overview.mp4").substr(4, 4), "ftyp");
 }
 
-// The paper's own rig, its misspelt place included.
+// The paper's own rig, including its misspelt place.
 constexpr const char* kPaperRig = R"(Excavator:
   - id: digger
     type: TB235
@@ -279,7 +279,7 @@ TEST(ImportRig, TurnsThePapersFormIntoARigThatAScenarioTakes) {
                  Edited(scenario.substr(0, rig), "warthog", "tb235") + "rig: rig.yaml\n");
   const Outcome checked = RunTera({"check", "small.yaml"}, {scratch.path()});
   EXPECT_EQ(checked.status, 0) << checked.err;
-  // Unity's right, up, forward are ours -y, z, x.
+  // Unity's right, up, forward are TERA's -y, z, x.
   EXPECT_THAT(checked.out, AllOf(ContainsRegex("imu_chassis +imu +upper +-0.292 -0.344 0.150 "),
                                  ContainsRegex("lidar +lidar +upper +-1.125 -?0.000 0.745 ")));
 }

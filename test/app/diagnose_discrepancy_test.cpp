@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-/// Boom, arm and bucket at full levers together, up and down, 60 s.
+/// Boom, arm and bucket simultaneously at full levers, up and down, 60 s.
 std::string FullLevers() {
   std::ostringstream csv;
   csv << "t_s,boom,arm,bucket\n0,0,0,0\n";
@@ -25,7 +25,7 @@ std::string FullLevers() {
   return csv.str();
 }
 
-/// An excavator that is driven over dirt that shears under its tracks.
+/// An excavator on dirt that shears under its tracks.
 class DiagnoseOnSoil : public DiagnoseByScenario {
  protected:
   DiagnoseOnSoil() {
@@ -55,14 +55,15 @@ TEST_F(DiagnoseOnSoil, SaysNothingOfARecordingThatIsAsItsScenario) {
     if (one["channel"] == "excavator1/base/yaw_radps") yaw_is_corrected = one["applied"];
   }
   EXPECT_TRUE(yaw_is_corrected);
-  // Soil holds tracks back in turns: without a simulation that looks like a wider gauge.
+  // Soil slows tracks in turns: without a simulation, that resembles a wider gauge.
   const Names alone = Diagnose("real", "alone", {"--no-simulation"});
   ASSERT_FALSE(alone.empty());
   EXPECT_EQ(alone[0], "effective_gauge");
 }
 
 TEST_F(DiagnoseOnSoil, TakesNothingFromASimulationOfAnotherDrive) {
-  // Driven by hand: the tracks move, the recorded levers rest, and a simulation under them stands.
+  // Driven by hand: the tracks move while the recorded levers rest and a simulation under them
+  // stands.
   Record("real");
   Write("real/excavator1/commands.csv",
         "t_ns,left_track,right_track,slew,swing,boom,arm,bucket,blade\n0,0,0,0,0,0,0,0,0\n");

@@ -144,8 +144,7 @@ TEST_F(BadRecording, WhoseJointGoesAgainstItsLever) {
 }
 
 TEST_F(BadRecording, WhoseJointIsLateDoesNotGoAgainstItsLever) {
-  // Strokes there and back in 2.8 s: 1.4 s late they would be turned round, 0.7 s late they are
-  // not.
+  // Strokes back and forth in 2.8 s: a delay of 1.4 s would invert them, one of 0.7 s does not.
   WriteHandMade(scratch_.path() / "real", {.clock_s = 0.7});
   const Outcome outcome = RunTera(
       {"diagnose", "boom.yaml", "real", "--no-simulation", "--out", "why"}, {scratch_.path()});

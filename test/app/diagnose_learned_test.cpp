@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The arm out and in, up to 50 deg at a time, with levers from a fifth to the whole, 67 s.
+/// The arm out and in, up to 50 deg at a time, with levers from a fifth to full, 67 s.
 std::string ArmLevers() {
   std::ostringstream csv;
   csv << "t_s,arm\n0,0\n";
@@ -32,7 +32,7 @@ std::string ArmLevers() {
   return csv.str();
 }
 
-/// A rate of the arm that goes up and down with its angle by 30 %, 8 rad a radian: no mechanism.
+/// A rate of the arm that oscillates with its angle by 30 %, 8 rad per radian: no mechanism.
 double RippleOf(double position_rad) { return 0.3 * std::sin(8 * position_rad); }
 
 std::string Ripple() {
@@ -98,12 +98,12 @@ TEST_F(DiagnoseWhatHasNoName, PutsItIntoTheOverlayWithWhichTheNextSimulationHasI
   EXPECT_LT(std::sqrt(square / static_cast<double>(learned["at"].size())), 0.05);  // of 0.21
   EXPECT_LT(learned["rmse_after"].get<double>(), 0.4 * learned["rmse_before"].get<double>());
 
-  // The whole simulation has it too, on manoeuvres that nothing was fitted to.
+  // The whole simulation has it too, on manoeuvres outside any fit.
   const Json whole = Report("why")["whole_simulation"]["channels"];
   ASSERT_EQ(whole.size(), 1u);
   EXPECT_LT(whole[0]["rmse_after"].get<double>(), 0.4 * whole[0]["rmse_before"].get<double>());
 
-  // With it there is nothing left to say.
+  // With it nothing remains to be reported.
   EXPECT_EQ(Diagnose("real", "nothing", {"--effects", "why/effects.yaml"}), Names{});
 
   Record("plain");

@@ -145,14 +145,14 @@ TEST_F(DiagnoseOptions, ALibraryLimitsTheRangeOfANumberOrHoldsIt) {
   const auto json = Diagnosed({"--library", "library.yaml"});
   ASSERT_EQ(json["findings"].size(), 1u) << out_;
   EXPECT_EQ(json["findings"][0]["mechanism"], "unexplained") << "what a wider one would explain";
-  // A number at the range's end is confirmed by nothing.
+  // An estimate at the range's end is never confirmed.
   ASSERT_EQ(json["unconfirmed"].size(), 1u);
   EXPECT_EQ(json["unconfirmed"][0]["mechanism"], "dead_band");
   EXPECT_THAT(out_, HasSubstr("dead band 0.08 was chosen"));
   EXPECT_THAT(out_, HasSubstr("the number is at the end of its range"));
 }
 
-// Without any candidate a library is refused.
+// A library that leaves no candidate is refused.
 TEST_F(DiagnoseOptions, ALibraryAddsAMechanismThatIsNoCandidateByItself) {
   WriteWholeFile(scratch_.path() / "library.yaml",
                  "only: [viscous_friction]\ncandidates: {viscous_friction: "

@@ -14,8 +14,8 @@ namespace {
 
 constexpr long long kSecond_ns = 1'000'000'000, kPeriod_ns = kSecond_ns / 50;
 
-/// Poses fifty times a second that wait for up to 0.6 s of every two and are stamped as they come,
-/// one every 5 ms.
+/// Poses at 50 Hz that wait for up to 0.6 s of every two. They are stamped on arrival, one every 5
+/// ms.
 std::string AsTheyArrive(std::istream& poses) {
   std::ostringstream arrived;
   std::string row;
@@ -55,7 +55,7 @@ machines:
 )");
   }
 
-  /// A real recording of the scenario, poses as they arrive.
+  /// A real recording of the scenario with arrival stamps.
   void RecordReal(const Arguments& more = {}) const {
     Record("real", more);
     Edit("real/dataset.yaml", "simulated: true", "simulated: false");

@@ -102,7 +102,7 @@ machines:
 
   static constexpr Said kAsDocumented = {0, -0.9, 0, 2.1};
   static Said AsItIs(Said said) { return said; }
-  /// All of a second's within five thousandths, so that most of an even grid would be empty.
+  /// All samples of a second within five milliseconds, so that most of an even grid would be empty.
   static Said InBursts(Said said) {
     const double second = std::floor(said.t_s + 1e-6);
     said.t_s = second + 0.005 * (said.t_s - second);

@@ -13,7 +13,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// The boom up and down in the air, 40 s of steps from a tenth of the lever to its whole.
+/// The boom up and down in the air, 40 s of steps from a tenth to full lever.
 std::string BoomLevers() {
   std::ostringstream csv;
   csv << "t_s,boom\n0,0\n";
@@ -87,7 +87,7 @@ TEST_F(DiagnoseCommand, NamesADeadBandThatTheScenarioLacksAndWritesTheOverlayTha
   EXPECT_LT(whole[0]["rmse_after"].get<double>(), 0.3 * whole[0]["rmse_before"].get<double>());
   EXPECT_THAT(outcome.out, HasSubstr("The whole simulation as it was and with what was found"));
 
-  // With the overlay there is nothing left to say.
+  // With the overlay nothing remains to be reported.
   const Outcome again =
       Run({"diagnose", "boom.yaml", "real", "--effects", "why/effects.yaml", "--out", "nothing"});
   ASSERT_EQ(again.status, 0) << again.err;
@@ -122,7 +122,7 @@ TEST_F(DiagnoseCommand, FindsAnInertialUnitThatSitsAskew) {
   EXPECT_EQ(finding["mechanism"], "mount_rotation");
   EXPECT_EQ(finding["target"], "imu");
   EXPECT_NEAR(finding["parameters"]["roll_deg"]["value"].get<double>(), 1.5, 0.3);
-  // The encoders' zeros and the lean of the poses may take part of the pitch.
+  // The encoders' zeros and the tilt of the poses may absorb part of the pitch.
   const auto& pitch = finding["parameters"]["pitch_deg"];
   EXPECT_NEAR(pitch["value"].get<double>(), -2, 3 * pitch["sigma"].get<double>());
   EXPECT_THAT(Read("why/effects.yaml"), HasSubstr("mount_rotation: {roll_deg: 1."));

@@ -36,7 +36,7 @@ machines:
         - {name: right, preset: tera:config/sensors/rtk_f9p.yaml, link: undercarriage, xyz_m: [0, -0.5, 1.5]}
 )");
   }
-  /// A recording of the scenario with these settings, without anything that is true.
+  /// A recording of the scenario with these settings, without truth.
   void RecordMeasurements(const std::string& out, const Arguments& more) const {
     Record(out, more);
     RemoveTruth(folder() / out);

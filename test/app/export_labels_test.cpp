@@ -11,8 +11,8 @@
 #include "app/refused.h"
 #include "core/faults.h"
 
-// Exports of pictures, scans and labels, held against the dataset by programs that were written by
-// the formats' descriptions alone (judges/check_*.py).
+// Exports of pictures, scans and labels, compared with the dataset by programs that follow only the
+// formats' descriptions (judges/check_*.py).
 
 namespace tera {
 namespace {

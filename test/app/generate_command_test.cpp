@@ -21,7 +21,7 @@ using testing::MatchesRegex;
 using testing::Not;
 namespace fs = std::filesystem;
 
-/// A run that goes on for long enough to be stopped, with frames of a camera and of a lidar.
+/// A run long enough to be stopped, with frames of a camera and a lidar.
 std::string LongScenario() {
   return Edited(SmallScenario(std::string(kCamera) + ", " + kLidar), "duration_s: 0.4",
                 "duration_s: 1");
@@ -180,7 +180,7 @@ TEST_F(GenerateRun, FindsWhatAScenarioNamesFromAnyWorkingDirectory) {
   EXPECT_EQ(elsewhere.status, 0) << elsewhere.err;
   EXPECT_TRUE(AllFiles(path() / "there") == AllFiles(path() / "elsewhere/out"));
 
-  // So does the scenario in the dataset, without the files that the first one named.
+  // The same holds for the scenario in the dataset, without the first one's files.
   fs::remove_all(path() / "site");
   const Outcome again =
       RunTera({"generate", "../there/scenario.yaml", "--out", "again"}, {path() / "elsewhere"});

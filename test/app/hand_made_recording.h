@@ -75,7 +75,7 @@ inline void WriteHandMade(const std::filesystem::path& folder, const HandMade& m
   }
 }
 
-/// The scenario that the recording is compared with: a boom that follows its lever at once.
+/// The scenario for the comparison: a boom that follows its lever at once.
 inline constexpr const char* kHandMadeScenario = R"(
 name: boom
 duration_s: 42

@@ -63,8 +63,8 @@ machines:
 }
 
 TEST(ImportCommand, StrokesThatTheMachineCannotHaveAreTold) {
-  // Of two readings, the unit is another sensor's: centimetres read as millimetres would fit,
-  // metres do not.
+  // The unit of one reading is another sensor's: centimetres read as millimetres would fit, metres
+  // do not.
   const ScratchDirectory scratch;
   WriteWholeFile(scratch.path() / "mapping.yaml", kStrokes);
   WriteWholeFile(scratch.path() / "log.csv", "t,arm_mm\n0,300\n0.1,3000\n0.2,3100\n");
@@ -106,8 +106,8 @@ tables: [{name: commands, columns: {boom: {column: boom, unit: "1"}}}]
   EXPECT_FALSE(fs::exists(scratch.path() / "in"));
 }
 
-// A log that has no levers: speeds, an angle and a pose that were asked for, and a pressure. All of
-// it is kept in units of SI, compared with another log, drawn, and in a bag.
+// A log without levers: commanded speeds, an angle, a pose, and a pressure. All of it is kept in SI
+// units, compared with another log, drawn, and put into a bag.
 TEST(ImportCommand, SetPointsOfALogWithoutLeversAreKeptComparedDrawnAndExported) {
   const ScratchDirectory scratch;
   for (const char* run : {"a", "b"}) {

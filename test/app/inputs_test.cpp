@@ -44,7 +44,7 @@ constexpr const char* kUrdf = R"(<robot name="arm">
 constexpr const char* kObj =
     "mtllib upper.mtl\nv 0 0 0\nv 0.8 0 0.1\nv 0 0.3 0\nusemtl paint\nf 1 2 3\n";
 
-/// Files of the site that the scenario below names, or that these name.
+/// Files of the site that the scenario below names, directly or indirectly.
 const std::vector<std::string> kFiles = {"height.tif",
                                          "height.tif.aux.xml",
                                          "levers.csv",
@@ -107,7 +107,7 @@ class Inputs : public testing::Test {
     EXPECT_EQ(Entries(path()), before);
   }
 
-  /// `act` while the file has a byte more, and while it is not there.
+  /// `act` while the file has a further byte, and while it is absent.
   template <typename Act>
   void ChangeAndTakeAway(const fs::path& file, const Act& act) const {
     const std::string bytes = ReadWholeFile(file);
@@ -236,7 +236,7 @@ TEST_F(Inputs, MovedFromWhereNoneWasIsRefused) {
 
 TEST_F(Inputs, AMeshThatIsNowFoundElsewhereIsNotReplayed) {
   Whole();
-  // Looked for from the URDF's folder upwards.
+  // Searched from the URDF's folder upwards.
   fs::create_directories(site() / "robot/urdf/robot/meshes");
   WriteWholeFile(site() / "robot/urdf/robot/meshes/upper.obj", Edited(kObj, "0.8", "0.9"));
   ExpectRefused({"replay", "whole", "--out", "again"},

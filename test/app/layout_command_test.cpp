@@ -117,7 +117,7 @@ TEST_F(LayoutCommand, EveryLayoutThatWasFoundIsARigThatGenerateTakes) {
   for (const auto& rig : fs::directory_iterator(path() / "found/front")) {
     Succeed({"generate", "site.yaml", "--out", "data" + std::to_string(taken++), "--set",
              "machines[0].rig=" + rig.path().string()});
-    // Its only sensor is optional, and no sensor costs nothing: but sees nothing either.
+    // Its only sensor is optional: a layout without it costs nothing but sees nothing.
     Succeed(Evaluate("base", rig.path().string()));
     fs::remove_all(path() / "seen");
   }
@@ -251,7 +251,7 @@ TEST_F(LayoutCommand, ADamagedReportIsRefusedByItsName) {
            TellsOf("bad/layout.json"));
   }
   Refuse({"layout", "compare", "seen/rig", "absent", "--out", "compared"}, HasSubstr("absent"));
-  // All rigs' folder in place of one rig's.
+  // The folder of all rigs instead of one rig's.
   Refuse({"layout", "compare", "seen", "seen/rig", "--out", "compared"},
          TellsOf("seen/layout.json"));
 }
@@ -259,7 +259,7 @@ TEST_F(LayoutCommand, ADamagedReportIsRefusedByItsName) {
 TEST_F(LayoutCommand, AMountInsideOfTheMachineIsAWarningAndWithStrictAnError) {
   Write("site.yaml",
         Edited(kSite, "tera:config/machines/mast.yaml", "tera:config/machines/tb235.yaml"));
-  // Amid the boom, by its collision box.
+  // Inside the boom, by its collision box.
   Write("inside.yaml",
         "sensors: [{name: lidar, preset: tera:config/sensors/vlp16.yaml, link: boom, xyz_m: "
         "[0.65, 0, 0.25]}]\n");

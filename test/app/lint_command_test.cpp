@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 namespace fs = std::filesystem;
 
-/// An excavator that digs about, with one sensor of each kind and every label.
+/// A digging excavator with one sensor of each kind and every label.
 constexpr const char* kLintCommandExcavator = R"(name: small
 seed: 5
 duration_s: 1.2
@@ -68,7 +68,7 @@ TEST_F(LintCommand, WhatIsGeneratedIsClean) {
                  Edited(kLintCommandExcavator, "RECORD", "record: {poses_hz: 50}"));
   Made({"generate", "small.yaml", "--out", "run"});
   ExpectClean("run");
-  // Every rule but that of hashes has something to look at.
+  // Every rule except that of hashes applies.
   Made({"lint", "run", "--json", "lint.json"});
   const json report = json::parse(ReadWholeFile(Path("lint.json")));
   EXPECT_EQ(report["not_applicable"], json({"dataset.epoch", "files.hash"}));

@@ -117,7 +117,7 @@ TEST_F(MachineFiles, MeshesThatAreNotThereAreLeftOutOnDemand) {
   EXPECT_THAT(checked.out, AllOf(HasSubstr("\nm.urdf: meshes left out that are not there: "
                                            "package://m_description/upper.dae\n"),
                                  ContainsRegex("upper +500 +-\n")));
-  // The written run can be run again without the option.
+  // The written run can be repeated without the option.
   ASSERT_EQ(
       RunTera({"generate", "s.yaml", "--out", "run", "--without-meshes"}, {scratch.path()}).status,
       0);

@@ -8,7 +8,7 @@
 
 namespace tera {
 
-/// Standard output of a program, or nothing where it fails.
+/// Standard output of a program; none if it fails.
 inline std::optional<std::string> OutputOf(const std::string& command) {
   std::FILE* const pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) return std::nullopt;

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A ball of dust that a ray comes through with a chance that falls with its way in it.
+/// A ball of dust that a ray traverses with a probability that falls with its path length.
 ///
 /// Frames  S of the lidar.
 struct Ball {
@@ -26,7 +26,7 @@ struct Ball {
   double from_s = 0, to_s = 1e9;
 };
 
-/// Where the ray ends; infinite where it comes through.
+/// Range at which the ray ends; infinite if it passes.
 double Stop_m(const Ball& ball, const Vec3& d_S, double draw) {
   const double along_m = d_S.dot(ball.centre_S_m);
   const double aside_m = (along_m * d_S - ball.centre_S_m).norm();

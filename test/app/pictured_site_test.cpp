@@ -10,7 +10,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-/// The site with a colour camera on the mast, which looks at pile and rock.
+/// The site with a colour camera on the mast, looking at pile and rock.
 class PicturedSite : public PerceivedSite {
  protected:
   PicturedSite() {

@@ -27,7 +27,7 @@ namespace {
 
 constexpr int kCannotStart = 126;
 
-/// In the child: becomes the program, or ends with kCannotStart.
+/// In the child process: becomes the program, or ends with kCannotStart.
 [[noreturn]] void Become(const std::string& program, const Arguments& arguments,
                          const Surroundings& surroundings) {
   for (const auto& [name, value] : surroundings.environment) {
@@ -114,7 +114,7 @@ Outcome RunTeraOnTerminal(const Arguments& arguments, const fs::path& directory,
   EXPECT_GT(pid, 0) << "forkpty failed";
   std::string text;
   char block[4096];
-  // The terminal of a program that ended gives an error, not an end of file.
+  // The terminal of an ended program gives an error, not an end of file.
   for (ssize_t count; (count = read(terminal, block, sizeof block)) > 0;) text.append(block, count);
   close(terminal);
   int wait_status = 0;

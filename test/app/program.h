@@ -18,7 +18,7 @@ using Arguments = std::vector<std::string>;
 
 /// Result of a run.
 struct Outcome {
-  int status = -1;  ///< exit status, or -1 where a signal ended it
+  int status = -1;  ///< exit status, or -1 if a signal ended it
   int signal = 0;
   std::string out, err;
 };
@@ -30,14 +30,14 @@ struct Surroundings {
 
 extern const char* const kTera;
 
-/// A run of `program` with its standard output and error in files, so without a terminal.
+/// A run of `program` with its standard output and error in files, hence without a terminal.
 class TeraProcess {
  public:
   TeraProcess(const Arguments& arguments, const Surroundings& surroundings,
               const std::string& program = kTera);
   TeraProcess(const TeraProcess&) = delete;
   TeraProcess& operator=(const TeraProcess&) = delete;
-  /// Ends a run that was not waited for.
+  /// Ends a run that is still running.
   ~TeraProcess();
 
   bool Running();
@@ -51,7 +51,7 @@ class TeraProcess {
   int wait_status_ = 0;
 };
 
-/// Runs to the end. A dataset that it wrote must pass `tera lint`.
+/// Runs to the end. A dataset written by it must pass `tera lint`.
 Outcome RunTera(const Arguments& arguments, const Surroundings& surroundings);
 
 /// A run on a terminal of `columns`; `out` holds all its output.

@@ -73,7 +73,7 @@ TEST_F(RealRecording, AParkedVehicleFeelsGravityAndDoesNotTurn) {
   // A MEMS unit's biases: 0.1 m/s^2 is 10 mg, 0.005 rad/s is 0.3 deg/s.
   EXPECT_NEAR(force_mps2.norm(), 9.807, 0.1);
   EXPECT_LT(rate_radps.norm(), 0.005);
-  // There is no pose; the channels are compared all the same.
+  // There is no pose; the channels are still compared.
   const Outcome compared =
       RunTera({"compare", "parked", "parked", "--plot", "none.png"}, {scratch_.path()});
   EXPECT_EQ(compared.status, 0) << compared.err;
@@ -156,8 +156,7 @@ class DiagnosisOfReality : public testing::Test {
 TEST_F(DiagnosisOfReality, NamesTheFrictionOfThePositioningSystemAndForetellsForcesItHasNotSeen) {
   Import("emps.yaml", "emps/train.csv", "train");
   const Json why = Diagnose("emps.yaml", "train", "why");
-  // Published with friction of one's own for each direction: Coulomb 20.4 N, viscous 167 and 240 N
-  // s/m.
+  // Published with separate friction for each direction: Coulomb 20.4 N, viscous 167 and 240 N s/m.
   EXPECT_EQ(why["findings"].size(), 3u);
   EXPECT_NEAR(Number(why, "coulomb_friction", "effort_nm"), 20.4, 1.5);
   const double forward_nspm = Number(why, "viscous_friction", "coefficient_nmsprad");

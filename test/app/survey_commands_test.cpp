@@ -11,7 +11,7 @@
 #include "survey/survey_files.h"
 #include "survey/surveyed_yard.h"
 
-// `tera site` and `tera register` as their user runs them.
+// `tera site` and `tera register` from a user's view.
 
 namespace tera {
 namespace {
@@ -27,7 +27,7 @@ using testing_survey::PlyOf;
 using testing_survey::WriteBytes;
 namespace fs = std::filesystem;
 
-/// Where the yard's south-western corner lies in UTM zone 32N.
+/// Place of the yard's south-western corner in UTM zone 32N.
 const Vec3 kMap_m(600'000, 5'250'000, 420);
 
 json JsonOf(const fs::path& file) { return json::parse(ReadWholeFile(file)); }
@@ -81,7 +81,7 @@ TEST_F(SurveyCommands, ThingsAreTurnedFromTheMapsNorthToTrueNorth) {
   const double scale = 0.9996 * (1 + 0.5 * std::pow(100'020 / 6.38e6, 2));
   ASSERT_EQ(report["things"].size(), kBoxes.size());
   const double cell_m = report["terrain"]["cell_m"];
-  // The middle of the raster, which reaches over whole cells about the yard.
+  // The middle of the raster, which covers whole cells about the yard.
   const Vec2 size_m(report["terrain"]["columns"].get<int>() * cell_m,
                     report["terrain"]["rows"].get<int>() * cell_m);
   EXPECT_LT((size_m - Vec2(40, 30)).cwiseAbs().maxCoeff(), 0.5);

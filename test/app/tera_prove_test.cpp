@@ -19,8 +19,8 @@ Outcome Prove(const Arguments& arguments, const ScratchDirectory& scratch) {
   return TeraProcess(arguments, {scratch.path()}, TERA_PROVE_PROGRAM).Wait();
 }
 
-/// A frozen seed at a reduced size: that cases are written, answered, sealed and marked. How good
-/// the answers are, docs/evidence/proof.md says of many more.
+/// A frozen seed at a reduced size: cases are written, answered, sealed and marked.
+/// docs/evidence/proof.md has the quality of answers over many more.
 TEST(TeraProve, ConcealsAsksAndMarksCasesOfAFrozenSeed) {
   const ScratchDirectory scratch;
   const Outcome outcome =

@@ -33,7 +33,7 @@ void WriteRecording(const std::filesystem::path& folder) {
 
 bool PageIsBuilt() { return std::filesystem::exists(TERA_BUILT_PAGE); }
 
-/// A port of this computer that nothing listens at.
+/// A port of this computer without a listener.
 int FreePort() {
   const int listener = socket(AF_INET, SOCK_STREAM, 0);
   sockaddr_in place{};

@@ -31,13 +31,13 @@ Parts PartsOf(const std::vector<Include>& includes) {
   return parts;
 }
 
-/// Walks from part to part; a part met again on the way is a circle.
+/// Walks from part to part; a repeated part closes a circle.
 class Walk {
  public:
   explicit Walk(const Parts& parts) : parts_(parts) {
     for (const auto& [part, _] : parts) From(part);
   }
-  /// One for each way back, "a > b > a".
+  /// One entry for each circle, "a > b > a".
   const std::vector<std::string>& circles() const { return circles_; }
 
  private:

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folders of test/ that src/ does not have, and why.
+/// Folders of test/ that src/ lacks, and why.
 const std::map<std::string, std::string> kOfTestsAlone = {
     {"accuracy", "whole simulations, against the bounds of docs/evidence/accuracy.md"},
     {"architecture", "the sources themselves, as text"},
@@ -59,7 +59,7 @@ std::vector<std::string> TestsWithoutAFolder(const std::vector<std::string>& tes
   return faults;
 }
 
-/// Tests with the name of a source that lies elsewhere.
+/// Tests named after a source in another folder.
 std::vector<std::string> TestsFarFromTheirSource(const std::vector<std::string>& tests,
                                                  const std::vector<std::string>& sources) {
   std::map<std::string, std::set<std::string>> folders;

@@ -38,14 +38,13 @@ std::vector<std::string> IncludesIn(const std::string& text) {
   return AllMatches(text, std::regex("#\\s*include\\s*[<\"]([^>\"]+)[>\"]"));
 }
 
-/// Names a header of this project outside blind/ that is not free.
+/// A non-free header of this project outside blind/.
 bool IsForbidden(const std::string& header) {
   if (header.starts_with("blind/") || kMayInclude.contains(header)) return false;
   return fs::exists("src/" + header);
 }
 
-/// The forbidden links of the library; the program tera-prove brings it together with the
-/// diagnosis.
+/// The forbidden links of the library; the program tera-prove links both it and the diagnosis.
 std::vector<std::string> ForbiddenLinks(const std::string& cmake) {
   std::vector<std::string> links;
   for (const std::string& linked :
@@ -83,7 +82,7 @@ TEST(Independence, BlindLinksNothingOfThisProjectButTheCore) {
   EXPECT_EQ(ForbiddenLinks("target_link_libraries(tera_blind PRIVATE tera_diagnose)").size(), 1u);
 }
 
-/// The core itself sees no other folder (test/architecture), so that nothing comes in by it.
+/// The core itself depends on no other folder (test/architecture), so that it adds no dependence.
 TEST(Independence, NothingButTheProgramSeesBlind) {
   for (const auto& entry : fs::recursive_directory_iterator("src")) {
     const fs::path& path = entry.path();

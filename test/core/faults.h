@@ -61,7 +61,7 @@ inline auto HasFault(FaultKind kind, const std::string& place = "") {
   return ::testing::Contains(IsFault(kind, place));
 }
 
-/// One of the faults, of whatever kind, is at a place that ends in `place`.
+/// One of the faults, of any kind, is at a place that ends in `place`.
 inline auto HasFaultAt(const std::string& place) {
   return ::testing::Contains(::testing::Field(
       "place", &InputFault::place,

@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// Waits for something that other threads bring about; false where that takes too long.
+/// Waits for a condition set by other threads; false after a timeout.
 bool Await(const std::function<bool()>& is_so) {
   const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
   while (!is_so()) {

@@ -21,7 +21,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// How the hand-made boom moves by its lever, on a machine whose other axes stand still.
+/// Response of the hand-made boom to its lever, on a machine whose other axes stand still.
 SimulatedCourse CourseOf(const MachineModel& model, const std::function<double(double)>& valve,
                          const CourseSpan& span) {
   constexpr double kStep_s = 0.02;

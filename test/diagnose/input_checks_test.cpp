@@ -15,7 +15,7 @@
 namespace tera {
 namespace {
 
-/// 40 s at 50 Hz: a lever that goes to and fro at 0.6 Hz, measured late.
+/// 40 s at 50 Hz: a lever that alternates at 0.6 Hz, with a delayed measurement.
 ReplayBlock ToAndFro(double late_s) {
   constexpr double kPeriod_s = 0.02;
   std::vector<double> expected, measured;
@@ -34,7 +34,7 @@ ReplayBlock ToAndFro(double late_s) {
 
 TEST(InputChecks, ARateThatIsHalfAStrokeLateDoesNotGoAgainstItsLever) {
   EXPECT_NO_THROW(CheckUnitsOf({"real", "m"}, {ToAndFro(0)}));
-  // Half a stroke late it goes the other way at once, and follows 0.83 s later.
+  // With a delay of half a stroke it initially moves the other way, and follows 0.83 s later.
   EXPECT_NO_THROW(CheckUnitsOf({"real", "m"}, {ToAndFro(0.83)}));
 }
 
@@ -54,7 +54,7 @@ Recording Begun(const std::string& name, double late_s, bool has_epoch = true) {
   return Recording(OwnFolder() / name);
 }
 
-// The second begins 4 s after the first, so that they have 6 s in common; the third after its end.
+// The second begins 4 s after the first, so that they share 6 s; the third begins after its end.
 TEST(InputChecks, RecordingsOfOneDriveDoNotJudgeEachOther) {
   const Recording first = Begun("first", 0), second = Begun("second", 4);
   EXPECT_THAT([&] { RequireOtherTime(first, second); },

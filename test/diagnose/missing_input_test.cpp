@@ -17,8 +17,8 @@ using ::testing::SizeIs;
 constexpr double kStep_s = 0.02;
 constexpr std::size_t kSteps = 3000;  // one minute
 
-/// One joint with a lever; each ten seconds the lever is 0.6 for three seconds, then -0.6 for
-/// three, then neutral.
+/// A joint with a lever that repeats every ten seconds: 0.6 for three seconds, then -0.6 for three,
+/// then neutral.
 struct Drive {
   MachineModel model;
   AxisLog log;
@@ -91,7 +91,8 @@ TEST(MissingInput, IsNotALeverThatIsOnlyEverPushedToOneSideAndFollowed) {
   EXPECT_THAT(drive.Found(), IsEmpty());
 }
 
-// A joint that sinks by a tenth of its rates while the lever rests leaks; its input is there.
+// A joint that sinks at a tenth of its rates while the lever rests has a leak; its input is
+// complete.
 TEST(MissingInput, IsNotWhatCreeps) {
   Drive drive;
   for (std::size_t k = 0; k < kSteps; ++k) {
@@ -131,7 +132,7 @@ TEST(MissingInput, IsNotSoughtOfAnAxisWithoutLever) {
   EXPECT_THAT(drive.Found(), IsEmpty());
 }
 
-// Five seconds by hand, once in a minute of work, are less than a fifth of it.
+// Five seconds of motion by hand in a minute of work are less than a fifth.
 TEST(MissingInput, IsNotASinglePush) {
   Drive drive;
   for (std::size_t k = 2900; k < kSteps; ++k) drive.rate()[k] = 0.3;
@@ -147,7 +148,7 @@ TEST(MissingInput, IsNoneWhereTheSimulationMovesAtRestToo) {
   ASSERT_THAT(drive.Found(), SizeIs(1));
   const Drive as_simulated = drive;
   EXPECT_THAT(FindMissingInput(drive.model, drive.log, &as_simulated.log), IsEmpty());
-  // The other way about it is no such motion.
+  // Motion in the opposite direction does not count as such.
   Drive other_way = drive;
   for (double& rate : other_way.rate()) rate = -rate;
   EXPECT_THAT(FindMissingInput(drive.model, drive.log, &other_way.log), SizeIs(1));

@@ -1,11 +1,11 @@
 #include "dataset/import/bag/bag_source.h"
 #include "untrusted_file.h"
 
-// MCAP, ROS 1 bags and SQLite 3 bags, by their first bytes, to the damage and without.
+// MCAP, ROS 1 bags and SQLite 3 bags, by their first bytes, damaged and undamaged.
 
 namespace {
 
-/// Takes all messages of all topics, up to a number that a small file can only claim to have.
+/// Takes all messages of all topics, up to a number beyond any real small file.
 class TakesAll : public tera::BagVisitor {
  public:
   Wish Wants(const tera::BagTopic&) override { return Wish::kTake; }

@@ -1,8 +1,8 @@
 #include "dataset/import/cloud/read_point_cloud.h"
 #include "untrusted_file.h"
 
-// Point clouds that `tera site` and `tera register` read. The input's first byte chooses the
-// format, which a cloud's file name says.
+// Point clouds for `tera site` and `tera register`. The input's first byte chooses the format,
+// otherwise given by the file name.
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;

@@ -2,8 +2,8 @@
 #include "dataset/import/csv_file.h"
 #include "untrusted_file.h"
 
-// Tables as other people write them, with and without a header, every field asked for as a number;
-// and TERA's own.
+// Foreign tables, with and without a header, with every field requested as a number; and TERA's
+// own.
 
 namespace {
 

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Asks for everything in a table.
+/// Requests everything in a table.
 void AskForAll(const tera::RowTable& table, const std::vector<std::string>& columns) {
   for (const std::string& name : columns) {
     const std::size_t column = table.Column(name);

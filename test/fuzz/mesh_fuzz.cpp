@@ -1,7 +1,7 @@
 #include "render/meshes/load_mesh.h"
 #include "untrusted_file.h"
 
-// The input's first byte chooses the format, which a mesh's file name says.
+// The input's first byte chooses the format, otherwise given by the file name.
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A machine that stands before a pile; a person as a box of her size, so that her shape is known.
+// A machine at rest before a pile, and a person as a box of known size.
 constexpr char kScene[] = R"(
 name: ranking
 seed: 5
@@ -113,7 +113,7 @@ class Ranking : public testing::Test {
   std::vector<LayoutReport> reports_;
 };
 
-/// Share of the cells of the study's map that have no point of one scan, on average.
+/// Mean share of the cells of the study's map without a point of one scan.
 double GapsOf(const std::vector<LidarScan>& scans, const Pose& X_HS, const ElevationStudy& map) {
   const Vec2 size_m = map.high_H_m - map.low_H_m;
   const auto nx = std::lround(size_m.x() / map.cell_m), ny = std::lround(size_m.y() / map.cell_m);
@@ -189,12 +189,12 @@ TEST_F(Ranking, PointsOnAPersonAreThoseCountedInADataset) {
           [](const LidarPoint& p) { return p.label == std::uint8_t(SemanticClass::kPerson); }));
     }
     counted /= static_cast<double>(scans.size());
-    // Three standard errors of a count at least, since where rows of beams fall on her is chance.
+    // At least three standard errors of a count, since the rows of beams on the person are random.
     EXPECT_NEAR(expected, counted, std::max(0.05 * counted, 3 * std::sqrt(counted))) << layout.name;
     RecordProperty(layout.name, fmt::format("{:.0f} expected, {:.0f} counted", expected, counted));
     seeing += counted > 0;
   }
-  EXPECT_GE(seeing, 2);  // the low one looks against the machine's own arm
+  EXPECT_GE(seeing, 2);  // the low lidar faces the machine's own arm
 }
 
 }  // namespace

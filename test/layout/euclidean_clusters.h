@@ -9,10 +9,10 @@
 
 namespace tera {
 
-/// Numbers of the points of one cluster.
+/// Indices of the points of one cluster.
 using Cluster = std::vector<std::size_t>;
 
-/// Points into cubes of the edge `edge_m`.
+/// Points in cubes with edges of `edge_m`.
 class PointCubes {
  public:
   PointCubes(const std::vector<Vec3>& points_m, double edge_m)

@@ -28,7 +28,7 @@ inline std::string BoxObj(const Vec3& low_m, const Vec3& high_m) {
   return obj + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
 }
 
-/// H of these tests: away from W's origin and turned.
+/// H of these tests: away from W's origin and rotated.
 inline constexpr double kHYaw_deg = 40;
 inline Pose X_WH() { return MakePose({2, -3, 0}, 0, 0, kHYaw_deg * kDeg); }
 
@@ -49,7 +49,7 @@ struct SiteText {
   double size_m = 80;
   std::vector<BoxInH> boxes = {};
   std::vector<PartInH> parts = {};  ///< none: a post that is invisible
-  std::string terrain = "";         ///< more keys of the terrain, each behind a comma
+  std::string terrain = "";         ///< more keys of the terrain, each after a comma
 };
 
 class LookedAtSite {
@@ -124,7 +124,7 @@ class LookedAtSite {
   Sighting sighting_;
 };
 
-/// Looks in all directions alike, without limit.
+/// Looks equally in all directions, without limit.
 inline ViewField EverywhereAlike(double per_steradian = 1e9) {
   ViewField field;
   field.per_steradian = [per_steradian](const Vec3&) { return per_steradian; };

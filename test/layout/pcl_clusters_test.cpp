@@ -18,7 +18,7 @@ namespace {
 
 using Clusters = std::set<std::set<std::size_t>>;
 
-/// Points of clusters, whatever their order.
+/// Points of clusters, independent of their order.
 Clusters Ours(const std::vector<Vec3>& points_m, double tolerance_m, std::size_t least) {
   Clusters clusters;
   for (const Cluster& cluster : EuclideanClusters(points_m, tolerance_m, least)) {

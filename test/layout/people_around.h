@@ -26,7 +26,7 @@ inline constexpr int kPeopleOfRing = 3;
 /// Radii about the machine for people, from its immediate vicinity to the end of the near zone.
 inline std::vector<double> PeopleRings_m() { return {3.5, 5, 7, 9, 11, 13}; }
 
-/// Upright and without a step, along a third of a ring. The inner two rings leave out the bucket's
+/// Upright and without a step, along a third of a ring. The inner two rings exclude the bucket's
 /// area in front of the machine.
 inline std::string PersonOnRing(int ring, int one) {
   constexpr double kThird_deg = 360.0 / kPeopleOfRing, kShift_deg = 17, kSide_deg = 30;

@@ -21,10 +21,10 @@
 namespace tera {
 namespace {
 
-constexpr double kNear_m = 0.75;       ///< of a cluster's centroid to the person it is of
+constexpr double kNear_m = 0.75;       ///< from a cluster's centroid to its person
 constexpr std::size_t kEveryScan = 5;  ///< of ten a second
 constexpr TimeNs kHalfScan_ns = 50'000'000;
-constexpr int kMany = 50;  ///< points of a cluster, so that not nearly all in sight have them
+constexpr int kMany = 50;  ///< points of a cluster, enough for some visible persons to fail
 
 /// As in the test of elevation maps, each with a dense and with a sparse lidar.
 const std::map<std::string, std::string> kPeopleRankingMounts = {
@@ -90,8 +90,8 @@ std::string TextOf(const Outcome& o) {
   return text + fmt::format("; {} clusters of nobody", o.nobody);
 }
 
-/// How much more one layout finds than another, in standard errors. Both were tried on the same
-/// persons; the scans of a person are alike, so that each person counts as one sample.
+/// Difference of found persons between two layouts, in standard errors. Both were tested on the
+/// same persons; scans of a person are alike, so that each counts as one sample.
 double FoundMoreInErrors(const Outcome& a, const Outcome& b) {
   std::map<std::string, double> more;
   for (std::size_t i = 0; i < a.tried.size(); ++i) {
@@ -107,7 +107,7 @@ double FoundMoreInErrors(const Outcome& a, const Outcome& b) {
   return variance > 0 ? mean / std::sqrt(variance / n) : 0;
 }
 
-/// She faces the machine, as the figures have it.
+/// The person faces the machine, as in the figures.
 Pose FacingFrom(const Pose& X_HPerson) {
   const Vec3 p_H_m = X_HPerson.translation();
   return MakePose(p_H_m, 0, 0, std::atan2(p_H_m.y(), p_H_m.x()));

@@ -57,7 +57,7 @@ constexpr char kExcavatorRig[] = R"(sensors:
 constexpr char kMastRig[] =
     "sensors: [{name: imu, preset: tera:config/sensors/icm_20948.yaml, link: mast}]\n";
 
-/// Every kind of sensor, elsewhere and otherwise than in kExcavatorRig.
+/// Every kind of sensor, with other places and settings than in kExcavatorRig.
 constexpr char kOtherRig[] = R"(sensors:
   - {name: imu, preset: tera:config/sensors/icm_20948.yaml, link: arm, xyz_m: [0.5, 0.1, 0.2], rpy_deg: [5, 10, 80]}
   - {name: imu2, preset: tera:config/sensors/xsens_mti_670.yaml, link: bucket}
@@ -281,7 +281,7 @@ TEST_F(ResenseScene, ADamagedStateIsRefusedAndNothingIsLeft) {
 }
 
 TEST_F(ResenseScene, AStateThatEndsBeforeItsRunIsRefusedAndNothingIsLeft) {
-  // A state of one block more than a start: as if the run had taken no step. It shows at the end.
+  // A state with one block more than a start: as if the run had taken no step. It shows at the end.
   Generated("base", true);
   const fs::path file = path() / "base" / kStateFile;
   BlockFileReader reader(file);

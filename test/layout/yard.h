@@ -16,7 +16,7 @@
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
 
-/// A level site with one machine of two boxes, to look around in.
+/// A level site and a machine of two boxes.
 
 namespace tera {
 
@@ -27,7 +27,7 @@ struct TestBox {
   Vec3 low_m = Vec3::Zero(), high_m = Vec3::Zero();
 };
 
-/// As a closed mesh whose faces look outwards.
+/// A closed mesh whose faces point outwards.
 inline std::string ObjOf(const TestBox& box) {
   std::string text = "o body\n";
   for (const double y : {box.low_m.y(), box.high_m.y()}) {
@@ -104,7 +104,7 @@ levers: [turn]
   Sighting sighting_;
 };
 
-/// A viewer that looks where `looks` says, with as many samples per steradian everywhere there.
+/// A viewer that looks where `looks` is true, with uniform samples per steradian there.
 inline Viewer ViewerOf(
     ViewField::Samples samples, double per_sr, const Pose& X_WS,
     std::function<bool(const Vec3& d_S)> looks = [](const Vec3&) { return true; }) {

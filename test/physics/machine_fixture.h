@@ -130,7 +130,7 @@ inline double Energy_j(const MachineModel& model, const MachineState& a, const M
   double energy_j = 0;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const Link& link = model.links[i];
-    // The scheme's velocities belong to the middle of steps; at `a` holds the mean of both sides.
+    // The scheme's velocities belong to the middle of steps; at `a` the mean of both sides applies.
     const Vec3 v =
         0.5 * (PointVelocity(a.links[i], link.com_B_m) + PointVelocity(b.links[i], link.com_B_m));
     const Vec3 w_W = 0.5 * (a.links[i].w_WB_radps + b.links[i].w_WB_radps);

@@ -110,8 +110,8 @@ TEST_F(SensorsOfACart, APartIsCountedFromTheFirstScanAndHasBothItsEnds) {
   }
 }
 
-// Of 130 scans, every second or third is taken to have 60; of pictures, every third or fourth to
-// have 40. The first is one of them, and the gap after the last is no larger than the others.
+// Every second or third of 130 scans is taken to have 60, and every third or fourth picture to have
+// 40. The first is one of them, and the gap after the last is no larger than the others.
 TEST_F(SensorsOfACart, OfMoreThan60ScansOr40PicturesSomeAreTakenEvenly) {
   constexpr int kNumber = 130;
   for (const RecordedSensor& sensor : Seeing(kNumber)) {
@@ -150,7 +150,7 @@ TEST_F(SensorsOfACart, ThatAnUnmeasuredJointCarriesHaveAnObstacle) {
   EXPECT_THAT(obstacle("base", cart), HasSubstr("no poses of real_cart"));
 }
 
-/// An excavator on level soil that sinks in by 0.1 m and goes 2 m/s, whatever bears it.
+/// An excavator on level soil with a sinkage of 0.1 m, at 2 m/s, with any support.
 class GroundUnderTracks : public testing::Test {
  protected:
   static Scenario DiggerOnSoil() {

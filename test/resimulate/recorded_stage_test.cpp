@@ -19,8 +19,8 @@ constexpr char kTrueEncoders[] =
     "{sensors: [{name: encoders, type: encoder, rate_hz: 500, joints: [slew, swing, boom, arm, "
     "bucket, blade, left_track, right_track]}]}";
 
-/// The work of test/sim/work_fixture.h, recorded for 8 s: a bucket dug and dumped, tracks driven
-/// over a plank and over soil.
+/// The work of test/sim/work_fixture.h, recorded for 8 s: a bucket dug and dumped, and tracks
+/// driven over a plank and soil.
 class RecordedWork : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -54,7 +54,7 @@ double Moved_m3(const std::vector<float>& from_m, const std::vector<float>& to_m
   return 0.5 * sum_m * cell_m * cell_m;
 }
 
-/// The largest distance between a link and where a recording has it.
+/// The largest distance between a link and its recorded place.
 double FarthestLink_m(const MachineState& own, const MachineState& recorded) {
   double farthest_m = 0;
   for (std::size_t l = 0; l < own.links.size(); ++l) {
@@ -64,7 +64,7 @@ double FarthestLink_m(const MachineState& own, const MachineState& recorded) {
   return farthest_m;
 }
 
-/// Cells whose height another ground has otherwise, and those next to them where `ring`.
+/// Cells with another height in the other ground, plus their neighbours if `ring`.
 std::vector<bool> Worked(const std::vector<float>& site_m, const std::vector<float>& ground_m,
                          int nx, bool ring) {
   std::vector<bool> worked(site_m.size());
@@ -138,7 +138,7 @@ TEST_F(RecordedWork, PressesNoGroundUnderAPlankThatTracksClimb) {
   const double top_m =
       site.HeightAt(plank.xy_W_m.x(), plank.xy_W_m.y()) + box.size_m.z();  // it lies on the ground
   int places = 0;
-  // A cell and more within its edges.
+  // More than a cell within its edges.
   for (double x_m = 0.15 - 0.5 * box.size_m.x(); x_m < 0.5 * box.size_m.x() - 0.15; x_m += 0.1) {
     for (double y_m = 0.15 - 0.5 * box.size_m.y(); y_m < 0.5 * box.size_m.y() - 0.15; y_m += 0.1) {
       const Vec3 p_W_m = X_WB * Vec3(x_m, y_m, 0);

@@ -39,7 +39,7 @@ SensorDescription LidarOnMast() {
 
 SensorCalibration AsDocumented() { return {.X_BT = LidarOnMast().X_BS}; }
 
-/// Where the sensor is, and how it is turned, by geometry alone.
+/// The sensor's place and attitude, by geometry alone.
 Pose SensorAt(double t_s, const Pose& X_BT = LidarOnMast().X_BS) {
   const Pose X_BaseMast =
       MakePose(Vec3(0, 0, kMastHeight_m), RotationFromRpy(0, 0, ScanCasterTurned(t_s)));
@@ -124,7 +124,7 @@ TEST_F(CastFromTheCart, WhatIsBeyondReachOrTooNearOrNotCoveredIsNotCompared) {
   const Vec3 up_S = SensorAt(1).linear().transpose() * Vec3::UnitZ();
   const auto sky = Cast(1, 0, {{up_S, 0}}).front();
   EXPECT_EQ(sky.surface, Surface::kNothing);
-  SensorCalibration low = AsDocumented();  // half a metre above the ground, nearer than it sees
+  SensorCalibration low = AsDocumented();  // half a metre above the ground, nearer than its range
   low.X_BT.translation().z() -= SensorAt(1).translation().z() - 0.5;
   EXPECT_EQ(Cast(1, 0, {{-up_S, 0}}, low).front().surface, Surface::kUnknown);
   EXPECT_EQ(Cast(4, 0, {{-up_S, 0}}).front().surface, Surface::kUnknown);

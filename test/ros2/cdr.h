@@ -44,7 +44,7 @@ class CdrReader {
     const std::int64_t seconds = I32();
     return seconds * 1'000'000'000 + U32();
   }
-  /// At most three bytes of padding are left.
+  /// At most three bytes of padding remain.
   bool AtEnd() { return payload_.size() - cdr_.getSerializedDataLength() < 4; }
 
  private:

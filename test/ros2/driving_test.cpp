@@ -5,7 +5,7 @@
 
 #include "ros2/live_run.h"
 
-// Levers that come over the network.
+// Levers received over the network.
 
 namespace tera {
 namespace {

@@ -10,7 +10,7 @@
 
 namespace tera {
 
-/// A message as it came over the network: encapsulation and CDR.
+/// A message received over the network: encapsulation and CDR.
 using Payload = std::vector<std::uint8_t>;
 
 /// Discovery's description of a published topic.
@@ -41,7 +41,7 @@ class FastPeer {
   std::optional<Payload> Next(
       const std::string& topic,
       const std::function<bool(const Payload&)>& accept = [](const Payload&) { return true; });
-  /// Messages that have come and were not asked for.
+  /// Unrequested messages.
   std::size_t Waiting(const std::string& topic) const;
 
   /// `topic` must then be Published with payloads of that type.

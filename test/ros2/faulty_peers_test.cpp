@@ -8,7 +8,7 @@
 
 #include "ros2/live_run.h"
 
-// Peers that die, hang, or hear half of it hold nothing.
+// Peers that die, hang, or lose packets do not block anything.
 
 namespace tera {
 namespace {

@@ -56,7 +56,7 @@ JointView JointsOf(const Payload& payload);
 /// The payload, or an empty one after a failure.
 Payload Require(const std::optional<Payload>& payload, const std::string& what);
 
-/// An answer to /clock at `t_ns`.
+/// A reply to /clock at `t_ns`.
 LeverMessage AnswerTo(TimeNs t_ns);
 
 }  // namespace tera

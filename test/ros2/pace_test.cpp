@@ -22,7 +22,7 @@ TEST(LiveRos, LockstepGoesOnWithEachAnswerAndNotWithout) {
   ASSERT_TRUE(peer.WaitForReader("rt/red/delta_can"));
   TimeNs now_ns = ClockOf(Require(peer.Next("rt/clock"), "clock"));
   for (int tick = 0; tick < 30; ++tick) {
-    if (tick == 10) {  // no answer: the same time again and again
+    if (tick == 10) {  // no reply: the same time is repeated
       for (int i = 0; i < 5; ++i) {
         EXPECT_EQ(ClockOf(Require(peer.Next("rt/clock"), "repeated clock")), now_ns);
       }
@@ -117,7 +117,7 @@ TEST(LiveRos, EveryPaceEndsAtItsDurationWithNobodyThere) {
 }
 
 TEST(LiveRos, RealPaceWaitsBeforeEachTickUntilTheWallIsThere) {
-  // A wall whose clock goes on only while somebody waits for it.
+  // A wall clock that advances only while somebody waits for it.
   const ros::Wall::Moment start = ros::Wall::Moment() + std::chrono::seconds(1000);
   ros::Wall::Moment now = start;
   std::vector<ros::Wall::Moment> waited;

@@ -9,7 +9,7 @@
 #include "ros2/cdr.h"
 #include "ros2/fast_peer.h"
 
-// `tera ros2` as its user runs it.
+// `tera ros2` from a user's view.
 
 namespace tera {
 namespace {
@@ -24,7 +24,7 @@ class Ros2Command : public testing::Test {
 
   const fs::path& path() const { return scratch_.path(); }
 
-  /// On this process' own domain, on this host only, as the environment says it.
+  /// On this process' own domain and only on this host, by the environment.
   Surroundings Here() const {
     return {path(),
             {{"ROS_DOMAIN_ID", std::to_string(OwnDomainId())}, {"ROS_LOCALHOST_ONLY", "1"}}};

@@ -47,7 +47,7 @@ TEST(RealTime, WaitsOnItsWall) {
 
 TEST(RealTime, OfTimeLostATenthOfASecondIsCaughtUpWith) {
   ros::RealTime time = Started();
-  // 90 ms late: nothing to wait for until the simulation is there again.
+  // 90 ms late: no wait until the simulation has caught up.
   const Moment late = kStart + 10ms + 90ms;
   for (int tick = 1; tick <= 20; ++tick) {
     EXPECT_EQ(time.Due(kStart_ns + tick * kTick_ns, late), kStart + tick * 10ms);

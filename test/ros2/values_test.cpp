@@ -185,7 +185,7 @@ TEST_F(DrivenRun, JointStatesAreTheTrueOnes) {
   EXPECT_EQ(joints.position.size(), 8u);
   for (const auto& [name, position] : joints.position) {
     EXPECT_NEAR(position, Truth(joints.t_ns, name + "_rad"), 1e-9) << name;
-    // A row's rate is the mean over the step after it; here that of the steps before and after.
+    // A row's rate is the mean over the next step; here that of the neighbouring steps.
     const double rate_radps = 0.5 * (Truth(joints.t_ns - kStep_ns, name + "_radps") +
                                      Truth(joints.t_ns, name + "_radps"));
     EXPECT_NEAR(joints.velocity.at(name), rate_radps, 0.02 * std::abs(rate_radps) + 1e-3) << name;

@@ -9,7 +9,7 @@
 #include "dataset/format/site_frame.h"
 #include "sensors/sensor.h"
 
-// A sensor of any kind whose samples are rows, at work on a link that moves as a test says.
+// A sensor of any row kind, running on a link with a given motion.
 
 namespace tera::testing {
 

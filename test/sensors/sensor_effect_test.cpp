@@ -18,7 +18,7 @@ using testing::CubeMesh;
 using testing::NoGround;
 using testing::OneBodyEach;
 
-/// All that a sensor measured, in order.
+/// All measurements of a sensor, in order.
 using Output = std::vector<double>;
 
 void Append(const Vec3& v, Output* output) { output->insert(output->end(), {v.x(), v.y(), v.z()}); }
@@ -166,7 +166,7 @@ TEST(SensorKeys, TheLatencyIsTheTimeFromAMeasurementToItsAvailability) {
   for (const EncoderSample& sample : EncoderSamples(Read("type: encoder" + late))) {
     EXPECT_EQ(sample.t_available_ns - sample.t_ns, 25'000'000);
   }
-  // The time of a scan is that of its first ray; it is whole a revolution later.
+  // A scan's time is that of its first ray; it is complete a revolution later.
   const LidarScan scan =
       FirstScan(Read("type: lidar, link: b, elevation_deg: [0], columns: 8" + late));
   EXPECT_EQ(scan.t_available_ns - scan.t_ns, 125'000'000);

@@ -54,7 +54,7 @@ TEST_F(LiveStageTest, GivesTheSamplesOfTheStepOfThoseSensorsThatWereAskedFor) {
   ASSERT_EQ(observation.samples_size(), 3);
   EXPECT_EQ(observation.samples(0).sensor(), "lidar");
   EXPECT_EQ(observation.samples(0).lidar_size(), 4);
-  EXPECT_EQ(observation.samples(1).imu_size(), 39);  // the 40th is known a physics step later
+  EXPECT_EQ(observation.samples(1).imu_size(), 39);  // the 40th is available a physics step later
   EXPECT_EQ(observation.samples(2).gnss_size(), 4);
   EXPECT_EQ(observation.samples(2).gnss(3).time_ns(), 400'000'000);
   const v1::LidarScan& scan = observation.samples(0).lidar(0);
@@ -95,7 +95,7 @@ TEST(LiveStage, TheLatestFrameOfASensorComesWhateverItsClockSays) {
   }
 }
 
-/// Counts the scans that were measured for it.
+/// Counts the scans measured for it.
 class CountingKeeper : public SampleKeeper {
  public:
   void Write(ChannelId channel, Measurement measurement) override {
@@ -115,7 +115,7 @@ TEST(SampleKeeper, OfTheLatestFrameAloneNoOtherIsMeasured) {
     LiveRun run(std::make_shared<const Scenario>(ReadScenario(config.root())), "", {}, {&keeper});
     const SampleClock clock{.rate_hz = static_cast<double>(rate_hz)};
     TimeNs end_ns = 0;
-    // Steps that end as a revolution does, and one between two.
+    // Steps that end with a revolution, and one in between.
     for (const double end_s : {0.4, 0.8, 1.15}) {
       end_ns = FromSeconds(end_s);
       keeper.scans = 0;
@@ -156,7 +156,7 @@ TEST(LiveStage, ASensorWithoutAMessageOfItsOwnSendsRowsOfItsColumns) {
   tilt.set_machine("digger");
   tilt.set_sensor("tilt");
   const v1::Observation observation = stage->Step(step).value();
-  // The 20th is known a physics step later.
+  // The 20th is available a physics step later.
   ASSERT_EQ(observation.samples(0).row_size(), 19);
   const v1::RowSample& row = observation.samples(0).row(18);
   EXPECT_EQ(row.time_ns(), 380'000'000);

@@ -12,7 +12,7 @@
 #include "serve/live_stage.h"
 #include "serve/session.h"
 
-/// A digger and a rover on a small site, acted upon without a socket and without a camera.
+/// A digger and a rover on a small site, used without a socket and without a camera.
 
 namespace tera {
 

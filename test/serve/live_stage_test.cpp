@@ -38,7 +38,7 @@ TEST_F(LiveStageTest, ALeverMovesItsJointForTheWholeOfALongStep) {
   const double half_second_rad = JointAt(after, "boom") - before_rad;
   EXPECT_LT(half_second_rad, -0.05);
   EXPECT_EQ(after.machines(0).lever(LeverOf(digger_, "boom")), -0.5);
-  // Longer than a command lasts by itself.
+  // Longer than a command's own duration.
   Reset();
   const v1::Observation late = Step(Lever("swing", 0.2, 800));
   EXPECT_EQ(late.machines(0).lever(LeverOf(digger_, "swing")), 0.2);

@@ -64,7 +64,7 @@ class RawClient {
   ~RawClient() { context_.TryCancel(); }
 
   bool Send(const v1::Request& request) { return stream_->Write(request); }
-  /// Nothing where the server ended the session.
+  /// None if the server ended the session.
   std::optional<v1::Response> Receive() {
     v1::Response response;
     if (!stream_->Read(&response)) return std::nullopt;
@@ -99,7 +99,7 @@ class RawClient {
 class ServerTest : public testing::Test {
  protected:
   std::string address() const { return server_->address(); }
-  /// A client that is served, as soon as the server is free.
+  /// A client that is served as soon as the server is free.
   std::unique_ptr<RawClient> Served() {
     while (true) {
       auto client = std::make_unique<RawClient>(address());
@@ -147,7 +147,7 @@ TEST_F(ServerTest, ServesOneClientAfterTheOther) {
     EXPECT_TRUE(client.Ask(Step(4))->has_observation());
     client.Close();
     EXPECT_TRUE(client.End().ok());
-    EXPECT_EQ(stages_, 0);  // gone before its client heard of the end
+    EXPECT_EQ(stages_, 0);  // gone before its client learnt of the end
   }
 }
 
@@ -205,13 +205,13 @@ TEST_F(ServerTest, AClientThatSaysNothingLosesItsPlace) {
       },
       [](const std::string&) {});
   RawClient silent(impatient.address());
-  const grpc::Status end = silent.End();  // without the server's doing it would wait for ever
+  const grpc::Status end = silent.End();  // without the server's action it would wait for ever
   EXPECT_EQ(end.error_code(), StatusCode::DEADLINE_EXCEEDED);
   EXPECT_THAT(end.error_message(), HasSubstr("no Hello within 2 s"));
   RawClient next(impatient.address());
   ASSERT_TRUE(next.Ask(Hello(1))->has_welcome());
   std::this_thread::sleep_for(std::chrono::milliseconds(2500));
-  EXPECT_TRUE(next.Ask(Reset(2))->has_observation());  // may think as long as it likes
+  EXPECT_TRUE(next.Ask(Reset(2))->has_observation());  // may take any time
 }
 
 TEST_F(ServerTest, EndsTheSessionOfAClientOutOfOrderAndIsReadyAgain) {
@@ -236,7 +236,7 @@ TEST_F(ServerTest, RefusesARequestThatIsTooLargeAndIsReadyAgain) {
   ExpectReady();
 }
 
-/// Sends bytes that no protobuf library would write.
+/// Sends bytes that no protobuf library writes.
 grpc::Status EndAfterBytes(const std::string& address, const std::string& bytes) {
   grpc::GenericStub stub(grpc::CreateChannel(address, RawClient::Credentials()));
   grpc::ClientContext context;

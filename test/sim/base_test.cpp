@@ -74,7 +74,7 @@ TEST(Base, TravelsAlongASideSlope) {
   }
 }
 
-/// A step across the way, at x = 0, of that height.
+/// A step of this height across the path, at x = 0.
 std::string Step(double height_m) {
   return fmt::format(
       "effects: {{m: {{base: {{terrain_height: {{x_m: 8, y_m: 0, radius_m: 8, height_m: {}, "
@@ -104,7 +104,7 @@ TEST(Base, ClimbsAStepAndNotAWall) {
   }
 }
 
-/// Stands on slick pavement and digs in dirt, its blade before it; no track turns.
+/// It stands on slick pavement and digs in dirt, with the blade ahead; no track turns.
 struct Dig : Drive {
   Dig(const std::string& ground, double blade_lever)
       : Drive(kExcavator, At(0, 0, 0, "joints_deg: {boom: 30, arm: -100, bucket: -30, blade: 8}"),
@@ -175,7 +175,7 @@ TEST(Base, TracksPushTheBucketIntoAPile) {
   }
 }
 
-/// Root mean square of the pitch rate of a machine that turns, once it does.
+/// Root mean square of the pitch rate during steady turning.
 double PitchRate_radps(const std::string& soil, double left, double right,
                        const std::string& more = "") {
   Drive drive(kExcavator, At(0, 0, 20), "cell_m: 0.05, soil: " + soil, left, right, more);

@@ -24,7 +24,7 @@ class LoadedBucket : public ::testing::TestWithParam<const char*> {
     ground_ = simulation.ground();
     const MachineModel& machine = scenario_.machines[0].placement.model;
     bucket_ = machine.LinkIndex("bucket");
-    // The bucket alone is turned mouth upwards and lifted, pitched and rolled a little.
+    // Only the bucket is turned mouth upwards and lifted, with slight pitch and roll.
     state_.machines[0].links[bucket_].X_WB = MakePose(
         Vec3(3, 4, 2.5), RotationFromRpy(0, 0, 0.6) * RotationFromRpy(0.07, kPi - 0.15, 0));
   }

@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-/// Where it starts, its blade raised, half as fast as it can.
+/// Its start, with raised blade, at half speed.
 constexpr double kStart_m = -2.5, kLever = 0.5, kSpeed_mps = 0.625;
 
 struct Way {
@@ -49,8 +49,8 @@ TEST(Climb, TracksDriveOverAPlankOfTenCentimetres) {
     double most_rad = 0;
     drive.Run(10.0, [&] { most_rad = std::max(most_rad, ClimbTilt_rad(drive)); });
     EXPECT_NEAR(drive.place().x(), kStart_m + 10 * kSpeed_mps, 0.4);
-    EXPECT_NEAR(drive.place().z(), 0, 0.08);  // on the ground again, in ruts where it is dirt
-    // Its tracks are 1.6 m long between their round ends; they rock over the plank, and in dirt
+    EXPECT_NEAR(drive.place().z(), 0, 0.08);  // on the ground again, in ruts on dirt
+    // Its tracks are 1.6 m long between their round ends. They rock over the plank, and in dirt
     // their heel sinks.
     EXPECT_GT(most_rad, 0.95 * std::asin(0.1 / 1.6));
     EXPECT_LT(most_rad / kDeg, 20);
@@ -81,7 +81,7 @@ TEST(Climb, ABlockAsHighAsTheSprocketAndAContainerStopThem) {
   for (const Vec3& size_m : {Vec3(0.5, 4, 0.24), Vec3(6, 2.4, 2.6)}) {
     Drive drive = Over(kWays[0], Box(0.5 + 0.5 * size_m.x(), size_m), 180);
     drive.Run(6.0);
-    // Its tracks' nose, 1.05 m ahead, or its blade, 1.6 m ahead, is at the face; with the yaw one
+    // Its tracks' nose, 1.05 m ahead, or its blade, 1.6 m ahead, touches the face; by the yaw one
     // side is 6 cm nearer.
     EXPECT_LT(drive.place().x(), 0.5 - 0.9) << size_m.z();
     EXPECT_GT(drive.place().x(), 0.5 - 1.7) << size_m.z();

@@ -8,7 +8,7 @@
 #include "own_folder.h"
 #include "sim/machine_doubts.h"
 
-// The small excavator of the guide, with one thing at a time that cannot be meant.
+// The small excavator of the guide, with one implausible value at a time.
 
 namespace tera {
 namespace {

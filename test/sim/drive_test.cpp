@@ -22,7 +22,7 @@ std::string StowedAt(double x_m, double y_m, double yaw_deg) {
   return fmt::format("{{xy_m: [{}, {}], yaw_deg: {}, {}}}", x_m, y_m, yaw_deg, kDriveStowed);
 }
 
-/// Root mean square of the chassis' acceleration, its mean taken off.
+/// Root mean square of the chassis' acceleration about its mean.
 double Shake_mps2(Drive* drive, double duration_s) {
   Vec3 sum = Vec3::Zero();
   double square = 0;
@@ -98,7 +98,7 @@ TEST(Drive, MachineLeansWithTheSlopeItStandsOn) {
   Drive drive(kDriveExcavator, StowedAt(1, 2, 40), Rising("gravel", 12), 0, 0);
   drive.Run(1.0);
   const Vec3 normal(0, -std::sin(12 * kDeg), std::cos(12 * kDeg));
-  // The ground gives by less than 1 cm, over 1.15 m between the tracks: 0.5 deg.
+  // The ground yields less than 1 cm, over 1.15 m between the tracks: 0.5 deg.
   EXPECT_LT(std::acos(drive.body().X_WB.linear().col(2).dot(normal)) / kDeg, 0.5);
   EXPECT_NEAR(drive.yaw_rad() / kDeg, 40, 0.5);
 }
@@ -126,7 +126,7 @@ TEST(Drive, SlidesDownASlopeSteeperThanItsFriction) {
   const Vec3 before = slides.body().v_WB_mps;
   slides.Run(1.0);
   const Vec3 gained = slides.body().v_WB_mps - before;
-  // The noses press the pavement down as they go, which is damped: a few per cent of the weight.
+  // The noses press the pavement down as they move, which is damped: a few per cent of the weight.
   EXPECT_NEAR(gained.norm() / 0.728, 1, 0.15);
   EXPECT_NEAR(std::atan2(-gained.z(), -gained.y()) / kDeg, 24, 1);
 }
@@ -138,7 +138,7 @@ TEST(Drive, SinksAsBekkerSays) {
     drive.Run(0.2);
     const double sinkage_m = -drive.place().z();
     const double expected_m = bearing.SinkageUnderWheels_m(kMass_kg * kG_mps2 / (2 * kB_m * kL_m));
-    // The machine's weight lies off the middle of its tracks, the relation is not linear: 10 %.
+    // The machine's weight lies off the middle of its tracks, and the relation is nonlinear: 10 %.
     EXPECT_NEAR(sinkage_m / expected_m, 1, 0.10) << soil;
     EXPECT_GT(sinkage_m, shallower_m) << soil;
     shallower_m = sinkage_m;
@@ -150,7 +150,7 @@ TEST(Drive, EqualLeversDriveStraightAtTheTracksSpeed) {
   const Vec3 heading(std::cos(20 * kDeg), std::sin(20 * kDeg), 0);
   for (const char* soil : {"dirt", "gravel", "sand", "wet_sand", "loose", "asphalt"}) {
     Drive drive(kDriveExcavator, StowedAt(-8, -4, 20), Level(soil), lever, lever);
-    drive.Run(3.0);  // sets off, and sinks to the depth of its ruts
+    drive.Run(3.0);  // it starts, and sinks to the depth of its ruts
     const Vec3 start = drive.place();
     double slip = 0, shoes_m = 0;
     int count = 0;
@@ -162,13 +162,13 @@ TEST(Drive, EqualLeversDriveStraightAtTheTracksSpeed) {
     const Vec3 v_W_mps = (drive.place() - start) / 3.0;
     const double speed_mps = v_W_mps.dot(heading);
     EXPECT_NEAR(speed_mps / (lever * kFullSpeed_mps), 1, 0.02) << soil;
-    // Its resistance takes thrust, and thrust takes slip.
+    // Its resistance needs thrust, and thrust needs slip.
     const double lost = 1 - speed_mps / (shoes_m / count);
     EXPECT_GT(lost, 0) << soil;
     EXPECT_NEAR(slip / count, lost, 0.001) << soil;
     EXPECT_LT(heading.cross(v_W_mps).norm(), 0.01) << soil;
     EXPECT_NEAR(drive.yaw_rad() / kDeg, 20, 0.3) << soil;
-    // 1 % of g, smoother than any ride: the ground's cells are not felt.
+    // 1 % of g, smoother than any ride: the ground's cells are imperceptible.
     EXPECT_LT(Shake_mps2(&drive, 1.0), 0.25) << soil;
   }
 }
@@ -201,8 +201,8 @@ TEST(Drive, DrivingCostsTheWorkOfTheRuts) {
       thrust_n += (torque_nm[0] + torque_nm[1]) / 0.25;
       ++n;
     });
-    // A track digs in at its nose, deeper than it stands; both noses also scrape. So the thrust is
-    // at least that of ruts as deep as it stands, and less than three times that of its real ruts.
+    // A track digs in at its nose, deeper than at rest, and both noses also scrape. The thrust is
+    // thus at least that of ruts at rest depth, and less than three times that of its real ruts.
     const double still_m = bearing.Rut_m(kMass_kg * kG_mps2 / (2 * kB_m * kL_m));
     const double rut_m = drive.machine().gear_sinkage_m[0];
     EXPECT_GT(thrust_n / n, 2 * bearing.RutResistance_n(still_m)) << soil;
@@ -238,11 +238,11 @@ TEST(Drive, OppositeLeversTurnOnTheSpotSlowerThanWithoutSlip) {
     drive.Run(1.0);
     const double rate_radps = drive.Measure(3.0).yaw_rate_radps;
     const double no_slip_radps = 2 * 0.4 * kFullSpeed_mps / kGauge_m;
-    // Tracks of 1.6 m on a gauge of 1.15 m: effective widths of 1.3 to 2 gauges are measured.
+    // Tracks of 1.6 m on a gauge of 1.15 m: measured effective widths are 1.3 to 2 gauges.
     EXPECT_GT(no_slip_radps / rate_radps, 1.2) << soil;
     EXPECT_LT(no_slip_radps / rate_radps, 2.0) << soil;
-    // It turns about a point below its weight, not about the middle of its tracks: the middle goes
-    // round a circle of that radius.
+    // It turns about a point below its weight, off the middle of its tracks; the middle follows a
+    // circle of that radius.
     EXPECT_LT((drive.place() - start).norm(), 2 * off_centre_m + 0.1) << soil;
   }
 }
@@ -254,7 +254,7 @@ TEST(Drive, UnequalLeversSteerBySkidding) {
   const double no_slip_radps = 0.4 * kFullSpeed_mps / kGauge_m;
   EXPECT_GT(rate_radps, 0.3 * no_slip_radps);  // towards the slower track, the left one
   EXPECT_LT(rate_radps, 0.9 * no_slip_radps);
-  // The inner track brakes, the outer one drives, on average over a second.
+  // The inner track brakes and the outer one drives, on average over a second.
   double torque_nm[2] = {0, 0}, slip[2] = {0, 0};
   drive.Run(1.0, [&] {
     for (int g = 0; g < 2; ++g) {

@@ -7,7 +7,7 @@
 #include "core/units.h"
 #include "drive_fixture.h"
 
-/// Obstacles that forces move, against closed forms.
+/// Obstacles moved by forces, against closed forms.
 
 namespace tera {
 namespace {
@@ -100,7 +100,7 @@ TEST(DynamicObstacle, IsPushedAsideByAMachineThatItStopsWhenItIsFixed) {
   EXPECT_GT(Thing(free).X_WB.translation().x(), 0.6);
 }
 
-/// Where a point of a link is while the parked machine holds its boom up.
+/// Position of a link's point while the parked machine holds its boom up.
 constexpr char kReach[] =
     "{xy_m: [0, 0], joints_deg: {boom: 40, arm: -90, bucket: -60, blade: -10}}";
 const Vec3 kHook_B_m(0, 0, 0);

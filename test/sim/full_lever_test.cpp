@@ -13,7 +13,7 @@
 #include "kinetic_energy.h"
 #include "sim/operators/planar_arm.h"
 
-/// A compact excavator that drives its bucket into the ground with all it has.
+/// A compact excavator that drives its bucket into the ground at full levers.
 
 namespace tera {
 namespace {
@@ -77,13 +77,13 @@ struct Outcome {
   double lost_share = 0;  ///< of the soil shifted
 };
 
-/// How the ground withstands a boom that goes down at full lever.
+/// Resistance of the ground to a boom that descends at full lever.
 enum class FullLeverWay { kLiftsTheMachine, kStallsTheBoom, kThrowsTheBucketOut, kDoesNot };
 
 FullLeverWay HowItEnds(const Outcome& outcome) {
   if (outcome.lifted_m > 0.05) return FullLeverWay::kLiftsTheMachine;
   if (outcome.boom_share < 0.1) return FullLeverWay::kStallsTheBoom;
-  // Arm and bucket take the edge out again while the boom goes on down.
+  // Arm and bucket withdraw the edge while the boom continues down.
   if (outcome.last_tip_m < outcome.deepest_tip_m - 0.05) return FullLeverWay::kThrowsTheBucketOut;
   return FullLeverWay::kDoesNot;
 }

@@ -37,7 +37,7 @@ PlanarTwist TwistOf(const Drive& drive) {
   return {v_B.x(), v_B.y(), (R_BW * body.w_WB_radps).z()};
 }
 
-/// After 2 s with those levers, when it has long reached its speed.
+/// State after 2 s with these levers, at constant speed.
 PlanarTwist Steady(const std::string& machine, const std::string& terrain, double left,
                    double right, const std::string& more) {
   Drive drive(machine, kStart, terrain, left, right, more);
@@ -86,7 +86,7 @@ TEST(TrackDrive, EffectsOfSlipActOnAMachineThatDrives) {
   EXPECT_NEAR(with("icr_shift: {forward_m: -0.4}").left_mps, 0.4 * yaw_radps, 1e-3);
   EXPECT_NEAR(with("rolling_resistance: {coefficient: 0.2, slip_stiffness: 10}").forward_mps,
               0.5 * (1 - 0.02), 1e-3);
-  // 1.5 % either way at 0.375 and 0.625 m/s.
+  // 1.5 % more and less, at 0.375 and 0.625 m/s.
   EXPECT_NEAR(with("track_asymmetry: {difference: 0.03}").yaw_radps,
               (0.25 + 0.015 * (0.375 + 0.625)) / 1.148, 1e-3);
   EXPECT_NEAR(with("track_scale: {scale: 0.95}").forward_mps, 0.475, 1e-3);
@@ -189,7 +189,7 @@ TEST(TrackDrive, StiffnessOfTheSoilDecidesTheSinkage) {
                 GroundOf("ideal", fmt::format("soil_strength: {{stiffness: {}}}", stiffness)));
     return -drive.place().z();
   };
-  // Bekker: z in proportion to modulus^(-1/n), n = 0.7; the elastic part to modulus^-1.
+  // Bekker: z scales with modulus^(-1/n), n = 0.7; the elastic part with modulus^-1.
   const double ratio = sinkage(0.5) / sinkage(1.0);
   EXPECT_GT(ratio, 2.0 * 0.95);
   EXPECT_LT(ratio, std::pow(2.0, 1 / 0.7) * 1.05);
@@ -233,7 +233,7 @@ TEST(TrackDrive, FaultsOfTheChoiceSayWhatIsNeeded) {
               testing::IsEmpty());
 }
 
-/// A file of a cart on tracks whose blade is on that link.
+/// A file of a tracked cart with a blade on that link.
 std::string CartWithBladeOn(const std::string& link) {
   const std::filesystem::path path = OwnFolder() / (link + ".yaml");
   std::ofstream(path) << R"(

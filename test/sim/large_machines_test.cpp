@@ -9,7 +9,7 @@
 #include "core/units.h"
 #include "sim/simulation.h"
 
-/// The excavator of 20 t and the dozer at the work of their kind.
+/// The excavator of 20 t and the dozer at typical work.
 
 namespace tera {
 namespace {
@@ -115,7 +115,7 @@ TEST(LargeMachines, StandLevelInRutsOfTheirGroundPressure) {
     EXPECT_LT((site->X_WB().translation() - start).norm(), 0.005);
     EXPECT_LT(site->Fastest_mps(), 0.01);
   }
-  // The weight lies off the middle of the tracks; the noses carry a little of it.
+  // The weight lies off the middle of the tracks; the noses carry a small part.
   EXPECT_NEAR(-excavator.X_WB().translation().z() / expected_m(19900, 3.275, 0.60), 1, 0.2);
   EXPECT_NEAR(-dozer.X_WB().translation().z() / expected_m(12710, 2.745, 0.51), 1, 0.2);
 }
@@ -141,7 +141,7 @@ TEST(LargeMachines, TracksAndBoomShareTheFlowOfThePump) {
   // At full levers the tracks take all of 439 l/min. So does the boom, whose cylinders of 2 x 113
   // cm2 extend by 1.334 m over 111 deg, at 27 deg/s. Together each gets half.
   const std::string enough = "effects: {m: {main: {flow_sharing: none}}}\n";
-  // The arm reaches out, so that the bucket is clear of the ground that the tracks drive on.
+  // The arm reaches out, so that the bucket clears the ground under the tracks.
   const std::string start =
       "{xy_m: [-14, -4], yaw_deg: 20, joints_deg: {boom: 10, arm: -40, bucket: -120}}";
   const auto speed_mps = [&](double boom, const std::string& effects) {
@@ -248,7 +248,7 @@ TEST(LargeMachines, TheExcavatorDigsThroughDeadBandsOfItsLevers) {
   EXPECT_GT(most_kg("0.25"), 0.8 * ideal_kg);
 }
 
-/// How far the slew swings past 80 deg, where the load is dumped.
+/// Overshoot of the slew beyond 80 deg, where it dumps the load.
 double Overshoot_deg(const std::string& more) {
   WorkSite site("excavator20t", kReach, kDig + more + "}");
   double most_rad = 0;
@@ -257,7 +257,7 @@ double Overshoot_deg(const std::string& more) {
 }
 
 TEST(LargeMachines, AnOperatorWhoBrakesInTimeDoesNotSwingPastTheDump) {
-  // 65 kN m on some 130 t m2 of upper structure, arm and load brake at 28 deg/s2.
+  // 65 kN m decelerate some 130 t m2 of upper structure, arm and load at 28 deg/s2.
   EXPECT_GT(Overshoot_deg(""), 15);
   const double braked_deg = Overshoot_deg(", slew_braking_degps2: 20");
   EXPECT_GT(braked_deg, -6);
@@ -292,7 +292,7 @@ double Edge_m(const WorkSite& site) {
 }
 
 TEST(LargeMachines, TheDozerPushesAWindrowBeforeItsBlade) {
-  // The blade goes down to 5 cm and is held there by hand: lift where it sinks, lower where it
+  // The blade descends to 5 cm and is held there by hand: raised where it sinks, lowered where it
   // rises.
   WorkSite* dozer = nullptr;
   WorkSite site("dozer", "{xy_m: [-10, 2], yaw_deg: 15}", [&](double t_s) {
@@ -336,7 +336,7 @@ TEST(LargeMachines, ABladeDrivenTooDeepStallsTheDozer) {
   });
   EXPECT_LT(fastest_mps, 2.5);  // full speed of the tracks
   EXPECT_LT(most_tilt_rad, 20 * kDeg);
-  // It stands, its tracks turn under it or are stalled at full torque.
+  // It stands, with its tracks spinning or stalled at full torque.
   const Vec3 from = site.X_WB().translation();
   double most_slip = 0, most_torque_nm = 0;
   site.Run(2.0, [&] {

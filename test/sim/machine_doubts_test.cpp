@@ -76,7 +76,7 @@ TEST(MachineDoubts, MassAndSizeOfALinkAreThoseOfWhatItShows) {
   ASSERT_EQ(sizes.size(), 1u);
   EXPECT_EQ(sizes[0].name, "base");
   EXPECT_DOUBLE_EQ(sizes[0].mass_kg, 900);
-  // The box lies turned by a right angle.
+  // The box is rotated by a right angle.
   EXPECT_TRUE(sizes[0].size_m.isApprox(Vec3(2.5, 4, 1), 1e-6)) << sizes[0].size_m.transpose();
 }
 

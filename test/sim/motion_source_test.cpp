@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-/// Machines that go through given states, one for each step.
+/// Machines that follow given states, one for each step.
 class RecordedStates : public MotionSource {
  public:
   explicit RecordedStates(std::vector<std::vector<MachineState>> states)
@@ -54,7 +54,7 @@ TEST(MotionSource, AMotionSteppedAgainGivesItsOwnGround) {
   }
 }
 
-/// A machine that goes 1 m/s along x over ground that it should press, and back to nowhere.
+/// A machine that moves at 1 m/s along x over ground that it should compress, and back.
 class Glide : public MotionSource {
  public:
   Glide(MachineState start, bool known) : state_(std::move(start)), known_(known) {}
@@ -97,7 +97,7 @@ TEST(MotionSource, TimesCountFromTheStartThatIsGiven) {
   EXPECT_EQ(simulation.state().t_ns, start_ns);
   for (int k = 0; k < 250; ++k) simulation.Step();
   EXPECT_EQ(simulation.state().t_ns, start_ns + 500'000'000);
-  // The truck is where its path has it at 7.5 s: 5.5 / 7 of the way.
+  // The truck's place on its path at 7.5 s: 5.5 / 7 of it.
   const Vec2 at_m = simulation.state().obstacles[0].X_WB.translation().head<2>();
   EXPECT_NEAR((at_m - Vec2(-3.5 + 1.5 * 5.5 / 7, 5 + 0.5 * 5.5 / 7)).norm(), 0, 1e-6);
 }

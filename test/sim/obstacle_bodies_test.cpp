@@ -10,8 +10,8 @@
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
 
-// The worker who walks: his boots stand on the ground and keep up with it, his key points stay in
-// his limbs.
+// The walking worker: his boots stand on the ground without sliding, and his key points stay in his
+// limbs.
 
 namespace tera {
 namespace {

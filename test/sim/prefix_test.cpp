@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// An excavator that digs at once under hydraulic effects, with a sensor of each kind, some of them
-/// filtered or late.
+/// filtered or delayed.
 std::map<std::string, std::string> TablesOf(double duration_s) {
   const Config config = Config::FromText(
       R"(
@@ -68,7 +68,7 @@ TEST(Prefix, AShortRunIsTheBeginningOfALongOne) {
     EXPECT_LT(bytes.size(), long_run.at(name).size()) << name;
     EXPECT_TRUE(long_run.at(name).starts_with(bytes)) << name;
   }
-  // The state at the end and the levers from there on are in it: rows from 0 to 1.2 s at 500 Hz.
+  // It includes the final state and the levers from there on: rows from 0 to 1.2 s at 500 Hz.
   for (const char* name : {"truth/excavator1/joints.csv", "excavator1/commands.csv"}) {
     const std::string& table = short_run.at(name);
     EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 601) << name;

@@ -104,7 +104,7 @@ TEST(SceneAssembly, PinsOfTheBucketsFourBarStayTogetherOverItsTravel) {
   const int arm = machine.LinkIndex("arm"), bucket = machine.LinkIndex("bucket");
   Instant state = simulation.state();
   MachineState& now = state.machines[0];
-  // The bucket's range, lower and upper end included.
+  // The bucket's range, both ends included.
   for (int i = 0; i <= 100; ++i) {
     now.q_rad[machine.JointIndex("bucket")] = -1.222 + (0.873 + 1.222) * i / 100;
     const auto links =
@@ -153,7 +153,7 @@ TEST(SceneAssembly, SoilInABucketIsThereWhenSomethingIsCarried) {
   const Shapes shapes = assembly.ShapesOf(state);
   ASSERT_EQ(shapes.size(), 1u);
   ASSERT_NE(shapes[0], nullptr);
-  // Its body is the bucket, so that it lies where the shell is.
+  // Its body is the bucket, so that it lies at the shell.
   const SceneModel& model = assembly.model();
   const auto soil = std::find_if(model.nodes.begin(), model.nodes.end(),
                                  [](const SceneNode& n) { return n.shape == 0; });

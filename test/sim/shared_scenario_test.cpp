@@ -10,9 +10,9 @@
 namespace tera {
 namespace {
 
-constexpr int kSteps = 2500;  ///< until a bucket was cut and lifted
+constexpr int kSteps = 2500;  ///< until a bucket is filled and lifted
 
-/// All that moved, step by step, and the ground at the end.
+/// All motion, step by step, and the final ground.
 struct Course {
   std::vector<double> motion;
   std::vector<float> heights_m;
@@ -64,7 +64,7 @@ TEST(SharedScenario, GivesTheSameRunAsOftenAsItIsRun) {
   EXPECT_NE(first.heights_m, site_m);
   EXPECT_TRUE(CourseOf(scenario) == first);
   EXPECT_EQ(HeightsOf(scenario.site->surface()), site_m);
-  EXPECT_TRUE(CourseOf(WorkScenario()) == first);  // of a scenario that was read anew
+  EXPECT_TRUE(CourseOf(WorkScenario()) == first);  // of a newly read scenario
   EXPECT_FALSE(CourseOf(WorkScenario({"seed=12"})) == first);
 }
 

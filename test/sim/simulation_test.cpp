@@ -44,7 +44,7 @@ TEST(Simulation, ParkedMachineStaysWhereItStands) {
 }
 
 TEST(Simulation, AMachineThatFallsBelowAllGroundEndsTheRun) {
-  // A site with a pit of 2 m: the lowest ground is its floor, wherever the machine is.
+  // A site with a pit of 2 m: the lowest ground is its floor, independent of the machine's place.
   const Config config = Config::FromText(R"(
 name: test
 duration_s: 60
@@ -147,7 +147,7 @@ TEST(Simulation, DigCycleAimsAtItsPlacesWhenTheTracksHaveTurnedUnderIt) {
 }
 
 TEST(Simulation, DigCycleLowersItsBucketAndDumpsItWhenTheSlewStands) {
-  // The motor's 3.5 kN m bring a full bucket to rest at 22 deg/s2 and no faster.
+  // The motor's 3.5 kN m decelerate a full bucket at 22 deg/s2 at most.
   Scenario scenario =
       Read("{type: dig_cycle, dump_azimuth_deg: 90, slew_braking_degps2: 20, cycles: 2}");
   Simulation simulation(scenario);
@@ -210,7 +210,7 @@ TEST(Simulation, ThreeDigsLeaveATrenchAndAHeapButNoNeedles) {
     // Three buckets of 0.11 m^3, swollen by up to 1.4, make a cone at 35 deg of 0.60 m.
     EXPECT_LT(highest_m, 0.6);
     EXPECT_GT(highest_m, 0.3);
-    // All that left the bucket lies there; of clay 2.5 cm stick to 1.02 m^2 of steel.
+    // All soil that left the bucket lies there; 2.5 cm of clay adhere to 1.02 m^2 of steel.
     EXPECT_NEAR(heap_m3 / dumped_m3, 1, 0.05);
     EXPECT_NEAR(stuck_m3, soil == "clay" ? 0.0254 : 0, 0.001);
     EXPECT_GT(heap_m3, 3 * (soil == "clay" ? 0.07 - 0.0254 : 0.08));

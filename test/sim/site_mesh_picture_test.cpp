@@ -18,7 +18,7 @@ namespace {
 
 TEST(SiteMeshPicture, GroundAndWallShowTheirTexturesColours) {
   const std::filesystem::path& folder = OwnFolder();
-  // Level ground, red to the west and green to the east; a wall that is blue.
+  // Level ground, red to the west and green to the east, and a blue wall.
   const auto write = [&](const char* file, const std::string& text) {
     std::ofstream(folder / file, std::ios::binary) << text;
   };

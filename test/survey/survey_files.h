@@ -10,7 +10,7 @@
 
 #include "core/motion.h"
 
-/// Files of points, written byte by byte as their formats' descriptions say.
+/// Files of points, written byte by byte by their formats' descriptions.
 namespace testing_survey {
 
 template <typename T>

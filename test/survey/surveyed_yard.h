@@ -7,7 +7,7 @@
 #include "core/motion.h"
 #include "core/units.h"
 
-/// A yard whose every height and every thing is known, and points of it as a scanner would give.
+/// A yard with known heights and objects, and its points as from a scanner.
 namespace testing_survey {
 
 using tera::Vec2;
@@ -62,8 +62,7 @@ class YardScanner {
  public:
   explicit YardScanner(unsigned seed) : random_(seed) {}
 
-  /// Points of the yard, `spacing_m` apart on the ground and on all faces, and 60 that belong to
-  /// nothing.
+  /// Points of the yard, `spacing_m` apart on the ground and on all faces, and 60 outliers.
   std::vector<Vec3> Scan(double spacing_m) {
     ScanGround(spacing_m);
     ScanTrenchWalls(spacing_m);

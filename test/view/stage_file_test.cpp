@@ -39,7 +39,7 @@ TEST(StageFile, HoldsAHeaderAndTheArraysThatItPointsTo) {
   std::memcpy(&last, &file[8 + length + part["indices"][0].get<std::size_t>() + 2 * 4],
               sizeof last);
   EXPECT_EQ(last, 2u);
-  EXPECT_EQ((8 + length) % 8, 0u);  // arrays of 32-bit numbers are read where they stand
+  EXPECT_EQ((8 + length) % 8, 0u);  // arrays of 32-bit numbers are read in place
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-/// A connection to a port of an address of this computer; -1 where nothing listens.
+/// A connection to a port of an address of this computer; -1 without a listener.
 int Connect(const char* address, int port) {
   const int connection = socket(AF_INET, SOCK_STREAM, 0);
   sockaddr_in place{};
@@ -35,7 +35,7 @@ int Connect(const char* address, int port) {
   return -1;
 }
 
-/// Head and body of the answer to a request in these words.
+/// Header and body of the response to this request.
 std::string Ask(int port, const std::string& request) {
   const int connection = Connect("127.0.0.1", port);
   EXPECT_GE(connection, 0);
@@ -78,7 +78,7 @@ TEST_F(ServerOfASmallRecording, SendsPageIndexSceneAndFiles) {
               testing::AllOf(StartsWith("HTTP/1.1 200"), Not(HasSubstr("first picture"))));
 }
 
-// Packing for a reader on the same computer would only take time: Brotli needs a second for the
+// Compression for a reader on the same computer would only take time: Brotli needs a second for the
 // page.
 TEST_F(ServerOfASmallRecording, PacksNothing) {
   for (const char* const path : {"/", "/index.json", "/stage/0"}) {

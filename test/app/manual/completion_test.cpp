@@ -29,7 +29,7 @@ class Completion : public testing::Test {
     std::filesystem::create_directory(scratch_.path() / "site");
     WriteWholeFile(scratch_.path() / "site/a hole.yaml", "");
   }
-  /// Lines that `shell` prints, which reads `script` in the folder "site" first.
+  /// Output of `shell`, which first reads `script` in the folder "site".
   std::vector<std::string> LinesOf(const std::string& shell, const std::string& commands) const {
     WriteWholeFile(scratch_.path() / "commands", commands);
     const auto text = OutputOf("cd " + (scratch_.path() / "site").string() + " && HOME=.. " +

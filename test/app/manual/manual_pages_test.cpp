@@ -25,7 +25,7 @@ TEST(ManualPages, AreOneEachForTheProgramAndItsCommands) {
                                           "tera-plan.1", "tera.1"));
 }
 
-/// A page as a reader sees it, without bold and underlined letters.
+/// A page as displayed, without bold and underlined letters.
 std::string Shown(const std::string& page) {
   const ScratchDirectory scratch;
   WriteWholeFile(scratch.path() / "page.1", page);

@@ -205,8 +205,7 @@ TEST(Prove, KeepsAToolThatGivesUpAsACaseWithoutAnswer) {
 }
 
 TEST(Case, ACounterpartThatRunsIntoItsCylindersDeadPointIsIntegrated) {
-  // Without its rate limit the arm goes 16 deg beyond its stop, where the pins' distance is
-  // longest.
+  // Without its rate limit the arm exceeds its stop by 16 deg, where the pins' distance is longest.
   BenchmarkCase c = DrawCase(36, 33, Tb235(), 45);
   ASSERT_EQ(c.hidden.size(), 2u);
   EXPECT_EQ(c.hidden[0].name, "cylinder_lever");

@@ -60,7 +60,7 @@ TEST(Answer, OfFormat2IsRead) {
                              std::string(kRest)));
 }
 
-/// As it was written before formats were numbered.
+/// Form before the numbering of formats.
 TEST(Answer, OfFormat1IsRead) {
   ExpectTheDeadBand(
       ReadText(R"({"stand_ins": [], "left_out": [], "taken_off": [],)" + std::string(kRest)));

@@ -9,7 +9,7 @@ namespace {
 
 PlainTracks TrackedBaseTb235() { return PlainTracks::Read("config/machines/tb235.yaml"); }
 
-/// Levers held for 4 s, and how the base moves then.
+/// Levers held for 4 s, and the base's motion.
 struct Steady {
   Steady(const TrackForm& form, TrackLevers levers) : tracks(TrackedBaseTb235()) {
     drive = DriveAlong(tracks, form, 4, {3.9}, [&](double) { return levers; });
@@ -32,7 +32,7 @@ TEST(TrackedBase, LongTracksTurnLessAsIfTheirGaugeWereWider) {
   form.contact = 1;
   const Steady spot(form, {-0.4, 0.4});
   const double ratio = 1.0 / 1.148 / spot.turn_radps();
-  // Skid-steered vehicles have been measured at 1.1 to 2.9.
+  // Measured values of skid-steered vehicles are 1.1 to 2.9.
   EXPECT_GT(ratio, 1.1);
   EXPECT_LT(ratio, 2.9);
   EXPECT_NEAR(Steady(form, {0.5, 0.5}).forward_mps(), 0.625, 1e-3);
@@ -42,7 +42,7 @@ TEST(TrackedBase, ShearingGroundGivesTheThrustThatDragNeedsAtJanosisSlip) {
   TrackForm form;
   form.shear_m = 0.02, form.drag = 0.2, form.contact = 1;
   const Steady straight(form, {0.6, 0.6});
-  // drag = mu (1 - (1 - e^-x) / x) with x = i L / K, by halving.
+  // drag = mu (1 - (1 - e^-x) / x) with x = i L / K, by bisection.
   double low = 1e-6, high = 50;
   for (int k = 0; k < 60; ++k) {
     const double x = (low + high) / 2;

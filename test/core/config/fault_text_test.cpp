@@ -4,8 +4,7 @@
 
 #include "core/faults.h"
 
-// The wording of the faults that every reader finds stands here and in fault_text.cpp, and nowhere
-// else: to say a thing better, change both.
+// The wording of the faults common to all readers is only here and in fault_text.cpp: change both.
 
 namespace tera {
 namespace {

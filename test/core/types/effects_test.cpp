@@ -71,7 +71,7 @@ TEST(Effects, GivenAgainAboveATakingAwayStartAfresh) {
   config.Finish();
   ASSERT_EQ(effects.size(), 2u);
   EXPECT_EQ((*FindEffect(effects, "dead_band"))["width"], 0.3);
-  EXPECT_EQ((*FindEffect(effects, "lag"))["time_s"], 0.25);  // not the 1 s that was taken away
+  EXPECT_EQ((*FindEffect(effects, "lag"))["time_s"], 0.25);  // not the removed 1 s
 }
 
 TEST(Effects, ReportWhatIsUnknownMissingOrOutOfRange) {
@@ -117,7 +117,7 @@ TEST(Effects, ThatNothingBelowHasCannotBeTakenAway) {
   EXPECT_THAT(
       FaultsOfBoom("effects: {boom: {dead_band: {width: 0.2}}}", "{machine: {boom: {lag: none}}}"),
       HasFault(kInconsistent, "scenario.yaml:1:24: machine.boom.lag"));
-  // Nor by a layer that another lies above.
+  // Nor by a layer below another.
   EXPECT_THAT(FaultsOfBoom("effects: {boom: {lag: none}}", "{machine: {boom: {lag: {}}}}"),
               HasFault(kInconsistent, "machine.yaml:1:23: effects.boom.lag"));
 }

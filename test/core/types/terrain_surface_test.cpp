@@ -118,7 +118,7 @@ TEST(TerrainSurface, SettingAVertexRefinesAndAgesJustTheTilesThatMeetThere) {
   EXPECT_EQ(ground.tile_version(0, 0), version);
 }
 
-/// Bytes of memory that this process has asked for and not given back.
+/// Bytes of memory that this process has allocated and not freed.
 double Held_bytes() {
   const struct mallinfo2 heap = mallinfo2();
   return static_cast<double>(heap.uordblks + heap.hblkhd);
@@ -155,7 +155,7 @@ void ExpectSame(const TerrainSurface& a, const TerrainSurface& b) {
   EXPECT_EQ(a.grains().size(), b.grains().size());
 }
 
-// Also by a copy that has been behind for several changes, or has tiles in another order.
+// Also by a copy that lags by several changes, or has tiles in another order.
 TEST(TerrainSurface, ACopyFollowsWhatItWasCopiedFrom) {
   TerrainSurface ground = Waves();
   TerrainSurface early = ground, late;

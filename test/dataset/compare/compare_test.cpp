@@ -19,7 +19,7 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 namespace fs = std::filesystem;
 
-/// A machine that drives a circle; `shift_m` and `gyro_offset_radps` set two recordings apart.
+/// A machine that drives a circle; `shift_m` and `gyro_offset_radps` distinguish two recordings.
 void WriteCircle(const fs::path& directory, const std::string& machine, double shift_m,
                  double gyro_offset_radps) {
   DatasetInfo info = SampleInfo();
@@ -167,7 +167,7 @@ TEST(PlotComparison, SaysWhichPackageIsMissing) {
   setenv("PATH", path.c_str(), 1);
 }
 
-/// A log without levers: set-points of speed, and an angle's; `offset_mps` sets two apart.
+/// A log without levers: set-points of speed and of an angle; `offset_mps` distinguishes two logs.
 void WriteSetPoints(const fs::path& directory, double offset_mps) {
   DatasetWriter writer(directory, SampleInfo(), {});
   const ChannelId set =

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr SiteFrame::Geodetic kYard{47, 10, 460};
 
-/// Where and how a machine's receivers were recorded.
+/// Setting of a recording of a machine's receivers.
 struct Made {
   SiteFrame::Geodetic origin = kYard;
   Vec3 shift_m = Vec3::Zero();  ///< of the machine, in the yard
@@ -111,7 +111,7 @@ TEST_F(ReceiverTracksTest, OriginsMayDiffer) {
   const SiteFrame::Geodetic other{47.01, 9.99, 430};
   const MachineComparison near = Compared({}, {.origin = other, .shift_m = Vec3(0, 0, 0.2)});
   EXPECT_NEAR(near.tracks.at(0).unaligned.ape_translation_m.rmse, 0.2, 1e-6);
-  // The same motion at the other end of the world has its own east, north and up.
+  // The same motion at a distant place has its own east, north and up.
   ScratchDirectory scratch;
   Write(scratch.path() / "a", {});
   Write(scratch.path() / "far", {});

@@ -110,7 +110,7 @@ TEST_F(TimeAlignmentTest, CompareInterpolatesAtTheTimesThatTheEpochsSay) {
   EXPECT_THAT(ComparisonTable(c), HasSubstr("times:     by the epochs of both"));
 }
 
-/// One motion as TUM has it, the second file from 3 s after the first on.
+/// One motion in TUM's form, the second file from 3 s after the start of the first.
 void WriteMotion(const fs::path& folder, const std::string& name, int first_s,
                  const std::string& more) {
   std::string text;

@@ -54,7 +54,7 @@ class ExportTest : public testing::Test {
   std::vector<InputFault> FaultOf(ExportFormat format) {
     return FaultOf({.format = format}, out());
   }
-  /// Puts `to` in the place of `from` in a file of the recording.
+  /// Replaces `from` by `to` in a file of the recording.
   void Edit(const std::string& file, const std::string& from, const std::string& to) {
     std::string text = ReadWholeFile(recording() / file);
     const std::size_t at = text.find(from);

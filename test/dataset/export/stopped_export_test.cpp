@@ -12,7 +12,7 @@
 #include "dataset/files/checked_file.h"
 #include "dataset/format/sample_recording.h"
 
-// Exports that are stopped by a damaged file in the middle, and go on when it is mended.
+// Exports stopped by a damaged file in the middle, and resumed after its repair.
 
 namespace tera {
 namespace {
@@ -36,13 +36,13 @@ class StoppedExport : public testing::Test {
     }
     return {};
   }
-  /// A stopped export of these options that has left this file.
+  /// A stopped export with these options that left this file.
   void LeaveHalf(const ExportOptions& options, const std::string& name) {
     fs::create_directories(half());
     WriteWholeFile(half() / "INCOMPLETE.export", ExportKey(Recording(run()), options));
     WriteWholeFile(half() / name, "half");
   }
-  /// Stops an export at frame 2, lets it go on, and counts the files that were not written again.
+  /// Stops an export at frame 2, resumes it, and counts the files that are not written again.
   int KeptOf(ExportOptions options, const std::string& damaged) {
     options.joint_trees = Tree;
     Export(run(), out(), options);
@@ -108,8 +108,8 @@ TEST_F(StoppedExport, OfNuscenesHasItsTablesOfAllFrames) {
   EXPECT_EQ(KeptOf({.format = ExportFormat::kNuscenes, .key_frames_hz = 5}, kPicture), 3 + 2 + 2);
 }
 
-// An archive is whole when the sample behind it comes: of scans those before 2, of pictures that of
-// 0.
+// An archive is complete once the next sample arrives: for scans those before 2, for pictures that
+// of 0.
 TEST_F(StoppedExport, OfWebdatasetGoesOnWithTheArchivesThatAreWhole) {
   EXPECT_EQ(KeptOf({.format = ExportFormat::kWebdataset, .shard_bytes = 1}, kPicture), 2 + 1);
 }

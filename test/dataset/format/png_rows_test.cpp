@@ -58,7 +58,7 @@ int Guess(int filter, int left, int up, int corner) {
   }
 }
 
-/// The standard's way to write: row y has filter y % 5.
+/// The standard's encoding: row y has filter y % 5.
 std::string Filtered(const Form& form, const Bytes& bytes) {
   const std::size_t row = form.row(), pixel = form.pixel();
   std::string filtered;
@@ -91,7 +91,7 @@ std::string Header(const Form& form) {
          static_cast<char>(form.colour) + std::string(2, '\0') + static_cast<char>(form.interlaced);
 }
 
-/// The pixels in pieces, as libpng leaves them.
+/// The pixels in pieces, as written by libpng.
 std::string PngOf(const Form& form, const std::string& packed, const std::string& between = "") {
   const std::size_t half = packed.size() / 2;
   return "\x89PNG\r\n\x1a\n" + Chunk("IHDR", Header(form)) + between +
@@ -99,7 +99,7 @@ std::string PngOf(const Form& form, const std::string& packed, const std::string
          Chunk("IEND", "");
 }
 
-/// Slopes with something of noise, so that every filter has something to do.
+/// Slopes with slight noise, so that every filter has an effect.
 Bytes PixelsOf(const Form& form) {
   Bytes bytes(form.row() * static_cast<std::size_t>(form.height));
   std::uint32_t noise = 1;
@@ -126,7 +126,7 @@ TEST(PngRows, AreThePixelsOfEveryFilterAndForm) {
   }
 }
 
-// The files of these tests are files to others too, with the same pixels.
+// Other programs read the files of these tests with the same pixels.
 TEST(PngRows, AreWhatOpenCvReads) {
   for (const Form& form : kForms) {
     const std::string png = PngOf(form, Deflated(Filtered(form, PixelsOf(form))));
@@ -182,7 +182,7 @@ TEST(PngRows, AreNothingWhereSizeAndPixelsDisagree) {
   EXPECT_FALSE(DecodePngRows(PngOf({5, 12, 0, 8}, packed)));
   EXPECT_FALSE(DecodePngRows(PngOf({5, 10, 0, 8}, packed)));
   EXPECT_FALSE(DecodePngRows(PngOf({0, 11, 0, 8}, packed)));
-  // A few bytes that claim to be 2 TB are not given room.
+  // A few bytes that claim 2 TB do not cause their allocation.
   EXPECT_FALSE(DecodePngRows(PngOf({1 << 20, 1 << 20, 2, 16}, packed)));
   std::string filtered = Filtered(form, PixelsOf(form));
   filtered[0] = 5;

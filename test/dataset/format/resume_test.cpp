@@ -148,7 +148,7 @@ TEST(DatasetWriter, WillNotResumeAnotherScenarioOrSeed) {
 }
 
 TEST(DatasetWriter, ARecordingThatLacksOnlyItsNameGetsIt) {
-  // A kill between the last file and the name leaves the notes of the run, some of them or none.
+  // A kill between the last file and the rename leaves some, all or none of the run's notes.
   for (const bool with_note : {false, true}) {
     ScratchDirectory scratch;
     WriteWholeSample(scratch.path() / "whole", {});

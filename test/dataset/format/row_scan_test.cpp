@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 class RowScanTest : public testing::Test {
  protected:
-  /// The fault of a file of these bytes when all of it is read.
+  /// The fault of a complete reading of a file with these bytes.
   std::vector<InputFault> FaultOf(const std::string& bytes) {
     const fs::path file = scratch_.path() / "data.csv";
     WriteWholeFile(file, bytes);

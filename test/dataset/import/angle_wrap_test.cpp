@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// The numbers of a sensor of one turn for an angle that grows by `step` from row to row.
+/// Numbers of a single-turn sensor for an angle that grows by `step` per row.
 std::vector<double> Turning(double first, double step, int rows, double turn, double lowest = 0) {
   std::vector<double> shown;
   for (int k = 0; k < rows; ++k) {

@@ -8,7 +8,7 @@
 #include "dataset/import/bag_bytes.h"
 #include "dataset/import/import_csv.h"
 
-/// Bags that a crash, a disk or somebody with a purpose has damaged.
+/// Bags damaged by a crash, a disk or an attacker.
 
 namespace tera {
 namespace {
@@ -82,7 +82,7 @@ TEST_P(DamagedBag, CutOffAnywhereIsToldOfAndReadAsFarAsItGoes) {
 }
 
 TEST_P(DamagedBag, FlippedBitsDoNoHarm) {
-  // As many places as the time allows, by a step that is prime to every layout.
+  // As many places as time allows, by a step coprime to every layout.
   const std::size_t step = whole_.size() / 200 | 1;
   for (std::size_t at = 0; at < whole_.size(); at += step) {
     std::string flipped = whole_;

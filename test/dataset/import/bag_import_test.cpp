@@ -105,7 +105,7 @@ TEST_P(RoundTrip, GivesTheRecordingsNumbers) {
     EXPECT_NEAR(gnss[i].lat_deg, SampleGnss(k).lat_deg, 1e-13);
     EXPECT_NEAR(gnss[i].lon_deg, SampleGnss(k).lon_deg, 1e-13);
     EXPECT_EQ(gnss[i].alt_m, SampleGnss(k).alt_m);
-    EXPECT_EQ(gnss[i].fix, GnssFix::kRtkFloat);  // 0.17 m is too much for a fixed one
+    EXPECT_EQ(gnss[i].fix, GnssFix::kRtkFloat);  // 0.17 m is too large for a fixed solution
     EXPECT_EQ(gnss[i].variance_enu_m2, SampleGnss(k).variance_enu_m2);
     EXPECT_EQ(joints.samples[i].q_rad, SampleEncoder(k).q_rad);
     EXPECT_EQ(joints.samples[i].qd_radps, SampleEncoder(k).qd_radps);
@@ -198,7 +198,7 @@ TEST_F(BagImport, AFolderOfSeveralFilesIsReadInTheOrderOfItsMetadata) {
 }
 
 TEST_F(BagImport, TimesAreOfTheHeaderOrOfTheRecorderAndExact) {
-  // 1.7e9 s of an epoch and one nanosecond: more than a double of seconds holds.
+  // 1.7e9 s of an epoch and one nanosecond exceed the precision of a double in seconds.
   const std::uint64_t log_ns = 1'700'000'000'000'000'001;
   Log(MineBag().Message(log_ns, Mine(3, 0)).Message(log_ns + 7, Mine(4, 0)).bytes());
   ImportLog("zero: start\n" + Table("small", ", time: {column: log_time}"));
@@ -292,7 +292,7 @@ TEST_F(BagImport, DefinitionsThatCannotBeReadAreToldOf) {
 }
 
 TEST_F(BagImport, ArraysThatMultiplyAreNotCountedOut) {
-  // 2^32 times 2^32 elements are declared in a handful of bytes.
+  // A handful of bytes declares 2^32 times 2^32 elements.
   Log(SmallMcap("m/A",
                 "int32 a\nB[4000000000] b\n=====\nMSG: m/B\nC[4000000000] c\n=====\nMSG: "
                 "m/C\nfloat64 v\n")

@@ -85,7 +85,7 @@ TEST(ClockTime, IsATimeOfDay) {
   EXPECT_EQ(ClockTimeOf("9:04:05")->t_ns, 32'645 * kNsPerSecond);
   EXPECT_EQ(ClockTimeOf("12:34")->t_ns, 45'240 * kNsPerSecond);
   EXPECT_EQ(ClockTimeOf("01:00:00 PM")->t_ns, 46'800 * kNsPerSecond);
-  // Minutes and seconds are no hours and minutes.
+  // Minutes and seconds are not hours and minutes.
   EXPECT_FALSE(ClockTimeOf("05:23.4"));
   EXPECT_EQ(ClockTimeOf("123456.50")->t_ns, 45'296'500'000'000);
   EXPECT_FALSE(ClockTimeOf("123"));

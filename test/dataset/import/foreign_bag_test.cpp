@@ -9,7 +9,7 @@
 #include "dataset/import/import_csv.h"
 #include "dataset/import/suggest/suggest.h"
 
-/// Bags that other people's programs wrote: test/app/judges/write_*.
+/// Bags written by foreign programs: test/app/judges/write_*.
 
 namespace tera {
 namespace {
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 class ForeignBag : public ::testing::Test {
  protected:
-  /// Whether the program made the log.
+  /// Whether the program wrote the log.
   bool Write(const std::string& program, const std::string& file, const std::string& form) {
     log_ = scratch_.path() / file;
     return OutputOf(program + " '" + log_.string() + "' " + form + " 2>/dev/null").has_value();
@@ -109,7 +109,7 @@ std::string FaultOfTopic(const fs::path& folder, const std::string& file,
   return "no fault";
 }
 
-// As rosbag2 leaves them with compression_mode FILE.
+// As rosbag2 writes them with compression_mode FILE.
 TEST_F(ForeignBag, CompressedAsAWholeByZstdIsRead) {
   if (!WriteByPython("write_rosbag2.py", "log.db3", "none") || !HasProgram("zstd")) {
     GTEST_SKIP() << "needs python3 and zstd";
@@ -151,7 +151,7 @@ TEST_F(ForeignBag, CompressedAsAWholeByZstdIsRead) {
   EXPECT_THAT(FaultOfTopic(folder, "log.db3.zstd"), HasSubstr("log.db3.zstd: is no bag"));
 }
 
-// As rosbag2 splits a long recording, which each channel reads again.
+// A long recording split by rosbag2, which each channel reads again.
 TEST_F(ForeignBag, InSeveralFilesEachCompressedIsUnpackedOnce) {
   if (!WriteByPython("write_rosbag2.py", "log.db3", "none") || !HasProgram("zstd")) {
     GTEST_SKIP() << "needs python3 and zstd";

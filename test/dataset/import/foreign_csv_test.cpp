@@ -1,6 +1,6 @@
 #include "dataset/import/foreign_csv.h"
 
-/// Tables as other people's loggers write them.
+/// Tables by foreign loggers.
 
 namespace tera {
 namespace {

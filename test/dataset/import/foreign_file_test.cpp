@@ -7,8 +7,8 @@
 #include "dataset/files/checked_file.h"
 #include "own_folder.h"
 
-// Files that are no table in text and no point cloud, by their first bytes as their formats'
-// descriptions have them.
+// Files that are neither text tables nor point clouds, by the first bytes that their formats
+// prescribe.
 
 namespace tera {
 namespace {

@@ -109,7 +109,7 @@ TEST_F(ImportTest, DifferentiatesAnAngleWithoutRates) {
 }
 
 TEST_F(ImportTest, AnglesInDegreesThatAreTakenForRadiansAreToldByTheirRates) {
-  // The boom goes from 30 to 36 degrees in 0.2 s, at 0.5 rad/s; taken for radians, at 30.
+  // The boom turns from 30 to 36 degrees in 0.2 s, at 0.5 rad/s; read as radians, at 30.
   WriteWholeFile(scratch_.path() / "log.csv", "ms,boom,arm\n1000,30,1\n1100,33,1\n1200,36,1\n");
   for (const std::string unit : {"deg", "rad"}) {
     WriteWholeFile(scratch_.path() / "mapping.yaml",
@@ -132,7 +132,7 @@ TEST_F(ImportTest, CountsTimeByRowsWhereThereIsNoColumnOfIt) {
       "    valid_if: [{column: n, above: 0}]\n"
       "    columns: {lift_n: {column: rpm, unit: kN}, turn_nm: {column: rpm, unit: N m}}\n");
   const TableRecording table = recording.LoadTable("digger/efforts.csv");
-  // The first row does not count, but its time passes.
+  // The first row does not count, but its time does.
   ASSERT_EQ(table.t_ns.size(), 3u);
   EXPECT_EQ(table.t_ns[0], 2'050'000'000);
   EXPECT_EQ(table.t_ns[2], 2'150'000'000);
@@ -327,7 +327,7 @@ TEST_F(ImportTest, LeavesNothingBehindAfterABadFile) {
 }
 
 TEST_F(ImportTest, OverAnIncompleteRecordingSaysThatItMustBeDeletedFirst) {
-  // As a killed import leaves it.
+  // State after a killed import.
   fs::create_directory(scratch_.path() / "out.incomplete");
   WriteWholeFile(scratch_.path() / "out.incomplete/INCOMPLETE.txt", "killed");
   EXPECT_THAT([&] { Import("tables: [{name: t, columns: {v: {column: gx, unit: deg/s}}}]\n"); },

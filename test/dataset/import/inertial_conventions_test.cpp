@@ -17,7 +17,7 @@ using testing::IsEmpty;
 
 constexpr double kRate_hz = 50, kG_mps2 = 9.81;
 
-/// A unit on a link that is pitched by an angle over time, forward, left and up where it is level.
+/// A unit on a link whose pitch varies over time; its axes are forward, left and up at level.
 std::vector<ImuSample> Pitched(double length_s, const std::function<double(double)>& pitch_rad) {
   std::vector<ImuSample> samples;
   for (int k = 0; k < length_s * kRate_hz; ++k) {
@@ -30,7 +30,7 @@ std::vector<ImuSample> Pitched(double length_s, const std::function<double(doubl
   return samples;
 }
 
-/// A boom that works between two angles, in 8 s there and back.
+/// A boom that works between two angles, back and forth in 8 s.
 std::vector<ImuSample> Boom(double from_deg, double to_deg) {
   return Pitched(40, [=](double t_s) {
     const double middle = 0.5 * (from_deg + to_deg), swing = 0.5 * (to_deg - from_deg);
@@ -64,7 +64,7 @@ TEST(InertialConventions, ALevelUnitWhoseZPointsDownIsToldAndOneThatHangsSoByIts
   const auto down = Turned(still, kForwardRightDown);
   EXPECT_THAT(DoubtsOf(down), ElementsAre(InertialDoubt::kZDown));
   EXPECT_THAT(DoubtsOf(down, kForwardRightDown.transpose() * Vec3::UnitZ()), IsEmpty());
-  // A unit on its side, which its mount knows: x up.
+  // A unit on its side, stated by its mount: x up.
   const Mat3 on_its_side = RotationFromRpy(0, kPi / 2, 0);
   EXPECT_THAT(DoubtsOf(Turned(still, on_its_side), on_its_side * Vec3::UnitZ()), IsEmpty());
 }
@@ -83,7 +83,7 @@ TEST(InertialConventions, RatesInAnotherUnitAreToldByHowGravityTurnsInTheUnit) {
     for (ImuSample& one : samples) one.w_WS_S_radps *= by;
     return samples;
   };
-  // 40 deg in 4 s: numbers up to 16, no faster than joints are.
+  // 40 deg in 4 s: numbers up to 16, within the speed of joints.
   EXPECT_THAT(DoubtsOf(scaled(Boom(-20, 20), 1 / kDeg)),
               ElementsAre(InertialDoubt::kRatesInDegrees));
   EXPECT_THAT(DoubtsOf(scaled(Boom(-20, 20), kDeg)), ElementsAre(InertialDoubt::kRatesInRadians));
@@ -99,7 +99,7 @@ TEST(InertialConventions, RatesAboutTheVerticalAreToldByTheirSizeAlone) {
   EXPECT_THAT(DoubtsOf(slewing), ElementsAre(InertialDoubt::kRatesInDegrees));
 }
 
-// A level machine that speeds up and brakes by 2 m/s2 seems to lean by 11.5 deg and does not turn.
+// A level machine that accelerates and brakes by 2 m/s2 seems to tilt by 11.5 deg without turning.
 TEST(InertialConventions, AccelerationsAreNoTurn) {
   auto driving = Pitched(60, [](double) { return 0.0; });
   for (ImuSample& one : driving) {

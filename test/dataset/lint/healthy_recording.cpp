@@ -31,7 +31,7 @@ Pose ChassisAt(double t_s) {
   return MakePose(Vec3(2 + kSpeed_mps * t_s, 1, 0.3), 0, kPitch_rad, 0.5 + kTurn_radps * t_s);
 }
 
-/// The same at every time: the axis of the turn is fixed in the chassis.
+/// Constant over time: the axis of rotation is fixed in the chassis.
 Vec3 TurnInChassis() { return ChassisAt(0).linear().transpose() * Vec3(0, 0, kTurn_radps); }
 
 /// In steady motion, only the centripetal acceleration of a turn remains.
@@ -96,8 +96,8 @@ void Paint(const Patch& patch, CameraFrame* frame) {
   }
 }
 
-/// How far a point of the camera's frame that stands in the world lay elsewhere in the picture
-/// before: by the chassis' two poses and a pinhole.
+/// Previous position in the picture of a static point in the camera's frame, by the chassis' two
+/// poses and a pinhole. The result is its displacement.
 Vec2 FlowAt(TimeNs t_ns, const Vec3& p_C_m) {
   const Pose X_BCam = MakePose(kCameraPlace_m, 0, 0, kCameraYaw_rad);
   const Pose now = ChassisAt(ToSeconds(t_ns)) * X_BCam;
@@ -271,7 +271,7 @@ void LintTest::EditRows(const std::string& file,
     std::istringstream row(line);
     for (std::string field; std::getline(row, field, ',');) fields.push_back(field);
     if (number > 1) change(number, &fields);
-    if (fields.empty()) continue;  // a row that is taken out
+    if (fields.empty()) continue;  // a row to be removed
     for (std::size_t i = 0; i < fields.size(); ++i) text += (i > 0 ? "," : "") + fields[i];
     text += '\n';
   }

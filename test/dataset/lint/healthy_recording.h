@@ -29,14 +29,14 @@ class LintTest : public testing::Test {
   std::filesystem::path run() const { return scratch_.path() / "run"; }
 
   LintReport Linted(const LintOptions& options = {}) const { return Lint(run(), options); }
-  /// Ids of the rules that found something.
+  /// Ids of the rules with findings.
   std::set<std::string> Found() const;
   /// Expects that this rule alone found something in this channel; returns its finding.
   LintFinding Only(const std::string& rule, const std::string& channel) const;
 
-  /// Puts `to` in the place of the first `from` in a file.
+  /// Replaces the first `from` by `to` in a file.
   void Edit(const std::string& file, const std::string& from, const std::string& to) const;
-  /// Writes a file's rows anew, the header aside: `change` has the line's number and its fields.
+  /// Rewrites a file's rows except the header: `change` has the line's number and its fields.
   void EditRows(const std::string& file,
                 const std::function<void(int, std::vector<std::string>*)>& change) const;
   /// Multiplies columns of all rows.

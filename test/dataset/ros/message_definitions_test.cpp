@@ -11,7 +11,7 @@
 namespace tera::ros {
 namespace {
 
-/// Fields of ROS 2 Humble's messages, from another program (test/ros2/data says how).
+/// Fields of ROS 2 Humble's messages, from another program (see test/ros2/data).
 std::map<std::string, std::string> HumbleFields() {
   std::map<std::string, std::string> fields;
   std::ifstream file("test/ros2/data/humble_messages.txt");

@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// A wave that is looked at once a period, with noise, over `length_s` at 100 Hz.
+/// A wave sampled once a period, with noise, over `length_s` at 100 Hz.
 struct Held {
   Held(double period_s, double phase, double noise, double length_s) {
     const Stream stream(3, "noise");

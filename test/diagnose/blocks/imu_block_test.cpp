@@ -26,7 +26,7 @@ struct Case {
   Vec3 gyro_bias_radps = Vec3::Zero(), accel_bias_mps2 = Vec3::Zero();
 };
 
-/// A unit on a base that winds about or stands, and poses of that base.
+/// A unit on a base that stands or follows a winding path, and the base's poses.
 struct Recorded {
   explicit Recorded(const Case& how) {
     const Stream noise(3, "noise");

@@ -29,7 +29,7 @@ TEST(MeasuredHeading, ExplainsThatAMachineSeemsToGoSideways) {
   ASSERT_EQ(nominal.rows(), 150);
   ASSERT_EQ(nominal.cols(), 3);
   EXPECT_EQ(nominal(149, 1), 1);
-  // 0.03 rad are 1.2 of the standard deviation, 0.025.
+  // 0.03 rad are 1.2 standard deviations of 0.025.
   for (int k = 0; k < 150; ++k) {
     EXPECT_NEAR(1.2 * nominal(k, 2), k == 20 ? 0 : left_mps[static_cast<std::size_t>(k)], 1e-5);
   }

@@ -14,8 +14,8 @@
 #include "physics/actuation/actuation_mechanisms.h"
 #include "physics/machine_fixture.h"
 
-// Whole valves: several strong causes in one joint at once, as a hydraulic machine has them, under
-// steps and a ladder of steps of its lever alone.
+// Whole valves: several strong causes at once in one joint, as in hydraulic machines, under steps
+// and a ladder of steps of its lever alone.
 
 namespace tera {
 namespace {
@@ -28,8 +28,8 @@ constexpr double kNoise_radps = 0.003;
 
 using Numbers = std::map<std::string, std::vector<double>>;
 
-/// An operator who pushes a lever in steps with rest between, of irregular lengths, towards the
-/// middle of the joint's range. The number of sizes is odd, so that each comes in both directions.
+/// An operator who moves a lever in steps of irregular length with rests, towards the middle of the
+/// joint's range. The number of sizes is odd, so that each occurs in both directions.
 class Stepper {
  public:
   double At(double t_s, double beyond_middle_rad) {
@@ -112,7 +112,7 @@ class SteppedArm {
   std::vector<DiagnosedBlock> diagnosed_;
 };
 
-/// The numbers of each finding, by its mechanism.
+/// The parameters of each finding, by mechanism.
 Numbers FoundIn(const BlockDiagnosis& diagnosis) {
   Numbers found;
   for (const Finding& finding : diagnosis.findings) {

@@ -14,8 +14,8 @@ using testing::IsEmpty;
 
 constexpr double kDuration_s = 30, kSpeed_mps = 0.5, kEvery_s = 0.1;
 
-/// A machine that drives straight on, seen by encoders of its tracks; the simulated one is a tenth
-/// slower.
+/// A machine that drives straight ahead, observed by encoders of its tracks; its simulation is a
+/// tenth slower.
 class StraightDrive : public testing::Test {
  protected:
   StraightDrive()
@@ -83,8 +83,8 @@ TEST_F(StraightDrive, PathOfABaseWithoutPosesIsThatOfItsEstimate) {
   EXPECT_NEAR(whole.path->before_m, 0.9 * kSpeed_mps * kDuration_s, 0.5);
 }
 
-// Nothing of the base is simulated where the simulation ends before it is first seen; the rest of
-// the answer stays.
+// If the simulation ends before the base's first measurement, the base is not simulated; other
+// results stay.
 TEST_F(StraightDrive, ABaseThatIsSeenLaterThanIsSimulatedIsLeftOut) {
   std::vector<TruthPose> late = Poses();
   for (TruthPose& pose : late) pose.t_ns += FromSeconds(600);

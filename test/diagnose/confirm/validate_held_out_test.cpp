@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// By how much the measured rate of the boom differs from that of its lever, RMS.
+/// RMS difference between the boom's measured rate and its lever's.
 double BoomError_radps(const HeldOutBlocks& held_out) {
   for (const ReplayBlock& block : held_out.blocks) {
     if (block.name != "boom") continue;
@@ -37,7 +37,7 @@ HeldOutBlocks RecordedOnceMore(DrivenJoints* driven) {
           BlocksOf(input, driven->made.measured, {.threads = 1})};
 }
 
-// Sines of 0.1 to 1 rad/s that are 0.16 s late are off by several hundredths of a rad/s.
+// Sines of 0.1 to 1 rad/s delayed by 0.16 s err by several hundredths of a rad/s.
 TEST(ValidateHeldOut, ClockThatIsNamedInTheFirstRecordingIsThatOfTheNext) {
   DrivenJoints driven(false);
   HeldOutBlocks held_out = RecordedOnceMore(&driven);

@@ -74,7 +74,7 @@ struct Drawn {
   VectorXd b, lower, upper, scale;
 };
 
-/// Two to four numbers whose units differ by up to 10^(2 decades); a third of the bounds is
+/// Two to four numbers whose units differ by up to 10^(2 decades), with a third of the bounds
 /// infinite.
 Drawn Draw(std::uint64_t seed, double decades) {
   const Stream draw(seed, "quadratic");
@@ -144,7 +144,7 @@ TEST(SmallestWithin, FindsWhatLiesExactlyAtABound) {
     made.lower = x;
     made.upper = x.array() + 1;
     made.upper[1] = kInfinity;
-    // Where nothing pushes, an interior point comes near with the root of its precision.
+    // Without a gradient, the error of an interior point is the root of its precision.
     const VectorXd found = SmallestWithin(made.A, made.b, made.lower, made.upper);
     EXPECT_LT((found - x).cwiseAbs().maxCoeff(), 1e-4) << seed << ": " << found.transpose();
   }

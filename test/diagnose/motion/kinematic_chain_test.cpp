@@ -103,7 +103,7 @@ TEST(KinematicChain, OfMoreThanSixMovingJointsIsNotLookedAt) {
   EXPECT_TRUE(ChainTo(model, 7, places));
 }
 
-/// A base and joints that move smoothly, all at once.
+/// A base and joints in simultaneous smooth motion.
 struct MovingMachine {
   MovingMachine(std::uint64_t seed, const std::vector<JointType>& kinds)
       : model(RandomMachine(seed, kinds)) {

@@ -24,7 +24,7 @@ Eigen::VectorXd ResidualAfter(MadeProblem made, const Observation& seen, const C
   return rows.residual.head(rows.rows);
 }
 
-/// Central difference of the residual by a number that `number` gives a place of.
+/// Central difference of the residual by the number at `number`.
 template <typename Number>
 Eigen::VectorXd Difference(const MadeProblem& made, const Observation& seen, const Number& number) {
   const double step = 1e-5;
@@ -214,7 +214,7 @@ TEST(Linearise, PredictsPosesInAMapThatIsTurnedAboutItsPivotAndShifted) {
   LinearisedObservation rows;
   ASSERT_TRUE(made.Of(seen, &rows));
   EXPECT_LT(rows.residual.norm(), 1e-12) << rows.residual.transpose();
-  // A heading that is a whole turn further is the same.
+  // A heading plus a whole turn is the same.
   seen.value[5] -= 4 * kPi;
   ASSERT_TRUE(made.Of(seen, &rows));
   EXPECT_LT(rows.residual.norm(), 1e-11) << rows.residual.transpose();
@@ -305,7 +305,7 @@ TEST(Linearise, OfGroundPredictsHeightRollAndPitch) {
   EXPECT_LT((rows.residual.head<3>() - Vec3(0.1, 0.2, 0.3)).norm(), 1e-12);
 }
 
-// A motion that does not stand out of its noise does not excite a unit's scale.
+// A motion below its noise does not excite a unit's scale.
 TEST(Linearise, OfAMotionThatRestsHasNoDerivativesByWhatOnlyMotionExcites) {
   MadeProblem made(16);
   made.moving.setZero();

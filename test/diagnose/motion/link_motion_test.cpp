@@ -77,7 +77,7 @@ TEST(InertialOfLink, IsTheTurnRateAndSpecificForceOfItsPoses) {
     const Pose X_WL = machine.Link(t);
     const Eigen::AngleAxisd turn(machine.Link(t - kStep_s).linear().transpose() *
                                  machine.Link(t + kStep_s).linear());
-    // A rate by differences is right to the square of the step; turned by half of it, to the step.
+    // A rate by differences is exact to the square of the step; rotated by half of it, to the step.
     EXPECT_LT((link.w - turn.axis() * turn.angle() / (2 * kStep_s)).norm(), 1e-3) << t;
     const auto place = [&](double at) { return Vec3(machine.Link(at).translation()); };
     const Vec3 f_L = X_WL.linear().transpose() * (SecondOf(place, t) - kGravity_W);

@@ -86,8 +86,8 @@ struct MadeProblem {
   bool Of(const Observation& seen, LinearisedObservation* out) const {
     return Linearise(problem, spline, {coefficients, moving, {}}, parameters, seen, out);
   }
-  /// The residual's derivative by each number of the motion's coefficients, numbers running
-  /// fastest, as `by_state` and the spline's weights have it.
+  /// The residual's derivative by each motion coefficient, numbers running fastest, by `by_state`
+  /// and the spline's weights.
   Eigen::MatrixXd ByCoefficients(const LinearisedObservation& rows) const {
     const int numbers = problem.numbers();
     Eigen::MatrixXd by = Eigen::MatrixXd::Zero(rows.rows, spline.coefficients * numbers);

@@ -16,12 +16,12 @@ namespace {
 constexpr double kMotionEstimateInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSigma[] = {0.01, 0.02};
 constexpr int kSamples = 500;  // of each encoder and segment, 5 s at 100 Hz
-/// Residuals much smaller than the scale weigh (5 + 1) / 5.
+/// Residuals much smaller than the scale have the weight (5 + 1) / 5.
 constexpr double kWeightOfSmall = 1.2;
 
 double Angle(int segment, double t) { return 0.3 * segment + 0.5 * std::sin(1.3 * t); }
 
-/// `scale` times the noise whose scale the channels state; the second encoder reads `zero` more.
+/// `scale` times the noise that the channels state; the second encoder reads `zero` more.
 MotionProblem TwoEncoders(int segments, double scale, double zero) {
   MotionProblem problem;
   problem.joints = {"boom"};
@@ -77,7 +77,7 @@ TEST(EstimateMotion, LeavesOfAZeroTheInformationOfTheMeanOfDifferences) {
     EXPECT_NEAR(quadratic.information(0, 0), expected, 2e-3 * expected);
     EXPECT_NEAR(quadratic.score[0] / quadratic.information(0, 0), 0.07, 1e-4);
   }
-  // A hundredth of the noise, of 1500 differences.
+  // A hundredth of the noise, from 1500 differences.
   EXPECT_NEAR(estimate.parameters[0], 0.07, 5 * 0.01 * std::sqrt(kVariance / 1500));
   EXPECT_TRUE(estimate.converged);
 }
@@ -85,8 +85,8 @@ TEST(EstimateMotion, LeavesOfAZeroTheInformationOfTheMeanOfDifferences) {
 TEST(EstimateMotion, FindsZeroNoiseAndMotion) {
   const MotionEstimate estimate = Estimated(TwoEncoders(4, 1, 0.07), Prior(10), true);
   EXPECT_NEAR(estimate.parameters[0], 0.07, 5 * std::sqrt(kVariance / 2000));
-  // The scale of Student's t that fits normal errors best is somewhat smaller than their own, for
-  // five degrees of freedom 0.87 of it.
+  // The best scale of Student's t for normal errors is smaller than theirs, 0.87 of it for five
+  // degrees of freedom.
   for (int i = 0; i < 2; ++i) EXPECT_NEAR(estimate.noise[i].sigma / kSigma[i], 0.87, 0.07) << i;
   for (int s = 0; s < 4; ++s) {
     const UniformSpline spline = {.step_s = 0.1, .coefficients = 64};
@@ -94,7 +94,7 @@ TEST(EstimateMotion, FindsZeroNoiseAndMotion) {
       const SplineWeights at = spline.At(t);
       const double found = at.by_derivative.row(0).head(4).dot(
           estimate.motion[s].coefficients.col(kBaseNumbers).segment(at.first, 4));
-      // Some twenty samples of 0.009 rad of both together between knots.
+      // About twenty samples of both between knots, with 0.009 rad of noise.
       EXPECT_NEAR(found, Angle(s, t), 5 * 0.009 / std::sqrt(7)) << t;
     }
   }

@@ -14,7 +14,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// All rows of a problem one below the other, each divided by its sigma.
+/// All rows of a problem, stacked and each divided by its sigma.
 struct Dense {
   MatrixXd motion, parameters;
   VectorXd residual;

@@ -7,7 +7,7 @@
 #include "core/random.h"
 #include "physics/description/machine.h"
 
-// Machines of one chain of links with joints of all kinds, drawn by a seed.
+// Machines with a chain of links and joints of all kinds, drawn by a seed.
 
 namespace tera {
 

@@ -68,7 +68,7 @@ TEST(ImuWindows, AreMeansOfSamplesOverTheTimesOfThese) {
   ASSERT_EQ(windows.size(), 10u);
   ExpectSound(windows, samples, 0.05);
   for (int k = 0; k < 10; ++k) {
-    // Samples 5 k to 5 k + 4, the first a mean since one period before its stamp.
+    // Samples 5 k to 5 k + 4, the first a mean over the period before its stamp.
     EXPECT_EQ(windows[k].from_ns, kEpoch_ns + (5 * k - 1) * kPeriod_ns) << k;
     EXPECT_EQ(windows[k].to_ns, kEpoch_ns + (5 * k + 4) * kPeriod_ns) << k;
     EXPECT_LT((windows[k].w_S_radps - (5 * k + 2) * Vec3(1, -1, 0.5)).norm(), 1e-9) << k;
@@ -100,7 +100,7 @@ TEST(ImuWindows, EndWhereTheSegmentDoes) {
   }
 }
 
-// Stamps that come some milliseconds early or late say little of when a sample was measured.
+// Stamps with a jitter of some milliseconds do not determine the time of measurement.
 TEST(ImuWindows, OfStampsThatJitterLastAsLongAsTheirSamples) {
   std::vector<ImuSample> samples = Samples(400);
   const Stream draw(1, "jitter");
@@ -151,7 +151,7 @@ TEST(ImuWindows, OfSamplesRarerThanTheLongestWindowAreOneEach) {
   }
 }
 
-/// A gear that turns at `rate_radps`, or as `angle` has it, sampled at 50 Hz.
+/// A gear with `rate_radps`, or with `angle`, sampled at 50 Hz.
 template <typename Angle>
 GearTrack Gear(double radius_m, double left_m, const Angle& angle, double duration_s = 10) {
   GearTrack gear{.radius_m = radius_m, .left_m = left_m};
@@ -183,7 +183,7 @@ TEST(TravelOfGears, OfTwoTracksIsTheirMeanAndTheirDifferenceOverTheGauge) {
                0.9, 0.375);
 }
 
-// Gears that do not run alike far from the middle: the base's middle is a quarter of the way.
+// Gears of different speeds at unequal distances: the base's middle is at a quarter.
 TEST(TravelOfGears, OfTracksAtUnlikeDistancesIsThatOfTheMiddle) {
   ExpectTravel(TravelOf({Gear(0.3, 0.4, [](double t) { return 2 * t; }),
                          Gear(0.3, -1.2, [](double t) { return 4 * t; })}),
@@ -200,7 +200,7 @@ TEST(TravelOfGears, OfTwoGearsOneBehindTheOtherDoesNotTurn) {
                1.5, 0);
 }
 
-// Nothing is known of the turning of a machine with both gears on its left side.
+// Both gears on the left side: the machine's turning is unknown.
 TEST(TravelOfGears, OfTwoGearsOnTheSameSideIsFiniteAndNoFasterThanThey) {
   for (const double apart_m : {0.0, 1e-12, 1e-6}) {
     const std::vector<TravelWindow> travel =
@@ -247,7 +247,7 @@ TEST(TravelOfGears, OfStandingGearIsStillWhateverItsQuantisation) {
   EXPECT_GE(still, 0.95 * static_cast<double>(travel.size()));
 }
 
-// From 4 to 6 s it drives, first slowly: the gear is still as long as none of its angles moves
+// It drives from 4 to 6 s, slowly at first. The gear counts as still while none of its angles moves
 // within 0.3 s.
 TEST(TravelOfGears, IsNotStillWithinThreeTenthsOfASecondOfAMotion) {
   const auto angle = [](double t) { return 2 * std::clamp(t - 4, 0.0, 2.0); };

@@ -31,7 +31,7 @@ NoiseChannel Estimated(std::vector<std::vector<double>> by_segment, double least
 }
 
 TEST(ErrorWeight, FallsAsStudentsTWithFiveDegreesOfFreedomHasIt) {
-  // (nu + 1) / (nu + (r / sigma)^2): from 6/5 at nothing, 1 at one sigma, 6/30 at five.
+  // (nu + 1) / (nu + (r / sigma)^2): 6/5 at zero, 1 at one sigma, 6/30 at five.
   const double at_none = ErrorWeight(0, 0.3);
   EXPECT_GT(at_none, 0);
   for (const double r : {-2.0, -0.1, 0.3, 1.5, 30.0}) {
@@ -51,7 +51,7 @@ TEST(EstimateNoise, FindsTheScaleOfStudentsErrors) {
   }
 }
 
-// A zero that nothing has explained yet is no noise: its errors follow each other for ever.
+// A constant that is not yet explained is no noise: its errors correlate indefinitely.
 TEST(EstimateNoise, LeavesOutWhatAllResidualsAreOffByAlike) {
   std::vector<double> off = WhiteT(20000, 0.05, 3);
   for (double& one : off) one += 0.4;
@@ -75,7 +75,7 @@ TEST(EstimateNoise, FindsHowMuchErrorsThatFollowEachOtherInflateAMean) {
 }
 
 TEST(EstimateNoise, DoesNotTakeTheEndOfASegmentForTheBeginningOfTheNext) {
-  // Alternating signs of one-sample segments would be an autocorrelation of -1 across them.
+  // Alternating signs of one-sample segments would have an autocorrelation of -1 across them.
   std::vector<std::vector<double>> segments;
   const std::vector<double> white = WhiteT(4000, 1, 3);
   for (const double r : white) segments.push_back({r});

@@ -6,13 +6,13 @@
 
 #include "core/random.h"
 
-// A unit on a base that turns about the vertical, yaw = swing sin(5 t) / 5, with its stamps late by
-// a known time.
+// A unit on a base that turns about the vertical, yaw = swing sin(5 t) / 5, with a known delay of
+// its stamps.
 
 namespace tera {
 namespace {
 
-constexpr double kRate = 5;  // rad/s of the turning to and fro, a period of 1.26 s
+constexpr double kRate = 5;  // amplitude of the alternating turn in rad/s, with a period of 1.26 s
 constexpr double kWindow_s = 0.1;
 
 MotionProblem Turning(double swing_radps, double late_s, double noise_radps) {

@@ -44,7 +44,7 @@ void ExpectNear(const std::array<TimeSeries, kBaseNumbers>& base, Pose (*truth)(
   EXPECT_LT(Eigen::AngleAxisd(R.transpose() * X_WB.linear()).angle(), angle_rad) << t;
 }
 
-/// No step of more than a quarter turn from a value to the next.
+/// No step between values exceeds a quarter turn.
 void ExpectContinuousYaw(const TimeSeries& yaw) {
   for (std::size_t k = 1; k < yaw.value.size(); ++k) {
     EXPECT_LT(std::abs(yaw.value[k] - yaw.value[k - 1]), kPi / 2) << yaw.t_s[k];
@@ -61,7 +61,7 @@ TEST(RoughBase, OfTwoAntennasTurnsOnPastAHalfTurn) {
   EXPECT_NEAR(base[kYaw].At(20) - base[kYaw].At(1), 11.4, 0.05) << "0.6 rad/s for 19 s";
 }
 
-// The antennas of different receivers are not read at the same times.
+// The antennas of different receivers have different sample times.
 TEST(RoughBase, OfTwoAntennasThatAreReadInTurnIsAsGood) {
   RoughSources sources;
   sources.antennas = {Antenna(kLeft_B_m, 0, 20, TurningBase),
@@ -95,7 +95,7 @@ TEST(RoughBase, OfTwoAntennasThatNeverMeetInTimeIsFinite) {
   }
 }
 
-/// A base that leans all the while.
+/// A permanently tilted base.
 Pose LeaningBase(double t) {
   return MakePose({1 + t, 3, 0.5}, RotationFromRpy(0.1, -0.2, 3.0 + 0.4 * t));
 }
@@ -135,7 +135,7 @@ std::vector<TravelWindow> Circle() {
   return travel;
 }
 constexpr double kRadius_m = 1 / 0.3;
-/// From (10, 20) on with a heading of 100 deg.
+/// Start at (10, 20) with a heading of 100 deg.
 Pose CirclingBase(double t) {
   const double yaw0 = 100 * kDeg, yaw = yaw0 + 0.3 * t;
   return MakePose({10 + kRadius_m * (std::sin(yaw) - std::sin(yaw0)),
@@ -177,7 +177,7 @@ TEST(RoughBase, OfNothingAtAllIsFinite) {
   }
 }
 
-// An antenna on the axis of a machine that stands says nothing of its heading.
+// An antenna on the axis of a standing machine does not determine its heading.
 TEST(RoughBase, OfOneAntennaAndNoTravelIsFinite) {
   RoughSources sources;
   sources.antennas = {Antenna(kLeft_B_m, 0, 10, [](double) { return TurningBase(1); })};

@@ -113,7 +113,7 @@ double MeanByRectangles(const std::vector<double>& c, int d, double from, double
 TEST(UniformSpline, HasMeansOfDerivativesAsRectanglesSumThem) {
   const std::vector<double> c = RandomCoefficients(2);
   const double h = kSpline.step_s, end = kSpline.end_s();
-  // Within a step, over a knot, of a whole step, at both ends.
+  // Within a step, over a knot, over a whole step, at both ends.
   const double spans[][2] = {
       {0.41, 0.55},      {0.33, 0.48},           {1.3, 1.3 + h},    {0, 0.1},      {0, h},
       {end - 0.07, end}, {end - 0.999 * h, end}, {0.4, 0.4 + 1e-3}, {0.599, 0.601}};
@@ -161,7 +161,7 @@ TEST(UniformSpline, OverMoreThanAStepIsThatOfTheMiddle) {
   for (int d = 0; d < 4; ++d) EXPECT_NEAR(Apply(mean, d, c), Apply(middle, d, c), 1e-9) << d;
 }
 
-// By rounding 0.5 - 0.24999999999999997 is no more than a step of 0.25, though it touches three.
+// 0.5 - 0.24999999999999997 rounds to no more than a step of 0.25, but touches three.
 TEST(UniformSpline, OverAStepFromJustBeforeAKnotIsAsFromTheKnot) {
   const UniformSpline spline = {.step_s = 0.25, .coefficients = 16};
   const std::vector<double> c = RandomCoefficients(7);

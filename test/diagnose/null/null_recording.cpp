@@ -225,7 +225,7 @@ NullRecording SimulateNull(const MachineModel& model, double duration_s, std::ui
     }
     plant.Step(step);
   }
-  // Encoders are read 5 ms into the recording's clock, commands likewise.
+  // Encoders and commands are sampled 5 ms after the recording's zero.
   for (TimeNs& t_ns : out.commands.t_ns) t_ns += 5000000;
   return out;
 }

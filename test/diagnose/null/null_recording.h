@@ -14,7 +14,7 @@ struct NullRecording {
   NamedEncoders encoders{"excavator1/encoders", {}};
 };
 
-/// config/machines/tb235.yaml, its arm stretched out in the air.
+/// config/machines/tb235.yaml with its arm stretched out in the air.
 MachineModel RaisedTb235();
 
 /// Boom, arm, bucket and slew of a machine under random levers with seed `seed`.
@@ -31,7 +31,7 @@ NullRecording SimulateNull(const MachineModel& model, double duration_s, std::ui
 
 /// Result of diagnosing it.
 struct NullOutcome {
-  std::size_t judged = 0, blocks = 0;  ///< of the blocks, those with manoeuvres enough
+  std::size_t judged = 0, blocks = 0;  ///< blocks with enough manoeuvres
   std::vector<std::string> alarms;     ///< findings and unexplained errors
   std::vector<std::string> unconfirmed;
 };

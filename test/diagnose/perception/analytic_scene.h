@@ -12,7 +12,7 @@
 #include "diagnose/perception/scans/range_source.h"
 #include "diagnose/perception/true_sensor.h"
 
-/// A site of one tilted plane and one box, in closed form, and a lidar that turns over it.
+/// A site with a tilted plane and a box in closed form, and a lidar that turns above it.
 
 namespace tera::testing {
 
@@ -54,7 +54,7 @@ inline AnalyticHit CastInto(const AnalyticScene& scene, const Vec3& p_W_m, const
     const Vec3 p = p_W_m + r * d_W;
     return p.z() - scene.Ground_m(p.head<2>());
   };
-  // Relief within 1.5 m of the plane changes where the ray comes down.
+  // Relief within 1.5 m of the plane changes the ray's impact.
   const double fall = -n.dot(d_W);
   if (scene.relief && fall > 0) {
     const double from_m = std::max(0.0, plane_m - 1.5 / fall), to_m = plane_m + 1.5 / fall;

@@ -23,7 +23,7 @@ TEST(Proposal, OfAGainThatFallsWithTemperatureIsThatProduct) {
   EXPECT_NEAR(term.coefficient, -0.2, 3 * term.sigma);
   EXPECT_LT(term.sigma, 0.02);
   EXPECT_GE(term.stability, 0.7);
-  // The toy's rate is its lever: either may stand in the product.
+  // The toy's rate is its lever: either may be in the product.
   const std::string text = TermText(odd.block, term.factors);
   EXPECT_THAT(text, HasSubstr("temperature"));
   EXPECT_EQ(term.factors.size(), 2u);

@@ -53,7 +53,7 @@ Recorded Record(Drive* drive, double duration_s) {
   return recorded;
 }
 
-/// Boom, arm and bucket move in the air, at many speeds and together.
+/// Boom, arm and bucket move in the air, at many speeds and simultaneously.
 NamedLevers Sway(double t_s) {
   return {{"boom", 0.5 * std::sin(1.1 * t_s)},
           {"arm", 0.6 * std::sin(1.5 * t_s + 1)},
@@ -252,7 +252,7 @@ TEST(AxisBlock, AsksForTheWayOnlyWhereItIsNotTheSideOfTheLever) {
   EXPECT_TRUE(has_way([](double t_s) { return std::sin(2 * t_s); }));
 }
 
-/// Without some of the samples, and none at its time to the millisecond.
+/// Some samples are missing, and stamps jitter by up to a millisecond.
 Recorded Tattered(Recorded recorded) {
   std::vector<EncoderSample>& samples = recorded.encoders.recording.samples;
   const Stream stream(3, "tatters");
@@ -267,8 +267,7 @@ Recorded Tattered(Recorded recorded) {
   return recorded;
 }
 
-// Which of the replay's steps a reader looks at is all or nothing: one further, and the rate is
-// another at each look.
+// A reader samples one step of the replay: at the next step, every sample differs.
 TEST(AxisBlock, BeginsAReaderThatLooksOnceAPeriodAtEveryStepThatItMayLookAt) {
   Drive drive = Swaying("effects: {m: {boom: {input_hold: {period_s: 0.34}}}}");
   const ReplayBlock block = BlockOfBoom(drive, Record(&drive, 22));
@@ -290,7 +289,7 @@ TEST(AxisBlock, BeginsAReaderThatLooksOnceAPeriodAtEveryStepThatItMayLookAt) {
   EXPECT_LT(least, 1.2 * rms({0.34, 0}));
 }
 
-// A search looks at a prefix alone; terms with a memory must not notice.
+// A search may use a prefix only; terms with a memory must not be affected.
 TEST(AxisBlock, ABeginningIsThatOfTheWhole) {
   Drive drive = Swaying("");
   const ReplayBlock block = BlockOfBoom(drive, Tattered(Record(&drive, 22)));

@@ -46,7 +46,7 @@ BaseReplayRecorded BaseReplayRecord(Drive* drive, double duration_s) {
   return recorded;
 }
 
-/// Forward, backward, and turning either way, slowly changing.
+/// Forward, backward, and turning in both directions, slowly changing.
 NamedLevers Meander(double t_s) {
   return {{"left_track", 0.35 + 0.4 * std::sin(0.7 * t_s)},
           {"right_track", 0.3 + 0.4 * std::sin(0.9 * t_s + 1)}};
@@ -285,7 +285,8 @@ TEST(BaseLog, TellsHowFarOnAnArc) {
   const BaseLog log = MakeBaseLog(model, {{"m/wheels", wheels}}, poses, 0.5);
   ASSERT_EQ(log.intervals.size(), 8u);
   for (const BaseInterval& interval : log.intervals) {
-    EXPECT_NEAR(interval.twist.forward_mps, kPi / 4, 1e-9);  // the contact is amid the root
+    EXPECT_NEAR(interval.twist.forward_mps, kPi / 4, 1e-9);  // the contact is at the middle of the
+                                                             // root
     EXPECT_NEAR(interval.twist.yaw_radps, kPi / 8, 1e-9);
     EXPECT_NEAR(interval.twist.left_mps, 0, 1e-9);
   }
@@ -318,7 +319,7 @@ TEST(BaseLog, TakesTheRateOfAGearFromItsAngle) {
   for (std::size_t k = 1; k + 1 < rates.size(); ++k) EXPECT_NEAR(rates[k], 2, 1e-9) << k;
 }
 
-// Angles that begin again at each turn, that are of the motor and not of the sprocket, and none.
+// Angles that wrap at each turn, that belong to the motor instead of the sprocket, and none.
 TEST(BaseLog, TakesTheRateAsItWasMeasuredWhereTheAngleIsAnother) {
   const std::function<double(double)> angles[] = {
       [](double t_s) { return std::fmod(2 * t_s, 2 * kPi); }, [](double t_s) { return 60 * t_s; },
@@ -344,7 +345,7 @@ TEST(BaseLog, NamesTheGearThatNoEncoderMeasures) {
   }
 }
 
-/// A machine that stands while its sprockets turn to and fro, over 40 s.
+/// A machine at rest whose sprockets alternate, over 40 s.
 ReplayBlock SprocketsAlone(const MachineModel& model, bool poses_were_measured) {
   std::vector<TruthPose> poses;
   EncoderRecording wheels;

@@ -13,7 +13,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-/// All three joints of the arm move at once, so that each feels the others.
+/// All three joints of the arm move simultaneously and affect each other.
 RecordedEfforts RecordArm(const std::string& effects, double duration_s) {
   Drive drive("fixed_arm.yaml", "{joints_deg: {shoulder: 60, elbow: -50, wrist: -40}}",
               "soil: asphalt", 0, 0, effects);
@@ -87,7 +87,7 @@ TEST(EffortLog, HasGapsWhereTheJointRests) {
   auto& samples = sled.recorded.encoders[0].recording.samples;
   for (std::size_t k = 2500; k < 3500; ++k) samples[k].q_rad = samples[2500].q_rad;
   const EffortLog log = sled.Logs().at(0);
-  // Step 3000 is amid the rest, far from either end.
+  // Step 3000 lies within the rest, far from both ends.
   for (std::size_t k = 0; k < log.at_fine.size(); ++k) {
     const std::size_t step = log.at_fine[k];
     if (step > 2600 && step < 3400) {

@@ -12,7 +12,7 @@ namespace tera {
 namespace {
 
 constexpr double kPeriod_s = 0.1, kAtBest_s = 0.04, kHandling_s = 0.03;
-constexpr double kDrift_s = 0.012;  ///< one per cent of a period for each of a dozen that wait
+constexpr double kDrift_s = 0.012;  ///< one per cent of a period for each of a dozen waiting poses
 
 /// Poses measured every 0.1 s for 60 s, at rest until 10 s, then at 1.5 m/s along x. Every `lost`th
 /// is lost.
@@ -24,7 +24,7 @@ std::vector<double> MeasuredTimes(int lost) {
   return t_s;
 }
 
-/// One queue, which hands nothing over in the first `wait_s` of every 3 s.
+/// A queue that delivers nothing in the first `wait_s` of every 3 s.
 std::vector<TruthPose> Arrive(const std::vector<double>& measured_s, double wait_s) {
   std::vector<TruthPose> poses;
   double free_s = 0;
@@ -99,7 +99,7 @@ TEST(PoseTimes, OfPosesThatComeEvenlyAreTheirStamps) {
   EXPECT_FALSE(TimesOfArrivals({}));
 }
 
-/// Ten minutes that nothing waits in, moving at 1.5 m/s.
+/// Ten minutes without waiting, at 1.5 m/s.
 std::vector<TruthPose> InTime(double rate_hz, const std::function<double(std::size_t)>& late_s) {
   std::vector<TruthPose> poses;
   for (std::size_t k = 0; k < static_cast<std::size_t>(600 * rate_hz); ++k) {

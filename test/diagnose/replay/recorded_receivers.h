@@ -15,7 +15,7 @@
 
 namespace tera {
 
-/// A base that winds over the site with stops, in closed form.
+/// A base on a winding path with stops, in closed form.
 inline Pose BaseAt(double t_s) {
   const double moving_s = t_s - 1.5 * std::sin(2 * kPi * t_s / 12);
   const double yaw_rad = 0.9 * std::sin(0.23 * moving_s) + 0.04 * moving_s;

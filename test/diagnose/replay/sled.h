@@ -16,7 +16,7 @@ struct RecordedEfforts {
   std::vector<NamedEncoders> encoders{{"m/encoders", {}}};
 };
 
-/// A sled of 95.1 kg on a level rail, driven to and fro; its effort by Newton's law.
+/// A sled of 95.1 kg that alternates on a level rail, with its effort by Newton's law.
 struct Sled {
   explicit Sled(double offset_n = 0, double more_back_nspm = 0, double noise_n = 0) {
     const Stream noise(5, "noise");

@@ -12,7 +12,7 @@ SensorDiagnosis Estimated(MadeRecording* made) {
   return DiagnoseSensors(made->Input(), made->measured, {}, &clock);
 }
 
-// Receivers of 8 mm of noise, five times a second, and two units.
+// Receivers with 8 mm of noise at 5 Hz, and two units.
 TEST(EstimatedPoses, FollowTheBaseWithoutRecordedOnes) {
   MadeRecording made({.seed = 31, .has_poses = false});
   const std::vector<TruthPose> poses = EstimatedPoses(Estimated(&made));
@@ -26,8 +26,8 @@ TEST(EstimatedPoses, FollowTheBaseWithoutRecordedOnes) {
   }
 }
 
-// Two parts that are straight lines, the second beginning 0.04 rad to the left of where the first
-// ends and a whole turn further.
+// Two straight parts. The second begins 0.04 rad to the left of the first one's end, plus a whole
+// turn.
 TEST(EstimatedPoses, OfPartsThatDifferMeetBetweenThem) {
   SensorDiagnosis made;
   made.knows_base = true;

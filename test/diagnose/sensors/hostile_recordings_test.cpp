@@ -156,7 +156,7 @@ TEST(HostileRecording, OfALongGapInAllSensors) {
   ExpectNothingNamed(made);
 }
 
-// The boom's unit was switched on for the last two seconds only.
+// The boom's unit records only the last two seconds.
 TEST(HostileRecording, OfAUnitThatMeasuresForTwoSeconds) {
   MadeRecording made({.seed = 13});
   std::erase_if(made.measured.imus[1],
@@ -164,7 +164,7 @@ TEST(HostileRecording, OfAUnitThatMeasuresForTwoSeconds) {
   ExpectNothingNamed(made);
 }
 
-// All is recorded twice, the second time a microsecond after the first.
+// Everything is recorded twice, a microsecond apart.
 TEST(HostileRecording, OfSamplesAMicrosecondApart) {
   MadeRecording made({.seed = 14, .duration_s = 25});
   for (auto& samples : made.measured.imus) {

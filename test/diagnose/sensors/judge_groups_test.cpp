@@ -43,7 +43,7 @@ ParameterTable Table(int groups) {
   return table;
 }
 
-/// Rows of a segment's measurements, `rows` of them, of the parameters; drawn.
+/// A segment's measurements of the parameters: `rows` random rows.
 MatrixXd DrawnRows(const Stream& draw, int segment, int rows, int parameters) {
   MatrixXd J(rows, parameters);
   for (int i = 0; i < rows; ++i) {
@@ -63,7 +63,7 @@ ParameterQuadratic Measured(const MatrixXd& J, const VectorXd& truth, const Stre
   return {J.transpose() * J, J.transpose() * (J * truth + errors)};
 }
 
-/// Segments with rows enough that each parameter is known to some 0.06 in all.
+/// Segments with enough rows to determine each parameter to about 0.06.
 std::vector<ParameterQuadratic> Segments(std::uint64_t seed, const VectorXd& truth,
                                          int segments = 10, int rows = 30) {
   const Stream draw(seed, "segments");
@@ -81,8 +81,8 @@ std::vector<int> NamedOf(const GroupJudgement& judged) {
   return groups;
 }
 
-// With alpha 0.01 each draw names something with a probability of at most 0.01: of 200 draws more
-// than 9 with a binomial probability of 3e-5.
+// With alpha 0.01 each draw names something with a probability of at most 0.01. More than 9 of 200
+// have a binomial probability of 3e-5.
 constexpr int kDraws = 200, kMostNamed = 9;
 
 TEST(JudgeGroups, NamesNothingOfParametersWithinTheirTolerances) {
@@ -109,7 +109,7 @@ TEST(JudgeGroups, NamesNothingOfParametersExactlyAtTheirTolerances) {
   EXPECT_LE(named, kMostNamed);
 }
 
-// Few and short segments: the numbers of each are known worse than their tolerances.
+// Few short segments: each determines the numbers worse than their tolerances.
 TEST(JudgeGroups, NamesNothingOfFewRowsMoreOftenThanItSays) {
   const ParameterTable table = Table(4);
   int named = 0;
@@ -153,13 +153,13 @@ TEST(JudgeGroups, NamesTheOneBeyondWithItsNumbers) {
       within_three += off < 3 * named.parameters[k].sigma;
       within_two += off < 2 * named.parameters[k].sigma;
       ++numbers;
-      // Some 300 rows of a variance of one: 1 / sqrt(300) = 0.058.
+      // Some 300 rows with unit variance: 1 / sqrt(300) = 0.058.
       EXPECT_GT(named.parameters[k].sigma, 0.03);
       EXPECT_LT(named.parameters[k].sigma, 0.15);
     }
   }
   EXPECT_GE(alone, 97);
-  // Of 200 normal errors, 0.5 are expected beyond three sigma and 9 beyond two.
+  // Among 200 normal errors, 0.5 are expected beyond three sigma and 9 beyond two.
   EXPECT_GE(within_three, numbers - 4);
   EXPECT_GE(within_two, numbers - 24);
 }
@@ -240,7 +240,8 @@ TEST(JudgeGroups, NamesTheCauseForWhichNothingElseMustBeStretched) {
   EXPECT_GE(right, 19);
 }
 
-// Group 1 is off by five tolerances and group 3 by as much the other way: the data see nothing.
+// Group 1 is off by five tolerances and group 3 by as much in the opposite direction: the data show
+// nothing.
 TEST(JudgeGroups, NamesNeitherOfTwoThatCancelExactly) {
   const ParameterTable table = Table(4);
   int named = 0;
@@ -291,7 +292,7 @@ TEST(JudgeGroups, OfNoneThatIsExcitedNamesNothing) {
   EXPECT_THAT(judged.untestable, UnorderedElementsAre(0, 1, 2));
 }
 
-// Nothing is held out from one segment, so that nothing can be steady.
+// A single segment leaves nothing held out, hence no steady gain.
 TEST(JudgeGroups, OfOneSegmentOrNoneNamesNothing) {
   VectorXd truth = VectorXd::Zero(8);
   truth[4] = 10 * kTolerance;
@@ -323,7 +324,7 @@ TEST(JudgeGroups, DoesNotCallWithinWhatIsNamedOrAsDocumented) {
   EXPECT_THAT(judged.within, UnorderedElementsAre(0));
 }
 
-// The same in a thousandth of the unit, information a million times as large.
+// The same in a thousandth of the unit, with a million times the information.
 TEST(JudgeGroups, IsTheSameInAnotherUnit) {
   VectorXd truth = VectorXd::Zero(8);
   truth[4] = 4 * kTolerance;

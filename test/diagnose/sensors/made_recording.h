@@ -38,12 +38,12 @@ struct Made {
   Vec3 place_m = Vec3::Zero();                            ///< of all
   double noise = 1;                                       ///< times the usual
   double base_moves = 1, slew_moves = 1, boom_moves = 1;  ///< times the usual
-  /// Rate of the swing that is turned about within 5 ms every 0.9 s, as at a stop.
+  /// Rate of the swing, reversed within 5 ms every 0.9 s, as at a stop.
   double blows_radps = 0;
   bool has_poses = true;
 };
 
-/// A way to and fro at a rate of one, turned about within `within_s` each half period.
+/// An alternating displacement at unit rate, reversed within `within_s` each half period.
 inline double ToAndFro(double t, double half_s, double within_s) {
   const double in = std::fmod(t, 2 * half_s), from_turn = std::abs(in - half_s);
   const double r = within_s / 2, near_top = std::max(0.0, r - from_turn),
@@ -114,7 +114,7 @@ class MadeRecording {
     AddEncoders();
     if (how.has_poses) AddPoses();
   }
-  /// The input, whose model is this one's.
+  /// The input, with this recording's model.
   const DiagnosisInput& Input() {
     input.model = &model;
     return input;

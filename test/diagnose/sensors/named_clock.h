@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// An estimate that names the clock of `target`, late by `offset_s`, and nothing else.
+/// An estimate that names only the clock of `target`, late by `offset_s`.
 inline SensorDiagnosis NamedClock(const std::string& target, double offset_s) {
   SensorFinding found;
   found.target = target;

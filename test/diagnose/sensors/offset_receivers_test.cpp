@@ -79,7 +79,7 @@ class TrackedRecording {
       const double forward_mps = (1 - how.slip) * (left_mps + right_mps) / 2;
       left += kStep_s * left_mps / 0.25, right += kStep_s * right_mps / 0.25;
       x += kStep_s * forward_mps * std::cos(yaw), y += kStep_s * forward_mps * std::sin(yaw);
-      // Tracks that scrub turn a machine by less than their distance says.
+      // Scrubbing tracks turn a machine by less than their distance implies.
       yaw += kStep_s * (right_mps - left_mps) / (1.3 * 1.2);
       swing += kStep_s * how.slews * 0.8 * level(2, 5.1);
     }
@@ -163,7 +163,7 @@ TEST(OffsetReceivers, NeedAnEncoderOfEachJointBeforeThemAndOfEachTrack) {
   }
 }
 
-/// The effect of a clock that is off.
+/// The effect of a wrong clock.
 Effect ClockOffset(double offset_s) {
   for (const Mechanism& mechanism : SensorMechanisms()) {
     if (mechanism.id == "clock_offset") return {&mechanism, {offset_s}};

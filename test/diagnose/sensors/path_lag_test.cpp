@@ -17,7 +17,7 @@ constexpr double kAlpha = 0.01;
 
 using Speed = std::function<double(double t_s)>;
 
-/// A way driven for `length_s`, and fixes of it in a turned frame.
+/// A drive of `length_s`, and its fixes in a rotated frame.
 struct Driven {
   double length_s = 75;
   Speed speed_mps, turning_radps;
@@ -71,7 +71,7 @@ std::optional<PathLag> LagOf(const Driven& driven) {
   return LagBehind(driven.Path(), driven.Fixes(), kNear_s);
 }
 
-/// 1 where there is nothing to compare.
+/// 1 without anything to compare.
 double POf(const Driven& driven) {
   const auto lag = LagOf(driven);
   return lag ? lag->p : 1;
@@ -136,7 +136,7 @@ TEST(PathLag, OfAClockThatIsRightIsNeverTold) {
   }
 }
 
-/// Fixes of another way than the path: whatever is wrong, it is no clock.
+/// Fixes of another path: the error is not the clock's.
 TEST(PathLag, BetweenWaysThatHaveNothingInCommonIsSeldomTold) {
   int told = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {

@@ -44,7 +44,7 @@ TEST(RaisedPart, ThatHangsReflectsNothing) {
   EXPECT_EQ(part->At(numbers), Eigen::Vector2d::Zero());
 }
 
-/// The largest numbers that are looked for of the reflections of a receiver with this fix.
+/// Upper bounds of the search for a receiver's reflections with this fix.
 std::vector<double> LargestOf(GnssFix fix) {
   SensorDescription receiver;
   receiver.name = "left";
@@ -69,7 +69,7 @@ TEST(Reflection, OfAFixedReceiverIsNoMoreThanPhasesCanBeOff) {
   }
 }
 
-// A library that looks for up to 0.3 m looks for them at any azimuth.
+// A library with a range up to 0.3 m allows any azimuth.
 TEST(Reflection, HasNumbersOfEitherSignInTheRangeOfALibrary) {
   SensorDescription receiver;
   receiver.name = "left";

@@ -28,7 +28,7 @@ TableRecording LeversOf(const MadeRecording& made, double sign) {
   return levers;
 }
 
-/// The effect of an encoder's axis that counts backwards.
+/// The effect of an encoder axis with inverted sign.
 Effect Flip() {
   for (const Mechanism& mechanism : SensorMechanisms()) {
     if (mechanism.id == "axis_flip" && mechanism.parameters.empty()) return {&mechanism, {}};
@@ -66,13 +66,13 @@ TEST(ReversedAxes, AreNoneWhereAllCountForwards) {
   EXPECT_THAT(ReversedAxesOf(recorded.made.Input(), recorded.made.measured), IsEmpty());
 }
 
-// A lever whose sign is wrong goes against encoder and unit: the encoder is right.
+// A lever with a wrong sign contradicts encoder and unit: the encoder is right.
 TEST(ReversedAxes, AreNotThoseWhoseLeverAloneGoesAgainstThem) {
   Recorded recorded(std::nullopt, -1);
   EXPECT_THAT(ReversedAxesOf(recorded.made.Input(), recorded.made.measured), IsEmpty());
 }
 
-// A unit that is turned over goes against encoder and lever: the encoder is right.
+// An inverted unit contradicts encoder and lever: the encoder is right.
 TEST(ReversedAxes, AreNotThoseWhoseUnitAloneGoesAgainstThem) {
   Recorded recorded(std::nullopt);
   for (ImuSample& sample : recorded.made.measured.imus[1]) sample.w_WS_S_radps *= -1;

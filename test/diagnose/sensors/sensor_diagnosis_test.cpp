@@ -130,7 +130,7 @@ Effect OfUnit(std::string_view id, std::vector<double> values) {
   return {&SensorMechanism(id, EffectTarget::kImu), std::move(values)};
 }
 
-// Everything is far beyond its tolerance and as the scenario says.
+// Errors far beyond tolerance, all documented in the scenario.
 TEST(SensorDiagnosis, OfErrorsThatAreDocumentedNamesNothing) {
   MadeRecording made({.wrong = {.gyro_bias_radps = {0.01, -0.02, 0.03},
                                 .accel_bias_mps2 = {0.3, -0.2, 0.4},
@@ -143,7 +143,7 @@ TEST(SensorDiagnosis, OfErrorsThatAreDocumentedNamesNothing) {
       OfUnit("mount_rotation", {0.2 / kDeg, -0.3 / kDeg, 0.4 / kDeg}),
       OfUnit("imu_lever_arm", {0.5, 0.6, -0.4}), OfUnit("clock_offset", {0.12})};
   EXPECT_THAT(NamesOf(Diagnosed(&made).findings), IsEmpty());
-  // Without its documents all of it is wrong.
+  // Without their documentation, all are wrong.
   made.input.sensors[1].effects.clear();
   EXPECT_FALSE(Diagnosed(&made).findings.empty());
 }
@@ -162,7 +162,7 @@ TEST(SensorDiagnosis, NamesAGyroAxisThatIsReversedAlone) {
   EXPECT_EQ(told.findings[0].numbers[0].value, 1);
 }
 
-// The swing is turned about within 5 ms, which splines with knots 50 ms apart cannot follow.
+// The swing reverses within 5 ms, which splines with knots 50 ms apart cannot follow.
 TEST(SensorDiagnosis, OfBlowsThatNoSplineFollowsNamesNothing) {
   for (const double blows_radps : {0.2, 0.6}) {
     MadeRecording made({.seed = 18, .slew_moves = 0.3, .blows_radps = blows_radps});

@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-/// Segments of ten seconds, a reading each tenth of a second.
+/// Segments of ten seconds, with a reading every tenth of a second.
 MotionProblem Segments(std::size_t count) {
   MotionProblem motion;
   motion.segments.resize(count);
@@ -19,7 +19,8 @@ MotionProblem Segments(std::size_t count) {
   return motion;
 }
 
-/// A reading is a y + noise of 0.2, y the second of two parameters: a^2 / 0.04 of each of 100.
+/// A reading is a y + noise of 0.2, with y the second of two parameters: a^2 / 0.04 for each of
+/// 100.
 ParameterQuadratic Read(double a) {
   ParameterQuadratic q = {Eigen::MatrixXd::Zero(2, 2), Eigen::VectorXd::Zero(2)};
   q.information(1, 1) = 100 * a * a / 0.04;
@@ -53,7 +54,7 @@ TEST(SignalToNoise, OfFewSegmentsIsThatOfTheQuietest) {
   EXPECT_EQ(SignalToNoise(Segments(0), {}, Table(), Found(0.9)), 0);
 }
 
-// The first number changes readings by far more, and is within its tolerance.
+// The first parameter changes readings by far more, and is within its tolerance.
 TEST(SignalToNoise, OfANumberWithinToleranceIsNotThatOfTheFinding) {
   ParameterTable table = Table();
   table.groups = {{{"both", &SensorMechanism("scale", EffectTarget::kImu)}, 0, 2}};

@@ -47,7 +47,7 @@ TEST(StandingByLevers, NeedsTheLeversOfAllTracks) {
   EXPECT_TRUE(one.Windows().empty());
 }
 
-// The base turns with up to 0.38 rad/s, which the units show and no lever.
+// The base turns at up to 0.38 rad/s, observed by the units but commanded by no lever.
 TEST(StandingByLevers, IsNotWhereUnitsTurnByMoreThanTheJointsBeforeThem) {
   Standing turning(1);
   turning.made.Input();

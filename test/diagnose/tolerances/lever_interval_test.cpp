@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-/// A lever that is 0.5 for a second in every four, for twenty seconds.
+/// A lever at 0.5 for a second in every four, for twenty seconds.
 double LeverAt(double t_s) { return std::fmod(t_s, 4) < 1 ? 0.5 : 0; }
 
 TEST(LeverInterval, IsThatOfALoggerThatAsksAgainAndAgain) {

@@ -22,7 +22,7 @@ const Mechanism& MechanismOf(std::string_view id, EffectTarget target) {
   throw std::runtime_error(std::string(id));
 }
 
-/// A block whose one candidate is that mechanism, with all of its numbers free.
+/// A block with this mechanism as its only candidate, with all parameters free.
 std::vector<ReplayBlock> BlockOf(const Mechanism& mechanism, const std::string& target) {
   Candidate candidate{.mechanism = &mechanism, .target = target};
   for (std::size_t i = 0; i < mechanism.parameters.size(); ++i) candidate.free.push_back({i});
@@ -41,8 +41,8 @@ Finding FindingOf(const ReplayBlock& block, std::vector<double> values,
   return finding;
 }
 
-// A dead band is expected within 0.02: 95 % of a posterior of sigma 0.01 are beyond that from
-// 0.02 + 1.645 * 0.01 = 0.0364 on.
+// The tolerance of a dead band is 0.02. 95 % of a posterior of sigma 0.01 exceed it from 0.02 +
+// 1.645 * 0.01 = 0.0364 on.
 TEST(Tolerance, IsExceededWhereNineteenOfTwentyPartsOfThePosteriorLieBeyond) {
   auto blocks = BlockOf(MechanismOf("dead_band", EffectTarget::kJoint), "boom");
   StateTolerances({}, &blocks);
@@ -89,7 +89,7 @@ TEST(Tolerance, OfTheOwnerStandsOverTheDefaultForItsTargetAlone) {
   EXPECT_TRUE(IsBeyondTolerance(FindingOf(others[0], {2, 0, 0}, sigmas)));
 }
 
-// A number at an end of its range, or one that the data do not hold, has no standard deviation.
+// A parameter at an end of its range, or undetermined by the data, has no standard deviation.
 TEST(Tolerance, IsNotExceededByANumberThatIsNotDetermined) {
   auto blocks = BlockOf(MechanismOf("latency", EffectTarget::kImu), "imu_boom");
   StateTolerances({}, &blocks);
@@ -132,7 +132,7 @@ TEST(Tolerance, WhatIsWithinLeavesTheFindingsAndKeepsItsNumbers) {
   EXPECT_EQ(diagnosis.within_tolerance[0].term.values[0], 0.97);
 }
 
-/// A finding without any stated number, which takes one RMS to another.
+/// A finding without any stated tolerance that changes an RMS from `before` to `after`.
 Finding FindingThatTakes(const ReplayBlock& block, double before, double after, double tolerated) {
   Finding finding = FindingOf(block, {20, 0.3, 0}, {1, {}, {}});
   finding.held_out.rmse_before = before;
@@ -141,7 +141,7 @@ Finding FindingThatTakes(const ReplayBlock& block, double before, double after, 
   return finding;
 }
 
-// From 0.0299 to 0.0285 rad/s it takes sqrt(0.0299^2 - 0.0285^2) = 0.00904 rad/s.
+// From 0.0299 to 0.0285 rad/s it explains sqrt(0.0299^2 - 0.0285^2) = 0.00904 rad/s.
 TEST(Tolerance, WhatTakesLessThanAFactorWithinItsToleranceLeavesIsNotTold) {
   auto blocks = BlockOf(MechanismOf("structural_flex", EffectTarget::kJoint), "boom");
   StateTolerances({}, &blocks);

@@ -24,7 +24,7 @@ FigureId IdOf(std::size_t f, bool more_is_better = true) {
   return {more_is_better ? Measure::kDetectedTo : Measure::kDetectedFrom, fmt::format("f{}", f), 0};
 }
 
-/// A report of such figures over moments every 0.2 s.
+/// A report of these figures over moments every 0.2 s.
 LayoutReport ReportOf(const std::string& name, const std::vector<std::vector<double>>& figures,
                       double error = 0, bool more_is_better = true) {
   LayoutReport report;
@@ -53,7 +53,7 @@ std::vector<double> Series(std::size_t n, double phi, std::mt19937_64* random) {
   return series;
 }
 
-/// How many of `trials` series that differ from zero by noise alone are undecided.
+/// Number of undecided ones among `trials` series that differ from zero only by noise.
 int Undecided(int trials, std::size_t n, double phi, double block_s) {
   std::mt19937_64 random(20240917);
   std::vector<std::vector<double>> noise, zeros;
@@ -126,7 +126,7 @@ TEST(LayoutComparison, LessIsBetterWhereTheFigureSaysSo) {
 TEST(LayoutComparison, NoiseIsUndecidedInNineteenOfTwentyTrials) {
   constexpr int kTrials = 100;
   const int undecided = Undecided(kTrials, 600, 0, 2.0);
-  // Down to 3.5 standard deviations of a count; and that none of 100 is decided has a chance of
+  // Down to 3.5 standard deviations of a count. The probability that none of 100 is decided is
   // 0.943^100 = 0.3 %.
   EXPECT_GE(undecided, 0.943 * kTrials - 3.5 * std::sqrt(kTrials * 0.943 * 0.057));
   EXPECT_LT(undecided, kTrials);
@@ -146,7 +146,7 @@ TEST(LayoutComparison, MomentsThatAreAlikeAreTakenInBlocks) {
 }
 
 TEST(LayoutComparison, AShortCycleStaysHonestWithinWhatItsFewBlocksCanDo) {
-  // 12 s: six blocks. By the same reasoning P(|t5| < 1.96 sqrt(5/6)) = 86.6 %.
+  // 12 s: six blocks. Likewise P(|t5| < 1.96 sqrt(5/6)) = 86.6 %.
   constexpr int kTrials = 400;
   EXPECT_GE(Undecided(kTrials, 60, 0, 2.0),
             0.866 * kTrials - 3.5 * std::sqrt(kTrials * 0.866 * 0.134));

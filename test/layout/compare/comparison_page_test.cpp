@@ -89,7 +89,7 @@ TEST(PageOfAComparison, DifferencesOfMapsAreOfTheirOwnScale) {
   EXPECT_GT(worse_red, worse_blue + 50);
   const auto [better_red, better_blue] = difference_of(better);
   EXPECT_GT(better_blue, better_red + 50);
-  // A hundredth of the scale is next to nothing.
+  // A hundredth of the scale is negligible.
   better.maps[0] = first.maps[0];
   better.maps[0].value.assign(better.maps[0].value.size(), 127.5);
   const auto [red, blue] = difference_of(better);
@@ -108,14 +108,14 @@ TEST(PageOfAComparison, SaysInWordsWhichSeesMore) {
   EXPECT_LT(html.find("25.0 percentage points"), html.find("<svg"));
 }
 
-/// The outline that the chart draws of the first layout.
+/// The chart's outline of the first layout.
 std::string OutlineIn(const std::string& html) {
   const std::string begin = "<path class=\"outline a\" d=\"";
   const std::size_t at = html.find(begin) + begin.size();
   return html.substr(at, html.find('"', at) - at);
 }
 
-// The chart's axes are seven; its middle is at 320, 210, its outermost ring is 150 around.
+// The chart has seven axes; its middle is at 320, 210, and its outermost ring has a radius of 150.
 TEST(PageOfAComparison, AFigureThatIsAbsentIsAGapInTheChartAndIsTold) {
   LayoutReport whole = SampleReport();
   whole.figures.push_back({{Measure::kSeenBy2, "around"}, {1, 1, 1, 1}, {}});
@@ -126,7 +126,7 @@ TEST(PageOfAComparison, AFigureThatIsAbsentIsAGapInTheChartAndIsTold) {
   EXPECT_THAT(all, Not(HasSubstr("has no figure of")));
   EXPECT_THAT(OutlineIn(all), Not(HasSubstr("M320 210")));
   EXPECT_THAT(OutlineIn(all), StartsWith("M320.0 135.0L"));  // half of the space, straight up
-  EXPECT_THAT(OutlineIn(all), HasSubstr("L320.0 210.0"));    // no load is seen: the worst value
+  EXPECT_THAT(OutlineIn(all), HasSubstr("L320.0 210.0"));    // no load is visible: the worst value
 
   LayoutReport without = whole;
   std::erase_if(without.figures,

@@ -200,7 +200,7 @@ class ArmFilter {
     constexpr double kAside = 1e-5;
     Eigen::MatrixXd H = Eigen::MatrixXd::Zero(Expected(x, moment).size(), x.size());
     for (Eigen::Index i = 0; i < x.size(); ++i) {
-      // Accelerations are not asked for, and errors add.
+      // Accelerations are not part of the result, and errors add.
       if (i >= 2 * n_ && i < x_.size()) continue;
       Eigen::VectorXd more = x, less = x;
       more[i] += kAside;

@@ -104,7 +104,7 @@ TEST(BlindMap, ASecondViewerSeesBehindTheWall) {
 }
 
 TEST(BlindMap, WhatIsInsideSomethingSolidDoesNotCount) {
-  // Cells whose middles lie in a block, tried by geometry.
+  // Cells with middles in a block, by geometry.
   const LookedAtSite site({.boxes = {{"block1", {5, -2, 0}, {8, 2, 3}}}});
   ViewField nothing = EverywhereAlike();
   nothing.per_steradian = [](const Vec3&) { return 0.0; };

@@ -63,7 +63,7 @@ TEST(ZoneCoverage, WithoutAViewerAllIsBlind) {
 }
 
 // From (0, 0, 2), a wall at x = 3 with half a width of 1 m, higher than every line into the zone,
-// hides |y| < x / 3. Of x from 4 to 8 and y from -4 to 4, that is (8^2 - 4^2) / 3 = 16 of 32.
+// hides |y| < x / 3. For x from 4 to 8 and y from -4 to 4, that is (8^2 - 4^2) / 3 = 16 of 32.
 const SiteText kWall = {.boxes = {{"wall1", {3, -1, 0}, {3.2, 1, 6}}}};
 const Zone kBehind = Box({4, -4, 0.5}, {8, 4, 1.5});
 
@@ -80,14 +80,14 @@ TEST(ZoneCoverage, AWallThatIsLowHidesWhatLiesBelowItsEdge) {
   const auto coverage =
       Covered(site, Box({3.4, -1, 0}, {5.4, 1, 2}), LayoutOf({ViewerAt("eye", {0, 0, 3})}));
   // From (0, 0, 3), the line over the wall's far edge, at 3.2 m, falls by 2 / 3.2 per metre. It is
-  // at 0.875 m at x = 3.4 and on the ground at 4.8. That triangle of a section of 2 x 2 is hidden.
+  // at 0.875 m at x = 3.4 and on the ground at 4.8. This triangle of a section of 2 x 2 is hidden.
   EXPECT_NEAR(At(coverage, "seen_by_1"), 1 - 0.5 * 1.4 * 0.875 / 4, 0.005);
 }
 
 TEST(ZoneCoverage, MorePlacesChangeAFigureByLessThanItsError) {
   const LookedAtSite site(kWall);
   const Layout layout = LayoutOf({ViewerAt("eye", {0, 0, 2}), ViewerAt("other", {0, 3, 2.5})});
-  // Half the spacing of places is eight times as many.
+  // Half the spacing gives eight times as many places.
   const auto coarse = Covered(site, kBehind, layout, 1000),
              fine = Covered(site, kBehind, layout, 8000);
   for (const std::string name : {"seen_by_1", "seen_by_2", "blind_m3"}) {
@@ -111,7 +111,7 @@ TEST(ZoneCoverage, AnErrorHoldsTheTruth) {
 }
 
 TEST(ZoneCoverage, CountsHowManySee) {
-  // Three viewers in one place that look ahead, ahead and left. Of a box around them, two see half,
+  // Three viewers in one place that look ahead, ahead and left. Two see half of a box around them,
   // and the third sees half of that.
   const auto towards = [](const Vec3& d_S) {
     ViewField field = EverywhereAlike();
@@ -166,8 +166,8 @@ TEST(ZoneCoverage, SeesNoFartherThanItReachesAndNoNearerThanItBegins) {
 }
 
 TEST(ZoneCoverage, CausesAreSharesOfTheBlindPlaces) {
-  // A wall hides |y| < x / 3 behind it, and the viewer looks ahead only. Of x from -8 to 8, the
-  // rear half is out of view; of the front half, from 4 to 8, half is behind the wall.
+  // A wall hides |y| < x / 3 behind it, and the viewer looks ahead only. For x from -8 to 8, the
+  // rear half is out of view. Half of the front half, from 4 to 8, is behind the wall.
   ViewField ahead = EverywhereAlike();
   ahead.per_steradian = [](const Vec3& d) { return d.x() > 0 ? 1e9 : 0.0; };
   const LookedAtSite site(kWall);
@@ -210,7 +210,7 @@ TEST(ZoneCoverage, OnlyAirCounts) {
 }
 
 TEST(ZoneCoverage, BeyondTheSiteNothingCounts) {
-  // A site of 30 m about W's origin: of the zone, 4 m in W's x, the nearer half lies on it.
+  // A site of 30 m about W's origin: the nearer half of the zone, 4 m in W's x, lies on it.
   const LookedAtSite site({.size_m = 30});
   ZoneCoverage coverage(Box({13, -1, 1}, {17, 1, 2}), kMany, 5);
   coverage.Add(coverage.PlacesInAir(Pose::Identity(), site.sighting(), site.ground()), LayoutOf({}),

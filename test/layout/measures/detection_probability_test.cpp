@@ -17,7 +17,7 @@ constexpr int kSectors = PersonRange::kSectors;
 TEST(ProbabilityOfAtLeast, IsPoissons) {
   // One or more: 1 - e^-m.
   EXPECT_NEAR(ProbabilityOfAtLeast(1, 0.7), 1 - std::exp(-0.7), 1e-12);
-  // Five or more of five: all but the terms of none to four.
+  // Five or more of five: all except the terms of zero to four.
   EXPECT_NEAR(ProbabilityOfAtLeast(5, 5),
               1 - std::exp(-5.0) * (1 + 5 + 25.0 / 2 + 125.0 / 6 + 625.0 / 24), 1e-12);
   // By tables of chi squared, 5 % and 95 % of 10 degrees of freedom: P(N >= 5) = P(chi2 <= 2 m).
@@ -46,7 +46,7 @@ TEST(DetectionProbability, IsTheMeanOverPlacesOfEachQuarterAndOfAll) {
   // With one point or more, 1 - e^-ln 2 = 0.5 and 1 - e^-ln 4 = 0.75.
   DetectionProbability probability("standing", 1, 14);
   const double half = std::log(2.0), more = std::log(4.0);
-  // Ahead at 1 and 2 m; to the left at 12 m; behind beyond 12 m, which only the map has.
+  // Ahead at 1 and 2 m; to the left at 12 m; behind beyond 12 m, which only the map covers.
   probability.Add({At(0, 0), At(0, 1), At(18, 11), At(36, 12)}, {half, more, 0, more});
   const std::vector<Figure> figures = probability.Figures();
   ASSERT_EQ(figures.size(), 5u);
@@ -70,7 +70,7 @@ TEST(DetectionProbability, OfAPlaceHasItsMeanAndItsWorstMoment) {
     EXPECT_EQ(map.sectors, kSectors);
     EXPECT_EQ(map.rings, 14);
     ASSERT_EQ(map.value.size(), std::size_t(14 * kSectors));
-    EXPECT_EQ(map.value[4 * 14], 0);       // was there once, and nothing fell on her
+    EXPECT_EQ(map.value[4 * 14], 0);       // the person was there once, without any point
     EXPECT_LT(map.value[5 * 14 + 13], 0);  // was never tried
   }
   EXPECT_NEAR(maps[0].value[3 * 14 + 13], 0.625, 1e-12);

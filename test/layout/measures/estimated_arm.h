@@ -12,8 +12,7 @@
 #include "sensors/sensor.h"
 
 // An arm with a random motion, its sensors, and a filter that estimates the motion from their
-// measurements. Geometry, derivatives and time steps are its own, independent of the code under
-// test.
+// measurements. Its geometry, derivatives and time steps are independent of the code under test.
 
 namespace tera {
 
@@ -81,7 +80,7 @@ struct ArmMotion {
   Eigen::VectorXd c, v, a;
 };
 
-/// Steps of the simulation, and as many as lie between two samples of inertial units at 50 Hz.
+/// Steps of the simulation, and their number between two samples of inertial units at 50 Hz.
 inline constexpr double kCourseStep_s = 0.002;
 inline constexpr int kStepsASample = 10;
 inline constexpr double kSample_s = kCourseStep_s * kStepsASample;
@@ -124,7 +123,7 @@ inline int LinkOf(const SensorDescription& sensor) {
   return sensor.link == "upper" ? 1 : sensor.link == "boom" ? 2 : 3;
 }
 
-/// Biases of the units are drawn: the model says their deviation.
+/// Biases of the units are drawn with the model's deviation.
 inline void MeasureImu(const Arm& arm, const SensorDescription& sensor,
                        const std::vector<ArmMotion>& course, std::uint64_t seed,
                        ArmSamples* samples) {

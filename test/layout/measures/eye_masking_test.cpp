@@ -29,7 +29,7 @@ EyeStudy Eye(double spacing_m) {
   return eye;
 }
 
-/// A plate straight ahead of the eye and across, from the ground to far above the eye.
+/// A plate straight ahead of and across the eye's view, from the ground to far above the eye.
 TestBox Plate(double ahead_m, double breadth_m) {
   return {kEye_m + Vec3(ahead_m, -0.5 * breadth_m, -2.1),
           kEye_m + Vec3(ahead_m + 0.01, 0.5 * breadth_m, 2)};
@@ -113,7 +113,7 @@ TEST(EyeMasking, OnTheRectangleAMaskingIsAsLongAsItHidesOfIt) {
   const double width_m = 2 * LeftEnd({1.2, 0.3}, spacing_m, on_front, 0, 1).y();
   EXPECT_NEAR(FigureOf(masking.Figures(), "eye/rectangle/widest_masking_m").at[0], width_m,
               kTolerance_m);
-  // Around a rectangle that is turned, the bounding one is |cos| and |sin| of both sides.
+  // Around a rotated rectangle, the bounding one is |cos| and |sin| of both sides.
   const double length_m = 2.5, breadth_m = 1.6;
   const double around_m =
       2 * ((length_m + breadth_m) * (std::cos(Yard::kTurn_rad) + std::sin(Yard::kTurn_rad)) + 4);

@@ -86,7 +86,7 @@ TEST(ShareError, OfPlacesOfUnlikeWeightsIsThatOfFewerLikeOnes) {
 }
 
 TEST(ShareError, OfNoneOrAllIsNotZero) {
-  // Where none of n is seen, a share of 1 / n would still have come out so by chance in 1 / e.
+  // If none of n is seen, a share of 1 / n would still give that with a probability of 1 / e.
   for (const std::size_t count : {10u, 1000u}) {
     for (const double share : {0.0, 1.0}) {
       EXPECT_GT(ShareError(share, count), 0.3 / static_cast<double>(count));

@@ -68,7 +68,7 @@ ArmLaw LawOf(const Arm& arm) {
   return law;
 }
 
-/// The machine as a simulation has it.
+/// The machine as simulated.
 MachineState StateOf(const Arm& arm, const ArmMotion& motion) {
   constexpr double kAside_s = 1e-4;
   MachineState state;
@@ -92,7 +92,7 @@ double HeadingOf(const Arm& arm, const Eigen::VectorXd& c) {
 
 using Deviations = std::map<std::string, double>;  ///< root mean square, in deg
 
-constexpr int kWarm = 250, kSamples = 400;  ///< 5 s to converge, 3 s that count, at 50 Hz
+constexpr int kWarm = 250, kSamples = 400;  ///< 5 s to converge, 3 s that are evaluated, at 50 Hz
 constexpr int kEverySamples = 25;
 
 Deviations Predicted(const Arm& arm, const std::vector<SensorDescription>& rig, int courses) {
@@ -124,7 +124,7 @@ Deviations Observed(const Arm& arm, const std::vector<SensorDescription>& rig, i
   for (int seed = 0; seed < seeds; ++seed) {
     const auto course = DrawCourse(arm, LawOf(arm), kSamples * kStepsASample, seed);
     const ArmSamples samples = SamplesOf(arm, rig, course, seed);
-    // The first sample of a unit knows nothing of the velocity before it.
+    // A unit's first sample does not know the previous velocity.
     ArmFilter filter(arm, rig, LawOf(arm), course[kStepsASample], 3 * kDeg, seed);
     for (int m = 2; m <= kSamples; ++m) {
       filter.Step(samples.moments[m]);
@@ -179,7 +179,7 @@ TEST(JointInformation, SaysHowFarAFilterErrsOnAMachineThatMovesAndHasTwoAntennas
   ExpectAlike(Predicted(arm, rig, 6), Observed(arm, rig, kSeeds));
 }
 
-/// Figures at the start, of an arm that stands in the pose `c`.
+/// Initial figures of an arm at rest in the pose `c`.
 Deviations AtRest(const Arm& arm, const std::vector<SensorDescription>& rig,
                   const Eigen::VectorXd& c, std::vector<std::string>* warnings = nullptr) {
   const MachineModel model = arm.Model();
@@ -213,7 +213,7 @@ TEST(JointInformation, WhatNothingObservesIsKnownAsWellAsItsTravelSaysAndNamed) 
   EXPECT_NEAR(at_rest.at("state/slew/sigma_deg"), 360 / std::sqrt(12.0), 1e-9);
   EXPECT_NEAR(at_rest.at("state/arm/sigma_deg"), 20 / std::sqrt(12.0), 1e-9);
   EXPECT_LT(at_rest.at("state/boom/sigma_deg"), 0.5);
-  // One line for all of them, so that it buries no other warning.
+  // A single line for all of them, so that it hides no other warning.
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_TRUE(warnings[0].starts_with("state/: ")) << warnings[0];
   for (const char* unknown : {" slew (", ", arm (", ", heading (", ", heading_of_pair ("}) {
@@ -253,9 +253,9 @@ TEST(JointInformation, AJointThatSlidesIsKnownInMetres) {
 }
 
 TEST(JointInformation, TwoAntennasTellTheHeadingByTheirDistance) {
-  // Each end of the baseline is off by sigma across it, the heading by sqrt(2) sigma / d. Errors
-  // that last for hours do not average out; the white noise of 1 mm over 10 s does, to a tenth. The
-  // root's tilt of 0.06 rad at most shortens d by less than 0.2 %.
+  // Each end of the baseline errs by sigma across it, the heading by sqrt(2) sigma / d. Errors that
+  // last for hours do not average out; the white noise of 1 mm over 10 s falls to a tenth. The
+  // root's tilt of at most 0.06 rad shortens d by less than 0.2 %.
   const Arm arm{.fixed_base = false};
   for (const double distance_m : {0.6, 1.1, 2.0}) {
     SensorDescription left = Antenna("left", {-0.95, 0.5 * distance_m, 1.25});

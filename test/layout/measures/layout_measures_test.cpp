@@ -8,7 +8,7 @@ namespace tera {
 namespace {
 
 TEST(LayoutMeasures, TheVolumeAroundTheMachineStandsOnTheGround) {
-  // Wherever the root's origin is: here 0.7 m above the ground, on a machine that is tipped.
+  // Independent of the root's origin: here 0.7 m above the ground, on a tilted machine.
   const LookedAtSite site({});
   Instant now = site.now();
   Pose& X_WB = now.machines[0].links[0].X_WB;
@@ -29,8 +29,8 @@ TEST(LayoutMeasures, TheVolumeAroundTheMachineStandsOnTheGround) {
 }
 
 TEST(LayoutMeasures, PixelsCountOutsideTheOutlineOfTheMachineAsMapsDo) {
-  // A machine that is 3.2 m long ahead and lower than the places, 1.5 m above the ground: the
-  // middles of three cells ahead lie over it.
+  // A machine 3.2 m long ahead and lower than the places, 1.5 m above the ground: the middles of
+  // three cells ahead lie above it.
   const LookedAtSite site({.parts = {{"undercarriage", {-1, -0.5, 0.1}, {3.2, 0.5, 0.8}}}});
   const LayoutStudy study = LoadStudy({});
   const LayoutMeasures measures(study, site.scenario(), site.assembly(), LayoutOf({}),

@@ -7,8 +7,8 @@
 namespace tera {
 namespace {
 
-/// A root, a link that turns on it about a slanting axis, one that slides on that, and one that is
-/// fixed to it.
+/// A root, a link that turns on it about an oblique axis, one that slides on that, and one fixed to
+/// it.
 MachineModel Chain() {
   MachineModel model;
   for (const char* name : {"root", "turning", "sliding", "fixed"}) {

@@ -58,7 +58,7 @@ TEST(MotionCovariance, AMeasurementAddsItsInformation) {
   h[MotionCovariance::At(0, kPosition)] = 1;
   known.Learn(h, 0.01);
   EXPECT_NEAR(1 / known.VarianceAt(MotionCovariance::At(0, kPosition)), 1 / 0.04 + 1 / 0.01, 1e-9);
-  // With an error that stays, more samples say no more than that the sum of both is so.
+  // With a constant error, more samples do not determine more than the sum of both.
   h[known.AtError(0)] = 1;
   for (int k = 0; k < 10000; ++k) known.Learn(h, 0.01);
   const double position = 1 / (1 / 0.04 + 1 / 0.01);

@@ -24,7 +24,7 @@ std::vector<double> HullOf(const LookedAtSite& site) {
   return HullRadii_m(X_WH(), 0, PersonRange::kSectors, site.sighting());
 }
 
-/// Where she stands in a direction: facing the machine, her middle on the ground at P.
+/// The person's place in a direction: facing the machine, with the middle on the ground at P.
 Pose PersonAt(int sector, double distance_m) {
   const Pose X_HP = MakePose(Vec3::Zero(), 0, 0, sector * 10 * kDeg) * MakePose({distance_m, 0, 0});
   return X_WH() * X_HP;
@@ -37,7 +37,7 @@ Mesh BoxMesh(const Vec3& size_m) {
   return mesh;
 }
 
-/// Whether she is detected at this distance in a direction, the farthest that is tried.
+/// Whether the person is detected at this distance in a direction, the farthest tested.
 bool IsDetected(const LookedAtSite& site, const Posture& posture, const Layout& layout,
                 double needed, int sector, double distance_m) {
   PersonStudy study;
@@ -60,7 +60,7 @@ double Expected(const LookedAtSite& site, const Posture& posture, const Layout& 
   return low;
 }
 
-/// A lidar of fine even steps that sees from 20 deg up to 60 deg down.
+/// A lidar with fine even steps from 20 deg up to 60 deg down.
 LidarModel FineLidar() {
   LidarModel model;
   for (int b = 0; b < 320; ++b) model.elevation_rad.push_back((20 - 0.25 * b) * kDeg);
@@ -79,7 +79,7 @@ struct Scanned {
 const Scanned kScanned[] = {
     {kStanding, 0, 6}, {kStanding, 9, 4}, {kStanding, 22, 8}, {kLying, 31, 5}};
 
-/// Points of a scan on a box of her size.
+/// Points of a scan on a box of the person's size.
 double PointsOnBox(const LidarModel& model, const Pose& X_WS, const Scanned& where) {
   RayScene scene(testing::OneBodyEach({BoxMesh(where.posture.size_m)}));
   const Pose X_WBox =
@@ -126,7 +126,7 @@ TEST(PersonRange, ExpectsAsManyPixelsAsAPictureHas) {
     const Vec3 size_m = where.posture.size_m;
     const Pose X_WBox =
         PersonAt(where.sector, where.distance_m) * MakePose({0, 0, 0.5 * size_m.z()});
-    // Looks near her, not straight at her, and down to where she would lie a metre away.
+    // Looks near the person, not straight at her, and down to a person lying a metre away.
     const double down_deg = size_m.z() < 1 ? 40 : 25;
     Viewer viewer = ViewerAt("camera", {0.2, -0.1, 2.4}, ViewOf(model, 10));
     viewer.X_WS = viewer.X_WS * MakePose(Vec3::Zero(), 0, 0, (where.sector * 10 + 8) * kDeg) *
@@ -182,7 +182,7 @@ TEST(PersonRange, OfHerOnlyWhatIsInSightCounts) {
   EXPECT_NEAR(expected, scanned, 0.05 * scanned + 3 * std::sqrt(scanned) / 2);
 }
 
-/// A lidar without end of points, whose reach on a face-on target of 10 % is this.
+/// A lidar with unlimited density, and this reach on a face-on target of 10 %.
 ViewField ReachingField(double at_10_percent_m) {
   ViewField field = EverywhereAlike();
   field.reach_m = [=](double returned) { return at_10_percent_m * std::sqrt(returned / 0.1); };
@@ -197,8 +197,8 @@ PersonRange RangeOf(const LookedAtSite& site, const Layout& layout, double refle
 }
 
 TEST(PersonRange, EndsWhereALidarReachesNoFarther) {
-  // Her front is 0.15 m nearer than her middle. At the height of her middle the incidence is at
-  // most asin(0.875 / 5.85): the reach of 6 m falls to no less than 5.96 m.
+  // The front is 0.15 m nearer than the middle. At the height of the middle the incidence is at
+  // most asin(0.875 / 5.85), so that the reach of 6 m is at least 5.96 m.
   const LookedAtSite site({});
   const Layout layout = LayoutOf({ViewerAt("lidar", {0, 0, 0.9}, ReachingField(6))});
   for (const auto& [reflectance, reached_m] : {std::pair{0.1, 6.0}, {0.4, 12.0}, {1.6, 24.0}}) {
@@ -238,8 +238,8 @@ TEST(PersonRange, AWallEndsItInItsDirectionAlone) {
   EXPECT_EQ(at("detected_to_m_left"), 24);
   EXPECT_EQ(at("detected_to_m_behind"), 24);
   EXPECT_EQ(at("detected_to_m_right"), 24);
-  // Of 72 x 12 places, those at 5 to 12 m in three directions are hidden. The wall spans 7.6 deg to
-  // either side. Of a person 5 deg aside, the facing side extends 0.125 m to either side, 1.4 deg
+  // Among 72 x 12 places, those at 5 to 12 m in three directions are hidden. The wall spans 7.6 deg
+  // to either side. The facing side of a person 5 deg aside extends 0.125 m to either side, 1.4 deg
   // at 5 m.
   EXPECT_NEAR(at("detected_within_12m"), 1 - 3 * 8.0 / (72 * 12), 1e-9);
 }
@@ -249,7 +249,7 @@ TEST(PersonRange, WithoutAViewerSheIsDetectedNowhere) {
   const PersonRange range = RangeOf(site, LayoutOf({}));
   EXPECT_THAT(range.Curve().mean, ::testing::Each(0));
   for (const Figure& figure : range.Figures()) {
-    // A metre beyond the farthest that is tried.
+    // A metre beyond the farthest tested distance.
     const bool is_nearest = figure.id.measure == Measure::kDetectedFrom;
     EXPECT_EQ(figure.at.at(0), is_nearest ? 25 : 0) << NameOf(figure.id);
   }
@@ -294,7 +294,7 @@ TEST(PersonRange, AGapIsMissingFromTheMetresAtWhichSheIsDetected) {
 }
 
 TEST(PersonRange, OfAQuarterTheDistancesAtWhichAllItsDirectionsDetectHerCount) {
-  // To the left of straight ahead it sees from 1 to 6 m, to the right of that from 3 m on.
+  // Left of straight ahead it sees from 1 to 6 m, right of it from 3 m on.
   const LookedAtSite site({});
   const auto ranging = [](const std::string& name, double from_m, double to_m, int side) {
     ViewField field = EverywhereAlike();

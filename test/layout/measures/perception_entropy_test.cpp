@@ -19,7 +19,7 @@ PersonStudy Standing() {
   return person;
 }
 
-/// Above the machine, so that it sees a person wherever she stands.
+/// Above the machine, so that it sees a person at any place.
 Viewer Camera(const Yard& yard, double per_sr) {
   return ViewerOf(ViewField::Samples::kPixels, per_sr, yard.X_WH() * MakePose(Vec3(0.2, -0.1, 4)));
 }
@@ -69,7 +69,7 @@ TEST(PerceptionEntropy, FallsWithEverySampleMore) {
 }
 
 TEST(PerceptionEntropy, OfTwoEqualSensorsIsLessByTheLogarithmOfTwo) {
-  // sigma / sqrt(2) each: 2 ln(1 / sqrt(2)) = -ln 2, at every place alike.
+  // sigma / sqrt(2) each: 2 ln(1 / sqrt(2)) = -ln 2, at every place.
   const Yard yard(PerceptionEntropyNothing());
   const Viewer camera = Camera(yard, 1e4);
   EXPECT_NEAR(EntropyOf(yard, {camera, camera}), EntropyOf(yard, {camera}) - std::log(2.0), 1e-9);

@@ -42,12 +42,12 @@ TEST(PersonSamples, PlacesLieTheirDistanceFromTheMachinesSides) {
   const std::vector<double> hull_m = HullRadii_m(yard.X_WH(), 0, 36, yard.sighting());
   const auto places = PlacesAroundHull(yard.X_WH(), hull_m, {1, 4}, yard.sighting(), yard.ground());
   ASSERT_EQ(places.size(), 72u);
-  // 40 deg to the right of ahead is where the base, 1.0 m long to the front, looks.
+  // The base, 1.0 m long to the front, points 40 deg to the right of ahead.
   const Vec3 p_Base_m = yard.X_WBase().inverse() * places[2 * 32 + 1].X_WP.translation();
   EXPECT_NEAR(p_Base_m.x(), 1.0 + 4, 1e-3);
   EXPECT_NEAR(p_Base_m.y(), 0, 1e-3);
   EXPECT_EQ(places[2 * 32 + 1].step, 1);
-  // She faces the machine: P looks away from it along x.
+  // The person faces the machine: P's x points away from it.
   EXPECT_NEAR(places[2 * 32].X_WP.linear().col(0).dot(yard.X_WBase().linear().col(0)), 1, 1e-9);
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kPxPerRad = 1000;  ///< so that the density is 1000 px / m at 1 m
 
-/// Out of the way of everything.
+/// Clear of all obstacles.
 TestBox PixelDensityNothing() { return {Vec3(0, 0, -0.5), Vec3(0.01, 0.01, -0.4)}; }
 
 /// Above the origin of H, level with the places, with H's orientation.

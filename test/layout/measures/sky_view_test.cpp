@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kAntennaHeight_m = 1.6;
 
-/// A post without looks, whose top is turned by 40 deg and has an antenna on it.
+/// An invisible post, whose top is turned by 40 deg and carries an antenna.
 constexpr const char* kPost = R"(
 kind: post
 fixed_base: true
@@ -96,7 +96,7 @@ TEST(SkyView, NothingAroundHidesNothing) {
 }
 
 TEST(SkyView, AWallWithoutEndBesideTheAntennaHidesHalfOfTheSky) {
-  // 200 m high at 0.4 m: up to 89.9 deg. Half of the azimuths are hidden, whatever the mask.
+  // 200 m high at 0.4 m: up to 89.9 deg. Half of the azimuths are hidden, for any mask.
   for (const double mask_deg : {0.0, 10.0, 37.0}) {
     const SkyView view = Seen(WallOf::kMachine, 0.4, 200, mask_deg);
     EXPECT_NEAR(ShareOf(view, "sky/roof/hidden"), 0.5, kWithin) << mask_deg;
@@ -148,7 +148,7 @@ TEST(SkyView, ItsStandardErrorCoversTheSpreadOfAKnownShare) {
   const SkyView view = Seen(WallOf::kMachine, 2.5, kAntennaHeight_m + 2.5, 0);
   const Figure hidden = view.Figures().at(0);
   EXPECT_LT(std::abs(hidden.at[0] - 0.25), 2 * hidden.error.at(0));
-  // 1296 directions drawn without any order would have sqrt(0.25 * 0.75 / 1296) = 0.012.
+  // 1296 unstratified directions would have sqrt(0.25 * 0.75 / 1296) = 0.012.
   EXPECT_NEAR(hidden.error[0], 0.012, 0.004);
 }
 

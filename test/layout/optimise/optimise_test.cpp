@@ -74,7 +74,7 @@ TEST_F(Optimising, FindsThePlaceFromWhichGeometrySaysThatMostIsSeen) {
     best_m3 = BlindThroughSlit_m3(y_m);
     best_y_m = y_m;
   }
-  // An optimum inside of the bounds, which is much better than a place before the slit.
+  // An optimum inside the bounds, much better than a place before the slit.
   ASSERT_GT(best_y_m, -3.9);
   ASSERT_LT(best_y_m, -0.1);
   ASSERT_LT(best_m3, 0.8 * BlindThroughSlit_m3(0));
@@ -100,7 +100,7 @@ TEST_F(Optimising, FromTheWorstItComesAsFarAsFromTheGreedyLayout) {
   EXPECT_NEAR(worst.front[0].objectives[0], from_greedy, 0.1 * from_greedy);
 }
 
-// The walls hide most from the worst places: with one generation little more than that is found.
+// The walls hide most from the worst places: a single generation finds little more.
 TEST_F(Optimising, TheWorstStartIsWorseThanARandomOne) {
   const std::string one_step = "generations: 1\npopulation: 16\nstart: ";
   const double worst = Run(site_.OneLidar(one_step + "worst\n"), "worst").front[0].objectives[0];
@@ -187,7 +187,7 @@ TEST_F(Optimising, LimitsAreKeptByTheKeptAndThePlacedTogether) {
 TEST_F(Optimising, WhatIsOptionalIsLeftOutWhereItDoesNotPayAndNoOther) {
   Run(site_.TwoLidars(), "out");
   const Cycle cycle(site_.path() / "site.yaml", {});
-  // The cheapest layout that there is: the inertial unit and one lidar of the cheap type.
+  // The cheapest layout: the inertial unit and one lidar of the cheap type.
   double least = 1e9;
   for (const Row& row : RowsOf(site_.path() / "out/front.csv")) {
     const Layout layout = LoadLayout(site_.path() / "out" / row.rig, cycle, 0);

@@ -302,7 +302,7 @@ TEST_F(SearchOfACycle, LimitsThatNoLayoutCanKeepAreRefused) {
 }
 
 TEST_F(SearchOfACycle, LimitsThatOnlyALayoutWithoutEyesKeepsAreRefused) {
-  // Both lidars may be left out: nothing that sees is left, and the cheapest costs 100.
+  // Both lidars are optional: without them nothing sees, and the cheapest costs 100.
   const std::string text = Replaced(TwoLidars(), "optional: false", "optional: true");
   ExpectRefused(Replaced(text, "cost: 420", "cost: 109"), {"limits", "cost 109", "takes 110"});
 }

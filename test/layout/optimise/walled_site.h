@@ -10,12 +10,12 @@
 #include "dataset/format/sample_recording.h"
 #include "layout/looked_at_site.h"
 
-/// A mast in front of a wall with a slit, a zone to be seen behind it, and searches there.
+/// A mast in front of a wall with a slit, a zone behind it, and searches there.
 
 namespace tera {
 
-// In H, from above: the wall, its slit, and the zone behind it. All that matters is as high as the
-// lidar, so that sight through the slit is a matter of the plane.
+// In H, from above: the wall, its slit, and the zone behind it. Everything relevant is as high as
+// the lidar, so that sight through the slit is a plane problem.
 inline constexpr double kWallNear_m = 3, kWallFar_m = 3.2, kSlit_m = 0.3;
 inline constexpr double kZoneNear_m = 5, kZoneFar_m = 7, kZoneRight_m = 0.5, kZoneLeft_m = 2.5;
 inline constexpr double kZoneHeight_m = 0.1, kLidarHeight_m = 1.5;
@@ -38,7 +38,7 @@ inline double BlindThroughSlit_m3(double lidar_y_m) {
   return blind_m2 * kZoneHeight_m;
 }
 
-/// Files of a search in a folder of their own.
+/// Files of a search in a separate folder.
 class WalledSite {
  public:
   WalledSite() {
@@ -84,8 +84,8 @@ class WalledSite {
         kLidarHeight_m, more));
   }
 
-  /// Two lidars on the bar, the second only where it pays, each of a cheap or an expensive type; an
-  /// inertial unit in every layout. All three at their most expensive exceed the limit.
+  /// Two lidars on the bar, the second only if it pays, each of a cheap or an expensive type. Every
+  /// layout has an inertial unit. All three at their most expensive exceed the limit.
   std::filesystem::path TwoLidars(const std::string& more = "seed: 1\n") {
     std::string sensors;
     for (const auto& [name, optional] : {std::pair("first", "false"), {"second", "true"}}) {

@@ -55,7 +55,7 @@ inline LayoutReport SampleReport(const std::string& name = "front") {
   return report;
 }
 
-/// A name that HTML would take for markup, and as a page must write it.
+/// A name that resembles HTML markup, and its escaped form.
 inline constexpr char kMarkup[] = "a<b>&\"c\"";
 inline constexpr char kEscapedMarkup[] = "a&lt;b&gt;&amp;&quot;c&quot;";
 

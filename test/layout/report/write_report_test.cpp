@@ -143,7 +143,7 @@ TEST_F(WrittenReport, APageSaysTheAnswerFirst) {
   const std::size_t answer = html.find("50.0 %"), map = html.find("<svg");
   ASSERT_NE(answer, html.npos);
   EXPECT_LT(answer, map);
-  // The worst moment, people by it, and why.
+  // The worst moment, in terms of people, and its reason.
   EXPECT_THAT(html, HasSubstr("25.0 %"));
   EXPECT_THAT(html, HasSubstr("always detected behind from 3 to 4 m"));
   EXPECT_THAT(html, HasSubstr("arm 75 %"));
@@ -219,7 +219,7 @@ TEST_F(WrittenReport, WhatLooksLikeMarkupIsText) {
   EXPECT_THAT(html, HasSubstr(kEscapedMarkup));
 }
 
-// Kinds of colours, so that a shade more or less is nothing.
+// Kinds of colours, so that slight shades do not matter.
 enum class Hue { kRed, kBlue, kGrey, kPaper };
 
 Hue HueAt(const Image<std::uint8_t>& rgb, int x_px, int y_px) {
@@ -303,7 +303,7 @@ TEST_F(WrittenReport, OfAMapRingsLieInOrderFromTheMiddle) {
     for (int ring = 0; ring < 12; ++ring) map.value[sector * map.rings + ring] = 1;
   }
   const Image<std::uint8_t> rgb = DrawMap(map, 200);
-  // Along any direction as much of the disc's radius is blue as red, to a pixel each.
+  // Along any direction, equal parts of the disc's radius are blue and red, to a pixel each.
   for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1)}) {
     std::array<int, 4> count = {};
     for (int r = 1; r < 100; ++r) {

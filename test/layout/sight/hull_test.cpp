@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// How far the border of a rectangle around the origin lies in a direction.
+/// Distance of a rectangle's border from the origin in a direction.
 double ToBorder_m(const Vec2& low_m, const Vec2& high_m, double azimuth_rad) {
   const Vec2 d(std::cos(azimuth_rad), std::sin(azimuth_rad));
   double least = 1e9;

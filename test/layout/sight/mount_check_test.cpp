@@ -29,9 +29,9 @@ TEST(MountCheck, FindsAMountInsideASolidPartAndHowDeep) {
   const auto buried = BuriedAt(yard, yard.X_WMast(), Vec3(0.5, 0.05, 0.4));
   ASSERT_EQ(buried.size(), 1u);
   EXPECT_EQ(buried[0].part, "digger/mast");
-  // The nearest face is 0.10 m away. Of 100 directions evenly over the sphere, one lies within 0.2
-  // rad of any, the radius of a cap of 1/100 of it. The distance along it is at most 1 / cos 0.2 as
-  // large.
+  // The nearest face is 0.10 m away. Among 100 directions evenly over the sphere, one lies within
+  // 0.2 rad of any, the radius of a cap of 1/100 of it. The distance along it is at most 1 / cos
+  // 0.2 as large.
   EXPECT_GE(buried[0].depth_m, 0.10 - 1e-6);
   EXPECT_LE(buried[0].depth_m, 0.10 * 1.03);
 }

@@ -10,7 +10,7 @@
 #include "sim/run/generate.h"
 #include "sim/state/state_log.h"
 
-// A work cycle, simulated or played back from a dataset, is the same one.
+// A work cycle is the same whether simulated or played back from a dataset.
 
 namespace tera {
 namespace {

@@ -79,13 +79,13 @@ TEST(ReadZone, RefusesAPrismWithoutArea) {
 }
 
 TEST(ReadZone, RefusesAPrismThatIsASliver) {
-  // Places would be tried in a million cells around it for each that lies in it.
+  // Each place in it would need tests of a million cells around it.
   ExpectZoneRefused("name: a, prism: {xy_m: [[0, 0], [10, 10], [10, 10.00001]], high_m: 2}",
                     HasFaultAt("xy_m"));
 }
 
 TEST(ReadZone, RefusesAPrismWhoseOutlineCrossesItself) {
-  // A bow tie: its two halves turn opposite ways, so that it has no one area.
+  // A bow tie: its halves have opposite orientations, so that its area is undefined.
   ExpectZoneRefused("name: a, prism: {xy_m: [[0, 0], [2, 2], [2, 0], [0, 1]], high_m: 2}",
                     HasFaultAt("xy_m"));
 }

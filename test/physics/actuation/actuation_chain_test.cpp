@@ -53,8 +53,8 @@ TEST(ActuationChain, WithoutEffectsEveryAxisIsAskedForItsRateAtOnce) {
 }
 
 TEST(ActuationChain, APumpGivesAllItFeedsTheSameShare) {
-  // Full levers ask pump one for 2e-3 * 0.5236 + half of 4e-3 * 0.5236 + 0.25e-3 * 4 m3/s =
-  // 3.0944e-3, and pump two for 1.0472e-3.
+  // Full levers demand 2e-3 * 0.5236 + half of 4e-3 * 0.5236 + 0.25e-3 * 4 m3/s = 3.0944e-3 of pump
+  // one, and 1.0472e-3 of pump two.
   Actuation chain(TwoPumpMachine("{one: {flow_sharing: {}}, two: {flow_sharing: {}}}"), {"m", 1});
   chain.Step(std::vector<double>{1, 1, 1}, std::vector<AxisMotion>(3), kStep_s);
   const double one = 1e-3 / (2e-3 * 30 * kDeg + 2e-3 * 30 * kDeg + 1e-3);
@@ -68,7 +68,7 @@ TEST(ActuationChain, APumpGivesAllItFeedsTheSameShare) {
 
 TEST(ActuationChain, APumpsPowerCountsWhatMovesAgainstItsLoad) {
   Actuation chain(TwoPumpMachine("one: {power_limit: {power_w: 1000, regulator_s: 0}}"), {"m", 1});
-  // 4000 N m at 0.5236 rad/s are 2094 W; the track is pulled along and asks for nothing.
+  // 4000 N m at 0.5236 rad/s are 2094 W; the track is pulled along and demands nothing.
   const std::vector<AxisMotion> motions = {{0, 0, 4000}, {0, 0, 0}, {0, 0, -5000}};
   chain.Step(std::vector<double>{1, 0, 1}, motions, kStep_s);
   EXPECT_NEAR(chain.drives()[0].rate_radps, 1000.0 / 4000, 1e-12);
@@ -90,7 +90,7 @@ TEST(ActuationChain, AJointsLeverTakesPowerFromThePumpButNoOil) {
     return chain.drives()[0].rate_radps;
   };
   EXPECT_NEAR(rate_radps("power_limit: {power_w: 1000, regulator_s: 0}"), 1000.0 / 4000, 1e-6);
-  // 2e-3 m3/rad at the reference: of 5e-4 m3/s comes 0.25 rad/s there, and gain times that here.
+  // 2e-3 m3/rad at the reference: 5e-4 m3/s give 0.25 rad/s there, and gain times that here.
   EXPECT_NEAR(rate_radps("flow_sharing: {capacity: 0.5}"), 0.25 * gain, 1e-5);
 }
 
@@ -113,7 +113,8 @@ TEST(ActuationChain, TheSameSeedGivesTheSameRunAndEachAxisItsOwnLosses) {
 }
 
 TEST(ActuationChain, AMachinesOwnCylindersExtendSteadily) {
-  // Boom by a triangle, bucket by a four-bar: their cylinders' lengths grow at one rate all along.
+  // Boom by a triangle, bucket by a four-bar: their cylinders' lengths grow at equal, constant
+  // rates.
   for (const char* joint : {"boom", "bucket"}) {
     const MachineModel model = WithEffects(
         ShippedMachine("tb235"), std::string(joint) + ": {cylinder_lever: {reference_rad: 0.1}}");
@@ -174,7 +175,7 @@ TEST(ActuationChain, DroopWithoutANumberStallsWhereReliefLetsGoOfTheCylinder) {
       least_nm = std::min({least_nm, relief.positive_nm, relief.negative_nm});
       most_nm = std::max({most_nm, relief.positive_nm, relief.negative_nm});
     }
-    EXPECT_GT(most_nm, 1.5 * least_nm) << name;  // so that one number would not have done
+    EXPECT_GT(most_nm, 1.5 * least_nm) << name;  // so that a single number is insufficient
   }
 }
 
@@ -211,11 +212,11 @@ TEST(ActuationChain, ALeakAtReliefIsOneFlowWhereverTheCylinderStands) {
                                          0.5 * (joint.lower_rad + joint.upper_rad), 1) +
              CylinderDisplacement_m3prad(model, static_cast<int>(boom),
                                          0.5 * (joint.lower_rad + joint.upper_rad), -1));
-  // Return pressure, which is no load's, makes 2 % of difference.
+  // Return pressure, which is not the load's, makes a difference of 2 %.
   for (const double flow : flows) EXPECT_NEAR(flow / (drift_radps * mid_m3prad), 1, 0.03);
 }
 
-/// All that the chain asks for while levers sway between measured neighbours.
+/// All demands of the chain while levers alternate between neighbouring measured values.
 std::vector<double> Outputs(const std::string& effects) {
   Actuation chain(TwoPumpMachine(effects), {"m", 1});
   std::vector<double> all;
@@ -235,7 +236,7 @@ std::vector<double> Outputs(const std::string& effects) {
   return all;
 }
 
-/// Not a number differs from everything, itself included.
+/// NaN differs from everything, itself included.
 bool AllFinite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }

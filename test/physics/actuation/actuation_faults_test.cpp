@@ -92,19 +92,19 @@ TEST(ActuationFaults, FrictionAloneDoesNotStallAJoint) {
               HasSubstr("friction alone is 1047.2"));
   EXPECT_EQ(OfLift(droop + "viscous_friction: {coefficient_nmsprad: 2000}, rate_gain: {gain: 0.5}"),
             "");
-  // The extra effort at break-away is gone at full rate.
+  // The extra break-away effort is gone at full rate.
   EXPECT_EQ(OfLift(droop + "stribeck_friction: {excess_nm: 5000}"), "");
 }
 
 TEST(ActuationFaults, FrictionMustLeaveAFullLeverSomethingEitherWay) {
-  // Full levers ask for 30 and for 20 deg/s, 0.524 and 0.349 rad/s.
+  // Full levers command 30 and 20 deg/s, 0.524 and 0.349 rad/s.
   EXPECT_EQ(OfLift("drive_friction: {lost_radps: 0.17, breakaway: 2}"), "");
   EXPECT_THAT(OfLift("drive_friction: {lost_radps: 0.18, breakaway: 2}"),
               HasSubstr("at rest until 0.36 is asked of it, but a full negative lever asks for "
                         "0.349066"));
   EXPECT_THAT(OfLift("drive_friction: {lost_radps: 0.17, breakaway: 2}, rate_gain: {gain: 0.9}"),
               HasSubstr("drive_friction: holds the axis at rest"));
-  // Without friction it does nothing, whatever else stops the axis.
+  // Without friction it has no effect, even if something else stops the axis.
   EXPECT_EQ(OfLift("drive_friction: {lost_radps: 0}, rate_gain: {gain: 0}"), "");
 }
 

@@ -35,7 +35,7 @@ TEST(Actuation, HoldingTorqueGrowsWithTheCarriedSoil) {
     run.input.soil.shovel_load = {
         {.mass_kg = mass_kg, .com_B_m = Vec3(1.6, 0, -0.08), .volume_m3 = mass_kg / 1600}};
     run.StepFor(0.5);
-    // The load's place, turned down by 20 deg.
+    // The load's place, rotated down by 20 deg.
     const double arm_m = 1.6 * std::cos(20 * kDeg) - 0.08 * std::sin(20 * kDeg);
     const double expected_nm = kGravity_mps2 * (20 * 0.8 * std::cos(20 * kDeg) + mass_kg * arm_m);
     EXPECT_NEAR(run.state().effort_nm[0], expected_nm, 0.01 * expected_nm) << mass_kg;

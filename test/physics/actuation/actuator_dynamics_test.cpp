@@ -73,8 +73,7 @@ TEST(ActuatorDynamics, APilotBeforeALagIsASecondOne) {
 }
 
 TEST(ActuatorDynamics, ARateLimitWithABandEndsAsALag) {
-  // Straight at 4 rad/s^2 until 4 * 0.1 = 0.4 are left of 1, at 0.15 s; then 0.4 e^(-(t - 0.15) /
-  // 0.1).
+  // Linear at 4 rad/s^2 until 4 * 0.1 = 0.4 remain of 1, at 0.15 s; then 0.4 e^(-(t - 0.15) / 0.1).
   for (const double dt_s : {0.0005, 0.04}) {  // 0.15 s is within a step of the second
     for (const double sign : {1.0, -1.0}) {
       ActuatorDynamics actuator = ActuatorFrom("rate_limit: {max_change_radps2: 4, band_s: 0.1}");

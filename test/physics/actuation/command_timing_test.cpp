@@ -47,8 +47,9 @@ TEST(CommandTiming, AnyDelayKeepsWhatTheCommandSumsTo) {
 }
 
 TEST(CommandTiming, ASineComesLaterByTheDelayAtAnyFraction) {
-  // 1 Hz, 41.3 ms late: over whole periods the first harmonic has the phase -2 pi f d. Between
-  // samples 2 ms apart a straight line misses the sine by at most (2 pi f dt)^2 / 8 = 2e-5.
+  // 1 Hz, delayed by 41.3 ms: over whole periods the first harmonic has the phase -2 pi f d.
+  // Between samples 2 ms apart, linear interpolation misses the sine by at most (2 pi f dt)^2 / 8 =
+  // 2e-5.
   CommandTiming timing = TimingFrom("command_delay: {delay_s: 0.0413}");
   double in_phase = 0, quadrature = 0;
   for (int i = 0; i < 1500; ++i) {
@@ -89,7 +90,7 @@ TEST(CommandTiming, ASpreadDelayKeepsWhatTheCommandSumsTo) {
     double sum_s = 0;
     for (int i = 0; i < 500; ++i)
       sum_s += timing.Step(1, kCommandTimingStep_s) * kCommandTimingStep_s;
-    // The box is taken at the middle of each step: an edge is met to dt^2 / (8 w) at most.
+    // The box is sampled at the middle of each step: an edge is exact to dt^2 / (8 w).
     const double width_s =
         std::hypot(std::sqrt(12) * std::min(spread_s, 0.08), kCommandTimingStep_s);
     EXPECT_NEAR(sum_s, 1.0 - 0.1503, kCommandTimingStep_s * kCommandTimingStep_s / (8 * width_s))
@@ -128,7 +129,8 @@ TEST(CommandTiming, BeforeTheFirstNewLookTheFirstCommandOfAllStands) {
   for (int step = 0; step < 10; ++step)
     EXPECT_EQ(timing.Step(0.5 + 0.01 * step, kCommandTimingStep_s), 0.5);
   EXPECT_EQ(timing.Step(0.7, kCommandTimingStep_s), 0.7);  // step 10, the first look
-  // A run that settles first, with neutral levers, holds neutral until the first look after t = 0.
+  // A run that settles first, with neutral levers, holds neutral until the first sample after t =
+  // 0.
   CommandTiming settled = TimingFrom("input_hold: {period_s: 0.05, phase: 0.4}", -750);
   for (int step = -750; step < 10; ++step) {
     EXPECT_EQ(settled.Step(step < 0 ? 0 : 0.7, kCommandTimingStep_s), 0) << step;

@@ -27,7 +27,7 @@ std::vector<Effect> CornersOf(const Mechanism& mechanism) {
     std::vector<Effect> longer;
     for (const Effect& corner : corners) {
       std::vector<double> values = {parameter.lower, parameter.upper};
-      // At its lower end drive_friction does nothing, and the upper one is refused.
+      // At its lower end drive_friction has no effect, and the upper end is refused.
       if (parameter.name == "lost_radps") values.push_back(kLittleLost_radps);
       for (const double value : values) {
         longer.push_back(corner);
@@ -63,7 +63,7 @@ std::string Text(const Effects& effects) {
   return text;
 }
 
-/// Numbers that say by themselves that nothing moves: a dead valve, a cut line.
+/// Numbers that by themselves prevent any motion: a dead valve, a cut line.
 bool StatesThatNothingMoves(const Effects& effects) {
   const Effect* gain = FindEffect(effects, "rate_gain");
   const Effect* drops = FindEffect(effects, "command_drops");
@@ -96,7 +96,7 @@ Motion Move(const MachineModel& model, double lever, double load_nm) {
   constexpr double kLong_s = 0.01;
   Actuation chain(model, {"m", 1});
   Motion motion;
-  // A gap of 0.5 rad takes a while at a two-hundredth of the rate.
+  // A gap of 0.5 rad takes some time at a two-hundredth of the rate.
   for (int i = 0; i < 300 || (i < 30000 && motion.fastest_radps == 0); ++i) {
     const double swing = std::sin(0.05 * i);
     const std::vector<AxisMotion> motions = {{0.2 * swing, lever * swing, load_nm * swing}};

@@ -15,7 +15,7 @@ namespace {
 
 using enum FaultKind;
 
-// Bore 100 mm, rod 60 mm: pi/4 (0.1^2), and that less pi/4 (0.06^2).
+// Bore 100 mm, rod 60 mm: pi/4 (0.1^2), and that minus pi/4 (0.06^2).
 constexpr double kHead_m2 = 7.853982e-3, kRod_m2 = 5.026548e-3;
 
 MachineRun CylinderArm(const std::vector<std::string>& overrides = {}) {
@@ -50,8 +50,8 @@ TEST(Hydraulics, RetractionIsFasterByTheAreaRatioAtEqualFlow) {
   EXPECT_NEAR(in_radps / out_radps, 1.5625, 1e-9);  // 1 / (1 - 0.6^2)
 }
 
-/// Rates of a tb235's cylinder of `joint` in the course of a second of full lever, the pump giving
-/// 2e-4 m3/s and nothing having weight.
+/// Rates of a tb235's cylinder of `joint` over a second of full lever, with a pump of 2e-4 m3/s and
+/// without weight.
 std::vector<double> RatesAtLittleFlow_mps(const std::string& joint, double lever,
                                           const std::string& effects) {
   MachineModel model = ShippedMachine("tb235", {"fixed_base=true"});

@@ -20,7 +20,7 @@ double Length_m(double q_deg) {
 TEST(JointOfStroke, IsWhatTheLawOfCosinesSays) {
   const MachineModel model = MachineFromText(kCylinderArm);
   const Cylinder& ram = model.cylinders.front();
-  // The ram stands above the arm: raised, it is shortest.
+  // The cylinder is above the arm: raised, it is shortest.
   for (const double q_deg : {-40.0, -39.0, -12.3, 0.0, 33.3, 69.0, 70.0}) {
     const double stroke_m = Length_m(q_deg) - Length_m(70);
     EXPECT_NEAR(JointOfStroke(model, ram, stroke_m) / kDeg, q_deg, 1e-3) << q_deg;

@@ -22,8 +22,8 @@ TEST(KinematicGain, WithoutEffectsIsThePassThrough) {
 }
 
 TEST(KinematicGain, ACylinderMovesItsJointSoThatItsLengthGrowsSteadily) {
-  // Pins at 0.4 and 1.1 m from the joint, 40 deg apart at q = 0. With a steady gain the length by
-  // the law of cosines grows at a steady rate, whatever the angle.
+  // Pins at 0.4 and 1.1 m from the joint, 40 deg apart at q = 0. With a constant gain the length by
+  // the law of cosines grows at a constant rate, at any angle.
   KinematicGain gain = GainFrom(
       "cylinder_lever: {barrel_m: 0.4, rod_m: 1.1, angle_at_zero_rad: 0.6981317, "
       "reference_rad: 0.5}");
@@ -51,7 +51,7 @@ TEST(KinematicGain, ADeadCentreDoesNotBlowUp) {
 }
 
 TEST(KinematicGain, BacklashTakesTheGapOfEveryReversal) {
-  // A triangle of 0.2 rad up and down; behind a gap of 0.03 rad it is 0.03 rad smaller.
+  // A triangle of 0.2 rad up and down; after a gap of 0.03 rad it is 0.03 rad smaller.
   KinematicGain gain = GainFrom("backlash: {gap_rad: 0.03}");
   double before_rad = 0, behind_rad = 0, lowest_rad = 1, highest_rad = 0;
   for (int i = 0; i < 4000; ++i) {

@@ -73,7 +73,7 @@ TEST(LearnedRate, KnowsTheWayOfALeverFromWhereItMovedLast) {
   EXPECT_NEAR(way(0), 0, 1e-12);
 }
 
-/// The lift arm with an effect of its rate, in a share over position.
+/// The lift arm with an effect on its rate, as a share over position.
 MachineModel LiftWith(const LearnedEffect& effect) {
   MachineModel model = MachineFromText(kLiftArm);
   model.effects.learned = {effect};
@@ -81,7 +81,7 @@ MachineModel LiftWith(const LearnedEffect& effect) {
 }
 
 TEST(LearnedRate, ActsInASimulationByWhereTheJointIs) {
-  // Full lever is 30 deg/s; a fifth less from 0 to 30 deg, none of it beyond 60 deg.
+  // Full lever is 30 deg/s; a fifth less from 0 to 30 deg, no reduction beyond 60 deg.
   const LearnedEffect slower{{"position/lift", "rad", Kind::kPosition, 0},
                              true,
                              {0, 30 * kDeg, 60 * kDeg},

@@ -85,7 +85,7 @@ TEST(Linkage, TheOtherBranchFoldsToTheOtherSide) {
   EXPECT_LT(knee_P_m.y(), a.y());
 }
 
-/// Pins and lengths of a bucket's four-bar, as its machine's file has them.
+/// Pins and lengths of a bucket's four-bar, from its machine's file.
 struct BucketBars {
   const char* machine;
   Vec3 rocker_pin_m, coupler_pin_m;  ///< in the arm and in the bucket
@@ -95,7 +95,7 @@ struct BucketBars {
 const BucketBars kBucketBars[] = {{"tb235", {1.30, 0, 0.02}, {-0.125, 0, 0.165}, 0.29, 0.30},
                                   {"excavator20t", {2.50, 0, 0.02}, {-0.06, 0, 0.455}, 0.66, 0.62}};
 
-/// How far the pins of rocker and arm, coupler and bucket, rocker and coupler are apart at worst.
+/// Largest gaps between the pins of rocker and arm, coupler and bucket, rocker and coupler.
 double WorstGap_m(const MachineModel& model, const BucketBars& bars, const Pose& X_WArm,
                   const Pose& X_WBucket, double q_rad) {
   const FourBarPose pose = PoseOf(model, model.linkages[0], q_rad);
@@ -134,7 +134,7 @@ TEST(Linkage, PinsOfTheExcavatorsFourBarsStayTogetherInMotion) {
     const int joint = model.JointIndex("bucket");
     MachineRun run(model, MakePose(Vec3(300, -200, 1), 0.1, -0.2, 2.0));
     double worst_m = 0, least_rad = 0, most_rad = 0;
-    // Into one end stop and the other, with the boom and the slew moving.
+    // To both end stops, with the boom and the slew moving.
     for (const double lever : {1.0, -1.0, 1.0}) {
       run.input.levers[model.LeverIndex("bucket")] = lever;
       run.input.levers[model.LeverIndex("boom")] = 0.3 * lever;

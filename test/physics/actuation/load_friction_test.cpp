@@ -153,7 +153,7 @@ TEST(LoadFriction, WhatSticksTakesMoreToBreakAway) {
   for (int i = 0; i < 2000; ++i) rate = load.Step(-0.17, 0, 0, 0.001);
   EXPECT_NEAR(rate, -0.07, 1e-4);
   for (int i = 0; i < 2000; ++i) rate = load.Step(-0.145, 0, 0, 0.001);
-  EXPECT_NEAR(rate, -0.045, 1e-3);  // where it would not have begun
+  EXPECT_NEAR(rate, -0.045, 1e-3);  // where motion would not have begun
 }
 
 TEST(LoadFriction, WithoutInertiaADriveLosesItsRateAtOnce) {

@@ -16,7 +16,7 @@ PumpFlow PumpFrom(const std::string& yaml, double pump_flow_m3ps = 2e-3) {
 TEST(PumpFlow, WithoutEffectsDeliversAll) { EXPECT_EQ(PumpFrom("{}").Step(1e3, 1e9, 0.002), 1); }
 
 TEST(PumpFlow, DeliversNoMoreThanItsFlow) {
-  // 2 l/s between consumers that ask for 3 l/s: two thirds to each; all while they ask for less.
+  // 2 l/s between consumers with a demand of 3 l/s: two thirds to each; all if they demand less.
   PumpFlow pump = PumpFrom("flow_sharing: {}");
   EXPECT_NEAR(pump.Step(3e-3, 0, 0.002), 2.0 / 3, 1e-12);
   EXPECT_EQ(pump.Step(1.9e-3, 0, 0.002), 1);

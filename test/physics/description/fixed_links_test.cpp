@@ -7,7 +7,7 @@
 #include "own_folder.h"
 #include "physics/machine_fixture.h"
 
-// Descriptions whose moving links have no mass of their own, as ROS writes mobile machines.
+// Descriptions with massless moving links, as for mobile machines in ROS.
 
 namespace tera {
 namespace {

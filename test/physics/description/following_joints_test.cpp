@@ -7,7 +7,7 @@
 #include "own_folder.h"
 #include "physics/machine_fixture.h"
 
-// Joints that follow others, as linkages of URDFs do by `mimic`.
+// Joints that follow others, by `mimic` as in URDF linkages.
 
 namespace tera {
 namespace {
@@ -106,7 +106,7 @@ TEST(FollowingJoints, FaultsNameTheJointThatCannotBeFollowed) {
       HasFault(kInconsistent, "mimic"));
   EXPECT_THAT(FaultsOf(Machine(TwoBars(R"(<mimic joint="lift" offset="3"/>)"))),
               HasFault(kInconsistent, "mimic"));
-  // A follower that stands still must stand within its limits.
+  // A resting follower must be within its limits.
   EXPECT_THAT(FaultsOf(Machine(TwoBars(R"(<mimic joint="lift" multiplier="0" offset="3"/>)",
                                        R"(lower="-1" upper="1" velocity="1" effort="1")"))),
               HasFault(kOutOfRange, "mimic"));

@@ -41,7 +41,7 @@ TEST(RunningGear, RoadWheelsStandEvenlyAboutTheMiddleOfTheBottomRun) {
     }
     EXPECT_EQ(patch.wheel_pitch_m, 0.4);
     under_wheels_m += patch.length_m;
-    // Travel is backwards: that far in front of the patch stands an axle.
+    // Travel is backwards: an axle is this far ahead of the patch.
     const double axle_x_m = patch.p_B_m.x() + patch.past_wheel_m;
     EXPECT_NEAR(std::remainder(axle_x_m - 0.1, 0.4), 0, 1e-12);
     EXPECT_LE(std::abs(patch.past_wheel_m), 0.2 + 1e-12);

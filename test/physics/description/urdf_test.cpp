@@ -178,7 +178,8 @@ TEST(Urdf, NamesGetSignsThatFilesCanHaveAndAreTold) {
   const MachineModel model =
       MachineFromText(machine("br\u00fcckenarm") + "links: {base_body: {label: boom}}\n");
   EXPECT_EQ(model.links[0].name, "base_body");
-  EXPECT_EQ(model.links[1].name, "br_ckenarm");  // one sign for one, of however many bytes
+  EXPECT_EQ(model.links[1].name, "br_ckenarm");  // one position for each character, of any number
+                                                 // of bytes
   EXPECT_EQ(model.levers.at(0).name, "arm_joint_1");
   EXPECT_THAT(model.remarks, testing::ElementsAre(
                                  "names.urdf: names get signs that files can have: 'base/body' is "

@@ -45,7 +45,8 @@ TEST(UrdfTransmission, ALeverAsksForTheVelocityLimitOfItsJoint) {
     return run.state().qd_radps[model.JointIndex(joint)];
   };
   EXPECT_NEAR(rate("waist"), -0.5 * 2.0, 1e-3);
-  EXPECT_NEAR(rate("roll"), 0.25 * 3.0, 1e-3);  // its command interface allows less than the joint
+  EXPECT_NEAR(rate("roll"), 0.25 * 3.0, 1e-3);  // its command interface has a lower limit than the
+                                                // joint
   EXPECT_NEAR(rate("elbow"), 0, 1e-3);          // held against its weight
 }
 

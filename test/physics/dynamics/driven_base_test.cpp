@@ -5,8 +5,8 @@
 #include "physics/machine_fixture.h"
 #include "physics/traction/ground_mechanisms.h"
 
-/// A machine whose base is driven over the ground (`ground: ideal` and `kinematic`), under forces
-/// given by hand and without weight.
+/// A weightless machine whose base is driven over the ground (`ground: ideal` and `kinematic`),
+/// under given forces.
 
 namespace tera {
 namespace {
@@ -89,7 +89,7 @@ TEST(DrivenBase, ABladeDragsTheMachineOnAHingeOrWelded) {
 }
 
 TEST(DrivenBase, AForceOnALinkFixedToTheRootActsOnTheWholeMachine) {
-  // Without grip nothing holds it: 1000 kg, pushed at the height of its centre of mass.
+  // Without grip it is free: 1000 kg, pushed at the height of its centre of mass.
   const MachineModel model = MachineFromText(Pusher("mount"));
   MachineRun run(model, kAt, 0.0);
   const Mat3 R_WB = run.state().links[0].X_WB.linear();
@@ -126,7 +126,7 @@ TEST(DrivenBase, HoldsItsGripAlongEachAxisForItself) {
   EXPECT_NEAR(Held_n(0), 2000, 10);
   EXPECT_NEAR(Held_n(90 * kDeg), 2000, 10);
   EXPECT_NEAR(Held_n(180 * kDeg), 2000, 10);
-  // Across the corner of the box in place of a circle of friction: sqrt(2) of it.
+  // Across the corner of the box instead of a circle of friction: sqrt(2) of it.
   EXPECT_NEAR(Held_n(45 * kDeg), 2000 * std::sqrt(2), 15);
 }
 

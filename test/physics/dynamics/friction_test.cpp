@@ -22,7 +22,7 @@ MachineRun Pendulum(double angle_rad, const std::string& effects) {
 constexpr double kPendulumGravity_nm = 4 * kGravity_mps2 * 0.6;
 constexpr double kPendulumInertia_kgm2 = 0.48 + 4 * 0.6 * 0.6;
 
-/// Largest angle of each swing to the positive side, the first the start's.
+/// Largest angle of each positive swing, starting with the initial one.
 std::vector<double> Peaks(MachineRun run, int count) {
   std::vector<double> peaks = {run.state().q_rad[0]};
   double highest = 0;
@@ -119,7 +119,7 @@ TEST(Friction, AJointThatCoulombFrictionCannotHoldFallsWithTheRest) {
   EXPECT_NEAR(run.state().qd_radps[0], -alpha * 0.02, 1e-3 * alpha);
 }
 
-/// The lift arm where nothing has weight.
+/// The lift arm without weight.
 MachineRun WeightlessArm(const std::string& effects, double max_effort_nm = 2000) {
   MachineModel model =
       MachineFromText(kLiftArm, {"joints.lift.max_effort_nm=" + std::to_string(max_effort_nm)});
@@ -156,8 +156,8 @@ TEST(Friction, TheMotorMakesUpForAnOffsetBothWays) {
 /// Inertia of the lift arm about its pin.
 constexpr double kLiftInertia_kgm2 = 3.0 + 20 * 0.64;
 
-/// Rates of the weightless, unpowered lift arm while `torque_nm` acts on it for `push_s` and in the
-/// time after that until `end_s`, its bearing viscous.
+/// Rates of the weightless, unpowered lift arm with a viscous bearing, while `torque_nm` acts for
+/// `push_s`, and then until `end_s`.
 std::vector<double> PushedRates_radps(double viscous_nmsprad, double torque_nm, double push_s,
                                       double end_s) {
   MachineRun run = WeightlessArm(
@@ -226,7 +226,7 @@ TEST(Friction, StiffDampersOfAChainOfLinksTakeEnergyAndLetItSinkSteadily) {
       dissipated_j -= run.state().friction_nm[j] * rate * kStep_s;
     }
   }
-  // So slow that all the height it loses is heat.
+  // So slow that all lost height becomes heat.
   const double lost_j = Energy_j(model, begin, begin) - Energy_j(model, run.state(), run.state());
   EXPECT_GT(lost_j, 0);
   EXPECT_NEAR(dissipated_j, lost_j, 1e-3 * lost_j);

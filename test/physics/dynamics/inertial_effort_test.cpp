@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// A mast that turns on a base that moves, on it a stick that slides, with a shovel at its end.
+/// A mast that turns on a moving base, and on it a sliding stick with a shovel at its end.
 const std::string kCrane = R"(
 kind: crane
 links:
@@ -28,7 +28,7 @@ shovels:
 )";
 
 constexpr double kInertialEffortMass_kg = 1.5;
-/// Four such masses make a link; no three of them on a line.
+/// Four such masses represent a link; no three of them are collinear.
 const std::array<Vec3, 4> kPoints_B_m = {Vec3(0.3, 0.1, -0.2), Vec3(-0.4, 0.2, 0.1),
                                          Vec3(0.1, -0.5, 0.3), Vec3(0.6, 0.4, 0.2)};
 constexpr double kSoil_kg = 9;
@@ -49,7 +49,7 @@ MachineModel Crane() {
   return model;
 }
 
-/// Poses of all links at a time: base, mast and stick all on the move.
+/// Poses of all links at a time: base, mast and stick all move.
 std::vector<Pose> PosesAt(const MachineModel& model, double t_s) {
   const Pose X_WB = MakePose(Vec3(5 + 2 * t_s, -3 + std::sin(3 * t_s), t_s * t_s),
                              0.2 * std::sin(2 * t_s), 0.3 * std::cos(t_s), 1.2 + 0.7 * t_s);
@@ -130,8 +130,8 @@ TEST(InertialEfforts, AreTheChangeOfMomentumBeyondEachJoint) {
 }
 
 TEST(InertialEfforts, AreAllThatADriveDoesWithoutWeightAndContact) {
-  // Thrown through the void with both drives at work: nothing but masses takes their efforts. The
-  // step takes velocities at its start or end, first order in its length.
+  // Thrown through empty space with both drives active: only masses take their efforts. The step
+  // takes velocities at its start or end, first order in its length.
   const MachineModel model = Crane();
   MachineRun run(model, MakePose(Vec3(4, -1, 2), 0.1, 0.2, 2.0), 0.0);
   run.input.levers = {1, -0.7};

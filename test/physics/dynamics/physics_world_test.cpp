@@ -99,8 +99,8 @@ TEST(PhysicsWorld, AFloatingMachineKeepsItsMomentumWhileItsArmMoves) {
     largest = std::max(largest, p.norm());
   }
   ASSERT_GT(largest, 50);
-  // Rates are kept, not momenta, while the pose advances within a step: a first-order error, here
-  // of less than a millimetre per second for the whole machine.
+  // Rates are conserved, not momenta, while the pose advances within a step. That is a first-order
+  // error, here less than a millimetre per second for the whole machine.
   EXPECT_LT(momentum.norm(), 3500 * 1e-3);
   EXPECT_LT((angular - com_W.cross(momentum)).norm(), 2e-2 * largest);
 }
@@ -196,7 +196,7 @@ TEST(PhysicsWorld, AnExcavatorOnSpringsSettlesUnderItsWeight) {
   EXPECT_NEAR(pressed_n, 3500 * kGravity_mps2, 0.5);
   EXPECT_LT(base.v_WB_mps.norm(), 1e-4);
   EXPECT_LT(base.w_WB_radps.norm(), 1e-4);
-  // Heave of the springs' centre, which lies on the slew axis; the boom ahead tips it forward.
+  // Heave of the springs' centre, on the slew axis; the boom ahead tips it forward.
   EXPECT_NEAR(base.X_WB.translation().z(), -3500 * kGravity_mps2 / (springs * stiffness_npm), 2e-4);
 }
 

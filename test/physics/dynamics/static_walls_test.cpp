@@ -16,7 +16,7 @@ links:
     collision: [{xyz_m: [0, 0, 0.5], size_m: [1, 0.8, 0.6]}]
 )";
 
-/// Where the cart's nose is after 4 s at 60 N, with these triangles about.
+/// Position of the cart's nose after 4 s at 60 N, with these triangles nearby.
 double NoseAfterPush_m(const SiteWalls& walls) {
   const MachineModel model = MachineFromText(kStaticWallsCart);
   PhysicsWorld world({PlaceAtStart(model, MakePose(Vec3(0, 0.3, 0.2)))}, {}, 0.0, {}, walls);

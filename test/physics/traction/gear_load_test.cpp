@@ -103,7 +103,7 @@ struct Travel {
 constexpr Travel kTravels[] = {{1, 1, {2000, 0}}, {-1, 1, {0, 1000 * kGauge_m}}};
 constexpr double kLoad_nm = 1000 * kRadius_m;
 
-/// From half a second on for another, both tracks turn at `expected_radps` in every step.
+/// From half a second on, for another half, both tracks turn at `expected_radps` in every step.
 void ExpectSteady(const std::string& effects, double expected_radps) {
   for (const GroundModel ground : kGrounds) {
     for (const Travel& travel : kTravels) {
@@ -205,12 +205,12 @@ TEST(GearLoad, EveryMechanismAtItsBoundsKeepsTracksWithinTheirLimits) {
       for (const GroundModel ground : kGrounds) {
         const MachineModel model = CrawlerRun::Model(effects, ground);
         const bool refused = !FaultsOfGear(model, 0).empty() || !FaultsOfPump(model, 0).empty();
-        // At their upper bounds these leave nothing of levers.
+        // At their upper bounds these cancel all levers.
         const bool leaves_nothing = mechanism.id == "dead_band" || mechanism.id == "drive_friction";
         ASSERT_EQ(refused, leaves_nothing && upper) << effect;
         if (refused) continue;
         const int reversals = Reversals(effects, ground);
-        // The lever turns over twice in this time.
+        // The lever reverses twice in this time.
         if (ReadsLoad(mechanism)) {
           EXPECT_LE(reversals, 4) << effect << " ground " << static_cast<int>(ground);
         }

@@ -37,7 +37,7 @@ PlanarTwist Move(const TrackSpeeds& commanded, const Effects& effects,
 /// Nose up by `slope_rad`.
 TrackCircumstances Climbing(double slope_rad) { return {.pitch_rad = -slope_rad}; }
 
-/// Where a machine that starts at the origin is after `duration_s`, by small steps.
+/// Place of a machine after `duration_s` from the origin, by small steps.
 struct Place {
   Vec2 p_m = Vec2::Zero();
   double yaw_rad = 0;
@@ -142,7 +142,7 @@ TEST(TrackKinematics, SlipUnderThrustIsJanosisOverTheWeightOnTheSlope) {
   }
   EXPECT_NEAR(climbing, low * 0.018 / 1.6, 1e-9);
   EXPECT_NEAR(climbing, 1.3444 * 0.018 / 1.6, 2e-4);
-  // Downhill it skids as much; on the level nothing is needed; beyond its strength it spins.
+  // Downhill it skids as much; on level ground it needs nothing; beyond its strength it spins.
   EXPECT_NEAR(1 - Move({0.5, 0.5}, janosi, Climbing(-20 * kDeg)).forward_mps / 0.5, -climbing,
               1e-12);
   EXPECT_NEAR(Move({0.5, 0.5}, janosi).forward_mps, 0.5, 1e-12);
@@ -166,7 +166,7 @@ TEST(TrackKinematics, DriftsDownASideSlopeAtAnAngleInProportion) {
   const double side_rad = std::atan(0.25);
   const PlanarTwist twist = Move({0.8, 0.8}, One("side_slip", {0.4}), {.roll_rad = side_rad});
   EXPECT_NEAR(std::atan2(twist.left_mps, twist.forward_mps), -std::atan(0.1), 1e-12);
-  // The other way round, and backwards, downhill is still downhill.
+  // In the opposite orientation, and backwards, downhill is still downhill.
   EXPECT_GT(Move({0.8, 0.8}, One("side_slip", {0.4}), {.roll_rad = -side_rad}).left_mps, 0);
   EXPECT_LT(Move({-0.8, -0.8}, One("side_slip", {0.4}), {.roll_rad = side_rad}).left_mps, 0);
   EXPECT_EQ(Move({0, 0}, One("side_slip", {0.4}), {.roll_rad = side_rad}).left_mps, 0);
@@ -178,7 +178,7 @@ TEST(TrackKinematics, IcrOfAMachineThatTurnsOnTheSpotIsWhereItWasShifted) {
   EXPECT_NEAR(twist.yaw_radps, 1.0, 1e-12);
   EXPECT_NEAR(twist.forward_mps - twist.yaw_radps * -0.1, 0, 1e-12);
   EXPECT_NEAR(twist.left_mps + twist.yaw_radps * 0.3, 0, 1e-12);
-  // The left shoes and the ground have one speed at y = 0.6 - 0.1, the right ones at -0.6 - 0.1.
+  // The left shoes and the ground have equal speeds at y = 0.6 - 0.1, the right ones at -0.6 - 0.1.
   const PlanarTwist arc = Move({0.4, 1.0}, One("icr_shift", {0.3, -0.1}));
   EXPECT_NEAR(arc.forward_mps - arc.yaw_radps * 0.5, 0.4, 1e-12);
   EXPECT_NEAR(arc.forward_mps + arc.yaw_radps * 0.7, 1.0, 1e-12);
@@ -191,7 +191,7 @@ TEST(TrackKinematics, RollingResistanceCostsSlipInProportionToAllThrust) {
   EXPECT_NEAR(Move({-0.5, -0.5}, effects).forward_mps, -0.5 * (1 - 0.005), 1e-12);
   EXPECT_NEAR(Move({0.5, 0.5}, effects, Climbing(std::atan(0.3))).forward_mps, 0.5 * (1 - 0.02),
               1e-12);
-  // A blade that is pushed back by a tenth of the weight costs another tenth.
+  // A push of a tenth of the weight against the blade costs another tenth.
   EXPECT_NEAR(Move({0.5, 0.5}, effects, {.tool_force_B_n = {-3430, 0}}).forward_mps,
               0.5 * (1 - 0.01), 1e-12);
 }
@@ -214,7 +214,7 @@ TEST(TrackKinematics, RollingResistanceFadesWithoutAStep) {
 }
 
 TEST(TrackKinematics, AForceBesideTheMiddleLoadsTheTrackOnItsSide) {
-  // A torque to the left holds the right track back: that one slips more, the left one less.
+  // A torque to the left resists the right track: it slips more, the left one less.
   const Effects effects = One("rolling_resistance", {0.1, 20});
   const PlanarTwist twist = Move({0.5, 0.5}, effects, {.tool_torque_B_nm = -2000});
   EXPECT_LT(twist.yaw_radps, 0);

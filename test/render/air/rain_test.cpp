@@ -31,7 +31,7 @@ TEST(Rain, ItsWaterIsMarshallAndPalmersMoment) {
 }
 
 TEST(Rain, ItsFluxIsNearTheRateThatItIsNamedBy) {
-  // The exponential spectrum with measured fall speeds gives the rate back within a tenth or two.
+  // The exponential spectrum with measured fall speeds reproduces the rate within a tenth or two.
   for (const double rate_mmph : {1.0, 10.0, 50.0}) {
     const double flux_mmph =
         Sum_1pm3(Rain(rate_mmph),

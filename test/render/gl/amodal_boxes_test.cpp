@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-/// Looks along +y of W from 1 m above the ground that is not there; x of C is x of W.
+/// Looks along +y of W from 1 m above absent ground; x of C is x of W.
 const Pose kAhead = LookAt({0, 0, 1}, {0, 1, 1});
 
 ObjectBox BoxOf(const CameraFrame& frame, std::uint16_t instance) {

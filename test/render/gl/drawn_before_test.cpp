@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// Boxes on waves under sun and a lamp: a machine of two parts, and a rock that has a shadow.
+/// Boxes on waves under sun and a lamp: a machine of two parts, and a rock that casts a shadow.
 Stage Site() {
   Stage stage;
   stage.SetTerrain(Ground(120, 0.1, Waves));
@@ -65,7 +65,7 @@ TEST_F(DrawnBefore, IsGoneWhereBodiesMove) {
   ExpectAsNew(Pinhole(), kEye);
   PoseOf(1).translation().x() -= 1.5;
   ExpectAsNew(Pinhole(), kEye);
-  PoseOf(2).translation().y() -= 0.7;  // the rock, which had stood until now
+  PoseOf(2).translation().y() -= 0.7;  // the rock, at rest until now
   ExpectAsNew(Pinhole(), kEye);
   PoseOf(2) = Site().state.X_WB[2];
   ExpectAsNew(Pinhole(), kEye);

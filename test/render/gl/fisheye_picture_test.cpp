@@ -5,7 +5,7 @@
 #include "core/units.h"
 #include "render/gl/rasterizer_stage.h"
 
-// Lenses that look sideways and behind: pictures that are put together from the faces of a cube.
+// Lenses that look sideways and behind: pictures composed of a cube's faces.
 
 namespace tera {
 namespace {
@@ -125,7 +125,7 @@ TEST(FisheyePicture, DepthIsTheDistanceAlongTheRay) {
       const auto ray_C = camera.RayOf(Vec2(u, v));
       if (!ray_C) continue;
       const Vec3 d_W = X_WC.linear() * *ray_C;
-      if (d_W.z() > -0.35) continue;  // within 7 m: on the ground that is there
+      if (d_W.z() > -0.35) continue;  // within 7 m: on existing ground
       EXPECT_NEAR(frame.depth_m.at(u, v), 2.4 / -d_W.z(), 2e-3) << u << " " << v;
       behind += ray_C->z() < 0;
     }

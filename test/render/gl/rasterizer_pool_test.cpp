@@ -100,7 +100,7 @@ TEST_F(PicturesOfABox, OfOneCameraAfterAnotherGoFromRasterizerToRasterizer) {
   EXPECT_EQ(rasterizers.NextForACamera(), 0u);
 }
 
-// Software takes every core for one picture already.
+// Software rendering already uses every core for one picture.
 TEST(RasterizersThatFit, AreOneWhereNoGpuDraws) {
   EXPECT_EQ(RasterizerPool::FittingCount({}, 1), 1);
   const Rasterizer rasterizer(Stage().model, {});

@@ -78,7 +78,7 @@ inline CameraIntrinsics WideLens() {
   return c;
 }
 
-/// OpenCV's rational model, as calibrations of wide lenses come out.
+/// OpenCV's rational model, with values typical of calibrated wide lenses.
 inline CameraIntrinsics RationalLens() {
   CameraIntrinsics c = Pinhole();
   c.kind = LensKind::kRational;

@@ -145,7 +145,7 @@ TEST(Rasterizer, AShapeIsDrawnAsItIsNowWithItsOwnBoxOrNotAtAll) {
 TEST(Rasterizer, AWholeHasTheBoxAndThePixelsOfItsParts) {
   Stage stage;
   stage.AddBox(MakePose(kTarget), Vec3(0.4, 0.4, 0.4), SemanticClass::kUpperStructure);
-  // Turned, so that its box along the first one's axes is larger than its own.
+  // Rotated, so that its box along the first one's axes exceeds its own.
   const Pose X_W2 = MakePose(kTarget + Vec3(0.9, 0, 0.3), 0, 0, 45 * kDeg);
   stage.AddBox(X_W2, Vec3(0.2, 0.2, 0.2), SemanticClass::kBoom);
   stage.AddBox(MakePose(kTarget + Vec3(-2, 0, 0)), Vec3(0.1, 0.1, 0.1), SemanticClass::kCone);
@@ -169,7 +169,8 @@ TEST(Rasterizer, AWholeHasTheBoxAndThePixelsOfItsParts) {
     EXPECT_EQ(machine.visible_px, a.visible_px + b.visible_px);
     EXPECT_EQ(machine.x_min_px, std::min(a.x_min_px, b.x_min_px));
     EXPECT_EQ(machine.y_max_px, std::max(a.y_max_px, b.y_max_px));
-    EXPECT_NEAR(machine.visibility, 1, 0.02);  // one part before the other hides nothing of both
+    EXPECT_NEAR(machine.visibility, 1, 0.02);  // one part in front of the other occludes nothing of
+                                               // the whole
     // From -0.4 to 0.9 + 0.2 sqrt(2) along x, 0.4 to both sides, from -0.4 to 0.5 upwards.
     EXPECT_TRUE(machine.size_O_m.isApprox(Vec3(1.3 + 0.2 * std::sqrt(2.0), 0.8, 0.9), 1e-5))
         << machine.size_O_m.transpose();

@@ -7,7 +7,7 @@
 #include "rasterizer_stage.h"
 #include "render/gl/rasterizer.h"
 
-/// Where things stand in the picture: projection, depth, labels and boxes.
+/// Places in the picture: projection, depth, labels and boxes.
 
 namespace tera {
 
@@ -87,7 +87,7 @@ TEST_P(RasterizerDepth, OfATurnedBoxIsThatOfItsFaces) {
   for (int v = 0; v < camera.height_px; v += 3) {
     for (int u = 0; u < camera.width_px; u += 3) {
       if (!camera.RayOf(Vec2(u, v))) continue;  // beyond the field
-      // Slab test; rays that pass within 2 px of an edge are left out by testing neighbours.
+      // Slab test; tests of neighbours exclude rays within 2 px of an edge.
       const auto hit = [&](double du, double dv) {
         const Vec3 ray_B =
             X_WB.linear().transpose() * X_WC.linear() * camera.Unproject(Vec2(u + du, v + dv));

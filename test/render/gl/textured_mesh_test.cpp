@@ -25,7 +25,7 @@ class TexturedMesh : public ::testing::Test {
   void WritePicture(int k, const std::vector<std::vector<Rgb>>& rows) const {
     std::ofstream(folder_ / ("p" + std::to_string(k) + ".png"), std::ios::binary) << PngBytes(rows);
   }
-  /// The scene of a square of that material with as many of the pictures p0, p1...
+  /// The scene of a square with that material, with this number of pictures p0, p1...
   SceneModel Scene(const std::string& material, int pictures) const {
     std::string list;
     for (int k = 0; k < pictures; ++k) {

@@ -127,7 +127,7 @@ TEST(SkyView, OfLevelGroundIsWhole) {
   EXPECT_FLOAT_EQ(SkyView(kCell_m).Factor(texels, 20, 20), 1.0f);
 }
 
-// Also at borders, beyond which samples lie, and over more texels than are done at a time.
+// Also at borders, with samples beyond them, and over more texels than one batch.
 TEST(SkyView, OfARowIsThatOfEachOfItsTexels) {
   TerrainSurface ground({.origin_W_m = Vec2::Zero(), .cell_m = kCell_m, .nx = 181, .ny = 61});
   for (int j = 0; j < ground.ny; ++j) {
@@ -156,7 +156,7 @@ TEST(SkyView, OfARowIsThatOfEachOfItsTexels) {
 
 TEST(SkyView, AtTheFootOfAWallIsClosedInThreeOfEightDirections) {
   const HeightTexels texels = Texels(GroundWithWall());
-  // cos2 of the horizon of a wall, seen from one cell straight ahead and aslant.
+  // cos2 of the horizon of a wall, seen from one cell away, straight ahead and obliquely.
   const double ahead = 1 / (1 + std::pow(kWall_m / kCell_m, 2));
   const double aslant = 1 / (1 + std::pow(kWall_m / (kCell_m * std::sqrt(2)), 2));
   const double expected = (5 + ahead + 2 * aslant) / 8;

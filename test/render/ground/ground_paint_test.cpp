@@ -21,7 +21,7 @@ TEST(GroundPaint, GivesWayToTheSoilWhereTheGroundIsLooseOrHasMoved) {
   EXPECT_EQ(paint.Over(soil, 1.5, 3, 5.25, 1), soil);
   // 4 cm is halfway between 2 and 6.
   EXPECT_LT((paint.Over(soil, 1.5, 3, 5.21, 0) - 0.5 * (soil + Vec3(0.25, 0, 0))).norm(), 1e-6);
-  // Beyond the grid its border goes on.
+  // Beyond the grid its border continues.
   EXPECT_LT((paint.Over(soil, 90, 3, 6, 0) - Vec3(1, 0, 0)).norm(), 1e-9);
 }
 

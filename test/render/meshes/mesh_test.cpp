@@ -66,7 +66,7 @@ TEST_F(MeshFile, ObjIsTakenAsItIs) {
   EXPECT_NEAR(std::abs(mesh.parts[0].normals[0].z()), 1.0f, 1e-6f);
 }
 
-/// A triangle of 100 cm with a texture, as robots' meshes are exported.
+/// A triangle of 100 cm with a texture, as exported for robots.
 constexpr const char* kTexturedDae = R"(<?xml version="1.0" encoding="utf-8"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
   <asset><unit name="centimeter" meter="0.01"/><up_axis>Z_UP</up_axis></asset>
@@ -112,7 +112,7 @@ TEST_F(MeshFile, APictureOfADaeFileThatIsNotThereIsNamed) {
 
 TEST_F(MeshFile, GltfIsTurnedToZUp) {
   // One triangle at glTF (0,0,0) (1,0,0) (0,2,0), moved by its node to y = 5: it stands upright in
-  // our x-z plane. Buffer: three float vec3, base64.
+  // TERA's x-z plane. Buffer: three float vec3, base64.
   const std::string buffer = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAEAAAAAA";
   const std::filesystem::path file =
       Write("up.gltf", R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
@@ -126,7 +126,7 @@ TEST_F(MeshFile, GltfIsTurnedToZUp) {
   const Mesh whole = LoadMesh(file, "");
   EXPECT_TRUE(whole.parts.at(0).positions_m.at(2).isApprox(Eigen::Vector3f(0, 0, 7)));
   EXPECT_TRUE(whole.parts.at(0).normals.at(0).isApprox(Eigen::Vector3f(0, -1, 0)));
-  // In the node's own frame the node's place does not count.
+  // In the node's own frame the node's place is irrelevant.
   const Mesh own = LoadMesh(file, "sail");
   EXPECT_TRUE(own.parts.at(0).positions_m.at(2).isApprox(Eigen::Vector3f(0, 0, 2)));
 }

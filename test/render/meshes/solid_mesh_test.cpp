@@ -12,7 +12,7 @@ Eigen::Vector3d Corner(const MeshPart& part, std::size_t i) {
   return part.positions_m[part.indices[i]].cast<double>();
 }
 
-/// By the divergence theorem: positive where all triangles face outwards.
+/// By the divergence theorem: positive if all triangles face outwards.
 double Volume_m3(const Mesh& mesh) {
   double volume_m3 = 0;
   for (const MeshPart& part : mesh.parts) {
@@ -29,7 +29,7 @@ TEST(SolidMesh, EnclosesItsVolume) {
   EXPECT_NEAR(Volume_m3(Make(SolidForm::kBox, {1, 2, 3})), 6.0, 1e-5);
   // A prism over a regular polygon of 32 corners on the circle: 16 sin(2 pi / 32) r^2 h.
   EXPECT_NEAR(Volume_m3(Make(SolidForm::kCylinder, {2, 2, 3})), 16 * std::sin(kPi / 16) * 3, 1e-5);
-  // Facets cut a little off a ball.
+  // Facets lie slightly inside a ball.
   const double ball_m3 = 4.0 / 3 * kPi;
   const double facets_m3 = Volume_m3(Make(SolidForm::kSphere, {2, 2, 2}));
   EXPECT_LT(facets_m3, ball_m3);

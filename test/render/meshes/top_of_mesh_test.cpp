@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-/// A part of triangles, each three corners.
+/// A part of triangles, each given by three corners.
 MeshPart PartOf(const std::vector<Eigen::Vector3f>& corners) {
   MeshPart part;
   part.positions_m = corners;

@@ -102,7 +102,7 @@ TEST_F(MachinesOfARecording, CarryWhatTheGroundGaveThemUntilItSaysOtherwise) {
   reactions_[kDigger].shovel_load = {load, {}};
   MoveTo(2.1);
   EXPECT_EQ(world_.machines[kDigger].shovel_load.at(0).mass_kg, 120);
-  reactions_[kDigger].shovel_load.clear();  // a machine that is not known does not touch the ground
+  reactions_[kDigger].shovel_load.clear();  // an unknown machine does not touch the ground
   MoveTo(2.2);
   EXPECT_EQ(world_.machines[kDigger].shovel_load.at(0).mass_kg, 120);
   load.mass_kg = 0;

@@ -19,7 +19,7 @@ namespace {
 
 const SampleClock kSteps{.rate_hz = 50};
 
-/// A cube that passes over ground which is raised step by step.
+/// A cube that passes over ground that rises step by step.
 class WorkedScene : public SensedScene {
  public:
   WorkedScene(const SceneModel& model, int beside)

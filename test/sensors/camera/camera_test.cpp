@@ -202,7 +202,7 @@ TEST_F(CameraBeforeAWall, FarDepthIsLostInNoiseAndNeverNear) {
 
 TEST_F(CameraBeforeAWall, RgbNoiseHasItsDeviationAndFollowsTheExposure) {
   // Rounding adds 1/12 to the variance 16. n > 4000 pixels x 3: five standard errors of the
-  // deviation are below 3.3 %. Pixels near black or white are left out: they are clipped.
+  // deviation are below 3.3 %. Pixels near black or white are excluded, since they are clipped.
   camera_.rgb_noise = 4;
   CameraModel clean = camera_;
   clean.rgb_noise = 0;
@@ -281,7 +281,7 @@ TEST_F(CameraBeforeAWall, PhotonTransferOfARenderedWallReturnsGainReadNoiseAndFu
   EXPECT_NEAR(most, 10500, 0.03 * 10500);
 }
 
-// The wall is the brighter the longer the shutter is open, whatever the scene's exposure.
+// The wall brightens with the shutter's time, independent of the scene's exposure.
 TEST_F(CameraBeforeAWall, AnImageSensorsExposureIsItsOwn) {
   camera_.image_sensor = ImageSensorModel{};
   camera_.image_sensor->exposure_s = 1e-4;

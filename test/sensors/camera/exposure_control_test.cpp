@@ -27,7 +27,7 @@ CameraIntrinsics LongLens() {
           .cy_px = 29.5};
 }
 
-/// All but without noise, and linear over many stops.
+/// Almost without noise, and linear over many stops.
 ImageSensorModel ExposureControlPlain() {
   ImageSensorModel model;
   model.exposure_s = 0.001;
@@ -47,7 +47,7 @@ Image<float> Flat(const Vec3& luminance_cdpm2) {
   return picture;
 }
 
-/// A camera's sensor with its control, that takes one picture after another.
+/// A camera's sensor with its control, taking successive pictures.
 class Controlled {
  public:
   explicit Controlled(const ImageSensorModel& model)
@@ -115,7 +115,7 @@ TEST(ExposureControl, GainHelpsWhereTheLongestExposureIsNotEnough) {
   EXPECT_NEAR(used.exposure_s, 0.032, 1e-12);
   EXPECT_NEAR(used.gain_db, 20 * std::log10(8), 0.1);
   EXPECT_NEAR(camera.Signal(), 0.256, 0.004);
-  // Brighter than its shortest exposure can bear, and it stays there.
+  // Too bright for its shortest exposure: it stays saturated.
   for (int j = 0; j < 12; ++j) used = camera.Take(Flat(Vec3::Constant(camera.LuminanceFor(400))));
   EXPECT_NEAR(used.exposure_s, model.auto_exposure->shortest_s, 1e-12);
   EXPECT_EQ(used.gain_db, 0);
@@ -146,7 +146,7 @@ TEST(ExposureControl, WhiteBalanceMakesGreyOfALightsColour) {
   const double green = camera.LuminanceFor(0.1);
   const Image<float> warm = Flat(Vec3(2 * green, green, 0.5 * green));
   PictureSettings used = camera.Take(warm);
-  EXPECT_NEAR(used.balance[0], 0.6 / 0.4, 1e-12);  // of daylight, before anything was seen
+  EXPECT_NEAR(used.balance[0], 0.6 / 0.4, 1e-12);  // of daylight, before the first picture
   for (int j = 0; j < 30; ++j) used = camera.Take(warm);
   EXPECT_NEAR(used.balance[0], 0.6 / 0.4 / 2, 2e-3);
   EXPECT_NEAR(used.balance[2], 0.6 / 0.5 * 2, 5e-3);

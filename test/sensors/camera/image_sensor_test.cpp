@@ -99,8 +99,8 @@ TEST(ImageSensor, PhotonTransferReturnsGainReadNoiseAndFullWell) {
   EXPECT_NEAR((most - dark_mean.mean) / gain, 10'000, 300);
 }
 
-// Of n = 19 200 pixels: five standard errors of the mean and, by Poisson's fourth moment, of the
-// variance; rounding adds 1/12 where counts are no whole numbers.
+// n = 19 200 pixels: five standard errors of the mean and, by Poisson's fourth moment, of the
+// variance. Rounding adds 1/12 if counts are no integers.
 TEST(ImageSensor, CountsOfFewPhotonsArePoissons) {
   ImageSensorModel model = ImageSensorPlain();
   model.read_noise_e = 0;
@@ -231,7 +231,7 @@ Vec3 MiddleOf(const ImageSensorModel& model, const Vec3& colour) {
   return sum;
 }
 
-// sRGB of 0.5, 0.2 and 0.05 is 187.5, 123.6 and 63.0 of 255, whatever the filters are.
+// sRGB of 0.5, 0.2 and 0.05 is 187.5, 123.6 and 63.0 of 255, for any filters.
 TEST(ImageSensor, ColoursComeBackBehindAllFilters) {
   ImageSensorModel model = ImageSensorPlain();
   model.full_well_e = 1e6;

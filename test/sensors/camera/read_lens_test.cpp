@@ -12,7 +12,7 @@
 #include "sensors/camera/camera.h"
 #include "sensors/camera/camera_view.h"
 
-// Lenses as cameras' keys describe them, against OpenCV's projections.
+// Lenses described by cameras' keys, against OpenCV's projections.
 
 namespace tera {
 namespace {

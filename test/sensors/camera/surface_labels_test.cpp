@@ -251,7 +251,7 @@ TEST_F(LabelsOfGround, CutIsBelowTheFirstPicturesSurface) {
   EXPECT_EQ(cut.ground_state.at(40, 30, 1), 51);
   EXPECT_EQ(cut.ground_state.at(40, 30, 2), 7);
   EXPECT_EQ(cut.ground_age.at(40, 30), 1);
-  // Beside it, a metre away, nothing has happened.
+  // A metre away, nothing changes.
   EXPECT_EQ(cut.ground_change.at(60, 30), 32768);
   EXPECT_EQ(cut.ground_age.at(60, 30), 65535);
   const CameraFrame later = At(4'500'000'000, &labels);

@@ -94,7 +94,7 @@ TEST_F(SquareThatPasses, ItsUprightEdgeIsSkewedByItsSpeedTimesTheTimeOfTheRows) 
     EXPECT_NEAR(LeftEdge(frame, row) - 0.5, expected_px, 0.5 + 0.5) << row;
     EXPECT_NEAR(Crossing(row, 0.5), expected_px, 0.5 + 0.6) << row;
   }
-  // Over many rows steps average out: the slope is that of the rate.
+  // Over many rows steps average out: the slope follows the rate.
   const double slope = (Crossing(80, 0.5) - Crossing(40, 0.5)) / 40;
   EXPECT_NEAR(slope, 0.1, 1.0 / 40);
 }

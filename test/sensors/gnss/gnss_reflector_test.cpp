@@ -36,7 +36,7 @@ TEST(GnssReflector, PointsFromItsPinToTheNext) {
   const MachineModel model = Machine("tb235");
   const auto boom = GnssReflectorOf(model, model.LinkIndex("upper"));
   ASSERT_TRUE(boom);
-  EXPECT_TRUE(boom->direction_B.isApprox(Vec3::UnitX(), 1e-12));  // x of the boom, by its file
+  EXPECT_TRUE(boom->direction_B.isApprox(Vec3::UnitX(), 1e-12));  // x of the boom, from its file
   // The bucket has no further joint: towards its centre of mass.
   const auto bucket = GnssReflectorOf(model, model.LinkIndex("arm"));
   ASSERT_TRUE(bucket);

@@ -74,12 +74,12 @@ TEST(Imu, TheLeverArmAddsCentripetalAndTangentialAcceleration) {
   samples.erase(samples.begin());
   ASSERT_EQ(samples.size(), 1u);
   EXPECT_NEAR((samples[0].w_WS_S_radps - Vec3(0, 0, 2)).norm(), 0, 1e-12);
-  // Chords for arcs: an error of the second order in the 2 mrad of a step, 4e-6 of 6 m/s^2.
+  // Chords replace arcs: an error of second order in the 2 mrad of a step, 4e-6 of 6 m/s^2.
   EXPECT_NEAR((samples[0].f_S_mps2 - Vec3(4.5, 6, 9.80665)).norm(), 0, 5e-5);
 }
 
-/// All turns about the vertical line through (2, 3), as a machine that slews and speeds up:
-/// the angle at t, its rate and its acceleration.
+/// Rotations about the vertical line through (2, 3), as of an accelerating slew: the angle at t,
+/// its rate and its acceleration.
 struct Slewing {
   static constexpr double kRate_radps = 0.9, kGrowth_radps2 = 0.35;
   static double Angle(double t_s) {
@@ -161,7 +161,7 @@ TEST(Imu, RatesAddUpToTheTurnOfThePoseWhateverTheVelocitySays) {
     const Vec3 turn = 0.005 * s.w_WS_S_radps;
     R_WS = R_WS * Eigen::AngleAxisd(turn.norm(), turn.normalized());
   }
-  // The axis stands still in W, so that the samples' turns follow each other without coning.
+  // The axis is constant in W, so that the samples' rotations add without coning.
   const Mat3 R_end = (body.X_WB * X_BS).linear();
   EXPECT_LT(Eigen::AngleAxisd(R_WS.transpose() * R_end).angle(), 1e-9);
   EXPECT_GT(Eigen::AngleAxisd(R_start.transpose() * R_end).angle(), 0.4);

@@ -22,7 +22,7 @@ using testing::Given;
 using testing::RowsOf;
 using testing::SensorOf;
 
-/// Leans about y of the link by 25 deg to where the link's x points down, on a link at yaw 70 deg.
+/// Tilted by 25 deg about y of the link, so that the link's x points down, on a link at yaw 70 deg.
 constexpr double kLean_deg = 25, kYaw_deg = 70;
 const std::string kKeys = "type: inclinometer, link: upper, xyz_m: [1, 0.5, 2], rate_hz: 100";
 
@@ -80,7 +80,7 @@ TEST(Inclinometer, AStepOfTiltArrivesByTwoThirdsAfterTheTimeConstant) {
   for (const RowSample& row : RowsOf(sensor, motion, 1.5)) {
     const double t_s = ToSeconds(row.t_ns) - 0.5;
     const double lag = t_s < 0.001 ? 1 : std::exp(-t_s / tau_s);
-    // One sample of 1 ms shifts the exponential by 1/200 of its height; two are the tolerance.
+    // A sample of 1 ms shifts the exponential by 1/200 of its height; the tolerance is two.
     EXPECT_NEAR(row.values[0], (kLean_deg + step_deg * (1 - lag)) * kDeg, 0.01 * step_deg * kDeg)
         << t_s;
   }
@@ -157,7 +157,7 @@ TEST(Inclinometer, VibrationShakesTheTiltLessBehindItsFilterAndShiftsItByItsSqua
   }
   const double c = 1 - std::exp(-0.01 / tau_s);
   const double sigma_rad = rms_mps2 / kStandardGravity_mps2 * std::sqrt(c / (2 - c));
-  // Neighbours are alike: (2 - c) / c samples count as one.
+  // Neighbours are correlated: (2 - c) / c samples count as one.
   const double alone = count * c / (2 - c);
   EXPECT_NEAR(mean_rad, -k_s2pm * rms_mps2 * rms_mps2 / kStandardGravity_mps2,
               5 * sigma_rad / std::sqrt(alone));

@@ -19,7 +19,7 @@ using testing::NoGround;
 using testing::OneBodyEach;
 using testing::WallMesh;
 
-/// One level beam all around, that sees a tenth at 50 m.
+/// One level beam all around that detects a 10 % target at 50 m.
 LidarModel OneBeam() {
   LidarModel model;
   model.elevation_rad = {0};
@@ -46,7 +46,7 @@ const LidarPoint* Ahead(const LidarScan& scan) {
 }
 
 TEST(AirEchoes, DustDimsAWallTwiceByBeerAndLambert) {
-  // 6 m of 0.05 / m before a wall at 20 m: exp(-2 0.3) of its half is left.
+  // 6 m of 0.05 / m before a wall at 20 m: exp(-2 0.3) of its 50 % remains.
   const DustVolume dust = DustBox(Vec3(8, -40, -4), 0.5, {12, 160, 16}, 0.05);
   const LidarScan clear = Scan(OneBeam(), {}, 22), dusty = Scan(OneBeam(), {&dust, 0}, 22);
   ASSERT_NE(Ahead(clear), nullptr);
@@ -72,7 +72,7 @@ TEST(AirEchoes, ThickDustReturnsItselfNearItsFront) {
 }
 
 TEST(AirEchoes, ThinDustFarAwayReturnsNothing) {
-  // 0.02 / m is 0.00094 of a surface; at 6 m 0.0032 is needed, and there is no wall.
+  // 0.02 / m equals a surface of 0.00094; at 6 m 0.0032 is needed, and there is no wall.
   const DustVolume dust = DustBox(Vec3(8, -40, -4), 0.5, {12, 160, 16}, 0.02);
   EXPECT_TRUE(Scan(OneBeam(), {&dust, 0}, -400).points.empty());
 }

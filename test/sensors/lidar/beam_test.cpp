@@ -44,8 +44,8 @@ LidarScan ScanOf(const LidarModel& model, const RayScene& scene, const Pose& X_W
   return Lidar(model, {.rate_hz = 10}, 0, 1, "m/lidar").Measure(0, track, scene, threads);
 }
 
-/// A wall to the left of y = 0 at `near_m` and one behind all at `far_m`, before a sensor that
-/// looks along +x from the origin.
+/// A wall to the left of y = 0 at `near_m`, and a wall behind everything at `far_m`, before a
+/// sensor that looks along +x from the origin.
 LidarScan ScanOfEdge(const LidarModel& model, double near_m, double far_m) {
   RayScene scene(OneBodyEach({WallMesh(3, 0.5), WallMesh(20, 0.5)}));
   scene.Update({{MakePose({near_m, 3, 0}), MakePose({far_m, 0, 0})}}, NoGround());
@@ -96,7 +96,7 @@ std::vector<Echo> PeaksOf(std::vector<Echo> echoes, double pulse_m) {
 }
 
 TEST(PulseTrain, TwoEqualEchoesPartAtTwoStandardDeviations) {
-  // The sum of two equal Gaussians has two maxima from 2 sigma on; sigma is a full width at half
+  // The sum of two equal Gaussians has two maxima beyond 2 sigma; sigma is a full width at half
   // power over 2 sqrt(2 ln 2).
   const double pulse_m = 0.9, sigma_m = pulse_m / (2 * std::sqrt(2 * std::log(2.0)));
   const auto peaks = [&](double apart_m) {
@@ -143,7 +143,7 @@ TEST(LidarBeam, AtAnEdgeBothSurfacesReturnOverTheBeamsWidth) {
 }
 
 TEST(LidarBeam, AtAnEdgeTheEnergyOfBothSurfacesIsThatOfTheBeam) {
-  // Equal reflectances, little focus to lose: the intensities of both returns add up to 0.5.
+  // Equal reflectances and little defocus: the intensities of both returns add up to 0.5.
   LidarModel model = WideBeam(60000, 2);
   model.beam->aperture_m = 1e-4;
   const LidarScan scan = ScanOfEdge(model, 10, 20);

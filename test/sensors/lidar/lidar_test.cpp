@@ -190,7 +190,7 @@ TEST(Lidar, AScanOfATurningSensorIsSkewedByItsTurn) {
 }
 
 TEST(Lidar, AMovingWallIsSeenWhereItStoodAtEachRay) {
-  // The wall comes nearer by 2 m in a revolution; the ray straight ahead leaves half-way.
+  // The wall approaches by 2 m per revolution; the ray straight ahead leaves half-way.
   RayScene scene(OneBodyEach({WallMesh(20, 0.5)}));
   scene.Update({{MakePose({10, 0, 0})}, {MakePose({8, 0, 0})}}, NoGround());
   const LidarScan scan = Scan(LidarOneBeam(), Still(MakePose({0, 0, 0})), scene);
@@ -201,7 +201,7 @@ TEST(Lidar, AMovingWallIsSeenWhereItStoodAtEachRay) {
 }
 
 TEST(Lidar, FiringOffsetsDelayAndTurnEachBeam) {
-  // One beam fires a quarter of a column late: 0.25 degrees on, and that much later.
+  // One beam fires a quarter of a column later: 0.25 degrees further, with that delay.
   RayScene scene(OneBodyEach({CubeMesh(5)}));
   scene.Update({{MakePose({0, 0, 0})}}, NoGround());
   LidarModel model = LidarOneBeam();
@@ -228,7 +228,7 @@ TEST(Lidar, AzimuthOffsetsTurnBeamsToTheLeft) {
 }
 
 TEST(Lidar, DarkTargetsEndAtTheDataSheetsRange) {
-  // Head-on: 10 % is seen to 40 m, 40 % to twice that, 90 % as far as the greatest range.
+  // Head-on: 10 % is detected up to 40 m, 40 % to twice that, 90 % up to the greatest range.
   LidarModel model = LidarOneBeam();
   model.range_at_10_percent_m = 40;
   model.max_range_m = 110;

@@ -113,7 +113,7 @@ TEST(LidarView, LooksNowhereBeyondItsBeams) {
   }
 }
 
-/// A wall of 6 m that is askew.
+/// A skewed wall of 6 m.
 constexpr double kHalf_m = 3;
 const Pose X_WWall = MakePose({8, 0.7, -0.4}, 0.35, 0.2, -0.3);
 
@@ -180,14 +180,14 @@ TEST(LidarView, ReachesAsFarAsTheLidarHasReturns) {
   model.range_at_10_percent_m = 6;
   model.max_range_m = 50;
   const ViewField field = ViewOf(model, 10);
-  // The share of the light falls with the square of the range: twice as far at four times of it.
+  // The share of the light falls with the square of the range: a fourfold share doubles the range.
   EXPECT_NEAR(field.reach_m(0.1), 6, 1e-9);
   EXPECT_NEAR(field.reach_m(0.4), 12, 1e-9);
   EXPECT_EQ(field.reach_m(1e9), 50);
   EXPECT_EQ(field.reach_m(0), 0);
   for (const double reflectance : {0.05, 0.2, 0.8}) {
     for (const double off : {0.98, 1.02}) {
-      // Head on, of the middle alone: elsewhere it is farther and the incidence is smaller.
+      // Head-on, of the middle only: elsewhere the range is larger and the incidence oblique.
       const double r_m = off * field.reach_m(reflectance);
       const LidarScan scan = Scan(model, Pose::Identity(), reflectance, MakePose({r_m, 0, 0}));
       EXPECT_EQ(scan.points.empty(), off > 1) << reflectance << " at " << r_m << " m";

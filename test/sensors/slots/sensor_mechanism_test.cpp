@@ -158,7 +158,7 @@ Output OutputOf(EffectTarget target, const Effects& effects) {
   return OfAnyKind(target, effects);
 }
 
-/// Two values of every parameter that must not give the same.
+/// Two values of every parameter that must give different results.
 struct TwoValues {
   std::string_view parameter;
   double a, b;
@@ -240,7 +240,7 @@ TEST(SensorMechanisms, EveryParameterChangesWhatTheSensorReports) {
 TEST(SensorMechanisms, AtTheCornersOfTheirRangesMeasurementsStayFinite) {
   for (const Mechanism& mechanism : SensorMechanisms()) {
     for (const EffectTarget target : mechanism.targets) {
-      // All at their lower bounds, all at their upper ones, and each alone at the other end.
+      // All at their lower bounds, all at their upper ones, and each alone at the opposite bound.
       std::vector<TwoValues> up, down;
       for (const EffectParameter& p : mechanism.parameters) {
         up.push_back({p.name, p.lower, p.upper});
@@ -316,7 +316,7 @@ TEST(SensorSlots, WithoutEffectsEveryMeasurementPassesUnchanged) {
   EXPECT_EQ(imu.t_ns, 1'000'003);
   EXPECT_EQ(imu.t_available_ns, 7);
 
-  // A latitude that is not that of its ENU stays too.
+  // A latitude that differs from its ENU also stays.
   GnssSample gnss{3, 4, 46.5, -71, 90, Vec3(1, 2, 3), GnssFix::kSingle, Vec3(1, 1, 1)};
   GnssSlots({}, 1, "m/s").Apply({Vec3(0.6, 0, 0.8)}, kSite, &gnss);
   EXPECT_EQ(gnss.lat_deg, 46.5);

@@ -65,7 +65,7 @@ TEST(SensorTiming, GpsTimeIsEighteenSecondsAheadOfUtc) {
   for (const auto& written : stamps.written) {
     EXPECT_EQ(written, (std::vector<TimeNs>{18 * kSecond, 19 * kSecond}));
   }
-  // The clock is wrong; the measurement is there when it was.
+  // The clock is wrong; the measurement is available as before.
   for (const auto& available : stamps.available) EXPECT_EQ(available[0], 30'000'000);
 }
 
@@ -109,7 +109,7 @@ TEST(SensorTiming, JitterIsExponentialAndKeepsTheOrder) {
     EXPECT_NEAR(sum_s / 10000, 0.02, 0.001);
     EXPECT_NEAR(beyond_mean / 10000.0, 0.3679, 0.0241);
   }
-  // At 1 kHz most would overtake each other.
+  // At 1 kHz most samples would overtake each other.
   for (const auto& written : StampsOf(effects, fast).written) {
     for (std::size_t k = 1; k < written.size(); ++k) ASSERT_GT(written[k], written[k - 1]) << k;
   }
@@ -254,7 +254,7 @@ TEST(SensorTiming, AnOutlierStaysOneSampleBehindAFilter) {
     encoder.Apply(&e);
     wild += e.q_rad[0] != 1;
   }
-  // Five standard errors: 5 sqrt(0.2 * 0.8 / 1000) = 0.063. A filter behind would smear all.
+  // Five standard errors: 5 sqrt(0.2 * 0.8 / 1000) = 0.063. A later filter would smear all.
   EXPECT_NEAR(wild / 1000.0, 0.2, 0.063);
 }
 

@@ -94,7 +94,7 @@ TEST(SensorGeometry, AnAntennaSitsWhereItsLeverArmPutsIt) {
   const Pose X_BT =
       TrueMount(MakePose({-0.95, 0.55, 1.25}),
                 Given(EffectTarget::kGnss, "{gnss_lever_arm: {x_m: 0.3, z_m: -0.1}}"));
-  // Facing north, the link's x is north.
+  // The base faces north, hence so does the link's x.
   const Pose X_WB = MakePose({10, 20, 0}, 0, 0, 90 * kDeg);
   ExpectNear(X_WB * X_BT.translation(), {10 - 0.55, 20 - 0.65, 1.15}, 1e-12);
 }
@@ -125,7 +125,7 @@ TEST(SensorGeometry, ATurnedPairOfAntennasTurnsAboutItsMiddle) {
   Antenna left = kLeft, right = kRight;
   right.link = "upper";
   right.effects = Given(EffectTarget::kGnss, "{antenna_yaw: {yaw_deg: 90}}");
-  // Left was 0.55 m to the left of the middle; a quarter turn puts it 0.55 m behind.
+  // The left antenna was 0.55 m left of the middle; a quarter turn puts it 0.55 m behind.
   ExpectNear(TrueAntenna(left, right).X_BT.translation(), {-1.5, 0, 1.25}, 1e-12);
   ExpectNear(TrueAntenna(right, left).X_BT.translation(), {-0.4, 0, 1.35}, 1e-12);
 }

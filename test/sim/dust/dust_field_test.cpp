@@ -22,7 +22,7 @@ DustAir Uniform(int layers, const Vec2& wind_W_mps, double diffusivity_m2ps) {
   return {std::vector<Vec2>(layers, wind_W_mps), std::vector<double>(layers, diffusivity_m2ps)};
 }
 
-/// Mean and variance of where the fine dust is, in metres from the grid's corner.
+/// Mean and variance of the fine dust's place, in metres from the grid's corner.
 struct Spread {
   Vec3 mean_m, variance_m2;
 };
@@ -60,7 +60,7 @@ TEST(DustField, APuffMovesWithTheWindAndSpreadsAsTheRootOfTwiceDiffusivityTimesT
   EXPECT_NEAR(after.mean_m.y() - before.mean_m.y(), wind_W_mps.y() * kTime_s, 0.02);
   EXPECT_NEAR(after.mean_m.z() - before.mean_m.z(), 0, 0.01);
   const double grown_m2 = 2 * kDiffusivity * kTime_s;
-  // The limited fluxes smear a little too: by less than a tenth of a cell a step's width in all.
+  // The limited fluxes also diffuse slightly: by less than a tenth of a cell per step in total.
   EXPECT_NEAR(after.variance_m2.x() - before.variance_m2.x(), grown_m2, 0.15 * grown_m2);
   EXPECT_NEAR(after.variance_m2.y() - before.variance_m2.y(), grown_m2, 0.15 * grown_m2);
   EXPECT_NEAR(after.variance_m2.z() - before.variance_m2.z(), grown_m2, 0.02 * grown_m2);

@@ -54,7 +54,7 @@ TEST(Emission, WindErodesAboveTheThresholdOnly) {
 }
 
 TEST(Emission, SaturatedSoilHoldsWhatItsPoresDo) {
-  // Bank of 1325 kg/m^3: half of it pores, 0.5 t of water on 1.325 t of grains.
+  // Bank of 1325 kg/m^3: half of it is pores, with 0.5 t of water on 1.325 t of grains.
   EXPECT_NEAR(WaterByMass_percent(1, 1325), 100 * 0.5 / 1.325, 1e-9);
   EXPECT_NEAR(WaterByMass_percent(0.1, 1325), 10 * 0.5 / 1.325, 1e-9);
 }

@@ -123,8 +123,8 @@ TEST(SiteDust, ClodsRaiseDustWhereTheyLandByTheirFall) {
 }
 
 TEST(DustSources, AGaleTakesHalfOfLooseGroundsPotentialInTwoMinutes) {
-  // 30 m/s: u* is 0.4 30 / ln 2000 = 1.579 m/s, so that 58 0.559^2 + 25 0.559 = 32.1 g/m^2 may go.
-  // A square of 21 x 21 vertices 0.1 m apart is loose: 4.41 m^2.
+  // 30 m/s: u* is 0.4 30 / ln 2000 = 1.579 m/s, so that 58 0.559^2 + 25 0.559 = 32.1 g/m^2 may
+  // leave. A square of 21 x 21 vertices 0.1 m apart is loose: 4.41 m^2.
   Scenario scenario = Read(Dusty(0));
   scenario.environment.weather.wind.speed_mps = 30;
   DustSources sources(scenario);

@@ -44,7 +44,8 @@ TEST(DeadZoneCompensation, LeavesTheLeverOfAJointThatFollows) {
 }
 
 TEST(DeadZoneCompensation, PushesUntilTheJointComesNearItsTarget) {
-  // Without, a joint stands where 2/s of the way is the zone: 0.125 rad short of it.
+  // Without compensation, a joint stops where 2/s times the error equals the zone: 0.125 rad short
+  // of the target.
   Valve valve{.zone = 0.25};
   const double first_s = valve.Reach(0.5, 0.03);
   EXPECT_LT(first_s, 4);
@@ -80,7 +81,7 @@ TEST(DeadZoneCompensation, NeverAsksForMoreThanFullLever) {
 }
 
 TEST(DeadZoneCompensation, LeavesAJointAloneThatReboundsIfItIsToldSo) {
-  // Asked for 0.3, and swinging back at as much for a second.
+  // A command of 0.3, then its negative for a second.
   DeadZoneCompensation gentle({.rebound_ratio = 0.15}), eager;
   for (double t_s = 0; t_s < 1; t_s += kStep_s) {
     EXPECT_EQ(gentle.Lever(0.3, -0.3, kStep_s), 0.3);

@@ -115,7 +115,7 @@ TEST(WaypointDriver, DrivesStraightAtAPointAheadAndStopsThere) {
   const auto driver =
       Read("{type: waypoints, waypoints: [{xy_m: [1, 12]}], speed_mps: 1, reached_m: 0.3}", cart);
   EXPECT_THAT(cart.Levers(driver.get(), 0), ::testing::ElementsAre(0, 0));
-  EXPECT_NEAR(cart.Levers(driver.get(), 0.1)[0], 0.15, 1e-9);  // 1.5 /s: as a hand moves it
+  EXPECT_NEAR(cart.Levers(driver.get(), 0.1)[0], 0.15, 1e-9);  // 1.5 /s: the rate of a hand
   const auto levers = cart.Levers(driver.get(), 2);
   EXPECT_NEAR(levers[0], 0.5, 1e-9);
   EXPECT_NEAR(levers[1], 0.5, 1e-9);
@@ -148,7 +148,7 @@ TEST(RandomLevers, UndoEveryPieceOfADriveByItsOpposite) {
     }
   }
   EXPECT_GT(travelled, 20);
-  EXPECT_LE(farthest, 0.9 * 0.8 + 0.01 * travelled);  // one piece, and the steps' rounding
+  EXPECT_LE(farthest, 0.9 * 0.8 + 0.01 * travelled);  // one piece, plus rounding of the steps
   EXPECT_LE(largest, 0.8);
   EXPECT_GT(largest, 0.7);
 }

@@ -16,7 +16,7 @@ class RemoteHydraulicTest : public RemoteMachineTest {
  protected:
   RemoteHydraulicTest() : RemoteMachineTest({"config/effects/tb235_hydraulic.yaml"}) {}
 
-  /// How far the joints still move while `message` goes on for `duration_s`: the most of any.
+  /// Largest motion of any joint while `message` continues for `duration_s`.
   double Unrest_rad(const ControlMessage& message, double duration_s) {
     std::vector<double> least_rad = state().q_rad, most_rad = state().q_rad;
     for (int piece = 0; piece < duration_s * 10; ++piece) {

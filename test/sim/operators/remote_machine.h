@@ -13,7 +13,7 @@
 #include "own_folder.h"
 #include "sim/run/live_run.h"
 
-/// A compact excavator driven from outside. It stands on asphalt, turned and off the origin.
+/// A remotely driven compact excavator. It stands on asphalt, rotated and off the origin.
 
 namespace tera {
 
@@ -50,7 +50,7 @@ class RemoteMachineTest : public testing::Test {
   const MachineState& state() const { return run_.simulation().state().machines[0]; }
   double Angle(const char* joint) const { return state().q_rad[model().JointIndex(joint)]; }
 
-  /// Sends the message ten times a second, as a controller would.
+  /// Sends the message at 10 Hz, as a controller does.
   void Drive(const ControlMessage& message, double duration_s) {
     ASSERT_EQ(FaultOf(message, model()), std::nullopt);
     for (int step = 0; step < duration_s * 500; ++step) {

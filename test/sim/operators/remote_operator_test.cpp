@@ -9,7 +9,7 @@
 #include "core/units.h"
 #include "remote_machine.h"
 
-// Driving a machine from outside by rates, positions and tool poses.
+// Remote control of a machine by rates, positions and tool poses.
 
 namespace tera {
 namespace {
@@ -153,7 +153,7 @@ TEST(ToolServo, MovesTheFrameTowardsItsTargetAndNoFasterThanTheJointsCan) {
   for (std::size_t k = 0; k < joints.size(); ++k) moved_rad[joints[k]] += rates[k] * dt_s;
   const Vec3 v_mps = (tip_in_root(moved_rad) - start_m) / dt_s;
   EXPECT_GT(v_mps.normalized().dot(way_m.normalized()), 0.99);
-  // A target far away asks for more than the joints can do.
+  // A distant target demands more than the joints can do.
   const auto fast = ToolRates(model, state, tip, {start_m + 50 * way_m, std::nullopt}, joints);
   for (std::size_t k = 0; k < joints.size(); ++k) {
     const Joint& joint = model.joints[joints[k]];

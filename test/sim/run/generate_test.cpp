@@ -16,7 +16,7 @@
 #include "own_folder.h"
 #include "physics/actuation/cylinder_fixture.h"
 
-// Whole datasets, small ones: an excavator that digs, with every kind of sensor.
+// Whole small datasets: a digging excavator with every kind of sensor.
 
 namespace tera {
 namespace {

@@ -15,7 +15,7 @@
 #include "sim/run/generate.h"
 #include "sim/run/replay.h"
 
-// Runs that are driven from outside, step by step, recorded and replayed.
+// Remotely driven runs, step by step, recorded and replayed.
 
 namespace tera {
 namespace {
@@ -52,7 +52,7 @@ struct Loaded {
   std::string yaml;
 };
 
-/// Read once, for all runs here.
+/// Read once for all runs.
 const Loaded& Load() {
   static const Loaded loaded = [] {
     const Config config = Config::FromText(kLiveRunScenario, "live.yaml");
@@ -142,7 +142,7 @@ TEST(LiveRun, SendsEverythingToEverySink) {
   EXPECT_EQ(a.count, b.count);
   EXPECT_EQ(a.count["excavator1/camera"], 3);  // at 0, 0.2 and 0.4 s
   EXPECT_EQ(a.count["truth/excavator1/joints.csv"], 251);
-  EXPECT_EQ(a.count["excavator2/commands.csv"], 251);  // with those in force at the end
+  EXPECT_EQ(a.count["excavator2/commands.csv"], 251);  // with the levers in force at the end
 }
 
 TEST(LiveRun, TakesNoPictureThatNobodyWants) {
@@ -181,7 +181,7 @@ TEST(LiveRun, IsReplayedFromItsCommandsToTheSameBytes) {
   }
 }
 
-/// `steps` steps with one lever of the first machine, into `folder`; whole only if `finish`.
+/// `steps` steps with one lever of the first machine, into `folder`; complete only if `finish`.
 void Record(const fs::path& folder, int steps, bool finish) {
   const Loaded& loaded = Load();
   LiveRun run(loaded.scenario, loaded.yaml, {.record = folder}, {});
@@ -204,7 +204,7 @@ TEST(LiveRun, ThatWasStoppedIsReplayedAsFarAsItsCommandsCame) {
   EXPECT_THAT(
       [&] { Generate(*loaded.scenario, loaded.yaml, {.out = folder / "stopped", .resume = true}); },
       ThrowsFault(kUnwritable, "stopped.incomplete"));
-  // As a kill in the middle of a row leaves it.
+  // State after a kill in the middle of a row.
   const fs::path commands = stopped / "excavator1/commands.csv.part";
   fs::resize_file(commands, fs::file_size(commands) - 3);
 

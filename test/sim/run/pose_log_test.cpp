@@ -160,7 +160,7 @@ TEST(PoseLog, OfAnObstacleThatMovesFollowsItsPath) {
   const auto& rows = second.of("truth/person1/pose.csv");
   ASSERT_EQ(rows.size(), 31u);
   for (const RowSample& row : rows) {
-    // Between two steps too, on a straight path at constant speed.
+    // Also between two steps, on a straight path at constant speed.
     const double s = ToSeconds(row.t_ns);
     EXPECT_NEAR(row.values[0], 4 - s, 1e-6) << s;
     EXPECT_NEAR(row.values[1], 3 - s, 1e-6) << s;

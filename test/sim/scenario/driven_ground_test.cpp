@@ -38,7 +38,7 @@ TEST(DrivenPath, GoesOnByMetresAndTurnsNoTighterThanItMay) {
   }
 }
 
-// One that keeps turning never leaves; one that goes straight leaves after 40 m.
+// A machine that keeps turning never leaves; one that drives straight leaves after 40 m.
 TEST(DrivenPath, EndsBeyondTheRectangleOrWhereItIsLongEnough) {
   const auto always = [](double share) { return [share](std::uint32_t) { return share; }; };
   const std::vector<Vec2> straight =

@@ -10,7 +10,7 @@
 #include "own_folder.h"
 #include "sim/scenario/scenario_text.h"
 
-// Effects of a scenario that cannot act, or that are written wrongly, and where that is said.
+// Effects of a scenario that cannot act or are written wrongly, and the places of their faults.
 
 namespace tera {
 namespace {
@@ -227,7 +227,7 @@ TEST(EffectFaults, RefusesAllEffectsThatCannotActEachAtItsPlace) {
                     HasFaultAt("bucket.actuator_ring")));
 }
 
-/// A site with the excavator and another file's effects over it.
+/// A site with the excavator and an overlay of another file's effects.
 std::vector<InputFault> OverlayFaults(const std::string& overlay,
                                       const std::vector<std::string>& overrides) {
   const std::filesystem::path& folder = OwnFolder();

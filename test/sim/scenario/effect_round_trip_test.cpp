@@ -45,7 +45,7 @@ machines:
         - {name: encoders, preset: 'tera:config/sensors/encoder.yaml'}
 )";
 
-/// Each axis of the gantry has encoders, and both together.
+/// Each axis of the gantry has encoders, and so has the pair.
 const std::string& OfGantry() {
   static const std::string machine = Gantry("m", R"(
       {name: both, preset: 'tera:config/sensors/encoder.yaml'},
@@ -54,11 +54,12 @@ const std::string& OfGantry() {
   return machine;
 }
 
-/// A name that effects stand at.
+/// A name with effects.
 struct Place {
   std::string name;
   EffectTarget target;
-  bool turns = true, slides = true;  ///< which units an encoder takes; all, on other places
+  bool turns = true, slides = true;  ///< parameters whose units an encoder accepts; all of them at
+                                     ///< other places
 };
 
 const std::vector<Place> kOfExcavator = {
@@ -83,7 +84,7 @@ const std::vector<Place> kOfGantry = {
     {"turns", EffectTarget::kEncoder, true, false},
 };
 
-/// Kinds of sensors that none of these places is of, each of them on the excavator by its own name.
+/// Sensor kinds absent from these places, each on the excavator under its own name.
 std::vector<const SensorKind*> OtherKinds() {
   std::vector<const SensorKind*> others;
   for (const SensorKind* kind : kSensorKinds) {
@@ -178,14 +179,14 @@ Reading Read(const std::string& yaml, const std::vector<std::string>& overrides 
   return reading;
 }
 
-/// Whether a number of this unit can act at the place.
+/// Whether a parameter of this unit can act at the place.
 bool CanAct(const EffectParameter& parameter, const Place& place) {
   const std::string_view unit = parameter.unit;
   if (unit == "m" || unit == "m/s" || unit == "m/K") return place.slides;
   return place.turns || !unit.starts_with("deg");
 }
 
-/// A number of the range that is not the default; small for a rate, which no drive reaches else.
+/// A value of the range other than the default; small for a rate, which no drive reaches otherwise.
 double Another(const EffectParameter& parameter) {
   const double small = std::string_view(parameter.unit) == "rad/s" ? 0.1 : 0.5;
   const double one = std::clamp(parameter.whole ? 1.0 : small, parameter.lower, parameter.upper);
@@ -208,8 +209,8 @@ std::string Mapping(const Mechanism& mechanism, const Place& place, Given given)
   return fmt::format("{{{}}}", fmt::join(items, ", "));
 }
 
-/// Whether the mechanism may stand there: some are of a joint with a cylinder or of tracks that
-/// slip by kinematics alone.
+/// Whether the mechanism is allowed there: some need a joint with a cylinder, or tracks with
+/// kinematic slip.
 bool ActsAt(const Mechanism& mechanism, const Place& place, std::string_view ground) {
   if (!mechanism.ActsOn(place.target)) return false;
   const std::string_view id = mechanism.id;

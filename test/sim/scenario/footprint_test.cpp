@@ -14,7 +14,7 @@ TEST(Footprint, TwoMeetByTheirTurnedRectanglesNotByTheirCircles) {
   EXPECT_FALSE(Meet(lying, beside, 0));
   EXPECT_FALSE(Meet(lying, beside, 0.19));
   EXPECT_TRUE(Meet(lying, beside, 0.21));
-  // Turned across it reaches into the first.
+  // Rotated across, it reaches into the first.
   Footprint across = beside;
   across.yaw_rad = 90 * kDeg;
   EXPECT_TRUE(Meet(lying, across, 0));

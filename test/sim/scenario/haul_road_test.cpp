@@ -67,7 +67,7 @@ TEST(HaulRoad, PathsStayOnItAndRoundTheBend) {
     const double turn = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
     sharpest_rad = std::max(sharpest_rad, std::abs(turn));
   }
-  // The legs meet at 46.7 deg; drivers turn by much less in 1.5 m.
+  // The legs meet at 46.7 deg; the road turns by much less in 1.5 m.
   EXPECT_LT(sharpest_rad, 0.5);
   for (const Vec2& p : path) {
     const bool on_first_leg = p.x() > -19 && p.x() < -8;

@@ -30,7 +30,7 @@ std::string Row(std::string_view slot, std::string_view id, std::string_view tar
   return fmt::format("{}/{} ({}) {} | {}", slot, id, targets, parameter, rest);
 }
 
-/// As the tables of sensors name them; mechanisms of machines stand in chapters of their target.
+/// Names as in the sensors' tables; mechanisms of machines are in chapters by target.
 std::string TargetsOf(const Mechanism& mechanism) {
   std::vector<std::string_view> names;
   for (const EffectTarget target : mechanism.targets) {

@@ -14,7 +14,7 @@
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
 
-// The obstacles that are shipped: each reads, its boxes fit its mesh, key points lie in bodies.
+// The shipped obstacles: each is readable, its boxes fit its mesh, and key points lie in bodies.
 
 namespace tera {
 namespace {
@@ -74,7 +74,7 @@ Mesh MeshOf(const ScenarioObstacle& obstacle, int limb) {
   return LoadMesh(visual.mesh, visual.node);
 }
 
-/// All of it, limbs as they hang.
+/// The whole obstacle, with its limbs at rest.
 Mesh WholeMeshOf(const ScenarioObstacle& obstacle) {
   Mesh whole;
   for (int limb = -1; limb < static_cast<int>(obstacle.gait.limbs.size()); ++limb) {
@@ -96,7 +96,7 @@ TEST(ObstaclePresets, BoxesReachNoFurtherThanTheMeshAndStandOnTheGround) {
         high = high.cwiseMax(p.cast<double>());
       }
     }
-    // A vehicle's body ends above its wheels; a tree's and a stake's foot is driven in.
+    // A vehicle's body ends above its wheels; the foot of a tree or stake is in the ground.
     if (obstacle.wheels.empty()) {
       EXPECT_NEAR(low.z(), 0, 0.11);
     }
@@ -134,7 +134,7 @@ std::map<std::string, Vec3> PointsOf(const std::string& preset) {
   return points;
 }
 
-/// Key points of one side that keep their distance.
+/// Key points of one side with constant distances.
 constexpr std::pair<const char*, const char*> kBones[] = {
     {"shoulder", "elbow"}, {"elbow", "wrist"}, {"hip", "knee"}, {"knee", "ankle"}, {"eye", "ear"}};
 
@@ -186,7 +186,7 @@ TEST(ObstaclePresets, ATrucksWheelsRollOverTheGroundWithoutSlipping) {
     const auto [X_WB, X_WW] = wheel_at(t_s);
     const double travel_m = t_s < 1 ? 3 * t_s : t_s < 2 ? 3 + 4 * (t_s - 1) : 7;
     EXPECT_LT((X_WB.inverse() * X_WW.translation() - Vec3(2.35, 1.05, 0.5)).norm(), 1e-9);
-    // A point at the top has moved forwards by its turn, about the axle along y.
+    // A point at the top has moved forwards by its rotation about the axle along y.
     const Mat3 R = (X_WB.inverse() * X_WW).linear();
     EXPECT_LT(
         (R * Vec3::UnitZ() - Vec3(std::sin(travel_m / 0.5), 0, std::cos(travel_m / 0.5))).norm(),

@@ -33,8 +33,8 @@ void Replace(const std::string& passage, const std::string& by, std::string* tex
   text->replace(at, passage.size(), by);
 }
 
-/// All messages about a scenario whose machine is described in `machine` and whose operator and
-/// sensors stand on that machine's levers, joints and links.
+/// All messages about a scenario with `machine` as its machine, and an operator and sensors that
+/// refer to its levers, joints and links.
 std::vector<InputFault> FaultsOf(const std::string& machine,
                                  const std::string& levers = "t_s,boom\n0,0.1\n",
                                  const std::vector<std::string>& overrides = {}) {

@@ -61,7 +61,7 @@ randomise:)" << randomise;
   const std::filesystem::path folder_ = OwnFolder();
 };
 
-/// The rectangle that an obstacle takes up, by the boxes that machines collide with.
+/// The rectangle occupied by an obstacle, by its collision boxes.
 std::vector<Footprint> FootprintsOf(const Scenario& scenario) {
   std::vector<Footprint> all;
   for (const ScenarioObstacle& o : scenario.obstacles) {
@@ -98,7 +98,7 @@ TEST_F(RandomSite, ThingsKeepApartAndMachinesStartOnFreeGround) {
         }
       }
     }
-    // The ground about the start is as it would be without the site: flat.
+    // The ground about the start is flat, as without the site.
     for (double x = -2.5; x <= 8.5; x += 0.5) {
       for (double y = -9.5; y <= 1.5; y += 0.5) {
         EXPECT_EQ(scenario.site->surface().HeightAt(x, y), 0) << x << " " << y;
@@ -144,7 +144,7 @@ TEST_F(RandomSite, WhatOtherEntriesDrawForItemsHoldsAndIsAvoided) {
   }
 }
 
-// Ground is sand where a patch lies, and lower where a machine has driven: on both, somewhere.
+// Patches change the soil, and driven ground is lower: somewhere both apply.
 TEST_F(RandomSite, PatchesAndTracksChangeTheGroundAndPlantsStandOnIt) {
   const std::string used = R"(
   - site:

@@ -22,7 +22,7 @@ using ::testing::Not;
 
 constexpr int kEpisodes = 4000;
 
-/// The values that an episode draws, by their keys.
+/// The values of an episode, by key.
 std::map<std::string, std::string> Drawn(const std::string& randomise, std::uint64_t episode,
                                          std::uint64_t seed = 3) {
   const Config config = Config::FromText("randomise:\n" + randomise, "s.yaml");
@@ -34,7 +34,7 @@ std::map<std::string, std::string> Drawn(const std::string& randomise, std::uint
   return values;
 }
 
-/// The numbers that many episodes draw for one key.
+/// The values of many episodes for one key.
 std::vector<double> Numbers(const std::string& randomise, const std::string& key) {
   std::vector<double> numbers;
   for (int e = 0; e < kEpisodes; ++e) numbers.push_back(std::stod(Drawn(randomise, e).at(key)));

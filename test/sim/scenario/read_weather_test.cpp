@@ -124,7 +124,7 @@ TEST(ReadWeather, OnlyAStatedVisibilityIsFog) {
   const Environment fog = ReadEnvironment("visibility_m: 150");
   EXPECT_EQ(fog.weather.visibility_m, 150);
   EXPECT_NEAR(fog.weather.Extinction_1pm(), std::log(50.0) / 150, 1e-12);
-  // Rain takes its part of the picture's visibility, not of the fog's.
+  // Rain reduces the picture's visibility, not the fog's.
   const Environment both = ReadEnvironment("visibility_m: 150, rain_mmph: 25, cloud_cover: 1");
   EXPECT_EQ(both.weather.visibility_m, 150);
   EXPECT_NEAR(both.weather.Extinction_1pm(), std::log(50.0) / 150 + 2.77e-3, 1e-5);

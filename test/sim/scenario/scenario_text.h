@@ -29,7 +29,7 @@ inline std::string WithRig(const std::string& sensors) {
   return std::string(kSite) + kExcavator + "    rig: {sensors: [" + sensors + "]}\n";
 }
 
-/// The one machine of a site: a trolley that slides and an arm on it that turns.
+/// The only machine of a site: a sliding trolley with a turning arm.
 inline std::string Gantry(const std::string& name, const std::string& sensors) {
   return R"(
 machines:

@@ -89,7 +89,7 @@ TEST_F(SiteMeshFile, TheTopOfItsNodeIsTheGround) {
 }
 
 TEST_F(SiteMeshFile, IsMovedTurnedAndScaled) {
-  // Turned by 90 deg the ramp rises along y; half as large, 1 m up, its rise stays 0.1 a metre.
+  // Rotated by 90 deg the ramp rises along y. At half size and 1 m higher, its slope stays 0.1.
   const Scenario scenario =
       Read(Yaml("xyz_m: [0.5, 0, 1], rpy_deg: [0, 0, 90], scale: 0.5, ground: {node: ground}",
                 "size_m: [6, 6], cell_m: 0.1, soil: dirt"));
@@ -104,7 +104,7 @@ TEST_F(SiteMeshFile, ItsWallIsMetByRaysAtItsFaceWithItsClass) {
   const SceneAssembly assembly(scenario);
   RayScene rays(assembly.model());
   rays.Update({assembly.BodyPoses(simulation.state())}, simulation.ground());
-  // From 2 m before the machine's nose to the wall's face at x = 4 m, and past its end.
+  // From 2 m before the machine's nose to the wall's face at x = 4 m, and beyond it.
   const std::vector<Ray> asked = {{{3, 2.5f, 2}, {1, 0, 0}, 100, 0},
                                   {{3, 3.5f, 2.9f}, {1, 0, 0}, 100, 0},
                                   {{5, 0, 2}, {0, 0, -1}, 100, 0}};
@@ -132,7 +132,7 @@ TEST_F(SiteMeshFile, OnlySolidPartsAreWallsForMachines) {
   EXPECT_EQ(whole.site->surface().HeightAt(3, 0), 0);
 }
 
-/// How far a rover has come along x after some seconds at half speed, along level ground.
+/// Distance of a rover along x after some seconds at half speed, along level ground.
 double DrivenFrom0_m(const std::string& environment) {
   const Config config = Config::FromText(
       "name: t\nduration_s: 1\nsettle_s: 0.5\n"

@@ -124,7 +124,7 @@ TEST(UrdfFriction, EffectsLieOverIt) {
   const auto q_rad = Motion(more.scenario);
   EXPECT_EQ(q_rad, Motion(WithUrdf(Pendulum(R"(<dynamics damping="3"/>)"), "{}").scenario));
   EXPECT_EQ(q_rad, Motion(ReadText(more.resolved).scenario));
-  // The coefficient stays where only the oil's temperature is given.
+  // The coefficient stays if only the oil's temperature is given.
   const auto warm = Motion(WithUrdf(damped, "{pin: {viscous_friction: {oil_degc: 80}}}").scenario);
   const auto own = Motion(WithUrdf(Pendulum(""),
                                    "{pin: {viscous_friction: {coefficient_nmsprad: 0.9, oil_degc: "

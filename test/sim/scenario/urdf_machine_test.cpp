@@ -88,7 +88,7 @@ TEST(UrdfMachine, ShowsBoxesBallsCylindersAndMeshesAsLargeAsTheyAre) {
   // A tyre of 0.9 m about its axle along y, its rim 2 cm wider.
   EXPECT_TRUE(ShownSize_m(scene, "loader1/wheel_front_left").isApprox(Vec3(0.9, 0.37, 0.9), 1e-5));
   EXPECT_TRUE(ShownSize_m(scene, "loader1/beacon").isApprox(Vec3::Constant(0.16), 1e-5));
-  // wedge.stl is 700 x 2000 x 600, shown at 1.1 mm of it.
+  // wedge.stl is 700 x 2000 x 600, scaled by 1.1 mm.
   EXPECT_TRUE(ShownSize_m(scene, "loader1/loader_bucket").isApprox(Vec3(0.77, 2.2, 0.66), 1e-5));
   // The chassis from its counterweight's side (x = 1.7 m) to the bar at -1.8 m, 2.2 m wide.
   EXPECT_TRUE(ShownSize_m(scene, "loader1/chassis").isApprox(Vec3(3.5, 2.2, 0.925), 1e-5));
@@ -105,7 +105,7 @@ TEST(UrdfMachine, SolidsAndStlFilesHaveTheColourOfTheirMaterial) {
   EXPECT_NEAR(material("loader1/loader_bucket", 0).albedo.x(), 0.2140, 1e-4);
   EXPECT_NEAR(material("loader1/wheel_rear_left", 0).albedo.y(), 0.0072, 2e-5);
   EXPECT_NEAR(material("loader1/door", 0).opacity, 0.3, 1e-6);
-  const Material plain;  // of a solid without a colour: the bar, which has a texture alone
+  const Material plain;  // a solid without a colour: the bar, which has only a texture
   EXPECT_EQ(material("loader1/chassis", 2).albedo, plain.albedo);
   EXPECT_NE(material("loader1/chassis", 0).albedo, plain.albedo);
 }
@@ -123,7 +123,7 @@ TEST(UrdfMachine, CollisionMeshesAreTheBoxesAroundThem) {
   for (const Link& link : ModelOf(scenario).links) EXPECT_TRUE(link.collision_meshes.empty());
 }
 
-/// Every lever at `lever`, for good.
+/// Every lever permanently at `lever`.
 class Constant : public Operator {
  public:
   explicit Constant(double lever) : lever_(lever) {}
@@ -172,7 +172,7 @@ TEST(UrdfMachine, MovesByItsLeversWithinItsLimits) {
                 0.02 * expected)
         << name;
   }
-  // On its tyres all the while.
+  // It stays on its tyres.
   const Pose& X_WB = simulation.state().machines[0].links[0].X_WB;
   EXPECT_GT(X_WB.linear()(2, 2), std::cos(3 * kDeg));
   EXPECT_NEAR(X_WB.translation().z(), 0, 0.1);

@@ -47,7 +47,7 @@ inline bool SameGrain(const TerrainSurface::Grain& a, const TerrainSurface::Grai
          a.number == b.number && a.soil == b.soil && a.moisture == b.moisture;
 }
 
-/// Where two grounds differ first, in words; empty where they are the same to the bit.
+/// The first difference of two grounds, in words; empty if they are bitwise equal.
 inline std::string Difference(const TerrainSurface& a, const TerrainSurface& b) {
   const TerrainGrid &grid_a = a, &grid_b = b;
   if (!(grid_a == grid_b)) return "grid";
@@ -109,7 +109,7 @@ class GroundAtWork {
     }
   }
 
-  /// Clods come, fly, and are gone; some bear one number.
+  /// Clods appear, fly and vanish; some share a number.
   void Fly(TerrainSurface* ground) {
     std::vector<TerrainSurface::Grain> grains;
     for (TerrainSurface::Grain grain : ground->grains()) {

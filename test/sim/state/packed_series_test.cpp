@@ -16,7 +16,7 @@ namespace {
 using Rows = std::vector<double>;
 using Limits = std::numeric_limits<double>;
 
-/// Numbers are compared by their bits: NaN has many, and 0 has two.
+/// Numbers are compared bitwise: NaN has many patterns, and 0 has two.
 bool SameBits(const Rows& a, const Rows& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -102,7 +102,7 @@ TEST(PackedSeries, GivesBackWhatPassesZeroSmoothly) {
 }
 
 TEST(PackedSeries, GoesOnFromOneCallToTheNext) {
-  // In parts of 0 to 5 rows, which are fewer than the rows that a prediction needs.
+  // In parts of 0 to 5 rows, fewer than a prediction needs.
   std::vector<Rows> parts;
   int k = 0;
   for (int length = 0; length < 40; ++length) {
@@ -294,7 +294,7 @@ TEST(PackedSeries, PolynomialsAreContinuedExactly) {
                                          cubic_free(10, degree)};
     EXPECT_EQ(Extrapolate(newest_first, degree), cubic_free(13, degree)) << degree;
   }
-  // Where it leaves the range of 64 bits it wraps around.
+  // Beyond 64 bits it wraps around.
   constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
   constexpr std::int64_t kLeast = std::numeric_limits<std::int64_t>::min();
   const std::int64_t rising[] = {kMost, kMost - 1, kMost - 2}, wild[] = {kMost, kLeast, kMost};

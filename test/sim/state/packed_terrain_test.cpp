@@ -13,7 +13,7 @@
 namespace tera {
 namespace {
 
-/// Changes of a ground and the streams that they were packed in.
+/// Changes of a ground and their packed streams.
 struct Packed {
   TerrainSurface start, end;
   std::vector<Block> blocks;
@@ -186,8 +186,8 @@ TEST(PackedTerrain, AVertexThatSinksALittleTakesFewBytes) {
   EXPECT_LT(CompressedBytes(packed), 4 * kSteps * kVertices + 1000);
 }
 
-/// Reads as many steps as there should be of each block and applies them as far as they go. Returns
-/// whether all of them were there.
+/// Reads the expected steps of each block and applies them as far as possible. Returns whether all
+/// were present.
 bool Replay(const std::vector<Block>& blocks, const std::vector<int>& steps,
             TerrainSurface* ground) {
   TerrainUnpacker unpacker;

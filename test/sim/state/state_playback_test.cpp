@@ -30,7 +30,7 @@ Scenario Read(const std::string& text) {
   return scenario;
 }
 
-/// A mast, and a person who walks.
+/// A mast, and a walking person.
 std::string Mast(const std::string& more = "") {
   return R"(
 name: mast
@@ -73,7 +73,7 @@ std::vector<double> NumbersOf(const Instant& now) {
   return n;
 }
 
-/// A digest of everything that is seen of the ground: its vertices, refinement and clods.
+/// A digest of the visible ground: its vertices, refinement and clods.
 std::uint64_t DigestOf(const TerrainSurface& ground) {
   std::uint64_t digest = 14695981039346656037u;  // FNV-1a, of words
   const auto add = [&](std::uint64_t word) { digest = (digest ^ word) * 1099511628211u; };
@@ -107,7 +107,7 @@ Seen Look(const Instant& now, const TerrainSurface& ground) {
   return {NumbersOf(now), DigestOf(ground), ground.grains().size()};
 }
 
-/// The index of the first number that differs in its bits; nothing where none does.
+/// The index of the first bitwise difference; none if equal.
 std::optional<std::size_t> FirstDifference(const std::vector<double>& a,
                                            const std::vector<double>& b) {
   if (a.size() != b.size()) return std::min(a.size(), b.size());
@@ -226,7 +226,7 @@ machines:
 }
 
 TEST_F(Playback, OfATruckThatIsLoadedBesideAMachineThatDrivesIsTheSame) {
-  // The truck stands still where WorkScenario lets it drive away.
+  // The truck stands still, unlike in WorkScenario.
   const Scenario scenario =
       WorkScenario({"duration_s=11", "physics_rate_hz=200",
                     "obstacles[0].path=[{t_s: 0, xy_m: [-3.5, 5]}, {t_s: 1, xy_m: [-2.6, 4.4]}]"});
@@ -286,7 +286,7 @@ TEST_F(Playback, WithoutAFileIsRefused) {
               ThrowsMessage<InputError>(HasSubstr("state.blocks")));
 }
 
-/// A file's blocks, to be written in another way.
+/// A file's blocks, to be modified.
 struct Content {
   std::string header;
   std::vector<Block> blocks;
@@ -311,8 +311,8 @@ class DamagedPlayback : public Playback {
     Keep(scenario_);
     good_ = ContentOf(file());
   }
-  /// Whether a file of this content is refused by an InputError that names it, on the way to its
-  /// end at the latest.
+  /// Whether a file of this content is refused by an InputError that names it, at its end at the
+  /// latest.
   bool IsRefused(const Content& content) {
     Write(file(), content);
     return PlaysToAFault();

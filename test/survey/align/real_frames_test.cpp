@@ -115,7 +115,7 @@ TEST(RealFrames, AnOustersFramesLieToEachOtherAsItsMakersSoftwareSays) {
     EXPECT_LT(TurnBetween_rad(result.X_AB, X_AB), 0.15 * kDeg) << a << b;
     found.push_back(result.X_AB);
   }
-  // One way round must be the other.
+  // The inverse registration gives the inverse pose.
   const Pose both = found[0] * found[1];
   EXPECT_LT((both.translation() - found[2].translation()).norm(), 0.01);
   EXPECT_LT(TurnBetween_rad(both, found[2]), 0.1 * kDeg);

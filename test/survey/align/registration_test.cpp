@@ -9,7 +9,7 @@
 #include "core/units.h"
 #include "survey/align/registration_hints.h"
 
-// Clouds whose pose is known, from surfaces sampled anew for each.
+// Clouds with a known pose, from surfaces sampled anew for each.
 
 namespace tera {
 namespace {
@@ -104,7 +104,7 @@ TEST(Registration, AStartFarFromTheOriginOfBothIsNoHarder) {
 }
 
 // The squared error over the stated covariance is chi-squared of six: 95 % of it below 12.59, its
-// mean 6. Of 60 trials at least 51 lie below: 57 expected minus five standard deviations (1.7) is
+// mean 6. At least 51 of 60 trials lie below: 57 expected minus five standard deviations (1.7) is
 // 48.6. The mean of 60 has a standard deviation of 0.45.
 TEST(Registration, ErrorsAreAsLargeAsTheCovarianceSays) {
   constexpr int kTrials = 60;

@@ -8,7 +8,7 @@
 #include "dataset/import/cloud/read_point_cloud.h"
 #include "own_folder.h"
 
-// Files of this project as the Point Cloud Library reads them, and its files as we do.
+// Files of this project read by the Point Cloud Library, and the reverse.
 
 namespace tera {
 namespace {

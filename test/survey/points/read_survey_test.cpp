@@ -15,7 +15,7 @@
 #include "survey/points/coarse_steps.h"
 #include "survey/survey_files.h"
 
-// Tests of the contents of a cloud's numbers, and of the map that they belong to.
+// Checks of a cloud's numbers, and of its map.
 
 namespace tera {
 namespace {
@@ -56,7 +56,7 @@ TEST(CoarseSteps, OfSinglePrecisionAreThoseOfFloatsOfThatSize) {
   ASSERT_TRUE(swiss);
   EXPECT_EQ(swiss->axis, 'x');
   EXPECT_EQ(swiss->step_m, 0.25);
-  // A cloud whose easting alone was made small has steps in northing.
+  // A cloud with a reduced easting only has steps in northing.
   const auto half = FindCoarseSteps(CloudAt(Vec3(0, 5'250'000, 420), AsFloat));
   ASSERT_TRUE(half);
   EXPECT_EQ(half->axis, 'y');
@@ -72,7 +72,7 @@ TEST(CoarseSteps, AreNotFoundWhereTheNumbersSuffice) {
   EXPECT_FALSE(FindCoarseSteps(PointCloud()));
 }
 
-// The points of a terrain model stand in whole and half metres, which floats can hold.
+// The points of a terrain model have whole and half metres, exact in floats.
 TEST(CoarseSteps, AreNotThoseOfARegularGrid) {
   for (const double spacing_m : {0.25, 0.5, 1.0}) {
     PointCloud grid;

@@ -76,7 +76,7 @@ TEST_F(YardSite, HeightsAreThoseOfTheGround) {
     squares_m2 += error_m * error_m;
     ++cells;
   });
-  EXPECT_GT(cells, 95'000);  // of 120 000 less things, hole, pile and empty ones
+  EXPECT_GT(cells, 95'000);  // 120 000 minus objects, hole, pile and empty cells
   EXPECT_LT(std::sqrt(squares_m2 / cells), 1.1 * kNoise_m);
 }
 
@@ -137,7 +137,7 @@ TEST_F(YardSite, EachThingIsFoundWithItsSizeAndNoneIsInvented) {
     EXPECT_NEAR(thing.footprint.length_m, box.size_m.x(), 0.1) << k;
     EXPECT_NEAR(thing.footprint.width_m, box.size_m.y(), 0.1) << k;
     EXPECT_NEAR(thing.top_m - thing.ground_m, box.size_m.z(), 0.08) << k;
-    if (box.size_m.x() < 1.1 * box.size_m.y()) continue;  // a square has no one yaw
+    if (box.size_m.x() < 1.1 * box.size_m.y()) continue;  // a square has no unique yaw
     const double off_rad = std::remainder(thing.footprint.yaw_rad - box.yaw_rad, std::numbers::pi);
     EXPECT_LT(std::abs(off_rad), 0.06 / box.size_m.y()) << k;
   }

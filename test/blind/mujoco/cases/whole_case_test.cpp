@@ -27,7 +27,7 @@ const OwnersMachine& FourTons() {
   return machine;
 }
 
-/// The machine that is kept for the end.
+/// The machine reserved for the end.
 const OwnersMachine& TwoTons() {
   static const OwnersMachine machine = Read("2t");
   return machine;
@@ -63,7 +63,7 @@ std::map<std::string, std::string> Written(int number, const std::string& name) 
   return FilesOf(folder);
 }
 
-/// The first case of a kind that drives as is said.
+/// The first case of a kind that drives as stated.
 WholeCase First(CaseKind kind, bool drives, double duration_s, const MachineNumbers& numbers) {
   for (int k = 0;; ++k) {
     WholeCase c = DrawWholeCase(4, k, numbers, false, duration_s);

@@ -114,7 +114,7 @@ TEST(MujocoCourse, ATurnOnTheSpotIsThatOfTheGauge) {
   const Vec3 ahead = last.q_WB * Vec3::UnitX();
   const double turned = std::atan2(ahead.y(), ahead.x()) - 0.7;
   const double ideal = 0.225 * (last.angle_rad[kRightTrack] - last.angle_rad[kLeftTrack]) / 1.148;
-  EXPECT_NEAR(turned / ideal, 0.985, 0.02);  // the shoes slide sideways, which costs a little
+  EXPECT_NEAR(turned / ideal, 0.985, 0.02);  // the shoes slide sideways, at a small loss
 }
 
 TEST(MujocoCourse, JointsTurnAtTheRatesOfTheirLevers) {

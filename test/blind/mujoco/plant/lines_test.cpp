@@ -66,7 +66,7 @@ TEST(PilotLine, IsLateByElmoresTimeAndEndsAsItsSlowestMode) {
   // Five sections of R C = 0.3 s / 15 each, the last one closed.
   const double slowest_s = 0.02 / (2 - 2 * std::cos(M_PI / 11));
   EXPECT_NEAR(missing[999] / missing[499], std::exp(-0.5 / slowest_s), 0.005);
-  EXPECT_GT(missing[20], 0.99);  // nothing at first, where one filter gave 7 %
+  EXPECT_GT(missing[20], 0.99);  // zero at first, where a single filter gave 7 %
 }
 
 }  // namespace

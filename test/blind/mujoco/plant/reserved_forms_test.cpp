@@ -136,8 +136,8 @@ TEST(ReservedForms, ABladeCostsSlipByWhatItDrags) {
   form.shoes.relaxation_m = 0.004;
   const Travelled ahead = Of(DriveBy(Travels(0.5, 0.5, 6), 6, form), 1, 5);
   const Travelled back = Of(DriveBy(Travels(-0.5, -0.5, 6), 6, form), 1, 5);
-  // Each track holds half the drag; bristles of half the mass times (70 rad/s)^2 are bent by slip
-  // times the ground until they are new.
+  // Each track carries half the drag. Bristles of half the mass times (70 rad/s)^2 are bent by slip
+  // times the ground until they are renewed.
   const double slip = 0.1 * 9.81 / (0.5 * 70 * 70 * 0.004);
   EXPECT_NEAR(1 - ahead.ahead_m / ahead.left_m, slip, 0.05 * slip);
   EXPECT_NEAR(1 - back.ahead_m / back.left_m, slip / 2, 0.05 * slip);
@@ -161,8 +161,8 @@ TEST(ReservedForms, ATurnOnOneSoftTrackIsLessAndCreepsToTheHardOnesWay) {
   const double slip = 0.15, thrust = 0.6 * contact_m / 4 / gauge_m;
   form.shoes.relaxation_m = thrust * 9.81 / (slip * 70 * 70 / 2);
   const Travelled way = Of(DriveBy(Travels(-0.3, 0.3, 6), 6, form), 1, 5);
-  // Left goes 1 - 1.6 slip of its way back, right 1 - 0.4 slip ahead. Where the machine creeps, its
-  // shoes slide less sideways than in a turn on the spot, and the thrust is a little less.
+  // Left moves 1 - 1.6 slip of its path back, right 1 - 0.4 slip ahead. Where the machine creeps,
+  // its shoes slide less sideways than in a turn on the spot, and the thrust is slightly smaller.
   const double ideal_rad = (way.right_m - way.left_m) / gauge_m;
   EXPECT_NEAR(way.turned_rad / ideal_rad, 1 - slip, 0.04);
   EXPECT_NEAR(way.ahead_m / way.right_m, (1.6 - 0.4) / 2 * slip, 0.03);

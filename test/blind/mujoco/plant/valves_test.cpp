@@ -19,7 +19,7 @@ TEST(Valves, ASoftStartIsFlatAtItsThresholdAndLacksBothFarBeyond) {
 TEST(Valves, OfLoadsACounterbalanceValvePassesOnThoseAgainstTheMotion) {
   EXPECT_NEAR(Counterbalance(0.3, 0.5, 0.8), 0.85, 1e-12);    // lifts half the rated load
   EXPECT_NEAR(Counterbalance(0.3, 0.5, -0.8), 1, 1e-12);      // lowers it
-  EXPECT_NEAR(Counterbalance(0.3, -0.5, -0.8), 0.85, 1e-12);  // an arm that hangs is drawn in
+  EXPECT_NEAR(Counterbalance(0.3, -0.5, -0.8), 0.85, 1e-12);  // a hanging arm is drawn in
 }
 
 TEST(Valves, OilOfTheRodHelpsInwardsWithoutLoad) {
@@ -34,12 +34,12 @@ TEST(Valves, OilOfTheRodHelpsInwardsWithoutLoad) {
 TEST(Valves, WhatFellAheadOfItsOilWaitsForAsMuch) {
   RunsAhead arm(0.4);
   double way = 0, waits_s = 0;
-  for (int k = 0; k < 2000; ++k) {  // a second of falling, then the load turns round
+  for (int k = 0; k < 2000; ++k) {  // a second of falling, then the load reverses
     const double rate = arm.Rate(-0.5, k < 1000 ? 0.3 : -0.3, 0.001);
     way += 0.001 * rate;
     waits_s += rate == 0 ? 0.001 : 0;
   }
-  // Ahead by 0.4 of a second's way, which the pump makes up for in 0.4 s: in all as without.
+  // Ahead by 0.4 of a second's path, which the pump compensates in 0.4 s: the total is unchanged.
   EXPECT_NEAR(waits_s, 0.4, 0.002);
   EXPECT_NEAR(way, -0.5 * 2, 0.002);
   arm.Rate(-0.5, 0.3, 0.001);

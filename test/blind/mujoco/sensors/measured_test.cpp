@@ -10,9 +10,9 @@ namespace tera::blind::mujoco {
 namespace {
 
 TEST(MujocoMeasured, ADegreeIsAsLongAsPublished) {
-  // Length of a degree of latitude: 111132.954 - 559.822 cos 2 phi + 1.175 cos 4 phi metres. Of
-  // longitude: 111412.84 cos phi - 93.5 cos 3 phi + 0.118 cos 5 phi. Both are on the ellipsoid; 430
-  // m above it they are longer by 430 m over the radius.
+  // Length of a degree of latitude: 111132.954 - 559.822 cos 2 phi + 1.175 cos 4 phi metres. Degree
+  // of longitude: 111412.84 cos phi - 93.5 cos 3 phi + 0.118 cos 5 phi. Both are on the ellipsoid;
+  // 430 m above it they are longer by 430 m over the radius.
   const double phi = 47.4 * M_PI / 180, higher = 1 + 430 / 6.38e6;
   const double north_m =
       (111132.954 - 559.822 * std::cos(2 * phi) + 1.175 * std::cos(4 * phi)) * higher;

@@ -23,7 +23,7 @@ TEST(Bracket, BendsByTheWeightAlongItsNormal) {
   Bracket bracket({0.05, false}, {0, 0, 0});
   std::array<double, 6> felt{};
   for (int k = 0; k < 900; ++k) felt = bracket.Felt(OnLink(0), 0.001);
-  // Turned about y by b: the link's slope is less by b there.
+  // Rotated about y by b: the link's slope is smaller by b there.
   const double bent_rad = 0.05 * std::cos(0.3);
   EXPECT_NEAR(felt[3], kGravity_mps2 * std::sin(0.3 - bent_rad), 1e-6);
   EXPECT_NEAR(felt[5], kGravity_mps2 * std::cos(0.3 - bent_rad), 1e-6);

@@ -23,7 +23,7 @@ GnssSample Fix(double lat_deg, double lon_deg) {
   return s;
 }
 
-// The checksum of the sentence that every description of NMEA 0183 gives as its example.
+// The checksum of the common example sentence of NMEA 0183.
 TEST(Nmea, ChecksumIsThatOfTheWellKnownExample) {
   EXPECT_EQ(NmeaSentence("GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,"),
             "$GPGGA,123519,4807.038,N,01131.000,E,1,08,0.9,545.4,M,46.9,M,,*47\r\n");

@@ -214,7 +214,7 @@ TEST_F(KittiTest, SemanticKittisLabelsAreInstanceAndClassInOneNumber) {
   Export(recording(), out(), {.format = ExportFormat::kSemanticKitti, .joint_trees = Tree});
   const std::string labels = Written("sequences/00/labels/000001.label");
   EXPECT_EQ(labels, std::string("\x0b\0\x02\x01\0\0\0\0", 8));  // 11, then 258 = 0x0102
-  // At the first ray the points are its own; 90 ms later the lidar was 9 cm further.
+  // At the first ray the points are its own; for one 90 ms later the lidar had moved by 9 cm.
   const std::string points = Written("sequences/00/velodyne/000001.bin");
   EXPECT_FLOAT_EQ(FloatAt(points, 0), 5);
   EXPECT_FLOAT_EQ(FloatAt(points, 4), 5.09f);

@@ -40,7 +40,7 @@ std::vector<JointTree> Tree() {
   return {tree};
 }
 
-/// The person's box, 10 m ahead of the camera in W, as the camera at (1 + t, 0, 2) sees it.
+/// The person's box, 10 m ahead of the camera in W, seen from the camera at (1 + t, 0, 2).
 CameraFrame FrameAt(TimeNs t_ns, double visibility) {
   const double t_s = ToSeconds(t_ns);
   CameraFrame frame;

@@ -14,7 +14,7 @@
 namespace tera {
 namespace {
 
-/// Bytes that zstd cannot shorten below a thousandth.
+/// Bytes that zstd cannot compress below a thousandth.
 std::string Bytes(std::size_t size) {
   std::mt19937 random(3);
   std::string bytes(size, '\0');
@@ -22,7 +22,7 @@ std::string Bytes(std::size_t size) {
   return bytes;
 }
 
-// The frame's last bytes may fill the buffer that they are unpacked into to its brim.
+// The frame's last bytes may fill the output buffer completely.
 TEST(UnpackedFile, OfAnySizeIsWhole) {
   for (const std::size_t size : {std::size_t{1000}, std::size_t{1} << 20, std::size_t{3} << 20,
                                  (std::size_t{3} << 20) + 1}) {
@@ -41,7 +41,7 @@ std::filesystem::path Packed(const std::string& name, const std::string& bytes) 
   return packed;
 }
 
-/// For temporary files, as long as this lives.
+/// Folder of temporary files during this object's life.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

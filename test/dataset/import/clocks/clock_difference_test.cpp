@@ -97,7 +97,7 @@ TEST(ClockDifference, AnOffsetAndADriftAreFoundWithinTheirBounds) {
     EXPECT_LT(found[0].drift_bound, 60e-6);
     EXPECT_GE(found[0].stretches, 8);
   }
-  // Of twenty intervals of 95 %, at least 17 hold in 98 of 100 such series.
+  // In 98 of 100 such series, at least 17 of twenty intervals of 95 % hold.
   EXPECT_GE(within_offset, 17);
   EXPECT_GE(within_drift, 17);
 }
@@ -143,8 +143,7 @@ TEST(ClockDifference, ChannelsOfOneClockAreNotCompared) {
   EXPECT_TRUE(ClockDifferences({gyro, encoder}).empty());
 }
 
-// A receiver at 5 Hz on a vehicle that turns as the gyro says and goes at 2 m/s; its clock is 1.2 s
-// behind.
+// A receiver at 5 Hz on a vehicle with the gyro's turns, at 2 m/s; its clock is 1.2 s behind.
 TEST(ClockDifference, AReceiversCourseTellsOfAGyrosClock) {
   const Bumps motion(5, kDuration_s);
   std::mt19937 random(6);
@@ -172,7 +171,8 @@ TEST(ClockDifference, AReceiversCourseTellsOfAGyrosClock) {
   EXPECT_LE(std::abs(found[0].drift), 2 * found[0].drift_bound);
 }
 
-// A row a thousand years later makes no grid that does not fit into memory, and few rows none.
+// A row a thousand years later must not create a grid beyond the memory, and few rows not an empty
+// one.
 TEST(MotionSeries, GridsAreBounded) {
   std::vector<EncoderSample> samples;
   for (int k = 0; k < 200; ++k) samples.push_back({k * 10'000'000, 0, {0}, {1.0}});

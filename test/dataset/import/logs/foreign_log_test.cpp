@@ -16,7 +16,7 @@
 #include "dataset/import/logs/log_time.h"
 #include "dataset/import/suggest/suggest.h"
 
-/// Logs of known form, by hand and as the exporter writes them.
+/// Logs of known form, by hand and from the exporter.
 
 namespace tera {
 namespace {
@@ -70,7 +70,7 @@ class ForeignLog : public ::testing::Test {
   ScratchDirectory scratch_;
 };
 
-// --- Round trips: the same numbers, to the digits that the form has.
+// --- Round trips: equal numbers, to the form's digits.
 
 TEST_F(ForeignLog, ASolutionFileComesBack) {
   Exported(ExportFormat::kPos);
@@ -186,7 +186,7 @@ TEST_F(ForeignLog, DatesGoOnOverMidnightAndBack) {
 TEST_F(ForeignLog, ABadChecksumIsAFaultOrCounted) {
   std::string bad = kRmc;
   bad[40] = '9';
-  std::string more;  // as many rows as are left out
+  std::string more;  // as many rows as are skipped
   for (int k = 30; k < 36; ++k) {
     more += Sentence(fmt::format("GPGGA,1235{},4807.038,N,01131.0,E,1,8,1,500,M,40,M,,", k));
   }

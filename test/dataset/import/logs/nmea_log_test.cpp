@@ -12,7 +12,7 @@
 #include "dataset/import/logs/foreign_log.h"
 #include "dataset/import/suggest/suggest.h"
 
-/// Sentences as receivers on machines and their recorders write them.
+/// Sentences as written by machines' receivers and their recorders.
 
 namespace tera {
 namespace {
@@ -134,7 +134,7 @@ TEST_F(NmeaLog, FramesOfUbxBetweenSentencesArePassedOver) {
                           kUbxFrame + GgaAt(1) + kUbxFrame;
   ExpectThePlace(Suggested("mixed.ubx", log), 2);
   EXPECT_THAT(yaml_, Not(HasSubstr("cannot be read")));
-  // A frame whose sums are not its own is no frame.
+  // A frame with wrong checksums is no frame.
   std::string broken = log;
   broken[10] = 0;
   WriteWholeFile(scratch_.path() / "mixed.ubx", broken);
@@ -284,7 +284,7 @@ TEST_F(NmeaLog, ADateOfTrimblesStandsWithItsOwnTime) {
     return Checked(fmt::format(
         "PTNL,GGK,12000{}.00,{},48{:07.4f},N,01130.0000,W,3,12,1.5,EHT546.0,M", k, date, minutes));
   };
-  // The second GGK contradicts the first, and a third is of a receiver that is not read.
+  // The second GGK contradicts the first, and a third is from a receiver that is not read.
   const std::string log = ggk(0, "050124", 7.5) + ggk(0, "050224", 7.6) + ggk(1, "050124", 7.5);
   WriteWholeFile(scratch_.path() / "rover.nmea", log);
   WriteWholeFile(scratch_.path() / "mapping.yaml",

@@ -12,7 +12,7 @@
 #include "dataset/import/import_csv.h"
 #include "dataset/import/suggest/suggest.h"
 
-/// Logs of PX4, put together byte by byte as "ULog File Format" of its user guide says.
+/// Logs of PX4, composed byte by byte by "ULog File Format" of its user guide.
 
 namespace tera {
 namespace {
@@ -220,7 +220,7 @@ TEST_F(UlogTest, ALogThatWasCutOffIsAFaultOrCounted) {
   }
 }
 
-// Data that was appended after a cut stands where the flags say.
+// Data appended after a truncation lies at the flags' offsets.
 TEST_F(UlogTest, AppendedDataIsRead) {
   Ulog begin;
   const std::size_t flags = begin.bytes().size() + 3 + 16;
@@ -266,7 +266,7 @@ TEST_F(UlogTest, HostileBytesAreFaults) {
                         .Offer(1, "t")
                         .Data(1, time)),
               HasSubstr("a format that no message can hold"));
-  // Each of 65 535 numbers keeps its path: of 60 kB each they would fill four gigabytes.
+  // Each of 65 535 numbers has a path of up to 60 kB, which together would fill four gigabytes.
   const std::string long_name(60000, 'a');
   EXPECT_THAT(
       fault(Ulog().Format("t:uint8_t[65535] " + long_name + ";").Offer(1, "t").Data(1, time)),

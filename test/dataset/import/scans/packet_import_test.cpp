@@ -5,7 +5,7 @@
 #include "dataset/import/scans/lidar_import.h"
 #include "dataset/import/suggest/suggest.h"
 
-// Packets by hand, whose points the manuals' formulas give.
+// Packets by hand, with points by the manuals' formulas.
 
 namespace tera {
 namespace {
@@ -135,7 +135,7 @@ TEST_F(LidarImportTest, PacketsThatAreNoneOfTheUnitAreTold) {
   ExpectFault(kVlp16, FaultKind::kMalformed, "log.pcap: packet 2");
   File("log.pcap", PcapByHand().Packet(1, later).Packet(1.1, good).bytes());
   ExpectFault(kVlp16, FaultKind::kInconsistent, "log.pcap: packet 2");
-  // One of three is left out where that is asked for.
+  // One of three is skipped on request.
   File("log.pcap",
        PcapByHand().Packet(1, good).Packet(1.0005, unflagged).Packet(1.002, later).bytes());
   const ImportReport report = Import(kVlp16, "", {.skips_bad_rows = true});

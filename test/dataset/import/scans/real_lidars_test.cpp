@@ -136,7 +136,7 @@ double BestShare(const std::vector<Vec3>& theirs, const std::vector<std::vector<
   return best;
 }
 
-/// A place at an azimuth that is larger, clockwise from above.
+/// A point rotated to a larger azimuth, clockwise from above.
 Vec3 TurnedOn(const Vec3& p_m, double degrees) {
   return Eigen::AngleAxisd(-degrees * kDeg, Vec3::UnitZ()) * p_m;
 }

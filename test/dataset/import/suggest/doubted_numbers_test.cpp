@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// A column of a sensor that turns on by a twentieth of a turn a row, from `lowest` on.
+/// A column of a sensor that advances by a twentieth of a turn per row, from `lowest` on.
 NumbersOfColumn Slew(const std::string& name, double turn, double lowest = 0) {
   NumbersOfColumn column{.name = name};
   for (int k = 0; k < 60; ++k) {

@@ -14,7 +14,7 @@
 #include "dataset/import/import_csv.h"
 #include "dataset/import/suggest/suggest.h"
 
-/// Bags as drivers of real machines fill them. Every suggestion is imported.
+/// Bags as written by drivers of real machines. Every suggestion is imported.
 
 namespace tera {
 namespace {
@@ -78,7 +78,7 @@ Cdr PoseMessage(StampOf stamp, double x_m, const std::vector<double>& turn = kTu
 class SuggestBag : public ::testing::Test {
  protected:
   void Write(const TopicsMcap& bag) { WriteWholeFile(scratch_.path() / "log.mcap", bag.bytes()); }
-  /// The recording of the bag that was written, by its suggestion.
+  /// The recording of the written bag, by its suggestion.
   Recording Suggested() {
     yaml_ = SuggestMapping(scratch_.path() / "log.mcap");
     return Imported(yaml_);
@@ -203,7 +203,7 @@ TEST_F(SuggestBag, UnknownVariancesAreConstantsToFillIn) {
   ASSERT_EQ(fixes.size(), 4u);
   EXPECT_EQ(fixes[0].fix, GnssFix::kNone);
   EXPECT_EQ(fixes[1].variance_enu_m2, Vec3(4, 4, 9));
-  EXPECT_NEAR(fixes[1].enu_m.norm(), 0, 1e-3);  // the origin is the first fix, not the row before
+  EXPECT_NEAR(fixes[1].enu_m.norm(), 0, 1e-3);  // the origin is the first fix, not the previous row
   EXPECT_THAT(yaml_, HasSubstr("var_e: {constant: 4}   # guessed: 3 messages do not know it"));
 }
 
@@ -348,7 +348,7 @@ TEST_F(SuggestBag, TopicsOfOneNumberAreLeversAnglesOrTablesByTheirNames) {
 
 TEST_F(SuggestBag, AnglesThatBeginAnewGoOn) {
   TopicsMcap bag;
-  // 15 deg a message, from 180 deg on, as 0 to 2 pi and 0 to 360.
+  // 15 deg per message, from 180 deg on, as 0 to 2 pi and 0 to 360.
   for (int k = 0; k < 30; ++k) {
     const double angle_deg = (180 + 15 * k) % 360;
     bag.Message("/joint_states", kJointsName, LogAt(k),
@@ -472,7 +472,7 @@ TEST_F(SuggestBag, BagsWithoutAnIndexAreToldWithTheCommandThatMendsThem) {
               ThrowsMessage<InputError>(
                   AllOf(HasSubstr("holds run_0.db3 of a rosbag2 and no metadata.yaml"),
                         HasSubstr("ros2 bag reindex " + (scratch_.path() / "run").string()))));
-  // The head of a ROS 1 bag as a recorder leaves it that was stopped: no index, no chunk yet.
+  // The beginning of a ROS 1 bag after its recorder was stopped: no index, no chunk yet.
   const auto field = [](const std::string& text) { return Packed().Text(text).bytes(); };
   const std::string head =
       field(std::string("op=\x03", 4)) + field("index_pos=" + std::string(8, '\0')) +

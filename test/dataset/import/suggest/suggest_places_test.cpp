@@ -1,6 +1,7 @@
 #include "dataset/import/suggest/suggested_table.h"
 
-// Places in tables: of receivers, of maps, and in other units than metres. Each suggestion is run.
+// Positions in tables: of receivers, of maps, and in units other than metres. Each suggestion is
+// run.
 
 namespace tera {
 namespace {

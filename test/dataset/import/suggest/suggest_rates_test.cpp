@@ -70,7 +70,7 @@ TEST_F(SuggestedTable, AnAngleTellsTheUnitOfItsRate) {
     return std::vector<double>{20 * std::sin(t_s), 20 * std::cos(t_s), -80};
   });
   EXPECT_NEAR(Joints(arm).samples[0].qd_radps[0], 20 * kDeg, 1e-6);
-  // A unit of the yaw's, about an axis that gravity does not show.
+  // The yaw's unit, about an axis invisible to gravity.
   const std::string yaw = Log("time_s,gx,gy,gz,ax,ay,az,yaw_deg", 400, [](double t_s) {
     return std::vector<double>{0, 0, 20 * std::cos(t_s), 0, 0, kG_mps2, 20 * std::sin(t_s)};
   });

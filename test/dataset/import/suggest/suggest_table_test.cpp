@@ -1,6 +1,6 @@
 #include "dataset/import/suggest/suggested_table.h"
 
-// Suggestions for tables as loggers, spreadsheets, databases and NumPy write them. Each is run.
+// Suggestions for tables by loggers, spreadsheets, databases and NumPy. Each is run.
 
 namespace tera {
 namespace {
@@ -56,7 +56,7 @@ TEST_F(SuggestedTable, WhatAlwaysIncreasesIsNoTimeByThatAlone) {
     EXPECT_THAT(yaml_,
                 HasSubstr("'" + name + "' always increases, by 1, but no name says that it is a"));
   }
-  // The first column without a name, as pandas writes its index.
+  // The first column without a name, as in pandas' index.
   EXPECT_THAT(Refusal(",boom\n0,20\n1,21\n2,19\n"), HasFault(FaultKind::kMissing, "time"));
 }
 
@@ -116,7 +116,7 @@ TEST_F(SuggestedTable, DayAndMonthAreToldApartOrAskedFor) {
 }
 
 TEST_F(SuggestedTable, TimesOfOtherEpochsAreKnownByTheirSize) {
-  // 638501636960000000 counts 100 ns since the year 1 to 2024-05-01T12:34:56, as .NET does.
+  // 638501636960000000 counts 100 ns since the year 1 to 2024-05-01T12:34:56, as in .NET.
   for (const std::string row :
        {"1714566896.00,1714566896.02,1714566896.04", "1714566896000,1714566896020,1714566896040",
         "1714566896000000,1714566896020000,1714566896040000",
@@ -227,7 +227,7 @@ TEST_F(SuggestedTable, DecimalCommasAreFound) {
 }
 
 TEST_F(SuggestedTable, PreamblesAreSkipped) {
-  // As of MoTeC, NI, Campbell and dSPACE.
+  // Forms of MoTeC, NI, Campbell and dSPACE.
   for (const std::string preamble :
        {"\"Format\",\"CSV File\",,,\"Workbook\",\"x\"\n\"Rate\",\"50.000\",\"Hz\"\n\n"
         "\"Time\",\"Boom Angle\"\n\"s\",\"deg\"\n\n",

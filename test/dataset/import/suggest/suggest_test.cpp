@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 class Suggest : public ::testing::Test {
  protected:
-  /// The mapping of a table, which must be one that the import takes.
+  /// The mapping of a table, which the import must accept.
   std::string OfTable(const std::string& text) {
     WriteWholeFile(scratch_.path() / "log.csv", text);
     return Checked(scratch_.path() / "log.csv");

@@ -32,7 +32,7 @@ class Trajectory : public ::testing::Test {
     ImportCsv(scratch_.path() / "mapping.yaml", scratch_.path() / "out");
     return Recording(scratch_.path() / "out").LoadPose("truth/machine/pose.csv").poses;
   }
-  /// The poses of KITTI's form, whose suggestion has no time until one fills it in.
+  /// Poses of KITTI's form, whose suggestion leaves the time to be filled in.
   std::vector<TruthPose> FilledIn(const std::string& name, const std::string& text) {
     try {
       Suggested(name, text);
@@ -107,7 +107,7 @@ TEST_F(Trajectory, WhereTwoOrdersArePossibleTheImportAsks) {
   ExpectThePoses(Imported(chosen));
 }
 
-// As TERA exports a machine and its links.
+// As in TERA's export of a machine and its links.
 TEST_F(Trajectory, OfAFolderOfTumsTheMachinesIsThePose) {
   const std::string rows = "0.1 1 2 3 0 0 0.6 0.8\n0.2 4 2 3 0 0 0.6 0.8\n";
   fs::create_directories(scratch_.path() / "tum/digger/links");

@@ -2,7 +2,7 @@
 
 #include "dataset/import/suggest/suggested_table.h"
 
-// Times that begin anew: counters that overflow, and loggers that were started again.
+// Times that restart: counters that overflow, and restarted loggers.
 
 namespace tera {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// A boom that rises by 0.1 deg a row, in 100 rows.
+/// A boom that rises by 0.1 deg per row, in 100 rows.
 std::string Boom(const std::string& time, const std::function<std::string(int k)>& at) {
   std::string log = time + ",boom_deg\n";
   for (int k = 0; k < 100; ++k) log += fmt::format("{},{:.1f}\n", at(k), 20 + 0.1 * k);

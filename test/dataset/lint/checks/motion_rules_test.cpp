@@ -6,7 +6,7 @@
 
 #include "dataset/lint/healthy_recording.h"
 
-// Poses, levers, encoders, inertial units and receivers: units and frames that people mistake.
+// Poses, levers, encoders, inertial units and receivers: commonly mistaken units and frames.
 
 namespace tera {
 namespace {
@@ -22,8 +22,8 @@ class MotionRules : public LintTest {
   static void Turn(std::vector<std::string>* fields, std::size_t i, std::size_t j) {
     std::swap((*fields)[i], (*fields)[j]);
   }
-  /// Lets the boom turn on steadily by 2.5 rad/s and begin anew after a turn, as a slew does; one
-  /// row of 25 is kept where `slow`.
+  /// Makes the boom turn steadily by 2.5 rad/s and wrap after a turn, as a slew does; keeps one row
+  /// of 25 if `slow`.
   void LetTheBoomBeginAnew(bool slow) const {
     EditRows("digger/joints/data.csv", [&](int line, std::vector<std::string>* fields) {
       if (slow && line % 25 != 2) {
@@ -34,7 +34,7 @@ class MotionRules : public LintTest {
       (*fields)[1] = std::to_string(angle_rad);
     });
   }
-  /// Leaves the unit without poses to be held to, as a real one is, in a real recording.
+  /// Leaves the unit without poses for comparison, in a real recording.
   void LeaveTheUnitAlone(const std::string& mount) const {
     fs::remove(run() / "truth/digger/pose.csv");
     Edit("dataset.yaml", "  - {path: \"truth/digger/pose.csv\", type: pose}\n", "");
@@ -215,7 +215,7 @@ TEST_F(MotionRules, GyroscopeInDegreesOfAUnitWhoseMountIsNotKnown) {
 TEST_F(MotionRules, AUnitWhoseZPointsDown) {
   LeaveTheUnitAlone("");
   EXPECT_TRUE(Found().empty());
-  // Forward, right, down in place of forward, left, up: half a turn about x.
+  // Forward, right, down instead of forward, left, up: half a turn about x.
   Scale("digger/imu/data.csv", {"wy_radps", "wz_radps", "ay_mps2", "az_mps2"}, -1);
   EXPECT_THAT(
       Only("imu.down", "digger/imu").places[0].message,

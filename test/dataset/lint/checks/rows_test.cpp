@@ -111,7 +111,7 @@ TEST_F(RowRules, AChannelThatLiesElsewhereInTime) {
   Only("stamps.coverage", "digger/commands.csv");
 }
 
-// A table that is written when something changes has no rate, and no gaps.
+// A table written on changes has no rate and no gaps.
 TEST_F(RowRules, AnIrregularTableIsFine) {
   EditRows("digger/commands.csv", [](int line, std::vector<std::string>* fields) {
     if (line % 7 == 3 || line % 5 == 2) fields->clear();

@@ -62,7 +62,7 @@ TEST_F(ScanRules, AnInstanceThatIsNotListedOrOfAnotherClass) {
 }
 
 TEST_F(ScanRules, ALidarThatIsMountedElsewhere) {
-  // 2 m further back than it is.
+  // 2 m behind its true place.
   Edit("digger/lidar/sensor.yaml", "xyz_m: [0.9,", "xyz_m: [-1.1,");
   EXPECT_THAT(Only("scans.depth", "digger/lidar").places[0].message, StartsWith("0 of "));
 }

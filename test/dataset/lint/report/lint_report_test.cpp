@@ -65,7 +65,7 @@ TEST_F(LintReports, TextThatIsNoUtf8StaysJson) {
   EXPECT_FALSE(json::parse(LintSarif(Linted()))["runs"][0]["results"].empty());
 }
 
-// The keys that SARIF 2.1.0 requires (sections 3.13, 3.14, 3.27, 3.49), and that places are found.
+// The keys that SARIF 2.1.0 requires (sections 3.13, 3.14, 3.27, 3.49), and valid places.
 TEST_F(LintReports, SarifHasItsForm) {
   Break();
   const json log = json::parse(LintSarif(Linted()));
@@ -102,7 +102,7 @@ TEST_F(LintReports, ThePageOfStatisticsHasEachChannelAndClass) {
   EXPECT_EQ(page.find("<b>.txt"), page.npos);
 }
 
-// Written there by `tera lint --rules`.
+// Written by `tera lint --rules`.
 TEST(LintRulesTable, IsTheOneOfThePage) {
   EXPECT_THAT(ReadWholeFile("docs/reference/lint.md"), HasSubstr("\n\n" + LintRulesTable() + "\n"));
 }

@@ -14,9 +14,9 @@ namespace {
 using ::testing::HasSubstr;
 using testing::IdOf;
 using testing::NumberOf;
-/// A camera above a painted plane, z = 0, beside a painted wall, x = 9.
+/// A camera above a painted plane, z = 0, next to a painted wall, x = 9.
 ///
-/// Frames  W; B the link, that turns to and fro and creeps; S; C optical.
+/// Frames  W; B the link, which turns back and forth and creeps; S; C optical.
 struct PaintedYard {
   testing::TrueSensor is;
   double noise = 0.006;  ///< of a value from 0 to 1

@@ -14,8 +14,8 @@ namespace {
 constexpr int kPictureRegistrationWidth = 160, kPictureRegistrationHeight = 120;
 constexpr double kPictureRegistrationFocal_px = 140;
 
-/// One picture of a wall across the optical axis, whose paint is the larger the further away it
-/// is: the picture is always the same.
+/// A picture of a wall across the optical axis, whose paint scales with its distance: the picture
+/// is constant.
 ///
 /// Frames  W; B the link; S the sensor; C optical.
 PictureSource Wall(double away_m) {
@@ -96,7 +96,7 @@ TEST(PictureRegistration, MovesALandmarkAcrossThePictureAsTheCameraIsShiftedAndT
   };
   std::size_t steep = 0;
   for (std::size_t i = 0; i < at.size(); ++i) {
-    // An edge along the picture's rows says nothing of either.
+    // An edge along the picture's rows determines neither.
     const double per_m = derivative(i, -Vec3::UnitY(), kShiftOfMount);
     if (std::abs(per_m) < 0.9 * kPictureRegistrationFocal_px / 6) continue;
     ++steep;

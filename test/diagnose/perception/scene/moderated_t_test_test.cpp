@@ -8,8 +8,8 @@ namespace tera {
 namespace {
 
 TEST(ModeratedTTest, OfAllItsOwnScatterIsStudentsOneSidedTest) {
-  // Mean 0.7, standard error 0.1: t = 2 of two degrees of freedom, whose distribution is
-  // 1/2 + t / (2 sqrt(2 + t^2)).
+  // Mean 0.7, standard error 0.1: t = 2 with two degrees of freedom, whose distribution is 1/2 + t
+  // / (2 sqrt(2 + t^2)).
   const ModeratedTTest test{.limit = 0.5};
   const double spread = 0.1 * std::sqrt(3.0);
   EXPECT_NEAR(test.P({0.7 - spread, 0.7, 0.7 + spread}), 0.5 - 1 / std::sqrt(6.0), 1e-9);
@@ -18,7 +18,7 @@ TEST(ModeratedTTest, OfAllItsOwnScatterIsStudentsOneSidedTest) {
 
 TEST(ModeratedTTest, OfAFewBlocksThatAgreeIsNotSure) {
   const std::vector<double> agree = {0.6, 0.6, 0.6};
-  // Ten degrees of freedom, eight of them of a scatter of 0.1: t = 0.1 / (0.1 sqrt(0.8 / 3)).
+  // Ten degrees of freedom, eight of them with a scatter of 0.1: t = 0.1 / (0.1 sqrt(0.8 / 3)).
   const ModeratedTTest moderated{.limit = 0.5, .prior_blocks = 8, .prior_scatter = 0.1};
   EXPECT_NEAR(moderated.P(agree), 0.0408, 1e-4);
   // Two degrees of freedom, t = 0.1 / 0.05.

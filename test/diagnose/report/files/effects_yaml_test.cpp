@@ -18,7 +18,7 @@ namespace {
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-/// The scenario of one machine with an overlay over it.
+/// The scenario of one machine with an overlay.
 Scenario Overlaid(const std::string& overlay) {
   const std::filesystem::path file = OwnFolder() / "effects.yaml";
   WriteWholeFile(file, overlay);
@@ -71,7 +71,7 @@ TEST(EffectsYaml, OfARegisteredSensorHasWhatItsScansMovedClearOfThePriorAndNothi
   PerceptionDiagnosis& lidar = diagnosis.perception[0];
   AddRegion(&lidar);
   Finding& mount = lidar.findings[0].finding;
-  // Yaw was held, x and roll are within two standard deviations of nothing.
+  // Yaw is held; x and roll are within two standard deviations of zero.
   mount.term = {&lidar.sensor_candidates[0], {0.002, 0.05, -0.04, 0.1, -0.8, 0}, {5}};
   mount.parameters = {{"x_m", "m", 0.002, 0.001},      {"y_m", "m", 0.05, 0.001},
                       {"z_m", "m", -0.04, 0.001},      {"roll_deg", "deg", 0.1, 0.05},

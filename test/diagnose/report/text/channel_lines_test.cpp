@@ -26,8 +26,8 @@ TEST(ChannelLines, TellWhatExplainsAChannelAndWhatIsLeftOfEach) {
   EXPECT_EQ(lines[1].left, "unexplained error");
 }
 
-// A measurement of 1, 2, 3, 4 and one that is not there: RMS sqrt(30 / 4), about its mean of 2.5
-// sqrt(5 / 4); simulated 1 throughout, it is off by sqrt(14 / 4).
+// A measurement of 1, 2, 3, 4 and a missing sample: RMS sqrt(30 / 4), about its mean of 2.5 sqrt(5
+// / 4). The simulation is constantly 1 and errs by sqrt(14 / 4).
 TEST(ChannelLines, CountWhatWasMeasuredAlone) {
   Diagnosis diagnosis{"excavator1", "excavator1", {}};
   diagnosis.blocks.push_back(Block("arm", "excavator1/encoders/arm_radps", "rad/s"));

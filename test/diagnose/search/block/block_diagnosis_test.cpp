@@ -185,7 +185,7 @@ TEST(BlockDiagnosis, WhatIsNoFactorToleratesNoErrorOfOthers) {
   EXPECT_EQ(diagnosis.findings[0].tolerated, 0);
 }
 
-// Of a square of 0.2, its twin within 0.15 leaves 0.05, plus noise and nuisances.
+// A twin within 0.15 leaves 0.05 of a square of 0.2, plus noise and nuisances.
 TEST(BlockDiagnosis, KnowsWhatIsLeftWhereWhatIsExpectedStandsInAFindingsPlace) {
   const std::vector<double> lever = ToyLever(kSamples, 14);
   ReplayBlock block =
@@ -346,8 +346,8 @@ TEST(BlockDiagnosis, WhatOnlyComesNearestStandsInForWhatIsUnexplained) {
 }
 
 TEST(BlockDiagnosis, OfAClassOfFourThatLeavesMuchNoneIsAName) {
-  // Several that do the same, a drift that none of them does, and a ripple that no flexible
-  // regressor does.
+  // Several equivalent candidates, a drift that none of them explains, and a ripple that no
+  // flexible regressor follows.
   const auto diagnose = [](std::uint64_t seed, const std::vector<std::size_t>& candidates) {
     const std::vector<double> lever = ToyLever(kSamples, seed);
     ReplayBlock block =
@@ -368,7 +368,7 @@ TEST(BlockDiagnosis, OfAClassOfFourThatLeavesMuchNoneIsAName) {
   ASSERT_EQ(of_four.proxies.size(), 1u);
   EXPECT_EQ(of_four.proxies[0].evidence.rivals.size(), 4u);
   EXPECT_EQ(of_four.unexplained.size(), 1u);
-  // Where it takes most, all four are named.
+  // If it explains most, all four are named.
   const BlockDiagnosis most = diagnose(34, {0, 1, 1, 1});
   ASSERT_EQ(most.findings.size(), 1u);
   EXPECT_GT(most.findings[0].held_out.excess_removed, 0.8);
@@ -376,8 +376,8 @@ TEST(BlockDiagnosis, OfAClassOfFourThatLeavesMuchNoneIsAName) {
 }
 
 TEST(BlockDiagnosis, WhatTakesLittleOfWhatIsWrongIsNoName) {
-  // A square, and in the manoeuvres kept back a ripple that no candidate and no flexible regressor
-  // does.
+  // A square, and on held-out manoeuvres a ripple that no candidate and no flexible regressor
+  // explains.
   const Stream stream(35, "diagnose");
   const std::vector<double> lever = ToyLever(kSamples, 35);
   ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 35), {0});
@@ -415,7 +415,7 @@ TEST(BlockDiagnosis, KeepsANameBesideWhatIsUnexplained) {
 }
 
 TEST(BlockDiagnosis, WhatIsLoudInManyButHardlyInThoseKeptBackIsUnexplained) {
-  // A ripple that no candidate and no flexible regressor follows, until it has died away.
+  // A ripple without candidate and flexible regressor, until it has decayed.
   const std::vector<double> lever = ToyLever(kSamples, 33);
   ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 33), {0, 2, 3});
   const Stream stream(33, "diagnose");
@@ -461,7 +461,7 @@ TEST(BlockDiagnosis, WhatActsNowAndThenIsToldFromSlowNoiseByAllManoeuvres) {
 }
 
 TEST(BlockDiagnosis, SlowNoiseWithoutRestIsNoErrorOfAnything) {
-  // Slow noise, several times as loud as differences between samples say, and white noise.
+  // Slow noise, several times as loud as third differences show, and white noise.
   for (std::uint64_t seed = 40; seed < 46; ++seed) {
     std::vector<double> lever = ToyLever(kSamples, seed);
     for (double& u : lever) {
@@ -493,7 +493,7 @@ TEST(BlockDiagnosis, SaysWhatALeverAtRestCannotShow) {
 }
 
 TEST(BlockDiagnosis, CallsErrorAboveTheNoiseUnexplainedThoughNoFreeCurveFollowsIt) {
-  // A wave while the lever is given, no function of anything that the block knows.
+  // A wave while the lever moves, no function of any variable of the block.
   const std::vector<double> lever = ToyLever(kSamples, 18);
   ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 18), {0, 2, 3});
   Series& measured = block.channels[0].measured;
@@ -548,8 +548,8 @@ TEST(BlockDiagnosis, LeavesFinalOutOfEverythingThatChooses) {
   EXPECT_EQ(before.noise[0].ar, after.noise[0].ar);
   ASSERT_EQ(before.search.singles.size(), after.search.singles.size());
   for (std::size_t s = 0; s < before.search.singles.size(); ++s) {
-    // But for the first samples of a manoeuvre, which are whitened by those before it, and for
-    // where a fit ends.
+    // Except for the first samples of a manoeuvre, whitened by those before it, and for the end of
+    // a fit.
     EXPECT_NEAR(before.search.singles[s].values[0], after.search.singles[s].values[0], 3e-3);
     EXPECT_NEAR(before.search.singles[s].held_out_gain, after.search.singles[s].held_out_gain, 0.1);
   }

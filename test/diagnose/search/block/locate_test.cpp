@@ -66,7 +66,7 @@ TEST_F(Locating, AnErrorAtSmallLeversDependsOnTheLeverItself) {
 }
 
 TEST_F(Locating, AnErrorThatStaysIsNotNoiseThatRemembers) {
-  // A noise model that was fitted to the error itself, which is there from 10 s to 30 s.
+  // A noise model fitted to the error itself, present from 10 s to 30 s.
   const Location location =
       Of([](double lever, double,
             double t_s) { return t_s > 10 && t_s < 30 ? std::copysign(0.1, lever) : 0.0; },
@@ -97,7 +97,7 @@ TEST_F(Locating, TheWorstIntervalIsTheLoudestInAllAndNotTheLongest) {
   EXPECT_NEAR(kPeriod_s * static_cast<double>(worst.end), 13, 0.5);
 }
 
-/// Share of the samples that lie in intervals, of noise alone.
+/// Share of the samples in intervals, under noise alone.
 double FlaggedShare(const NoiseModel& noise, bool has_rest) {
   double flagged = 0;
   constexpr int kRuns = 12;

@@ -27,7 +27,7 @@ const Mechanism& Loss() {
   return loss;
 }
 
-/// The lever as it comes to a drive that now and then misses all messages for a while.
+/// The lever at a drive that occasionally misses all messages for some time.
 std::vector<double> Received(const std::vector<double>& lever, double mean_gap_s, double held_s,
                              std::uint64_t seed) {
   const Stream draw(seed, "losses");
@@ -61,7 +61,7 @@ BlockDiagnosis Diagnosed(const std::vector<double>& lever, const std::vector<dou
   return DiagnoseBlock(*block, {}, Stream(seed, "diagnose"));
 }
 
-// A loss each 1.8 s, of 0.3 s on average.
+// A loss every 1.8 s, of 0.3 s on average.
 TEST(LostCommands, AreNamedWhereADriveMissesMessages) {
   for (const std::uint64_t seed : {11u, 12u, 13u}) {
     const std::vector<double> lever = ToyLever(kLostCommandsSamples, seed);
@@ -122,7 +122,7 @@ TEST(LostCommands, AreNoneWhereOneMechanismHoldsTheSame) {
   EXPECT_FALSE(LostBeside(Received(lever, 1.5, 0.3, 11)).has_value());
 }
 
-// A rate that steps from 0 to 1 at 2 s, which the measured one follows half a second later.
+// A predicted step from 0 to 1 at 2 s that the measurement follows half a second later.
 TEST(LostCommands, HoldsAreFoundWhereTheRateStays) {
   Series residual = MakeSeries(0.02, std::vector<double>(300, 0.0));
   std::vector<double> predicted(300, 0.0);

@@ -21,7 +21,7 @@ std::vector<Manoeuvre> EqualManoeuvres() {
   return manoeuvres;
 }
 
-/// A lever and an error that the flexible regressor has a column of.
+/// A lever and an error that is a column of the flexible regressor.
 class FlexibleRegressor : public ::testing::Test {
  protected:
   FlexibleRegressor() {

@@ -45,7 +45,7 @@ TEST(Likelihood, DiscernsWhatIsBeyondNuisancesAlone) {
 }
 
 TEST(Likelihood, TakesANominalNumberForWhatItMayBe) {
-  // A lag known to be 0.2 s give or take 0.02 s, in truth 0.23 s; judged from the first half.
+  // A lag known to be 0.2 s within 0.02 s, in truth 0.23 s; judged from the first half.
   const std::vector<double> lever = ToyLever(4000, 6);
   const std::vector<double> nominal = ToyResponse(lever, 0, 0, 0.2);
   const std::vector<double> slower = ToyResponse(lever, 0, 0, 0.22);
@@ -71,7 +71,7 @@ TEST(Likelihood, TakesANominalNumberForWhatItMayBe) {
 }
 
 TEST(Likelihood, NoNuisanceIsMoreThanTwoStandardDeviations) {
-  // A gain that is known to 2 % and is off by 30 % leaves 26 %, and pulls no other nuisance along.
+  // A gain known to 2 % but off by 30 % leaves 26 %, and shifts no other nuisance.
   const std::vector<double> lever = ToyLever(4000, 7);
   std::vector<double> larger = lever;
   for (double& x : larger) x *= 1.3;
@@ -89,7 +89,7 @@ TEST(Likelihood, NoNuisanceIsMoreThanTwoStandardDeviations) {
 }
 
 TEST(Likelihood, FitsToTheMaskWhatItThenJudgesEverywhere) {
-  // An offset of the second half alone: fitted to the first half, it is left in the second.
+  // An offset of the second half only: a fit to the first half leaves it in the second.
   constexpr std::size_t kSize = 2000;
   std::vector<double> predicted(kSize, 0.0), measured(kSize, 0.0);
   Mask first(kSize, 0);

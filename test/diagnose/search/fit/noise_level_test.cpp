@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kSize = 20000;
 
-/// A lever that is given for 2 s and rests for 4.
+/// A lever that is out for 2 s and rests for 4 s.
 std::vector<double> NowAndThen() {
   std::vector<double> lever(kSize);
   for (std::size_t k = 0; k < kSize; ++k) lever[k] = k % 600 < 200 ? 0.5 : 0.0;
@@ -32,7 +32,7 @@ TEST(NoiseLevel, OfWhiteNoiseIsItsDeviationThoughASlowErrorIsTenTimesAsLarge) {
 }
 
 TEST(NoiseLevel, OfStubbornNoiseShowsAtRestAndNotInDifferences) {
-  // AR(1) of coefficient 0.95: third differences see little of it.
+  // AR(1) with coefficient 0.95: third differences show little of it.
   NoiseModel stubborn = StubbornNoise();
   stubborn.dof = 200;
   stubborn.scale = 0.1 * std::sqrt(1 - 0.95 * 0.95);
@@ -47,7 +47,7 @@ TEST(NoiseLevel, OfStubbornNoiseShowsAtRestAndNotInDifferences) {
   EXPECT_LT(level.differences, 0.05);
 }
 
-// A place that is known to be at rest is known there better than it is measured elsewhere.
+// A channel known to rest has less noise there than its measurement elsewhere.
 TEST(NoiseLevel, IsNotThatOfRestWhereRestWasKnown) {
   const std::vector<double> lever = NowAndThen();
   std::vector<double> residual(kSize, 1e-6);

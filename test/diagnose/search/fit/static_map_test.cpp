@@ -44,7 +44,7 @@ TEST(StaticMap, HatsOfALeverSumToItsShareOfTheFirstKnotAndOne) {
   EXPECT_NEAR(hats.row(3).cwiseAbs().sum(), 0, 1e-12);
 }
 
-// A step behind a lag of 0.2 s has come to 1 - 1/e of itself after 0.2 s.
+// A step through a lag of 0.2 s reaches 1 - 1/e of its height after 0.2 s.
 TEST(StaticMap, HatsBehindALagFollowAStepByItsTime) {
   std::vector<double> lever(200, 0.5);
   std::fill(lever.begin(), lever.begin() + 100, 0.0);

@@ -53,7 +53,7 @@ TEST(SteadyGain, OfManoeuvresThatDifferInSizeIsNoneTheSurer) {
   EXPECT_LE(passed, 58);
 }
 
-/// Gains in five pieces of thirty, and nothing to be gained in the others.
+/// Gains in five pieces of thirty, and no possible gain in the others.
 std::vector<ManoeuvreGain> InFewOf(double gain, double possible) {
   std::vector<ManoeuvreGain> gains(30, {-0.2, 2.5});
   for (std::size_t k = 0; k < gains.size(); k += 6) gains[k] = {gain, possible};
@@ -63,7 +63,7 @@ std::vector<ManoeuvreGain> InFewOf(double gain, double possible) {
 
 TEST(Gain, IsWorthABetWhereFewManoeuvresTellClearly) {
   EXPECT_GT(SteadyGainP(InFewOf(60, 90)), 1e-3);
-  // Five gains that count 2.25 each, less 25 of 0.2: two for two tests, exp(-(11.25 - 5)).
+  // Five gains that count 2.25 each, minus 25 of 0.2: two for two tests, exp(-(11.25 - 5)).
   EXPECT_NEAR(GainP(InFewOf(60, 90)), 2 * std::exp(-6.25), 1e-12);
 }
 
@@ -81,9 +81,9 @@ TEST(Gain, IsTheSteadyOneWhereThatIsSurer) {
 }
 
 TEST(Gain, ByChanceIsABetThatIsExpectedToPayNothing) {
-  // The first prediction is true and noise normal: a gain of log-likelihood is normal, of mean
-  // -possible and twice that variance. Two pieces: p = 2 / w, so that 2 / p is at most expected to
-  // be 1, and without the cap would be just that.
+  // The first prediction is true and noise normal: the gain in log-likelihood is normal, with mean
+  // -possible and twice that as variance. Two pieces: p = 2 / w, so that the mean of 2 / p is at
+  // most 1, and exactly 1 without the cap.
   for (const double possible : {2.0, 4.0}) {
     double sum = 0, square = 0;
     constexpr int kDraws = 20000;
@@ -136,7 +136,7 @@ TEST(SteadyEffect, IsSeenWhereAGainIsStillDrownedInNoise) {
     effect += SteadyEffectP(OfEffect(draw, 9, 4, 1)) < 1e-3;
     gain += SteadyGainP(OfEffect(draw, 9, 4, 1)) < 1e-3;
   }
-  // Student's t of nine with a mean of 2.8 and of 1.4 standard deviations.
+  // Student's t of nine pieces with a mean of 2.8 and of 1.4 standard deviations.
   EXPECT_GE(effect, 190);
   EXPECT_LE(gain, 120);
 }

@@ -15,7 +15,7 @@ using ::testing::IsEmpty;
 
 constexpr std::size_t kStructureFitSamples = 4000;
 
-/// A square of the lever with three numbers: its size, its place, and one that does nothing.
+/// A square of the lever with three parameters: size, position, and one without effect.
 const Mechanism kSquare = {
     "square",
     Slot::kLeverMap,
@@ -96,7 +96,7 @@ TEST(StructureFit, ANumberThatActsInStairsIsFreeIfItIsSaidToHaveKinks) {
 }
 
 TEST(StructureFit, ANumberThatMovesInstantsIsFoundFromAfar) {
-  // A pulse every 2 s that sets in later by half the place, as a drive does after its play.
+  // A pulse every 2 s, delayed by half the position, as behind play.
   Fixture toy(0);
   const auto pulses = [](double place) {
     std::vector<double> y;

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kSamples = 4000;
 constexpr double kNoise = 0.05;
 
-/// A toy whose lever is squared, or which is louder by a share.
+/// A toy with a squared lever, or with a larger gain.
 struct Simpler {
   Simpler(double square, double louder) {
     const std::vector<double> lever = ToyLever(kSamples, 21);

@@ -26,7 +26,7 @@ std::vector<Manoeuvre> MovingHalfTheTime(std::size_t count, std::size_t length) 
 }
 
 TEST(Prefix, EndsWithTheManoeuvreThatCompletesAMinuteOfMotion) {
-  // 5 s each: the 12th that moves is the 24th of all.
+  // 5 s each: the 12th moving manoeuvre is the 24th of all.
   EXPECT_EQ(PrefixLength(MovingHalfTheTime(100, 500), 0.01), 24 * 500u);
 }
 

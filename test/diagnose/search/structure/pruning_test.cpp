@@ -72,7 +72,7 @@ TEST(Pruning, KeepsNothingOfNoiseMoreOftenThanItSays) {
   EXPECT_LE(kept, kRecordings * kAlpha + 3 * deviation);
 }
 
-// So small that about one recording in twenty shows the two, and neither of them.
+// Sizes at which about one recording in twenty shows both, but neither alone.
 TEST(Pruning, KeepsTwoThatAreNeededOnlyBesideEachOtherByTheProbabilityOfBoth) {
   constexpr double kAlpha = 0.01;
   int pairs = 0;

@@ -51,7 +51,7 @@ TEST(RegimeCurve, FollowsTheLawWithinItsBand) {
     }
     held += inside;
   }
-  // Meant: 90 %; the bias of smoothing is not in the band. Binomial, 5 standard errors: 9.5.
+  // Nominal 90 %; the band excludes the bias of smoothing. Binomial, 5 standard errors: 9.5.
   EXPECT_GE(held, 36 - 10);
 }
 

@@ -52,7 +52,7 @@ TEST(ChangePoints, FewRecordingsOfNothingHaveAny) {
     flagged += !found.mismatch.empty();
   }
   RecordProperty("changed", changed);
-  // Meant: 1 %; binomial with 5 standard errors: 0.01 + 5 * 0.0057.
+  // Nominal 1 %; binomial with 5 standard errors: 0.01 + 5 * 0.0057.
   EXPECT_LE(changed, 0.04 * runs);
   EXPECT_LE(flagged, 0.04 * runs);
 }
@@ -76,7 +76,7 @@ TEST(ChangePoints, CellsWithoutSamplesChangeNothing) {
   EXPECT_EQ(FindChangePoints(x, 5).segments.size(), 1u);
 }
 
-/// Boom and stick by turns, small and large, 1.5 s of rest between.
+/// Boom and stick alternately, small and large, with 1.5 s of rest between.
 std::vector<Series> TwoLevers(std::size_t turns, std::size_t held = 200) {
   std::vector<double> boom, stick;
   for (std::size_t turn = 0; turn < turns; ++turn) {

@@ -27,8 +27,7 @@ struct Rejections {
   }
 };
 
-/// One recording of nothing: noise with dropouts, a noise model fitted to it, inputs that have
-/// nothing to do with it.
+/// A recording without effects: noise with dropouts, a noise model fitted to it, unrelated inputs.
 struct NullRecording {
   explicit NullRecording(std::uint64_t seed)
       : residual(WithDropouts(NoiseSeries(StubbornNoise(), kSize, Stream(seed, "noise")), 0.02,

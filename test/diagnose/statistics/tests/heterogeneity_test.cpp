@@ -32,8 +32,8 @@ TEST(Pool, KnowsByHowMuchTwoValuesDifferBeyondTheirErrors) {
   EXPECT_NEAR(pooled.sigma, 0.1, 1e-12);
 }
 
-// The thirteen trials of BCG vaccine (Colditz et al. 1994) as log risk ratios: Q = 152.23 and the
-// estimate of DerSimonian and Laird, -0.7141 +- 0.1787 with tau^2 = 0.3088, are in every textbook.
+// The thirteen trials of BCG vaccine (Colditz et al. 1994) as log risk ratios. Textbooks give Q =
+// 152.23 and the estimate of DerSimonian and Laird, -0.7141 +- 0.1787 with tau^2 = 0.3088.
 TEST(Pool, GivesThePublishedAnswerForThirteenTrials) {
   constexpr double kTrials[13][4] = {
       {4, 119, 11, 128},       {6, 300, 29, 274},        {3, 228, 11, 209},

@@ -25,7 +25,7 @@ std::vector<double> Noise(const std::string& name, std::uint64_t seed, double co
   return values;
 }
 
-/// How many of 400 pairs of independent series have a p of at most `level`.
+/// Number of 400 pairs of independent series with a p of at most `level`.
 int Rejected(double coefficient, double level) {
   int rejected = 0;
   for (std::uint64_t seed = 0; seed < 400; ++seed) {
@@ -35,8 +35,8 @@ int Rejected(double coefficient, double level) {
   return rejected;
 }
 
-// Of 400 trials, four are expected below a level of 0.01 and two hundred below 0.5; five standard
-// errors are 10 and 50.
+// Among 400 trials, four are expected below a level of 0.01 and two hundred below 0.5; five
+// standard errors are 10 and 50.
 TEST(Opposition, OfWhiteNoiseHasAUniformP) {
   EXPECT_LE(Rejected(0, 0.01), 14);
   EXPECT_NEAR(Rejected(0, 0.5), 200, 50);

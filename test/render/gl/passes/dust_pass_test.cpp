@@ -53,9 +53,8 @@ TEST(DustPass, DustBehindAPlateIsNotSeen) {
   const DustVolume dust = DustBox(Vec3(-5, 21, -3), 0.5, {20, 12, 20}, 3);
   const Image<float> clear = plates.Shoot(nullptr, Pinhole()),
                      dusty = plates.Shoot(&dust, Pinhole());
-  // Dust that is seen takes all but exp(-18) of the light. Here and there at a plate's edge the
-  // filter of edges decides otherwise on an H100, for a step of half floats; nowhere where Mesa
-  // draws.
+  // Visible dust absorbs all except exp(-18) of the light. At some edges of plates the edge filter
+  // decides differently on an H100, by a step of half floats; never with Mesa.
   constexpr double kTwoSteps = 2.0 / 1024, kAtAnEdge = 0.05;
   std::size_t others = 0;
   for (std::size_t k = 0; k < clear.data.size(); ++k) {

@@ -10,7 +10,7 @@ namespace {
 
 const Vec3 kBelow(0, 0, 0);  ///< on the ground, right below the lamp
 
-/// How much brighter the lamp makes the place below it, of 255, with or without a box in its beam.
+/// Brightness added by the lamp below it, of 255, with or without a box in its beam.
 int Brighter(bool has_box) {
   int red[2];
   for (const bool is_on : {false, true}) {

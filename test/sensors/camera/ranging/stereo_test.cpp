@@ -42,8 +42,8 @@ double Texture(double x, int y) {
   return 40 + 180 * ((1 - (x - left)) * at(left) + (x - left) * at(left + 1));
 }
 
-/// Both eyes' pictures of surfaces with a texture of their own, from the disparity of each place of
-/// the right eye's picture.
+/// Pictures of textured surfaces in both eyes, from the disparity of each place in the right eye's
+/// picture.
 template <typename DisparityOfRight>
 Stereo::Eyes EyesBefore(double disparity_left_px, const DisparityOfRight& right_px) {
   Stereo::Eyes eyes{Image<std::uint8_t>(kWidth, kHeight), Image<std::uint8_t>(kWidth, kHeight)};
@@ -72,8 +72,9 @@ TEST(Stereo, APlaneIsFoundAtItsDepth) {
 }
 
 // Depth comes in steps of a sixteenth of a pixel of disparity: z^2 / (f b) / 16. The matcher's
-// parts of a pixel are drawn to the whole one, by up to a quarter ("pixel locking": Shimizu and
-// Okutomi 2001, "Precise sub-pixel estimation on area-based matching"), as a real one's are.
+// subpixel fractions are biased towards integers by up to a quarter, as those of real matchers
+// ("pixel locking": Shimizu and Okutomi 2001, "Precise sub-pixel estimation on area-based
+// matching").
 TEST(Stereo, DepthIsQuantisedByTheDisparity) {
   const Image<float> depth_m = Matcher().Match(EyesBefore(0, [](int) { return 12.37; }));
   std::vector<double> levels_m;
@@ -132,7 +133,7 @@ class BeforeASmoothWall : public ::testing::Test {
     seen_.X_WC = MakePose({1, 2, 40}, 0, 0, 90 * kDeg) * OpticalInSensor();
     seen_.state.X_WB = {MakePose({1, 3.6, 40}, 0, 0, 90 * kDeg)};
   }
-  /// Share of the pixels with a depth that is right to five steps.
+  /// Share of the pixels with a depth within five steps.
   double Right(const StereoModel& model) {
     const Image<float> depth_m = Matcher(model).Measure(0, seen_, &rasterizer_);
     const double step_m = 1.6 * 1.6 / (kFocal_px * kBaseline_m) / 16;
@@ -156,15 +157,14 @@ TEST_F(BeforeASmoothWall, DotsMakeItSeen) {
   EXPECT_GT(Right(model), 0.8);
 }
 
-// In daylight the dots of a weak projector drown.
+// Daylight outshines the dots of a weak projector.
 TEST_F(BeforeASmoothWall, WeakDotsDrownInTheNoise) {
   StereoModel model{.disparities_px = 48};
   model.projector = DotProjector{.intensity_cd = 10, .cell_deg = 1.2, .dot_share = 0.2};
   EXPECT_LT(Right(model), 0.3);
 }
 
-// The wall's dots lie where the projector throws them: seen from both eyes their disparity is f b /
-// z.
+// The projector's dots lie on the wall: seen from both eyes their disparity is f b / z.
 TEST_F(BeforeASmoothWall, SameSeedSameDots) {
   StereoModel model{.disparities_px = 48};
   model.projector = DotProjector{.intensity_cd = 2e5, .cell_deg = 1.2};
