@@ -99,7 +99,7 @@ class SensorSampler {
   virtual void SampleStart(const SensedStep& step) { Sample(step); }
   /// Measures the samples due in the step, including its end.
   virtual void Sample(const SensedStep& step) = 0;
-  /// Writes samples that depend on the step after the run's last step. That step produces no other
+  /// Writes samples that depend on the step after the run's last step. The step produces no other
   /// measurements.
   virtual void Finish(const SensedStep&) {}
   /// True if the sampler queries body poses from earlier steps.

@@ -13,7 +13,7 @@ namespace tera {
 ///
 /// Frames  B frame of the shovel's link.
 /// Model   The surface of HeapSurface at the angle of repose of the most abundant soil, roughened
-///         downwards by clods, which are larger for cohesive soil than for sand. The colour of each
+///         downwards by clods. Clods are larger for cohesive soil than for sand. The colour of each
 ///         point mixes a quarter of one carried soil, drawn by volume shares, with three quarters
 ///         of the mean of all. A skirt hangs from the surface's border into the shell.
 /// Omits   layers of soils: a shovel knows the amount of each soil, not its place. Clods keep their

@@ -13,9 +13,9 @@ namespace tera {
 /// The wear of each link of a machine.
 ///
 /// Model   shovels are in the soil. On the link that carries a shovel, the distance from the soil
-///         is that from the shovel's joint, along the line from the link's own joint to it. On all
-///         other links it is the height above the ground with all joints at zero. A shovel has a
-///         cutting edge.
+///         counts from the shovel's joint, along the line from the link's own joint. On all other
+///         links it is the height above the ground with all joints at zero. A shovel has a cutting
+///         edge.
 /// Omits   arms that reach into a pit, and the machine's actual work.
 std::vector<NodeWear> WearOfLinks(const MachineModel& machine, const Wear& wear,
                                   const Vec3& soil_albedo);

@@ -5,8 +5,8 @@
 #include "render/scene.h"
 #include "sim/scenario/scenario.h"
 
-/// The bodies of an obstacle in a scene, in order: itself, its bed and the bed's gate where they
-/// are of their own, its wheels, its limbs.
+/// The bodies of an obstacle in a scene, in order: itself, its bed and the bed's gate if separate,
+/// its wheels, its limbs.
 
 namespace tera {
 

@@ -24,8 +24,8 @@ namespace tera {
 ///         is traced when it is complete. A picture with an exposure time is taken when its last
 ///         row is complete. A picture that is incomplete at the end of the run is dropped.
 ///         Everything is at rest until the start.
-/// Omits   motion of the ground within a revolution or an exposure: the ground at its end stands
-///         for all of it.
+/// Omits   motion of the ground within a revolution or an exposure: the ground at its end applies
+///         throughout.
 class Rig {
  public:
   /// Keeps references to `assembly` and `sink`. Creates the rasterizer and the ray scene only if a

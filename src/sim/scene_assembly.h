@@ -12,7 +12,7 @@ namespace tera {
 /// Builds the constant SceneModel of a scenario once, and places its bodies for each state.
 ///
 /// Model   one body for each link, wheel, track shoe, rocker and coupler, cylinder barrel and rod,
-///         shovel's soil, obstacle and obstacle's wheel, and one for the site's mesh. One labelled
+///         shovel's soil, obstacle and obstacle's wheel. One more for the site's mesh. One labelled
 ///         instance for each link, track, wheel, shovel's soil, obstacle and part of that mesh,
 ///         named "machine/part" or after the obstacle. One more instance for each machine as a
 ///         whole, whose parts are all of its instances except the soil. The soil in a shovel is a

@@ -86,7 +86,7 @@ struct FoundZero {
 
 /// Earliest time of all imported rows; 0 without rows.
 FoundZero FirstOf(const Mapping& mapping, const ImportOptions& options) {
-  // Only reading its channel tells whether a row is imported.
+  // Rows can be rejected until their channel is read.
   ImportRun run(options, nullptr, 0);
   for (const ImportJob& job : mapping.jobs) job(&run);
   const ClockScale clock = run.Clock();

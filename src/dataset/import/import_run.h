@@ -17,34 +17,34 @@
 
 namespace tera {
 
-/// An import that goes on.
+/// A running import.
 class ImportRun {
  public:
   ImportRun(const ImportOptions& options, DatasetWriter* writer, TimeNs zero_ns)
       : options_(options), writer_(writer), zero_ns_(zero_ns) {}
 
-  /// Throws InputError for a row that cannot be what it should be.
+  /// Throws InputError for an impossible row.
   using RowCheck = std::function<void(const MappedRow& row)>;
 
-  /// The rows of a channel, which the report tells of from then on.
+  /// Reads the rows of a channel and adds the channel to the report.
   std::vector<MappedRow> Read(const std::string& path, const RowSource& source,
                               const std::vector<ColumnMapping>& columns,
                               const RowCheck& check = nullptr);
-  /// Tells of a channel of frames that were read elsewhere, by their times in the recording.
+  /// Adds a channel of frames read elsewhere to the report, by their times in the recording.
   ImportedChannel* AddFrames(const std::string& path, const std::string& file,
                              const std::vector<TimeNs>& t_ns, const LeftOutRows& left_out);
-  /// The channel that Read told of last.
+  /// The report's entry of the channel that was read last.
   ImportedChannel* last() { return &report_.channels.back(); }
   /// Adds the motion series of the latest channel from Read, for the comparison of clocks.
   void AddMotion(const RowSource& source, std::vector<MotionSeries> series);
-  /// None where nothing is to be written.
+  /// Null for an import that writes nothing.
   DatasetWriter* writer() const { return writer_; }
   const ImportOptions& options() const { return options_; }
   /// The recording's zero in the files' times.
   TimeNs zero_ns() const { return zero_ns_; }
-  /// The time scale of all clocks that were read, where they are known to share one.
+  /// The time scale common to all clocks read, where known.
   ClockScale Clock() const;
-  /// With the clocks compared.
+  /// With the comparison of clocks.
   ImportReport TakeReport();
 
  private:
@@ -56,7 +56,7 @@ class ImportRun {
   std::set<ClockScale> clocks_;
 };
 
-/// Writes one channel; made while the mapping is read, run when it is known to be sound.
+/// Writes one channel; created while the mapping is read, run once the mapping is sound.
 using ImportJob = std::function<void(ImportRun*)>;
 
 struct Mapping {
@@ -64,25 +64,26 @@ struct Mapping {
   std::string machine;
   std::set<std::string> paths;  ///< of channels
   std::vector<ImportJob> jobs;
-  bool starts_at_zero = false;          ///< times are counted from the first measurement
-  std::optional<RecordingEpoch> epoch;  ///< when the files' times are 0, where the mapping says so
+  bool starts_at_zero = false;          ///< times count from the first measurement
+  std::optional<RecordingEpoch> epoch;  ///< instant at which the files' times are 0, if the mapping
+                                        ///< has it
   const ImportOptions& options;
   UnpackedFiles* unpacked;
 };
 
-/// The machine's folder or file for the channel that `name` names, with `ending`.
+/// The path of the channel named by `name`, in the machine's folder, with `ending`.
 std::string ReadPath(const ConfigMap& config, const std::string& ending, Mapping* mapping);
 
-/// The columns of a channel: from its `columns:`, and those that are not there, of a topic of a
-/// standard type or a log of known form, from its fields.
+/// The columns of a channel: from its `columns:`. Missing ones come from the fields of the topic's
+/// standard type or of the log's known form.
 class ColumnKeys {
  public:
-  /// `makes` names the type whose fields such channels are made of, as far as it has one for `key`.
+  /// `makes` is the type whose fields form such channels, if it has one for `key`.
   ColumnKeys(const ConfigMap& channel, const RowSource& source, std::string_view makes,
              std::string_view key);
 
   ColumnMapping Read(const char* key, Dimension dimension, const Range& allowed = {}) const;
-  /// The key's mapping where the channel has it.
+  /// The key's mapping, if the channel has it.
   std::optional<ConfigMap> Given(const char* key) const;
 
  private:
@@ -91,10 +92,10 @@ class ColumnKeys {
   std::string element_;  ///< of the source
 };
 
-/// Content of sensor.yaml for a sensor that was not simulated.
+/// Content of sensor.yaml for an imported sensor.
 struct ImportedSensor {
   std::string type, name;
-  std::string link;  ///< empty where the mapping does not say where the sensor was
+  std::string link;  ///< empty if the mapping does not name the sensor's link
   Pose X_LS = Pose::Identity();
 };
 /// Reads a channel's `name` and `mount`.

@@ -47,8 +47,8 @@ std::optional<double> TurnOfCounter(double before, double after, double step);
 /// stamps, in bags and logs of known form (`has_stamps`), needs no unit.
 RowTime ReadRowTime(const ConfigMap& time, bool has_stamps);
 
-/// Whether a mapping's `time` is still to be filled in, as in a suggestion for an unknown time.
-/// That is a fault there.
+/// Whether a mapping's `time` is still to be filled in, as in a suggestion for an unknown time. A
+/// mapping with it is faulty.
 bool IsTimeToFillIn(const ConfigMap& holder);
 
 /// Times of the rows of one table.

@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// A page that compares each of the other layouts with the first: words, a radar chart of the main
-/// figures, blind maps with their difference, people, all figures.
+/// A page that compares each of the other layouts with the first. It has sentences, a radar chart
+/// of the main figures, blind maps with their difference, people, and all figures.
 ///
 /// Throws  InputError as Compare does.
 std::string ComparisonPage(const std::vector<LayoutReport>& reports);

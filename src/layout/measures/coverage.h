@@ -41,7 +41,7 @@ class ZoneCoverage {
   /// For each pair of viewers: the places that both see, as a share of those that either sees.
   /// Extrinsic calibration of the two needs overlap.
   std::map<std::string, double> Overlaps() const;
-  /// The places in a viewer's field and reach with enough density, over all moments: seen places,
+  /// The places in a viewer's field and reach with enough density, over all moments. Seen places,
   /// and hidden places by the name of the occluding part.
   struct FieldOf {
     double seen = 0, hidden = 0;

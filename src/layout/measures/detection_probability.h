@@ -29,9 +29,9 @@ double ProbabilityOfAtLeast(int least, double expected);
 ///         side that the person turns to the lidar; objects so near that they join the cluster;
 ///         body parts near the ground, which count as ground; false detections; a classifier of
 ///         clusters; consecutive scans. Cameras add nothing.
-/// Source  the threshold of 5 points is that of the detector of Yan, Duckett and Bellotto, Online
-///         learning for human classification in 3D LiDAR-based tracking (IROS 2017)
-///         (cluster_size_min of its published code, yzrobot/online_learning), which uses Euclidean
+/// Source  the threshold of 5 points is cluster_size_min in the published code
+///         (yzrobot/online_learning) of Yan, Duckett and Bellotto, Online learning for human
+///         classification in 3D LiDAR-based tracking (IROS 2017). Their detector uses Euclidean
 ///         clusters of the Point Cloud Library.
 class DetectionProbability {
  public:

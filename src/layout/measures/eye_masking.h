@@ -24,7 +24,7 @@ struct Masking {
 ///
 /// Frames  H as in PolarGrid; B the link that carries the eye.
 /// Model   two lights lie half their spacing to the left and right of the eye, level and
-///         perpendicular to the line of sight; the pair turns as a head does. A place is masked if
+///         perpendicular to the line of sight. The pair turns as a head does. A place is masked if
 ///         parts of the machine occlude it from both lights. The first line is the visibility test
 ///         circle about the point below the eye. The second is the rectangular boundary: the
 ///         rectangle in H around the sides of HullRadii_m, plus a distance. Both lie on the level
@@ -37,7 +37,7 @@ struct Masking {
 ///         as it is. Occlusion by other objects, by the machine's glass panes and by the soil in
 ///         its bucket. Maskings narrower than 5 cm may be missed.
 /// Source  ISO 5006:2017, from its public contents: a circle of 12 m, a rectangular boundary (1 m
-///         from the machine in the edition of 2006), lights 65, 205 or 405 mm apart; its clause 9.2
+///         from the machine in the edition of 2006), lights 65, 205 or 405 mm apart. Its clause 9.2
 ///         admits simulation. The circle's centre below the eye follows Directive 2008/2/EC for
 ///         tractors. The standard's own text was not checked.
 class EyeMasking {

@@ -13,7 +13,7 @@
 namespace tera {
 
 /// Accuracy of a machine's joint positions and heading from the inertial units, encoders and
-/// antennas of a layout, moment by moment under the motion of a cycle.
+/// antennas of a layout. It is evaluated at each moment of a cycle's motion.
 ///
 /// Frames  W; the heading is that of the upper structure's x axis from above.
 /// Model   Fisher information of the state of MotionCovariance, with measurements linearised about
@@ -28,7 +28,7 @@ namespace tera {
 ///         it. Inertial units measure the means over the step of R_SW w_S + b_g and R_SW (a_S - g)
 ///         + b_a. Encoders measure q, with noise^2 + resolution^2 / 12, and qd. Antennas measure
 ///         p_WS + c. Biases b start with the size in the unit's model (root mean square over the
-///         axes) and walk by that model; c is the model's correlated error. Two antennas at the
+///         axes) and walk by that model. c is the model's correlated error. Two antennas at the
 ///         horizontal distance d thus give the heading to sqrt(2) sigma_horizontal / d at once, and
 ///         gyroscopes carry it on.
 ///         No number is worse than its prior. The figure of an unobserved number is its prior

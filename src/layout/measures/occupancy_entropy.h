@@ -26,16 +26,16 @@ std::vector<Occupant> OccupantsAt(const Instant& now, const Scenario& scenario,
 /// Frames  H as in PolarGrid. The grid is a square in H of twice a radius, upright on the ground
 ///         below the machine.
 /// Model   p_v is the share of the moments at which voxel v of H holds a part of a person or
-///         vehicle: its middle lies in the box, grown by half a voxel on every side. The figure is
-///         the entropy -p ln p - (1 - p) ln(1 - p), summed over the voxels that a layout covers at
-///         a moment. A lidar or depth camera covers a voxel if at least one ray reaches it: the
-///         voxel's square face, turned to the sensor, takes one or more samples within the
+///         vehicle. It does if its middle lies in the box, grown by half a voxel on every side. The
+///         figure is the entropy -p ln p - (1 - p) ln(1 - p), summed over the voxels that a layout
+///         covers at a moment. A lidar or depth camera covers a voxel if at least one ray reaches
+///         it. The voxel's square face, turned to the sensor, then has a sample within the
 ///         measuring range (look.h). The occluded figure also requires a free line of sight up to
 ///         the voxel's near side.
-/// Omits   compared with the paper: its grid of one map and many drives, which here is the cycle
-///         alone, so that objects at rest in H carry no information; separate grids for each kind
-///         of object, which here are one; the voxels along each ray, which the ray density
-///         replaces. Only the second figure has occlusion, which the paper ignores.
+/// Omits   compared with the paper: its grid of one map and many drives; here the grid covers the
+///         cycle, and objects at rest in H carry no information. Separate grids for each kind of
+///         object; here all share one. The voxels along each ray; the ray density replaces them.
+///         Only the second figure has occlusion, which the paper ignores.
 /// Source  Hu et al., Investigating the Impact of Multi-LiDAR Placement on Object Detection for
 ///         Autonomous Driving, arXiv 2105.00373, and its public code, which sums natural
 ///         logarithms. There the ground covered is 60 m x 40 m x 4 m about a car.

@@ -18,10 +18,10 @@ namespace tera {
 ///         hull is the outermost point of undercarriage, tracks, blade and upper structure in a
 ///         direction.
 /// Model   the person is a box that faces the machine and stands on the ground. Lidar points on the
-///         person are the points per steradian times the solid angle of the box's parts in sight,
-///         within the lidar's reach at that incidence; camera pixels likewise. A sensor detects the
-///         person if it has as many as the study requires. DetectionProbability gives the
-///         probability of detection by lidar points.
+///         person are the points per steradian times the solid angle of the visible parts of the
+///         box, within the lidar's reach at that incidence. Camera pixels likewise. A sensor
+///         detects the person if it has as many as the study requires. DetectionProbability gives
+///         the probability of detection by lidar points.
 /// Omits   shape and pose beyond a box; clothes other than of the study's reflectance; the
 ///         detector's use of pixels.
 class PersonRange {
@@ -29,7 +29,7 @@ class PersonRange {
   static constexpr int kSectors = PolarGrid::kSectors;
   /// Share of the points on the box that lie on the body, for the probability. The threshold counts
   /// points on the box. A standing body's projected area is 0.35 from the front and 0.23 from the
-  /// side of its effective radiation area (projected area factors as in ISO 7726). That area is
+  /// side of its effective radiation area (projected area factors as in ISO 7726). The area is
   /// 0.725 of 1.8 m^2 (Fanger 1970, second-hand). This gives 0.52 and 0.57 of the sides of the
   /// common box. All postures share one value.
   static constexpr double kBodyOfBox = 0.5;
@@ -54,7 +54,7 @@ class PersonRange {
   std::vector<PolarMap> Maps() const;
 
  private:
-  /// Distances of detection in a direction, or in all directions of a quarter: the nearest, the
+  /// Distances of detection in a direction, or in all directions of a quarter. The nearest, the
   /// farthest, and the detected metres, which are fewer if there are gaps. Without a detection,
   /// `from_m` is a metre beyond the farthest tested distance, and the others are 0.
   struct Reach {

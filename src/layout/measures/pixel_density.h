@@ -15,8 +15,8 @@ namespace tera {
 /// Frames  H as in PolarGrid. Distances run from its origin to the middle of a cell.
 /// Model   places of PolarGrid 1.5 m above the ground that lie in the air over the site and outside
 ///         the machine's outline. The density at a place is the highest of the cameras with a free
-///         line of sight: the square root of the pixels per square metre of a surface that faces
-///         the camera.
+///         line of sight. It is the square root of the pixels per square metre of a surface that
+///         faces the camera.
 /// Omits   the standard's other demands on a picture: focus, light, contrast, compression, motion.
 /// Source  IEC 62676-4: 25 px/m detect, 62.5 observe, 125 recognise, 250 identify. NIOSH's highest
 ///         plane, 1500 mm, for the upper body of a standing person.

@@ -10,8 +10,8 @@ namespace tera {
 ///
 /// Frames  H stands on the ground at the upper structure's origin, at its heading: azimuth 0 is
 ///         ahead, counterclockwise from above.
-/// Source  5 degrees by 1 m, out to 12 and 24 m: the grid of the blind area diagrams of NIOSH and
-///         Caterpillar (planes at 0, 900 and 1500 mm).
+/// Source  5 degrees by 1 m, out to 12 and 24 m. The blind area diagrams of NIOSH and Caterpillar
+///         have this grid (planes at 0, 900 and 1500 mm).
 struct PolarGrid {
   static constexpr int kSectors = 72, kRings = 24, kNearRings = 12;
   static constexpr double kRing_m = 1.0;

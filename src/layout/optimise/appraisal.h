@@ -29,9 +29,9 @@ class Appraisal {
  public:
   /// Runs through the cycle once. Keeps references to all arguments.
   ///
-  /// Throws  InputError if an objective is no figure, a mount is on no link of the machine, a name
-  ///         is taken, the kept sensors alone or every seeing layout violate the limits, or the
-  ///         moments' scenes take more than `most_bytes`; and as Cycle does.
+  /// Throws  InputError if an objective is no figure, a mount is on no link of the machine, or a
+  ///         name is taken. InputError too if the kept sensors alone or every seeing layout violate
+  ///         the limits, or the moments' scenes take more than `most_bytes`; and as Cycle does.
   Appraisal(const LayoutSearch& search, const LayoutStudy& study, const Cycle& cycle, int threads,
             std::int64_t most_bytes = HalfOfMemory());
 

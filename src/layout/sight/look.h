@@ -35,7 +35,7 @@ struct Look {
   Unseen why = Unseen::kOutOfView;  ///< if it is not seen
   Blocked by;                       ///< if something is in the way
   double per_m2 = 0;  ///< points or pixels of one scan or picture on a square metre of the surface
-  /// 1 sigma of its position along the line of sight, for ranging: an error of depth moves a point
+  /// 1 sigma of its position along the line of sight, for ranging. A depth error moves a point
   /// along its ray by range / depth times as much.
   double sigma_m = 0;
 };
@@ -44,8 +44,8 @@ struct Look {
 ///
 /// Model   a target is in view if the viewer takes samples in its direction and its surface faces
 ///         the viewer. It is in reach if its distance lies within the viewer's limits for its
-///         reflectance times the cosine of the incidence and, for ranging, within the measuring
-///         limits. Distances follow the sensor's convention (ViewField::DistanceOf). Its density is
+///         reflectance times the cosine of the incidence. For ranging, the measuring limits also
+///         apply. Distances follow the sensor's convention (ViewField::DistanceOf). Its density is
 ///         samples per steradian times cosine over the squared range. It is seen if it also has
 ///         enough density and a free line of sight. Glass does not block a target that needs no
 ///         ranging for a viewer that shows objects behind glass.

@@ -35,24 +35,24 @@ std::string WhyJointUndriven(const MachineModel& model, std::size_t joint) {
                      j.max_effort_nm, EffortKey(j));
 }
 
-/// Whether a mechanism shapes the rate that a lever asks for: nothing to act on where nothing does.
-/// A flexible link would give way to its load there, too; of a joint that nothing drives that is
-/// not asked for.
+/// Whether a mechanism shapes a commanded rate, and hence has no effect on an undriven axis. This
+/// includes structural_flex: a flexible link also yields to its load, but its effect on an undriven
+/// joint is not modelled.
 bool ShapesRate(const Mechanism& mechanism) {
   return mechanism.slot < Slot::kLoadFriction || mechanism.id == "pressure_droop" ||
          mechanism.id == "drive_friction" || mechanism.id == "structural_flex";
 }
 
-/// A joint or gear as its effects meet it.
+/// A joint or gear, as far as its effects depend on it.
 struct Axis {
-  std::string undriven;  ///< why, empty if something drives it
+  std::string undriven;  ///< the reason, empty if something drives it
   double max_rate_positive_radps = 0, max_rate_negative_radps = 0;
   double max_effort_nm = 0;
   std::string_view effort_key;
   ActuatorEffort effort;
 };
 
-/// How a dead band leaves nothing of a full lever in one direction, empty if it does not.
+/// How a dead band exhausts a full lever in one direction; empty if it does not.
 std::string FaultOfDeadBand(const LeverMapParameters& map) {
   const double end_positive = std::min(1.0, map.limit_positive);
   const double end_negative = std::min(1.0, map.limit_negative);
@@ -66,8 +66,7 @@ std::string FaultOfDeadBand(const LeverMapParameters& map) {
       positive ? "positive" : "negative", dead, end, end < 1 ? " by lever_saturation" : "");
 }
 
-/// How friction alone takes up the effort at which pressure_droop has the axis stand still, empty
-/// if it does not.
+/// How friction alone exceeds the stall effort of pressure_droop; empty if it does not.
 std::string FaultOfDroop(const Effects& effects, const Axis& axis) {
   const LoadFrictionParameters load = LoadFrictionOf(effects, axis.effort);
   const LeverMapParameters map = LeverMapOf(effects);
@@ -92,7 +91,7 @@ std::string FaultOfDroop(const Effects& effects, const Axis& axis) {
   return "";
 }
 
-/// How dry friction holds the axis at rest at full lever in one direction, empty if it does not.
+/// How dry friction holds the axis at rest at full lever in one direction; empty if it does not.
 std::string FaultOfDriveFriction(const Effects& effects, const Axis& axis) {
   const LoadFrictionParameters load = LoadFrictionOf(effects, axis.effort);
   const double held_radps = load.lost_radps * load.breakaway;
@@ -111,8 +110,8 @@ std::string FaultOfDriveFriction(const Effects& effects, const Axis& axis) {
   return "";
 }
 
-/// Faults of a joint or gear: what nothing drives, a leak without the pressure that drives it, and
-/// numbers with which a full lever does not move it.
+/// Faults of a joint or gear: effects on an undriven axis, a leak without the pressure that drives
+/// it, and numbers at which a full lever does not move it.
 std::vector<EffectFault> FaultsOfAxis(const Effects& effects, const Axis& axis) {
   std::vector<EffectFault> faults;
   for (const Effect& effect : effects) {

@@ -8,14 +8,14 @@
 #include "physics/description/machine.h"
 
 /// Effects without any action: the machine lacks the part they act through, or their numbers leave
-/// no lever anything to move.
+/// no lever any motion.
 
 namespace tera {
 
 /// An effect that cannot act, and the reason.
 struct EffectFault {
   std::string_view mechanism;
-  std::string finding;  ///< what was found, and what is needed
+  std::string finding;  ///< the fault and its remedy
 };
 
 /// Effects in `model.effects` that cannot act, for one target each.

@@ -28,8 +28,8 @@ KinematicGainParameters KinematicGainOf(const Effects& effects);
 ///         backlash: the play operator. The output moves only while the input presses on a side of
 ///         the gap.
 /// Omits   the load's effect on the gap: the actuator's demand crosses it at each of its reversals.
-///         In reality a load holds the gap closed on one side, and crosses it where the load
-///         reverses, hardly ever under gravity. Also the impact when a gap closes.
+///         In reality a load holds the gap closed on one side and crosses it where the load
+///         reverses. Under gravity it almost never does. Also the impact when a gap closes.
 /// Source  Visintin 1994, "Differential models of hysteresis": the play operator.
 class KinematicGain {
  public:

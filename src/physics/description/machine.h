@@ -60,8 +60,8 @@ struct Link {
 
 enum class JointType { kFixed, kRevolute, kContinuous, kPrismatic };
 
-/// Coupling of a joint to a leading joint, for a mechanism that is not modelled as bodies: q =
-/// ratio * q(leader) + offset, in radians, or metres for prismatic joints.
+/// Coupling of a joint to a leading joint, for a mechanism without bodies of its own. q = ratio *
+/// q(leader) + offset, in radians, or metres for prismatic joints.
 struct Following {
   int leader = -1;  ///< index into joints; the leader follows no joint
   double ratio = 1, offset = 0;
@@ -145,8 +145,8 @@ struct FourBar {
   int joint = 0;
   Vec3 rocker_pin_P_m = Vec3::Zero(), coupler_pin_B_m = Vec3::Zero();
   double rocker_m = 0, coupler_m = 0;  ///< pin to pin
-  /// Side of the knee relative to the line from the rocker's pin to the coupler's pin: +1 if
-  /// turning from the line towards the knee is a positive turn of the joint, otherwise -1.
+  /// Side of the knee relative to the line from the rocker's pin to the coupler's pin. +1 if the
+  /// turn from the line towards the knee is positive for the joint, otherwise -1.
   int branch = 1;
   std::optional<Visual> rocker, coupler;  ///< meshes in R and C
 };

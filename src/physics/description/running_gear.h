@@ -37,7 +37,7 @@ std::vector<ContactPatch> TrackPatches(const TrackShape& track);
 std::vector<ContactPatch> WheelPatches(const WheelSetShape& wheels);
 
 /// Closed path along the outer face of the shoes, in their direction of motion when the track
-/// drives forward: backwards along the bottom, up around the rear, forwards along the top.
+/// drives forward. It runs backwards along the bottom, up around the rear, forwards along the top.
 std::vector<Vec3> TrackPath(const TrackShape& track);
 
 }  // namespace tera

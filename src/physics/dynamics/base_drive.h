@@ -13,10 +13,10 @@ namespace tera {
 /// Drives a machine's root link over the ground by three velocity constraints.
 ///
 /// Frames  B root link.
-/// Model   in each step the centre of the tracks' contact takes the commanded twist along B's x and
-///         y and about its z axis, up to the force limits. The other three directions are free: the
-///         machine sinks, pitches, rolls and tips over. The constraints are solved together with
-///         all joints and contacts of the machine.
+/// Model   in each step the centre of the tracks' contact takes the commanded twist, up to the
+///         force limits. The twist is along B's x and y and about its z axis. The other three
+///         directions are free: the machine sinks, pitches, rolls and tips over. The constraints
+///         are solved together with all joints and contacts of the machine.
 /// Omits   the shared friction of the three forces: each force has its own limit.
 class BaseDrive {
  public:

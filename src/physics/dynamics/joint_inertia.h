@@ -6,8 +6,8 @@
 
 namespace tera {
 
-/// Inertia (mass for prismatic joints) that each joint moves while all other joints are locked: all
-/// links beyond it, about its axis; 0 for fixed joints.
+/// Inertia (mass for prismatic joints) about each joint's axis of all links beyond it, with all
+/// other joints locked; 0 for fixed joints.
 ///
 /// Model   the diagonal of the mass matrix of a machine with a static root.
 /// Omits   coupling to other joints and the root; soil in shovels; cylinders and linkages.

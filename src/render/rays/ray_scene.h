@@ -39,8 +39,8 @@ struct RayHit {
 ///         land equals the land of the images.
 /// Omits   transparency: glass is opaque with its own reflectance, unless its opacity is 0. Terrain
 ///         ripples finer than its cells.
-/// Source  soil darkening with moisture: a saturated soil reflects about half as much as a dry soil
-///         in the near infrared (after Lobell and Asner 2002), linear in saturation.
+/// Source  soil darkening with moisture, linear in saturation: in the near infrared, a saturated
+///         soil reflects about half as much as a dry soil (after Lobell and Asner 2002).
 class RayScene {
  public:
   /// Maximum number of poses that Update accepts.

@@ -20,9 +20,8 @@ struct RaisedBoom {
 ///
 /// Frames  W east-north-up.
 /// Model   e = max(0, sin(elevation)) (h cos a, h sin a, v cos a), a = azimuth - `azimuth_deg`.
-///         Elevation and azimuth are the boom's; the azimuth turns from east to north. e is the
-///         first harmonic of an error with one maximum per turn, which grows with the boom's
-///         elevation.
+///         Elevation and azimuth are the boom's; the azimuth turns from east to north. The error
+///         has one maximum per turn and grows with the boom's elevation; e is its first harmonic.
 /// Omits   satellites, and hence changes over minutes; higher harmonics; a vertical boom, whose
 ///         azimuth is undefined.
 /// Source  own low-order form; sizes after Georgiadou and Kleusberg 1988, "On carrier signal

@@ -11,7 +11,7 @@
 
 namespace tera {
 
-/// Signs of the axes of an inertial unit, rates then forces; -1 where `axis_flip` has the axis or
+/// Signs of the axes of an inertial unit, rates then forces. -1 where `axis_flip` has the axis or
 /// the axis of that triad alone; of both, one undoes the other.
 Eigen::Matrix<double, 6, 1> AxisSigns(const Effects& effects);
 

@@ -15,11 +15,11 @@ namespace tera {
 /// Effect of the air on lidar pulses: fog, rain, falling snow and dust.
 ///
 /// Model   a surface's power is RangeEquation's times exp(-2 tau), where tau is the optical depth
-///         in front of it. Air that scatters back b per metre and steradian returns like a surface
-///         of reflectance pi b (c t / 2) exp(-2 tau), where c t / 2 is the length of air that one
-///         pulse covers. Fog is sampled once a pulse length. Each sample has the receiver's noise,
-///         1 / kThresholdToNoise of the threshold, and the strongest is the echo. A drop or flake
-///         in the beam's cross-section A returns as pi (pi (s D)^2 / 2 S) / A, with its swollen
+///         in front of it. Air with back-scatter b per metre and steradian returns like a surface
+///         of reflectance pi b (c t / 2) exp(-2 tau). c t / 2 is the length of air within one
+///         pulse. Fog is sampled once a pulse length. Each sample has the receiver's noise, 1 /
+///         kThresholdToNoise of the threshold, and the strongest is the echo. A drop or flake in
+///         the beam's cross-section A returns as pi (pi (s D)^2 / 2 S) / A, with its swollen
 ///         diameter s D and lidar ratio S. Detectable ones follow a Poisson process along the ray;
 ///         the nearest of each kind is an echo.
 /// Omits   multiple scattering, forward-scattered light that still arrives, drops on the window.

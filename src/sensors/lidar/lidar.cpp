@@ -34,7 +34,7 @@ struct SweptScan {
   double Azimuth(int column) const { return kPi + Spin(model) * column / model.columns; }
 };
 
-/// Of a lidar without a stated beam: Velodyne VLP-16 user manual, section 4.2 and appendix.
+/// Beam of a lidar without a stated one: Velodyne VLP-16 user manual, section 4.2 and appendix.
 constexpr double kUsualDivergence_rad = 0.003;
 constexpr double kUsualPulse_m = 0.75;  ///< of 5 ns
 constexpr double kLight_mps = 299792458;
@@ -153,7 +153,7 @@ struct Lidar::Block {
   std::vector<Vec3> d_S;  ///< one per pulse
   std::vector<TimeNs> since_start_ns;
   std::vector<RayHit> hits;
-  // Of one pulse.
+  // Buffers of one pulse.
   std::vector<Echo> echoes, peaks;
   std::vector<Return> returns;
 };

@@ -39,19 +39,19 @@ void Serialize(ModelArchive* archive, LidarModel* model);
 ///         d_S,k. A revolution starts at -x, so that its seam lies behind.
 /// Model   each pulse has its own time and pose. Power and threshold are RangeEquation's, and
 ///         the air is that of AirEchoes. A thin ray reports its strongest echo. A beam has a
-///         Gaussian profile and is sampled by seven rays: its axis with half of the energy, and a
-///         twelfth on each of six at the angle w = D / sqrt(2 ln 2) of 1/e^2 of the intensity, D
-///         the full angle at half power. This is exact for fields up to the fifth degree across the
-///         beam. Its echoes add up (FindPeaks); peaks above the threshold are returns, in the order
-///         of `pick`. Range is r + N(0, s0^2 + s1^2 P_least / P) with the deviations s0 of strong
-///         and s1 of barely detected returns; pulse i of revolution k draws at index k * pulses +
-///         i, its second return in the next lane. Intensity is rho cos(theta) exp(-2 tau) of what a
-///         peak shows.
+///         Gaussian profile and is sampled by seven rays. Its axis has half of the energy, six
+///         others a twelfth each. These lie at the angle w = D / sqrt(2 ln 2) of 1/e^2 of the
+///         intensity, with D the full angle at half power. This is exact for fields up to the fifth
+///         degree across the beam. Its echoes add up (FindPeaks); peaks above the threshold are
+///         returns, in the order of `pick`. Range is r + N(0, s0^2 + s1^2 P_least / P), with the
+///         deviations s0 of strong and s1 of barely detected returns. Pulse i of revolution k draws
+///         at index k * pulses + i, its second return in the next lane. Intensity is rho cos(theta)
+///         exp(-2 tau) of what a peak shows.
 /// Omits   retroreflectors, mirrors, crosstalk, detections of noise alone, elliptical beams; points
 ///         for pulses without a return.
 /// Source  quadrature: Stroud 1971, "Approximate calculation of multiple integrals", E_2^{r^2} 5-1;
 ///         noise: the deviation falls as the root of signal to noise, as in Kilic et al. 2021,
-///         "Lidar light scattering augmentation (LISA)", eq. 6; each preset names its data sheet.
+///         "Lidar light scattering augmentation (LISA)", eq. 6. Each preset names its data sheet.
 class Lidar {
  public:
   /// Lowest rate at which LidarPoint::time_offset_ns holds all offsets of a revolution: 2^32 ns are

@@ -8,8 +8,9 @@ namespace tera {
 namespace {
 
 constexpr double kSigmaOfWidth = 0.42466;  ///< standard deviation over full width at half power
-constexpr double kApart = 8;               ///< echoes so many sigma apart do not touch each other
-constexpr double kTogether = 2;            ///< echoes within so many sigma have one maximum
+constexpr double kApart = 8;               ///< distance in sigma beyond which echoes do not overlap
+constexpr double kTogether = 2;            ///< distance in sigma within which echoes share a
+                                           ///< maximum
 constexpr double kNegligible = 0.05;       ///< spread in sigma at which the centroid is the maximum
 constexpr double kSettled = 1e-4;          ///< last step of a search, in sigma
 constexpr int kMostSteps = 200;
@@ -18,7 +19,7 @@ struct Place {
   double mean_m, power;
 };
 
-/// Power at `at_m` and the centroid of the echoes there, each weighted by what it adds.
+/// Power at `at_m` and the centroid of the echoes there, weighted by their contributions.
 Place Weigh(std::span<const Echo> echoes, double at_m, double sigma_m) {
   double sum = 0, moment = 0;
   for (const Echo& echo : echoes) {

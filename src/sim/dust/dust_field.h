@@ -109,9 +109,8 @@ class DustField {
 /// Settling speed of dust of each size, and its mass extinction coefficient.
 ///
 /// Model   Stokes' speed at the geometric mean of a size's bounds, in aerodynamic diameter (1, 5
-///         and 17.3 um; unit density). Extinction of the first two sizes as measured on fine and
-///         coarse mineral dust, of the third 3 Q / (2 rho d) with Q = 2 and d the diameter of
-///         grains of that size.
+///         and 17.3 um; unit density). Extinction of the first two sizes: as measured on fine and
+///         coarse mineral dust. Third size: 3 Q / (2 rho d), with Q = 2 and grains of diameter d.
 /// Source  Pitchford et al. 2007, J. Air Waste Manage. Assoc. 57 (IMPROVE: fine soil 1 m^2/g,
 ///         coarse mass 0.6 m^2/g); Bohren and Huffman 1983, section 4.4.3 (Q = 2 of large grains).
 double SettlingSpeed_mps(int size);

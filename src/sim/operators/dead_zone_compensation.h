@@ -24,8 +24,8 @@ struct DeadZoneAdaptation {
 ///         a joint does not follow a small v for `wait_s`, d grows by `rate_1ps` until the joint
 ///         moves as asked. If it moves faster than `overshoot_ratio` times v, d shrinks at the same
 ///         rate. d stays once learnt, since the dead zone stays. With d no larger than the zone,
-///         the joint never moves faster than v asks, also near v = 0, so the loop around it is as
-///         stable as without a dead zone.
+///         the joint never moves faster than v commands, even near v = 0. The loop around it is
+///         then as stable as without a dead zone.
 /// Omits   a joint held by its load: d does not grow at v of 0.5 and beyond.
 /// Source  Tao and Kokotovic 1994, "Adaptive control of plants with unknown dead-zones".
 class DeadZoneCompensation {

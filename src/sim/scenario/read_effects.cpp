@@ -17,7 +17,7 @@
 namespace tera {
 namespace {
 
-/// Reads the effects of one machine, target by target. A name may stand for only one target.
+/// Reads the effects of one machine, target by target. A name may denote only one target.
 class TargetReader {
  public:
   explicit TargetReader(const ConfigMap& config) : config_(config) {}

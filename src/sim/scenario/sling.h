@@ -11,8 +11,8 @@ namespace tera {
 /// Ropes from one hook of a machine to one or more points of a dynamic obstacle.
 ///
 /// Frames  B the hook's link; T the obstacle.
-/// Model   each leg is a massless rope that only pulls: a spring beyond its length, of a stiffness
-///         at which the load's weight stretches one leg by 1 %, with a tenth of critical damping.
+/// Model   each leg is a massless rope that only pulls: a spring beyond its length. The load's
+///         weight stretches one leg by 1 %. Damping is a tenth of critical.
 /// Omits   the rope's mass, its contact with ground and machine, and its picture.
 struct Sling {
   std::size_t machine = 0, obstacle = 0;  ///< indices in the scenario

@@ -12,10 +12,10 @@ namespace tera {
 
 /// Packs numbers that vary smoothly from row to row, without loss, for a compressor.
 ///
-/// Model   the bits of a number, as an integer with the order of the numbers, are predicted by a
-///         polynomial of degree 0, 1 or 2 through the previous rows. Each column uses the degree
-///         with the smallest residual. Residuals are split into bytes, with one stream per byte
-///         weight: the high bytes are nearly all zero.
+/// Model   a number's bits form an integer with the order of the numbers. A polynomial of degree 0,
+///         1 or 2 through the previous rows predicts it. Each column uses the degree with the
+///         smallest residual. Residuals are split into bytes, with one stream per byte weight: the
+///         high bytes are nearly all zero.
 /// Source  predictive coding of floating point, after Lindstrom and Isenburg 2006 (fpzip), without
 ///         their range coder.
 class PackedSeries {

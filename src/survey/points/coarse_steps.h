@@ -17,9 +17,9 @@ struct CoarseSteps {
 /// The coarsest steps of x, y and z if they exceed 0.02 m.
 ///
 /// Model   For LAS, the steps are its scale. Elsewhere, x and y may have passed through single
-///         precision. Then every coordinate is a float, and the least distances on both axes equal
-///         the spacing of floats of that size; those of a regular grid do not. Coordinates over 100
-///         km with more than three points at a place were written with too few digits.
+///         precision. Then every coordinate is a float. The least distances on both axes equal the
+///         spacing of floats of that size, unlike those of a regular grid. Coordinates over 100 km
+///         with more than three points at a place were written with too few digits.
 /// Omits   clouds of a few points.
 std::optional<CoarseSteps> FindCoarseSteps(const PointCloud& cloud);
 

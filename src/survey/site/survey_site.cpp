@@ -70,7 +70,7 @@ void RequireAboutOrigin(const std::filesystem::path& file, const Vec2& middle_m)
 /// Refuses a flat survey that stands upright, such as one with y up.
 ///
 /// Model   A survey is flat if its spread in one direction is less than a quarter of the spread in
-///         any other. That direction must lie within 60 deg of z: work sites are less steep.
+///         any other. The direction must lie within 60 deg of z: work sites are less steep.
 void RequireUpright(const std::filesystem::path& file, const std::vector<Vec3>& p_m) {
   constexpr double kFlat = 0.25, kSteepest_rad = 60 * kDeg;
   Vec3 sum_m = Vec3::Zero();

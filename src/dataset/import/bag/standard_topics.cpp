@@ -92,7 +92,7 @@ std::optional<StandardColumn> Find(const Rows& rows, std::string_view key,
   return std::nullopt;
 }
 
-/// Counts what messages name.
+/// Counts messages by the names in them.
 class NamesOfMessages : public BagVisitor {
  public:
   explicit NamesOfMessages(const BagTopic& topic) : topic_(topic), reader_(SchemaOf(topic), {}) {}
@@ -106,7 +106,7 @@ class NamesOfMessages : public BagVisitor {
       if (!HoldsTransforms(topic_.type)) return true;
       for (const std::string& pair : reader_.FramePairs(message.bytes)) ++counts_[{pair}];
     } catch (const BadBytes&) {
-      // Whoever imports the topic is told of it.
+      // The import of the topic reports the damage.
     }
     return true;
   }

@@ -11,7 +11,7 @@ namespace tera {
 /// Difference between the clocks of `channel` and `reference`, from a motion that both observe.
 ///
 /// Model   stamp of `channel` = stamp of `reference` + ahead_s + drift (stamp of `channel` -
-///         from_ns). Bounds hold at 95 %. That of `ahead_s` allows for stamps up to half an
+///         from_ns). Bounds hold at 95 %. The bound of `ahead_s` allows for stamps up to half an
 ///         interval off their measurements.
 struct ClockDifference {
   std::string channel, reference;

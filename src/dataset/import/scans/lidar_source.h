@@ -27,7 +27,7 @@ struct LidarSource {
   std::string model_yaml;      ///< beam pattern as in sensor.yaml, where known
   double offset_s = 0;         ///< from the mapping's `time`
   bool keeps_seconds = false;  ///< second returns are points too
-  std::string remark;          ///< what the points lack, as far as the mapping tells
+  std::string remark;          ///< data that the points lack, by the mapping
   std::function<void(ScanReading* reading)> read;
 };
 

@@ -179,7 +179,7 @@ class BagGuess {
     return "-";
   }
 
-  /// An entry of `lidars`, with what the topic's type leaves open.
+  /// An entry of `lidars`, with placeholders for data that the topic's type does not determine.
   std::string AddLidar(const SeenTopic& seen) {
     const std::string& type = seen.topic.type;
     std::string rest;

@@ -20,7 +20,7 @@ Phasor After(double way_m, double frequency_hz) {
   return std::polar(1.0, 2 * kPi * frequency_hz * way_m / kLight_mps);
 }
 
-/// What the air does to the camera's own light.
+/// Extinction and back-scatter of the camera's own light by air.
 struct LitAir {
   double extinction_1pm;
   Phasor scattered;  ///< light that the air returns, in the unit of DirectLight

@@ -54,8 +54,8 @@ Phasor LightOver(const std::vector<LitPatch>& others, const LitPatch& at, double
 ///         longer path. Corners therefore appear too far and rounded. Distance is c phase / (4 pi
 ///         f), modulo the ambiguity range. Both components of a phasor have noise. Reflectance is
 ///         luminance times pi over illuminance, from scene light. Fog, rain and falling snow dim
-///         the camera's light by exp(-2 tau) and add the light that they scatter back, from 0.1 m
-///         on: the sum of pi b exp(-2 a r) / r^2 dr, with extinction a and back-scatter b.
+///         the camera's light by exp(-2 tau). They add back-scattered light from beyond 0.1 m: the
+///         integral of pi b exp(-2 a r) / r^2 dr, with extinction a and back-scatter b.
 /// Omits   light after several bounces, mirrors, scattering in the lens, dimming by dust, the
 ///         distance between eye and lamp, motion within a measurement, background light, wiggling
 ///         of the correlation.
