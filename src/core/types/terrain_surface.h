@@ -84,9 +84,9 @@ class TerrainSurface : public TerrainGrid {
   TerrainSurface(const TerrainGrid& grid, int base_cells, std::vector<float> base_height_m,
                  std::vector<Cover> tile_cover);
 
-  /// As it is seen.
+  /// The vertex with its present moisture.
   Vertex at(int i, int j) const;
-  /// As it was set, without what weather has done to its moisture since.
+  /// The vertex as set, without changes of its moisture by weather.
   Vertex AsSet(int i, int j) const;
   float height_m(int i, int j) const;
   /// Height of the triangle mesh at (x, y) in W; outside the site, the nearest border value.
@@ -101,7 +101,7 @@ class TerrainSurface : public TerrainGrid {
   void SetGrains(std::vector<Grain> grains) { grains_ = std::move(grains); }
 
   void Set(int i, int j, const Vertex& vertex);
-  /// Weather has come to this, by soil; ground of soils beyond the list keeps its moisture.
+  /// Moisture by weather, for each soil; ground of soils beyond the list keeps its moisture.
   void SetWetness(std::vector<Wetness> by_soil);
   /// Becomes equal to `other`. Copies only the tiles whose versions differ if both represent the
   /// same initial ground, otherwise all tiles.
