@@ -20,7 +20,6 @@ struct Include {
   std::string Text() const { return file + " includes " + header; }
 };
 
-/// The includes of one file.
 inline std::vector<Include> IncludesIn(const std::string& file, std::istream& text) {
   std::vector<Include> includes;
   const std::regex line_form(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");

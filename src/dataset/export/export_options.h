@@ -115,7 +115,6 @@ struct AbsentPictures {
   }
 };
 
-/// Progress of an export.
 struct ExportProgress {
   double recorded_s = 0, duration_s = 0;
   std::int64_t records = 0;

@@ -61,7 +61,6 @@ class LintJob {
   std::map<std::uint16_t, DatasetInfo::Instance> instances_;
 };
 
-/// The machine of a channel.
 std::string MachineOfChannel(const std::string& channel);
 
 // The checks, one topic each. They add findings to the job.

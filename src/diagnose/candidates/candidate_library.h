@@ -38,7 +38,6 @@ struct CandidateLibrary {
 /// fault: an unknown identifier or number, a range that is empty or beyond the mechanism's own.
 CandidateLibrary ReadCandidateLibrary(const std::filesystem::path& file);
 
-/// Whether a library admits a mechanism as a candidate.
 bool Admits(const CandidateLibrary& library, std::string_view mechanism);
 
 /// Sets the candidates of all blocks by a library, and moves their starts into the ranges. Throws

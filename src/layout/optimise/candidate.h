@@ -24,7 +24,6 @@ struct GeneBounds {
 };
 GeneBounds BoundsOf(const LayoutSearch& search);
 
-/// Index of a slot's first gene.
 std::size_t FirstGene(std::size_t slot);
 /// Index of a slot's type gene; that of its mount follows.
 std::size_t TypeGene(const LayoutSearch& search, std::size_t slot);

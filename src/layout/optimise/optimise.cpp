@@ -113,7 +113,6 @@ double HypervolumeOf(const SearchState& state) {
   return state.corner.front() - best->front();
 }
 
-/// Adds `count` random layouts.
 void AddRandom(const LayoutSearch& search, const Appraisal& appraisal, int count,
                SearchState* state) {
   const Stream stream(search.seed, "layout/optimise/first");

@@ -12,7 +12,6 @@ namespace tera {
 /// Throws  InputError if a file cannot be written.
 void WriteReport(const LayoutReport& report, const std::filesystem::path& folder);
 
-/// The page of one layout.
 std::string ReportPage(const LayoutReport& report);
 
 }  // namespace tera

@@ -57,7 +57,6 @@ struct PlainComparison {
   bool is_better = false;  ///< its error is steadily less than that of all findings together
 };
 
-/// The diagnosis of one block.
 struct BlockDiagnosis {
   /// False if there are too few manoeuvres for a search (IsTestable). Only the manoeuvres, the
   /// noise and `search.nothing` are then valid.

@@ -14,7 +14,7 @@ namespace tera {
 /// at least kRivalGain of log-likelihood. Smaller gains do not discriminate.
 inline constexpr double kRivalP = 0.05, kRivalGain = 3;
 
-inline constexpr std::size_t kMostStructureTerms = 8;  ///< in a structure
+inline constexpr std::size_t kMostStructureTerms = 8;
 /// Least TermEvidence::share of a needed term.
 inline constexpr double kLeastTermShare = 0.02;
 /// Least TermEvidence::share of a term whose gain is clear by a bet but not steady.
