@@ -51,7 +51,7 @@ class CameraView {
   TimeNs apart_ns() const { return std::abs(camera_.t_ns[nearest_] - t_ns_); }
   const std::vector<ObjectBox>& boxes() const { return boxes_; }
 
-  /// For one of boxes().
+  /// Pose of one of boxes().
   Pose X_WO(const ObjectBox& box) const {
     const TimeNs near_ns = camera_.t_ns[nearest_];
     const Pose near = camera_.X_WF(near_ns) * box.X_CO;

@@ -18,6 +18,10 @@
 
 /// The problem that a search for missing physics solves: measured channels, candidate mechanisms,
 /// and a replay that predicts the channels under any of them. The search knows no machine.
+///
+/// docs/guide/glossary.md defines block, manoeuvre, TRAIN, SELECT, FINAL, nuisance, rival and
+/// proxy. A term is a candidate with values, a structure a set of terms. A steady gain is a gain in
+/// likelihood that recurs over manoeuvres (steady_gain.h).
 
 namespace tera {
 

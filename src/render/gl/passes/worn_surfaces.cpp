@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-constexpr unsigned kNoiseUnit = 9;  // below the units of materials
+constexpr unsigned kNoiseUnit = 9;  // texture unit below those of materials
 constexpr double kMudSaturation = 0.35;
 constexpr double kGreyDust = 0.35;  // blend of fine dust from the soil's colour to grey
 
