@@ -85,7 +85,7 @@ std::vector<bool> Worked(const std::vector<float>& site_m, const std::vector<flo
 // (test/sim/motion_source_test.cpp). A recording has only poses and angles. Angles are means over
 // 50 ms, so that links err by up to 8 mm in acceleration. Rates are differences over 10 ms, without
 // the shocks of single steps. The time before t = 0, when the machines came to rest, is missing.
-// Of the 0.36 m3 moved, 0.3 % lie elsewhere for that rest alone. It is 3.8 % with true links and
+// For that rest alone, 0.3 % of the 0.36 m3 moved lie elsewhere. It is 3.8 % with true links and
 // recorded rates, 4.0 % with recorded links and true rates, and 4.1 % with both recorded: loose
 // soil ends elsewhere after any small difference.
 // The volume elsewhere follows from the links' error d. A surface off by d leaves the area A that

@@ -25,7 +25,7 @@ LoadedScenario LoadRecordedRun(const std::filesystem::path& directory,
                                const std::vector<std::string>& moved);
 
 /// Throws InputError if a dataset at `out`, or its incomplete one, would lie at or inside the
-/// replayed recording. That may be the only copy of the run.
+/// replayed recording. The recording may be the only copy of the run.
 void RequireAnotherPlace(const std::filesystem::path& recording, const std::filesystem::path& out);
 
 }  // namespace tera

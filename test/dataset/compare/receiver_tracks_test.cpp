@@ -90,8 +90,8 @@ class ReceiverTracksTest : public testing::Test {
   ScratchDirectory scratch_;
 };
 
-// Half a metre east and 0.1 m up, and a heading error of 3 deg. That moves the left antenna, 1.0817
-// m from the axis of rotation, by 2 1.0817 m sin(1.5 deg) = 0.0566 m.
+// Half a metre east and 0.1 m up, and a heading error of 3 deg. The error moves the left antenna,
+// 1.0817 m from the axis of rotation, by 2 1.0817 m sin(1.5 deg) = 0.0566 m.
 TEST_F(ReceiverTracksTest, ReceiversAloneTellPlaceAndHeading) {
   const MachineComparison same = Compared({}, {.shift_m = Vec3(0.3, 0.4, 0)});
   ASSERT_EQ(same.tracks.size(), 2u);

@@ -42,7 +42,7 @@ EyeMasking Masked(const Yard& yard, const EyeStudy& eye) {
 }
 
 /// From above, with the eye at the origin, looking along x: the place on the line `at` whose ray
-/// from the left light grazes the plate's left edge. That light sees places farther left.
+/// from the left light grazes the plate's left edge. The left light sees places farther left.
 Vec2 LeftEnd(const Vec2& edge_m, double spacing_m, const std::function<Vec2(double)>& at,
              double low, double high) {
   for (int k = 0; k < 60; ++k) {

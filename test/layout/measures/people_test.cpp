@@ -277,8 +277,8 @@ TEST(PersonRange, FromWhereOnSheIsDetectedIsToldToo) {
 
 TEST(PersonRange, AGapIsMissingFromTheMetresAtWhichSheIsDetected) {
   // A fence of 3 m, 5.3 m ahead, hides a person from a lidar 4.5 m up until the top, 1.75 m above
-  // the ground, is visible above it. That is from 5.3 (4.5 - 1.75) / (4.5 - 3) = 9.7 m on, so that
-  // detection fails at 6, 7, 8 and 9 m.
+  // the ground, is visible above it. The person is visible from 5.3 (4.5 - 1.75) / (4.5 - 3) = 9.7
+  // m on, so that detection fails at 6, 7, 8 and 9 m.
   const LookedAtSite site({.boxes = {{"fence1", {5.3, -9, 0}, {5.31, 9, 3}}}});
   const PersonRange range =
       RangeOf(site, LayoutOf({ViewerAt("lidar", {0, 0, 4.5}, ReachingField(99))}));

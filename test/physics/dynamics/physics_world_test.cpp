@@ -99,8 +99,8 @@ TEST(PhysicsWorld, AFloatingMachineKeepsItsMomentumWhileItsArmMoves) {
     largest = std::max(largest, p.norm());
   }
   ASSERT_GT(largest, 50);
-  // Rates are conserved, not momenta, while the pose advances within a step. That is a first-order
-  // error, here less than a millimetre per second for the whole machine.
+  // Rates are conserved, not momenta, while the pose advances within a step. The error is of first
+  // order, here less than a millimetre per second for the whole machine.
   EXPECT_LT(momentum.norm(), 3500 * 1e-3);
   EXPECT_LT((angular - com_W.cross(momentum)).norm(), 2e-2 * largest);
 }

@@ -91,7 +91,7 @@ TEST_F(RecordedMotionOfACart, ErrorsThatAlternateFromSampleToSampleAreAFifthInTh
                               .turn_t_ns = EvenTimes(1, 3, 0.01),
                               .X_WB = RecordedMotionStraight,
                               .turn_rad = noisy});
-  // Of the five samples within 25 ms, three err to one side and two to the other.
+  // Three of the five samples within 25 ms err to one side and two to the other.
   EXPECT_NEAR(motion.At(FromSeconds(2)).q_rad[0], 0.4 + kError_rad / 5, 1e-9);
   EXPECT_NEAR(motion.At(FromSeconds(2.01)).q_rad[0], 0.402 - kError_rad / 5, 1e-9);
 }

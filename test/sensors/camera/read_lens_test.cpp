@@ -182,7 +182,7 @@ TEST(Lens, IsWrittenSoThatItIsReadAgain) {
   }
 }
 
-// Of an equidistant lens: sin(theta) / theta, at 60 degrees 0.82699, at 90 degrees 2 / pi.
+// Equidistant lens: sin(theta) / theta, at 60 degrees 0.82699, at 90 degrees 2 / pi.
 TEST(Lens, IlluminationFallsWithTheSolidAngleThatAPixelSees) {
   const CameraIntrinsics lens =
       LensOf("width_px: 601, height_px: 601, fx_px: 150, lens: f_theta, field_of_view_deg: 190");

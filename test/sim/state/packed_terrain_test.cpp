@@ -171,8 +171,8 @@ TEST(PackedTerrain, ClodsInFreeFallTakeFewerBytesThanTheirPlaces) {
 
 TEST(PackedTerrain, AVertexThatSinksALittleTakesFewBytes) {
   // 100 adjacent vertices sink by some 1e-5 m at heights from 0.5 to 1 m, whose spacing is 2^-24 m.
-  // That is 168 spacings, below 2^9 with its sign, hence two bytes. A place relative to the
-  // previous one takes at most one more, a change of cover one.
+  // A step of 1e-5 m is 168 spacings, below 2^9 with its sign, hence two bytes. A place relative to
+  // the previous one takes at most one more, a change of cover one.
   constexpr int kSteps = 200, kVertices = 100;
   TerrainSurface start(TerrainGrid{.nx = 118, .ny = 163});
   for (int i = 0; i < kVertices; ++i) start.Set(i, 60, {0.95f, {}});

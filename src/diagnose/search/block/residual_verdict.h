@@ -57,9 +57,9 @@ std::vector<ResidualVerdict> ResidualVerdictsOf(const EvaluationContext& context
 ///
 /// Model   the flexible regressor predicts a channel if its gain is steady over SELECT (Bonferroni
 ///         over the diagnosis's channels) and FINAL. All manoeuvres are tested too, each by a fit
-///         to the others, if few are loud or the residual may be slow noise. That test is at half
-///         the level. A predicted error is reported only if it reduces FINAL's error by at least
-///         `tolerated`.
+///         to the others, if few are loud or the residual may be slow noise. The latter test is at
+///         half the level. A predicted error is reported only if it reduces FINAL's error by at
+///         least `tolerated`.
 std::vector<Unexplained> UnexplainedOf(const EvaluationContext& context, const SearchResult& search,
                                        const std::vector<ResidualVerdict>& verdicts,
                                        const std::vector<double>& tolerated);

@@ -146,9 +146,9 @@ TEST_F(RealLidar, AVlp16IsDecodedAsByAnotherProject) {
   ASSERT_EQ(theirs.size(), 14831u);
   Import("lidar_velodyne/1673400471837873222_0.db3",
          "topic: /velodyne_packets, unit: vlp16, returns: all");
-  // That project ignores the beams' height above or below the origin, which the manual states: from
-  // 11.2 mm of the lowest to -11.2 mm of the highest ring. In the last blocks of a packet it uses
-  // the block's azimuth for all firings, for second returns that of the next block.
+  // Nebula ignores the beams' height above or below the origin. The manual states it: from 11.2 mm
+  // of the lowest to -11.2 mm of the highest ring. In the last blocks of a packet it uses the
+  // block's azimuth for all firings, for second returns that of the next block.
   constexpr double kUp_m[] = {-0.0112, -0.0097, -0.0081, -0.0066, -0.0051, -0.0037,
                               -0.0022, -0.0007, 0.0007,  0.0022,  0.0037,  0.0051,
                               0.0066,  0.0081,  0.0097,  0.0112};
@@ -182,9 +182,8 @@ TEST_F(RealLidar, AVlp32cIsDecodedAsByAnotherProject) {
   ASSERT_EQ(theirs.size(), 26216u);
   Import("lidar_velodyne/vlp32_1713492677464078412_0.db3",
          "topic: /sensing/lidar/front/velodyne_packets, unit: vlp32c");
-  // That project advances the azimuth by one firing for each laser, and not at all in the last
-  // block of a packet. By the manual two lasers fire at once, so that laser n has turned by n / 2
-  // firings.
+  // Nebula advances the azimuth by one firing for each laser, and not at all in the last block of a
+  // packet. By the manual two lasers fire at once, so that laser n has turned by n / 2 firings.
   constexpr int kLaserOfRing[] = {29, 30, 25, 26, 21, 22, 17, 13, 18, 14, 9,  5, 10, 6, 1, 31,
                                   2,  28, 27, 23, 24, 20, 19, 15, 16, 12, 11, 8, 7,  4, 3, 0};
   constexpr double kFiring_deg = 360 / 0.1001 * 2.304e-6;
