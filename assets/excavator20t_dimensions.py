@@ -20,8 +20,8 @@ SHOE_LENGTH = (2 * WHEELBASE + 2 * math.pi * TRACK_RADIUS) / SHOE_COUNT
 
 TAIL_RADIUS = 2.75
 
-BUCKET_PROFILE = ((1.45, 0.0), (1.37, 0.19), (1.16, 0.42), (0.87, 0.58), (0.55, 0.61), (0.29, 0.51),
-                  (0.17, 0.30), (0.17, -0.05))
+BUCKET_PROFILE = ((1.45, 0.0), (1.37, 0.19), (1.18, 0.44), (0.89, 0.615), (0.55, 0.66),
+                  (0.28, 0.55), (0.17, 0.32), (0.17, -0.05))
 BUCKET_WIDTH, BUCKET_TEETH = 1.045, 5
 
 # The bucket's four-bar in x-z: rocker's pin on the arm, lengths of rocker and coupler, coupler's

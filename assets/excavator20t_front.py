@@ -197,9 +197,9 @@ def _teeth(body, tip, along, across, half):
 def _bucket_ears(body):
     outline = _bucket_outline()
     middle = ribbon(outline, SHELL / 2)[len(outline):][::-1]
-    against_shell = [tuple(point) for point in middle if point[0] < 0.45 and point[1] < 0.60]
+    against_shell = [tuple(point) for point in middle if point[0] < 0.45 and point[1] < 0.64]
     free = [(0.08, -0.10), (-0.10, -0.08), (-0.115, 0.20), (-0.165, 0.40), (-0.12, 0.55),
-            (0.02, 0.57), (0.24, 0.60)]
+            (0.02, 0.58), (0.22, 0.64)]
     ear = against_shell + free
     radii = [0.0] * len(against_shell) + [0.09, 0.09, 0.15, 0.10, 0.09, 0.10, 0.10]
     body.add(paint.CHARCOAL, *cheeks(ear, radii, 0.205, 0.05))

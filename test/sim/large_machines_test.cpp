@@ -176,9 +176,9 @@ TEST(LargeMachines, TheExcavatorDigsLiftsAndDumps) {
       highest_m = std::max(highest_m, site.machine().links[bucket].X_WB.translation().z());
     }
   });
-  // 0.8 m3 of loose dirt, 1474 kg/m3 over 1.1, are 1070 kg.
+  // Struck, 0.56 m3 of loose dirt, 1474 kg/m3 over 1.1, are 750 kg; heaped 1:1, 1070 kg.
   EXPECT_GT(most_kg, 600);
-  EXPECT_LT(most_kg, 1600);
+  EXPECT_LT(most_kg, 1070);
   EXPECT_GT(highest_m, 2.5);
   EXPECT_LT(site.machine().shovel_load[0].mass_kg, 0.2 * most_kg);
   EXPECT_LT(most_tilt_rad, 8 * kDeg);
@@ -225,7 +225,7 @@ TEST(LargeMachines, TheExcavatorLoadsATruck) {
     }
   }
   EXPECT_EQ(dumps, 2);
-  EXPECT_GT(sum_kg, 1200);
+  EXPECT_GT(sum_kg, 1000);
   const MassLedger ledger = simulation.state().ground().ledger();
   EXPECT_NEAR(ledger.total_kg() / ledger.shifted_kg, 0, 1e-9);
   EXPECT_NEAR(ledger.beds_kg / simulation.state().beds[0].mass_kg, 1, 1e-9);

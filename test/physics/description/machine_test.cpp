@@ -15,13 +15,17 @@ TEST(Machine, CompactExcavatorWeighsItsOperatingWeight) {
   EXPECT_NEAR(ShippedMachine("tb235").TotalMass_kg(), 3500, 1);
 }
 
-TEST(Machine, EveryShippedMachineStandsStillWithItsLeversAtRest) {
+std::vector<std::string> ShippedMachines() {
   std::vector<std::string> names;
   for (const auto& file : std::filesystem::directory_iterator(DataRoot() / "config/machines")) {
     names.push_back(file.path().stem().string());
   }
-  ASSERT_GE(names.size(), 3u);
-  for (const std::string& name : names) {
+  return names;
+}
+
+TEST(Machine, EveryShippedMachineStandsStillWithItsLeversAtRest) {
+  ASSERT_GE(ShippedMachines().size(), 3u);
+  for (const std::string& name : ShippedMachines()) {
     const MachineModel model = ShippedMachine(name);
     MachineRun run(model, MakePose(Vec3(1, 2, 3), 0, 0, 1), 0.0);
     run.StepFor(0.1);
@@ -223,6 +227,46 @@ TEST(Machine, ExcavatorHasItsEquipment) {
   EXPECT_DOUBLE_EQ(model.gear_drives[0].max_rate_radps, 1.25 / 0.25);
   EXPECT_EQ(model.links[model.LinkIndex("boom")].label, SemanticClass::kBoom);
   EXPECT_EQ(model.links[model.LinkIndex("boom")].collision.size(), 2u);
+}
+
+/// What a shovel's walls hold by SAE J296: level with the plane from the edge behind the teeth to
+/// the top edge, and heaped on it as a hip roof of 1:1.
+struct Rated {
+  double struck_m3, heaped_m3;
+};
+
+Rated RatedBySaeJ296(const Shovel& shovel) {
+  std::vector<Vec2> held = shovel.profile_B_m;
+  double teeth_m = shovel.tooth_length_m;
+  while ((held[1] - held[0]).norm() <= teeth_m) {
+    teeth_m -= (held[1] - held[0]).norm();
+    held.erase(held.begin());
+  }
+  held[0] += teeth_m * (held[1] - held[0]).normalized();
+  double area_m2 = 0;
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    const Vec2 &a = held[k], &b = held[(k + 1) % held.size()];
+    area_m2 += 0.5 * (a.x() * b.y() - a.y() * b.x());
+  }
+  const double struck_m3 = std::abs(area_m2) * shovel.width_m;
+  const double opening_m = (held.front() - held.back()).norm();
+  const auto [narrow_m, wide_m] = std::minmax(opening_m, shovel.width_m);
+  return {struck_m3, struck_m3 + wide_m * narrow_m * narrow_m / 4 - std::pow(narrow_m, 3) / 12};
+}
+
+TEST(Machine, EveryShippedBucketHoldsWhatItsFileSays) {
+  int buckets = 0;
+  for (const std::string& name : ShippedMachines()) {
+    for (const Shovel& shovel : ShippedMachine(name).ground_tools.shovels) {
+      if (shovel.capacity_m3 <= 0) continue;
+      ++buckets;
+      EXPECT_NEAR(RatedBySaeJ296(shovel).struck_m3 / shovel.capacity_m3, 1, 0.03) << name;
+    }
+  }
+  EXPECT_GE(buckets, 2);
+  // The maker's rating of the 20 t excavator's bucket.
+  const MachineModel large = ShippedMachine("excavator20t");
+  EXPECT_NEAR(RatedBySaeJ296(large.ground_tools.shovels[0]).heaped_m3 / 0.8, 1, 0.03);
 }
 
 TEST(Machine, SkidSteerTurnsTwoWheelsWithEachLever) {

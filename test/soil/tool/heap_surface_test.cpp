@@ -24,10 +24,10 @@ double Lumps(double along_m, double across_m) {
 Shovel LargeBucket() {
   Shovel bucket;
   bucket.name = "bucket";
-  bucket.profile_B_m = {{1.45, 0.0},  {1.37, 0.19}, {1.16, 0.42}, {0.87, 0.58},
-                        {0.55, 0.61}, {0.29, 0.51}, {0.17, 0.30}, {0.17, -0.05}};
+  bucket.profile_B_m = {{1.45, 0.0},  {1.37, 0.19}, {1.18, 0.44}, {0.89, 0.615},
+                        {0.55, 0.66}, {0.28, 0.55}, {0.17, 0.32}, {0.17, -0.05}};
   bucket.width_m = 1.045;
-  bucket.capacity_m3 = 0.51;
+  bucket.capacity_m3 = 0.56;
   bucket.teeth = 5;
   bucket.tooth_length_m = 0.24;
   return bucket;
