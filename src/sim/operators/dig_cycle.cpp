@@ -158,7 +158,8 @@ void DigCycle::Advance(const OperatorView& view) {
       if (TipError_m(tip, target.tip) < kTipTolerance_m || late) Enter(Phase::kCut, view);
       break;
     case Phase::kCut:
-      AdvanceCut(view, TipError_m(tip, target.tip));
+      // A tip that has run ahead, towards the machine, is not held back.
+      AdvanceCut(view, tip.r_m > target.tip.r_m ? TipError_m(tip, target.tip) : 0.0);
       if (cut_s_m_ >= plan_.cut_length_m || load.volume_m3 > kFullShare * Capacity_m3(view) ||
           time_s > kCutPatience * plan_.cut_length_m / plan_.cut_speed_mps) {
         Enter(Phase::kCurl, view);
