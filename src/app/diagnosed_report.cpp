@@ -10,8 +10,6 @@
 #include "diagnose/report/files/recordings_report.h"
 #include "diagnose/report/files/write_report.h"
 #include "diagnose/report/text/sentences.h"
-#include "diagnose/report/text/shared_cause_text.h"
-#include "diagnose/report/text/summary.h"
 
 namespace tera {
 namespace {

@@ -7,8 +7,7 @@
 
 #include "core/in_parallel.h"
 #include "diagnose/blocks/measured_poses.h"
-#include "diagnose/encoder_lead.h"
-#include "diagnose/late_encoders.h"
+#include "diagnose/encoder_clocks.h"
 #include "diagnose/proposal/propose.h"
 #include "diagnose/search/fit/excluded_samples.h"
 #include "diagnose/sensors/estimated_poses.h"

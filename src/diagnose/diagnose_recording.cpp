@@ -5,19 +5,36 @@
 
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "core/error.h"
 #include "dataset/compare/time_alignment.h"
 #include "diagnose/blocks/candidate_list.h"
 #include "diagnose/perception/perception_run.h"
-#include "diagnose/report/files/baselines_json.h"
+#include "diagnose/search/structure/baselines.h"
 #include "physics/actuation/axes.h"
 #include "sim/operators/lever_replay.h"
 
 namespace tera {
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Values by the names of a block's channels.
+void Put(const ReplayBlock& block, const std::vector<double>& values, Json* map) {
+  for (std::size_t c = 0; c < values.size(); ++c) (*map)[block.channels[c].name] = values[c];
+}
+
+void Add(const ReplayBlock& block, const BaselineAnswer& answer, Json* method) {
+  if (answer.found) (*method)["found"] = true;
+  for (const NamedMechanism& name : answer.names) {
+    (*method)["names"].push_back({{"mechanism", name.mechanism}, {"target", name.target}});
+  }
+  Put(block, answer.rmse_final, &(*method)["rmse"]);
+}
 
 /// The recording's name of a machine of the scenario: the same name, or the only one where scenario
 /// and recording have one machine each.
@@ -175,15 +192,70 @@ std::string BaselinesOfRecording(const Scenario& scenario, const Recording& reco
   const BlockOptions options{.threads = threads};
   std::vector<ReplayBlock> replayed = BlocksOf(input, MeasurementsOf(input, recording), options);
   ExcludeLaggingSamples(&replayed);
-  std::vector<BlockBaselines> blocks;
+  Json json = {{"as_it_is", Json::object()}, {"methods", Json::array()}};
+  Json& methods = json["methods"];
   for (const ReplayBlock& block : replayed) {
     const Stream stream = StreamOf(block, scenario.seed);
-    BlockBaselines baselines{{}, RmseAsItIs(block, stream), {}};
-    for (const Channel& channel : block.channels) baselines.channels.push_back(channel.name);
-    baselines.answers = BaselinesOf(block, threads, stream);
-    blocks.push_back(std::move(baselines));
+    Put(block, RmseAsItIs(block, stream), &json["as_it_is"]);
+    const std::vector<BaselineAnswer> answers = BaselinesOf(block, threads, stream);
+    for (std::size_t m = 0; m < answers.size(); ++m) {
+      if (methods.size() <= m) {
+        methods.push_back({{"method", answers[m].method},
+                           {"gives_findings", answers[m].gives_findings},
+                           {"gives_names", answers[m].gives_names},
+                           {"found", false},
+                           {"names", Json::array()},
+                           {"rmse", Json::object()}});
+      }
+      Add(block, answers[m], &methods[m]);
+    }
   }
-  return BaselinesJson(blocks);
+  return json.dump(2) + "\n";
+}
+
+namespace {
+
+/// That all paths are of different folders.
+void RequireDifferent(const std::vector<std::filesystem::path>& paths) {
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      std::error_code none;
+      if (!std::filesystem::equivalent(paths[i], paths[j], none)) continue;
+      throw InputError(paths[i].string(), {FaultKind::kRepeated,
+                                           "is named twice; need different recordings, since each "
+                                           "is judged by those that it has not seen"});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<DiagnosedRecording> DiagnoseRecordings(
+    const Scenario& scenario, const std::vector<std::filesystem::path>& recordings,
+    const DiagnosisTask& task, const FollowProgress& progress, StageClock* clock) {
+  RequireDifferent(recordings);
+  std::vector<Recording> opened;
+  for (const std::filesystem::path& path : recordings) {
+    opened.emplace_back(path);
+    for (std::size_t r = 0; r + 1 < opened.size(); ++r) RequireOtherTime(opened[r], opened.back());
+  }
+  std::vector<DiagnosedRecording> diagnosed;
+  for (std::size_t r = 0; r < recordings.size(); ++r) {
+    DiagnosisTask one = task;
+    for (std::size_t other = 0; other < recordings.size(); ++other) {
+      if (other != r) one.held_out.push_back(recordings[other]);
+    }
+    diagnosed.push_back(
+        {recordings[r], DiagnoseRecording(scenario, opened[r], one, progress, clock)});
+  }
+  return diagnosed;
+}
+
+std::vector<const Diagnosis*> OfMachine(const std::vector<DiagnosedRecording>& recordings,
+                                        std::size_t machine) {
+  std::vector<const Diagnosis*> diagnoses;
+  for (const DiagnosedRecording& one : recordings) diagnoses.push_back(&one.machines[machine]);
+  return diagnoses;
 }
 
 }  // namespace tera

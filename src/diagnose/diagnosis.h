@@ -56,4 +56,58 @@ std::string_view NameOf(Verdict verdict);
 /// could not be compared or judged, or a candidate is undetectable at any size.
 std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis);
 
+/// An unexplained error with its block.
+struct UnexplainedInBlock {
+  const DiagnosedBlock* diagnosed = nullptr;
+  const Unexplained* unexplained = nullptr;
+};
+
+/// Findings of a block, by descending removed error of their channel on FINAL. The gain in
+/// log-likelihood would instead rank an effect that is faint in many manoeuvres above one that is
+/// strong in few. A diagnosis must outlive what is ranked of it.
+std::vector<const Finding*> RankedFindings(const DiagnosedBlock& diagnosed);
+
+/// Findings that are as expected; that were chosen and not confirmed; that come nearest to what is
+/// unexplained.
+std::vector<const Finding*> WithinToleranceOf(const Diagnosis& diagnosis);
+std::vector<const Finding*> UnconfirmedOf(const Diagnosis& diagnosis);
+std::vector<const Finding*> ProxiesOf(const Diagnosis& diagnosis);
+
+/// Unexplained errors, by the gain in log-likelihood that a flexible regressor reaches.
+std::vector<UnexplainedInBlock> RankedUnexplained(const Diagnosis& diagnosis);
+
+/// Whether a channel of a block has an unexplained residual.
+bool IsLeft(const DiagnosedBlock& diagnosed, std::size_t channel);
+
+/// A finding with its origin: one of `block`, `sensor` and `seen_by` is set.
+struct Cause {
+  const Finding* finding = nullptr;
+  const DiagnosedBlock* block = nullptr;
+  const SensorFound* sensor = nullptr;
+  const PerceptionDiagnosis* seen_by = nullptr;
+  const PerceptionFinding* seen = nullptr;  ///< together with `seen_by`
+
+  const Mechanism& mechanism() const { return *finding->term.candidate->mechanism; }
+  const std::string& target() const { return finding->term.candidate->target; }
+  /// SI unit of the errors before and after; "px" for pictures; empty if unknown.
+  std::string ErrorUnit() const;
+  /// Ratio of the error without the cause to that with it.
+  double ErrorRatio() const;
+};
+
+/// Causes that a diagnosis names, those of blocks first, block by block: the block with the
+/// greatest total gain in log-likelihood on held-out samples, and within it as RankedFindings. Then
+/// those of sensors that were compared with each other, then of lidars and cameras.
+std::vector<Cause> RankedCauses(const Diagnosis& diagnosis);
+
+/// The same, sorted by descending ErrorRatio.
+std::vector<Cause> CausesOf(const Diagnosis& diagnosis);
+
+/// Channels of compared sensors with a residual that no sensor parameter explains, and that no
+/// block was judged by later.
+std::vector<const ChannelError*> UnexplainedOfSensors(const Diagnosis& diagnosis);
+
+/// Other candidates that explain as well as the finding.
+std::vector<const Candidate*> RivalsOf(const Finding& finding);
+
 }  // namespace tera

@@ -7,7 +7,7 @@
 #include "diagnose/blocks/base_block.h"
 #include "diagnose/blocks/measured_heading.h"
 #include "diagnose/blocks/measured_poses.h"
-#include "diagnose/discrepancy/as_simulated.h"
+#include "diagnose/discrepancy/discrepancy_correction.h"
 #include "diagnose/sensors/sensor_parameters.h"
 
 namespace tera {

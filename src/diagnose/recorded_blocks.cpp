@@ -17,7 +17,7 @@
 #include "diagnose/blocks/gnss_block.h"
 #include "diagnose/blocks/imu_block.h"
 #include "diagnose/blocks/measured_poses.h"
-#include "diagnose/discrepancy/as_simulated.h"
+#include "diagnose/discrepancy/discrepancy_correction.h"
 #include "diagnose/input_checks.h"
 #include "diagnose/recorded_base.h"
 

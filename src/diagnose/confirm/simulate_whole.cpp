@@ -11,7 +11,7 @@
 
 #include "diagnose/blocks/candidate_list.h"
 #include "diagnose/blocks/measured_poses.h"
-#include "diagnose/discrepancy/as_simulated.h"
+#include "diagnose/discrepancy/discrepancy_correction.h"
 #include "diagnose/measurements.h"
 #include "diagnose/replay/base_log.h"
 #include "physics/actuation/axes.h"

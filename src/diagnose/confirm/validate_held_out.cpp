@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "diagnose/diagnose_blocks.h"
-#include "diagnose/late_encoders.h"
+#include "diagnose/encoder_clocks.h"
 #include "diagnose/search/fit/excluded_samples.h"
 #include "diagnose/sensors/late_poses.h"
 

@@ -4,9 +4,20 @@
 #include <vector>
 
 #include "core/random.h"
+#include "diagnose/replay/axis_log.h"
 #include "diagnose/search/fit/replay_block.h"
+#include "resimulate/motion/simulated_course.h"
 
 namespace tera {
+
+/// Samples of error-free encoders in the simulation, for the axes and times of `measured`, up to
+/// the simulation's end. Axes that the machine lacks keep their measurements.
+std::vector<NamedEncoders> AsSimulated(const MachineModel& model, const SimulatedCourse& course,
+                                       std::vector<NamedEncoders> measured);
+
+/// Simulated poses at the times of the measured ones, up to the simulation's end.
+std::vector<TruthPose> AsSimulated(const SimulatedCourse& course,
+                                   const std::vector<TruthPose>& measured);
 
 /// Difference of a block's channels between a simulation of the whole scenario and the block's
 /// replay of that simulation: effects of soil, other joints and inertia that the replay lacks.

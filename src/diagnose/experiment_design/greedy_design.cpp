@@ -3,11 +3,141 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
+#include "diagnose/search/fit/steady_gain.h"
 #include "diagnose/search/fit/structure_fit.h"
 #include "diagnose/statistics/series/whitening.h"
 
 namespace tera {
+namespace {
+
+const char* const kNothing = "nothing";
+
+bool Has(const Structure& terms, const Candidate* candidate) {
+  return std::any_of(terms.begin(), terms.end(),
+                     [&](const Term& term) { return term.candidate == candidate; });
+}
+
+Structure Without(Structure terms, const Candidate* candidate) {
+  std::erase_if(terms, [&](const Term& term) { return term.candidate == candidate; });
+  return terms;
+}
+
+/// The class of a finding: itself and its rivals, each fitted in its place.
+AmbiguitySet ClassOf(const Finding& finding, const Structure& found,
+                     const StructureFitter& fitter) {
+  AmbiguitySet set;
+  set.is_class = true;
+  const Structure others = Without(found, finding.term.candidate);
+  std::vector<Structure> explanations;
+  for (const Candidate* rival : finding.evidence.rivals) {
+    set.members.emplace_back(rival->mechanism->id);
+    Structure explanation = others;
+    explanation.push_back({rival, rival->starts.front()});
+    explanations.push_back(rival == finding.term.candidate ? found
+                                                           : fitter.FitValues(explanation).terms);
+  }
+  for (const Structure& truth : explanations) {
+    for (const Structure& alternative : explanations) {
+      if (&truth != &alternative) set.pairs.push_back({truth, alternative});
+    }
+    set.pairs.push_back({truth, others});
+  }
+  return set;
+}
+
+}  // namespace
+
+std::vector<AmbiguitySet> AmbiguitySetsOf(const ReplayBlock& block,
+                                          const BlockDiagnosis& diagnosis) {
+  std::vector<AmbiguitySet> sets;
+  const Structure& found = diagnosis.search.found.terms;
+  const std::vector<Segment> seen = SeenSegmentsOf(diagnosis.manoeuvres);
+  Mask mask(block.samples(), 0);
+  for (const Segment& samples : seen) {
+    for (std::size_t k = samples.begin; k < samples.end; ++k) mask[k] = 1;
+  }
+  const Likelihood likelihood(block, diagnosis.noise, mask);
+  const StructureFitter fitter(block, likelihood, seen);
+  for (const Finding& finding : diagnosis.findings) {
+    if (finding.evidence.rivals.size() > 1) sets.push_back(ClassOf(finding, found, fitter));
+  }
+  for (const Detectability& one : diagnosis.detectability) {
+    if (one.smallest || Has(found, one.candidate)) continue;
+    const auto& starts = one.candidate->starts;
+    Structure truth = found;
+    truth.push_back({one.candidate, starts[starts.size() / 2]});
+    sets.push_back(
+        {{std::string(one.candidate->mechanism->id), kNothing}, false, {{truth, found}}});
+  }
+  return sets;
+}
+
+namespace {
+
+constexpr std::uint64_t kDraws = 100;  ///< of the noise: power to five per cent
+
+/// Whether noise, drawn once, lets the tests discriminate the pair of which these are the gains.
+bool IsDiscriminated(const std::vector<ManoeuvreGain>& seen,
+                     const std::vector<ManoeuvreGain>& final, bool is_class, double level) {
+  if (!is_class) return GainP(seen) <= level && AreConfirming(final, kConfirmedP);
+  double lead = 0;
+  for (const ManoeuvreGain& gain : seen) lead += gain.gain;
+  return SteadyGainP(seen) <= kRivalP && lead >= kRivalGain;
+}
+
+double PowerOf(const RivalPair& pair, bool is_class, ReplayBlock run,
+               const std::vector<Manoeuvre>& manoeuvres, const NoiseModel& noise, double level,
+               const Stream& stream) {
+  const auto truth = run.predict(pair.truth);
+  for (std::size_t k = 0; k < run.samples(); ++k) {
+    if (run.channels[0].measured.valid[k]) run.channels[0].measured.value[k] = truth[0][k];
+  }
+  const std::vector<Segment> whole = SeenSegmentsOf(manoeuvres);
+  Mask mask(run.samples(), 0);
+  for (const Segment& samples : whole) {
+    for (std::size_t k = samples.begin; k < samples.end; ++k) mask[k] = 1;
+  }
+  const Likelihood likelihood(run, {noise}, mask);
+  const StructureFitter fitter(run, likelihood, whole);
+  const Misfit wrong = fitter.FitValues(pair.alternative).misfit;
+  Misfit right = wrong;
+  right.innovation[0].setZero();
+  const auto gains_over = [&](const std::vector<Segment>& segments) {
+    return GainsOf(likelihood, wrong, right, PiecesOf(segments, run.period_s()));
+  };
+  const auto seen = gains_over(whole);
+  const auto final = gains_over(SegmentsOf(manoeuvres, Part::kFinal));
+  const auto drawn = [&](std::vector<ManoeuvreGain> gains, std::uint64_t first) {
+    for (ManoeuvreGain& gain : gains) {
+      gain.gain = gain.possible + std::sqrt(2 * gain.possible) * stream.Gaussian(first++);
+    }
+    return gains;
+  };
+  std::uint64_t discriminated = 0;
+  for (std::uint64_t draw = 0; draw < kDraws; ++draw) {
+    const std::uint64_t first = draw << 33;
+    const std::uint64_t first_of_final = first + (std::uint64_t{1} << 32);
+    discriminated +=
+        IsDiscriminated(drawn(seen, first), drawn(final, first_of_final), is_class, level) ? 1 : 0;
+  }
+  return static_cast<double>(discriminated) / static_cast<double>(kDraws);
+}
+
+}  // namespace
+
+double DiscriminationPower(const AmbiguitySet& set, const ReplayBlock& run, const NoiseModel& noise,
+                           double level, const Stream& stream) {
+  const auto manoeuvres = ManoeuvresOf(run, stream);
+  if (!IsTestable(manoeuvres)) return 0;
+  double power = 1;
+  for (const RivalPair& pair : set.pairs) {
+    power = std::min(power, PowerOf(pair, set.is_class, run, manoeuvres, noise, level, stream));
+  }
+  return power;
+}
+
 namespace {
 
 constexpr double kSecantStep = 0.02;  ///< of a number's range

@@ -2,12 +2,47 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <string>
 #include <vector>
 
-#include "diagnose/experiment_design/ambiguity_set.h"
+#include "core/random.h"
+#include "diagnose/search/block/block_diagnosis.h"
 #include "diagnose/search/fit/replay_block.h"
+#include "diagnose/statistics/series/noise_model.h"
 
 namespace tera {
+
+/// Two hypotheses on one block. An experiment should show that the first is true and the second is
+/// not.
+struct RivalPair {
+  Structure truth, alternative;
+};
+
+/// Hypotheses on one block that a recording does not discriminate.
+struct AmbiguitySet {
+  std::vector<std::string> members;  ///< identifiers; "nothing" for no effect
+  bool is_class = false;             ///< class of a finding; else a mechanism that was not testable
+  std::vector<RivalPair> pairs;
+};
+
+/// The ambiguity sets that a diagnosis leaves for a block. Each finding's class is one: every
+/// member against every other, and against none. Each undetectable mechanism is one: half of its
+/// largest size, added to all findings, against nothing. Members of a class are fitted to TRAIN and
+/// SELECT. The terms point to the block's candidates.
+std::vector<AmbiguitySet> AmbiguitySetsOf(const ReplayBlock& block,
+                                          const BlockDiagnosis& diagnosis);
+
+/// Probability that a diagnosis of a run identifies the true hypothesis of a set: the minimum over
+/// the set's pairs. 0 if the run has too few manoeuvres for a diagnosis.
+///
+/// Model   the true hypothesis's prediction replaces the measurements, and the alternative is
+///         fitted to it over TRAIN and SELECT. The tests are those of rivals (structure_search.h)
+///         for a class, or those of a mechanism against nothing at `level` (block_diagnosis.h),
+///         under 100 draws of the noise. A draw's gain in log-likelihood is normal: its mean is the
+///         possible gain, its variance twice that.
+/// Omits   the diagnosis's own estimate of the noise.
+double DiscriminationPower(const AmbiguitySet& set, const ReplayBlock& run, const NoiseModel& noise,
+                           double level, const Stream& stream);
 
 /// Information of one excitation about a rival pair: the normal equations of the wrong hypothesis's
 /// parameters and nuisances for the difference between both predictions.

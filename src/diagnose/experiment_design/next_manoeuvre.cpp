@@ -10,8 +10,6 @@
 #include <utility>
 
 #include "diagnose/blocks/candidate_list.h"
-#include "diagnose/experiment_design/ambiguity_set.h"
-#include "diagnose/experiment_design/discrimination_power.h"
 #include "diagnose/experiment_design/greedy_design.h"
 #include "diagnose/experiment_design/predicted_run.h"
 #include "physics/actuation/axes.h"

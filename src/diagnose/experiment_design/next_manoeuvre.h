@@ -46,7 +46,7 @@ struct DiagnosedAxis {
 };
 
 /// Designs the run that discriminates the hypotheses left open by a diagnosis of joints and gears
-/// (ambiguity_set.h). Axes with a class of causes come first, then those that could not be judged,
+/// (greedy_design.h). Axes with a class of causes come first, then those that could not be judged,
 /// then those with undetectable mechanisms.
 ///
 /// Model   excitations of each axis (excitation.h) are predicted from the middle of the range in
@@ -54,7 +54,7 @@ struct DiagnosedAxis {
 ///         greedily (greedy_design.h) and driven one after another from the machine's initial
 ///         position. Where they would leave the range, less a twentieth at either end, they are
 ///         mirrored or preceded by a move to the middle. Steps are added until a diagnosis has
-///         ample manoeuvres. A set with a power of 0.5 (discrimination_power.h) counts as
+///         ample manoeuvres. A set with a power of 0.5 (DiscriminationPower) counts as
 ///         discriminated.
 /// Omits   collisions with the ground and with the machine itself, except that the recording
 ///         reached these positions; base and inertial units; effects of moving several joints at

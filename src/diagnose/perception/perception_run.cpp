@@ -7,8 +7,8 @@
 
 #include "core/check.h"
 #include "core/error.h"
-#include "diagnose/perception/pictures/picture_run.h"
-#include "diagnose/perception/scans/scan_diagnosis.h"
+#include "diagnose/perception/pictures/picture_diagnosis.h"
+#include "diagnose/perception/scene/scan_diagnosis.h"
 #include "resimulate/picture_caster.h"
 #include "resimulate/recorded_scans.h"
 #include "resimulate/recorded_sensors.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "diagnose/report/text/cause.h"
+#include "diagnose/diagnosis.h"
 #include "diagnose/statistics/tests/multiple_testing.h"
 
 namespace tera {
@@ -90,37 +90,15 @@ bool IsOf(const Finding& finding, const SharedCause& cause) {
 }
 
 /// The first finding of the cause among some, or null.
-template <typename Findings, typename GetFinding>
-const Finding* FindIn(const Findings& findings, const SharedCause& cause, GetFinding get) {
-  for (const auto& one : findings) {
-    const Finding& finding = get(one);
-    if (IsOf(finding, cause)) return &finding;
-  }
-  return nullptr;
-}
-
-const Finding& Itself(const Finding& finding) { return finding; }
-const Finding& OfSensor(const SensorFound& found) { return found.finding; }
-const Finding& OfPerception(const PerceptionFinding& found) { return found.finding; }
-
-const Finding* WithinToleranceOf(const Diagnosis& diagnosis, const SharedCause& cause) {
-  const Finding* found = FindIn(diagnosis.sensors.within_tolerance, cause, OfSensor);
-  for (const DiagnosedBlock& block : diagnosis.blocks) {
-    if (found == nullptr) found = FindIn(block.diagnosis.within_tolerance, cause, Itself);
-  }
-  return found;
+const Finding* FindIn(const std::vector<const Finding*>& findings, const SharedCause& cause) {
+  const auto found = std::find_if(findings.begin(), findings.end(),
+                                  [&](const Finding* one) { return IsOf(*one, cause); });
+  return found == findings.end() ? nullptr : *found;
 }
 
 bool IsUnconfirmed(const Diagnosis& diagnosis, const SharedCause& cause) {
-  bool is = FindIn(diagnosis.sensors.unconfirmed, cause, OfSensor) != nullptr;
-  for (const DiagnosedBlock& block : diagnosis.blocks) {
-    is = is || FindIn(block.diagnosis.unconfirmed, cause, Itself) != nullptr ||
-         FindIn(block.diagnosis.proxies, cause, Itself) != nullptr;
-  }
-  for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
-    is = is || FindIn(sensor.unconfirmed, cause, OfPerception) != nullptr;
-  }
-  return is;
+  return FindIn(UnconfirmedOf(diagnosis), cause) != nullptr ||
+         FindIn(ProxiesOf(diagnosis), cause) != nullptr;
 }
 
 std::size_t MainNumber(const Candidate& candidate) {
@@ -175,7 +153,7 @@ CauseInRecording InRecording(const Diagnosis& diagnosis, const Finding* finding,
     if (IsOf(*finding, cause)) return {Kind::kNamed, finding};
     return {Kind::kAsRival, nullptr};
   }
-  if (const Finding* within = WithinToleranceOf(diagnosis, cause)) {
+  if (const Finding* within = FindIn(WithinToleranceOf(diagnosis), cause)) {
     return {Kind::kWithinTolerance, within};
   }
   if (IsUnconfirmed(diagnosis, cause)) return {Kind::kUnconfirmed, nullptr};

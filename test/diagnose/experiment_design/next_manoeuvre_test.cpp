@@ -11,7 +11,7 @@
 #include "core/units.h"
 #include "diagnose/experiment_design/greedy_design.h"
 #include "diagnose/experiment_design/predicted_run.h"
-#include "diagnose/report/text/next_manoeuvre_text.h"
+#include "diagnose/report/text/confirmation_text.h"
 #include "sim/drive_fixture.h"
 
 namespace tera {

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "diagnose/proposal/odd_block.h"
-#include "diagnose/proposal/tabulated.h"
 #include "physics/actuation/learned_rate.h"
 
 namespace tera {

@@ -3,9 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "diagnose/report/files/recordings_report.h"
 #include "diagnose/report/made_diagnosis.h"
-#include "diagnose/report/page/recordings_page.h"
-#include "diagnose/report/text/shared_cause_text.h"
 
 namespace tera {
 namespace {

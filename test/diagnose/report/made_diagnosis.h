@@ -6,8 +6,8 @@
 
 #include "core/units.h"
 #include "diagnose/diagnosis.h"
-#include "diagnose/perception/registration/sensor_candidates.h"
-#include "diagnose/perception/scene/scene_mechanisms.h"
+#include "diagnose/perception/registration/registration_block.h"
+#include "diagnose/perception/scene/scan_diagnosis.h"
 #include "diagnose/statistics/series/simulated.h"
 #include "physics/actuation/actuation_mechanisms.h"
 #include "physics/traction/ground_mechanisms.h"

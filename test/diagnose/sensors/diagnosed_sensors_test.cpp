@@ -73,8 +73,7 @@ TEST(DiagnosedSensors, RivalOfAnEncoderIsTheEncodersMechanismAndNotAUnitsOfTheSa
   EXPECT_TRUE(rival.mechanism->ActsOn(EffectTarget::kEncoderAxis));
   EXPECT_FALSE(rival.mechanism->ActsOn(EffectTarget::kImu));
   EXPECT_THAT(rival.mechanism->parameters, Contains(Field(&EffectParameter::name, "angle_deg")));
-  const auto sentences = SensorSentences(told);
-  EXPECT_THAT(sentences[0], HasSubstr("bias of the encoders"));
+  EXPECT_THAT(SentenceOf(told.findings[0]), HasSubstr("bias of the encoders"));
 }
 
 TEST(DiagnosedSensors, UnitThatTheMotionFollowsIsShownByWhatBearsItsError) {
@@ -103,12 +102,12 @@ TEST(DiagnosedSensors, AreListedOnceEach) {
 
 TEST(DiagnosedSensors, AreToldInASentenceWithNumbersRivalsAndErrors) {
   const DiagnosedSensors told = DiagnosedOf(TurnedUnit(), "m");
-  const std::vector<std::string> sentences = SensorSentences(told);
-  ASSERT_THAT(sentences, SizeIs(1));
-  EXPECT_THAT(sentences[0], HasSubstr("Mount rotation roll 2.00 ± 0.10 deg"));
-  EXPECT_THAT(sentences[0], HasSubstr("of the imu boom, beyond tolerance"));
-  EXPECT_THAT(sentences[0], HasSubstr("bias of the encoders"));
-  EXPECT_THAT(sentences[0], HasSubstr("Imu boom specific force along y: RMSE 0.5 → 0.1 m/s²"));
+  ASSERT_THAT(told.findings, SizeIs(1));
+  const std::string sentence = SentenceOf(told.findings[0]);
+  EXPECT_THAT(sentence, HasSubstr("Mount rotation roll 2.00 ± 0.10 deg"));
+  EXPECT_THAT(sentence, HasSubstr("of the imu boom, beyond tolerance"));
+  EXPECT_THAT(sentence, HasSubstr("bias of the encoders"));
+  EXPECT_THAT(sentence, HasSubstr("Imu boom specific force along y: RMSE 0.5 → 0.1 m/s²"));
 }
 
 TEST(DiagnosedSensors, AreNotNamedForWhatChangesLessThanNoiseDoes) {

@@ -2,8 +2,11 @@
 
 #include <cstdint>
 
+#include "dataset/format/recording.h"
 #include "diagnose/perception/perception_diagnosis.h"
-#include "diagnose/perception/pictures/picture_source.h"
+#include "diagnose/perception/pictures/picture_registration.h"
+#include "resimulate/picture_caster.h"
+#include "resimulate/recorded_sensors.h"
 
 namespace tera {
 
@@ -17,5 +20,9 @@ namespace tera {
 ///         away).
 /// Omits   the lens, rolling shutter, and differences of the scene.
 PerceptionDiagnosis DiagnosePictures(const PictureSource& source, std::uint64_t seed);
+
+/// Compares recorded with rendered pictures, both reduced to a width of at most 400 pixels.
+PerceptionDiagnosis DiagnoseCamera(const RecordedSensor& camera, const Recording& recording,
+                                   std::uint64_t seed, PictureCaster* caster);
 
 }  // namespace tera

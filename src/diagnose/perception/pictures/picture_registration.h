@@ -1,15 +1,79 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "diagnose/perception/pictures/picture_levels.h"
-#include "diagnose/perception/pictures/picture_source.h"
-#include "diagnose/perception/registration/point_residual.h"
+#include "core/motion.h"
+#include "core/time.h"
+#include "core/types/effects.h"
+#include "core/types/measurement.h"
+#include "diagnose/perception/registration/registration_block.h"
 #include "diagnose/perception/registration/scan_split.h"
+#include "resimulate/sensor_calibration.h"
+#include "resimulate/simulated_return.h"
+
+/// Pictures of a recorded colour camera, and their simulation.
 
 namespace tera {
+
+/// Pictures of one camera with their simulation.
+///
+/// Frames  W; B the camera's link; S the sensor as documented; C optical.
+struct PictureSource {
+  std::string channel;  ///< "excavator1/camera_mast"
+  std::string target;   ///< the camera's name in the scenario
+  EffectTarget kind = EffectTarget::kCamera;
+  Pose X_BS = Pose::Identity();
+  Pose X_SC = Pose::Identity();
+  Effects present;  ///< of the camera, as the scenario has them
+  std::vector<TimeNs> t_ns;
+  std::vector<Image<float>> grey;  ///< measured, 0 to 1
+  /// The picture of a frame under a possible calibration of the camera; nothing if the camera's
+  /// pose at that time is unknown.
+  std::function<std::optional<SimulatedPicture>(std::size_t frame,
+                                                const SensorCalibration& calibration)>
+      render;
+  /// Motion of the link at the frame's true time.
+  std::function<std::optional<BodyState>(std::size_t frame, const SensorCalibration& calibration)>
+      link_at;
+  std::function<Vec2(const Vec3& p_C_m)> project;          ///< pixel of a point in front of the
+                                                           ///< camera
+  std::function<std::optional<Vec3>(const Vec2& px)> ray;  ///< (x, y, 1) of a pixel
+
+  /// The scenario's calibration.
+  SensorCalibration calibration() const { return CalibrationUnder(X_BS, present); }
+};
+
+/// A picture with normalised exposure, at several levels of blur.
+///
+/// Model   (I - m) / sqrt(v + c^2). m and v are mean and variance of a window about each pixel, a
+///         twentieth of the picture's width; c = 0.05. Gain, offset and vignetting cancel, and
+///         noise in uniform areas stays small. Level k is this, blurred by 2^k pixels.
+class PictureLevels {
+ public:
+  static constexpr int kCount = 4;
+  static constexpr int kSmallest_px = 32;  ///< either side: four of the widest blur's
+  /// `grey` is not smaller either way.
+  explicit PictureLevels(const Image<float>& grey);
+
+  /// Brightness at a point, interpolated between pixels; beyond the border as at the border.
+  float At(int level, const Vec2& px) const;
+  /// Gradient of the interpolated picture, by central differences over a pixel.
+  Vec2 GradientAt(int level, const Vec2& px) const;
+  /// Whether At and GradientAt use true pixels there, and not the repeated border.
+  bool Holds(const Vec2& px) const;
+
+ private:
+  std::array<Image<float>, kCount> levels_;
+};
+
+/// Blurred by an approximate normal distribution of `sigma_px`: three moving averages, with the
+/// border repeated.
+Image<float> Blurred(const Image<float>& picture, double sigma_px);
 
 /// Edges of simulated pictures, and their distances from the same edges in measured pictures.
 ///

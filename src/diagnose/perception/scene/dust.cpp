@@ -7,8 +7,8 @@
 #include <map>
 
 #include "diagnose/perception/scene/ground_map.h"
+#include "diagnose/perception/scene/height_differences.h"
 #include "diagnose/perception/scene/moderated_t_test.h"
-#include "diagnose/perception/scene/occlusion_edges.h"
 #include "diagnose/statistics/series/robust.h"
 
 namespace tera {
@@ -26,7 +26,7 @@ constexpr double kMostStopped = 0.6;       ///< share of rays: what stops more i
 constexpr double kLeastThickness_m = 0.1;  ///< less is a surface
 /// More than one ray in 200, by blocks that agree within a tenth.
 constexpr ModeratedTTest kMoreThanRare{.limit = 0.005, .prior_blocks = 8, .prior_scatter = 0.1};
-constexpr double kChosenP = 0.05, kConfirmedP = 0.01;  ///< over all clouds
+constexpr double kChosenP = 0.05, kConfirmedCloudP = 0.01;  ///< over all clouds
 constexpr double kLeastPresent = 0.25;  ///< of a cloud's densest tenth: less is clear air
 
 using Voxel = std::array<int, 3>;
@@ -283,7 +283,7 @@ Dust FindDust(const RangeSource& source, const ScanSplit& split,
     const DustCloud one = CloudOf(source, split, tally);
     const bool is_chosen = one.p_chosen <= kChosenP / large;
     if (!is_chosen || one.stopped > kMostStopped || one.thickness_m < kLeastThickness_m) continue;
-    const bool is_confirmed = one.p_confirmed <= kConfirmedP / large;
+    const bool is_confirmed = one.p_confirmed <= kConfirmedCloudP / large;
     (is_confirmed ? dust.clouds : dust.unconfirmed).push_back(one);
     for (const AirReturn* air_return : tally.air_returns)
       dust.explained[air_return->scan][air_return->point] = true;

@@ -12,9 +12,9 @@
 
 #include "core/check.h"
 #include "diagnose/blocks/measured_poses.h"
-#include "diagnose/report/text/finding_text.h"
+#include "diagnose/diagnosis.h"
 #include "diagnose/report/text/proposal_text.h"
-#include "diagnose/report/text/ranking.h"
+#include "diagnose/report/text/sentence.h"
 #include "diagnose/report/text/wording.h"
 
 namespace tera {
@@ -85,17 +85,9 @@ std::string MechanismLine(const Finding& finding) {
 /// The findings that a simulation can have, in the order of their ranks.
 std::vector<const Finding*> EffectsFound(const Diagnosis& diagnosis) {
   std::vector<const Finding*> effects;
-  for (const auto& [diagnosed, finding] : RankedFindings(diagnosis)) {
-    if (finding->term.candidate->target != kPoses) effects.push_back(finding);
-  }
-  for (const SensorFound& found : diagnosis.sensors.findings) {
-    if (found.finding.term.candidate->target != kPoses) effects.push_back(&found.finding);
-  }
-  for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
-    for (const PerceptionFinding& found : sensor.findings) {
-      // A difference of the scene is no effect.
-      if (!found.place) effects.push_back(&found.finding);
-    }
+  for (const Cause& cause : RankedCauses(diagnosis)) {
+    const bool is_of_scene = cause.seen != nullptr && cause.seen->place;
+    if (cause.target() != kPoses && !is_of_scene) effects.push_back(cause.finding);
   }
   return effects;
 }
@@ -133,8 +125,7 @@ std::vector<std::string> LearnedLines(const LearnedProposal& learned, const std:
   std::string text = fmt::format(
       "learned:  # no name: what no mechanism explains. Held-out RMSE {} -> {} in the replay\n"
       "  variable: {}\n  unit: {}\n  as: {}",
-      Significant(learned.rmse_before * readable.factor, 2),
-      WithUnit(Significant(learned.rmse_after * readable.factor, 2), readable),
+      Significant(learned.rmse_before * readable.factor, 2), Readable(learned.rmse_after, readable),
       Key(effect.variable.name), effect.variable.unit, effect.is_share ? "share" : "added");
   for (const auto& [key, list] : {std::pair("at", &effect.at),
                                   {"value", &effect.value},

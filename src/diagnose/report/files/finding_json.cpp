@@ -33,20 +33,26 @@ std::string ShapeOf(const CurveShape& shape) {
   return shape.outside ? text + " outside" : text;
 }
 
+template <typename Numbers>
+Json ListOf(const Numbers& numbers) {
+  Json list = Json::array();
+  for (const double number : numbers) list.push_back(JsonNumber(number));
+  return list;
+}
+
 /// The error as a function of a regime's variable, with its 90 % band, where it was visited.
 Json CurveOf(const RegimeCurve& curve) {
-  Json json = {{"at", Json::array()},
-               {"mean", Json::array()},
-               {"low", Json::array()},
-               {"high", Json::array()}};
-  for (Eigen::Index bin = 0; bin < curve.at.size(); ++bin) {
-    if (curve.count[bin] <= 0) continue;
-    json["at"].push_back(JsonNumber(curve.at[bin]));
-    json["mean"].push_back(JsonNumber(curve.mean[bin]));
-    json["low"].push_back(JsonNumber(curve.low[bin]));
-    json["high"].push_back(JsonNumber(curve.high[bin]));
-  }
-  return json;
+  const auto visited = [&](const Eigen::VectorXd& values) {
+    Json list = Json::array();
+    for (Eigen::Index bin = 0; bin < values.size(); ++bin) {
+      if (curve.count[bin] > 0) list.push_back(JsonNumber(values[bin]));
+    }
+    return list;
+  };
+  return {{"at", visited(curve.at)},
+          {"mean", visited(curve.mean)},
+          {"low", visited(curve.low)},
+          {"high", visited(curve.high)}};
 }
 
 Json RegimeOf(const Location& location) {
@@ -69,22 +75,27 @@ Json Where(const DiagnosedBlock& diagnosed, const Location& location) {
           {"regime", RegimeOf(location)}};
 }
 
-/// The location of a sensor's finding, with its place on the site if it has one.
+/// The location of what a lidar or camera shows, with its place on the site if it has one.
 Json Where(const PerceptionDiagnosis& sensor, const PerceptionFinding& found) {
   Json intervals = Json::array(), place = nullptr;
   for (const auto& [from_s, to_s] : found.intervals_s) {
     intervals.push_back({JsonNumber(from_s), JsonNumber(to_s)});
   }
   if (found.place) {
-    const auto point = [](const Vec2& p) { return Json{JsonNumber(p.x()), JsonNumber(p.y())}; };
-    place = {{"centre_m", point(found.place->centre_W_m)},
-             {"low_m", point(found.place->low_W_m)},
-             {"high_m", point(found.place->high_W_m)}};
+    place = {{"centre_m", ListOf(found.place->centre_W_m)},
+             {"low_m", ListOf(found.place->low_W_m)},
+             {"high_m", ListOf(found.place->high_W_m)}};
   }
   return {{"channel", sensor.channel},
           {"intervals_s", std::move(intervals)},
           {"place", std::move(place)},
           {"regime", nullptr}};
+}
+
+Json Where(const Cause& cause) {
+  if (cause.block != nullptr) return Where(*cause.block, cause.finding->location);
+  if (cause.seen != nullptr) return Where(*cause.seen_by, *cause.seen);
+  return {{"channel", cause.sensor->channel}, {"intervals_s", Json::array()}, {"regime", nullptr}};
 }
 
 /// A score that ranks findings by how sure they are. It is not calibrated, and no probability.
@@ -93,60 +104,38 @@ double ScoreOf(const Finding& finding) {
   return (1 - finding.evidence.p) * (1 - finding.held_out.p) / alike;
 }
 
-/// Adds a finding to its location; `unit` is that of its error.
-Json Named(Json json, const Finding& finding, const std::string& unit) {
-  const Candidate& candidate = *finding.term.candidate;
-  json["mechanism"] = std::string(candidate.mechanism->id);
-  json["slot"] = std::string(NameOf(candidate.mechanism->slot));
-  json["target"] = candidate.target;
-  json["parameters"] = ParametersJson(finding);
-  json["class"] = Json::array();
-  for (const Candidate* rival : finding.evidence.rivals) {
-    json["class"].push_back(std::string(rival->mechanism->id));
-  }
-  json["rejected"] = Json::array();
-  for (const Rival& rival : finding.evidence.rejected) {
-    json["rejected"].push_back(
-        {{"mechanism", std::string(rival.candidate->mechanism->id)}, {"p", JsonNumber(rival.p)}});
-  }
-  json["evidence"] = {{"p_chosen", JsonNumber(finding.evidence.p)},
-                      {"p_confirmed", JsonNumber(finding.held_out.p)}};
-  json["confidence"] = JsonNumber(ScoreOf(finding));
-  const HeldOutError& error = finding.held_out;
-  json["held_out"] = HeldOutJson(error.rmse_before, error.rmse_after, unit, error.excess_removed);
-  return json;
+/// The mechanisms of a class.
+Json ClassJson(const Finding& finding) {
+  Json ids = Json::array();
+  for (const Candidate* rival : finding.evidence.rivals) ids.push_back(rival->mechanism->id);
+  return ids;
+}
+
+Json EvidenceOf(const Finding& finding) {
+  return {{"p_chosen", JsonNumber(finding.evidence.p)},
+          {"p_confirmed", JsonNumber(finding.held_out.p)}};
 }
 
 Json CurveOf(const ProposedCurve& proposed) {
-  const auto list = [](const Eigen::VectorXd& values) {
-    Json numbers = Json::array();
-    for (const double value : values) numbers.push_back(JsonNumber(value));
-    return numbers;
-  };
   return {{"variable", proposed.variable},
           {"error", proposed.is_share ? "share of simulated" : "value"},
-          {"at", list(proposed.at)},
-          {"mean", list(proposed.mean)},
-          {"low", list(proposed.low)},
-          {"high", list(proposed.high)}};
+          {"at", ListOf(proposed.at)},
+          {"mean", ListOf(proposed.mean)},
+          {"low", ListOf(proposed.low)},
+          {"high", ListOf(proposed.high)}};
 }
 
 /// The effect that a simulation runs, or why there is none.
 Json LearnedOf(const Proposal& proposal) {
   if (!proposal.learned) return {{"not_simulated", proposal.not_learned}};
   const LearnedEffect& effect = proposal.learned->effect;
-  const auto list = [](const std::vector<double>& values) {
-    Json numbers = Json::array();
-    for (const double value : values) numbers.push_back(JsonNumber(value));
-    return numbers;
-  };
   return {{"variable", effect.variable.name},
           {"unit", effect.variable.unit},
           {"as", effect.is_share ? "share" : "added"},
-          {"at", list(effect.at)},
-          {"value", list(effect.value)},
-          {"low", list(effect.low)},
-          {"high", list(effect.high)},
+          {"at", ListOf(effect.at)},
+          {"value", ListOf(effect.value)},
+          {"low", ListOf(effect.low)},
+          {"high", ListOf(effect.high)},
           {"rmse_before", JsonNumber(proposal.learned->rmse_before)},
           {"rmse_after", JsonNumber(proposal.learned->rmse_after)}};
 }
@@ -205,18 +194,25 @@ Json HeldOutJson(double before, double after, const std::string& unit, double re
           {"excess_variance_removed", JsonNumber(removed)}};
 }
 
-Json FindingJson(const DiagnosedBlock& diagnosed, const Finding& finding) {
-  return Named(Where(diagnosed, finding.location), finding,
-               diagnosed.block.channels[finding.held_out.channel].unit);
-}
-
-Json FindingJson(const SensorFound& found) {
-  return Named({{"channel", found.channel}, {"intervals_s", Json::array()}, {"regime", nullptr}},
-               found.finding, found.unit);
-}
-
-Json FindingJson(const PerceptionDiagnosis& sensor, const PerceptionFinding& found) {
-  return Named(Where(sensor, found), found.finding, sensor.unit);
+Json FindingJson(const Cause& cause) {
+  const Finding& finding = *cause.finding;
+  Json json = Where(cause);
+  json["mechanism"] = cause.mechanism().id;
+  json["slot"] = NameOf(cause.mechanism().slot);
+  json["target"] = cause.target();
+  json["parameters"] = ParametersJson(finding);
+  json["class"] = ClassJson(finding);
+  json["rejected"] = Json::array();
+  for (const Rival& rival : finding.evidence.rejected) {
+    json["rejected"].push_back(
+        {{"mechanism", rival.candidate->mechanism->id}, {"p", JsonNumber(rival.p)}});
+  }
+  json["evidence"] = EvidenceOf(finding);
+  json["confidence"] = JsonNumber(ScoreOf(finding));
+  const HeldOutError& error = finding.held_out;
+  json["held_out"] =
+      HeldOutJson(error.rmse_before, error.rmse_after, cause.ErrorUnit(), error.excess_removed);
+  return json;
 }
 
 Json UnexplainedJson(const DiagnosedBlock& diagnosed, const Unexplained& unexplained) {
@@ -237,15 +233,10 @@ Json UnexplainedJson(const DiagnosedBlock& diagnosed, const Unexplained& unexpla
 }
 
 Json ChosenJson(const Finding& finding) {
-  Json names = Json::array();
-  for (const Candidate* rival : finding.evidence.rivals)
-    names.push_back(std::string(rival->mechanism->id));
-  return {{"mechanism", std::string(finding.term.candidate->mechanism->id)},
+  return {{"mechanism", finding.term.candidate->mechanism->id},
           {"target", finding.term.candidate->target},
-          {"class", std::move(names)},
-          {"evidence",
-           {{"p_chosen", JsonNumber(finding.evidence.p)},
-            {"p_confirmed", JsonNumber(finding.held_out.p)}}}};
+          {"class", ClassJson(finding)},
+          {"evidence", EvidenceOf(finding)}};
 }
 
 }  // namespace tera

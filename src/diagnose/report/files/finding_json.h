@@ -21,11 +21,8 @@ OrderedJson HeldOutJson(double before, double after, const std::string& unit, do
 /// Parameters of a finding, by name.
 OrderedJson ParametersJson(const Finding& finding);
 
-/// A finding of a block, a perception sensor or another sensor: location, mechanism and parameters,
-/// rivals, evidence and held-out errors.
-OrderedJson FindingJson(const DiagnosedBlock& diagnosed, const Finding& finding);
-OrderedJson FindingJson(const PerceptionDiagnosis& sensor, const PerceptionFinding& found);
-OrderedJson FindingJson(const SensorFound& found);
+/// A finding: location, mechanism and parameters, rivals, evidence and held-out errors.
+OrderedJson FindingJson(const Cause& cause);
 
 /// An error that no mechanism explains, in the form of a finding.
 OrderedJson UnexplainedJson(const DiagnosedBlock& diagnosed, const Unexplained& unexplained);

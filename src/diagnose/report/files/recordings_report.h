@@ -1,13 +1,39 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "dataset/files/whole_folder.h"
-#include "diagnose/diagnose_recordings.h"
+#include "diagnose/diagnose_recording.h"
 #include "diagnose/recordings/shared_causes.h"
 
+// Joint result of several recordings of one machine, in words.
+
 namespace tera {
+
+/// "0.121 ± 0.005" for each parameter that a recording determines, or the reason why there is none:
+/// "not there", "within tolerance: 0.01 ± 0.004".
+std::string CellOf(const SharedCause& cause, const CauseInRecording& one);
+
+/// "Boom: dead band in recordings 1 and 3, width 0.121 ± 0.003. Recording 2: not there, where one
+/// of this size would have shown."
+std::string SentenceOf(const SharedCause& cause);
+
+/// "3 recordings: 2 causes that they share and 1 cause that differs from one to another."
+std::string AnswerText(const std::vector<SharedCause>& causes, std::size_t recordings);
+
+/// One recording on the page of several: its name and the page of its own report.
+struct RecordingOnPage {
+  std::string name, page;
+  const Diagnosis* diagnosis = nullptr;
+};
+
+/// The page of several recordings of one machine: shared causes first, the findings of each
+/// recording tested on the others, and a table of causes by recordings.
+std::string RecordingsPage(const std::string& machine,
+                           const std::vector<RecordingOnPage>& recordings,
+                           const std::vector<SharedCause>& causes);
 
 /// The name of the page of several recordings.
 inline constexpr const char* kRecordingsPage = "recordings.html";

@@ -1,17 +1,105 @@
 #include "diagnose/report/files/write_report.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+#include <limits>
+#include <string>
+
 #include "core/error.h"
 #include "dataset/files/checked_file.h"
+#include "diagnose/diagnosed_block.h"
+#include "diagnose/diagnosis.h"
 #include "diagnose/report/files/diagnosis_json.h"
 #include "diagnose/report/files/effects_yaml.h"
-#include "diagnose/report/files/ground_map_file.h"
-#include "diagnose/report/files/series_csv.h"
 #include "diagnose/report/page/html_report.h"
-#include "diagnose/report/page/perception_figures.h"
-#include "diagnose/report/text/next_manoeuvre_text.h"
+#include "diagnose/report/text/confirmation_text.h"
+#include "soil/site/map_raster.h"
 
 namespace tera {
 namespace {
+
+/// "_radps" of "excavator1/encoders/boom_radps"; nothing where the name has no unit.
+std::string UnitOf(const std::string& channel) {
+  const std::size_t at = channel.rfind('_');
+  return at == std::string::npos || channel.find('/', at) != std::string::npos ? ""
+                                                                               : channel.substr(at);
+}
+
+/// "series_excavator1_encoders_boom_radps.csv" of the channel of that name.
+std::string SeriesFileName(const std::string& channel) {
+  std::string name = "series_" + channel + ".csv";
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+/// Whether the block was replayed, so that it has series.
+bool HasSeries(const DiagnosedBlock& diagnosed) {
+  const std::size_t channels = diagnosed.block.channels.size();
+  const SearchResult& search = diagnosed.diagnosis.search;
+  return search.nothing.misfit.residual.size() == channels &&
+         search.found.misfit.residual.size() == channels;
+}
+
+/// A channel of a block as judged: t_ns, the measurement, the simulation before and after, and both
+/// residuals, in the channel's unit. One row for each grid sample with all values known.
+std::string SeriesCsv(const DiagnosedBlock& diagnosed, std::size_t channel) {
+  const ReplayBlock& block = diagnosed.block;
+  const Series& measured = block.channels[channel].measured;
+  const Series& before = diagnosed.diagnosis.search.nothing.misfit.residual[channel];
+  const Series& after = diagnosed.diagnosis.search.found.misfit.residual[channel];
+  const std::string unit = UnitOf(block.channels[channel].name);
+  std::string csv = fmt::format(
+      "t_ns,measured{0},simulated_before{0},simulated_after{0},error_before{0},error_after{0}\n",
+      unit);
+  for (std::size_t k = 0; k < measured.size(); ++k) {
+    if (!measured.valid[k] || !before.valid[k] || !after.valid[k]) continue;
+    const double m = measured.value[k], b = before.value[k], a = after.value[k];
+    fmt::format_to(std::back_inserter(csv), "{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g}\n",
+                   std::llround(1e9 * block.time_s(k)), m, m - b, m - a, b, a);
+  }
+  return csv;
+}
+
+/// Measured minus simulated ground in metres.
+SiteMap AsSiteMap(const GroundMap& ground) {
+  auto [low_i, low_j] = ground.cells.begin()->first;
+  int high_i = low_i, high_j = low_j;
+  for (const auto& [place, cell] : ground.cells) {
+    low_i = std::min(low_i, place.first);
+    high_i = std::max(high_i, place.first);
+    low_j = std::min(low_j, place.second);
+    high_j = std::max(high_j, place.second);
+  }
+  SiteMap map;
+  map.low_W_m = ground.cell_m * Vec2(low_i, low_j);
+  map.square_m = ground.cell_m;
+  map.nx = high_i - low_i + 1;
+  map.ny = high_j - low_j + 1;
+  map.unit = "m";
+  map.description = "measured ground over simulated ground";
+  map.values.assign(static_cast<std::size_t>(map.nx) * map.ny,
+                    std::numeric_limits<float>::quiet_NaN());
+  for (const auto& [place, cell] : ground.cells) {
+    const auto row = static_cast<std::size_t>(place.second - low_j);
+    map.values[row * map.nx + (place.first - low_i)] = static_cast<float>(cell.above_m);
+  }
+  return map;
+}
+
+/// The cells of a map as CSV: x_m, y_m of their centres, above_m, sigma_m, region (-1: none), seen.
+std::string GroundCsv(const GroundMap& map) {
+  std::string csv = "x_m,y_m,above_m,sigma_m,region,seen\n";
+  for (const auto& [place, cell] : map.cells) {
+    csv += fmt::format("{:g},{:g},{:.4f},{:.4f},{},{}\n", map.cell_m * (place.first + 0.5),
+                       map.cell_m * (place.second + 0.5), cell.above_m, cell.sigma_m, cell.region,
+                       cell.seen ? 1 : 0);
+  }
+  return csv;
+}
 
 /// Each channel that was judged, over time.
 void WriteSeries(const std::filesystem::path& directory, const Diagnosis& diagnosis) {
@@ -35,9 +123,10 @@ void WriteReport(const std::filesystem::path& directory, const Diagnosis& diagno
   WriteWholeFile(directory / "report.html", HtmlReport(diagnosis, recording));
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
     if (sensor.ground.cells.empty()) continue;
-    WriteWholeFile(directory / ("ground_" + sensor.target + ".csv"), GroundCsv(sensor.ground));
+    const std::string name = "ground_" + sensor.target;
+    WriteWholeFile(directory / (name + ".csv"), GroundCsv(sensor.ground));
+    WriteSiteMap(directory / (name + ".tif"), AsSiteMap(sensor.ground), diagnosis.origin);
   }
-  WriteGroundMaps(directory, diagnosis);
   WriteSeries(directory, diagnosis);
 }
 

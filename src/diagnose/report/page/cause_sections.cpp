@@ -6,18 +6,14 @@
 #include <algorithm>
 #include <vector>
 
-#include "diagnose/report/page/block_figures.h"
+#include "diagnose/diagnosis.h"
+#include "diagnose/report/page/figures.h"
 #include "diagnose/report/page/svg_plot.h"
-#include "diagnose/report/text/cause.h"
-#include "diagnose/report/text/cause_answers.h"
-#include "diagnose/report/text/clock_text.h"
-#include "diagnose/report/text/finding_text.h"
+#include "diagnose/report/text/cause_text.h"
+#include "diagnose/report/text/confirmation_text.h"
 #include "diagnose/report/text/mechanism_words.h"
-#include "diagnose/report/text/next_manoeuvre_text.h"
-#include "diagnose/report/text/perception_text.h"
-#include "diagnose/report/text/plain_sentence.h"
 #include "diagnose/report/text/proposal_text.h"
-#include "diagnose/report/text/ranking.h"
+#include "diagnose/report/text/sensor_text.h"
 #include "diagnose/report/text/sentence.h"
 #include "diagnose/report/text/sentences.h"
 #include "diagnose/report/text/wording.h"
@@ -27,54 +23,36 @@ namespace {
 
 constexpr std::size_t kMostCauses = 12;  ///< with a section of their own
 
-std::string Answer(std::string_view question, const std::string& answer) {
-  return fmt::format("<dt>{}</dt><dd>{}</dd>\n", question, Escaped(answer));
+std::string Paragraph(std::string_view css_class, const std::string& text) {
+  return text.empty() ? "" : fmt::format("<p class='{}'>{}</p>\n", css_class, Escaped(text));
 }
 
-/// A section of the first screen: a heading, sentences, a picture and answers.
+/// A section of the first screen: a heading, what it means, a picture, and sentences with the
+/// evidence.
 std::string Section(std::string_view css_class, const std::string& heading,
-                    const std::string& sentences, const std::string& picture,
-                    const std::string& answers) {
+                    const std::string& meaning, const std::string& picture,
+                    const std::vector<std::string>& sentences) {
+  std::string html;
+  for (const std::string& sentence : sentences) html += Paragraph("soft", sentence);
   return fmt::format(
-      "<section class='cause {}'>\n<h2>{}</h2>\n<p class='plain'>{}</p>\n<div class='told'>\n{}<dl>"
-      "{}</dl>\n</div>\n</section>\n",
-      css_class, Escaped(heading), Escaped(sentences), picture, answers);
-}
-
-std::string PictureOf(const Cause& cause) {
-  if (cause.block != nullptr) return SmallPredictionFigure(*cause.block, cause.finding->location);
-  if (cause.ErrorUnit().empty()) return "";
-  const bool is_distance = cause.seen_by != nullptr && cause.ErrorUnit() == "m";
-  const ReadableUnit unit =
-      is_distance ? ReadableUnit{100, "cm"} : ReadableUnitOf(cause.ErrorUnit());
-  return ErrorBars(cause.Quantity(), cause.finding->held_out, unit);
+      "<section class='cause {}'>\n<h2>{}</h2>\n{}<div class='told'>\n{}<div>{}</div>\n</div>\n"
+      "</section>\n",
+      css_class, Escaped(heading), Paragraph("plain", meaning), picture, html);
 }
 
 std::string SectionOf(const Cause& cause, std::size_t number, const Diagnosis& diagnosis) {
-  std::string else_text = WhatElseText(cause);
+  const std::string meaning = MeaningText(cause);
+  std::vector<std::string> sentences = {SentenceOf(cause), WhatToDriveText(cause, diagnosis)};
   if (cause.mechanism().id == "command_delay") {
-    if (const std::string shared = SentenceOfSharedDelay(diagnosis); !shared.empty()) {
-      else_text = shared;
-    }
-  }
-  std::string sentences = MeaningText(cause);
-  for (const std::string& next : {ClassText(cause), FallText(cause)}) {
-    if (!next.empty()) sentences += " " + next;
+    sentences.push_back(SentenceOfSharedDelay(diagnosis));
   }
   return Section(
-      "named", fmt::format("{}. {}", number, HeadingOf(cause)), sentences, PictureOf(cause),
-      Answer("How sure", HowSureText(cause)) + Answer("What else it could be", else_text) +
-          Answer("What to drive to find out", WhatToDriveText(cause, diagnosis)));
-}
-
-/// The mechanisms that come nearest to what is left of a channel.
-std::string ProxiesText(const DiagnosedBlock& diagnosed, std::size_t channel) {
-  std::vector<std::string> near;
-  for (const Finding& proxy : diagnosed.diagnosis.proxies) {
-    if (proxy.location.channel == channel) near.push_back(MechanismText(diagnosed, proxy));
-  }
-  return near.empty() ? "No known mechanism comes near."
-                      : fmt::format("Nearest comes {}, which is no name for it.", Listed(near));
+      "named",
+      fmt::format("{}. {}", number,
+                  HeadingOf(*cause.finding->term.candidate, cause.finding->evidence.rivals)),
+      meaning + (meaning.empty() ? "" : " ") + HowSureText(cause),
+      cause.block != nullptr ? PredictionFigure(*cause.block, cause.finding->location) : "",
+      sentences);
 }
 
 /// Recording to make for an unexplained error.
@@ -86,54 +64,41 @@ std::string DriveText(const DiagnosedBlock& diagnosed, const Location& at) {
                      VariableText(at.regimes.front().variable, diagnosed.block));
 }
 
-/// Effect in the next simulation for a channel's residual; empty without a proposal.
-std::string NextSimulationAnswer(const DiagnosedBlock& diagnosed, std::size_t channel) {
-  const Proposal* proposal = ProposalFor(diagnosed, channel);
-  if (proposal == nullptr) return "";
-  return Answer("What the next simulation has of it", LearnedText(diagnosed.block, *proposal));
-}
-
 std::string SectionOf(const UnexplainedInBlock& entry) {
   const auto& [diagnosed, left] = entry;
   const Location& at = left->location;
   const Channel& channel = diagnosed->block.channels[at.channel];
-  const ReadableUnit unit = ReadableUnitOf(channel.unit);
   const std::string quantity = QuantityOf(channel.name);
-  std::string text = fmt::format(
-      "The {} differs from the simulation, and nothing that is known explains it: {} are left, "
-      "where noise makes {}.",
-      quantity, WithUnit(Significant(left->rmse * unit.factor, 2), unit),
-      WithUnit(Significant(left->noise * unit.factor, 2), unit));
-  if (!at.regimes.empty()) {
-    text +=
-        fmt::format(" It depends on {}.", RegimeText(at.regimes.front(), *diagnosed, at.channel));
+  std::vector<std::string> sentences = {SentenceOf(*diagnosed, *left)};
+  if (const Proposal* proposal = ProposalFor(*diagnosed, at.channel)) {
+    sentences.push_back(SentenceOf(diagnosed->block, *proposal));
   }
-  const std::string sure = left->p ? fmt::format(
-                                         "Sure that it is there: chance alone would do as "
-                                         "much in {} cases.",
-                                         OddsText(*left->p))
-                                   : "Sure that it is there: it is far louder than the noise.";
-  return Section("unexplained", Capitalised(quantity) + ": unexplained", text,
-                 SmallPredictionFigure(*diagnosed, at),
-                 Answer("How sure", sure) +
-                     Answer("What else it could be", ProxiesText(*diagnosed, at.channel)) +
-                     NextSimulationAnswer(*diagnosed, at.channel) +
-                     Answer("What to drive to find out", DriveText(*diagnosed, at)));
+  for (const Finding& proxy : diagnosed->diagnosis.proxies) {
+    if (proxy.location.channel == at.channel) {
+      sentences.push_back(SentenceOfProxy(*diagnosed, proxy));
+    }
+  }
+  sentences.push_back(DriveText(*diagnosed, at));
+  return Section("unexplained", Capitalised(quantity) + ": unexplained",
+                 fmt::format("The {} differs from the simulation, and nothing that is known "
+                             "explains it: {} are left, where noise makes {}.",
+                             quantity, Readable(left->rmse, channel.unit),
+                             Readable(left->noise, channel.unit)),
+                 PredictionFigure(*diagnosed, at), sentences);
 }
 
 /// Section on sensors that disagree for no known reason.
 std::string SectionOf(const std::vector<const ChannelError*>& left) {
   std::vector<std::string> errors;
   for (const ChannelError* channel : left) {
-    const ReadableUnit unit = ReadableUnitOf(channel->unit);
     errors.push_back(fmt::format("{} {} (noise {})", QuantityOf(channel->name),
-                                 WithUnit(Significant(channel->rms_after * unit.factor, 2), unit),
-                                 WithUnit(Significant(channel->noise * unit.factor, 2), unit)));
+                                 Readable(channel->rms_after, channel->unit),
+                                 Readable(channel->noise, channel->unit)));
   }
   return Section(
       "unexplained", "Sensors that do not agree",
       fmt::format("Error is left that no number of a sensor explains: {}.", Listed(errors)), "",
-      "");
+      {});
 }
 
 /// Undetectable mechanisms of each block.
@@ -153,9 +118,6 @@ std::vector<std::string> UnseenTexts(const Diagnosis& diagnosis) {
       labels.emplace_back(WordsOf(one.candidate->mechanism->id, one.candidate->target)->label);
     }
     if (!labels.empty()) texts.push_back(fmt::format("{}: {}.", name, Listed(labels)));
-  }
-  for (const std::string& obstacle : diagnosis.not_compared) {
-    texts.push_back(fmt::format("Not compared: {}.", obstacle));
   }
   return texts;
 }
@@ -230,7 +192,7 @@ std::string CauseSections(const Diagnosis& diagnosis) {
     html += SectionOf(causes[c], c + 1, diagnosis);
   }
   if (causes.size() > kMostCauses) {
-    html += fmt::format("<p>{} smaller ones stand under \"Every sentence\" below.</p>\n",
+    html += fmt::format("<p>{} smaller ones stand under \"Everything else\" below.</p>\n",
                         causes.size() - kMostCauses);
   }
   for (const UnexplainedInBlock& entry : RankedUnexplained(diagnosis)) html += SectionOf(entry);

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 
-#include "diagnose/report/page/svg_plot.h"
-#include "diagnose/report/text/cause.h"
+#include "core/html.h"
+#include "diagnose/diagnosis.h"
+#include "diagnose/report/text/cause_text.h"
 #include "diagnose/report/text/mechanism_words.h"
-#include "diagnose/report/text/plain_sentence.h"
-#include "diagnose/report/text/ranking.h"
 #include "diagnose/report/text/sensor_text.h"
 #include "diagnose/report/text/wording.h"
 
@@ -130,123 +129,37 @@ void AddEntries(const Diagnosis& diagnosis, Chain* chain) {
   }
 }
 
-// Lengths in the figure, which is never scaled. In two rows or three, which the style sheet makes
-// of it, boxes stand closer, so that two fit beside each other at 360 px.
-constexpr int kWidth = 144, kPitch = 166, kTitle = 40, kLine = 17, kRowGap = 14;
-constexpr std::size_t kLetters = 16;  ///< of a line of text beside its mark
-constexpr std::size_t kMostLines = 7;
+constexpr std::size_t kMostEntries = 4;  ///< that a box shows
 
-/// A text in lines of at most kLetters letters, where its words allow it.
-std::vector<std::string> Wrapped(const std::string& text) {
-  std::vector<std::string> lines = {""};
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(' ', begin), text.size());
-    const std::string word = text.substr(begin, end - begin);
-    std::string& line = lines.back();
-    if (line.empty()) {
-      line = word;
-    } else if (line.size() + 1 + word.size() <= kLetters) {
-      line += " " + word;
-    } else {
-      lines.push_back(word);
-    }
-    begin = end + 1;
-  }
-  return lines;
+/// A sign that says without colour what the frame of a box says.
+std::string Sign(std::string_view css_class, std::string_view sign) {
+  return fmt::format("<b class='sign {}'>{}</b>", css_class, sign);
 }
 
-/// A line of a box and the mark before it.
-struct BoxLine {
-  std::string mark, text;
-};
-
-const char* SignOf(Mark mark) { return mark == Mark::kCause ? "!" : "?"; }
-
-std::vector<BoxLine> LinesOf(const ChainStage& stage) {
-  std::vector<BoxLine> lines;
-  for (std::size_t e = 0; e < stage.entries.size(); ++e) {
-    const std::vector<std::string> wrapped = Wrapped(stage.entries[e].text);
-    if (lines.size() + wrapped.size() > kMostLines) {
-      lines.push_back({"", fmt::format("and {} more", stage.entries.size() - e)});
-      break;
-    }
-    for (std::size_t w = 0; w < wrapped.size(); ++w) {
-      lines.push_back({w == 0 ? SignOf(stage.entries[e].mark) : "", wrapped[w]});
-    }
-  }
-  if (!lines.empty()) return lines;
-  std::vector<std::string> wrapped =
-      Wrapped(stage.compared.empty() ? "not compared" : Listed(stage.compared));
-  if (wrapped.size() > kMostLines) {
-    wrapped.resize(kMostLines - 1);
-    wrapped.emplace_back("and more");
-  }
-  for (std::string& text : wrapped) lines.push_back({"", std::move(text)});
-  return lines;
+std::string SignOf(Mark mark) {
+  return mark == Mark::kCause ? Sign("wrong", "!") : Sign("open", "?");
 }
 
-std::string_view ClassOf(const ChainStage& stage) {
-  const bool is_open = stage.Has(Mark::kUnexplained) || stage.Has(Mark::kMissingInput) ||
-                       stage.Has(Mark::kPossibleCause);
-  if (stage.Has(Mark::kCause)) return is_open ? "box wrong open" : "box wrong";
-  if (is_open) return "box open";
-  return stage.compared.empty() ? "box idle" : "box fine";
-}
-
-/// The sign in the corner of a box, which says without colour what the box's frame says.
-std::string Badge(const ChainStage& stage) {
-  constexpr int kX = kWidth - 17, kY = 19;
-  if (!stage.entries.empty()) {
-    const bool is_wrong = stage.Has(Mark::kCause);
-    return fmt::format(
-        "<circle class='{0}' cx='{1}' cy='{2}' r='10'/><text class='sign {0}' x='{1}' y='{3}' "
-        "text-anchor='middle'>{4}</text>",
-        is_wrong ? "wrong" : "open", kX, kY, kY + 5, is_wrong ? "!" : "?");
+std::string Box(const ChainStage& stage) {
+  const bool is_wrong = stage.Has(Mark::kCause), was_compared = !stage.compared.empty();
+  const char* const css_class = is_wrong                 ? "wrong"
+                                : !stage.entries.empty() ? "open"
+                                : was_compared           ? "fine"
+                                                         : "idle";
+  std::string html = fmt::format("<li class='{}'><b>{}</b>", css_class, stage.title);
+  for (std::size_t e = 0; e < std::min(stage.entries.size(), kMostEntries); ++e) {
+    const ChainStage::Entry& entry = stage.entries[e];
+    html += fmt::format("<p>{} {}</p>", SignOf(entry.mark), Escaped(entry.text));
   }
-  const char* const path = stage.compared.empty() ? "h10" : "l4 5 l8 -10";
-  return fmt::format("<path class='{}' d='M{} {}{}'/>", stage.compared.empty() ? "idle" : "fine",
-                     kX - 6, kY, path);
-}
-
-std::string Box(const ChainStage& stage, std::size_t place, int height) {
-  std::string svg = fmt::format(
-      "<g class='s{0}' transform='translate({1} 0)'><rect class='{2}' x='1' y='1' width='{3}' "
-      "height='{4}' rx='8'/><text class='title' x='12' y='24'>{5}</text>",
-      place, kPitch * static_cast<int>(place), ClassOf(stage), kWidth - 2, height - 2, stage.title);
-  svg += Badge(stage);
-  if (place > 0) {
-    svg += fmt::format("<path class='arrow' d='M-12 {}h9l-4 -4m4 4l-4 4'/>", height / 2);
+  if (stage.entries.size() > kMostEntries) {
+    html += fmt::format("<p>and {} more</p>", stage.entries.size() - kMostEntries);
   }
-  int y = kTitle + kLine - 4;
-  const char* const css_class = stage.entries.empty() ? "soft" : "axis";
-  for (const BoxLine& line : LinesOf(stage)) {
-    const int x = stage.entries.empty() ? 12 : 22;
-    if (!line.mark.empty()) {
-      svg += fmt::format("<text class='mark' x='11' y='{}'>{}</text>", y, line.mark);
-    }
-    svg += fmt::format("<text class='{}' x='{}' y='{}'>{}</text>", css_class, x, y,
-                       Escaped(line.text));
-    y += kLine;
+  if (stage.entries.empty()) {
+    html += fmt::format("<p class='soft'>{} {}</p>",
+                        was_compared ? Sign("fine", "&#10003;") : Sign("idle", "&#8211;"),
+                        was_compared ? Escaped(Listed(stage.compared)) : "not compared");
   }
-  return svg + "</g>";
-}
-
-/// The figure in words, for those who do not see it.
-std::string Description(const Chain& chain) {
-  std::string text;
-  for (const ChainStage& stage : chain) {
-    std::vector<std::string> parts;
-    for (const ChainStage::Entry& entry : stage.entries) {
-      const bool is_possible = entry.mark == Mark::kPossibleCause;
-      parts.push_back((is_possible ? "perhaps " : "") + entry.text);
-    }
-    if (parts.empty()) {
-      parts.push_back(stage.compared.empty() ? "not compared"
-                                             : "nothing found in " + Listed(stage.compared));
-    }
-    text += fmt::format("{}{}: {}.", text.empty() ? "" : " ", stage.title, Listed(parts));
-  }
-  return text;
+  return html + "</li>\n";
 }
 
 constexpr std::string_view kKey =
@@ -275,20 +188,9 @@ std::array<ChainStage, 6> ChainOf(const Diagnosis& diagnosis) {
 }
 
 std::string ChainFigure(const Diagnosis& diagnosis) {
-  const Chain chain = ChainOf(diagnosis);
-  std::size_t most = 1;
-  for (const ChainStage& stage : chain) most = std::max(most, LinesOf(stage).size());
-  const int height = kTitle + kLine * static_cast<int>(most) + 8, row = height + kRowGap;
-  std::string svg = fmt::format(
-      "<svg class='chain' role='img' aria-labelledby='chain-title chain-words' "
-      "style='--h1:{0}px;--h2:{1}px;--h3:{2}px;--row:{3}px;--row2:{4}px'><title "
-      "id='chain-title'>The chain from lever to sensor, and what is wrong in it</title><desc "
-      "id='chain-words'>{5}</desc>",
-      height, row + height, 2 * row + height, row, 2 * row, Escaped(Description(chain)));
-  for (std::size_t place = 0; place < chain.size(); ++place) {
-    svg += Box(chain[place], place, height);
-  }
-  return fmt::format("<figure class='chainbox'>{}</svg>\n{}</figure>\n", svg, kKey);
+  std::string boxes;
+  for (const ChainStage& stage : ChainOf(diagnosis)) boxes += Box(stage);
+  return fmt::format("<ol class='chain'>\n{}</ol>\n{}", boxes, kKey);
 }
 
 }  // namespace tera

@@ -35,8 +35,7 @@ struct ChainStage {
 ///         with each other.
 std::array<ChainStage, 6> ChainOf(const Diagnosis& diagnosis);
 
-/// The chain as one inline SVG with its key. Boxes stand in one, two or three rows, by the screen's
-/// width.
+/// The chain as a row of boxes with their key; on a narrow screen in several rows.
 std::string ChainFigure(const Diagnosis& diagnosis);
 
 }  // namespace tera

@@ -35,11 +35,6 @@ std::string Text(double x, double y, std::string_view anchor, std::string_view c
                      anchor, css_class, Escaped(text));
 }
 
-std::string Head(const std::string& what, double width, double height) {
-  return fmt::format("<svg viewBox='0 0 {0:.0f} {1:.0f}' role='img' aria-label='{2}'>", width,
-                     height, Escaped(what));
-}
-
 bool IsFinite(const PlotPoint& point) { return std::isfinite(point.x) && std::isfinite(point.y); }
 
 }  // namespace
@@ -64,6 +59,12 @@ std::vector<double> TicksOf(const PlotAxis& axis, int wanted) {
 SvgPlot::SvgPlot(const std::string& what, PlotAxis x, PlotAxis y, double width, double height)
     : what_(what), x_(std::move(x)), y_(std::move(y)), width_(width), height_(height) {}
 
+SvgPlot SvgPlot::OfArea(const std::string& what, PlotAxis x, PlotAxis y, double scale) {
+  const double width = kLeft + scale * (x.high - x.low) + kRight;
+  const double height = kTop + scale * (y.high - y.low) + kBottom;
+  return {what, std::move(x), std::move(y), width, height};
+}
+
 double SvgPlot::X(double x) const {
   return kLeft + (width_ - kLeft - kRight) * (x - x_.low) / (x_.high - x_.low);
 }
@@ -72,10 +73,17 @@ double SvgPlot::Y(double y) const {
   return height_ - kBottom - (height_ - kTop - kBottom) * (y - y_.low) / (y_.high - y_.low);
 }
 
-void SvgPlot::Shade(double x_low, double x_high, std::string_view css_class) {
-  inside_ += fmt::format("<rect class='{}' x='{:.1f}' y='{:.1f}' width='{:.1f}' height='{:.1f}'/>",
-                         css_class, X(x_low), kTop, std::max(X(x_high) - X(x_low), 1.0),
-                         height_ - kTop - kBottom);
+void SvgPlot::Rectangle(const PlotPoint& low, const PlotPoint& high, std::string_view css_class,
+                        double opacity) {
+  inside_ += fmt::format(
+      "<rect class='{}' x='{:.1f}' y='{:.1f}' width='{:.1f}' height='{:.1f}' "
+      "fill-opacity='{:.2g}'/>",
+      css_class, X(low.x), Y(high.y), std::max(X(high.x) - X(low.x), 1.0), Y(low.y) - Y(high.y),
+      opacity);
+}
+
+void SvgPlot::Shade(double x_low, double x_high) {
+  Rectangle({x_low, y_.low}, {x_high, y_.high}, "shade");
 }
 
 void SvgPlot::Horizontal(double y, std::string_view css_class) {
@@ -117,31 +125,26 @@ void SvgPlot::Dots(const std::vector<PlotPoint>& points, std::string_view css_cl
   }
 }
 
-void SvgPlot::Visits(const std::vector<PlotPoint>& counts, double width_x,
-                     std::string_view css_class) {
+void SvgPlot::Visits(const std::vector<PlotPoint>& counts, double width_x) {
   double most = 0;
   for (const PlotPoint& count : counts) most = std::max(most, count.y);
   if (most <= 0) return;
   for (const PlotPoint& count : counts) {
-    const double height = 0.1 * (height_ - kTop - kBottom) * count.y / most;
-    inside_ +=
-        fmt::format("<rect class='{}' x='{:.1f}' y='{:.1f}' width='{:.1f}' height='{:.1f}'/>",
-                    css_class, X(count.x - 0.5 * width_x), height_ - kBottom - height,
-                    std::max(X(width_x) - X(0) - 0.5, 1.0), height);
+    const double top = y_.low + 0.1 * (y_.high - y_.low) * count.y / most;
+    Rectangle({count.x - 0.5 * width_x, y_.low}, {count.x + 0.5 * width_x, top}, "visits");
   }
 }
 
 std::string SvgPlot::Axes() const {
   const double bottom = height_ - kBottom, right = width_ - kRight;
   std::string text;
-  const auto x_ticks = TicksOf(x_, width_ > 600 ? 10 : 6);
-  const auto y_ticks = TicksOf(y_, 5);
-  const double x_step = TickStep(x_.high - x_.low, width_ > 600 ? 10 : 6);
-  for (const double tick : x_ticks) {
+  const int x_ticks = width_ > 600 ? 10 : 6;
+  const double x_step = TickStep(x_.high - x_.low, x_ticks);
+  for (const double tick : TicksOf(x_, x_ticks)) {
     text += fmt::format("<path class='tick' d='M{0:.1f} {1:.1f}v5'/>", X(tick), bottom);
     text += Text(X(tick), bottom + 18, "middle", "number", TickText(tick, x_step));
   }
-  for (const double tick : y_ticks) {
+  for (const double tick : TicksOf(y_, 5)) {
     text += fmt::format("<path class='grid' d='M{:.1f} {:.1f}H{:.1f}'/>", kLeft, Y(tick), right);
     text += Text(kLeft - 8, Y(tick) + 4, "end", "number",
                  TickText(tick, TickStep(y_.high - y_.low, 5)));
@@ -157,34 +160,14 @@ std::string SvgPlot::Axes() const {
 std::string SvgPlot::Take() const {
   const double width = width_ - kLeft - kRight, height = height_ - kTop - kBottom;
   // A nested SVG clips what is beyond its edges.
-  return Head(what_, width_, height_) + Axes() +
+  return fmt::format("<svg viewBox='0 0 {0:.0f} {1:.0f}' role='img' aria-label='{2}'>", width_,
+                     height_, Escaped(what_)) +
+         Axes() +
          fmt::format("<svg x='{0}' y='{1}' width='{2}' height='{3}' viewBox='{0} {1} {2} {3}'>",
                      kLeft, kTop, width, height) +
          inside_ + "</svg>" +
          fmt::format("<path class='frame' d='M{:.1f} {:.1f}H{:.1f}'/></svg>", kLeft,
                      height_ - kBottom, width_ - kRight);
-}
-
-std::string SvgBars(const std::string& what, const std::vector<Bar>& bars, double width) {
-  constexpr double kRow = 24;
-  const double labels = width > 600 ? 170 : 80, numbers = width > 600 ? 64 : 120;
-  double most = 0;
-  for (const Bar& bar : bars) most = std::max(most, bar.value);
-  std::string text = Head(what, width, kRow * static_cast<double>(bars.size()) + 4);
-  double y = 2;
-  for (const Bar& bar : bars) {
-    const double share = most > 0 ? std::max(bar.value, 0.0) / most : 0;
-    const double length = (width - labels - numbers) * share;
-    text += Text(labels - 8, y + 16, "end", "axis", bar.label);
-    text += fmt::format("<rect class='{}' x='{:.1f}' y='{:.1f}' width='{:.1f}' height='{:.1f}'/>",
-                        bar.css_class, labels, y + 4, std::max(length, 1.0), kRow - 8);
-    const std::string number =
-        bar.number.empty() ? fmt::format("{:.{}f}", bar.value, std::abs(bar.value) < 10 ? 1 : 0)
-                           : bar.number;
-    text += Text(labels + length + 6, y + 16, "start", "number", number);
-    y += kRow;
-  }
-  return text + "</svg>";
 }
 
 std::vector<PlotPoint> EnvelopeOf(const Series& series, const Segment& samples, double factor,

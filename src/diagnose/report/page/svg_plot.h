@@ -31,9 +31,13 @@ class SvgPlot {
  public:
   /// `what` is the figure's label for screen readers.
   SvgPlot(const std::string& what, PlotAxis x, PlotAxis y, double width = 900, double height = 260);
+  /// Both axes have the same scale, of `scale` of the figure's units for one of theirs.
+  static SvgPlot OfArea(const std::string& what, PlotAxis x, PlotAxis y, double scale);
 
+  void Rectangle(const PlotPoint& low, const PlotPoint& high, std::string_view css_class,
+                 double opacity = 1);
   /// Shades an interval of x over the full height.
-  void Shade(double x_low, double x_high, std::string_view css_class);
+  void Shade(double x_low, double x_high);
   void Horizontal(double y, std::string_view css_class);
   /// A polyline, interrupted at points that are not finite.
   void Line(const std::vector<PlotPoint>& points, std::string_view css_class);
@@ -43,7 +47,7 @@ class SvgPlot {
   void Dots(const std::vector<PlotPoint>& points, std::string_view css_class);
   /// Bars along the lower edge for the number of samples at each x; the longest has a tenth of the
   /// height.
-  void Visits(const std::vector<PlotPoint>& counts, double width_x, std::string_view css_class);
+  void Visits(const std::vector<PlotPoint>& counts, double width_x);
 
   std::string Take() const;
 
@@ -57,17 +61,6 @@ class SvgPlot {
   double width_, height_;
   std::string inside_;
 };
-
-/// One bar of a chart, from 0 to the right.
-struct Bar {
-  std::string label;
-  double value = 0;
-  std::string_view css_class;
-  std::string number = {};  ///< text of the value; empty: the value itself
-};
-
-/// Horizontal bars under each other, each with its label and its value.
-std::string SvgBars(const std::string& what, const std::vector<Bar>& bars, double width = 900);
 
 /// Samples as a line of at most `most` points: minimum and maximum of each bin of neighbours in
 /// their order, and gaps as non-finite points. x is in seconds; y is multiplied by `factor`.

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "diagnose/report/text/finding_text.h"
-#include "diagnose/report/text/ranking.h"
+#include "diagnose/diagnosis.h"
+#include "diagnose/report/text/sentence.h"
 
 namespace tera {
 namespace {

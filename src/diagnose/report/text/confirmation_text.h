@@ -6,6 +6,7 @@
 #include "diagnose/confirm/held_out_recording.h"
 #include "diagnose/confirm/whole_simulation.h"
 #include "diagnose/discrepancy/discrepancy_correction.h"
+#include "diagnose/experiment_design/next_manoeuvre.h"
 
 namespace tera {
 
@@ -19,5 +20,16 @@ std::string SentenceOf(const WholeSimulation& whole);
 /// "Corrected for what the replays lack of the simulation: yaw rate 2.1 deg/s (RMS)." Insignificant
 /// corrections are left out; empty without any other.
 std::string SentenceOf(const std::vector<DiscrepancyCorrection>& corrections);
+
+/// The file of levers beside diagnosis.json.
+inline constexpr const char* kNextManoeuvreFile = "next_manoeuvre.csv";
+
+/// "Next manoeuvre (next_manoeuvre.csv, 39 s; boom: steps of 0.15 and steps of 1): tells dead band
+/// and rate gain of the boom apart; would show backlash of the boom. Power 0.93 at least."
+std::string SentenceOf(const NextManoeuvre& next);
+
+/// The levers in the form of commands.csv: t_ns and a column for each lever, -1 to 1, with a row
+/// wherever one moves.
+std::string CsvOf(const NextManoeuvre& next);
 
 }  // namespace tera

@@ -6,7 +6,7 @@ namespace tera {
 
 /// A mechanism in the words of a machine's user.
 ///
-/// `meaning` is a sentence with placeholders in braces, which FilledIn (plain_sentence.h) fills:
+/// `meaning` is a sentence with placeholders in braces, which FilledIn (cause_text.h) fills:
 /// {The}, {the}: the target; {width}: the parameter of that name with its unit; {0}: the first
 /// parameter; {width%}: its magnitude in per cent; {gain~faster~slower}: its excess over 1 in per
 /// cent, with the word for its sign; {exponent?slower?faster}: the word alone; {offset_s:ahead:
@@ -17,7 +17,6 @@ struct MechanismWords {
   /// as in Mechanism; for measured poses "poses/latency", with a sentence of its own
   std::string_view id;
   std::string_view label;    ///< two or three words, which can follow "this"
-  std::string_view kind;     ///< description without numbers
   std::string_view meaning;  ///< one sentence
 };
 

@@ -112,8 +112,7 @@ std::string CurveText(const ReplayBlock& block, const Proposal& proposal) {
   curve.mean.minCoeff(&least);
   curve.mean.maxCoeff(&most);
   const auto place = [&](Eigen::Index bin) {
-    return fmt::format("{} at {}", WithUnit(Significant(curve.mean[bin] * unit.factor, 2), unit),
-                       WithUnit(Significant(curve.at[bin] * at.factor, 2), at));
+    return fmt::format("{} at {}", Readable(curve.mean[bin], unit), Readable(curve.at[bin], at));
   };
   return fmt::format("a curve for what is left, a proposal and no name: add {}, c from {} to {}",
                      FormulaText(block, proposal), place(least), place(most));
@@ -141,22 +140,18 @@ std::string LearnedText(const ReplayBlock& block, const Proposal& proposal) {
   if (!proposal.learned) {
     return fmt::format("It is not in effects.yaml: {}.", proposal.not_learned);
   }
-  const ReadableUnit unit = ReadableUnitOf(block.channels[proposal.channel].unit);
   const LearnedProposal& learned = *proposal.learned;
   return fmt::format(
-      "As a function of {} it is in effects.yaml as learned: held-out RMSE {} → {} in the replay.",
+      "As a function of {} it is in effects.yaml as learned: held-out RMSE {} in the replay.",
       VariableText(learned.effect.variable.name, block),
-      Significant(learned.rmse_before * unit.factor, 2),
-      WithUnit(Significant(learned.rmse_after * unit.factor, 2), unit));
+      Change(learned.rmse_before, learned.rmse_after, block.channels[proposal.channel].unit));
 }
 
 std::string SentenceOf(const ReplayBlock& block, const Proposal& proposal) {
   const Channel& channel = block.channels[proposal.channel];
-  const ReadableUnit unit = ReadableUnitOf(channel.unit);
-  return fmt::format("{}: {}. Held-out RMSE {} → {}. {}", Capitalised(QuantityOf(channel.name)),
+  return fmt::format("{}: {}. Held-out RMSE {}. {}", Capitalised(QuantityOf(channel.name)),
                      proposal.curve ? CurveText(block, proposal) : TermsText(block, proposal),
-                     Significant(proposal.rmse_before * unit.factor, 2),
-                     WithUnit(Significant(proposal.rmse_after * unit.factor, 2), unit),
+                     Change(proposal.rmse_before, proposal.rmse_after, channel.unit),
                      LearnedText(block, proposal));
 }
 

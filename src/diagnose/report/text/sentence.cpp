@@ -4,14 +4,124 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "diagnose/report/text/finding_text.h"
-#include "diagnose/report/text/ranking.h"
+#include "diagnose/diagnosis.h"
 #include "diagnose/report/text/wording.h"
 #include "diagnose/search/fit/steady_gain.h"
 #include "diagnose/tolerances/within_tolerance.h"
 
 namespace tera {
+namespace {
+
+constexpr int kPresentDigits = 4;  ///< of a number that the simulation has already
+/// Free numbers of a mechanism up to which all are reported.
+constexpr std::size_t kFewNumbers = 3;
+/// Standard deviations by which a number of many must differ from its default to be reported.
+constexpr double kClearDeviations = 3;
+constexpr std::size_t kMostRivalsNamed = 2;  ///< of those that were rejected
+
+/// Whether a number is written without its name: it is the first and only one that a mechanism
+/// requires, so that the mechanism's name is enough.
+bool GoesUnnamed(const Mechanism& mechanism, std::size_t index) {
+  const auto required = std::count_if(mechanism.parameters.begin(), mechanism.parameters.end(),
+                                      [](const EffectParameter& p) { return !p.otherwise; });
+  return index == 0 && required == 1 && !mechanism.parameters[0].otherwise;
+}
+
+/// " instead of 0.05", where the simulation has the mechanism already.
+std::string InsteadText(const Candidate& candidate, std::size_t index, const ReadableUnit& unit) {
+  if (candidate.present.empty()) return "";
+  return " instead of " +
+         WithUnit(Significant(candidate.present[index] * unit.factor, kPresentDigits), unit);
+}
+
+/// " 0.18 ± 0.02, asymmetry 0.1 ± 0.05"; empty where no number is reported.
+std::string NumbersText(const Finding& finding) {
+  const Candidate& candidate = *finding.term.candidate;
+  std::vector<std::string> numbers;
+  for (const FreeParameter& free : candidate.free) {
+    const ParameterEstimate& estimate = finding.parameters[free.index];
+    if (finding.term.IsHeld(free.index) || !IsReported(finding, free)) continue;
+    const ReadableUnit unit = ReadableUnitOf(estimate);
+    std::optional<double> sigma = estimate.sigma;
+    if (sigma) *sigma *= unit.factor;
+    const std::string number = WithUnit(WithSigma(estimate.value * unit.factor, sigma), unit) +
+                               InsteadText(candidate, free.index, unit);
+    numbers.push_back(GoesUnnamed(*candidate.mechanism, free.index)
+                          ? number
+                          : WithoutUnit(estimate.name) + " " + number);
+  }
+  return numbers.empty() ? "" : fmt::format(" {}", fmt::join(numbers, ", "));
+}
+
+}  // namespace
+
+std::string NameAndNumbers(const Finding& finding) {
+  return Spaced(finding.term.candidate->mechanism->id) + NumbersText(finding);
+}
+
+std::string MechanismText(const DiagnosedBlock& diagnosed, const Finding& finding) {
+  const Candidate& candidate = *finding.term.candidate;
+  const std::string& channel = diagnosed.block.channels[finding.location.channel].name;
+  if (candidate.target == "base" || channel.find(candidate.target) != std::string::npos) {
+    return NameAndNumbers(finding);
+  }
+  return fmt::format("{} of the {}{}", Spaced(candidate.mechanism->id), Spaced(candidate.target),
+                     NumbersText(finding));
+}
+
+std::string RivalText(const Candidate& rival, const Candidate& found) {
+  const std::string text = Spaced(rival.mechanism->id);
+  if (rival.target != found.target) return text + " of the " + Spaced(rival.target);
+  return rival.mechanism == found.mechanism ? text + " by its other numbers" : text;
+}
+
+std::vector<std::string> AlikeTexts(const Finding& finding) {
+  std::vector<std::string> alike;
+  for (const Candidate* rival : finding.evidence.rivals) {
+    if (rival != finding.term.candidate)
+      alike.push_back(RivalText(*rival, *finding.term.candidate));
+  }
+  return alike;
+}
+
+std::string EvidenceClause(const Finding& finding) {
+  std::string chosen = ProbabilityText(finding.evidence.p);
+  if (finding.evidence.joint_p) {
+    chosen += fmt::format(" alone, {} together with what it is beside",
+                          ProbabilityText(*finding.evidence.joint_p));
+  }
+  std::string text =
+      fmt::format("chosen with {}, confirmed with {}", chosen, ProbabilityText(finding.held_out.p));
+  const std::vector<std::string> alike = AlikeTexts(finding);
+  std::vector<std::string> rejected;
+  for (const Rival& rival : finding.evidence.rejected) {
+    if (rejected.size() == kMostRivalsNamed) break;
+    rejected.push_back(fmt::format("{} ({})", RivalText(*rival.candidate, *finding.term.candidate),
+                                   ProbabilityText(rival.p)));
+  }
+  if (!alike.empty()) text += fmt::format("; not told apart from: {}", fmt::join(alike, ", "));
+  if (!rejected.empty()) text += fmt::format("; rivals rejected: {}", fmt::join(rejected, ", "));
+  return text;
+}
+
+bool IsReported(const Finding& finding, const FreeParameter& free) {
+  const Candidate& candidate = *finding.term.candidate;
+  const ParameterEstimate& estimate = finding.parameters[free.index];
+  if (candidate.free.size() <= kFewNumbers || !estimate.sigma) return true;
+  const double without = candidate.present.empty()
+                             ? candidate.mechanism->parameters[free.index].otherwise.value_or(0)
+                             : candidate.present[free.index];
+  return std::abs(estimate.value - without) > kClearDeviations * *estimate.sigma;
+}
+
+bool IsUnconfirmed(const DiagnosedBlock& diagnosed, std::size_t channel) {
+  const std::vector<Finding>& unconfirmed = diagnosed.diagnosis.unconfirmed;
+  return std::any_of(unconfirmed.begin(), unconfirmed.end(),
+                     [&](const Finding& finding) { return finding.location.channel == channel; });
+}
+
 namespace {
 
 constexpr double kSignificant = 0.05;  ///< p of a regime up to which it is stated without its p
@@ -46,7 +156,7 @@ std::string FormText(const CurveShape& shape, const ReadableUnit& unit) {
       words.push_back("growing");
       break;
     case CurveForm::kStep:
-      words.push_back("a step at " + WithUnit(Significant(shape.bend * unit.factor, 2), unit));
+      words.push_back("a step at " + Readable(shape.bend, unit));
       break;
     case CurveForm::kPeriodic:
       words.push_back(shape.bend == 1 ? "once a turn"
@@ -97,9 +207,7 @@ std::string DependenceText(const DiagnosedBlock& diagnosed, const Location& loca
 
 /// "0.6 deg/s at a noise of 0.2 deg/s".
 std::string LeftText(double rmse, double noise, const std::string& si_unit) {
-  const ReadableUnit unit = ReadableUnitOf(si_unit);
-  return fmt::format("{} at a noise of {}", WithUnit(Significant(rmse * unit.factor, 2), unit),
-                     WithUnit(Significant(noise * unit.factor, 2), unit));
+  return fmt::format("{} at a noise of {}", Readable(rmse, si_unit), Readable(noise, si_unit));
 }
 
 /// The residual of a channel of which nothing is unexplained, in words.
@@ -123,15 +231,8 @@ std::string ResidualText(const DiagnosedBlock& diagnosed, std::size_t channel) {
   return "";
 }
 
-/// "1.6 → 0.20 deg/s"
-std::string RmseText(const HeldOutError& error, const std::string& si_unit) {
-  const ReadableUnit unit = ReadableUnitOf(si_unit);
-  return fmt::format("{} → {}", Significant(error.rmse_before * unit.factor, 2),
-                     WithUnit(Significant(error.rmse_after * unit.factor, 2), unit));
-}
-
 std::string HeldOutText(const HeldOutError& error, const std::string& si_unit) {
-  const std::string fall = "Held-out RMSE " + RmseText(error, si_unit);
+  const std::string fall = "Held-out RMSE " + Change(error.rmse_before, error.rmse_after, si_unit);
   if (error.excess_removed > 0) {
     return fmt::format("{}, {} of the excess variance removed.", fall,
                        PercentText(error.excess_removed));
@@ -169,7 +270,8 @@ std::string SentenceOf(const DiagnosedBlock& diagnosed, const Finding& finding) 
         "predicts it. With the rate held there, RMSE {}.",
         ChannelText(diagnosed, channel), WhenText(diagnosed, finding.location),
         MechanismText(diagnosed, finding), ProbabilityText(finding.evidence.p),
-        RmseText(finding.held_out, diagnosed.block.channels[channel].unit));
+        Change(finding.held_out.rmse_before, finding.held_out.rmse_after,
+               diagnosed.block.channels[channel].unit));
   }
   return fmt::format(
       "{}, {}; the error {}: {} ({}). {}{}", ChannelText(diagnosed, channel),
@@ -205,8 +307,8 @@ std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding
   }
   std::string why = ProbabilityText(error.p);
   if (error.rmse_after >= error.rmse_before) {
-    why = "its error there is " +
-          RmseText(error, diagnosed.block.channels[finding.held_out.channel].unit);
+    why = "its error there is " + Change(error.rmse_before, error.rmse_after,
+                                         diagnosed.block.channels[finding.held_out.channel].unit);
   } else if (error.p <= kConfirmedP) {
     why = "too few of them gain clearly";
   }

@@ -1,21 +1,121 @@
 #include "diagnose/report/text/sentences.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
 
-#include "diagnose/report/text/clock_text.h"
+#include "diagnose/diagnosis.h"
 #include "diagnose/report/text/confirmation_text.h"
-#include "diagnose/report/text/finding_text.h"
-#include "diagnose/report/text/next_manoeuvre_text.h"
-#include "diagnose/report/text/perception_text.h"
 #include "diagnose/report/text/proposal_text.h"
-#include "diagnose/report/text/ranking.h"
 #include "diagnose/report/text/sensor_text.h"
 #include "diagnose/report/text/sentence.h"
 #include "diagnose/report/text/wording.h"
 
 namespace tera {
+namespace {
+
+/// Delays count as the same where they differ by less than this share of the longer one, or by less
+/// than so many standard deviations, but never by more than kMostDifference of the longer one.
+constexpr double kSameShare = 0.2, kSameDeviations = 3, kMostDifference = 0.5;
+
+std::optional<ParameterEstimate> DelayOf(const DiagnosedBlock& diagnosed) {
+  for (const Finding& finding : diagnosed.diagnosis.findings) {
+    if (finding.term.candidate->mechanism->id == "command_delay") return finding.parameters.front();
+  }
+  return std::nullopt;
+}
+
+bool AreTheSame(const ParameterEstimate& shortest, const ParameterEstimate& longest) {
+  const double sigma = std::hypot(shortest.sigma.value_or(0), longest.sigma.value_or(0));
+  const double uncertain = std::min(kSameDeviations * sigma, kMostDifference * longest.value);
+  return longest.value - shortest.value <= std::max(kSameShare * longest.value, uncertain);
+}
+
+}  // namespace
+
+std::string SentenceOfSharedDelay(const Diagnosis& diagnosis) {
+  std::vector<ParameterEstimate> delays;
+  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
+    if (!diagnosed.diagnosis.is_testable || !HasLever(diagnosed.block)) continue;
+    const std::optional<ParameterEstimate> delay = DelayOf(diagnosed);
+    if (!delay) return "";
+    delays.push_back(*delay);
+  }
+  if (delays.size() < 2) return "";
+  const auto [shortest, longest] = std::minmax_element(
+      delays.begin(), delays.end(),
+      [](const ParameterEstimate& a, const ParameterEstimate& b) { return a.value < b.value; });
+  if (!AreTheSame(*shortest, *longest)) return "";
+  double mean_s = 0;
+  for (const ParameterEstimate& delay : delays) mean_s += delay.value / delays.size();
+  return fmt::format(
+      "All {} joints and tracks that follow levers ask for a delay of about {} s: the clock of the "
+      "encoders, or of the levers, "
+      "may be off by it instead, which is not told apart.",
+      delays.size(), Significant(mean_s, 2));
+}
+
+std::string SentenceOfEncoderLead(const Diagnosis& diagnosis) {
+  if (!diagnosis.encoder_lead_s) return "";
+  return fmt::format(
+      "Encoders run ahead of the levers that move them, by about {} s: their clocks differ. Mend "
+      "that first; what is named below may be a proxy for it.",
+      Significant(*diagnosis.encoder_lead_s, 2));
+}
+
+namespace {
+
+/// Each name once, with its count where there are several: "terrain height in 16 places".
+std::vector<std::string> Counted(const std::vector<std::string>& names) {
+  std::vector<std::string> counted;
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    if (std::find(names.begin(), name, *name) != name) continue;
+    const auto times = std::count(names.begin(), names.end(), *name);
+    counted.push_back(times > 1 ? fmt::format("{} in {} places", *name, times) : *name);
+  }
+  return counted;
+}
+
+std::string FoundText(const Diagnosis& diagnosis) {
+  std::vector<std::string> targets;
+  std::map<std::string, std::vector<std::string>> names;
+  for (const Cause& cause : RankedCauses(diagnosis)) {
+    const std::vector<std::string> alike = AlikeTexts(*cause.finding);
+    std::string name = NameAndNumbers(*cause.finding);
+    if (!alike.empty()) name += fmt::format(" (or {})", fmt::join(alike, " or "));
+    if (names[cause.target()].empty()) targets.push_back(cause.target());
+    names[cause.target()].push_back(std::move(name));
+  }
+  std::vector<std::string> parts;
+  for (const std::string& target : targets) {
+    parts.push_back(fmt::format("{}: {}", Spaced(target), Listed(Counted(names[target]))));
+  }
+  return parts.empty() ? "" : fmt::format(" {}.", fmt::join(parts, "; "));
+}
+
+std::string UnexplainedText(const Diagnosis& diagnosis) {
+  std::vector<std::string> quantities;
+  for (const auto& [diagnosed, unexplained] : RankedUnexplained(diagnosis)) {
+    quantities.push_back(QuantityOf(diagnosed->block.channels[unexplained->location.channel].name));
+  }
+  return quantities.empty() ? "" : fmt::format(" Unexplained: {}.", Listed(quantities));
+}
+
+}  // namespace
+
+std::string SummaryOf(const Diagnosis& diagnosis) {
+  const std::string found = FoundText(diagnosis), unexplained = UnexplainedText(diagnosis);
+  if (found.empty() && unexplained.empty()) return "";
+  return fmt::format("In short:{}{}", found.empty() ? " nothing named." : found, unexplained);
+}
+
 namespace {
 
 /// The corrections of blocks that are judged: those of others change no answer.
@@ -94,79 +194,87 @@ std::string SentenceOfNothing(const Diagnosis& diagnosis) {
   return text;
 }
 
+std::string SentenceOf(const Cause& cause) {
+  if (cause.block != nullptr) return SentenceOf(*cause.block, *cause.finding);
+  if (cause.sensor != nullptr) return SentenceOf(*cause.sensor);
+  return SentenceOf(*cause.seen_by, *cause.seen);
+}
+
 std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
   std::vector<std::string> sentences;
-  for (const auto& [diagnosed, finding] : RankedFindings(diagnosis)) {
-    sentences.push_back(SentenceOf(*diagnosed, *finding));
+  const auto say = [&](std::string text) {
+    if (!text.empty()) sentences.push_back(std::move(text));
+  };
+  const auto say_all = [&](const std::vector<std::string>& texts) {
+    sentences.insert(sentences.end(), texts.begin(), texts.end());
+  };
+  for (const Cause& cause : RankedCauses(diagnosis)) {
+    if (cause.block != nullptr) say(SentenceOf(cause));
   }
   for (const auto& [diagnosed, unexplained] : RankedUnexplained(diagnosis)) {
-    sentences.push_back(SentenceOf(*diagnosed, *unexplained));
+    say(SentenceOf(*diagnosed, *unexplained));
     for (const Proposal& proposal : diagnosed->proposals) {
       if (proposal.channel != unexplained->location.channel) continue;
-      sentences.push_back(SentenceOf(diagnosed->block, proposal));
+      say(SentenceOf(diagnosed->block, proposal));
     }
   }
-  if (std::string text = SentenceOfSharedDelay(diagnosis); !text.empty()) {
-    sentences.push_back(std::move(text));
+  say(SentenceOfSharedDelay(diagnosis));
+  for (const SensorFound& found : diagnosis.sensors.findings) {
+    say(SentenceOf(found));
   }
-  for (std::string& text : SensorSentences(diagnosis.sensors)) sentences.push_back(std::move(text));
   const std::vector<std::string> seen = PerceptionSentences(diagnosis.perception);
   const bool is_seen =
       std::any_of(diagnosis.perception.begin(), diagnosis.perception.end(),
                   [](const PerceptionDiagnosis& sensor) { return !sensor.findings.empty(); });
   const bool has_blocks = !diagnosis.blocks.empty() || diagnosis.perception.empty();
   const bool is_nothing = sentences.empty() && has_blocks;
-  if (is_seen) sentences.insert(sentences.end(), seen.begin(), seen.end());
+  if (is_seen) say_all(seen);
   if (is_nothing && !(is_seen && NoneIsJudged(diagnosis))) {
-    sentences.push_back(SentenceOfNothing(diagnosis));
+    say(SentenceOfNothing(diagnosis));
   }
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     for (const Finding& finding : diagnosed.diagnosis.proxies) {
-      sentences.push_back(SentenceOfProxy(diagnosed, finding));
+      say(SentenceOfProxy(diagnosed, finding));
     }
     for (const Finding& finding : diagnosed.diagnosis.unconfirmed) {
-      sentences.push_back(SentenceOfUnconfirmed(diagnosed, finding));
+      say(SentenceOfUnconfirmed(diagnosed, finding));
     }
     const std::optional<PlainComparison>& plain = diagnosed.diagnosis.plain;
     if (plain && plain->is_better && !diagnosed.diagnosis.unconfirmed.empty()) {
-      sentences.push_back(
+      say(
           fmt::format("{}: a static map of its lever with a dead time of {:.2f} s leaves less than "
                       "what was found does on what was kept back; so none of it is confirmed.",
                       diagnosed.block.name, plain->dead_time_s));
     }
     for (const Finding& finding : diagnosed.diagnosis.within_tolerance) {
-      sentences.push_back(SentenceOfExpected(diagnosed, finding));
+      say(SentenceOfExpected(diagnosed, finding));
     }
-    if (!diagnosed.diagnosis.is_testable) sentences.push_back(SentenceOfUntestable(diagnosed));
+    if (!diagnosed.diagnosis.is_testable) say(SentenceOfUntestable(diagnosed));
   }
-  for (std::string& text : OtherSensorSentences(diagnosis.sensors)) {
-    sentences.push_back(std::move(text));
-  }
+  say_all(OtherSensorSentences(diagnosis.sensors));
   for (const std::string& obstacle : diagnosis.not_compared) {
-    sentences.push_back(fmt::format("Not compared: {}.", obstacle));
+    say(fmt::format("Not compared: {}.", obstacle));
   }
   for (const ExcludedSamples& one : diagnosis.excluded_samples) {
-    sentences.push_back(
+    say(
         fmt::format("Excluded: {:.0f} % of {}, where loose ground may let the machine lag behind "
                     "its tracks.",
                     100 * one.share, QuantityOf(one.channel)));
   }
-  if (!is_seen) sentences.insert(sentences.end(), seen.begin(), seen.end());
+  if (!is_seen) say_all(seen);
   for (const HeldOutRecording& further : diagnosis.held_out) {
-    sentences.push_back(SentenceOf(further));
+    say(SentenceOf(further));
   }
-  if (std::string text = SentenceOf(CorrectionsOfJudged(diagnosis)); !text.empty()) {
-    sentences.push_back(std::move(text));
-  }
-  if (diagnosis.whole) sentences.push_back(SentenceOf(*diagnosis.whole));
+  say(SentenceOf(CorrectionsOfJudged(diagnosis)));
+  if (diagnosis.whole) say(SentenceOf(*diagnosis.whole));
   if (diagnosis.levers_are_the_scenarios) {
-    sentences.push_back("The recording has no levers: those that the scenario replays are taken.");
+    say("The recording has no levers: those that the scenario replays are taken.");
   }
   if (diagnosis.machine != diagnosis.scenario) {
-    sentences.push_back(fmt::format("The recording's {} is taken for the scenario's {}.",
-                                    diagnosis.machine, diagnosis.scenario));
+    say(fmt::format("The recording's {} is taken for the scenario's {}.", diagnosis.machine,
+                    diagnosis.scenario));
   }
-  if (diagnosis.next) sentences.push_back(SentenceOf(*diagnosis.next));
+  if (diagnosis.next) say(SentenceOf(*diagnosis.next));
   if (std::string text = SentenceOfEncoderLead(diagnosis); !text.empty()) {
     sentences.insert(sentences.begin(), std::move(text));
   }

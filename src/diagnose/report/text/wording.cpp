@@ -92,6 +92,22 @@ std::string Significant(double value, int digits) {
   return text;
 }
 
+std::string Readable(double value, const ReadableUnit& unit) {
+  return WithUnit(Significant(value * unit.factor, 2), unit);
+}
+
+std::string Readable(double value, std::string_view si_unit) {
+  return Readable(value, ReadableUnitOf(si_unit));
+}
+
+std::string Change(double before, double after, const ReadableUnit& unit) {
+  return Significant(before * unit.factor, 2) + " → " + Readable(after, unit);
+}
+
+std::string Change(double before, double after, std::string_view si_unit) {
+  return Change(before, after, ReadableUnitOf(si_unit));
+}
+
 std::string WithSigma(double value, const std::optional<double>& sigma) {
   if (!sigma || !(*sigma > 0) || !std::isfinite(*sigma)) return Significant(value, 3);
   int power = ExponentOf(*sigma);

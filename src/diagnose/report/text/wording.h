@@ -26,6 +26,12 @@ std::string WithUnit(const std::string& number, const ReadableUnit& unit);
 
 /// A number with `digits` significant digits and no trailing zeros: 0.18, 52300, 1.2e-07.
 std::string Significant(double value, int digits);
+/// "3.1 deg/s" of a value in SI units, with two significant digits.
+std::string Readable(double value, const ReadableUnit& unit);
+std::string Readable(double value, std::string_view si_unit);
+/// "3.1 → 0.6 deg/s" of values in SI units.
+std::string Change(double before, double after, const ReadableUnit& unit);
+std::string Change(double before, double after, std::string_view si_unit);
 /// "0.18 ± 0.02": the deviation with one digit, or two if it begins with 1; the value to the same
 /// decimal place. Without a deviation three digits.
 std::string WithSigma(double value, const std::optional<double>& sigma);

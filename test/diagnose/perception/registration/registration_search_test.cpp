@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/random.h"
+#include "diagnose/perception/registration/registration_block.h"
 #include "diagnose/perception/registration/registration_fit.h"
-#include "diagnose/perception/registration/sensor_candidates.h"
 #include "diagnose/perception/true_sensor.h"
 
 namespace tera {

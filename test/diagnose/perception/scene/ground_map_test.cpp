@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnose/perception/analytic_scene.h"
-#include "diagnose/perception/scans/scan_diagnosis.h"
+#include "diagnose/perception/scene/scan_diagnosis.h"
 
 namespace tera {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnose/report/made_diagnosis.h"
-#include "diagnose/report/page/svg_plot.h"
+#include "diagnose/report/page/page.h"
 #include "diagnose/report/text/sentences.h"
 
 namespace tera {
@@ -38,6 +38,17 @@ TEST(HtmlReport, SizesWholePicturesAlone) {
   EXPECT_THAT(page, Not(HasSubstr("\nsvg{")));
 }
 
+TEST(HtmlReport, SaysEverySentenceOnce) {
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.diagnosis.unexplained = {GrowingBeyond12kNm()};
+  const Diagnosis diagnosis = Of(std::move(boom));
+  const std::string page = HtmlReport(diagnosis, "run");
+  for (const std::string& sentence : SentencesOf(diagnosis)) {
+    const std::string text = Escaped(sentence);
+    EXPECT_EQ(page.find(text), page.rfind(text)) << sentence;
+  }
+}
+
 TEST(HtmlReport, HoldsTheSentencesAndNeedsNothingElse) {
   DiagnosedBlock boom = BoomWithDeadBand();
   boom.diagnosis.unexplained = {GrowingBeyond12kNm()};
@@ -49,8 +60,7 @@ TEST(HtmlReport, HoldsTheSentencesAndNeedsNothingElse) {
     EXPECT_THAT(html, HasSubstr(Escaped(sentence)));
   }
   EXPECT_TRUE(IsBalanced(HtmlReport(Complete(), "run")));
-  EXPECT_THAT(HtmlReport(Complete(), "run"), ::testing::AllOf(HasSubstr("What to record next"),
-                                                              HasSubstr("Further confirmation")));
+  EXPECT_THAT(HtmlReport(Complete(), "run"), HasSubstr("What to record next"));
   EXPECT_THAT(html, HasSubstr("a&lt;b&gt;&amp;&#39;c&#39;"));
   EXPECT_THAT(html, HasSubstr("Every channel"));
   EXPECT_THAT(html, HasSubstr("<code>backlash</code>"));
@@ -76,14 +86,14 @@ TEST(HtmlReport, AnswersFirstAndFoldsTheDetails) {
   std::size_t last = 0;
   for (const char* next :
        {"1 cause found. In 1 quantity error is left that nothing explains.", "input is missing",
-        "<svg class='chain'", "1. Boom: dead band",
-        "The boom does not move while its lever is within 18 % of neutral. With this dead band the "
-        "error on driving it had not seen falls from 3.1 to 0.6 deg/s.",
-        "measured, and simulated before and after", "How sure", "What else it could be",
-        "What to drive to find out", "Boom rate: unexplained",
-        "0.9 deg/s are left, where noise makes 0.2 deg/s. It depends on |arm load| &gt; 12000 N m",
+        "<ol class='chain'", "1. Boom: dead band",
+        "The boom does not move while its lever is within 18 % of neutral. Sure. Error is left "
+        "beside it",
+        "measured and predicted over time", "chosen with p 0.0002",
+        "Boom rate: unexplained", "0.9 deg/s are left, where noise makes 0.2 deg/s.",
+        "the error depends on |arm load| &gt; 12000 N m",
         "Drive so that the arm load takes all its values", "Every channel", "<details",
-        "chosen with p 0.0002", "Errors on manoeuvres that nothing was fitted to"}) {
+        "residual over the recording", "not at any size"}) {
     const std::size_t at = PlaceOf(page, next);
     EXPECT_GT(at, last) << next;
     last = at;
@@ -97,7 +107,6 @@ TEST(HtmlReport, WhereNothingIsWrongSaysSoWithWhatCouldNotHaveBeenSeen) {
   EXPECT_THAT(page, HasSubstr("Nothing is wrong that this recording could show."));
   EXPECT_THAT(page, HasSubstr("What could not have been seen"));
   EXPECT_THAT(page, HasSubstr("<li>Boom: backlash.</li>"));
-  EXPECT_THAT(page, Not(HasSubstr("How sure")));
 }
 
 TEST(HtmlReport, WhereNothingWasJudgedDoesNotSayThatNothingIsWrong) {
@@ -123,19 +132,10 @@ TEST(HtmlReport, DoesNotSayThatNothingIsWrongWhereSensorsDisagree) {
                                           .rms_after = 0.5}};
   const std::string page = HtmlReport(diagnosis, "run");
   EXPECT_THAT(page, HasSubstr("In 1 quantity error is left that nothing explains."));
-  EXPECT_THAT(page, HasSubstr(">imu: unexplained</text>"));
+  EXPECT_THAT(page, HasSubstr("imu: unexplained</p>"));
   EXPECT_THAT(page, HasSubstr("imu specific force along z 0.5 m/s² (noise 0.1 m/s²)"));
   diagnosis.sensors.estimate.channels[0].rms_after = 0.1;
   EXPECT_THAT(HtmlReport(diagnosis, "run"), HasSubstr("Nothing is wrong that"));
-}
-
-TEST(HtmlReport, ShowsTheErrorOfASensorAsBars) {
-  Diagnosis diagnosis = Of(Block("boom", "excavator1/encoders/boom_radps", "rad/s"));
-  diagnosis.perception.push_back(LidarWithRangeBias());
-  const std::string page = HtmlReport(diagnosis, "run");
-  EXPECT_THAT(page, HasSubstr("1. Sensor lidar roof: constant range error"));
-  EXPECT_THAT(page, HasSubstr(">2.4 cm</text>"));
-  EXPECT_THAT(page, HasSubstr(">0.4 cm</text>"));
 }
 
 /// Drawn coordinates of the first path of a class.
@@ -144,21 +144,6 @@ std::string PathOf(const std::string& html, const std::string& css_class) {
   const auto at = html.find(head);
   if (at == html.npos) return "";
   return html.substr(at + head.size(), html.find('\'', at + head.size()) - at - head.size());
-}
-
-/// The report of a joint with two terms that gain `found_gain` together.
-std::string PageOfTwo(std::optional<double> found_gain) {
-  DiagnosedBlock boom = BoomWithDeadBand();
-  boom.diagnosis.search.found.terms = {{&boom.block.candidates[0], {0.1}},
-                                       {&boom.block.candidates[1], {0.2}}};
-  boom.diagnosis.search.found_gain = found_gain;
-  return HtmlReport(Of(std::move(boom)), "run");
-}
-
-TEST(HtmlReport, ShowsBesideEachMechanismAloneWhatSeveralGainTogether) {
-  EXPECT_THAT(HtmlReport(Of(BoomWithDeadBand()), "run"), Not(HasSubstr("all found, together")));
-  EXPECT_THAT(PageOfTwo(900), HasSubstr("all found, together"));
-  EXPECT_THAT(PageOfTwo({}), Not(HasSubstr("all found, together")));  // one was taken out
 }
 
 TEST(HtmlReport, DrawsPredictionsAsMeasurementsLessResiduals) {

@@ -1,0 +1,169 @@
+#include "diagnose/perception/registration/registration_block.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/check.h"
+#include "diagnose/blocks/candidate_list.h"
+#include "diagnose/statistics/series/robust.h"
+#include "sensors/sensor_mechanisms.h"
+
+namespace tera {
+namespace {
+
+/// Half the width of a difference quotient, of a parameter's range: microradians of an angle.
+constexpr double kDifference = 1e-7;
+
+/// The small change that leads from one calibration to another.
+CalibrationVector ChangeBetween(const SensorCalibration& from, const SensorCalibration& to) {
+  CalibrationVector change;
+  change.segment<3>(kShiftOfMount) = to.X_BT.translation() - from.X_BT.translation();
+  const Mat3 turn = to.X_BT.linear() * from.X_BT.linear().transpose();
+  change.segment<3>(kTurnOfMount) =
+      0.5 * Vec3(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
+  change[kRangeBias] = to.range_bias_m - from.range_bias_m;
+  change[kRangeFactor] = to.range_factor - from.range_factor;
+  change[kClockOffset] = to.clock_offset_s - from.clock_offset_s;
+  return change;
+}
+
+}  // namespace
+
+CalibrationJacobian JacobianOf(const Pose& X_BS, const Effects& present, const Structure& terms) {
+  std::vector<CalibrationVector> columns;
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    for (const FreeParameter& free : terms[t].Free()) {
+      const double step = kDifference * (free.upper - free.lower);
+      const auto moved = [&](double by) {
+        Structure near = terms;
+        near[t].values[free.index] += by;
+        return CalibrationUnder(X_BS, WithTerms(present, near));
+      };
+      columns.push_back(ChangeBetween(moved(-step), moved(step)) / (2 * step));
+    }
+  }
+  CalibrationJacobian jacobian(kCalibrationElements, static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    jacobian.col(static_cast<Eigen::Index>(c)) = columns[c];
+  }
+  return jacobian;
+}
+
+namespace {
+
+constexpr double kDegreesOfFreedom = 4;
+constexpr double kFurthest = 30;     ///< sigmas: a point further away is no further evidence
+constexpr double kLeastScale = 0.2;  ///< noise cannot be far below that of the sensor's model
+constexpr double kInlierShare = 0.95;
+constexpr double kSigmaOfMad = 1.4826;  ///< of normal noise, over its median absolute deviation
+
+}  // namespace
+
+double LogDensityAt(double distance_over_sigma) {
+  const double x = std::min(std::abs(distance_over_sigma), kFurthest);
+  return -0.5 * (kDegreesOfFreedom + 1) * std::log1p(x * x / kDegreesOfFreedom);
+}
+
+double LogLikelihoodOf(const PointResidual& residual, double scale) {
+  if (!residual.is_judged()) return LogDensityAt(kFurthest);
+  return LogDensityAt(residual.distance / (scale * residual.sigma));
+}
+
+double LogLikelihoodOf(const std::vector<PointResidual>& residuals, double scale) {
+  double sum = 0;
+  for (const PointResidual& residual : residuals) sum += LogLikelihoodOf(residual, scale);
+  return sum;
+}
+
+double ScaleOf(const std::vector<PointResidual>& residuals) {
+  std::vector<double> distances;
+  for (const PointResidual& r : residuals) {
+    if (r.is_judged()) distances.push_back(std::abs(r.distance / r.sigma));
+  }
+  if (distances.empty()) return 1;
+  return std::max(kLeastScale, kSigmaOfMad * Median(std::move(distances)));
+}
+
+double TrimmedRmse(const std::vector<PointResidual>& residuals) {
+  std::vector<double> square;
+  for (const PointResidual& r : residuals) {
+    if (r.is_judged()) square.push_back(r.distance * r.distance);
+  }
+  if (square.empty()) return 0;
+  const auto kept =
+      static_cast<std::size_t>(std::ceil(kInlierShare * static_cast<double>(square.size())));
+  std::nth_element(square.begin(), square.begin() + static_cast<std::ptrdiff_t>(kept) - 1,
+                   square.end());
+  double sum = 0;
+  for (std::size_t i = 0; i < kept; ++i) sum += square[i];
+  return std::sqrt(sum / static_cast<double>(kept));
+}
+
+double RobustWeightOf(const PointResidual& residual, double scale) {
+  const double x = residual.distance / (scale * residual.sigma);
+  return (kDegreesOfFreedom + 1) / (kDegreesOfFreedom + x * x);
+}
+
+namespace {
+
+/// Where a clock is looked for.
+constexpr double kClockOffsets_s[] = {0.1, -0.1, 0.3, -0.3, 1, -1, 3, -3, 18, -18};
+
+/// How far a sensor that was installed with care may be off: standard deviation of a parameter,
+/// which its unit tells.
+double PriorSigmaOf(std::string_view unit) {
+  if (unit == "m") return 0.3;
+  if (unit == "deg") return 5;
+  if (unit == "s") return 1;
+  TERA_CHECK(unit == "1", unit);
+  return 0.05;
+}
+
+class Candidates {
+ public:
+  Candidates(const std::string& sensor, EffectTarget kind, const Effects& present)
+      : kind_(kind), list_(sensor, kind, present, SensorMechanisms()) {}
+
+  /// Adds a mechanism, if the kind has it, with all parameters free in the ranges of the table.
+  void Add(std::string_view id, const std::vector<std::vector<double>>& starts) {
+    const auto mechanism =
+        std::find_if(SensorMechanisms().begin(), SensorMechanisms().end(),
+                     [&](const Mechanism& one) { return one.id == id && one.ActsOn(kind_); });
+    if (mechanism == SensorMechanisms().end()) return;
+    std::vector<FreeParameter> free;
+    for (std::size_t i = 0; i < mechanism->parameters.size(); ++i) {
+      const EffectParameter& parameter = mechanism->parameters[i];
+      free.push_back({.index = i,
+                      .lower = parameter.lower,
+                      .upper = parameter.upper,
+                      .prior_sigma = PriorSigmaOf(parameter.unit)});
+    }
+    list_.Add(id, std::move(free), starts);
+  }
+
+  std::vector<Candidate> Take() { return list_.Take(); }
+
+ private:
+  EffectTarget kind_;
+  CandidateList list_;
+};
+
+}  // namespace
+
+std::vector<Candidate> CandidatesOf(EffectTarget kind, ComparedBy compared,
+                                    const std::string& sensor, const Effects& present) {
+  Candidates candidates(sensor, kind, present);
+  candidates.Add("extrinsic", {{0, 0, 0, 0, 0, 0}});
+  if (compared == ComparedBy::kRanges) {
+    candidates.Add("range_bias", {{0}});
+    candidates.Add("scale", {{1}});
+  }
+  std::vector<std::vector<double>> offsets = {{0}};
+  for (const double offset_s : kClockOffsets_s) offsets.push_back({offset_s});
+  candidates.Add("clock_offset", offsets);
+  return candidates.Take();
+}
+
+}  // namespace tera

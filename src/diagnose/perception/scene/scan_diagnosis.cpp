@@ -1,0 +1,239 @@
+#include "diagnose/perception/scene/scan_diagnosis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/check.h"
+#include "diagnose/perception/perception_diagnosis.h"
+#include "diagnose/perception/scans/range_source.h"
+#include "diagnose/perception/scene/dust.h"
+#include "diagnose/perception/scene/ground_map.h"
+#include "diagnose/perception/scene/missing_objects.h"
+
+namespace tera {
+namespace {
+
+constexpr double kAny = std::numeric_limits<double>::infinity();
+
+std::vector<EffectParameter> HeightParameters() {
+  return {{"area_m2", "m2", 0, kAny},
+          {"volume_m3", "m3", -kAny, kAny},
+          {"mean_m", "m", -kAny, kAny},
+          {"lowest_m", "m", -kAny, kAny},
+          {"highest_m", "m", -kAny, kAny}};
+}
+
+std::vector<Mechanism> All() {
+  return {{"terrain_height", Slot::kGround, {}, HeightParameters()},
+          {"object_added", Slot::kScene, {}, HeightParameters()},
+          {"object_missing", Slot::kScene, {}, {{"share", "1", 0, 1}, {"rays", "1", 0, kAny}}},
+          {"dust",
+           Slot::kScene,
+           {},
+           {{"returns", "1", 0, kAny}, {"stopped_share", "1", 0, 1}, {"top_m", "m", -kAny, kAny}}}};
+}
+
+}  // namespace
+
+std::span<const Mechanism> SceneMechanisms() {
+  static const std::vector<Mechanism> mechanisms = All();
+  return mechanisms;
+}
+
+const Mechanism& SceneMechanism(std::string_view id) {
+  const auto found = std::find_if(SceneMechanisms().begin(), SceneMechanisms().end(),
+                                  [&](const Mechanism& one) { return one.id == id; });
+  TERA_CHECK(found != SceneMechanisms().end(), id);
+  return *found;
+}
+
+namespace {
+
+/// Differences of the scene under one calibration of a sensor.
+struct SceneComparison {
+  Dust dust;
+  GroundMap ground;
+  MissingObjects missing;
+  PointFlags explained;        ///< points that one of these explains
+  double explained_share = 0;  ///< of all points
+};
+
+/// A finding of the scene as others are told: a mechanism on a target, with its measures in the
+/// order of the mechanism's parameters.
+PerceptionFinding NewFinding(std::string_view id, const std::string& target,
+                             const std::vector<double>& values, double p_chosen, double p_confirmed,
+                             std::deque<Candidate>* candidates) {
+  const Mechanism& mechanism = SceneMechanism(id);
+  candidates->push_back({&mechanism, target, {}, {values}, {}});
+  PerceptionFinding found;
+  found.finding.term = {&candidates->back(), values};
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const EffectParameter& parameter = mechanism.parameters[i];
+    found.finding.parameters.push_back(
+        {std::string(parameter.name), std::string(parameter.unit), values[i], {}});
+  }
+  found.finding.evidence.rivals = {&candidates->back()};
+  found.finding.evidence.p = found.finding.evidence.steady_p = p_chosen;
+  found.finding.held_out.p = p_confirmed;
+  return found;
+}
+
+PerceptionFinding FindingOf(const GroundRegion& region, std::deque<Candidate>* candidates) {
+  PerceptionFinding found = NewFinding(
+      region.upright ? "object_added" : "terrain_height", "ground",
+      {region.area_m2, region.volume_m3, region.mean_m, region.lowest_m, region.highest_m},
+      region.p_chosen, region.p_confirmed, candidates);
+  found.finding.held_out.rmse_before = region.rmse_before_m;
+  found.finding.held_out.rmse_after = region.rmse_after_m;
+  found.place = {region.centre_W_m, region.low_W_m, region.high_W_m};
+  found.intervals_s = region.intervals_s;
+  return found;
+}
+
+PerceptionFinding FindingOf(const MissingObject& missing, const std::string& name,
+                            std::deque<Candidate>* candidates) {
+  PerceptionFinding found =
+      NewFinding("object_missing", name, {missing.share, static_cast<double>(missing.rays)},
+                 missing.p_chosen, missing.p_confirmed, candidates);
+  found.finding.held_out.rmse_before = missing.rmse_before_m;
+  found.place = {missing.centre_W_m, missing.centre_W_m, missing.centre_W_m};
+  return found;
+}
+
+PerceptionFinding FindingOf(const DustCloud& cloud, std::deque<Candidate>* candidates) {
+  PerceptionFinding found = NewFinding(
+      "dust", "air", {static_cast<double>(cloud.returns), cloud.stopped, cloud.high_W_m.z()},
+      cloud.p_chosen, cloud.p_confirmed, candidates);
+  found.place = {cloud.centre_W_m.head<2>(), cloud.low_W_m.head<2>(), cloud.high_W_m.head<2>()};
+  found.intervals_s = cloud.intervals_s;
+  return found;
+}
+
+/// `scale`: sensor noise over its model.
+SceneComparison CompareScene(const RangeSource& source, const ScanSplit& split,
+                             const SensorCalibration& calibration, double scale) {
+  SceneComparison scene;
+  scene.dust = FindDust(source, split, calibration);
+  scene.ground = CompareGround(source, split, calibration, scale, scene.dust.explained);
+  scene.missing = FindMissingObjects(source, split, calibration);
+  scene.explained = scene.ground.explained;
+  double explained = 0, all = 0;
+  for (std::size_t s = 0; s < scene.explained.size(); ++s) {
+    for (std::size_t p = 0; p < scene.explained[s].size(); ++p) {
+      if (scene.missing.explained[s][p] || scene.dust.explained[s][p]) scene.explained[s][p] = true;
+      explained += scene.explained[s][p] ? 1 : 0;
+      all += 1;
+    }
+  }
+  scene.explained_share = all > 0 ? explained / all : 0;
+  return scene;
+}
+
+/// Enters confirmed and unconfirmed differences of the scene, and the map of the ground. Runs after
+/// the findings of the sensor, whose noise the errors are compared with.
+void TakeOver(const RangeSource& source, SceneComparison scene, PerceptionDiagnosis* diagnosis) {
+  std::deque<Candidate>* candidates = &diagnosis->scene_candidates;
+  for (const MissingObject& missing : scene.missing.objects) {
+    diagnosis->findings.push_back(FindingOf(missing, source.name_of(missing.object), candidates));
+  }
+  for (const GroundRegion& region : scene.ground.regions) {
+    diagnosis->findings.push_back(FindingOf(region, candidates));
+  }
+  for (const DustCloud& cloud : scene.dust.clouds) {
+    diagnosis->findings.push_back(FindingOf(cloud, candidates));
+  }
+  for (const GroundRegion& region : scene.ground.unconfirmed) {
+    diagnosis->unconfirmed.push_back(FindingOf(region, candidates));
+  }
+  for (const DustCloud& cloud : scene.dust.unconfirmed) {
+    diagnosis->unconfirmed.push_back(FindingOf(cloud, candidates));
+  }
+  for (PerceptionFinding& found : diagnosis->findings) {
+    if (!found.place) continue;
+    HeldOutError& error = found.finding.held_out;
+    error.excess_removed = ExcessRemoved(error, diagnosis->noise_rmse);
+    found.finding.is_confirmed = true;
+  }
+  diagnosis->ground = std::move(scene.ground);
+}
+
+/// Points of a scan that tell whether anything can be compared.
+constexpr std::size_t kPointsForComparability = 100;
+constexpr double kLeastComparable = 0.05;  ///< share of these points
+/// Share of points that the scene may explain and still be believed before the sensor.
+constexpr double kMostExplained = 0.5;
+constexpr int kRoundsInTurn = 2;  ///< of sensor and scene in turn
+
+/// Why nothing can be said of these scans; empty where it can.
+std::string ObstacleTo(const RangeSource& source, const ScanSplit& split) {
+  if (split.blocks < kFewestBlocks) {
+    return fmt::format("its {} scans are spread over {} blocks of a second; need {}",
+                       source.scans.size(), split.blocks, kFewestBlocks);
+  }
+  const auto points = PointsOf(source.scans, split, {Part::kTrain}, kPointsForComparability, {});
+  std::size_t judged = 0, all = 0;
+  for (const PointResidual& r : ResidualsOf(source, points, source.calibration())) {
+    ++all;
+    judged += r.is_judged() ? 1 : 0;
+  }
+  if (static_cast<double>(judged) < kLeastComparable * static_cast<double>(all) || all == 0) {
+    return fmt::format("{} of {} rays meet something in the simulation; need {:.0f} %", judged, all,
+                       100 * kLeastComparable);
+  }
+  return "";
+}
+
+/// Sensor and scene together: a scene that differs in a few places is believed before a sensor that
+/// differs everywhere, if the sensor is right elsewhere; else the sensor comes first, without the
+/// places that still differ under what was found of it.
+SceneComparison SearchTogether(const RangeSource& source, const ScanSplit& split,
+                               const RegistrationBlock& block, RegistrationSearch* sensor) {
+  const auto search = [&](const PointFlags& excluded) {
+    return SearchRegistration(block, PointsToRegister(source, split, excluded));
+  };
+  SceneComparison scene = CompareScene(source, split, source.calibration(), 1);
+  if (scene.explained_share < kMostExplained) {
+    *sensor = search(scene.explained);
+    if (sensor->findings.empty()) return scene;
+  }
+  *sensor = search({});
+  for (int round = 0; round < kRoundsInTurn; ++round) {
+    scene = CompareScene(source, split, sensor->calibration, sensor->scale);
+    if (scene.explained_share == 0) break;
+    *sensor = search(scene.explained);
+  }
+  return CompareScene(source, split, sensor->calibration, sensor->scale);
+}
+
+std::vector<TimeNs> TimesOf(const std::vector<RangeScan>& scans) {
+  std::vector<TimeNs> t_ns;
+  for (const RangeScan& scan : scans) t_ns.push_back(scan.t_ns);
+  return t_ns;
+}
+
+}  // namespace
+
+PerceptionDiagnosis DiagnoseScans(const RangeSource& source, std::uint64_t seed) {
+  PerceptionDiagnosis diagnosis;
+  diagnosis.channel = source.channel;
+  diagnosis.target = source.target;
+  diagnosis.scans = source.scans.size();
+  const ScanSplit split =
+      SplitScans(TimesOf(source.scans), Stream(seed, "diagnose/" + source.channel + "/split"));
+  diagnosis.not_judged = ObstacleTo(source, split);
+  if (!diagnosis.is_judged()) return diagnosis;
+  RegistrationBlock block = BlockOf(source);
+  RegistrationSearch sensor;
+  SceneComparison scene = SearchTogether(source, split, block, &sensor);
+  TakeOver(std::move(sensor), &diagnosis);
+  diagnosis.sensor_candidates = std::move(block.candidates);
+  TakeOver(source, std::move(scene), &diagnosis);
+  return diagnosis;
+}
+
+}  // namespace tera

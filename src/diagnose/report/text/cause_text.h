@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "diagnose/diagnosis.h"
+
+// A named cause in the words of a machine's user.
+
+namespace tera {
+
+/// "the boom", "the encoder of the boom", "the receiver gnss left", "the machine": a candidate's
+/// target.
+std::string TargetText(const Candidate& candidate);
+
+/// Fills the placeholders of MechanismWords::meaning from a finding. Adds parameters without a
+/// placeholder, and the mechanism's values in the scenario.
+std::string FilledIn(std::string_view meaning, const Finding& finding);
+
+/// "The boom does not move while its lever is within 12 % of neutral." Empty for a difference of
+/// the scene, which SentenceOf tells as it is.
+std::string MeaningText(const Cause& cause);
+
+/// "Boom: dead band or valve curve", a heading of what was found and what is not told apart from
+/// it.
+std::string HeadingOf(const Candidate& found, const std::vector<const Candidate*>& alike);
+
+/// "Fairly sure.", "Sure that something is wrong here, not which of 2 causes it is."
+std::string HowSureText(const Cause& cause);
+
+/// "The levers in next_manoeuvre.csv (34 s; boom: steps of 0.15) tell dead band and valve curve
+/// apart in 90 of 100 recordings." Empty without rivals.
+std::string WhatToDriveText(const Cause& cause, const Diagnosis& diagnosis);
+
+}  // namespace tera
