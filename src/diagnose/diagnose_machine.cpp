@@ -90,7 +90,7 @@ std::vector<DiagnosedBlock> DiagnoseInTurn(
   if (FindsArrivalStamps(diagnosed)) {
     std::vector<std::string> obstacles;
     carried = SensorBlocksByArrivals(input, measured, options.blocks, &obstacles);
-    for (std::string& obstacle : obstacles) {  // most of them were noted with the stamps already
+    for (std::string& obstacle : obstacles) {  // most were already noted when the stamps were read
       const auto same = std::find(not_compared->begin(), not_compared->end(), obstacle);
       if (same == not_compared->end()) not_compared->push_back(std::move(obstacle));
     }
@@ -129,7 +129,7 @@ SensorDiagnosisOptions SensorOptionsOf(const DiagnosisCase& asked,
   return of_sensors;
 }
 
-/// The whole simulation with what was found, where it is wanted and something was found.
+/// The whole simulation with the findings; none if not requested or without findings.
 std::optional<WholeSimulation> WholeOf(const DiagnosisCase& asked, const DiagnosisOptions& options,
                                        const Measurements& measured,
                                        const std::vector<DiagnosedBlock>& blocks,
@@ -182,8 +182,8 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
     if (diagnosis.sensors.estimate.candidates == 0) RequireCandidates(*options.library, blocks);
   }
   StateTolerances(input.tolerances, &blocks, LeverInterval_s(input.commands));
-  // Where input is missing, the simulation under the levers is of another drive: what it does tells
-  // nothing of what the replays lack in this one.
+  // With missing input, the simulation under the levers is a different drive, and does not show
+  // what the replays lack in this one.
   const bool is_same_drive = course && diagnosis.missing_input.empty();
   diagnosis.discrepancy_corrections =
       is_same_drive

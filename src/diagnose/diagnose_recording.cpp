@@ -49,7 +49,7 @@ std::string NameInRecording(const std::string& name, std::size_t in_scenario,
                                 fmt::join(names, ", "))});
 }
 
-/// The levers that the scenario replays; none where it replays none.
+/// The levers that the scenario replays; empty if it replays none.
 TableRecording ReplayedCommands(const ScenarioMachine& machine) {
   TableRecording commands;
   const MachineModel& model = machine.placement.model;
@@ -100,8 +100,8 @@ DiagnosisOptions OptionsOf(const DiagnosisTask& task, std::uint64_t seed) {
   return options;
 }
 
-/// Where the scenario has the machine at first, and its ground. Level ground is no measurement: a
-/// scenario without heights has it.
+/// The machine's initial pose and ground in the scenario. Level ground is no measurement: a
+/// scenario without heights has it too.
 KnownPlace KnownPlaceOf(const Scenario& scenario, std::size_t machine) {
   const std::shared_ptr<const Site> site = scenario.site;
   KnownPlace place{scenario.machines[machine].placement.X_WB, {}};
@@ -215,7 +215,7 @@ std::string BaselinesOfRecording(const Scenario& scenario, const Recording& reco
 
 namespace {
 
-/// That all paths are of different folders.
+/// Throws InputError if two paths are the same folder.
 void RequireDifferent(const std::vector<std::filesystem::path>& paths) {
   for (std::size_t i = 0; i < paths.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {

@@ -14,7 +14,7 @@ constexpr double kLongestLead_s = 0.5;
 constexpr double kLeastExplainedShare = 0.5;
 /// Residual of the best shift over that without a shift; a lead must halve it.
 constexpr double kMostLeftOfUnshifted = 0.5;
-/// Difference of the leads of two encoders, over the largest: a clock gives all of them the same.
+/// Largest relative difference between encoders' leads: a clock gives all the same.
 constexpr double kMostSpread = 0.25;
 
 /// Share of a rate's energy that the prediction `ahead` samples later explains, in proportion to
@@ -30,8 +30,8 @@ double ExplainedShare(const Series& rate, const std::vector<double>& predicted, 
   return both > 0 ? both * both / (measured * expected) : 0;
 }
 
-/// The lead of one block's encoder: 0 where it does not run ahead; none where the prediction does
-/// not move or explains too little to say.
+/// Lead of one block's encoder, 0 if it does not run ahead. None if the prediction does not move or
+/// explains too little.
 std::optional<double> LeadOf_s(const ReplayBlock& block) {
   const Series& rate = block.channels.front().measured;
   const std::vector<double> predicted = block.predict({}).front();
@@ -67,9 +67,9 @@ std::optional<double> EncoderLead_s(const std::vector<ReplayBlock>& blocks) {
 
 namespace {
 
-/// The log-likelihood of the rates of all axes under their levers, but for what is the same of all
-/// stamps: of each, half its samples times the logarithm of the share of its energy that no factor
-/// on its prediction explains.
+/// Log-likelihood of the rates of all axes under their levers, up to a constant independent of
+/// stamps. Each axis contributes minus half its samples times the logarithm of the energy share
+/// that its prediction, times any factor, does not explain.
 double LikelihoodByLevers(const std::vector<ReplayBlock>& blocks) {
   double sum = 0;
   for (const ReplayBlock& block : blocks) {

@@ -39,8 +39,7 @@ double AxisStep_s(const std::vector<NamedEncoders>& encoders, double wanted_s) {
   return any ? std::max(wanted_s, kMostStepOfPeriod * shortest_s) : wanted_s;
 }
 
-/// Makes something; where it cannot be compared, the obstacle is noted with its place and the rest
-/// goes on.
+/// Calls `add`. An InputError becomes an obstacle with its place, and the rest continues.
 void Try(const std::string& place, std::vector<std::string>* obstacles,
          const std::function<void()>& add) {
   try {
@@ -50,7 +49,7 @@ void Try(const std::string& place, std::vector<std::string>* obstacles,
   }
 }
 
-/// Blocks of some kind, and what made none.
+/// Blocks of one kind, and the reasons for missing ones.
 struct Made {
   std::vector<ReplayBlock> blocks;
   std::vector<std::string> obstacles;
@@ -62,7 +61,7 @@ struct Made {
   }
 };
 
-/// Runs several makers in parallel; what they make is in their order.
+/// Runs several makers in parallel; the results are in their order.
 Made MakeAll(std::size_t makers, int threads, const std::function<void(std::size_t, Made*)>& make) {
   std::vector<Made> parts = InParallel<Made>(makers, threads, [&](std::size_t k) {
     Made part;
@@ -188,8 +187,8 @@ std::optional<ReplayBlock> GnssBlockOf(const DiagnosisInput& input, const Measur
   return MakeGnssBlock(receivers, std::move(log), input.machine);
 }
 
-/// Adds the blocks of receivers. Two have one block together where both have enough positions;
-/// else, and where one of them cannot be compared, each has its own.
+/// Adds the blocks of receivers. Two with enough positions share a block. If either cannot be
+/// compared, each has its own.
 void AddGnss(const DiagnosisInput& input, const Measurements& measured, Made* out) {
   std::vector<std::size_t> which;
   std::size_t in_all = 0;
@@ -255,8 +254,8 @@ void CountTimeFrom(TimeNs start_ns, ReplayBlock* block) {
   }
 }
 
-/// Removes blocks that are too short, which is told, and makes times relative to the recording's
-/// start.
+/// Removes blocks that are too short, with the reason noted, and makes times relative to the
+/// recording's start.
 void Complete(TimeNs start_ns, Made* made) {
   std::erase_if(made->blocks, [&](const ReplayBlock& block) {
     const double length_s = static_cast<double>(block.samples()) * block.period_s();

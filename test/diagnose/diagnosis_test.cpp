@@ -10,8 +10,8 @@ namespace {
 
 using ::testing::ElementsAre;
 
-/// A play that removes nearly all of the error, in few manoeuvres, and a dead band that gains a
-/// little in each of very many.
+/// Play that removes nearly all of the error in few manoeuvres, and a dead band that gains slightly
+/// in very many.
 DiagnosedBlock LoudInFewAndFaintInMany() {
   DiagnosedBlock boom = BoomWithDeadBand();
   boom.diagnosis.confirmed = {{0, 3 * kDeg, 0.5 * kDeg, 0.97, 1e-5}};

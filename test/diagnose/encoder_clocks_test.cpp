@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kSamples = 4000;  // of 0.01 s
 
-/// A block whose rate is what its lever says `ahead` samples later, late by a lag of 50 ms, noisy.
+/// A block whose noisy rate leads its lever by `ahead` samples, with a lag of 50 ms.
 ReplayBlock Ahead(std::uint64_t seed, std::size_t ahead,
                   std::vector<std::size_t> candidates = {3}) {
   const std::vector<double> lever = ToyLever(kSamples + ahead, seed);
@@ -51,7 +51,7 @@ TEST(EncoderLead, IsNoneOfOneJointAloneOrWithoutLevers) {
   EXPECT_FALSE(EncoderLead_s(Both(Ahead(1, 25, {0}), Ahead(2, 25, {0}))));
 }
 
-/// By how much the stamps of the encoders are changed.
+/// Change of the encoders' stamps.
 double StampedEarlierBy_s(DrivenJoints driven, const SensorDiagnosis& estimate) {
   Measurements measured = driven.made.measured;
   const bool has_changed =
@@ -69,7 +69,7 @@ TEST(LateEncoders, AreStampedAnewWhereTheLeversBearItOut) {
               1e-9);
 }
 
-// Then all other sensors are early, and joints answer at once by the stamps as they are.
+// All other sensors are then early, and joints follow without delay by the unchanged stamps.
 TEST(LateEncoders, KeepTheirStampsWhereTheLeversShareTheirClock) {
   EXPECT_EQ(StampedEarlierBy_s(DrivenJoints(true), NamedClock("encoders", kLate_s)), 0);
 }

@@ -19,20 +19,20 @@
 namespace tera {
 namespace {
 
-constexpr double kLongest_s = 600;   ///< of the simulation of the scenario as it is
-constexpr double kCompared_s = 120;  ///< of the simulation with what was found
-/// First sample of a recording up to which the simulation starts at the recording's own zero.
+constexpr double kLongest_s = 600;   ///< of the unchanged scenario's simulation
+constexpr double kCompared_s = 120;  ///< of the simulation with the findings
+/// Latest first sample of a recording for which the simulation starts at the recording's zero.
 constexpr double kMostLateStart_s = 1;
 constexpr double kLead_s = 5;         ///< of the comparison before the first lever moves
-constexpr double kLeverMoves = 0.05;  ///< of full lever, from where it was at first
+constexpr double kLeverMoves = 0.05;  ///< of full lever, relative to its first value
 constexpr double kPathStep_s = 0.5;
 constexpr double kLeastPath_m = 0.5;  ///< of a base that moves
 
 /// The time in the recording at which the simulation starts.
 TimeNs ZeroOf(TimeNs start_ns) { return ToSeconds(start_ns) > kMostLateStart_s ? start_ns : 0; }
 
-/// The time from which a simulation under the levers is compared: what moves while all levers still
-/// rest has another cause, and would use up the comparison.
+/// Start of the comparison with the recording. Motion while all levers rest has another cause, and
+/// would use up the compared time.
 TimeNs ComparedFrom(TimeNs zero_ns, const TableRecording& levers) {
   for (std::size_t k = 0; k < levers.rows.size(); ++k) {
     for (std::size_t c = 0; c < levers.rows[k].size(); ++c) {
@@ -43,7 +43,7 @@ TimeNs ComparedFrom(TimeNs zero_ns, const TableRecording& levers) {
   return zero_ns;
 }
 
-/// The time of the last sample of the machine's encoders; none where there is none.
+/// Time of the last sample of the machine's encoders; none without samples.
 std::optional<TimeNs> LastOf(const Measurements& measured) {
   std::optional<TimeNs> last_ns;
   for (const NamedEncoders& named : measured.encoders) {

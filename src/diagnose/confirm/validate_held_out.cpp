@@ -12,15 +12,14 @@
 namespace tera {
 namespace {
 
-/// Puts the blocks of sensors over poses at the times at which they were measured in the place of
-/// those over poses at the times at which they arrived.
+/// Rebuilds the sensors' blocks over poses at their times of measurement instead of arrival.
 void ReplaceSensorBlocks(const BlockOptions& options, HeldOutBlocks* held_out) {
   const DiagnosisInput& input = held_out->given.input;
-  std::vector<std::string> not_compared;  // as in the recording that is searched
+  std::vector<std::string> not_compared;  // the same as in the first recording
   TakeSensorBlocks(input.machine, &held_out->blocks);
   for (ReplayBlock& block :
        SensorBlocksByArrivals(input, held_out->measured, options, &not_compared)) {
-    // Without a block of the base they were not told from the machine's own.
+    // Without a base's block, TakeSensorBlocks does not recognise them.
     std::erase_if(held_out->blocks,
                   [&](const ReplayBlock& stamped) { return stamped.name == block.name; });
     held_out->blocks.push_back(std::move(block));

@@ -64,8 +64,8 @@ void AddTo(const std::vector<std::vector<double>>& discrepancy,
   }
 }
 
-/// Adds `discrepancy` to all that the block predicts, and its scale to the nuisances. An empty list
-/// leaves its channel as it is.
+/// Adds `discrepancy` to the block's predictions, and its scale to the nuisances. An empty list
+/// leaves its channel unchanged.
 void Extend(std::vector<std::vector<double>> discrepancy, ReplayBlock* block) {
   for (std::size_t c = 0; c < discrepancy.size(); ++c) {
     if (discrepancy[c].empty()) continue;
@@ -83,7 +83,7 @@ void Extend(std::vector<std::vector<double>> discrepancy, ReplayBlock* block) {
   };
 }
 
-/// Log-likelihood of TRAIN and SELECT without any term, a number for each channel.
+/// Log-likelihood of TRAIN and SELECT without any term, by channel.
 std::vector<double> LogLikelihoods(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
                                    const std::vector<Manoeuvre>& manoeuvres) {
   Mask seen = MaskOf(manoeuvres, Part::kTrain, block.samples());

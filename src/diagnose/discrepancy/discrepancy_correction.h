@@ -20,7 +20,8 @@ std::vector<TruthPose> AsSimulated(const SimulatedCourse& course,
                                    const std::vector<TruthPose>& measured);
 
 /// Difference of a block's channels between a simulation of the whole scenario and the block's
-/// replay of that simulation: effects of soil, other joints and inertia that the replay lacks.
+/// replay of that simulation. It holds effects of soil, other joints and inertia that the replay
+/// lacks.
 struct ReplayDiscrepancy {
   std::string first_channel;                  ///< identifies the block
   std::vector<std::vector<double>> channels;  ///< simulated minus replayed, on the block's grid

@@ -14,13 +14,13 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// Tracks that turn one way, then the other, for 24 s.
+/// Tracks that turn in one direction, then in the other, for 24 s.
 NamedLevers ToAndFro(double t_s) {
   const double turn = 0.5 * std::sin(0.8 * t_s);
   return {{"left_track", 0.3 + turn}, {"right_track", 0.3 - turn}};
 }
 
-/// A drive as a simulation and as error-free encoders and poses have it.
+/// A drive as a simulation, and as error-free encoders and poses.
 struct Driven {
   Drive drive;
   SimulatedCourse course;
@@ -110,8 +110,8 @@ TEST(MotionDiscrepancy, BeyondTheEndOfTheSimulationNothingIsLeft) {
 constexpr std::size_t kSize = 6000;
 constexpr double kNoise = 0.05;
 
-/// A toy whose replay lacks 0.3 of the lever's square, which the simulation has. The recording has
-/// `amount` of it, and a `step` of which neither knows.
+/// A toy whose simulation has 0.3 of the lever's square, which its replay lacks. The recording has
+/// `amount` of it, and a `step` that both lack.
 struct Lacking {
   std::vector<double> lever = ToyLever(kSize, 7);
   ReplayDiscrepancy square{"toy/rate", {std::vector<double>(kSize)}};

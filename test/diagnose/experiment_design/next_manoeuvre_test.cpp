@@ -23,7 +23,7 @@ using ::testing::HasSubstr;
 
 constexpr double kNoise_radps = 0.2 * kDeg;
 constexpr PredictionSteps kSteps = {.step_s = 0.01, .period_s = 0.02};
-/// Some of the boom's, for speed.
+/// Some of the boom's candidates, for speed.
 constexpr std::string_view kCandidates[] = {"dead_band",    "rate_gain",    "lever_saturation",
                                             "valve_curve",  "actuator_lag", "backlash",
                                             "command_delay"};
@@ -42,7 +42,7 @@ class Boom : public ::testing::Test {
     }
   }
 
-  /// What a recording of these levers holds, with a concealed effect of the boom and noise.
+  /// A noisy recording of these levers with a concealed effect of the boom.
   ReplayBlock Recorded(const TableRecording& commands, const std::string& id, double size) const {
     std::vector<LeverMove> moves;
     const auto column = static_cast<std::size_t>(
@@ -72,7 +72,7 @@ class Boom : public ::testing::Test {
     return block;
   }
 
-  /// Up and down at full lever, for as long each time.
+  /// Up and down at full lever, for equal times.
   TableRecording FullSteps() const {
     std::vector<LeverMove> moves;
     double t_s = 1;
@@ -126,7 +126,7 @@ TEST_F(Boom, OfWhichFullStepsLeaveAClassIsDiscriminatedByTheLeversThatArePropose
   EXPECT_GE(discriminated->power, 0.5);
   EXPECT_LT(next->duration_s, 75);
 
-  // Each of the class, concealed, is named alone in a recording of the levers proposed.
+  // Each candidate of the class, when concealed, is named alone under the proposed levers.
   for (const auto& [id, size] :
        {std::pair("dead_band", 0.12), std::pair("lever_saturation", 0.88)}) {
     const BlockDiagnosis again = Diagnosed(Recorded(next->commands, id, size));
@@ -199,20 +199,19 @@ TEST(Excitations, StayWithinTheRangeAndEndInNeutral) {
   }
 }
 
-/// One number that explains a difference of two excitations where both have one sign, and not
-/// otherwise.
+/// One parameter that explains a difference in two excitations if both have the same sign.
 PairInformation OneNumber(double column, double difference) {
   return {Eigen::MatrixXd::Constant(1, 1, 1e6 * column * column),
           Eigen::VectorXd::Constant(1, 1e6 * column * difference), 1e6 * difference * difference};
 }
 
 TEST(ChooseExcitations, TakesTheTwoThatOneNumberCannotExplainTogether) {
-  // Alone each is explained away; the second and third ask for opposite numbers.
+  // Alone each is explained away; the second and third need opposite parameters.
   const std::vector<std::vector<PairInformation>> information = {
       {OneNumber(1, 1), OneNumber(1, 0.5), OneNumber(1, -0.5)}};
   PairInformation opposite = information[0][1];
   opposite += information[0][2];
-  EXPECT_NEAR(information[0][0].Lead(), 0.5, 0.01);  // what the number's own spread costs
+  EXPECT_NEAR(information[0][0].Lead(), 0.5, 0.01);  // cost of the parameter's own spread
   EXPECT_NEAR(opposite.Lead(), 0.5 * 1e6 * 0.5, 10);
   const auto chosen = ChooseExcitations(information, {1}, {1, 1, 1}, 2);
   EXPECT_EQ(chosen.size(), 2u);

@@ -18,7 +18,7 @@ const LearnedVariable kTemperature{"temperature", "1", LearnedVariable::Kind::kP
 const LearnedVariable kLever{"lever", "1", LearnedVariable::Kind::kLever, 0};
 const LearnedVariable kRate{"rate", "1", LearnedVariable::Kind::kRate, 0};
 
-/// Lets the toy run learned effects of some variables; the place of a joint is its temperature.
+/// Allows learned effects of some variables in the toy; a joint's position stands for temperature.
 void LetLearn(const std::vector<LearnedVariable>& variables, Odd* odd) {
   odd->block.learnable = variables;
   const ReplayBlock* block = &odd->block;
@@ -153,12 +153,12 @@ TEST(Tabulated, IsZeroWhereNothingWasSeen) {
   const LearnedEffect gap = TabulatedCurve(curve, kTemperature, seen);
   EXPECT_EQ(gap.value, (std::vector<double>{.5, .5, .5, .5, .5, 0, 0, 0, .5, .5, .5}));
   EXPECT_EQ(gap.At(4.5), 0.25);
-  // A ladder of levers has smaller ones, over which the curve is believed.
+  // A ladder of levers has smaller ones, for which the curve is trusted.
   const LearnedEffect ladder = TabulatedCurve(curve, kTemperature, {0, 2, 4, 6, 8, 10});
   EXPECT_THAT(ladder.value, Each(0.5));
 }
 
-// Seen from 4 to 6 of 10 alone: what lies farther out than a quarter of the range is made up.
+// Observed only from 4 to 6 of 10: beyond a quarter of the range, values are invented.
 TEST(Tabulated, IsZeroAtEndsThatNothingWasSeenOf) {
   ProposedCurve curve;
   curve.at = Eigen::VectorXd::LinSpaced(11, 0, 10);

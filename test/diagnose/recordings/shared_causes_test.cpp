@@ -14,8 +14,8 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-/// A boom whose candidates are the three of BoomWithDeadBand, of which one is named with one number
-/// and others do as well; every one would have been seen at its one start.
+/// A boom with the three candidates of BoomWithDeadBand. One is named with `number`, others are
+/// rivals, and all are detectable at their single start.
 Diagnosis Naming(std::size_t named, double number, double sigma,
                  const std::vector<std::size_t>& alike = {}) {
   DiagnosedBlock made = BoomWithDeadBand();
@@ -96,7 +96,7 @@ TEST(SharedCauses, OfClassesKeepWhatFitsEveryRecording) {
                     HasSubstr("Recording 2: does as well as what is named")));
 }
 
-// Each names something else; only what neither names fits both.
+// Each recording names a different mechanism; only a third one fits both.
 TEST(SharedCauses, MayBeWhatNoRecordingNames) {
   std::vector<Diagnosis> all;
   all.push_back(Naming(kDeadBand, 0.10, 0.01, {kBacklash}));
@@ -115,8 +115,9 @@ TEST(SharedCauses, OfNothingInCommonAreTwo) {
   EXPECT_EQ(CausesOfAll(all).size(), 2u);
 }
 
-// A dead band is seen from 0.03 on, a start of the ladder 0.1 and 0.3: one of 0.3 would have been
-// seen where the first step that was seen is 0.1, and not where it is 0.3 and the number 0.1.
+// A dead band is detectable from 0.03 on, with a ladder of 0.1 and 0.3. A band of 0.3 would have
+// been detected if the smallest detectable start is 0.1. It would not if that is 0.3 and the number
+// 0.1.
 TEST(SharedCauses, AreAbsentOnlyWhereTheyWouldHaveShown) {
   const auto kind_of = [](double number, std::optional<double> smallest) {
     Diagnosis without = NamingNothing();

@@ -107,7 +107,7 @@ inline Diagnosis Of(DiagnosedBlock block) {
   return diagnosis;
 }
 
-/// All optional content besides the findings.
+/// All optional content except the findings.
 inline Diagnosis Complete() {
   Diagnosis diagnosis = Of(BoomWithDeadBand());
   diagnosis.held_out = {{"out/second",

@@ -15,7 +15,7 @@ using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
-/// A unit turned by 2 deg, known to 0.1 deg, not told apart from an encoder's zero.
+/// A unit turned by 2 deg, known to 0.1 deg, with an encoder's zero as rival.
 SensorDiagnosis TurnedUnit() {
   SensorDiagnosis made;
   SensorFinding turned{{"imu_boom", &SensorMechanism("mount_rotation", EffectTarget::kImu)},
@@ -59,14 +59,14 @@ TEST(DiagnosedSensors, HaveTheNumbersOfTheMechanismAndTheChannelInWhichTheyShowM
   EXPECT_EQ(finding.parameters[0].sigma, 0.1);
   EXPECT_EQ(told.findings[0].channel, "m/imu_boom/ay_mps2");
   EXPECT_EQ(told.findings[0].unit, "m/s^2");
-  // Of the mean square beyond noise, 0.25 - 0.01, all is gone.
+  // The whole excess of the mean square, 0.25 - 0.01, is gone.
   EXPECT_NEAR(finding.held_out.excess_removed, 1, 1e-9);
   ASSERT_THAT(finding.evidence.rivals, SizeIs(2));
   EXPECT_EQ(finding.evidence.rivals[1]->target, "encoders/boom");
   EXPECT_EQ(finding.evidence.rivals[1]->mechanism->id, "bias");
 }
 
-// Inertial units have a bias too, which is no encoder's and has other numbers.
+// Inertial units also have a bias, distinct from an encoder's and with other parameters.
 TEST(DiagnosedSensors, RivalOfAnEncoderIsTheEncodersMechanismAndNotAUnitsOfTheSameName) {
   const DiagnosedSensors told = DiagnosedOf(TurnedUnit(), "m");
   const Candidate& rival = *told.findings[0].finding.evidence.rivals[1];
@@ -78,7 +78,7 @@ TEST(DiagnosedSensors, RivalOfAnEncoderIsTheEncodersMechanismAndNotAUnitsOfTheSa
 
 TEST(DiagnosedSensors, UnitThatTheMotionFollowsIsShownByWhatBearsItsError) {
   SensorDiagnosis made = TurnedUnit();
-  // The motion follows the unit whatever is wrong with it; the poses lie beside it.
+  // The motion follows the unit despite its error; the poses differ from it.
   made.channels = {{.name = "m/imu_boom/wx_radps",
                     .unit = "rad/s",
                     .noise = 0.001,
@@ -120,8 +120,8 @@ TEST(DiagnosedSensors, AreNotNamedForWhatChangesLessThanNoiseDoes) {
   EXPECT_THAT(told.unconfirmed, SizeIs(1));
 }
 
-// Residuals that are three times what they differ by from one to the next last, but are no more
-// than a bias may be, or a tenth of what the unit moved.
+// Residuals that persist at three times their successive differences, but within the tolerance of a
+// bias, or a tenth of the unit's motion.
 TEST(DiagnosedSensors, AreNotWrongForWhatIsWithinToleranceOrSmallBesideTheirMotion) {
   ChannelError error{.differences = 0.01, .rms_after = 0.03};
   EXPECT_FALSE(IsNoise(error));
@@ -135,8 +135,8 @@ TEST(DiagnosedSensors, AreNotWrongForWhatIsWithinToleranceOrSmallBesideTheirMoti
   EXPECT_FALSE(IsExplained(error));
 }
 
-// 0.03 rad/s of the arm's unit are three times what its residuals differ by: other blocks still
-// have to look at it. That of the boom is explained.
+// 0.03 rad/s of the arm's unit are three times its residuals' successive differences: other blocks
+// must examine it. The boom's residual is explained.
 TEST(DiagnosedSensors, LeaveToOthersTheSensorsWhoseErrorLasts) {
   SensorDescription boom, arm;
   boom.name = "imu_boom";

@@ -19,16 +19,16 @@ using testing::TrueSensor;
 constexpr double kNoise_m = 0.01;
 constexpr std::size_t kScans = 20, kPointsOfScan = 60;
 
-/// Points in the sensor's frame that lie on planes which do not move with it: of each scan those of
-/// one block of time.
+/// Points in the sensor's frame on planes that do not move with it: in each scan, those of one
+/// block of time.
 struct PlanePoint {
   Vec3 p_T_m, n_B;   ///< the normal towards the sensor
   double at_m;       ///< n_B p_B of the plane
   double speed_mps;  ///< of the link, against the normal
 };
 
-/// Walls to three sides and the floor, or the floor alone, as a sensor sees them that is not where
-/// it should be. `speed_mps`: of the link, along each normal in turn.
+/// Walls on three sides and the floor, or only the floor, seen by a misplaced sensor. `speed_mps`:
+/// the link's, along each normal in turn.
 class PlaneRoom {
  public:
   PlaneRoom(const TrueSensor& sensor, bool has_walls, double speed_mps = 0) {
@@ -46,14 +46,14 @@ class PlaneRoom {
                          : plane == 2 ? Vec3(0.6, -0.8, 0)
                                       : Vec3(0, 1, 0);
         const double at_m = plane == 0 ? -1.5 : -6;
-        // From the sensor somewhere into the plane.
+        // From the sensor to a point in the plane.
         const Vec3 aside = n_B.unitOrthogonal(), other = n_B.cross(aside);
         const Vec3 d_B =
             (-n_B + noise.Gaussian(draw) * aside + noise.Gaussian(draw + 1) * other).normalized();
         const Vec3 from_m = truth.X_BT.translation();
         const double range_m = (at_m - n_B.dot(from_m)) / n_B.dot(d_B);
         const double speed = (plane % 2 == 0 ? 1 : -1) * speed_mps;
-        // What a clock that is ahead makes of it is seen from further along.
+        // With a clock that is ahead, the range is that of a later position.
         const double late_m = truth.clock_offset_s * speed / -n_B.dot(d_B);
         const double reported_m = truth.range_factor * (range_m + late_m) + truth.range_bias_m +
                                   kNoise_m * noise.Gaussian(draw + 2);
@@ -105,7 +105,7 @@ class PlaneRoom {
         PointResidual one;
         one.scan = of_scan.scan;
         one.surface = Surface::kGround;
-        // Noise along the ray, met at an angle.
+        // Noise along a ray with oblique incidence.
         one.sigma = kNoise_m * std::abs(point.n_B.dot(r_B_m)) / range_m;
         one.distance =
             point.at_m - point.n_B.dot(p_B_m) - calibration.clock_offset_s * point.speed_mps;
@@ -145,7 +145,7 @@ TEST(RegistrationSearch, FindsAMountBetweenWallsAsATermOfTheSensorsMechanism) {
   }
   const SensorCalibration is = askew.Calibration(room.block().X_BS);
   EXPECT_NEAR((search.calibration.X_BT.translation() - is.X_BT.translation()).norm(), 0, 0.01);
-  // The noise is as it was said to be, and all that was more is gone.
+  // The noise equals the stated one, and the excess is gone.
   EXPECT_NEAR(search.scale, 1, 0.25);
   EXPECT_GT(finding.held_out.excess_removed, 0.98);
 }
@@ -156,7 +156,7 @@ TEST(RegistrationSearch, HoldsWhatAFloorAloneDoesNotTell) {
   const PlaneRoom room(askew, false);
   const Structure mount = {{&room.block().candidates[0], {0, 0, 0, 0, 0, 0}}};
   const RegistrationFit fit = FitRegistration(room.block(), room.Points().seen, mount, 1);
-  // Neither the place along it nor the turn about its normal, which is not an axis of S.
+  // Neither the position along the plane nor the turn about its normal, which is no axis of S.
   EXPECT_FALSE(fit.precision[0][0].is_determined());
   EXPECT_FALSE(fit.precision[0][1].is_determined());
   EXPECT_FALSE(fit.precision[0][5].is_determined());
@@ -191,8 +191,8 @@ TEST(RegistrationSearch, OfASensorAsDescribedFindsNothingAndTellsWhatItWouldHave
     EXPECT_EQ(one.smallest.has_value(), !is_clock)
         << one.candidate->mechanism->id;  // nothing moves
   }
-  // A bias of b adds (b cos theta)^2 to the square of a distance whose noise is that of the range
-  // times cos theta: of the mean square, (b / noise)^2, of which 2 * 2 % are enough.
+  // A bias b adds (b cos theta)^2 to the squared distance, whose noise is that of the range times
+  // cos theta. The mean square grows by (b / noise)^2, of which 2 * 2 % suffice.
   const double smallest_m = *search.detectability[6].smallest;
   EXPECT_NEAR(smallest_m, search.scale * kNoise_m * std::sqrt(2 * 0.02), 0.01 * smallest_m);
 }

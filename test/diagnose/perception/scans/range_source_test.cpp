@@ -11,7 +11,7 @@ using testing::AnalyticScene;
 using testing::LidarOfTest;
 using testing::RecordedBy;
 
-/// Scans of a plane without the box, so that a ray that is moved meets the same surface.
+/// Scans of a plane without the box, so that a moved ray hits the same surface.
 RangeSource ScansOfAPlane(const LidarOfTest& lidar) {
   AnalyticScene plane;
   plane.has_box = false;
@@ -49,7 +49,7 @@ TEST(RangeResiduals, ChangeWithEachParameterOfEveryCandidateAsTheirDerivativesSa
   const RangeSource source = ScansOfAPlane(lidar);
   const RegistrationBlock block = BlockOf(source);
   const auto points = SomePoints(source);
-  // Away from where the candidates do nothing, so that their parameters act together.
+  // Away from neutral values, so that the candidates' parameters interact.
   Structure terms;
   for (const Candidate& candidate : block.candidates) {
     terms.push_back({&candidate, candidate.starts.front()});

@@ -41,7 +41,7 @@ TEST(GroundMap, AHeapThatWasNotSimulatedIsOneRegionOfItsVolume) {
   const GroundRegion& region = map.regions[0];
   EXPECT_NEAR(region.centre_W_m.x(), 4, 0.25);
   EXPECT_NEAR(region.centre_W_m.y(), -3, 0.25);
-  // The far flank lies in the shade of the top now and then.
+  // The top occludes the far flank at times.
   EXPECT_NEAR(region.volume_m3, kHeap_m3, 0.15 * kHeap_m3);
   EXPECT_NEAR(region.area_m2, kPi * 1.7 * 1.7, 2);
   EXPECT_NEAR(region.highest_m, 0.4, 0.03);

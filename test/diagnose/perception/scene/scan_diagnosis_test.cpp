@@ -76,7 +76,7 @@ TEST(PerceivedSensor, AsDescribedGivesNoFinding) {
     const PerceptionDiagnosis diagnosis = DiagnosisOf(lidar);
     EXPECT_TRUE(diagnosis.findings.empty()) << seed;
     EXPECT_TRUE(diagnosis.unconfirmed.empty()) << seed;
-    // 1 cm of range, met at an angle.
+    // 1 cm of range, with oblique incidence.
     EXPECT_LT(diagnosis.noise_rmse, 0.012);
   }
 }

@@ -30,8 +30,7 @@ bool IsBalanced(const std::string& html) {
   return open.empty();
 }
 
-// A rule for all pictures would size those within a picture as well, and move curves off their
-// axes.
+// A rule for all pictures would also size nested ones, and move curves off their axes.
 TEST(HtmlReport, SizesWholePicturesAlone) {
   const std::string page = HtmlReport(Complete(), "recording");
   EXPECT_THAT(page, HasSubstr(":not(svg)>svg{display:block;width:100%"));
@@ -70,7 +69,7 @@ TEST(HtmlReport, HoldsTheSentencesAndNeedsNothingElse) {
   for (const char* broken : {"nan", "inf'", "inf "}) EXPECT_THAT(html, Not(HasSubstr(broken)));
 }
 
-/// Where a text stands on a page; it fails where it does not.
+/// Position of a text on a page; fails the test if it is absent.
 std::size_t PlaceOf(const std::string& page, const std::string& text) {
   const auto at = page.find(text);
   EXPECT_NE(at, page.npos) << text;
@@ -89,8 +88,8 @@ TEST(HtmlReport, AnswersFirstAndFoldsTheDetails) {
         "<ol class='chain'", "1. Boom: dead band",
         "The boom does not move while its lever is within 18 % of neutral. Sure. Error is left "
         "beside it",
-        "measured and predicted over time", "chosen with p 0.0002",
-        "Boom rate: unexplained", "0.9 deg/s are left, where noise makes 0.2 deg/s.",
+        "measured and predicted over time", "chosen with p 0.0002", "Boom rate: unexplained",
+        "0.9 deg/s are left, where noise makes 0.2 deg/s.",
         "the error depends on |arm load| &gt; 12000 N m",
         "Drive so that the arm load takes all its values", "Every channel", "<details",
         "residual over the recording", "not at any size"}) {
@@ -118,8 +117,8 @@ TEST(HtmlReport, WhereNothingWasJudgedDoesNotSayThatNothingIsWrong) {
   EXPECT_THAT(page, HasSubstr("Boom: anything at all, for it was hardly driven."));
 }
 
-// 0.5 m/s2 are left, and residuals differ by 0.1 from one to the next, of which noise alone would
-// make about as much.
+// The residual is 0.5 m/s2. Successive residuals differ by 0.1, as noise of that size would make
+// them.
 TEST(HtmlReport, DoesNotSayThatNothingIsWrongWhereSensorsDisagree) {
   Diagnosis diagnosis;
   diagnosis.machine = "excavator1";
@@ -151,9 +150,8 @@ TEST(HtmlReport, DrawsPredictionsAsMeasurementsLessResiduals) {
   const std::string measured = PathOf(html, "line measured");
   ASSERT_NE(measured, "");
   EXPECT_EQ(measured, PathOf(html, "line after"));  // nothing is left
-  // 3 measured and 2 simulated, the axis a twentieth of 1 wider than from 2 to 3 of the 204 px
-  // between 10 and 214: measured lies 204 / 22 below the upper edge, simulated as far above the
-  // lower.
+  // 3 measured, 2 simulated. The axis is a twentieth wider than 2 to 3, on the 204 px between 10
+  // and 214. Measured lies 204 / 22 below the upper edge, simulated as far above the lower one.
   EXPECT_THAT(measured, HasSubstr(" 19.3"));
   EXPECT_THAT(PathOf(html, "line before"), HasSubstr(" 204.7"));
 }

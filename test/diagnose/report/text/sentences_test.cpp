@@ -119,7 +119,7 @@ TEST(Sentence, OfWhatWasNotConfirmedOrNotJudgedFollowsTheFindings) {
           "manoeuvres kept back (p 0.3).",
           "Arm rate: not judged, for its lever moves in too few manoeuvres of the recording."));
   EXPECT_THAT(VerdictsOf(diagnosis), ElementsAre(Verdict::kNone, Verdict::kUntestable));
-  // A p that would confirm is no reason not to: a few loud manoeuvres may have it.
+  // A confirming p is no reason against confirmation: a few loud manoeuvres may cause it.
   diagnosis.blocks[0].diagnosis.unconfirmed[0].held_out.p = 0.01;
   EXPECT_THAT(SentencesOf(diagnosis)[1],
               HasSubstr("not confirmed on manoeuvres kept back (too few of them gain clearly)."));
@@ -147,7 +147,7 @@ TEST(Sentence, OfWhatAFewManoeuvresOutweighSaysThatTheErrorIsNoSmaller) {
   EXPECT_THAT(SentenceOf(boom, finding),
               HasSubstr("Held-out RMSE 2 → 2.1 deg/s, none of the excess variance removed, for a "
                         "few manoeuvres outweigh the rest."));
-  finding.held_out = {0, 2 * kDeg, 1.1 * kDeg, 0, 0.0007};  // of what passed for noise
+  finding.held_out = {0, 2 * kDeg, 1.1 * kDeg, 0, 0.0007};  // of presumed noise
   EXPECT_THAT(SentenceOf(boom, finding), HasSubstr("Held-out RMSE 2 → 1.1 deg/s. "));
 }
 
@@ -174,7 +174,7 @@ TEST(Sentence, OfASensorsFindingComesBeforeWhatAgrees) {
   agreeing.perception.push_back(LidarWithRangeBias());
   EXPECT_THAT(SentencesOf(agreeing),
               ElementsAre(HasSubstr("range bias"), HasSubstr("Nothing found: boom rate agrees")));
-  // Nor is anything said of nothing where no block could be judged.
+  // Without a judged block, the verdict of no fault is absent.
   agreeing.blocks[0].diagnosis.is_testable = false;
   EXPECT_THAT(SentencesOf(agreeing), ElementsAre(HasSubstr("range bias"), HasSubstr("not judged")));
 }
@@ -264,7 +264,7 @@ TEST(Sentence, OfEncodersThatRunAheadComesFirst) {
   EXPECT_THAT(sentences[1], HasSubstr("Nothing found"));
 }
 
-/// Of a joint that is late.
+/// A block of a delayed joint.
 DiagnosedBlock Late(const std::string& joint, double delay_s) {
   DiagnosedBlock made = Block(joint, "excavator1/encoders/" + joint + "_radps", "rad/s");
   made.block.candidates = {{&MechanismOf("command_delay"), joint, {{0, 0, 1}}, {{0.1}}}};
@@ -313,7 +313,8 @@ TEST(Sentence, OfTheSameDelayOnAllJointsSaysThatAClockDoesAsWell) {
 
 TEST(Sentence, OfTheSameDelayHoldsTheShortestAgainstTheLongest) {
   const auto same = HasSubstr("that follow levers ask for a delay");
-  Diagnosis apart = Of(Late("boom", 0.1));  // near to either, which are not near to each other
+  Diagnosis apart = Of(Late("boom", 0.1));  // close to either of two that are not close to each
+                                            // other
   apart.blocks.push_back(Late("arm", 0.085));
   EXPECT_THAT(SentencesOf(apart), Contains(same));
   apart.blocks.push_back(Late("bucket", 0.118));
