@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "core/check.h"
+#include "soil/columns/soil_type.h"
 #include "soil/track/ground_exit.h"
 
 namespace tera {
@@ -14,6 +16,7 @@ namespace {
 /// 1e6 N/m: on four points it sinks 9 mm.
 constexpr double kStiffness_npm_kg = 1e6 / 3500;
 constexpr double kDamping_nspm_kg = 1.8e4 / 3500;  ///< about 0.3 of critical for a quarter of it
+constexpr double kCorner_m = 0.15;                 ///< of that machine
 constexpr double kFriction = 0.5;                  ///< steel on soil
 
 }  // namespace
@@ -22,13 +25,27 @@ HullContact::HullContact(const GroundTools::HullPoint& point, double mass_kg, do
     : point_(point),
       climb_m_(climb_m),
       stiffness_npm_(kStiffness_npm_kg * mass_kg),
-      damping_nspm_(kDamping_nspm_kg * mass_kg) {
+      damping_nspm_(kDamping_nspm_kg * mass_kg),
+      corner_m_(kCorner_m * std::cbrt(mass_kg / 3500)) {
   TERA_CHECK(mass_kg >= 0, mass_kg);
 }
 
 void HullContact::Release() {
   pressed_m_ = 0;
   sheared_W_m_.setZero();
+}
+
+/// Most force that the ground bears at a point that stands `depth_m` deep in it.
+double HullContact::Most_n(const Vec3& p_W, double depth_m, const Columns& ground) const {
+  constexpr double kNoLimit_n = std::numeric_limits<double>::infinity();
+  const ColumnId k = ground.IdAt(ground.NearestI(p_W.x()), ground.NearestJ(p_W.y()));
+  if (k == Columns::kNone || !ground.skin(k).is_loose) return kNoLimit_n;
+  const Column& column = ground.at(k);
+  if (p_W.z() < column.top_m - column.loose_m()) return kNoLimit_n;
+  SoilType soil = ground.soils()[ground.soil_at(k)];
+  soil.cohesion_pa = 0;
+  const double width_m = corner_m_ + 2 * depth_m;
+  return width_m * width_m * BearingPressure_pa(soil, width_m, depth_m);
 }
 
 Wrench HullContact::Act(const BodyState& body, double dt_s, const Columns& ground,
@@ -38,7 +55,8 @@ Wrench HullContact::Act(const BodyState& body, double dt_s, const Columns& groun
   std::optional<GroundExit> exit = FindGroundExit(ground, p_W);
   Vec3 v_W = PointVelocity(body, point_.p_B_m);
   const std::optional<LowObstacles::Exit> off = obstacles.ExitFrom(p_W, climb_m_);
-  if (off && (!exit || off->way.depth_m > exit->depth_m)) {
+  const bool on_obstacle = off && (!exit || off->way.depth_m > exit->depth_m);
+  if (on_obstacle) {
     exit = off->way;
     v_W -= off->v_W_mps;
   }
@@ -53,7 +71,11 @@ Wrench HullContact::Act(const BodyState& body, double dt_s, const Columns& groun
     Release();
     return wrench;
   }
-  const double normal_n = std::max(0.0, stiffness_npm_ * pressed_m_ - damping_nspm_ * parting_mps);
+  const double bears_n =
+      on_obstacle ? std::numeric_limits<double>::infinity() : Most_n(p_W, exit->depth_m, ground);
+  pressed_m_ = std::min(pressed_m_, bears_n / stiffness_npm_);
+  const double normal_n =
+      std::clamp(stiffness_npm_ * pressed_m_ - damping_nspm_ * parting_mps, 0.0, bears_n);
 
   const Vec3 slide_W_mps = v_W - parting_mps * n_W;
   sheared_W_m_ -= slide_W_mps * dt_s;

@@ -16,9 +16,13 @@ namespace tera {
 ///         soil that is heaped over a point lifts nothing. Springs change by motion against their
 ///         force, or they shorten; so the ground never gives more work than it took, however the
 ///         way out turns. Of the ground and a low obstacle, the one it is deeper in bears it.
-///         Stiffness and damping are in proportion to the machine's mass: alike
+///         Loose soil gives way beyond what it bears under a square footing as wide as what the
+///         point's cone of 1 to 1 touches: a ridge is ploughed, a fill bears after some
+///         centimetres. Stiffness and damping are in proportion to the machine's mass: alike
 ///         machines go in alike.
-/// Omits   any change of the ground, the weight of soil on the structure, the ground's strength.
+/// Omits   any change of the ground, the weight of soil on the structure, the strength of ground
+///         that is not loose.
+/// Source  footing in loose soil: Terzaghi 1943, see BearingPressure_pa.
 class HullContact {
  public:
   /// `mass_kg` is that of the whole machine; obstacles that rise no more than `climb_m` bear it.
@@ -29,9 +33,10 @@ class HullContact {
 
  private:
   void Release();
+  double Most_n(const Vec3& p_W, double depth_m, const Columns& ground) const;
 
   GroundTools::HullPoint point_;
-  double climb_m_, stiffness_npm_, damping_nspm_;
+  double climb_m_, stiffness_npm_, damping_nspm_, corner_m_;
   double pressed_m_ = 0;             ///< length of the spring along the way out
   Vec3 sheared_W_m_ = Vec3::Zero();  ///< of the spring across it
 };

@@ -131,6 +131,16 @@ Rut::Beside Rut::BesideOf(const Under& column, const Plate& plate, double cell_m
   return {p_W_m + out_m * out_W, out_W, plate.heave_reach_m()};
 }
 
+/// Width of a patch over that of the columns that stand under it in a row across: 7 or 8 cells of
+/// 4 cm under 0.3 m. All columns of a row together thus take the work of the patch's width.
+double Rut::RowShare(const Under& column, double cell_m) {
+  const double from_middle_m = column.across_m() - column.middle_m;
+  const double to_left = (0.5 * column.width_m - from_middle_m) / cell_m;
+  const double to_right = (0.5 * column.width_m + from_middle_m) / cell_m;
+  const double count = 1 + std::floor(std::max(0.0, to_left)) + std::floor(std::max(0.0, to_right));
+  return column.width_m / (count * cell_m);
+}
+
 /// Lets a column give way to a patch that has come `pen_m` into it. Returns the work that the
 /// patch's pressure does not do.
 double Rut::Sink(const Under& column, double pen_m, const BodyState& body, double dt_s,
@@ -148,7 +158,8 @@ double Rut::Sink(const Under& column, double pen_m, const BodyState& body, doubl
   if (plastic_m <= 0) return 0;
   const Vec3 v_W =
       body.v_WB_mps + body.w_WB_radps.cross(foot.p_W_m + d_W - body.X_WB.translation());
-  // What sinks where it stands presses soil together; what comes along also pushes it aside.
+  // A patch that sinks where it stands presses soil together; one that comes along also pushes it
+  // aside.
   const double forward = ForwardShare(foot, body, v_W);
   const double moved_on =
       forward * (1 - std::clamp(v_W.dot(foot.n_W) * dt_s / plastic_m, 0.0, 1.0));
@@ -160,7 +171,7 @@ double Rut::Sink(const Under& column, double pen_m, const BodyState& body, doubl
   Lower(k, {plastic_m / -foot.n_W.z(), kInfluenceDepths * patch.width_m, pressure_pa},
         BesideOf(column, plate, ground->cell_m()), ground);
   if (forward == 0) return 0;
-  return firmness * ground->area_m2() *
+  return firmness * RowShare(column, ground->cell_m()) * ground->area_m2() *
          (moved_on * plate.PressingWork_jpm2(was_m, is_m) +
           came_along * plate.BulldozingWork_jpm2(was_m, is_m));
 }

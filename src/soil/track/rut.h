@@ -27,7 +27,7 @@ struct Footprint {
   Vec3 across_W;  ///< right-handed with n_W and along_W
 };
 
-/// What running gear does to the columns under it: it presses a rut and carries soil away.
+/// Running gear's work on the columns under it: it presses a rut and carries soil away.
 ///
 /// Frames  W; patches in the frame B of the gear's link.
 /// Model   Columns under a patch give way plastically to where the patch's elastic pressure, with
@@ -77,6 +77,7 @@ class Rut {
 
  private:
   struct Under;
+  static double RowShare(const Under& column, double cell_m);
   Beside BesideOf(const Under& column, const Plate& plate, double cell_m) const;
   double Sink(const Under& column, double pen_m, const BodyState& body, double dt_s,
               Columns* ground);

@@ -360,6 +360,29 @@ TEST(GearContact, RutsAreAsDeepInCellsOfAllSizes) {
   }
 }
 
+TEST(GearContact, RutsTakeTheSameWorkInCellsOfAllSizes) {
+  // Of a track 0.3 m wide along the grid, 8 columns of 4 cm stand under its width, 6 of 5, 4 of 7.
+  std::vector<double> drag_n;
+  for (const double cell_m : {0.05, 0.04, 0.07}) {
+    Block block(fmt::format("size_m: [8, 4]\nsoil: loose_sand\ncell_m: {}\n", cell_m),
+                Vec2(-1.513, 0.017));
+    block.Stand(500);
+    block.motion.gear_rate_radps = {4, 4};
+    double sum_n = 0;
+    constexpr int kSteps = 1500, kMeasured = 600;
+    for (int k = 0; k < kSteps; ++k) {
+      block.links[0].v_WB_mps.x() = 1;
+      const Vec3 force_n = block.ActAndSinkGently();
+      const SoilReaction& r = block.reaction;
+      const double thrust_n = r.gear_traction_n[0] + r.gear_traction_n[1];
+      if (k >= kSteps - kMeasured) sum_n += (thrust_n - force_n.x()) / kMeasured;
+    }
+    drag_n.push_back(sum_n);
+    RecordProperty(fmt::format("drag_n_{:.0f}_cm", 100 * cell_m), fmt::format("{:.0f}", sum_n));
+    EXPECT_NEAR(sum_n / drag_n.front(), 1, 0.03) << cell_m;
+  }
+}
+
 TEST(GearContact, LockedTracksHoldATorqueAsTheirShearStrengthAllows) {
   // A machine on two tracks that do not roll, turned to and fro by a swing. At a turn t the stress
   // at a distance r from the middle is (c + p tan phi)(1 - exp(-r t / K)): the torque for all of it

@@ -105,6 +105,66 @@ TEST(HullContact, SoilHeapedOverItLiftsNothing) {
   EXPECT_NEAR(plate.force_W_n().z(), Plate::kMass_kg * kStandardGravity_mps2, 1);
 }
 
+/// Sand heaped 5 cm high along y about x = 0.5 m, its flanks at 32 deg.
+Columns GroundWithARidge(double cell_m) {
+  const SoilType sand = Sand();
+  Columns ground = LevelColumns(sand, cell_m, static_cast<int>(2 / cell_m) + 1);
+  for (int j = 0; j < ground.ny(); ++j) {
+    for (int i = 0; i < ground.nx(); ++i) {
+      const double height_m = 0.05 - 0.625 * std::abs(ground.x_m(i) - 0.5);
+      if (height_m <= 0) continue;
+      const double volume_m3 = height_m * ground.area_m2();
+      ground.Deposit(ground.Touch(i, j),
+                     Spoil{volume_m3 * LooseDensity_kgpm3(sand), volume_m3, 0, 0});
+    }
+  }
+  return ground;
+}
+
+// The least that the ridge could bear is what a square footing of loose sand does.
+TEST(HullContact, PloughsThroughARidgeOfLooseSoil) {
+  for (const double cell_m : {0.025, 0.05}) {
+    const Columns ground = GroundWithARidge(cell_m);
+    HullContact corner({0, Vec3::Zero()}, kMachine_kg);
+    BodyState body;
+    body.X_WB.translation() = Vec3(0.3, 0.3, 0.015);
+    body.v_WB_mps = Vec3(0.8, 0, 0);
+    double most_n = 0;
+    for (int k = 0; k < 250; ++k) {
+      most_n = std::max(most_n, corner.Act(body, kStep_s, ground, LowObstacles()).force_W_n.norm());
+      body.X_WB.translation() += body.v_WB_mps * kStep_s;
+    }
+    SoilType loose = Sand();
+    loose.cohesion_pa = 0;
+    const double width_m = 0.15 + 2 * 0.035;
+    const double footing_n = width_m * width_m * BearingPressure_pa(loose, width_m, 0.035);
+    EXPECT_GT(most_n, 0.1 * footing_n) << cell_m;
+    EXPECT_LT(most_n, 1.12 * footing_n) << cell_m;  // with Coulomb's friction across
+  }
+}
+
+// A tonne on four points: 2.45 kN each, and a square footing b = 0.15 m + 2 d of loose sand bears
+// b^2 (rho g d N_q + rho g b N_gamma / 2). A load that comes at once goes deeper, by its fall:
+// twice as deep where bearing grows with the depth.
+TEST(HullContact, SinksIntoLooseFillUntilItBears) {
+  const SoilType sand = Sand();
+  Columns ground = LevelColumns(sand, 0.1, 41);
+  HeapOver(0.6, &ground, sand);
+  Plate plate(0.6);
+  plate.Move(ground, 5);
+  SoilType loose = sand;
+  loose.cohesion_pa = 0;
+  double depth_m = 0;
+  for (double width_m = 0.15; width_m * width_m * BearingPressure_pa(loose, width_m, depth_m) <
+                              Plate::kMass_kg * kStandardGravity_mps2 / 4;) {
+    depth_m += 1e-4;
+    width_m = 0.15 + 2 * depth_m;
+  }
+  EXPECT_GT(0.6 - plate.z_m(), 0.9 * depth_m);
+  EXPECT_LT(0.6 - plate.z_m(), 2 * depth_m);
+  EXPECT_NEAR(plate.force_W_n().z(), Plate::kMass_kg * kStandardGravity_mps2, 1);
+}
+
 TEST(HullContact, BuriedStructureThatIsLiftedIsCarriedAgainWhereItComesDown) {
   const SoilType sand = Sand();
   Columns ground = LevelColumns(sand, 0.1, 41);
