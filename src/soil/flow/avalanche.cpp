@@ -187,9 +187,11 @@ Avalanche::Flux Avalanche::FluxAt(ColumnId k, ColumnId to, Axis axis, double dt_
   const double driven_across_mps = across_mps - dt_s * drive.gravity_mps2 * drive.across;
   const double speed_mps = Norm(along_mps, driven_across_mps);
   const double most_loose_m = std::max(a.loose_m, b.loose_m);
+  // Less than a grain's thickness rolls down a steep floor grain by grain.
+  const double thinnest_m = is_tilted_ ? std::max(kFilm_m, friction.grain_m) : kFilm_m;
   const double mobile_m = drive.slides
                               ? std::max(most_loose_m, kFilm_m)
-                              : std::max({motion_[k].mobile_m, motion_[to].mobile_m, kFilm_m});
+                              : std::max({motion_[k].mobile_m, motion_[to].mobile_m, thinnest_m});
   const double left_mps = friction.Braked(Norm(before_mps, across_mps), speed_mps,
                                           {mobile_m, most_loose_m}, drive.gravity_mps2, dt_s);
   const bool creeps = left_mps < kCreep_mps || left_mps * mobile_m < kTrickle_m2ps;

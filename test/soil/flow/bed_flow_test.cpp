@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "soil/soil_fixture.h"
 
@@ -130,6 +131,18 @@ TEST(Bed, ThatTipsWithAllWallsShutHoldsAWedgeBehindTheLowerOne) {
         fmt::format("surface_{}_{:.0f}_deg", turn.roll_rad > 0 ? "roll" : "pitch", tilt_rad / kDeg),
         fmt::format("{:.1f}", (tilt_rad - wedge_rad) / kDeg));
     EXPECT_NEAR((tilt_rad - wedge_rad) / kDeg, 32.5, 1.0) << tilt_rad / kDeg;
+    const Columns& soil = yard.bed().columns();
+    const auto heights_m = [&] {
+      std::vector<double> tops_m;
+      for (int k = 0; k < soil.nx() * soil.ny(); ++k) {
+        tops_m.push_back(soil.TopAt(k % soil.nx(), k / soil.nx()));
+      }
+      return tops_m;
+    };
+    yard.Wait(4 * kAtRest_s);
+    const std::vector<double> before_m = heights_m();
+    yard.Wait(1);
+    EXPECT_EQ(heights_m(), before_m) << "it does not come to rest";
     EXPECT_NEAR(yard.Sum_kg() / yard.poured_kg, 1, 1e-12);
   }
 }
