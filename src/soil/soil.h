@@ -56,8 +56,9 @@ struct SoilType {
   double shear_modulus_m = 0;       ///< K
   double compression_index = 0.05;  ///< C_c: void ratio lost for each tenfold pressure
   double moisture = 0;              ///< degree of saturation, 0..1
-  /// Bank density and moisture before weather changed them in a run; 0: it has not.
-  double before_density_kgpm3 = 0, before_moisture = 0;
+  /// Bank density and moisture without the water that a run's weather brought; density 0: it
+  /// brought none.
+  double unwetted_density_kgpm3 = 0, unwetted_moisture = 0;
   SoilWater water;
   // Appearance.
   Vec3 albedo = Vec3(0.3, 0.22, 0.15);  ///< linear RGB when dry
@@ -94,7 +95,7 @@ struct SoilBed {
   double wall_m = 0;              ///< height of its walls above the floor; that at -x is a gate
 };
 
-/// What lies in a bed.
+/// A bed's load.
 struct BedLoad {
   double mass_kg = 0, volume_m3 = 0;
 };
@@ -147,7 +148,7 @@ class Soil {
 
   /// Change is counted from the present ground on; at first, from the site as it was read.
   virtual void MarkStart() = 0;
-  /// What lies `depth_m` below the surface at (x, y) in W, at the nearest column; nothing above the
+  /// The soil `depth_m` below the surface at (x, y) in W, at the nearest column; nothing above the
   /// surface and beyond the site.
   virtual std::optional<SoilSample> SampleBelow(double x_m, double y_m, double depth_m) const = 0;
   /// The ground in cubes: mass, soil, compaction and moisture at every depth of a box.

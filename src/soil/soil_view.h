@@ -6,7 +6,7 @@
 
 #include "core/motion.h"
 
-/// What can be asked of the ground and written from it.
+/// Questions to the ground, and files written from it.
 
 namespace tera {
 

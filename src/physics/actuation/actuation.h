@@ -43,7 +43,7 @@ struct AxisMotion {
   double position_rad = 0, rate_radps = 0, load_nm = 0;
 };
 
-/// What the chain demands of an axis over a step, and what acts on it besides its load.
+/// The chain's demand of an axis over a step, and what acts on it besides its load.
 struct AxisDrive {
   double rate_radps = 0;
   AxisFriction friction;

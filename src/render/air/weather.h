@@ -32,7 +32,6 @@ struct Weather {
   std::optional<DustModel> dust;  ///< none: work raises no dust
   double visibility_m = 0;        ///< Koschmieder's, of fog and haze alone; 0: not stated
   double rain_mmph = 0;           ///< rate of rain
-  double evaporation_mmpd = 0;    ///< of water from wet ground, a day
   double snowfall_mmph = 0;       ///< rate of falling snow, as water
   double puddle_depth_m = 0;      ///< maximum depth of water in hollows
   double snow_depth_m = 0;        ///< on the ground

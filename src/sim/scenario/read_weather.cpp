@@ -7,12 +7,12 @@
 
 #include "core/units.h"
 #include "render/air/rain.h"
+#include "soil/site/seepage.h"
 
 namespace tera {
 namespace {
 
-constexpr double kMostEvaporation_mmpd = 20;
-constexpr double kMostWind_mps = 40, kMostRain_mmph = 200, kMostSnowfall_mmph = 20;
+constexpr double kMostWind_mps = 40, kMostSnowfall_mmph = 20;
 constexpr double kMostWater_m = 0.5, kMostSnow_m = 0.5;
 constexpr double kMostCells = 4e6;
 constexpr double kLeastCloud = 0.5;  ///< smallest cloud cover with rain
@@ -93,8 +93,6 @@ void ReadWeather(const ConfigMap& config, Environment* environment) {
   weather.wind.speed_mps = number("wind_mps", Between(0, kMostWind_mps, "m/s"));
   weather.wind.from_rad = number("wind_from_deg", Between(-360, 360, "deg")) * kDeg;
   weather.rain_mmph = number("rain_mmph", Between(0, kMostRain_mmph, "mm/h"));
-  weather.evaporation_mmpd =
-      number("evaporation_mmpd", Between(0, kMostEvaporation_mmpd, "mm a day"));
   weather.snowfall_mmph = number("snowfall_mmph", Between(0, kMostSnowfall_mmph, "mm/h"));
   weather.puddle_depth_m = number("puddle_depth_m", Between(0, kMostWater_m, "m"));
   weather.snow_depth_m = number("snow_depth_m", Between(0, kMostSnow_m, "m"));

@@ -320,15 +320,17 @@ Sling ReadSling(const ConfigMap& config, const Scenario& scenario) {
 
 /// Lets the run's weather act on the ground. The surface is wet from the start, unless the weather
 /// before says how it was.
-void LetWeatherAct(const ConfigMap& config, const Weather& weather, Site* site) {
+void LetWeatherAct(const ConfigMap& environment, double rain_mmph, Site* site) {
+  WeatherSpell weather{.rain_mmph = rain_mmph};
+  weather.evaporation_mmpd =
+      environment.Number("evaporation_mmpd", Between(0, kMostEvaporation_mmpd, "mm a day"), 0.0);
   if (weather.rain_mmph <= 0 && weather.evaporation_mmpd <= 0) return;
   const bool is_wet = !site->has_weather_before();
-  if (site->LetWeatherAct({0, weather.rain_mmph, weather.evaporation_mmpd}, is_wet)) return;
-  config.Map("environment")
-      .Fault(weather.rain_mmph > 0 ? "rain_mmph" : "evaporation_mmpd",
-             {FaultKind::kOutOfRange,
-              "changes more kinds of soil than there is room for, 255; need fewer soils, or no "
-              "weather during the run"});
+  if (site->LetWeatherAct(weather, is_wet)) return;
+  environment.Fault(weather.rain_mmph > 0 ? "rain_mmph" : "evaporation_mmpd",
+                    {FaultKind::kOutOfRange,
+                     "changes more kinds of soil than there is room for, 255; need fewer soils, or "
+                     "no weather during the run"});
 }
 
 /// The site's origin: from the scenario, else from the terrain's GeoTIFF, else a default.
@@ -408,7 +410,9 @@ Scenario ReadScenario(const ConfigMap& config) {
     CheckCells(config.Map("terrain"), scenario.machines.back().placement.model, site);
   }
   PlaceOnGround(&site, &scenario.machines);
-  LetWeatherAct(config, scenario.environment.weather, &site);
+  if (const auto environment = config.OptionalMap("environment")) {
+    LetWeatherAct(*environment, scenario.environment.weather.rain_mmph, &site);
+  }
   scenario.site = std::make_shared<const Site>(std::move(site));
   for (const ConfigMap& obstacle : config.List("obstacles")) {
     scenario.obstacles.push_back(ReadObstacle(obstacle, wear));

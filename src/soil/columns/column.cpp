@@ -57,11 +57,11 @@ double Layers_m(const Column& c) {
 /// Density of a layer over that of undisturbed soil, both without the water that weather brought.
 double DensityShare(const SoilLayer& layer, const SoilType& soil) {
   const double density_kgpm3 = layer.density_kgpm3();
-  if (soil.before_density_kgpm3 <= 0) return density_kgpm3 / soil.bank_density_kgpm3;
+  if (soil.unwetted_density_kgpm3 <= 0) return density_kgpm3 / soil.bank_density_kgpm3;
   const double moisture = layer.moisture;
   const double brought_kgpm3 =
-      Porosity(density_kgpm3, moisture) * (moisture - soil.before_moisture) * kWater_kgpm3;
-  return (density_kgpm3 - brought_kgpm3) / soil.before_density_kgpm3;
+      Porosity(density_kgpm3, moisture) * (moisture - soil.unwetted_moisture) * kWater_kgpm3;
+  return (density_kgpm3 - brought_kgpm3) / soil.unwetted_density_kgpm3;
 }
 
 void AddLayer(const SoilLayer& layer, int at, Column* c) {

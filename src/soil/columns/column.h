@@ -50,7 +50,7 @@ struct Column {
   double Gain_kgpm2(const GroundProfile& profile) const;
 };
 
-/// What the columns of a profile are made of, and their cross-section.
+/// Material of the columns of a profile, and their cross-section.
 struct ColumnMaterial {
   const GroundProfile& profile;
   const std::vector<SoilType>& soils;

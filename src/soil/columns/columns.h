@@ -52,7 +52,7 @@ class Columns {
   double HeightAt(double x_m, double y_m) const { return SampleAt(x_m, y_m).top_m; }
 
   static constexpr float kOpen_m = std::numeric_limits<float>::infinity();
-  /// What is asked of a column most often, close together in memory.
+  /// Values of a column that are asked for most often, close together in memory.
   struct Skin {
     double top_m = 0, loose_m = 0, pressed_m = 0;  ///< as in Column
     float blocked_m = kOpen_m;                     ///< lowest point of a tool in it
@@ -209,7 +209,7 @@ class Columns {
   void MarkStart();
   /// The column at a place; of a quiet tile, what it would be.
   Column ColumnAt(int i, int j) const;
-  /// What it has gained since MarkStart, or since it was undisturbed.
+  /// A column's gain since MarkStart, or since it was undisturbed.
   struct Change {
     double height_m = 0, kgpm2 = 0;
   };
@@ -325,7 +325,7 @@ class Columns {
     ColumnId to;
     Spoil spoil;
   };
-  // Of Transport; kept for their memory.
+  // Transport's, kept for their memory.
   std::vector<Arrival> arrivals_;
   std::vector<ColumnId> stale_;
 };

@@ -22,7 +22,7 @@ double CompactionOf(const SoilPiece& piece, const SoilType& soil) {
   return density_kgpm3 / soil.bank_density_kgpm3;
 }
 
-/// What the columns of one stack of cubes have in them.
+/// Content of the columns of one stack of cubes.
 class CubeStack {
  public:
   CubeStack(double low_m, double edge_m, int count, const std::vector<SoilType>& soils)

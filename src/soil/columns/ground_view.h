@@ -41,7 +41,7 @@ void ForPieces(const Column& column, const GroundProfile& profile, double low_m,
 /// Mean bulk density of a column's uppermost `depth_m`.
 double UpperDensity_kgpm3(const Column& column, const GroundProfile& profile, double depth_m);
 
-/// What lies `depth_m` below the surface of the column nearest to (x, y); nothing above the surface
+/// The soil `depth_m` below the surface of the column nearest to (x, y); nothing above the surface
 /// and beyond the site.
 std::optional<SoilSample> SampleBelow(const Columns& columns, double x_m, double y_m,
                                       double depth_m);

@@ -65,8 +65,8 @@ bool SoilKinds::AddHidden() {
       }
     }
     for (std::size_t k = shown_; k < soils_.size(); ++k) {
-      soils_[k].before_density_kgpm3 = soils_[given_[k]].bank_density_kgpm3;
-      soils_[k].before_moisture = soils_[given_[k]].moisture;
+      soils_[k].unwetted_density_kgpm3 = soils_[given_[k]].bank_density_kgpm3;
+      soils_[k].unwetted_moisture = soils_[given_[k]].moisture;
     }
     return true;
   }

@@ -15,8 +15,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kSteepest_deg = 89.0;  ///< angles of a soil stay short of vertical
-constexpr double kSolids_kgpm3 = 2650;
+constexpr double kSteepest_deg = 89.0;   ///< angles of a soil stay short of vertical
 constexpr double kBorne_pa = 10e3;       ///< pressure that undisturbed soil near the surface knows
 constexpr double kFirmnessPower = 12.4;  ///< ln(160 / 13) / ln(1.75 / 1.43)
 constexpr double kLocalShear = 2.0 / 3;  ///< Terzaghi's reduction of cohesion and tan(phi)
@@ -170,7 +169,7 @@ double PressedDensity_kgpm3(const SoilType& soil, double pressure_pa) {
   const double bank_kgpm3 = soil.bank_density_kgpm3;
   const double water_kgpm3 = soil.moisture * kWater_kgpm3;
   const double voids = std::max(
-      kLeastVoids, (kSolids_kgpm3 - bank_kgpm3) / std::max(kLeastVoids, bank_kgpm3 - water_kgpm3));
+      kLeastVoids, (kGrains_kgpm3 - bank_kgpm3) / std::max(kLeastVoids, bank_kgpm3 - water_kgpm3));
   const double lost =
       soil.compression_index * std::log10(1 + std::max(0.0, pressure_pa) / kBorne_pa);
   const double pressed_kgpm3 = bank_kgpm3 * (1 + voids) / (1 + std::max(0.0, voids - lost));

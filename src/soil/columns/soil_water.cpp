@@ -10,7 +10,6 @@
 namespace tera {
 namespace {
 
-constexpr double kGrains_kgpm3 = 2650;
 constexpr double kWilting_pa = 1.5e6;
 constexpr double kOverburden_pa = 10e3;  ///< between grains near the surface, as kBorne_pa
 

@@ -9,9 +9,9 @@
 
 namespace tera {
 
-inline constexpr double kWater_kgpm3 = 1000;
+inline constexpr double kWater_kgpm3 = 1000, kGrains_kgpm3 = 2650;
 
-/// Void ratio over one plus void ratio, of soil of that bulk density; grains of 2650 kg/m^3.
+/// Void ratio over one plus void ratio, of soil of that bulk density.
 double Porosity(double density_kgpm3, double moisture);
 
 /// Hydraulic conductivity at a degree of saturation: K_s sqrt(S_e) (1 - (1 - S_e^(1/m))^m)^2, m =
@@ -21,7 +21,7 @@ double Conductivity_mps(const SoilWater& water, double moisture);
 /// Degree of saturation that suction of so many metres of water leaves.
 double MoistureAt(const SoilWater& water, double suction_m);
 
-/// What suction adds to the stress between grains: S_e times the suction, which is at most that at
+/// Suction's part of the stress between grains: S_e times the suction, which is at most that at
 /// which plants wilt, 1.5 MPa.
 double SuctionStress_pa(const SoilWater& water, double moisture);
 

@@ -83,7 +83,7 @@ struct UndisturbedGround {
   int base_ny() const { return BaseVertexCount(grid.ny, base_cells); }
 };
 
-/// What is seen of it; tiles with several profiles are refined.
+/// Its visible surface; tiles with several profiles are refined.
 TerrainSurface SurfaceOf(const UndisturbedGround& ground);
 
 }  // namespace tera

@@ -157,7 +157,8 @@ void Grains::LayDown(const Vec3& p_W_m, const Spoil& spoil, Kind kind, Columns* 
   }
 }
 
-/// What a clod becomes: soil of a bank has swollen by the share of the bank's way that it has gone.
+/// The soil that a clod becomes: that of a bank has swollen by the share of the bank's way that it
+/// has gone.
 Spoil Grains::Loosened(const Grain& grain) const {
   Spoil spoil = grain.spoil;
   if (grain.way_m <= 0) return spoil;

@@ -118,7 +118,7 @@ SlipSurface LayeredBanks::LeastSafe(std::span<const BankLayer> layers, double ru
       if (slip.drives_over_holds <= least.drives_over_holds) continue;
       if (slip.length_m() > beyond_m) least = slip;
     }
-    // What is thicker than it cracks holds together.
+    // A layer that is thicker than its cracks are deep holds together.
     if (layers[cracked].height_m > soils_[layers[cracked].soil].crack_m) break;
   }
   return least;

@@ -14,7 +14,7 @@ struct BankLayer {
   std::uint8_t soil = 0;
 };
 
-/// What a bank stands in, from its top down, without what lies loose on it.
+/// Layers that a bank stands in, from its top down, without loose soil on it.
 struct BankLayers {
   static constexpr int kMost = 6;
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kLookDown = 12;  ///< columns over which a bank's height is measured
 constexpr double kLeastOverhang_m = 2e-4;
-/// What is lower under gear is a matter of bearing, which Bekker's pressure has.
+/// A lower face under gear is a matter of bearing, which Bekker's pressure has.
 constexpr double kLeastLoaded_m = 0.3;
 constexpr double kLeastWedge_m = 0.1;    ///< soil that stands no higher crumbles
 constexpr double kBreakSpeed_mps = 1.0;  ///< at which it does

@@ -13,7 +13,6 @@ namespace {
 constexpr int kPeriod_s = 10;
 constexpr TimeNs kPeriod_ns = kPeriod_s * kNsPerSecond;
 constexpr std::int64_t kPeriodsPerTake = 6;
-constexpr double kHour_s = 3600, kDay_s = 86400, kMillimetre_m = 1e-3;
 constexpr double kSeen_m = 0.002;  ///< depth to which light and rain make a surface look wet
 
 /// Moisture at which soil lets water through at a rate: all of it, of what lets through less.
@@ -32,7 +31,7 @@ std::uint8_t Byte(double share) { return static_cast<std::uint8_t>(std::lround(2
 }  // namespace
 
 GroundWeather::GroundWeather(const WeatherSpell& weather, bool is_wet, const Columns& ground)
-    : weather_{kPeriod_s / kHour_s, weather.rain_mmph, weather.evaporation_mmpd},
+    : weather_(weather),
       is_wet_(is_wet),
       kinds_(ground.kinds()),
       profile_count_(ground.profiles().size()) {
@@ -61,7 +60,7 @@ bool GroundWeather::Advance(TimeNs since_start_ns) {
   const std::int64_t due = since_start_ns / kPeriod_ns;
   if (periods_ >= due) return false;
   for (; periods_ < due; ++periods_) {
-    for (Seepage& seepage : seeping_) seepage.Run(weather_);
+    for (Seepage& seepage : seeping_) seepage.Run(weather_, kPeriod_s);
   }
   return true;
 }
@@ -69,8 +68,7 @@ bool GroundWeather::Advance(TimeNs since_start_ns) {
 /// Moisture of the surface as it is seen.
 double GroundWeather::Seen(const Seepage& seepage) const {
   const WaterSlice& top = seepage.slices().front();
-  const double net_mps = weather_.rain_mmph * kMillimetre_m / kHour_s -
-                         weather_.evaporation_mmpd * kMillimetre_m / kDay_s;
+  const double net_mps = weather_.rain_mps() - weather_.evaporation_mps();
   if (net_mps <= 0 || !top.water.holds() || top.capacity_m <= 0) return top.moisture();
   const double most = MoisturePassing(top.water, net_mps);
   if (is_wet_) return std::max(top.moisture(), most);

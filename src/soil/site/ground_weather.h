@@ -20,8 +20,8 @@ namespace tera {
 ///         as that of the first profile with it.
 class GroundWeather {
  public:
-  /// Weather as in a spell, without its hours. The surface `is_wet` from the start, if it has
-  /// rained already.
+  /// Weather as in a spell, whose hours do not count. The surface `is_wet` from the start, if it
+  /// has rained already.
   GroundWeather(const WeatherSpell& weather, bool is_wet, const Columns& ground);
 
   /// Goes on to a time since the start; true if that brings anything new.
@@ -30,8 +30,6 @@ class GroundWeather {
   std::vector<TerrainSurface::Wetness> wetness() const;
   /// The water that the ground takes over, once each.
   std::optional<Columns::Water> TakeWater();
-  /// The water balance of a profile since the start.
-  const WaterBalance& balance(std::size_t profile) const { return seeping_[profile].balance(); }
 
  private:
   double Seen(const Seepage& seepage) const;

@@ -26,7 +26,7 @@ OGRSpatialReference Parse(const std::string& place, const std::string& definitio
   return system;
 }
 
-/// What heights are counted from, which is then taken off.
+/// The datum of heights, which is then taken off.
 std::string TakeVertical(const std::string& place, OGRSpatialReference* system) {
   const char* name = system->GetAttrValue("VERT_CS");
   if (!name) return "";

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kFewestCorners = 3;
 constexpr double kLeastArea_m2 = 1e-4;
 
-/// What is wrong with an outline's corners, or nothing.
+/// The fault of an outline's corners, or nothing.
 std::string OutlineFault(const std::vector<Vec2>& p) {
   if (p.size() < kFewestCorners) {
     return fmt::format("{} corners found, need at least {}, each [x, y] in m", p.size(),

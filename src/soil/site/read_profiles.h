@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// What lies where below a site's surface.
+/// Soils below a site's surface, by place.
 struct SiteProfiles {
   std::vector<GroundProfile>
       profiles;  ///< the first one wherever no region lies, or what a map says

@@ -49,13 +49,11 @@ Seepage::Seepage(const std::vector<SoilType>& soils, const GroundProfile& profil
   }
 }
 
-void Seepage::Run(const WeatherSpell& spell) {
-  constexpr double kHour_s = 3600, kDay_s = 86400, kMm = 1e-3;
-  const auto count = static_cast<std::int64_t>(std::ceil(spell.hours * kHour_s / step_s_));
-  const double dt_s = spell.hours * kHour_s / static_cast<double>(count);
+void Seepage::Run(const WeatherSpell& weather, double duration_s) {
+  const auto count = static_cast<std::int64_t>(std::ceil(duration_s / step_s_));
+  const double dt_s = duration_s / static_cast<double>(count);
   for (std::int64_t k = 0; k < count; ++k) {
-    Step(spell.rain_mmph * kMm / kHour_s * dt_s, spell.evaporation_mmpd * kMm / kDay_s * dt_s,
-         dt_s);
+    Step(weather.rain_mps() * dt_s, weather.evaporation_mps() * dt_s, dt_s);
   }
 }
 
@@ -126,7 +124,7 @@ GroundProfile Seepage::Profile() const {
 WaterBalance Seep(const std::vector<WeatherSpell>& weather, const std::vector<SoilType>& soils,
                   GroundProfile* profile) {
   Seepage seepage(soils, *profile);
-  for (const WeatherSpell& spell : weather) seepage.Run(spell);
+  for (const WeatherSpell& spell : weather) seepage.Run(spell, spell.duration_s());
   *profile = seepage.Profile();
   return seepage.balance();
 }
@@ -137,8 +135,8 @@ std::vector<WeatherSpell> ReadWeatherBefore(const ConfigMap& config) {
   for (const ConfigMap& item : config.List("weather_before")) {
     weather.push_back(
         {item.Number("hours", {.min = 0, .max = kLongest_h, .min_excluded = true, .unit = "h"}),
-         item.Number("rain_mmph", Between(0, 200, "mm/h"), 0.0),
-         item.Number("evaporation_mmpd", Between(0, 20, "mm a day"), 0.0)});
+         item.Number("rain_mmph", Between(0, kMostRain_mmph, "mm/h"), 0.0),
+         item.Number("evaporation_mmpd", Between(0, kMostEvaporation_mmpd, "mm a day"), 0.0)});
   }
   return weather;
 }

@@ -13,7 +13,15 @@ namespace tera {
 /// Weather that stays the same for some hours.
 struct WeatherSpell {
   double hours = 0, rain_mmph = 0, evaporation_mmpd = 0;
+
+  double duration_s() const { return hours * kHour_s; }
+  double rain_mps() const { return rain_mmph * kMillimetre_m / kHour_s; }
+  double evaporation_mps() const { return evaporation_mmpd * kMillimetre_m / kDay_s; }
+
+ private:
+  static constexpr double kHour_s = 3600, kDay_s = 86400, kMillimetre_m = 1e-3;
 };
+inline constexpr double kMostRain_mmph = 200, kMostEvaporation_mmpd = 20;
 
 /// Where the rain of some spells has gone, as heights of water.
 struct WaterBalance {
@@ -47,7 +55,7 @@ class Seepage {
  public:
   Seepage(const std::vector<SoilType>& soils, const GroundProfile& profile);
 
-  void Run(const WeatherSpell& spell);
+  void Run(const WeatherSpell& weather, double duration_s);
   const std::vector<WaterSlice>& slices() const { return slices_; }
   const WaterBalance& balance() const { return balance_; }
   /// Strata of the slices, of which neighbours of one stratum and about one moisture are joined,

@@ -88,7 +88,7 @@ CuttingEdge::Plane CuttingEdge::CutPlane(const ShovelShape& shape, const Mat3& R
   plane.on_soil = std::clamp((fill - kDeadLoad) / (1 - kDeadLoad), 0.0, 1.0);
   const Vec3 mouth_W = R_WB * (shape.top_edge_B() - shape.edge_B()).normalized();
   plane.up_W = ((1 - plane.on_soil) * floor_W + plane.on_soil * mouth_W).normalized();
-  // What lies behind the plane moves with it.
+  // Soil behind the plane moves with it.
   plane.surcharge_npm =
       (1 - plane.on_soil) * carried.mass_kg * kStandardGravity_mps2 / shovel_.width_m;
   plane.surcharge_over_m = shape.radius_m();

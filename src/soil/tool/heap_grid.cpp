@@ -130,7 +130,7 @@ std::array<HeapGrid::RimSide, 4> HeapGrid::Rim() const {
   return rim_m;
 }
 
-/// What the cones of all points of the rim leave of each column. Along a side of the rim the height
+/// The cones of all points of the rim limit each column. Along a side of the rim the height
 /// that its points leave is convex: the point that leaves least is near that of the column before.
 void HeapGrid::Limit(const Stance& stance, const HeapRelief& relief) {
   const Cone cone(stance.slope_rad, up_y_, up_z_);
@@ -212,7 +212,7 @@ Vec3 HeapGrid::At_B(std::size_t column, double height_m) const {
   return Vec3(in_plane.x(), ys_m_[column % ys_m_.size()], in_plane.y());
 }
 
-/// Of the point below or above which it stands in the mouth's plane.
+/// Place, in the mouth's plane, of the point below or above which a column stands.
 Vec2 HeapGrid::PlaceOf(std::size_t column) const {
   const Vec2 mouth = edge_lip_ - top_lip_;
   const double x_m = slices_[column / ys_m_.size()].x_m - top_lip_.x();

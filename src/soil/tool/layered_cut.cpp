@@ -19,7 +19,7 @@ struct Force {
   Force operator+(const Force& b) const { return {draft_n + b.draft_n, vertical_n + b.vertical_n}; }
 };
 
-/// What lies over a layer at the blade. A heap of loose soil on top may fall off ahead.
+/// Soil over a layer at the blade. A heap of loose soil on top may fall off ahead.
 class Above {
  public:
   double depth_m() const { return depth_m_; }

@@ -21,7 +21,7 @@ namespace tera {
 ///           as thick, on that soil, and push Rankine's passive wedge before them, while those
 ///           below slip as in the second. The blade's upright force presses the block down or
 ///           lifts it.
-///         Of soil of one strength only the first remains. Borders lie parallel to the surface, but
+///         In soil of one strength only the first remains. Borders lie parallel to the surface, but
 ///         under loose soil, where they rise as what is firm there does.
 ///         Where layers reach less deep than the edge, the lowest goes on.
 ///         The wedge's angle and length are those of the plane, whichever surface is the least.

@@ -27,7 +27,7 @@ double TwiceArea_m2(const std::vector<Vec2>& profile) {
   return sum_m2;
 }
 
-/// What is left of a polyline without its first `length_m`; at least its last three points.
+/// A polyline without its first `length_m`; at least its last three points.
 std::vector<Vec2> Behind(double length_m, std::vector<Vec2> profile) {
   while (length_m > 0 && profile.size() > 3) {
     const Vec2 along = profile[1] - profile[0];

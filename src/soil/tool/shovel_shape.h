@@ -52,7 +52,7 @@ class ShovelShape {
   /// x-z plane.
   std::optional<double> HeightOfPassedEdge(const Upright& line, const Vec2& came_B) const;
 
-  /// What the shovel holds when gravity's up direction is `up_B`.
+  /// Soil that the shovel holds when gravity's up direction is `up_B`.
   struct Hold {
     double volume_m3 = 0;         ///< at most, heaped at `repose_rad`
     Vec3 com_B_m = Vec3::Zero();  ///< of the volume asked for
@@ -76,7 +76,7 @@ class ShovelShape {
   /// Direction from the floor to the edge, the way the edge cuts.
   Vec3 edge_direction_B() const;
   Vec3 edge_B() const;
-  /// What holds soil: the profile behind the teeth, closed by the mouth; (x, z) in B.
+  /// Outline of the soil held: the profile behind the teeth, closed by the mouth; (x, z) in B.
   const std::vector<Vec2>& held_B() const { return held_; }
   double half_width_m() const { return half_width_m_; }
   Vec3 top_edge_B() const;
@@ -89,7 +89,7 @@ class ShovelShape {
   };
   /// The last one is the mouth.
   const std::vector<Segment>& segments() const { return segments_; }
-  /// What the outline takes up along the level direction in B's x-z plane.
+  /// Extent of the outline along the level direction in B's x-z plane.
   struct LevelExtent {
     Vec2 right, up;  ///< axes
     double from_m, to_m;

@@ -27,7 +27,7 @@ Vec3 Opposing(const Vec3& force_W_n, const Vec3& v_W_mps) {
   return force_W_n - power_w / v2 * v_W_mps;
 }
 
-/// What a point of the shovel meets beside it.
+/// Ground that a point of the shovel meets beside it.
 struct Beside {
   double depth_m;  ///< of the point below the ground there
   double x_m, y_m;
@@ -153,7 +153,7 @@ void ShovelWalls::Push(const std::vector<Strip>& strips, const Vec3& normal_B,
     };
     const CuttingForce all = push_down_to(0);
     const CuttingForce above = beside.depth_m > height_m ? push_down_to(height_m) : CuttingForce{};
-    // What lies above may be the stronger: it holds nothing back below it.
+    // Soil above may be the stronger: it holds nothing back below it.
     if (all.draft_n <= above.draft_n) continue;
     const Vec3 force_W_n = -(all.draft_n - above.draft_n) * out_W -
                            (all.vertical_n - above.vertical_n) * Vec3::UnitZ();

@@ -160,7 +160,7 @@ void SlipAhead::FindSliding() {
   }
 }
 
-/// Of the segment that ends at place `end`, what it adds to the sums up to there.
+/// Sums up to place `end`, with the part of its segment before it.
 SlipAhead::Sums SlipAhead::SumsTo(double end) const {
   const int k = std::min(static_cast<int>(end), kLast - 1);
   const double from_m = ground_.x_m[k], to_m = XAt_m(end), dx_m = to_m - from_m;
@@ -172,7 +172,7 @@ SlipAhead::Sums SlipAhead::SumsTo(double end) const {
   return sums;
 }
 
-/// What stands firm over a plane of some slope up to place `end`: its section and its level length.
+/// Firm soil over a plane of some slope up to place `end`: its section and its level length.
 SlipAhead::Firm SlipAhead::FirmAbove(double slope, double end) const {
   Firm firm;
   double x_m = 0, at_m = ground_.firm_m[0];
@@ -188,7 +188,7 @@ SlipAhead::Firm SlipAhead::FirmAbove(double slope, double end) const {
   return firm;
 }
 
-/// What stands over a plane of some slope up to place `end`.
+/// Soil over a plane of some slope up to place `end`.
 Lifted SlipAhead::Above(double slope, double end) const {
   Lifted lifted{.end_m = XAt_m(end), .slope = slope};
   const double x2 = lifted.end_m * lifted.end_m, x3 = x2 * lifted.end_m;

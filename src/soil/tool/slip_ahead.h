@@ -26,7 +26,7 @@ struct GroundAhead {
 /// lies below the point.
 GroundAhead LookAhead(const Vec3& p_W, double near_m, const Vec3& travel_W, const Columns& ground);
 
-/// What lies ahead of a blade, besides what CuttingInput says of its mean.
+/// Soil ahead of a blade, besides what CuttingInput says of its mean.
 struct SoilAhead {
   double firm_density_kgpm3 = 0, loose_density_kgpm3 = 0;
   double firm_cohesion_pa = 0;  ///< loose soil has none

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kLeastUpward = 0.05;  ///< patches facing further up touch no ground
 constexpr double kMostUpward = 0.5;    ///< no patch faces further up in the machine's frame
-/// Of its depth: the way by which a face that is pushed into soil mobilises 1 - 1/e of its passive
+/// Way over depth by which a face that is pushed into soil mobilises 1 - 1/e of its passive
 /// pressure, nearly all at 6 % (Clough and Duncan 1991: 1 % in dense sand, 4 % in loose).
 constexpr double kPassiveShare = 0.02;
 constexpr double kInletShare = 0.1;        ///< of the patch's length: where its inlet ends
@@ -84,7 +84,7 @@ struct GearContact::Step {
   Columns* ground;
 };
 
-/// What the ground under one patch answers.
+/// Answer of the ground under one patch.
 struct GearContact::Pressed {
   double normal_n = 0;
   double area_m2 = 0;

@@ -43,7 +43,7 @@ struct Rolling {
   double ShareAt(const Place& place, double entry_rad, double bearing_share) const;
 };
 
-/// What a wheel has met of late: averages over the contact's length.
+/// Ground that a wheel has met of late: averages over the contact's length.
 class RollingMemory {
  public:
   /// In a step it goes `forward_m` ahead and `aside_m` to a side, its rim `shoe_m` under it, over a

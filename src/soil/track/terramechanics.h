@@ -76,7 +76,7 @@ Vec2 Mobilised(const SoilType& soil, const Vec2& j_m);
 /// Shears on by `slip_m`; j grows no further than fully mobilised.
 void ShearFurther(const SoilType& soil, const Vec2& slip_m, Vec2* j_m);
 
-/// What the ground has to give where it is sheared.
+/// Strength of the ground where it is sheared.
 struct ShearStrength {
   const SoilType& soil;
   double tan_friction;  ///< of the soil's shear

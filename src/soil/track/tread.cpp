@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// What is left of a wave of that length in means over `width_m`.
+/// Share of a wave of that length that means over `width_m` keep.
 double Averaged(double width_m, double length_m) {
   const double half_angle = kPi * width_m / length_m;
   return std::sin(half_angle) / half_angle;

@@ -16,7 +16,7 @@
 
 namespace tera {
 
-/// What the parts of a gear on the ground do together.
+/// Sum of what the parts of a gear on the ground do.
 struct GearSum {
   Wrench wrench;          ///< about the link's origin
   double traction_n = 0;  ///< shear along the machine's forward travel

@@ -39,14 +39,11 @@ TEST(GroundWeather, GroundGainsTheRainLessWhatRunsOff) {
         Under("size_m: [10, 10]\ncell_m: 0.1\nsoil: " + std::string(name) + "\n", rain_mmph);
     const auto soil = MakeSoil(site, 1);
     const double before_kg = Mass_kg(*soil);
-    GroundWeather weather = *site.weather();
-    for (TimeNs t_ns = 0; t_ns <= kHour_ns; t_ns += kMinute_ns / 7) {
-      soil->LetWeatherAct(t_ns);
-      weather.Advance(t_ns);
-    }
+    for (TimeNs t_ns = 0; t_ns <= kHour_ns; t_ns += kMinute_ns / 7) soil->LetWeatherAct(t_ns);
     soil->LetWeatherAct(kHour_ns);
-    weather.Advance(kHour_ns);
-    const WaterBalance& water = weather.balance(0);
+    Seepage seepage(site.soils(), site.columns().profiles()[0]);
+    for (int period = 0; period < 360; ++period) seepage.Run({0, rain_mmph, 0}, 10);
+    const WaterBalance& water = seepage.balance();
     EXPECT_NEAR(water.rained_m, 1e-3 * rain_mmph, 1e-12) << name;
     EXPECT_NEAR(water.rained_m - water.ran_off_m - water.drained_m - water.stored_m, 0, 1e-12);
     EXPECT_NEAR(Mass_kg(*soil) - before_kg, 1000 * water.stored_m, 1e-6) << name;
