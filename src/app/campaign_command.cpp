@@ -11,12 +11,16 @@
 #include "app/arguments/argument_checks.h"
 #include "app/arguments/scenario_options.h"
 #include "app/commands.h"
+#include "campaign/engines/emitters.h"
 #include "campaign/engines/pool.h"
+#include "campaign/engines/slurm.h"
 #include "campaign/merge/distributions.h"
 #include "campaign/merge/merge.h"
 #include "campaign/plan/plan.h"
 #include "campaign/work/index.h"
 #include "campaign/work/worker.h"
+#include "core/error.h"
+#include "dataset/files/checked_file.h"
 
 namespace tera {
 namespace {
@@ -41,30 +45,114 @@ void PrintState(const Plan& plan, const CampaignState& state) {
   if (!state.failed.empty() || !state.missing.empty()) throw CLI::RuntimeError(kNotAllDone);
 }
 
+enum class Engine { kPool, kSlurm, kSsh, kKubernetes };
+
 struct RunArguments {
   std::filesystem::path folder;
   std::optional<int> index;
   std::optional<int> processes;
-  int threads = 1;
+  int threads = 1, memory_mb = 0;
   EglOptions egl;
+  Engine engine = Engine::kPool;
+  std::filesystem::path hosts;
+  SlurmOptions slurm;
+  std::string image, volume;  ///< the volume as CLAIM:PATH
 };
+
+WorkerCommand WorkerOf(const RunArguments& arguments) {
+  WorkerCommand worker{std::filesystem::read_symlink("/proc/self/exe"),
+                       {"--threads", std::to_string(arguments.threads)}};
+  if (arguments.egl.device >= 0) {
+    worker.arguments.emplace_back("--egl-device");
+    worker.arguments.push_back(std::to_string(arguments.egl.device));
+  }
+  return worker;
+}
+
+void RunSlurm(const Plan& plan, const RunArguments& arguments) {
+  SlurmOptions slurm = arguments.slurm;
+  slurm.worker = WorkerOf(arguments);
+  slurm.memory_mb = arguments.memory_mb;
+  slurm.say = [](const std::string& text) { fmt::print(stderr, "{}\n", text); };
+  slurm.arguments = fmt::format("--cpus-per-task={} {}", arguments.threads, slurm.arguments);
+  PrintState(plan, RunOnSlurm(plan, slurm));
+}
+
+void WriteKubernetesJob(const Plan& plan, const RunArguments& arguments) {
+  const std::size_t colon = arguments.volume.find(':');
+  if (arguments.image.empty() || colon == std::string::npos) {
+    throw InputError("--on kubernetes",
+                     {FaultKind::kMissing,
+                      "need --image IMAGE and --volume CLAIM:PATH, a PersistentVolumeClaim and the "
+                      "path at which it holds this folder"});
+  }
+  constexpr int kPodsAtOnce = 32;
+  const std::filesystem::path file = plan.folder / "kubernetes.yaml";
+  WorkerCommand worker = WorkerOf(arguments);
+  worker.program = "tera";
+  WriteWholeFile(file, KubernetesJob(plan, {.worker = worker,
+                                            .image = arguments.image,
+                                            .claim = arguments.volume.substr(0, colon),
+                                            .mounted_at = arguments.volume.substr(colon + 1),
+                                            .parallel = arguments.processes.value_or(kPodsAtOnce),
+                                            .memory_mb = arguments.memory_mb}));
+  fmt::print("{}: start it by `kubectl create -f`; `tera campaign status` says what is done\n",
+             file.string());
+}
 
 void RunRun(const RunArguments& arguments) {
   const Plan plan = LoadPlan(arguments.folder);
   if (arguments.index) {
     return RunEpisode(plan, *arguments.index, {arguments.threads, arguments.egl});
   }
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-  std::vector<std::string> further = {"--threads", std::to_string(arguments.threads)};
-  if (arguments.egl.device >= 0) {
-    further.emplace_back("--egl-device");
-    further.push_back(std::to_string(arguments.egl.device));
+  switch (arguments.engine) {
+    case Engine::kSlurm:
+      return RunSlurm(plan, arguments);
+    case Engine::kSsh:
+      if (arguments.hosts.empty()) {
+        throw InputError("--on ssh", {FaultKind::kMissing, "need --hosts FILE, a host a line"});
+      }
+      return PrintState(plan, RunOverSsh(plan, {.worker = WorkerOf(arguments),
+                                                .hosts = arguments.hosts,
+                                                .processes = arguments.processes}));
+    case Engine::kKubernetes:
+      return WriteKubernetesJob(plan, arguments);
+    case Engine::kPool:
+      break;
   }
   const int fill = std::max(1, HostOptions().threads / arguments.threads);
-  PrintState(plan, RunPool(plan, {.program = program,
+  PrintState(plan, RunPool(plan, {.worker = WorkerOf(arguments),
                                   .processes = arguments.processes.value_or(fill),
-                                  .arguments = further,
                                   .progress = ShowProgress}));
+}
+
+void AddEngineOptions(CLI::App* command, RunArguments* arguments) {
+  constexpr int kMost = 10'000'000;
+  SlurmOptions* const slurm = &arguments->slurm;
+  command
+      ->add_option("--on", arguments->engine,
+                   "slurm: by job arrays; ssh: by GNU parallel; kubernetes: write an indexed Job")
+      ->transform(OneOf<Engine>(
+          {{"slurm", Engine::kSlurm}, {"ssh", Engine::kSsh}, {"kubernetes", Engine::kKubernetes}}));
+  command->add_option("--memory-mb", arguments->memory_mb, "slurm, kubernetes: memory of a task")
+      ->check(WholeNumberBetween(1, kMost));
+  command->add_option("--per-task", slurm->per_task, "slurm: episodes of a task (5 min of them)")
+      ->check(WholeNumberBetween(1, kMost));
+  command->add_option("--minutes", slurm->minutes, "slurm: time limit of a task")
+      ->check(WholeNumberBetween(1, kMost));
+  command
+      ->add_option("--tries", slurm->tries,
+                   "slurm: arrays in a row that may end without an episode (3)")
+      ->check(WholeNumberBetween(1, 100));
+  command->add_option("--poll", slurm->poll_s, "slurm: seconds between questions (30)")
+      ->check(PositiveNumber("seconds"));
+  command->add_option("--sbatch", slurm->arguments,
+                      "slurm: further options of sbatch, \"--partition=sim --qos=low\"");
+  command->add_option("--hosts", arguments->hosts, "ssh: file of hosts, as --sshloginfile has it")
+      ->check(CLI::ExistingFile);
+  command->add_option("--image", arguments->image, "kubernetes: image of a container with tera");
+  command->add_option("--volume", arguments->volume,
+                      "kubernetes: CLAIM:PATH, the shared volume that holds DIR");
 }
 
 void AddFolder(CLI::App* command, std::filesystem::path* folder) {
@@ -100,6 +188,7 @@ void AddRunVerb(CLI::App* app) {
       ->check(WholeNumberBetween(1, 256));
   command->add_option("--egl-device", arguments->egl.device, "GPU to render with, as for generate")
       ->check(WholeNumberFrom0());
+  AddEngineOptions(command, arguments.get());
   command->callback([arguments] { RunRun(*arguments); });
 }
 

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <map>
 #include <thread>
 
@@ -10,6 +11,7 @@
 #include "app/refused.h"
 #include "campaign/campaign_files.h"
 #include "dataset/files/file_digest.h"
+#include "dataset/files/folder_lock.h"
 #include "dataset/files/tiny_disk.h"
 
 // `tera campaign` as its user runs it.
@@ -89,6 +91,16 @@ TEST_F(CampaignCommand, GoesOnWhereItWasKilled) {
   EXPECT_TRUE(fs::is_empty(scratch_.path() / "killed/work"));
 }
 
+TEST_F(CampaignCommand, AnEpisodeThatAnotherWorkerMakesIsLeftToIt) {
+  Plan("six");
+  const fs::path work = scratch_.path() / "six/work/000002";
+  fs::create_directories(work);
+  const FolderLock other(work);
+  const Outcome pool = Tera({"campaign", "run", "six"});
+  EXPECT_EQ(pool.status, 1) << pool.err;
+  EXPECT_THAT(pool.out, HasSubstr("5 of 6 episodes done, 0 failed, 1 to do, of them 1 begun"));
+}
+
 TEST_F(CampaignCommand, AFullDiskStopsThePoolAndLosesNothing) {
   TinyDisk disk(scratch_.path() / "disk", "400k");
   ASSERT_TRUE(disk.mounted()) << "needs root, or the right to make user namespaces";
@@ -100,6 +112,27 @@ TEST_F(CampaignCommand, AFullDiskStopsThePoolAndLosesNothing) {
   ASSERT_TRUE(disk.Grow("64m"));
   const Outcome again = Tera({"campaign", "run", "disk/six"});
   EXPECT_EQ(again.status, 0) << again.err;
+}
+
+TEST_F(CampaignCommand, ParallelMakesWhatThePoolMakes) {
+  if (std::system("command -v parallel >/dev/null") != 0) GTEST_SKIP() << "needs GNU parallel";
+  WriteWholeFile(scratch_.path() / "hosts", "2/:\n");  // this computer, two at once
+  Plan("pool");
+  EXPECT_EQ(Tera({"campaign", "run", "pool"}).status, 0);
+  Plan("ssh");
+  const Outcome run = Tera({"campaign", "run", "ssh", "--on", "ssh", "--hosts", "hosts"});
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(Bytes("ssh"), Bytes("pool"));
+}
+
+TEST_F(CampaignCommand, AnEngineThatLacksWhatItNeedsIsRefused) {
+  Plan("six");
+  ExpectRefused(scratch_, {"campaign", "run", "six", "--on", "ssh"}, HasSubstr("--hosts"));
+  ExpectRefused(scratch_, {"campaign", "run", "six", "--on", "kubernetes"}, HasSubstr("--volume"));
+  const Outcome job = Tera({"campaign", "run", "six", "--on", "kubernetes", "--image", "tera:1",
+                            "--volume", "sites:" + scratch_.path().string()});
+  EXPECT_EQ(job.status, 0) << job.err;
+  EXPECT_TRUE(fs::exists(scratch_.path() / "six/kubernetes.yaml"));
 }
 
 TEST_F(CampaignCommand, AFolderThatIsNoCampaignIsRefused) {

@@ -18,6 +18,7 @@
 #include "core/check.h"
 #include "core/error.h"
 #include "dataset/files/checked_file.h"
+#include "dataset/files/folder_lock.h"
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -52,16 +53,18 @@ double AvailableMb() {
 }
 
 pid_t StartWorker(const Plan& plan, const PoolOptions& options, int number) {
-  std::vector<std::string> words = {options.program.string(), "campaign", "run",
-                                    plan.folder.string(),     "--index",  std::to_string(number)};
-  words.insert(words.end(), options.arguments.begin(), options.arguments.end());
+  std::vector<std::string> words = {
+      options.worker.program.string(), "campaign", "run", plan.folder.string(), "--index",
+      std::to_string(number)};
+  const std::vector<std::string>& further = options.worker.arguments;
+  words.insert(words.end(), further.begin(), further.end());
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const std::string log = plan.LogFile(number).string();
   const pid_t child = fork();
   if (child == 0) BecomeWorker(log.c_str(), arguments.data());
-  if (child < 0) FailFile(options.program, "cannot be started again", errno);
+  if (child < 0) FailFile(options.worker.program, "cannot be started again", errno);
   return child;
 }
 
@@ -69,6 +72,17 @@ std::string EndOfLog(const fs::path& log) {
   constexpr std::size_t kMostBytes = 1000;
   const std::string text = fs::exists(log) ? ReadWholeFile(log) : "";
   return text.size() <= kMostBytes ? text : text.substr(text.size() - kMostBytes);
+}
+
+/// Whether another worker makes the episode of this folder.
+bool IsHeld(const fs::path& work) {
+  if (!fs::exists(work)) return false;
+  try {
+    const FolderLock lock(work);
+    return false;
+  } catch (const InputError&) {
+    return true;
+  }
 }
 
 class Pool {
@@ -120,8 +134,10 @@ class Pool {
       peak_mb_ = std::max(peak_mb_, record.peak_mb);
       return;
     }
+    const bool is_told = fs::exists(plan_.FailureFile(number));
+    if (!is_told && IsHeld(plan_.WorkFolder(number))) return;
     ++failed_;
-    if (fs::exists(plan_.FailureFile(number))) return;
+    if (is_told) return;
     // A full disk fails whatever is tried, and cuts the log too.
     const bool is_full = fs::space(plan_.folder).available < kFullDiskBytes;
     if (WIFSIGNALED(status) && !is_full) {
@@ -167,6 +183,7 @@ class Pool {
 }  // namespace
 
 CampaignState RunPool(const Plan& plan, const PoolOptions& options) {
+  const FolderLock lock(plan.folder);
   const CampaignState before = RefreshIndex(plan);
   Pool(plan, options, before).Run();
   return RefreshIndex(plan);

@@ -1,13 +1,10 @@
 #pragma once
 
-#include <filesystem>
 #include <functional>
-#include <set>
-#include <string>
-#include <vector>
 
 #include "campaign/plan/plan.h"
 #include "campaign/work/index.h"
+#include "campaign/work/worker.h"
 
 namespace tera {
 
@@ -18,9 +15,8 @@ struct PoolProgress {
 };
 
 struct PoolOptions {
-  std::filesystem::path program;       ///< `tera`
-  int processes = 1;                   ///< at once; fewer where memory does not reach
-  std::vector<std::string> arguments;  ///< further ones of each worker
+  WorkerCommand worker;
+  int processes = 1;  ///< at once; fewer where memory does not reach
   std::function<void(const PoolProgress&)> progress;
 };
 
@@ -30,8 +26,10 @@ struct PoolOptions {
 /// Model   a process starts when its expected memory is available beside that of those that run.
 ///         Expected is the largest peak of an episode so far, 1 GB before the first. Children end
 ///         with this process.
-/// Throws  InputError of an obstacle of the computer, with the last lines of the log. It starts no
-///         further episodes then and waits for those that run.
+///         An episode that another worker makes is left to it.
+/// Throws  InputError where another pool is at work on the folder, and of an obstacle of the
+///         computer, with the last lines of the log. It starts no further episodes then and waits
+///         for those that run.
 CampaignState RunPool(const Plan& plan, const PoolOptions& options);
 
 }  // namespace tera

@@ -76,6 +76,7 @@ struct CampaignOutputs {
 struct Campaign {
   std::string name;
   std::uint64_t seed = 1;
+  std::filesystem::path folder;  ///< absolute; relative paths of values refer to it
   std::filesystem::path scenario;
   int episodes = 0;
   Design design = Design::kFull;

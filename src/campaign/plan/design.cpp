@@ -6,23 +6,32 @@
 #include <boost/random/sobol.hpp>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
+#include <utility>
 
 #include "core/random.h"
 
 namespace tera {
 namespace {
 
-/// The stratum of episode `number` in the factor's random permutation of strata (Fisher–Yates).
+/// The stratum of episode `number` in the factor's random permutation of strata. A Feistel network
+/// permutes the next power of four; numbers beyond the strata are permuted again (Black, Rogaway
+/// 2002).
 int StratumOf(const Stream& stream, int count, int number) {
-  std::vector<int> strata(static_cast<std::size_t>(count));
-  std::iota(strata.begin(), strata.end(), 0);
-  for (int i = count - 1; i > 0; --i) {
-    const double share = stream.Uniform(static_cast<std::uint64_t>(i));
-    const auto other = static_cast<std::size_t>(share * (i + 1));
-    std::swap(strata[static_cast<std::size_t>(i)], strata[other]);
-  }
-  return strata[static_cast<std::size_t>(number)];
+  constexpr std::uint64_t kRounds = 8;
+  int half_bits = 1;
+  while ((std::int64_t{1} << (2 * half_bits)) < count) ++half_bits;
+  const std::uint64_t size = std::uint64_t{1} << half_bits;
+  auto place = static_cast<std::uint64_t>(number);
+  do {
+    std::uint64_t left = place / size, right = place % size;
+    for (std::uint64_t round = 0; round < kRounds; ++round) {
+      const double share = stream.Uniform(round * size + right);
+      left ^= static_cast<std::uint64_t>(share * static_cast<double>(size));
+      std::swap(left, right);
+    }
+    place = left * size + right;
+  } while (place >= static_cast<std::uint64_t>(count));
+  return static_cast<int>(place);
 }
 
 /// Places in (0, 1), one for each factor.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "campaign/plan/rule_check.h"
+#include "core/parse_number.h"
 #include "core/random.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/files/file_digest.h"
@@ -19,15 +20,29 @@ namespace {
 
 constexpr int kSampledEpisodes = 16;  ///< loaded in planning
 
-/// Digest of the scenario without the campaign's values.
-std::string ScenarioDigest(const fs::path& scenario) {
-  const LoadedScenario loaded = LoadScenario(scenario, {});
-  std::string text = loaded.resolved_yaml;
-  for (const RecordedInput& input : DigestsOf(loaded.scenario.inputs)) {
-    text += input.name + input.sha256;
+/// Makes a folder the working directory for its lifetime.
+class WorkingFolder {
+ public:
+  explicit WorkingFolder(const fs::path& folder) : before_(fs::current_path()) {
+    std::error_code error;
+    fs::current_path(folder, error);
+    if (!error) return;
+    throw InputError(folder.string(),
+                     {FaultKind::kUnreadable,
+                      fmt::format("holds the campaign's files and cannot be entered ({}); mount it "
+                                  "there on this computer too",
+                                  error.message())});
   }
-  return Sha256Of(text);
-}
+  ~WorkingFolder() {
+    std::error_code ignored;
+    fs::current_path(before_, ignored);
+  }
+  WorkingFolder(const WorkingFolder&) = delete;
+  WorkingFolder& operator=(const WorkingFolder&) = delete;
+
+ private:
+  fs::path before_;
+};
 
 /// A fault of a value of the campaign gets the place of its factor or randomise:.
 InputFault AtItsPlace(const Campaign& campaign, InputFault fault) {
@@ -42,15 +57,76 @@ InputFault AtItsPlace(const Campaign& campaign, InputFault fault) {
   return fault;
 }
 
+LoadedScenario LoadUnder(const Campaign& campaign, const std::vector<std::string>& overrides) {
+  const WorkingFolder folder(campaign.folder);
+  try {
+    return LoadScenario(campaign.scenario, overrides);
+  } catch (const InputError& error) {
+    std::vector<InputFault> faults;
+    for (const InputFault& fault : error.faults()) faults.push_back(AtItsPlace(campaign, fault));
+    throw InputError(std::move(faults));
+  }
+}
+
+/// Digest of the scenario under these values, with all files that it names.
+std::string ScenarioDigest(const Campaign& campaign, const std::vector<std::string>& overrides) {
+  const LoadedScenario loaded = LoadUnder(campaign, overrides);
+  std::string text = loaded.resolved_yaml;
+  for (const RecordedInput& input : DigestsOf(loaded.scenario.inputs)) {
+    text += input.name + input.sha256;
+  }
+  return Sha256Of(text);
+}
+
+/// Digest of the scenario under a level of a factor and the first values of all others.
+std::string LevelDigest(const Campaign& campaign, const DesignFactor& varied,
+                        const std::string& level) {
+  std::vector<std::string> overrides;
+  for (const DesignFactor& factor : campaign.factors) {
+    const std::string first =
+        factor.levels.empty() ? fmt::format("{}", factor.least) : factor.levels.front();
+    overrides.push_back(factor.key + "=" + (&factor == &varied ? level : first));
+  }
+  return ScenarioDigest(campaign, overrides);
+}
+
+bool MayNameFile(const std::string& level) {
+  return level.find_first_of("./") != std::string::npos && !ParseFinite(level);
+}
+
+std::map<std::string, std::string> LevelDigests(const Campaign& campaign) {
+  std::map<std::string, std::string> digests;
+  for (const DesignFactor& factor : campaign.factors) {
+    for (const std::string& level : factor.levels) {
+      if (!MayNameFile(level)) continue;
+      digests[factor.key + "=" + level] = LevelDigest(campaign, factor, level);
+    }
+  }
+  return digests;
+}
+
+std::string Fingerprint(const Campaign& campaign, std::string text,
+                        const std::map<std::string, std::string>& level_digests) {
+  text += ScenarioDigest(campaign, {});
+  for (const auto& [level, digest] : level_digests) text += level + digest;
+  return Sha256Of(text);
+}
+
+std::string CsvField(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string field = "\"";
+  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
+  return field + '"';
+}
+
 std::string EpisodesCsv(const Campaign& campaign) {
   std::string text = "number,seed";
-  for (const DesignFactor& factor : campaign.factors) text += "," + factor.key;
+  for (const DesignFactor& factor : campaign.factors) text += "," + CsvField(factor.key);
   text += '\n';
   for (int number = 0; number < campaign.episodes; ++number) {
     text += fmt::format("{},{}", number, EpisodeSeed(campaign, number, 0));
     for (const SetValue& value : DesignPoint(campaign, number)) {
-      const bool is_plain = value.yaml.find_first_of(",\"\n") == std::string::npos;
-      text += is_plain ? "," + value.yaml : fmt::format(",\"{}\"", value.yaml);
+      text += "," + CsvField(value.yaml);
     }
     text += '\n';
   }
@@ -69,11 +145,18 @@ void CheckSampled(const Campaign& campaign) {
 
 struct PlanText {
   std::string version, fingerprint, folder;
+  std::map<std::string, std::string> level_digests;
 };
 
 std::string Yaml(const PlanText& text) {
-  return fmt::format("tera_version: {}\nfingerprint: {}\nfolder: {}\n", YamlQuoted(text.version),
-                     YamlQuoted(text.fingerprint), YamlQuoted(text.folder));
+  std::string yaml =
+      fmt::format("tera_version: {}\nfingerprint: {}\nfolder: {}\n", YamlQuoted(text.version),
+                  YamlQuoted(text.fingerprint), YamlQuoted(text.folder));
+  if (!text.level_digests.empty()) yaml += "levels:\n";
+  for (const auto& [level, digest] : text.level_digests) {
+    yaml += fmt::format("  {}: {}\n", YamlQuoted(level), YamlQuoted(digest));
+  }
+  return yaml;
 }
 
 PlanText ReadPlanText(const fs::path& file) {
@@ -83,8 +166,15 @@ PlanText ReadPlanText(const fs::path& file) {
                                      "campaign plan CAMPAIGN.yaml --out DIR` makes"});
   }
   const Config config = Config::FromFile(file);
-  PlanText text{config.root().Text("tera_version"), config.root().Text("fingerprint"),
-                config.root().Text("folder")};
+  PlanText text{config.root().Text("tera_version"),
+                config.root().Text("fingerprint"),
+                config.root().Text("folder"),
+                {}};
+  if (const auto levels = config.root().OptionalMap("levels")) {
+    for (const std::string& level : levels->Keys()) {
+      text.level_digests[level] = levels->Text(level);
+    }
+  }
   config.Finish();
   if (text.version != TeraVersion()) {
     throw InputError(file.string(),
@@ -96,9 +186,11 @@ PlanText ReadPlanText(const fs::path& file) {
   return text;
 }
 
-Campaign ReadFrom(const Config& config) {
+Campaign ReadFrom(const Config& config, const fs::path& folder) {
   Campaign campaign = ReadCampaign(config.root());
   config.Finish();
+  campaign.folder = folder;
+  campaign.scenario = fs::absolute(campaign.scenario);
   return campaign;
 }
 
@@ -119,11 +211,9 @@ Plan MakePlan(const fs::path& file, const fs::path& out) {
   const fs::path folder = fs::absolute(out).lexically_normal(),
                  of_file = fs::absolute(file).parent_path().lexically_normal();
   const std::string text = ReadWholeFile(file);
-  Plan plan{folder, "", ReadFrom(Config::FromFile(file))};
-  const fs::path scenario = fs::absolute(plan.campaign.scenario);
-  plan.campaign.scenario = scenario;
-  fs::current_path(of_file);
-  plan.fingerprint = Sha256Of(text + ScenarioDigest(scenario));
+  Plan plan{folder, "", {}, ReadFrom(Config::FromFile(file), of_file)};
+  plan.level_digests = LevelDigests(plan.campaign);
+  plan.fingerprint = Fingerprint(plan.campaign, text, plan.level_digests);
   if (fs::exists(folder / "plan.yaml")) {
     if (ReadPlanText(folder / "plan.yaml").fingerprint == plan.fingerprint) return plan;
     throw InputError(folder.string(),
@@ -146,37 +236,39 @@ Plan MakePlan(const fs::path& file, const fs::path& out) {
   }
   WriteWholeFile(folder / "campaign.yaml", text);
   WriteWholeFile(folder / "episodes.csv", EpisodesCsv(plan.campaign));
-  WriteWholeFile(folder / "plan.yaml",
-                 Yaml({std::string(TeraVersion()), plan.fingerprint, of_file.string()}));
+  WriteWholeFile(folder / "plan.yaml", Yaml({std::string(TeraVersion()), plan.fingerprint,
+                                             of_file.string(), plan.level_digests}));
   return plan;
 }
 
 Plan LoadPlan(const fs::path& out) {
   const fs::path folder = fs::absolute(out).lexically_normal();
   const PlanText text = ReadPlanText(folder / "plan.yaml");
-  std::error_code error;
-  fs::current_path(text.folder, error);
-  if (error) {
-    throw InputError((folder / "plan.yaml").string(),
-                     {FaultKind::kUnreadable,
-                      fmt::format("the campaign's files are in {}, which cannot be entered ({}); "
-                                  "mount it there on this computer too",
-                                  text.folder, error.message())});
-  }
   const fs::path file = folder / "campaign.yaml";
-  Plan plan{folder, text.fingerprint, ReadFrom(Config::FromText(ReadWholeFile(file), file))};
-  plan.campaign.scenario = fs::absolute(plan.campaign.scenario);
-  return plan;
+  const WorkingFolder of_file(text.folder);
+  return {folder, text.fingerprint, text.level_digests,
+          ReadFrom(Config::FromText(ReadWholeFile(file), file), text.folder)};
 }
 
-void RequireSameScenario(const Plan& plan) {
+void RequireSameScenario(const Plan& plan, int number) {
+  const auto fail = [&](const std::string& place, const std::string& finding) {
+    throw InputError(place, {FaultKind::kInconsistent,
+                             fmt::format("{} than when {} was planned; put the files back, or plan "
+                                         "anew in another folder",
+                                         finding, plan.folder.string())});
+  };
   const std::string text = ReadWholeFile(plan.folder / "campaign.yaml");
-  if (Sha256Of(text + ScenarioDigest(plan.campaign.scenario)) == plan.fingerprint) return;
-  throw InputError(plan.campaign.scenario.string(),
-                   {FaultKind::kInconsistent,
-                    fmt::format("is another scenario, or has other inputs, than when {} was "
-                                "planned; put the files back, or plan anew in another folder",
-                                plan.folder.string())});
+  if (Fingerprint(plan.campaign, text, plan.level_digests) != plan.fingerprint) {
+    fail(plan.campaign.scenario.string(), "is another scenario, or has other inputs,");
+  }
+  const std::vector<SetValue> values = DesignPoint(plan.campaign, number);
+  for (std::size_t f = 0; f < values.size(); ++f) {
+    const DesignFactor& factor = plan.campaign.factors[f];
+    const auto planned = plan.level_digests.find(factor.key + "=" + values[f].yaml);
+    if (planned == plan.level_digests.end()) continue;
+    if (LevelDigest(plan.campaign, factor, values[f].yaml) == planned->second) continue;
+    fail(factor.place, fmt::format("level {} names files that are others", values[f].yaml));
+  }
 }
 
 std::uint64_t EpisodeSeed(const Campaign& campaign, int number, int draw) {
@@ -192,15 +284,7 @@ LoadedScenario EpisodeScenario(const Campaign& campaign, int number, int draw) {
     overrides.push_back(value.key + "=" + value.yaml);
   }
   overrides.push_back(fmt::format("seed={}", EpisodeSeed(campaign, number, draw)));
-  try {
-    return LoadScenario(campaign.scenario, overrides);
-  } catch (const InputError& error) {
-    std::vector<InputFault> faults;
-    for (const InputFault& fault : error.faults()) {
-      faults.push_back(AtItsPlace(campaign, fault));
-    }
-    throw InputError(std::move(faults));
-  }
+  return LoadUnder(campaign, overrides);
 }
 
 }  // namespace tera

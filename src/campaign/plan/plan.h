@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,13 +15,14 @@ namespace tera {
 /// A planned campaign: a folder that holds all that a worker must know.
 ///
 ///     campaign.yaml     the campaign's file, as it was when planned
-///     plan.yaml         fingerprint, version of TERA, folder that relative paths refer to
+///     plan.yaml         fingerprint, digests of levels, version of TERA, folder of relative paths
 ///     episodes.csv      seed and factors of each episode, for reading
 ///     episodes/000012/  a whole episode: data/ (a dataset), episode.yaml
 ///     work/, failed/, logs/, index.sqlite
 struct Plan {
   std::filesystem::path folder;  ///< absolute
-  std::string fingerprint;       ///< digest of the campaign and of its scenario with its inputs
+  std::string fingerprint;       ///< digest of the campaign, its scenario, levels and inputs
+  std::map<std::string, std::string> level_digests;  ///< of "key=level" that may name files
   Campaign campaign;
 
   std::filesystem::path EpisodeFolder(int number) const;
@@ -40,12 +42,12 @@ std::string EpisodeName(int number);
 ///         another version of TERA.
 Plan MakePlan(const std::filesystem::path& campaign, const std::filesystem::path& folder);
 
-/// Reads a planned campaign, and makes the folder of its file the working directory, to which the
-/// paths in its values refer. Throws InputError, also if it was planned by another version of TERA.
+/// Reads a planned campaign. Throws InputError, also if it was planned by another version of TERA.
 Plan LoadPlan(const std::filesystem::path& folder);
 
-/// Throws InputError if the scenario or one of its inputs is another than when planned.
-void RequireSameScenario(const Plan& plan);
+/// Throws InputError if the scenario of an episode is another than when planned: a file that it,
+/// its inputs or the episode's levels name has changed.
+void RequireSameScenario(const Plan& plan, int number);
 
 /// Seed of a draw of an episode: hash(name, seed, number, draw), at most 53 bits.
 std::uint64_t EpisodeSeed(const Campaign& campaign, int number, int draw);

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/overloaded.h"
+#include "sim/run/pose_log.h"
 #include "sim/run/truth_log.h"
 
 namespace tera {
@@ -35,9 +36,26 @@ bool MayBeSeen(const Scenario& scenario, SemanticClass label) {
                      [&](const ScenarioObstacle& obstacle) { return obstacle.label == label; });
 }
 
+/// The channels that a run's logs add.
+class ChannelList : public MeasurementSink {
+ public:
+  ChannelId AddChannel(const ChannelInfo& info) override {
+    channels.push_back(info);
+    return static_cast<ChannelId>(channels.size() - 1);
+  }
+  void Write(ChannelId, Measurement) override {}
+  bool NeedsFrame(ChannelId, TimeNs, TimeNs) const override { return false; }
+  void MarkPresent(ChannelId, TimeNs) override {}
+
+  std::vector<ChannelInfo> channels;
+};
+
 bool HasColumn(const Scenario& scenario, const TableColumn& figure) {
   if (figure.table.starts_with("truth/") || figure.table.ends_with("/commands.csv")) {
-    for (const ChannelInfo& channel : TruthChannels(scenario)) {
+    ChannelList list;
+    const TruthLog truth(scenario, &list);
+    const PoseLog poses(scenario, &list);
+    for (const ChannelInfo& channel : list.channels) {
       if (channel.path != figure.table) continue;
       return std::find(channel.columns.begin(), channel.columns.end(), figure.column) !=
              channel.columns.end();
@@ -56,8 +74,8 @@ bool HasMachine(const Scenario& scenario, const std::string& name) {
 bool MayMeet(const Scenario& scenario, const AcceptanceRule& rule) {
   return std::visit(
       Overloaded{[&](const SeenShare& seen) {
-                   return rule.at_least <= 0 ||
-                          (HasCamera(scenario, seen.camera) && MayBeSeen(scenario, seen.label));
+                   return HasCamera(scenario, seen.camera) &&
+                          (rule.at_least <= 0 || MayBeSeen(scenario, seen.label));
                  },
                  [&](const TableColumn& column) { return HasColumn(scenario, column); },
                  [&](const LargestTilt& tilt) { return HasMachine(scenario, tilt.machine); }},

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <new>
 
 #include "core/config/config.h"
+#include "core/error.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/format/dataset_description.h"
 
@@ -15,9 +17,10 @@ struct ReasonName {
   FailureReason reason;
   std::string_view name;
 };
-constexpr std::array<ReasonName, 4> kReasons = {{{FailureReason::kBadInput, "bad_input"},
+constexpr std::array<ReasonName, 5> kReasons = {{{FailureReason::kBadInput, "bad_input"},
                                                  {FailureReason::kRefused, "refused"},
                                                  {FailureReason::kBug, "bug"},
+                                                 {FailureReason::kMemory, "memory"},
                                                  {FailureReason::kKilled, "killed"}}};
 
 }  // namespace
@@ -26,7 +29,15 @@ std::string NameOf(FailureReason reason) {
   return std::string(kReasons[static_cast<std::size_t>(reason)].name);
 }
 
-bool IsWorthRetry(FailureReason reason) { return reason == FailureReason::kKilled; }
+FailureReason ReasonOf(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return FailureReason::kMemory;
+  return dynamic_cast<const InputError*>(&error) != nullptr ? FailureReason::kBadInput
+                                                            : FailureReason::kBug;
+}
+
+bool IsWorthRetry(FailureReason reason) {
+  return reason == FailureReason::kKilled || reason == FailureReason::kMemory;
+}
 
 void WriteRecord(const EpisodeRecord& record, const std::filesystem::path& file) {
   std::string values, refused;
@@ -77,8 +88,8 @@ void WriteFailure(const Failure& failure, const std::filesystem::path& file) {
 
 Failure ReadFailure(const std::filesystem::path& file) {
   const Config config = Config::FromFile(file);
-  const std::string name = config.root().Choice(
-      "reason", {"bad_input", "refused", "bug", "killed", "memory", "time", "node"});
+  const std::string name =
+      config.root().Choice("reason", {"bad_input", "refused", "bug", "memory", "killed"});
   Failure failure{FailureReason::kBug, config.root().Text("message")};
   config.Finish();
   for (const ReasonName& known : kReasons) {

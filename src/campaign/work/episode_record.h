@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -18,7 +19,8 @@ struct EpisodeRecord {
   std::vector<std::string> refused;           ///< the rule that refused each earlier draw
   std::string sha256;  ///< digest of dataset.yaml, scenario.yaml and frames.sha256
   std::int64_t bytes = 0, frames = 0;
-  double simulated_s = 0, wall_s = 0, peak_mb = 0;
+  double simulated_s = 0;
+  double wall_s = 0, peak_mb = 0;  ///< of all its tries and draws
   std::string host;
 };
 
@@ -28,7 +30,8 @@ enum class FailureReason {
   kBadInput,  ///< of the scenario under these values
   kRefused,   ///< by the rules, draw after draw
   kBug,       ///< an error of TERA's own
-  kKilled     ///< from outside, as where memory runs out
+  kMemory,    ///< there was too little
+  kKilled     ///< from outside
 };
 struct Failure {
   FailureReason reason = FailureReason::kBug;
@@ -36,6 +39,8 @@ struct Failure {
 };
 
 std::string NameOf(FailureReason reason);
+/// Why an attempt ended that threw this.
+FailureReason ReasonOf(const std::exception& error);
 /// Whether another try may end otherwise.
 bool IsWorthRetry(FailureReason reason);
 

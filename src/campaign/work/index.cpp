@@ -154,6 +154,12 @@ double CampaignState::LargestPeakMb() const {
   return peak_mb;
 }
 
+double CampaignState::MeanWall_s() const {
+  double sum_s = 0;
+  for (const auto& [_, record] : done) sum_s += record.wall_s;
+  return done.empty() ? 0 : sum_s / static_cast<double>(done.size());
+}
+
 CampaignState RefreshIndex(const Plan& plan) {
   const fs::path file = plan.folder / "index.sqlite";
   Database index(file);

@@ -18,6 +18,7 @@ struct CampaignState {
   std::vector<int> missing;  ///< neither done nor failed, in order
 
   double LargestPeakMb() const;  ///< 0 without episodes
+  double MeanWall_s() const;     ///< 0 without episodes
 };
 
 /// Brings index.sqlite up to what is in the folder, and returns it. The index is derived: deleted,

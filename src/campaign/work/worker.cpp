@@ -6,13 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "campaign/work/episode_record.h"
 #include "campaign/work/judge.h"
-#include "core/stopwatch.h"
 #include "dataset/files/checked_file.h"
 #include "dataset/files/file_digest.h"
 #include "dataset/files/folder_lock.h"
@@ -37,13 +38,41 @@ std::string HostName() {
   return name.data();
 }
 
-/// Whether the computer is at fault and not the episode, so that another try may succeed.
-bool IsOfTheComputer(const InputError& error) {
-  return std::any_of(error.faults().begin(), error.faults().end(), [](const InputFault& fault) {
-    return fault.kind == FaultKind::kUnwritable || fault.kind == FaultKind::kUnreadable ||
-           fault.kind == FaultKind::kUnsupported;
-  });
+/// Whether the computer is at fault and not the episode, so that no episode would come out.
+bool IsOfTheComputer(const std::exception& error) {
+  const auto* input = dynamic_cast<const InputError*>(&error);
+  return input != nullptr && std::ranges::any_of(input->faults(), [](const InputFault& fault) {
+           return fault.kind == FaultKind::kUnwritable;
+         });
 }
+
+/// Time and memory of all tries of an episode, kept in its work folder.
+class Cost {
+ public:
+  /// A try that was killed lasted until it wrote its last file.
+  explicit Cost(const fs::path& work) : file_(work / "cost") {
+    if (std::ifstream stream(file_); stream >> earlier_s_ >> peak_mb_) {
+      const auto saved = fs::last_write_time(file_);
+      auto last = saved;
+      for (const auto& entry : fs::recursive_directory_iterator(work)) {
+        last = std::max(last, entry.last_write_time());
+      }
+      earlier_s_ += std::chrono::duration<double>(last - saved).count();
+    }
+    Save();
+  }
+  void Save() const { WriteWholeFile(file_, fmt::format("{} {}\n", wall_s(), peak_mb())); }
+  double wall_s() const {
+    return earlier_s_ + std::chrono::duration<double>(Clock::now() - start_).count();
+  }
+  double peak_mb() const { return std::max(peak_mb_, PeakMb()); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  fs::path file_;
+  double earlier_s_ = 0, peak_mb_ = 0;
+  Clock::time_point start_ = Clock::now();
+};
 
 std::string DatasetDigest(const fs::path& dataset) {
   std::string digests;
@@ -88,7 +117,11 @@ std::map<std::string, std::string> ValuesOf(const Campaign& campaign, int number
 class Attempt {
  public:
   Attempt(const Plan& plan, int number, const WorkerOptions& options)
-      : plan_(plan), number_(number), options_(options), work_(plan.WorkFolder(number)) {}
+      : plan_(plan),
+        number_(number),
+        options_(options),
+        work_(plan.WorkFolder(number)),
+        cost_(work_) {}
 
   void Run() {
     for (int draw = 0; draw <= plan_.campaign.redraws; ++draw) {
@@ -151,27 +184,26 @@ class Attempt {
   bool Make(int draw) {
     EpisodeRecord record{.fingerprint = plan_.fingerprint, .number = number_, .draw = draw};
     const fs::path folder = work_ / fmt::format("draw_{}", draw), dataset = folder / "data";
-    {
-      const Stopwatch watch(&record.wall_s);
-      const LoadedScenario loaded = EpisodeScenario(plan_.campaign, number_, draw);
-      record.values = ValuesOf(plan_.campaign, number_, loaded.scenario);
-      record.simulated_s = loaded.scenario.duration_s;
-      MakeFolder(folder);
-      Simulate(loaded, dataset);
-      if (const auto rule = BrokenRule(plan_.campaign.rules, dataset)) {
-        WriteWholeFile(MarkOf(draw), *rule);
-        refused_.push_back(*rule);
-        fs::remove_all(folder);
-        return false;
-      }
-      WriteFrameHashes(dataset);
+    const LoadedScenario loaded = EpisodeScenario(plan_.campaign, number_, draw);
+    record.values = ValuesOf(plan_.campaign, number_, loaded.scenario);
+    record.simulated_s = loaded.scenario.duration_s;
+    MakeFolder(folder);
+    Simulate(loaded, dataset);
+    cost_.Save();
+    if (const auto rule = BrokenRule(plan_.campaign.rules, dataset)) {
+      WriteWholeFile(MarkOf(draw), *rule);
+      refused_.push_back(*rule);
+      fs::remove_all(folder);
+      return false;
     }
+    WriteFrameHashes(dataset);
     record.seed = EpisodeSeed(plan_.campaign, number_, draw);
     record.refused = refused_;
     record.sha256 = DatasetDigest(dataset);
     record.bytes = BytesIn(dataset);
     record.frames = FramesIn(dataset);
-    record.peak_mb = PeakMb();
+    record.wall_s = cost_.wall_s();
+    record.peak_mb = cost_.peak_mb();
     record.host = HostName();
     WriteRecord(record, folder / "episode.yaml");
     return true;
@@ -181,8 +213,20 @@ class Attempt {
   int number_;
   const WorkerOptions& options_;
   fs::path work_;
+  Cost cost_;
   std::vector<std::string> refused_;
 };
+
+void RequireWorthRetry(const fs::path& file) {
+  const Failure failure = ReadFailure(file);
+  if (IsWorthRetry(failure.reason)) return;
+  throw InputError(
+      file.string(),
+      {FaultKind::kInconsistent,
+       fmt::format("the episode failed before ({}) and would again: {}\n`tera campaign "
+                   "retry --all` lets it be tried",
+                   NameOf(failure.reason), failure.message)});
+}
 
 }  // namespace
 
@@ -193,24 +237,21 @@ void RunEpisode(const Plan& plan, int number, const WorkerOptions& options) {
                                              plan.folder.string(), plan.campaign.episodes - 1)});
   }
   if (fs::exists(plan.EpisodeFolder(number))) return;
-  RequireSameScenario(plan);
+  RequireSameScenario(plan, number);
   MakeFolder(plan.WorkFolder(number));
   const FolderLock lock(plan.WorkFolder(number));
   if (fs::exists(plan.EpisodeFolder(number))) return;  // another worker has just made it
-  fs::remove(plan.FailureFile(number));
+  const fs::path failure = plan.FailureFile(number);
+  if (fs::exists(failure)) RequireWorthRetry(failure);
+  fs::remove(failure);
   Attempt attempt(plan, number, options);
   try {
     attempt.Run();
-  } catch (const InputError& error) {
-    if (IsOfTheComputer(error)) throw;
-    MakeFolder(plan.FailureFile(number).parent_path());
-    WriteFailure(
-        {attempt.IsExhausted() ? FailureReason::kRefused : FailureReason::kBadInput, error.what()},
-        plan.FailureFile(number));
-    throw;
   } catch (const std::exception& error) {
-    MakeFolder(plan.FailureFile(number).parent_path());
-    WriteFailure({FailureReason::kBug, error.what()}, plan.FailureFile(number));
+    if (IsOfTheComputer(error)) throw;
+    MakeFolder(failure.parent_path());
+    WriteFailure({attempt.IsExhausted() ? FailureReason::kRefused : ReasonOf(error), error.what()},
+                 failure);
     throw;
   }
 }

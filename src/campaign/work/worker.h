@@ -1,9 +1,19 @@
 #pragma once
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 #include "campaign/plan/plan.h"
 #include "render/gl/egl_options.h"
 
 namespace tera {
+
+/// How an engine starts a worker: `program campaign run FOLDER --index N arguments`.
+struct WorkerCommand {
+  std::filesystem::path program;  ///< `tera`, at this path wherever the engine starts it
+  std::vector<std::string> arguments;
+};
 
 struct WorkerOptions {
   int threads = 1;  ///< the bytes do not depend on it
@@ -14,9 +24,9 @@ struct WorkerOptions {
 /// there is left as it is, and one that was killed goes on.
 ///
 /// Model   an episode is made in work/ and renamed when it is whole, with its record. Bad input, a
-///         bug and refusals by the rules leave a failure in failed/; an obstacle of the computer (a
-///         disk, a driver, a file that cannot be read) leaves none.
-/// Throws  InputError.
+///         bug, refusals by the rules and too little memory leave a failure in failed/; a place
+///         that cannot be written, and files other than when planned, leave none.
+/// Throws  InputError, also of an episode that failed before and would fail again.
 void RunEpisode(const Plan& plan, int number, const WorkerOptions& options);
 
 }  // namespace tera

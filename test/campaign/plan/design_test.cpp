@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/parse_number.h"
+#include "core/stopwatch.h"
 
 namespace tera {
 namespace {
@@ -59,6 +60,23 @@ TEST(DesignPoint, ALatinHypercubeMeetsEachStratumOfEachFactorOnce) {
   EXPECT_EQ(strata_a.size(), 10u);
   EXPECT_EQ(strata_b.size(), 10u);  // a decade of 2 each
   EXPECT_EQ(*strata_b.rbegin(), 9);
+}
+
+TEST(DesignPoint, APointOfALargeLatinHypercubeCostsAsMuchAsOfASmallOne) {
+  const auto time_s = [](int episodes) {
+    const Campaign campaign =
+        Over(Design::kLatinHypercube, episodes, {{.key = "a", .least = 0, .most = 1}});
+    std::set<std::string> values;
+    double spent_s = 0;
+    {
+      const Stopwatch watch(&spent_s);
+      for (int n = 0; n < 300; ++n) values.insert(YamlAt(campaign, n).at(0));
+    }
+    EXPECT_EQ(values.size(), 300u);
+    return spent_s;
+  };
+  time_s(300);
+  EXPECT_LT(time_s(300'000), 50 * time_s(300));  // 1000 where a point visits all strata
 }
 
 // Sobol' 1967: the first points of the first dimension are 1/2, 3/4, 1/4.

@@ -1,5 +1,6 @@
 #include "campaign/plan/plan.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -34,7 +35,7 @@ TEST(Plan, IsReadBackAndMayBeMadeAgain) {
   const Plan read = LoadPlan(out);
   EXPECT_EQ(read.fingerprint, plan.fingerprint);
   EXPECT_EQ(read.campaign.scenario, plan.campaign.scenario);
-  RequireSameScenario(read);
+  RequireSameScenario(read, 0);
 }
 
 TEST(Plan, FactorsThatNameNoKeyAreFaultsAtTheirPlace) {
@@ -54,6 +55,56 @@ TEST(Plan, RulesThatNoEpisodeCanMeetAreFound) {
   expect_fault("seen: person, at_least: 0.05");
   expect_fault("table: truth/rover1/joints.csv, column: bucket_soil_kg, at_least: 1");
   expect_fault("tilt_deg_of: rover2, at_most: 30");
+  expect_fault("seen: person, at_most: 0.05, camera: rover1/fornt");
+  expect_fault("table: truth/walker/pose.csv, column: x_m, at_most: 3");
+}
+
+TEST(Plan, ARuleMayAskForThePoseOfAnObstacle) {
+  const std::string scenario = std::string(kRestingRover) +
+                               "record: {poses_hz: 10}\n"
+                               "obstacles: [{name: walker, preset: "
+                               "'tera:config/obstacles/person_standing.yaml', xy_m: [4, 0], path: "
+                               "[{t_s: 0, xy_m: [4, 0]}, {t_s: 9, xy_m: [4, 3]}]}]\n";
+  MakePlan(WriteCampaign(With("accept: [{name: r, table: truth/walker/pose.csv, column: x_m, "
+                              "at_most: 5}]\n"),
+                         scenario),
+           OwnFolder() / "out");
+}
+
+TEST(Plan, TheWorkingFolderStaysWhereItIs) {
+  const fs::path before = fs::current_path(), out = OwnFolder() / "out";
+  WriteWholeFile(OwnFolder() / "rig.yaml", "sensors: []\n");
+  const Plan plan =
+      MakePlan(WriteCampaign(With("  - {key: 'machines[0].rig', levels: [rig.yaml]}\n")), out);
+  EXPECT_EQ(fs::current_path(), before);
+  EXPECT_TRUE(EpisodeScenario(LoadPlan(out).campaign, 0, 0).scenario.machines[0].sensors.empty());
+  EXPECT_EQ(fs::current_path(), before);
+}
+
+TEST(Plan, AChangedFileThatALevelNamesMakesAnotherCampaign) {
+  const fs::path out = OwnFolder() / "out";
+  WriteWholeFile(OwnFolder() / "one.yaml", "sensors: []\n");
+  WriteWholeFile(OwnFolder() / "other.yaml", "sensors: []\n");
+  const fs::path campaign =
+      WriteCampaign(With("  - {key: 'machines[0].rig', levels: [one.yaml, other.yaml]}\n"));
+  const Plan plan = MakePlan(campaign, out);  // the rigs take turns, each under both soils
+  RequireSameScenario(plan, 1);
+  WriteWholeFile(OwnFolder() / "other.yaml", R"(sensors: [{name: imu, link: chassis, rate_hz: 50,
+    preset: tera:config/sensors/xsens_mti_670.yaml}])");
+  RequireSameScenario(plan, 0);
+  EXPECT_THAT([&] { RequireSameScenario(plan, 1); },
+              ThrowsFault(FaultKind::kInconsistent, "campaign.yaml:6:11: factors[1].key"));
+  EXPECT_THAT([&] { MakePlan(campaign, out); }, ThrowsFault(FaultKind::kInconsistent, "out"));
+}
+
+// RFC 4180: a field with a comma or a quote stands in quotes, its own quotes doubled.
+TEST(Plan, ItsTableQuotesFields) {
+  MakePlan(WriteCampaign("name: q\nscenario: resting.yaml\nfactors: [{key: name, levels: "
+                         "['a \"b\", c']}]\n"),
+           OwnFolder() / "out");
+  const std::string csv = ReadWholeFile(OwnFolder() / "out/episodes.csv");
+  EXPECT_THAT(csv, testing::EndsWith(R"(,"a ""b"", c")"
+                                     "\n"));
 }
 
 TEST(Plan, FaultsOfTheFileAreToldTogether) {
@@ -81,7 +132,7 @@ TEST(Plan, AnotherVersionAndAChangedScenarioAreRefused) {
   const fs::path out = OwnFolder() / "out";
   const Plan plan = MakePlan(WriteCampaign(kSoils), out);
   WriteCampaign(kSoils, std::string(kRestingRover) + "physics_rate_hz: 400\n");
-  EXPECT_THAT([&] { RequireSameScenario(plan); },
+  EXPECT_THAT([&] { RequireSameScenario(plan, 0); },
               ThrowsFault(FaultKind::kInconsistent, "resting.yaml"));
   WriteWholeFile(out / "plan.yaml",
                  "tera_version: \"0.0.1\"\nfingerprint: \"x\"\nfolder: \"/tmp\"\n");

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <new>
+
 #include "campaign/campaign_files.h"
 #include "campaign/work/episode_record.h"
 #include "campaign/work/judge.h"
@@ -66,9 +69,64 @@ TEST(Worker, ASecondWorkerOfAnEpisodeIsRefusedAndLeavesNoFailure) {
   EXPECT_FALSE(fs::exists(plan.FailureFile(0)));
 }
 
+TEST(Worker, AFileThatADrawLacksFailsItsEpisodeAlone) {
+  WriteWholeFile(OwnFolder() / "there.yaml", "sensors: []\n");
+  WriteWholeFile(OwnFolder() / "gone.yaml", "sensors: []\n");
+  const Plan plan = MakePlan(
+      WriteCampaign("name: rigs\nscenario: resting.yaml\nepisodes: 8\n"
+                    "randomise: [{key: 'machines[0].rig', choice: [there.yaml, gone.yaml]}]\n"),
+      OwnFolder() / "out");
+  fs::remove(OwnFolder() / "gone.yaml");
+  int made = 0;
+  for (int number = 0; number < 8; ++number) {
+    try {
+      RunEpisode(plan, number, {});
+      ++made;
+    } catch (const InputError& error) {
+      EXPECT_EQ(ReadFailure(plan.FailureFile(number)).reason, FailureReason::kBadInput);
+    }
+  }
+  EXPECT_GT(made, 0);
+  EXPECT_LT(made, 8);
+}
+
+TEST(Worker, AFailureThatWouldEndTheSameIsNotTriedAgain) {
+  const Plan plan = MakePlan(WriteCampaign(kSoils), OwnFolder() / "out");
+  MakeFolder(plan.folder / "failed");
+  WriteFailure({FailureReason::kBadInput, "a key"}, plan.FailureFile(0));
+  WriteFailure({FailureReason::kKilled, "signal 9"}, plan.FailureFile(1));
+  EXPECT_THAT([&] { RunEpisode(plan, 0, {}); },
+              ThrowsFault(FaultKind::kInconsistent, "failed/000000.yaml"));
+  EXPECT_FALSE(fs::exists(plan.EpisodeFolder(0)));
+  RunEpisode(plan, 1, {});
+  EXPECT_FALSE(fs::exists(plan.FailureFile(1)));
+}
+
+TEST(Worker, AResumedEpisodeCostsWhatAllItsTriesCost) {
+  using std::chrono::seconds;
+  const Plan plan = MakePlan(WriteCampaign(kSoils), OwnFolder() / "out");
+  const fs::path cost = plan.WorkFolder(0) / "cost", frame = plan.WorkFolder(0) / "frame";
+  MakeFolder(plan.WorkFolder(0));
+  WriteWholeFile(cost, "100 54321\n");
+  WriteWholeFile(frame, "");  // the last file of a try that began 30 s before it, and was killed
+  fs::last_write_time(cost, fs::last_write_time(frame) - seconds(30));
+  RunEpisode(plan, 0, {});
+  const EpisodeRecord record = ReadRecord(plan.EpisodeFolder(0) / "episode.yaml");
+  EXPECT_GT(record.wall_s, 130);
+  EXPECT_LT(record.wall_s, 160);
+  EXPECT_EQ(record.peak_mb, 54321);
+}
+
 TEST(Worker, ANumberBeyondTheCampaignIsRefused) {
   const Plan plan = MakePlan(WriteCampaign(kSoils), OwnFolder() / "out");
   EXPECT_THAT([&] { RunEpisode(plan, 4, {}); }, ThrowsFault(FaultKind::kOutOfRange, "--index"));
+}
+
+TEST(Failure, TooLittleMemoryIsNoBug) {
+  EXPECT_EQ(ReasonOf(std::bad_alloc()), FailureReason::kMemory);
+  EXPECT_EQ(ReasonOf(InputError("a", {FaultKind::kUnsupported, "b"})), FailureReason::kBadInput);
+  EXPECT_EQ(ReasonOf(std::logic_error("c")), FailureReason::kBug);
+  EXPECT_TRUE(IsWorthRetry(FailureReason::kMemory));
 }
 
 TEST(Judge, FiguresAreThoseOfTheTables) {

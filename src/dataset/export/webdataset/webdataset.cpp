@@ -155,6 +155,7 @@ std::string WriteMergedArchives(const std::vector<MergedEpisode>& episodes, cons
       options.card.empty() ? std::nullopt : std::optional(ReadCardFacts(options.card));
   const ExportOptions of_export{.format = ExportFormat::kWebdataset};
   std::map<std::string, Shards> shards;  // by part and sensor
+  std::vector<std::string> names;        // its keys
   for (const MergedEpisode& episode : episodes) {
     const Recording recording(episode.dataset);
     ExportJob job{recording, folder, folder.string(), of_export};
@@ -167,11 +168,13 @@ std::string WriteMergedArchives(const std::vector<MergedEpisode>& episodes, cons
           continue;
         }
         const std::string name = episode.part.empty() ? sensor : episode.part + "-" + sensor;
-        Shards& of_sensor =
-            shards.try_emplace(name, folder, name, options.shard_bytes).first->second;
+        const auto [of_sensor, is_new] =
+            shards.try_emplace(name, folder, name, options.shard_bytes);
+        if (is_new) names.push_back(name);
+        RequireFlatNamesApart(names);
         sensors.push_back(sensor);
         samples.push_back(std::make_unique<SensorSamples>(&job, sensor, form == ChannelForm::kScans,
-                                                          &of_sensor, episode.name + "_"));
+                                                          &of_sensor->second, episode.name + "_"));
       }
     }
     RequireAny(sensors, job, "camera or lidar of those that are merged");

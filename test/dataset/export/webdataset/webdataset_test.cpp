@@ -5,6 +5,8 @@
 
 #include "core/faults.h"
 #include "dataset/export/export.h"
+#include "dataset/export/frames_recording.h"
+#include "dataset/export/webdataset/merged_archives.h"
 #include "dataset/export/webdataset/npy.h"
 #include "dataset/export/webdataset/tar_names.h"
 #include "dataset/export/webdataset/tar_writer.h"
@@ -155,6 +157,18 @@ TEST_F(WebdatasetTest, ADateIsWrittenWhereOneIsGiven) {
          {.format = ExportFormat::kWebdataset, .start_utc_ns = 1'714'564'800 * kNsPerSecond});
   EXPECT_THAT(ReadWholeFile(out() / "digger_lidar-000000.tar"),
               HasSubstr("\"t_ns\":100000000,\"utc_ns\":1714564800100000000"));
+}
+
+TEST_F(WebdatasetTest, MergedSensorsWithOneNameForTheirFilesAreRefused) {
+  const auto write = [&](const std::string& name, const std::string& camera) {
+    DatasetWriter writer(scratch_.path() / name, SampleInfo(), {});
+    writer.Write(writer.AddChannel(CameraChannel(camera, Sheet("camera", kLens))), FrameAt(0));
+    writer.Finish();
+    return MergedEpisode{name, scratch_.path() / name, ""};
+  };
+  const std::vector<MergedEpisode> episodes = {write("1", "a_b/c"), write("2", "a/b_c")};
+  fs::create_directories(out());
+  EXPECT_THAT([&] { WriteMergedArchives(episodes, out(), {}); }, ThrowsFault(kRepeated));
 }
 
 TEST_F(WebdatasetTest, WhatIsBrokenIsNamed) {
