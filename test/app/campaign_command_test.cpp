@@ -14,7 +14,7 @@
 #include "dataset/files/folder_lock.h"
 #include "dataset/files/tiny_disk.h"
 
-// `tera campaign` as its user runs it.
+// `tera campaign` from a user's view.
 
 namespace tera {
 namespace {

@@ -15,7 +15,7 @@
 namespace tera {
 namespace {
 
-/// Speed and sinkage while the whole machine is on one soil and drives.
+/// Speed and sinkage while the whole machine drives on one soil.
 struct Strip {
   double from_x_m, to_x_m;
   std::vector<double> speed_mps, sinkage_m;

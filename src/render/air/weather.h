@@ -53,7 +53,7 @@ double FogExtinction_1pm(double visibility_m);
 
 /// Fraction per metre and steradian of a pulse's light that fog of that extinction scatters back.
 ///
-/// Model   0.046 over the range in metres at which 5 % of the contrast is left.
+/// Model   0.046 over the range in metres at which 5 % of the contrast remains.
 /// Source  Rasshofer, Spies and Spies 2011, "Influences of weather phenomena on automotive laser
 ///         radar systems", Adv. Radio Sci. 9, as in Hahner et al. 2021, "Fog simulation on real
 ///         LiDAR point clouds", section 3.

@@ -73,7 +73,7 @@ TEST(NamesInTar, AreThoseOfAWholeArchiveAlone) {
   EXPECT_FALSE(NamesInTar(file));
 }
 
-// The format's own example: what follows the header begins at a multiple of 64.
+// The format's own example: data after the header begin at a multiple of 64.
 TEST(Npy, PointsBeginAtAMultipleOf64) {
   LidarPoint point;
   point.x_m = 1;
