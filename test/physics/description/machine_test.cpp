@@ -229,8 +229,8 @@ TEST(Machine, ExcavatorHasItsEquipment) {
   EXPECT_EQ(model.links[model.LinkIndex("boom")].collision.size(), 2u);
 }
 
-/// What a shovel's walls hold by SAE J296: level with the plane from the edge behind the teeth to
-/// the top edge, and heaped on it as a hip roof of 1:1.
+/// Capacities of a shovel by SAE J296. Struck: level with the plane from the edge behind the teeth
+/// to the top edge. Heaped: with a hip roof of 1:1 on it.
 struct Rated {
   double struck_m3, heaped_m3;
 };
