@@ -50,10 +50,23 @@ struct PerceptionDiagnosis {
 };
 
 /// The diagnosis of a sensor that cannot be judged, for the reason `why`.
-PerceptionDiagnosis NotJudged(const std::string& channel, const std::string& target,
-                              const std::string& why);
+inline PerceptionDiagnosis NotJudged(const std::string& channel, const std::string& target,
+                                     const std::string& why) {
+  PerceptionDiagnosis diagnosis;
+  diagnosis.channel = channel;
+  diagnosis.target = target;
+  diagnosis.not_judged = why;
+  return diagnosis;
+}
 
 /// Moves a registration's noise, detectability and findings into the diagnosis of its sensor.
-void TakeOver(RegistrationSearch search, PerceptionDiagnosis* diagnosis);
+inline void TakeOver(RegistrationSearch search, PerceptionDiagnosis* diagnosis) {
+  diagnosis->noise_rmse = search.noise_rmse;
+  diagnosis->detectability = std::move(search.detectability);
+  for (Finding& found : search.findings) diagnosis->findings.push_back({std::move(found), {}, {}});
+  for (Finding& found : search.unconfirmed) {
+    diagnosis->unconfirmed.push_back({std::move(found), {}, {}});
+  }
+}
 
 }  // namespace tera

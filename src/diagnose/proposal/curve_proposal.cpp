@@ -20,26 +20,10 @@ constexpr double kRidge = 1e-3;
 constexpr std::uint64_t kReplicates = 200;  ///< of the band
 constexpr std::size_t kFolds = 5;           ///< of the manoeuvres, each predicted by the others
 
-/// Normal equations of a curve's coefficients.
-struct Normal {
-  Eigen::MatrixXd information;
-  Eigen::VectorXd pull;
-  double energy = 0;  ///< of what the curve is fitted to
-
-  void Add(const Normal& other, double times = 1) {
-    if (information.size() == 0) {
-      information = Eigen::MatrixXd::Zero(other.information.rows(), other.information.cols());
-      pull = Eigen::VectorXd::Zero(other.pull.size());
-    }
-    information += times * other.information;
-    pull += times * other.pull;
-    energy += times * other.energy;
-  }
-  /// The energy that coefficients leave.
-  double Left(const Eigen::VectorXd& of_splines) const {
-    return energy - of_splines.dot(2 * pull - information * of_splines);
-  }
-};
+/// The energy that coefficients leave.
+double LeftOf(const LeastSquares& normal, const Eigen::VectorXd& of_splines) {
+  return normal.energy - of_splines.dot(2 * normal.pull - normal.information * of_splines);
+}
 
 /// Whether the few values of a discrete variable are all that it can have.
 bool IsWay(const RegimeVariable& variable) { return variable.name.starts_with("lever_way/"); }
@@ -55,7 +39,7 @@ class CurveOver {
 
   const Eigen::VectorXd& at() const { return axis_.centre(); }
 
-  Normal Over(const Segment& samples) const {
+  LeastSquares Over(const Segment& samples) const {
     Eigen::VectorXd weight = Eigen::VectorXd::Zero(axis_.bins()), pull = weight;
     double energy = 0;
     for (std::size_t k = samples.begin; k < samples.end; ++k) {
@@ -66,11 +50,11 @@ class CurveOver {
       energy += residual_.value[k] * residual_.value[k];
     }
     return {splines_.transpose() * weight.asDiagonal() * splines_, splines_.transpose() * pull,
-            energy};
+            energy, static_cast<double>(samples.size())};
   }
 
   /// The splines' coefficients. The penalty is in parts of the information's trace.
-  Eigen::VectorXd Solve(const Normal& normal, double penalty) const {
+  Eigen::VectorXd Solve(const LeastSquares& normal, double penalty) const {
     Eigen::MatrixXd left = normal.information;
     const double trace = left.trace();
     left += penalty * trace / roughness_.trace() * roughness_;
@@ -107,9 +91,9 @@ class CurveProposer {
   };
   Choice Choose() const;
   CurveOver Over(const RegimeVariable& variable, bool is_share) const;
-  std::vector<Normal> Normals(const CurveOver& over) const;
+  std::vector<LeastSquares> Normals(const CurveOver& over) const;
   double RmseSelect(const Choice& choice) const;
-  void SetBand(const CurveOver& over, const std::vector<Normal>& normals, double penalty,
+  void SetBand(const CurveOver& over, const std::vector<LeastSquares>& normals, double penalty,
                const Stream& stream, ProposedCurve* curve) const;
   Mask Of(Part part) const { return MaskOf(problem_.manoeuvres, part, problem_.residual.size()); }
 
@@ -123,15 +107,16 @@ CurveOver CurveProposer::Over(const RegimeVariable& variable, bool is_share) con
 }
 
 /// The energy that is left of manoeuvres by curves that were fitted to the others.
-double LeftOfUnseen(const CurveOver& over, const std::vector<Normal>& normals, double penalty) {
+double LeftOfUnseen(const CurveOver& over, const std::vector<LeastSquares>& normals,
+                    double penalty) {
   double left = 0;
   for (std::size_t fold = 0; fold < kFolds; ++fold) {
-    Normal seen, unseen;
+    LeastSquares seen, unseen;
     for (std::size_t m = 0; m < normals.size(); ++m) {
       (m % kFolds == fold ? unseen : seen).Add(normals[m]);
     }
     if (seen.pull.size() > 0 && unseen.pull.size() > 0) {
-      left += unseen.Left(over.Solve(seen, penalty));
+      left += LeftOf(unseen, over.Solve(seen, penalty));
     }
   }
   return left;
@@ -145,7 +130,7 @@ CurveProposer::Choice CurveProposer::Choose() const {
     if (RegimeAxis(variable).discrete() && !IsWay(variable)) continue;
     for (const bool is_share : {false, true}) {
       const CurveOver over = Over(variable, is_share);
-      const std::vector<Normal> normals = Normals(over);
+      const std::vector<LeastSquares> normals = Normals(over);
       for (double exponent = -5; exponent <= 1; ++exponent) {
         const double penalty = std::pow(10.0, exponent);
         const double left = LeftOfUnseen(over, normals, penalty);
@@ -161,7 +146,7 @@ CurveProposer::Choice CurveProposer::Choose() const {
 /// RMSE on SELECT of the choice fitted to TRAIN.
 double CurveProposer::RmseSelect(const Choice& choice) const {
   const CurveOver over = Over(*choice.variable, choice.is_share);
-  Normal train;
+  LeastSquares train;
   for (const Segment& samples : SegmentsOf(problem_.manoeuvres, Part::kTrain)) {
     train.Add(over.Over(samples));
   }
@@ -169,19 +154,19 @@ double CurveProposer::RmseSelect(const Choice& choice) const {
 }
 
 /// The normal equations of each manoeuvre of TRAIN and SELECT.
-std::vector<Normal> CurveProposer::Normals(const CurveOver& over) const {
-  std::vector<Normal> normals;
+std::vector<LeastSquares> CurveProposer::Normals(const CurveOver& over) const {
+  std::vector<LeastSquares> normals;
   for (const Segment& samples : SeenSegmentsOf(problem_.manoeuvres))
     normals.push_back(over.Over(samples));
   return normals;
 }
 
-void CurveProposer::SetBand(const CurveOver& over, const std::vector<Normal>& normals,
+void CurveProposer::SetBand(const CurveOver& over, const std::vector<LeastSquares>& normals,
                             double penalty, const Stream& stream, ProposedCurve* curve) const {
   std::vector<std::vector<double>> values(static_cast<std::size_t>(curve->at.size()));
   for (std::uint64_t r = 0; r < kReplicates; ++r) {
     const std::vector<int> times = DrawBlocks(normals.size(), r, stream);
-    Normal drawn;
+    LeastSquares drawn;
     for (std::size_t m = 0; m < normals.size(); ++m) drawn.Add(normals[m], times[m]);
     const Eigen::VectorXd line = over.Curve(over.Solve(drawn, penalty));
     for (std::size_t b = 0; b < values.size(); ++b) {
@@ -200,9 +185,9 @@ std::optional<Proposal> CurveProposer::Run(const Stream& stream) const {
   const Choice choice = Choose();
   if (choice.variable == nullptr) return std::nullopt;
   const CurveOver over = Over(*choice.variable, choice.is_share);
-  const std::vector<Normal> normals = Normals(over);
-  Normal seen;
-  for (const Normal& one : normals) seen.Add(one);
+  const std::vector<LeastSquares> normals = Normals(over);
+  LeastSquares seen;
+  for (const LeastSquares& one : normals) seen.Add(one);
   ProposedCurve curve{choice.variable->name,
                       choice.is_share,
                       over.at(),

@@ -86,6 +86,17 @@ void AddProducts(const Source& main, const Source& other, Library* library) {
 
 }  // namespace
 
+void LeastSquares::Add(const LeastSquares& other, double times) {
+  if (information.size() == 0) {
+    information = Eigen::MatrixXd::Zero(other.information.rows(), other.information.cols());
+    pull = Eigen::VectorXd::Zero(other.pull.size());
+  }
+  information += times * other.information;
+  pull += times * other.pull;
+  energy += times * other.energy;
+  rows += times * other.rows;
+}
+
 double Shaped(FactorForm form, double x) {
   switch (form) {
     case FactorForm::kValue:

@@ -44,6 +44,15 @@ struct LibraryTerm {
 std::vector<LibraryTerm> TermLibraryOf(const Channel& channel,
                                        const std::vector<double>& predicted);
 
+/// Normal equations of a fit, which add up over manoeuvres.
+struct LeastSquares {
+  Eigen::MatrixXd information;
+  Eigen::VectorXd pull;
+  double energy = 0, rows = 0;  ///< of what is fitted: its sum of squares, its samples
+
+  void Add(const LeastSquares& other, double times = 1);
+};
+
 /// A term of a formula with its coefficient, in SI units.
 struct ProposedTerm {
   std::vector<Factor> factors;

@@ -22,31 +22,13 @@ constexpr double kLeastStability = 0.7;     ///< share of the halves that choose
 constexpr double kAlikeCorrelation = 0.95;  ///< of columns that count as the same term
 constexpr double kClip = 4;                 ///< robust scales: larger innovations count as this
 
-/// Normal equations of one manoeuvre: nuisances first, then terms.
-struct Products {
-  Eigen::MatrixXd information;
-  Eigen::VectorXd pull;
-  double energy = 0, rows = 0;
-
-  void Add(const Products& other) {
-    if (information.size() == 0) {
-      *this = other;
-      return;
-    }
-    information += other.information;
-    pull += other.pull;
-    energy += other.energy;
-    rows += other.rows;
-  }
-};
-
 /// The coefficients of some columns, and the sum of squares that they leave.
 struct Solved {
   Eigen::VectorXd beta;
   double left = 0;
 };
 
-Solved Solve(const Products& products, const std::vector<Eigen::Index>& columns) {
+Solved Solve(const LeastSquares& products, const std::vector<Eigen::Index>& columns) {
   Eigen::MatrixXd information = products.information(columns, columns);
   const Eigen::VectorXd pull = products.pull(columns);
   information.diagonal() *= 1 + 1e-9;
@@ -64,7 +46,7 @@ class FormulaProposer {
 
  private:
   std::vector<Eigen::Index> Columns(const std::vector<std::size_t>& terms) const;
-  std::vector<std::size_t> Pursue(const Products& products) const;
+  std::vector<std::size_t> Pursue(const LeastSquares& products) const;
   double StabilityOf(std::size_t term, const std::vector<std::vector<std::size_t>>& chosen) const;
   std::vector<std::vector<std::size_t>> OnHalves(const Stream& stream) const;
   Series Left(const std::vector<Eigen::Index>& columns, const Solved& solved) const;
@@ -74,10 +56,10 @@ class FormulaProposer {
   const Series& residual_;
   std::vector<LibraryTerm> library_;
   Eigen::Index nuisances_ = 0;
-  Eigen::MatrixXd columns_;  ///< nuisances, then terms, each over its RMS
-  Eigen::VectorXd scale_;    ///< the columns' RMS
-  std::vector<Products> of_manoeuvre_;
-  Products all_, train_;
+  Eigen::MatrixXd columns_;                 ///< nuisances, then terms, each over its RMS
+  Eigen::VectorXd scale_;                   ///< the columns' RMS
+  std::vector<LeastSquares> of_manoeuvre_;  ///< nuisances first, then terms
+  LeastSquares all_, train_;
 };
 
 FormulaProposer::FormulaProposer(const ReplayBlock& block, const BlockDiagnosis& diagnosis,
@@ -133,7 +115,7 @@ std::vector<Eigen::Index> FormulaProposer::Columns(const std::vector<std::size_t
 }
 
 /// The terms that the criterion accepts, in the order in which the pursuit finds them.
-std::vector<std::size_t> FormulaProposer::Pursue(const Products& products) const {
+std::vector<std::size_t> FormulaProposer::Pursue(const LeastSquares& products) const {
   std::vector<std::size_t> chosen;
   double left = Solve(products, Columns(chosen)).left;
   while (chosen.size() < kMostTerms) {
@@ -167,7 +149,7 @@ std::vector<std::vector<std::size_t>> FormulaProposer::OnHalves(const Stream& st
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
       return stream.Uniform(half << 20 | a) < stream.Uniform(half << 20 | b);
     });
-    Products products;
+    LeastSquares products;
     for (std::size_t m = 0; 2 * m < order.size(); ++m) products.Add(of_manoeuvre_[order[m]]);
     chosen.push_back(Pursue(products));
   }
@@ -228,7 +210,7 @@ std::optional<Proposal> FormulaProposer::Run(const Stream& stream) const {
           .ldlt()
           .solve(Eigen::MatrixXd::Identity(solved.beta.size(), solved.beta.size()));
   Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(solved.beta.size(), solved.beta.size());
-  for (const Products& one : of_manoeuvre_) {
+  for (const LeastSquares& one : of_manoeuvre_) {
     const Eigen::VectorXd score =
         one.pull(columns) - one.information(columns, columns) * solved.beta;
     scatter += score * score.transpose();

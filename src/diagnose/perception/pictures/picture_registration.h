@@ -12,7 +12,6 @@
 #include "core/types/effects.h"
 #include "core/types/measurement.h"
 #include "diagnose/perception/registration/registration_block.h"
-#include "diagnose/perception/registration/scan_split.h"
 #include "resimulate/sensor_calibration.h"
 #include "resimulate/simulated_return.h"
 

@@ -7,13 +7,33 @@
 #include <utility>
 #include <vector>
 
+#include "core/random.h"
+#include "core/time.h"
 #include "core/types/effects.h"
 #include "diagnose/blocks/candidate_list.h"
 #include "diagnose/search/fit/replay_block.h"
+#include "diagnose/statistics/series/manoeuvres.h"
 #include "resimulate/sensor_calibration.h"
 #include "resimulate/simulated_return.h"
 
 namespace tera {
+
+/// Split of a recording's scans or pictures by blocks of time.
+///
+/// Model   blocks of a second, or of a fortieth of the recording if that is longer. Of each ten in
+///         a row four are TRAIN, three SELECT and three FINAL, in random order.
+/// Omits   pose noise that lasts longer than a block, which counts as error.
+struct ScanSplit {
+  std::vector<std::size_t> block;  ///< of each scan; empty blocks are not counted
+  std::vector<Part> part;          ///< of each scan
+  std::size_t blocks = 0;
+};
+
+/// `t_ns` of the scans, ascending.
+ScanSplit SplitScans(const std::vector<TimeNs>& t_ns, const Stream& stream);
+
+/// Fewest blocks with scans for judging a sensor: three of them are FINAL.
+inline constexpr std::size_t kFewestBlocks = 10;
 
 /// Elements of a small change of a calibration: p_BT in B, a rotation vector of T in B's axes in
 /// radians, and the three scalar parameters.

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "diagnose/perception/registration/registration_block.h"
-#include "diagnose/perception/registration/scan_split.h"
 #include "diagnose/search/block/block_diagnosis.h"
 
 namespace tera {

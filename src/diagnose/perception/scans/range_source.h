@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/motion.h"
@@ -42,6 +43,15 @@ struct RangeSource {
 
   /// The scenario's calibration.
   SensorCalibration calibration() const { return CalibrationUnder(X_BS, present); }
+};
+
+/// A place where scene and simulation differ.
+struct SceneDifference {
+  Vec2 centre_W_m = Vec2::Zero(), low_W_m = Vec2::Zero(), high_W_m = Vec2::Zero();
+  double p_chosen = 1, p_confirmed = 1;
+  /// Distances to the simulated surface on FINAL, without and with it; 0 where there is none.
+  double rmse_before_m = 0, rmse_after_m = 0;
+  std::vector<std::pair<double, double>> intervals_s;  ///< when; empty: all the time
 };
 
 /// The sensor's reported number for a point: range or depth.

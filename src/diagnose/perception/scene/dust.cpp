@@ -219,11 +219,15 @@ double ThicknessOf(const std::vector<const AirReturn*>& air_returns) {
 DustCloud CloudOf(const RangeSource& source, const ScanSplit& split, const CloudTally& tally) {
   DustCloud cloud;
   cloud.returns = tally.air_returns.size();
-  cloud.low_W_m = cloud.high_W_m = tally.air_returns.front()->p_W_m;
+  const Vec3& first_W_m = tally.air_returns.front()->p_W_m;
+  cloud.low_W_m = cloud.high_W_m = first_W_m.head<2>();
+  cloud.top_m = first_W_m.z();
   for (const AirReturn* air_return : tally.air_returns) {
-    cloud.centre_W_m += air_return->p_W_m / static_cast<double>(tally.air_returns.size());
-    cloud.low_W_m = cloud.low_W_m.cwiseMin(air_return->p_W_m);
-    cloud.high_W_m = cloud.high_W_m.cwiseMax(air_return->p_W_m);
+    const Vec2 xy_W_m = air_return->p_W_m.head<2>();
+    cloud.centre_W_m += xy_W_m / static_cast<double>(tally.air_returns.size());
+    cloud.low_W_m = cloud.low_W_m.cwiseMin(xy_W_m);
+    cloud.high_W_m = cloud.high_W_m.cwiseMax(xy_W_m);
+    cloud.top_m = std::max(cloud.top_m, air_return->p_W_m.z());
   }
   cloud.thickness_m = ThicknessOf(tally.air_returns);
   std::vector<bool> is_final(split.blocks);

@@ -1,21 +1,18 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
-#include "diagnose/perception/registration/scan_split.h"
+#include "diagnose/perception/registration/registration_block.h"
 #include "diagnose/perception/scans/range_source.h"
 
 namespace tera {
 
 /// Dust in the air, which reflects some rays ahead of a surface and lets others pass.
-struct DustCloud {
-  Vec3 centre_W_m = Vec3::Zero(), low_W_m = Vec3::Zero(), high_W_m = Vec3::Zero();
+struct DustCloud : SceneDifference {
+  double top_m = 0;         ///< its highest return, in W
   std::size_t returns = 0;  ///< returns from inside the cloud
   double thickness_m = 0;   ///< median thickness over cubic metres, each in its thinnest direction
   double stopped = 0;       ///< share of the rays that the cloud stopped, of those that reached it
-  double p_chosen = 1, p_confirmed = 1;
-  std::vector<std::pair<double, double>> intervals_s;  ///< when; empty: all the time
 };
 
 /// Clouds of returns from the air.

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagnose/perception/registration/scan_split.h"
+#include "diagnose/perception/registration/registration_block.h"
 #include "diagnose/perception/scans/range_source.h"
 
 namespace tera {
@@ -21,16 +21,11 @@ struct GroundCell {
 };
 
 /// A region in which the measured ground height differs from the simulated one.
-struct GroundRegion {
+struct GroundRegion : SceneDifference {
   double area_m2 = 0;
   double volume_m3 = 0;  ///< measured minus simulated: negative for missing soil
   double mean_m = 0, lowest_m = 0, highest_m = 0;
-  Vec2 centre_W_m = Vec2::Zero(), low_W_m = Vec2::Zero(), high_W_m = Vec2::Zero();
   bool upright = false;  ///< higher and too steep for soil: an object
-  double p_chosen = 1, p_confirmed = 1;
-  /// Distance of the measured ground from the simulated one on FINAL, without and with the map.
-  double rmse_before_m = 0, rmse_after_m = 0;
-  std::vector<std::pair<double, double>> intervals_s;  ///< when; empty: all the time
 };
 
 /// Cells of the site by index; the lower corner of (i, j) is at cell_m * (i, j).

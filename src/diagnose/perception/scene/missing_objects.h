@@ -3,19 +3,16 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/perception/registration/scan_split.h"
+#include "diagnose/perception/registration/registration_block.h"
 #include "diagnose/perception/scans/range_source.h"
 
 namespace tera {
 
 /// A simulated object that measured rays pass through.
-struct MissingObject {
+struct MissingObject : SceneDifference {
   int object = 0;
-  std::size_t rays = 0;            ///< rays that hit it in the simulation
-  double share = 0;                ///< share of these that passed
-  Vec2 centre_W_m = Vec2::Zero();  ///< mean of the hits
-  double p_chosen = 1, p_confirmed = 1;
-  double rmse_before_m = 0;  ///< of the distances behind it, on FINAL
+  std::size_t rays = 0;  ///< rays that hit it in the simulation
+  double share = 0;      ///< share of these that passed
 };
 
 /// Obstacles of the simulation that the recording does not show at their places.

@@ -65,9 +65,9 @@ struct SceneComparison {
 
 /// A finding of the scene as others are told: a mechanism on a target, with its measures in the
 /// order of the mechanism's parameters.
-PerceptionFinding NewFinding(std::string_view id, const std::string& target,
-                             const std::vector<double>& values, double p_chosen, double p_confirmed,
-                             std::deque<Candidate>* candidates) {
+PerceptionFinding FindingOf(const SceneDifference& difference, std::string_view id,
+                            const std::string& target, const std::vector<double>& values,
+                            std::deque<Candidate>* candidates) {
   const Mechanism& mechanism = SceneMechanism(id);
   candidates->push_back({&mechanism, target, {}, {values}, {}});
   PerceptionFinding found;
@@ -78,40 +78,25 @@ PerceptionFinding NewFinding(std::string_view id, const std::string& target,
         {std::string(parameter.name), std::string(parameter.unit), values[i], {}});
   }
   found.finding.evidence.rivals = {&candidates->back()};
-  found.finding.evidence.p = found.finding.evidence.steady_p = p_chosen;
-  found.finding.held_out.p = p_confirmed;
+  found.finding.evidence.p = found.finding.evidence.steady_p = difference.p_chosen;
+  found.finding.held_out.p = difference.p_confirmed;
+  found.finding.held_out.rmse_before = difference.rmse_before_m;
+  found.finding.held_out.rmse_after = difference.rmse_after_m;
+  found.place = {difference.centre_W_m, difference.low_W_m, difference.high_W_m};
+  found.intervals_s = difference.intervals_s;
   return found;
 }
 
 PerceptionFinding FindingOf(const GroundRegion& region, std::deque<Candidate>* candidates) {
-  PerceptionFinding found = NewFinding(
-      region.upright ? "object_added" : "terrain_height", "ground",
+  return FindingOf(
+      region, region.upright ? "object_added" : "terrain_height", "ground",
       {region.area_m2, region.volume_m3, region.mean_m, region.lowest_m, region.highest_m},
-      region.p_chosen, region.p_confirmed, candidates);
-  found.finding.held_out.rmse_before = region.rmse_before_m;
-  found.finding.held_out.rmse_after = region.rmse_after_m;
-  found.place = {region.centre_W_m, region.low_W_m, region.high_W_m};
-  found.intervals_s = region.intervals_s;
-  return found;
-}
-
-PerceptionFinding FindingOf(const MissingObject& missing, const std::string& name,
-                            std::deque<Candidate>* candidates) {
-  PerceptionFinding found =
-      NewFinding("object_missing", name, {missing.share, static_cast<double>(missing.rays)},
-                 missing.p_chosen, missing.p_confirmed, candidates);
-  found.finding.held_out.rmse_before = missing.rmse_before_m;
-  found.place = {missing.centre_W_m, missing.centre_W_m, missing.centre_W_m};
-  return found;
+      candidates);
 }
 
 PerceptionFinding FindingOf(const DustCloud& cloud, std::deque<Candidate>* candidates) {
-  PerceptionFinding found = NewFinding(
-      "dust", "air", {static_cast<double>(cloud.returns), cloud.stopped, cloud.high_W_m.z()},
-      cloud.p_chosen, cloud.p_confirmed, candidates);
-  found.place = {cloud.centre_W_m.head<2>(), cloud.low_W_m.head<2>(), cloud.high_W_m.head<2>()};
-  found.intervals_s = cloud.intervals_s;
-  return found;
+  return FindingOf(cloud, "dust", "air",
+                   {static_cast<double>(cloud.returns), cloud.stopped, cloud.top_m}, candidates);
 }
 
 /// `scale`: sensor noise over its model.
@@ -139,7 +124,9 @@ SceneComparison CompareScene(const RangeSource& source, const ScanSplit& split,
 void TakeOver(const RangeSource& source, SceneComparison scene, PerceptionDiagnosis* diagnosis) {
   std::deque<Candidate>* candidates = &diagnosis->scene_candidates;
   for (const MissingObject& missing : scene.missing.objects) {
-    diagnosis->findings.push_back(FindingOf(missing, source.name_of(missing.object), candidates));
+    diagnosis->findings.push_back(
+        FindingOf(missing, "object_missing", source.name_of(missing.object),
+                  {missing.share, static_cast<double>(missing.rays)}, candidates));
   }
   for (const GroundRegion& region : scene.ground.regions) {
     diagnosis->findings.push_back(FindingOf(region, candidates));

@@ -14,7 +14,7 @@
 #include "diagnose/report/page/page.h"
 #include "diagnose/report/text/cause_text.h"
 #include "diagnose/report/text/confirmation_text.h"
-#include "diagnose/report/text/wording.h"
+#include "diagnose/report/text/words.h"
 
 namespace tera {
 namespace {

@@ -7,9 +7,8 @@
 #include "core/html.h"
 #include "diagnose/diagnosis.h"
 #include "diagnose/report/text/cause_text.h"
-#include "diagnose/report/text/mechanism_words.h"
 #include "diagnose/report/text/sensor_text.h"
-#include "diagnose/report/text/wording.h"
+#include "diagnose/report/text/words.h"
 
 namespace tera {
 namespace {

@@ -32,9 +32,9 @@ b.fine{color:var(--after)}b.idle{color:var(--soft)}
 .chain{display:flex;flex-wrap:wrap;gap:.9rem;list-style:none;padding:0;margin:1rem 0 .6rem}
 .chain li{flex:1 1 8.5rem;position:relative;border:1px solid var(--rule);border-radius:.5rem;padding:.5rem .7rem}
 .chain li+li::before{content:"\2192";position:absolute;left:-.95rem;top:.5rem;color:var(--soft)}
-.chain p{margin:.3rem 0 0;font-size:.86rem;overflow-wrap:anywhere}.chain .fine{border-color:var(--soft)}
-.chain .idle{background:var(--fill)}.chain .wrong{background:var(--wrong);border:2.5px solid var(--before)}
-.chain .open{border:2px dashed var(--before)}.chain b.sign{border-width:1.5px}
+.chain p{margin:.3rem 0 0;font-size:.86rem;overflow-wrap:anywhere}.chain li.fine{border-color:var(--soft)}
+.chain li.idle{background:var(--fill)}.chain li.wrong{background:var(--wrong);border:2.5px solid var(--before)}
+.chain li.open{border:2px dashed var(--before)}.chain b.sign{border-width:1.5px}
 .cause{margin:1.6rem 0 0}.cause h2{margin:0 0 .3rem}.plain{font-size:1.1rem;margin:.2rem 0 .5rem}
 .told{display:grid;grid-template-columns:minmax(0,1fr) minmax(0,1fr);gap:1.6rem;align-items:start}
 .told div:only-child{grid-column:1/-1}.told figure{margin:.3rem 0}.told p{overflow-wrap:anywhere}

@@ -12,10 +12,9 @@
 #include "core/check.h"
 #include "diagnose/diagnosis.h"
 #include "diagnose/report/text/confirmation_text.h"
-#include "diagnose/report/text/mechanism_words.h"
 #include "diagnose/report/text/sensor_text.h"
 #include "diagnose/report/text/sentence.h"
-#include "diagnose/report/text/wording.h"
+#include "diagnose/report/text/words.h"
 
 namespace tera {
 namespace {

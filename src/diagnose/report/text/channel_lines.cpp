@@ -8,26 +8,18 @@
 namespace tera {
 namespace {
 
-/// RMS of the valid samples, about `mean`.
-double RmsAbout(double mean, const Series& series) {
-  double square = 0, count = 0;
-  for (std::size_t k = 0; k < series.size(); ++k) {
-    if (!series.valid[k]) continue;
-    square += std::pow(series.value[k] - mean, 2);
-    ++count;
-  }
-  return count > 0 ? std::sqrt(square / count) : 0;
-}
-
-double MeanOf(const Series& series) {
+/// Mean of the valid samples, or of their squares about `about`.
+double MeanOf(const Series& series, int power, double about = 0) {
   double sum = 0, count = 0;
   for (std::size_t k = 0; k < series.size(); ++k) {
     if (!series.valid[k]) continue;
-    sum += series.value[k];
+    sum += std::pow(series.value[k] - about, power);
     ++count;
   }
   return count > 0 ? sum / count : 0;
 }
+
+double RmsAbout(double mean, const Series& series) { return std::sqrt(MeanOf(series, 2, mean)); }
 
 std::string LeftOf(const DiagnosedBlock& diagnosed, std::size_t channel) {
   const BlockDiagnosis& diagnosis = diagnosed.diagnosis;
@@ -60,7 +52,7 @@ ChannelLine LineOf(const DiagnosedBlock& diagnosed, std::size_t c,
   for (std::size_t k = 0; k < simulated.size(); ++k) error_as_it_is.value[k] -= simulated[k];
   line.rmse = RmsAbout(0, error_as_it_is);
   line.rms = RmsAbout(0, channel.measured);
-  line.motion = RmsAbout(MeanOf(channel.measured), channel.measured);
+  line.motion = RmsAbout(MeanOf(channel.measured, 1), channel.measured);
   const auto error = [&](const FittedStructure& fitted) {
     return c < fitted.misfit.residual.size() ? RmsAbout(0, fitted.misfit.residual[c]) : 0.0;
   };

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagnose/report/text/wording.h"
+#include "diagnose/report/text/words.h"
 
 namespace tera {
 namespace {

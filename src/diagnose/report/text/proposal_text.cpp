@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "diagnose/report/text/wording.h"
+#include "diagnose/report/text/words.h"
 
 namespace tera {
 namespace {

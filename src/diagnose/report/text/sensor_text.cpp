@@ -8,7 +8,7 @@
 #include <set>
 
 #include "diagnose/report/text/sentence.h"
-#include "diagnose/report/text/wording.h"
+#include "diagnose/report/text/words.h"
 
 namespace tera {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "diagnose/diagnosis.h"
-#include "diagnose/report/text/wording.h"
+#include "diagnose/report/text/words.h"
 #include "diagnose/search/fit/steady_gain.h"
 #include "diagnose/tolerances/within_tolerance.h"
 

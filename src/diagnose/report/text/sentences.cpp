@@ -16,7 +16,7 @@
 #include "diagnose/report/text/proposal_text.h"
 #include "diagnose/report/text/sensor_text.h"
 #include "diagnose/report/text/sentence.h"
-#include "diagnose/report/text/wording.h"
+#include "diagnose/report/text/words.h"
 
 namespace tera {
 namespace {

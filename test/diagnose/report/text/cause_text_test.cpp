@@ -11,8 +11,7 @@
 
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/report/made_diagnosis.h"
-#include "diagnose/report/text/mechanism_words.h"
-#include "diagnose/report/text/wording.h"
+#include "diagnose/report/text/words.h"
 #include "sensors/sensor_mechanisms.h"
 
 namespace tera {
@@ -235,7 +234,7 @@ TEST(PlainSentence, EveryMechanismHasOneOfItsOwn) {
   std::map<std::string, std::string_view> id_of_meaning;
   for (const Mechanism* mechanism : AllMechanisms()) {
     const MechanismWords* words = WordsOf(mechanism->id);
-    ASSERT_NE(words, nullptr) << mechanism->id << " has no words in mechanism_words.cpp";
+    ASSERT_NE(words, nullptr) << mechanism->id << " has no words in words.cpp";
     EXPECT_FALSE(words->label.empty() || words->meaning.empty()) << mechanism->id;
     const auto [at, is_new] = id_of_meaning.emplace(words->meaning, mechanism->id);
     EXPECT_TRUE(is_new || at->second == mechanism->id)

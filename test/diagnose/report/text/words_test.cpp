@@ -1,4 +1,4 @@
-#include "diagnose/report/text/wording.h"
+#include "diagnose/report/text/words.h"
 
 #include <gtest/gtest.h>
 
