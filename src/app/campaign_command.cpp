@@ -142,7 +142,7 @@ void AddEngineOptions(CLI::App* command, RunArguments* arguments) {
       ->check(WholeNumberBetween(1, kMost));
   command
       ->add_option("--tries", slurm->tries,
-                   "slurm: arrays in a row that may end without an episode (3)")
+                   "slurm: times in a row that arrays may end without an episode (3)")
       ->check(WholeNumberBetween(1, 100));
   command->add_option("--poll", slurm->poll_s, "slurm: seconds between questions (30)")
       ->check(PositiveNumber("seconds"));

@@ -24,11 +24,11 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kShortestTask_s = 300;         ///< shorter ones burden the controller
-constexpr int kDefaultArraySize = 1001;         ///< Slurm's own
-constexpr int kSilences = 40;                   ///< answers that may be missing in a row
-constexpr int kFirstMemory_mb = 4000;           ///< where the cluster's default was too little
-constexpr std::size_t kMostOfArray = 100'000;   ///< episodes; a script has some megabytes at most
+constexpr double kShortestTask_s = 300;  ///< shorter ones burden the controller
+constexpr int kSilences = 40;            ///< answers that may be missing in a row
+constexpr int kFirstMemory_mb = 4000;    ///< where the cluster's default was too little
+constexpr std::size_t kMostEpisodesAtOnce = 100'000;
+constexpr std::size_t kShareOfJobs = 2;         ///< the controller keeps jobs of others too
 constexpr std::size_t kLastOfLog_bytes = 1000;  ///< shown where nothing more comes out
 
 struct Answer {
@@ -78,18 +78,24 @@ Task TaskIn(const std::string& line) {
   return {word("JobId"), word("JobState"), word("NodeList"), word("StdOut")};
 }
 
-std::size_t MostTasks() {
+struct Limits {
+  std::size_t of_array = 1000, of_jobs = 10'000;  ///< tasks; Slurm's own defaults
+};
+
+Limits AskLimits() {
   const Answer answer = Ask("scontrol show config");
   if (answer.status != 0) {
     FailSlurm("Slurm does not answer `scontrol show config`: " + answer.text +
               "; run where its commands and controller are, or without --on");
   }
+  Limits limits;
   for (const std::string& line : LinesOf(answer.text)) {
-    if (!line.starts_with("MaxArraySize")) continue;
-    const auto size = ParseNumber<std::size_t>(line.substr(line.rfind(' ') + 1));
-    if (size && *size > 1) return *size - 1;
+    const auto number = ParseNumber<std::size_t>(line.substr(line.rfind(' ') + 1));
+    if (!number || *number < 2) continue;
+    if (line.starts_with("MaxArraySize")) limits.of_array = *number - 1;
+    if (line.starts_with("MaxJobCount")) limits.of_jobs = *number;
   }
-  return kDefaultArraySize - 1;
+  return limits;
 }
 
 class SlurmRun {
@@ -100,10 +106,10 @@ class SlurmRun {
   CampaignState Run() {
     const FolderLock lock(plan_.folder);
     std::signal(SIGCHLD, SIG_DFL);  // a parent that ignores it would leave nothing to wait for
-    if (fs::exists(JobFile())) {
-      const std::string job = ReadWholeFile(JobFile());
-      Say(fmt::format("job {} is of a run that was stopped; waits for it", job));
-      Wait(job);
+    if (fs::exists(JobsFile())) {
+      const Jobs jobs = LinesOf(ReadWholeFile(JobsFile()));
+      Say(fmt::format("waits for jobs {} of a run that was stopped", fmt::join(jobs, ", ")));
+      Wait(jobs);
     }
     CampaignState state = Collect();
     for (int without = 0; !state.missing.empty();) {
@@ -117,7 +123,9 @@ class SlurmRun {
   }
 
  private:
-  fs::path JobFile() const { return plan_.folder / "slurm.job"; }
+  using Jobs = std::vector<std::string>;
+
+  fs::path JobsFile() const { return plan_.folder / "slurm.jobs"; }
 
   /// The state, where what another try may mend is missing and not failed.
   CampaignState Collect() {
@@ -159,50 +167,63 @@ class SlurmRun {
                        ShellWord(plan_.folder / "slurm.sh"));
   }
 
-  /// Submits an array; where a limit on jobs refuses it, one of half as many tasks.
-  std::string Submit(const CampaignState& state) {
-    std::vector<int> numbers = state.missing;
-    numbers.resize(std::min(numbers.size(), kMostOfArray));
-    const std::size_t count = numbers.size(), most = MostTasks();
-    std::size_t each = std::max(EpisodesOfTask(state), (count + most - 1) / most);
-    for (;; each *= 2) {
-      const std::size_t tasks = (count + each - 1) / each;
+  /// Submits arrays. Where a limit on jobs refuses the first, its tasks are made half as many;
+  /// where it refuses a later one, the rest waits for the next time.
+  Jobs Submit(const CampaignState& state) {
+    const Limits limits = AskLimits();
+    std::vector<int> left = state.missing;
+    left.resize(std::min(left.size(), kMostEpisodesAtOnce));
+    const std::size_t most = std::max<std::size_t>(1, limits.of_jobs / kShareOfJobs);
+    std::size_t each = std::max(EpisodesOfTask(state), (left.size() + most - 1) / most);
+    Jobs jobs;
+    while (!left.empty()) {
+      const std::size_t count = std::min(left.size(), each * limits.of_array),
+                        tasks = (count + each - 1) / each;
+      const std::vector<int> numbers(left.begin(),
+                                     left.begin() + static_cast<std::ptrdiff_t>(count));
       WriteWholeFile(plan_.folder / "slurm.sh", Script(numbers, each));
       const Answer answer = Ask(Command(tasks));
       if (answer.status != 0) {
         const bool is_limit = answer.text.find("imit") != std::string::npos;
-        if (is_limit && tasks > 1) continue;
-        FailSlurm(
-            fmt::format("Slurm refuses the array: {}; change --sbatch, --memory-mb or "
-                        "--minutes{}",
-                        answer.text, LastObstacle()));
-      }
-      const std::string job = answer.text.substr(0, answer.text.find_first_of(";\n"));
-      WriteWholeFile(JobFile(), job);
-      Say(fmt::format("job {}: {} episodes in {} tasks", job, count, tasks));
-      return job;
-    }
-  }
-
-  /// Waits until no task of the job waits or runs, and learns from those that ended otherwise than
-  /// they should.
-  void Wait(const std::string& job) {
-    for (int silences = 0; silences < kSilences;) {
-      std::this_thread::sleep_for(std::chrono::duration<double>(options_.poll_s));
-      const Answer answer = Ask("scontrol --oneliner show job " + ShellWord(job));
-      if (answer.status != 0 && answer.text.find("Invalid job id") == std::string::npos) {
-        ++silences;
+        if (is_limit && !jobs.empty()) break;
+        if (!is_limit || tasks == 1) {
+          FailSlurm(
+              fmt::format("Slurm refuses the array: {}; change --sbatch, --memory-mb or "
+                          "--minutes{}",
+                          answer.text, LastObstacle()));
+        }
+        each *= 2;
         continue;
       }
-      silences = 0;
-      if (Look(answer.text)) continue;
-      fs::remove(JobFile());
+      left.erase(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(count));
+      jobs.push_back(answer.text.substr(0, answer.text.find_first_of(";\n")));
+      WriteWholeFile(JobsFile(), fmt::format("{}\n", fmt::join(jobs, "\n")));
+      Say(fmt::format("job {}: {} episodes in {} tasks", jobs.back(), count, tasks));
+    }
+    return jobs;
+  }
+
+  /// Waits until no task of the jobs waits or runs, and learns from those that ended otherwise than
+  /// they should.
+  void Wait(const Jobs& jobs) {
+    for (int silences = 0; silences < kSilences;) {
+      std::this_thread::sleep_for(std::chrono::duration<double>(options_.poll_s));
+      bool is_silent = false, is_under_way = false;
+      for (const std::string& job : jobs) {
+        const Answer answer = Ask("scontrol --oneliner show job " + ShellWord(job));
+        is_silent = is_silent ||
+                    (answer.status != 0 && answer.text.find("Invalid job id") == std::string::npos);
+        is_under_way = Look(answer.text) || is_under_way;
+      }
+      silences = is_silent ? silences + 1 : 0;
+      if (is_silent || is_under_way) continue;
+      fs::remove(JobsFile());
       return;
     }
     FailSlurm(
-        fmt::format("the controller does not answer; job {} goes on without it, and the same "
+        fmt::format("the controller does not answer; jobs {} go on without it, and the same "
                     "command later goes on with what is missing then",
-                    job));
+                    fmt::join(jobs, ", ")));
   }
 
   /// Whether tasks are under way.
@@ -242,7 +263,7 @@ class SlurmRun {
 
   [[noreturn]] void GiveUp() const {
     FailSlurm(
-        fmt::format("{} arrays in a row ended without an episode; look into logs/, and run "
+        fmt::format("arrays ended without an episode {} times in a row; look into logs/, and run "
                     "again{}",
                     options_.tries, LastObstacle()));
   }

@@ -14,7 +14,7 @@ struct SlurmOptions {
   int per_task = 0;       ///< episodes of a task; 0: so many that a task lasts some minutes
   int memory_mb = 0;      ///< of a task; 0: the cluster's default
   int minutes = 0;        ///< of a task; 0: the cluster's default
-  int tries = 3;          ///< arrays in a row that may end without one episode
+  int tries = 3;          ///< times in a row that all arrays may end without one episode
   double poll_s = 30;     ///< between questions to the controller
   std::string arguments;  ///< further ones of sbatch, as a shell has them
   std::function<void(const std::string&)> say;
@@ -24,10 +24,10 @@ struct SlurmOptions {
 ///
 /// Model   a task makes several episodes by WorkerScript. The controller is asked for the state of
 ///         tasks (scontrol), so that accounting is not needed; one that does not answer is asked
-///         again. Episodes that neither came out nor failed are tried in a further array: without
+///         again. Episodes that neither came out nor failed are tried in further arrays: without
 ///         the nodes that were lost or met an obstacle, with twice the memory where that ran out.
-///         Those that were stopped, as by a time limit, go on where they were. Killed while an
-///         array is under way, the next call waits for that one first.
+///         Those that were stopped, as by a time limit, go on where they were. Killed while arrays
+///         are under way, the next call waits for them first.
 /// Throws  InputError if another engine is at work, or if Slurm is absent or refuses the array.
 CampaignState RunOnSlurm(const Plan& plan, const SlurmOptions& options);
 

@@ -73,7 +73,8 @@ echo $job
 )sh";
 
 constexpr char kScontrol[] = R"sh(#!/bin/sh
-[ "$2" = config ] && echo 'MaxArraySize            = 1001' || cat "$(dirname "$0")/state"
+here=$(dirname "$0")
+[ "$2" = config ] && echo "MaxArraySize            = $(cat "$here/most")" || cat "$here/state"
 )sh";
 
 class SlurmTest : public testing::Test {
@@ -83,6 +84,7 @@ class SlurmTest : public testing::Test {
     Program("scontrol", kScontrol);
     Program("tera", kWorker);
     Outcomes("");
+    WriteWholeFile(OwnFolder() / "most", "1001\n");
     setenv("PATH", (OwnFolder().string() + ":" + path_).c_str(), 1);
   }
   ~SlurmTest() override { setenv("PATH", path_.c_str(), 1); }
@@ -118,6 +120,13 @@ TEST_F(SlurmTest, BadInputAndCrashesAreNotTriedAgain) {
   EXPECT_THAT(Calls()[0], HasSubstr("--array=0-2 ")) << "12 tasks, then 6 are over the limit";
 }
 
+TEST_F(SlurmTest, ManyTasksAreSeveralArrays) {
+  WriteWholeFile(OwnFolder() / "most", "4\n");
+  EXPECT_EQ(Run().done.size(), 10u);
+  ASSERT_EQ(Calls().size(), 4u);
+  for (const std::string& call : Calls()) EXPECT_THAT(call, HasSubstr("--array=0-2 "));
+}
+
 TEST_F(SlurmTest, EachReasonHasItsRemedy) {
   Outcomes("1 0 NODE_FAIL two\n1 1 TIMEOUT one\n2 0 OUT_OF_MEMORY one\n3 0 OUT_OF_MEMORY one\n");
   EXPECT_EQ(Run().done.size(), 10u);
@@ -130,11 +139,11 @@ TEST_F(SlurmTest, EachReasonHasItsRemedy) {
 }
 
 TEST_F(SlurmTest, AnArrayOfARunThatWasStoppedIsWaitedForFirst) {
-  WriteWholeFile(plan_.folder / "slurm.job", "1");
+  WriteWholeFile(plan_.folder / "slurm.jobs", "1\n");
   WriteWholeFile(OwnFolder() / "state", "JobId=1 JobState=NODE_FAIL NodeList=two\n");
   EXPECT_EQ(Run().done.size(), 10u);
   EXPECT_THAT(Calls()[0], HasSubstr("--exclude=two"));
-  EXPECT_FALSE(fs::exists(plan_.folder / "slurm.job"));
+  EXPECT_FALSE(fs::exists(plan_.folder / "slurm.jobs"));
 }
 
 TEST_F(SlurmTest, ItGivesUpWhereNothingComesOut) {
