@@ -369,7 +369,8 @@ bool Linearise(const MotionProblem& problem, const UniformSpline& spline,
                const SegmentMotion& motion, const Eigen::VectorXd& parameters,
                const Observation& observation, LinearisedObservation* out) {
   const double late_s = DelayOf(problem, parameters, observation);
-  const double from_s = observation.from_s - late_s, to_s = observation.to_s - late_s;
+  const double shift_s = motion.shift_s - late_s, from_s = observation.from_s + shift_s,
+               to_s = observation.to_s + shift_s;
   if (!spline.Covers(from_s, to_s)) return false;
   out->weights = spline.MeanOver(from_s, to_s);
   const int count = std::min<int>(5, spline.coefficients - out->weights.first);

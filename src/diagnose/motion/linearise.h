@@ -30,6 +30,7 @@ struct SegmentMotion {
   /// 1 where they do, else 0.
   Eigen::ArrayXXd moving;
   Eigen::VectorXd wandered;  ///< the parameters of the segment less those of all
+  double shift_s = 0;        ///< the spline at t + shift_s is the motion at t
 };
 
 /// Fills `out`; false where the motion does not cover the time of the observation.

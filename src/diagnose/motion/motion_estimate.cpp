@@ -6,6 +6,7 @@
 
 #include "core/in_parallel.h"
 #include "diagnose/motion/bounded_quadratic.h"
+#include "diagnose/statistics/series/robust.h"
 
 namespace tera {
 namespace {
@@ -22,20 +23,27 @@ constexpr double kSettled = 0.02;  ///< change of parameters over what is small
 struct LinearisedSegment {
   ParameterQuadratic quadratic;  ///< over changes of the segment's own parameters
   NormalEquations equations;
-  std::vector<std::vector<double>> residuals;  ///< by noise channel
+  std::vector<std::vector<double>> residuals;  ///< by noise channel, as of its noise alone
 };
+
+/// Variance of one row's error: `inflation` of its noise, and what the model leaves out.
+double VarianceOf(const Observation& observation, int row, double sigma, double inflation = 1) {
+  return inflation * sigma * sigma / observation.share + std::pow(observation.model_error[row], 2);
+}
 
 struct RowWeights {
   bool robust = true;
 
-  Eigen::Matrix<double, 6, 1> Of(const LinearisedObservation& rows,
+  Eigen::Matrix<double, 6, 1> Of(const LinearisedObservation& rows, const Observation& observation,
                                  const std::vector<NoiseChannel>& noise) const {
     Eigen::Matrix<double, 6, 1> weight = rows.sigma.cwiseProduct(rows.sigma).cwiseInverse();
     for (int i = 0; rows.noise >= 0 && i < rows.rows; ++i) {
       const NoiseChannel& channel = noise[static_cast<std::size_t>(rows.noise + i)];
       const double sigma = robust ? channel.sigma : channel.at_first;
-      weight[i] =
-          (robust ? ErrorWeight(rows.residual[i], sigma) / channel.inflation : 1) / (sigma * sigma);
+      const double alone = VarianceOf(observation, i, sigma);
+      weight[i] = robust ? ErrorWeight(rows.residual[i], std::sqrt(alone)) /
+                               VarianceOf(observation, i, sigma, channel.inflation)
+                         : 1 / alone;
     }
     return weight;
   }
@@ -94,9 +102,12 @@ LinearisedSegment LineariseSegment(const MotionProblem& problem, std::size_t s,
   for (const Observation& observation : segment.observations) {
     if (!Linearise(problem, segment.spline, motion, parameters, observation, &rows)) continue;
     for (int i = 0; rows.noise >= 0 && i < rows.rows; ++i) {
-      linear.residuals[static_cast<std::size_t>(rows.noise + i)].push_back(rows.residual[i]);
+      const auto c = static_cast<std::size_t>(rows.noise + i);
+      const double sigma = at.noise[c].sigma;
+      linear.residuals[c].push_back(rows.residual[i] * sigma /
+                                    std::sqrt(VarianceOf(observation, i, sigma)));
     }
-    equations.Add(rows, weights.Of(rows, at.noise));
+    equations.Add(rows, weights.Of(rows, observation, at.noise));
   }
   linear.quadratic = WithoutCommonDelay(equations.Reduce(), problem.delays);
   return linear;
@@ -190,10 +201,37 @@ void GatherResiduals(const std::vector<LinearisedSegment>& linear, MotionEstimat
   }
 }
 
+/// Halves the step of a delay each time it turns back: derivatives by delays are those of a motion
+/// that rests where it is noise, so that whole steps go too far and back again.
+class DelaySteps {
+ public:
+  explicit DelaySteps(const std::vector<int>& delays)
+      : delays_(delays), last_s_(delays.size(), 0), share_(delays.size(), 1) {}
+  void Damp(Eigen::VectorXd* step) {
+    for (std::size_t k = 0; k < delays_.size(); ++k) {
+      double& own_s = (*step)[delays_[k]];
+      share_[k] = own_s * last_s_[k] < 0 ? 0.5 * share_[k] : std::min(1.0, 1.5 * share_[k]);
+      last_s_[k] = own_s;
+      own_s *= share_[k];
+    }
+  }
+
+ private:
+  const std::vector<int>& delays_;
+  std::vector<double> last_s_, share_;
+};
+
+/// By what most delays change, their median.
+double CommonChange_s(const std::vector<int>& delays, const Eigen::VectorXd& change) {
+  std::vector<double> changes;
+  for (const int i : delays) changes.push_back(change[i]);
+  return changes.empty() ? 0 : Median(std::move(changes));
+}
+
 /// Moves to the least of the linearised problem; returns the largest change of a parameter.
 double Move(const MotionProblem& problem, const std::vector<LinearisedSegment>& linear,
             const Wandering& wandering, const ParameterPrior& prior, bool gates,
-            MotionEstimate* estimate) {
+            DelaySteps* damping, MotionEstimate* estimate) {
   const std::vector<ParameterQuadratic> own = Absolute(linear, *estimate);
   ParameterQuadratic sum = QuadraticOf(prior);
   estimate->quadratics.clear();
@@ -203,15 +241,20 @@ double Move(const MotionProblem& problem, const std::vector<LinearisedSegment>& 
     sum.score += estimate->quadratics.back().score;
   }
   const Eigen::VectorXd before = estimate->parameters;
-  estimate->parameters = SmallestWithin(sum.information, sum.score, prior.lower, prior.upper);
+  Eigen::VectorXd step =
+      SmallestWithin(sum.information, sum.score, prior.lower, prior.upper) - before;
+  damping->Damp(&step);
+  const double shift_s = CommonChange_s(problem.delays, step);
+  SetParameters(problem.delays, before + step, estimate);
   for (std::size_t s = 0; s < linear.size(); ++s) {
     SegmentMotion& motion = estimate->motion[s];
     const Eigen::VectorXd wandered = wandering.Best(own[s], estimate->parameters);
-    const Eigen::VectorXd change = estimate->parameters + wandered - before - motion.wandered;
-    const Eigen::VectorXd step = linear[s].equations.MotionStep(change);
+    Eigen::VectorXd change = estimate->parameters + wandered - before - motion.wandered;
+    for (const int i : problem.delays) change[i] -= shift_s;
+    const Eigen::VectorXd moved = linear[s].equations.MotionStep(change);
     const Eigen::Index numbers = motion.coefficients.cols();
     for (Eigen::Index i = 0; i < motion.coefficients.rows(); ++i) {
-      motion.coefficients.row(i) += step.segment(i * numbers, numbers).transpose();
+      motion.coefficients.row(i) += moved.segment(i * numbers, numbers).transpose();
     }
     motion.wandered = wandered;
     if (gates) {
@@ -243,6 +286,13 @@ MotionEstimate StartingEstimate(const MotionProblem& problem, const ParameterPri
   return start;
 }
 
+void SetParameters(const std::vector<int>& delays, const Eigen::VectorXd& parameters,
+                   MotionEstimate* estimate) {
+  const double shift_s = CommonChange_s(delays, parameters - estimate->parameters);
+  for (SegmentMotion& motion : estimate->motion) motion.shift_s += shift_s;
+  estimate->parameters = parameters;
+}
+
 MotionEstimate EstimateMotion(const MotionProblem& problem, const ParameterPrior& prior,
                               MotionEstimate start, const EstimateOptions& options) {
   MotionEstimate estimate = std::move(start);
@@ -250,6 +300,7 @@ MotionEstimate EstimateMotion(const MotionProblem& problem, const ParameterPrior
   const int unweighted =
       options.estimates_noise && estimate.iterations == 0 ? kUnweightedIterations : 0;
   estimate.converged = false;
+  DelaySteps damping(problem.delays);
   for (int i = 0; i <= options.most_iterations; ++i) {
     const auto linear =
         InParallel<LinearisedSegment>(problem.segments.size(), options.threads, [&](std::size_t s) {
@@ -260,7 +311,7 @@ MotionEstimate EstimateMotion(const MotionProblem& problem, const ParameterPrior
       EstimateNoise(estimate.residuals, &estimate.noise);
     }
     const double change = Move(problem, linear, wandering, prior,
-                               i >= unweighted && options.estimates_noise, &estimate);
+                               i >= unweighted && options.estimates_noise, &damping, &estimate);
     ++estimate.iterations;
     estimate.converged = i > unweighted + 1 && change < kSettled;
     if (estimate.converged) break;

@@ -35,6 +35,12 @@ struct EstimateOptions {
 /// The estimate with which a problem begins.
 MotionEstimate StartingEstimate(const MotionProblem& problem, const ParameterPrior& prior);
 
+/// Gives an estimate other parameters. By what all delays change alike its motion is shifted in
+/// time, exactly: nothing else tells a motion that is late from channels that all are, and no
+/// linear step of splines follows it.
+void SetParameters(const std::vector<int>& delays, const Eigen::VectorXd& parameters,
+                   MotionEstimate* estimate);
+
 /// Motion and parameters together, from `start` on.
 ///
 /// Model   Gauss-Newton; rows are weighted as Student's t has it, from the third iteration of a

@@ -66,6 +66,9 @@ struct Observation {
   int channel = 0;
   double from_s = 0, to_s = 0;
   Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
+  double share = 1;  ///< of its time in the usual one, to which the noise belongs
+  /// 1 sigma of what the model leaves out of each number.
+  Eigen::Matrix<double, 6, 1> model_error = Eigen::Matrix<double, 6, 1>::Zero();
 };
 
 /// Observations of a part of the recording, whose motion is estimated by itself.

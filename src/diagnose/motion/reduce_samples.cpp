@@ -2,7 +2,9 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "diagnose/statistics/series/robust.h"
 
@@ -10,6 +12,8 @@ namespace tera {
 namespace {
 
 constexpr double kLargestStep = 1.5;  ///< between consecutive rows, in usual periods
+constexpr double kBlowShare = 0.25;   ///< of a second difference that a motion cannot follow
+constexpr double kUsualSecond = 3;    ///< robust deviations of second differences that noise has
 constexpr double kTravelWindow_s = 0.1, kStillMargin_s = 0.3;
 constexpr double kLeastMove_rad = 0.004, kNoiseShare = 6;
 constexpr double kResolutionShare = 1.5;  ///< of a resolution: a step to either side, and rounding
@@ -41,6 +45,27 @@ bool IsStill(const std::vector<GearTrack>& gears, const std::vector<double>& res
   return true;
 }
 
+void SetModelError(std::vector<ImuWindow>* windows) {
+  const std::size_t count = windows->size();
+  if (count < 3) return;
+  std::vector<double> value(count), second(count, 0);
+  for (int i = 0; i < 6; ++i) {
+    for (std::size_t k = 0; k < count; ++k) {
+      const ImuWindow& window = (*windows)[k];
+      value[k] = i < 3 ? window.w_S_radps[i] : window.f_S_mps2[i - 3];
+    }
+    for (std::size_t k = 1; k + 1 < count; ++k) {
+      second[k] = value[k - 1] - 2 * value[k] + value[k + 1];
+    }
+    const double usual = kUsualSecond * RobustScale(second);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t a = k == 0 ? 0 : k - 1, b = std::min(k + 1, count - 1);
+      const double most = LargestMagnitude(std::span(second).subspan(a, b - a + 1));
+      (*windows)[k].model_error[i] = kBlowShare * std::max(0.0, most - usual);
+    }
+  }
+}
+
 }  // namespace
 
 TimeNs UsualPeriod_ns(const std::vector<TimeNs>& t_ns) {
@@ -62,6 +87,7 @@ std::vector<ImuWindow> WindowsOf(const std::vector<ImuSample>& samples, double l
     if (count == 0) return;
     windows.back().w_S_radps /= count;
     windows.back().f_S_mps2 /= count;
+    windows.back().share = static_cast<double>(count) / most;
     count = 0;
   };
   for (const ImuSample& sample : samples) {
@@ -79,7 +105,26 @@ std::vector<ImuWindow> WindowsOf(const std::vector<ImuSample>& samples, double l
     ++count;
   }
   close();
+  SetModelError(&windows);
   return windows;
+}
+
+Eigen::Matrix<double, 6, 1> WhiteNoiseOf(const std::vector<ImuSample>& samples, double over_s) {
+  std::array<std::vector<double>, 6> values;
+  std::vector<TimeNs> t_ns;
+  for (const ImuSample& sample : samples) {
+    t_ns.push_back(sample.t_ns);
+    for (int i = 0; i < 6; ++i) {
+      values[static_cast<std::size_t>(i)].push_back(i < 3 ? sample.w_WS_S_radps[i]
+                                                          : sample.f_S_mps2[i - 3]);
+    }
+  }
+  const double of_mean = std::sqrt(std::min(1.0, ToSeconds(UsualPeriod_ns(t_ns)) / over_s));
+  Eigen::Matrix<double, 6, 1> noise;
+  for (std::size_t i = 0; i < 6; ++i) {
+    noise[static_cast<Eigen::Index>(i)] = of_mean * WhiteNoise({values[i]});
+  }
+  return noise;
 }
 
 void SetMotionOfUnits(MotionProblem* problem) {

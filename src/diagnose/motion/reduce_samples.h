@@ -12,6 +12,9 @@ namespace tera {
 struct ImuWindow {
   TimeNs from_ns = 0, to_ns = 0;
   Vec3 w_S_radps = Vec3::Zero(), f_S_mps2 = Vec3::Zero();
+  double share = 1;  ///< of the time of a window without lost rows
+  /// 1 sigma of what splines with knots as far apart as windows leave out: of rates, then forces.
+  Eigen::Matrix<double, 6, 1> model_error = Eigen::Matrix<double, 6, 1>::Zero();
 };
 
 /// The usual time from sample to sample, 0 for fewer than two.
@@ -19,8 +22,18 @@ TimeNs UsualPeriod_ns(const std::vector<TimeNs>& t_ns);
 
 /// Samples, each a mean over the usual period before its stamp, as windows of at most `longest_s`;
 /// a lost row, and a time at which `segment_of` differs, ends a window.
+///
+/// Model   model error is a quarter of the largest second difference of the means around a window,
+///         as far as that exceeds three of its robust deviations. A blow of turning shows in the
+///         rates of two windows by half, in the forces of one: they disagree by a quarter of the
+///         forces' second difference.
+/// Omits   what the jitter of stamps makes of slopes.
 std::vector<ImuWindow> WindowsOf(const std::vector<ImuSample>& samples, double longest_s,
                                  const std::function<int(TimeNs)>& segment_of);
+
+/// Standard deviations of white noise, of rates, then forces, in means over a time of an inertial
+/// unit's samples (WhiteNoise).
+Eigen::Matrix<double, 6, 1> WhiteNoiseOf(const std::vector<ImuSample>& samples, double over_s);
 
 /// Sets the motion of the noise channels of inertial units.
 void SetMotionOfUnits(MotionProblem* problem);

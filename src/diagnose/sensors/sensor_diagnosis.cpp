@@ -79,18 +79,6 @@ double RmsOf(const ChannelResiduals& residuals) {
                    static_cast<double>(most - squares.begin()));
 }
 
-/// The standard deviation of white noise with the third differences of the residuals.
-double DifferencesOf(const ChannelResiduals& residuals) {
-  std::vector<double> differences;
-  for (const auto& segment : residuals.by_segment) {
-    for (std::size_t k = 3; k < segment.size(); ++k) {
-      const double* r = &segment[k];
-      differences.push_back(r[0] - 3 * r[-1] + 3 * r[-2] - r[-3]);
-    }
-  }
-  return differences.empty() ? 0 : RobustScale(differences) / std::sqrt(20.0);
-}
-
 /// The sum of logarithms of the scales of all residuals: the likelihood's, but for what is the same
 /// of all estimates.
 double LogScale(const MotionEstimate& estimate) {
@@ -197,7 +185,7 @@ std::vector<EstimatedMotion> MotionOf(const MotionProblem& problem,
       to_s = std::max(to_s, std::min(segment.spline.end_s(), observation.to_s));
     }
     EstimatedMotion one;
-    one.spline_start_ns = segment.start_ns;
+    one.spline_start_ns = segment.start_ns - FromSeconds(estimate.motion[s].shift_s);
     one.start_ns = segment.start_ns + FromSeconds(from_s);
     one.end_ns = segment.start_ns + FromSeconds(to_s);
     one.spline = segment.spline;
@@ -300,7 +288,8 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
     return clock->Time("sensors: motion again", [&] {
       const ParameterPrior prior = problem.table.PriorWith(free);
       MotionEstimate start = flexible;
-      start.parameters = StartOf(problem.table, free, flexible.parameters);
+      SetParameters(problem.motion.delays, StartOf(problem.table, free, flexible.parameters),
+                    &start);
       return EstimateMotion(problem.motion, prior, start, estimate_options);
     });
   };
@@ -316,10 +305,10 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
   }
   for (std::size_t c = 0; c < flexible.noise.size(); ++c) {
     const NoiseChannel& channel = flexible.noise[c];
-    diagnosis.channels.push_back({channel.name, channel.unit, channel.sigma, channel.inflation,
-                                  std::max(channel.least, DifferencesOf(after.residuals[c])),
-                                  channel.motion, channel.tolerance, RmsOf(before.residuals[c]),
-                                  RmsOf(after.residuals[c])});
+    diagnosis.channels.push_back(
+        {channel.name, channel.unit, channel.sigma, channel.inflation,
+         std::max(channel.least, WhiteNoise(after.residuals[c].by_segment)), channel.motion,
+         channel.tolerance, RmsOf(before.residuals[c]), RmsOf(after.residuals[c])});
   }
   diagnosis.motion = MotionOf(problem.motion, after);
   Report(problem, judgement, after.quadratics, &diagnosis);

@@ -23,7 +23,7 @@ constexpr double kSplineStep_s = 0.05;  ///< of the splines
 constexpr double kMargin_s = 0.5;       ///< of a segment's spline, for what is late or early
 constexpr double kSegment_s = 10, kShortestSegment_s = 4;
 constexpr double kFewestSegments = 8;
-constexpr double kImuWindow_s = 0.1;
+constexpr double kImuWindow_s = kSplineStep_s;
 constexpr double kLeastBaseline_m = 0.05;  ///< of two antennas with a yaw
 constexpr double kGroundEvery_m = 0.5;     ///< on the way; elsewhere the ground errs otherwise
 
@@ -125,9 +125,9 @@ class Builder {
                ? -1
                : static_cast<int>(at);
   }
-  /// Adds an observation to the segment of its end.
-  void Observe(ObservationKind kind, std::size_t channel, TimeNs from_ns, TimeNs to_ns,
-               const Eigen::Matrix<double, 6, 1>& value);
+  /// Adds an observation to the segment of its end; null where there is none.
+  Observation* Observe(ObservationKind kind, std::size_t channel, TimeNs from_ns, TimeNs to_ns,
+                       const Eigen::Matrix<double, 6, 1>& value);
   int AddNoise(const std::string& name, const std::string& unit, double least, double at_first) {
     motion().noise.push_back({name, unit, least, at_first, at_first});
     return static_cast<int>(motion().noise.size()) - 1;
@@ -151,14 +151,15 @@ class Builder {
   RoughSources rough_;
 };
 
-void Builder::Observe(ObservationKind kind, std::size_t channel, TimeNs from_ns, TimeNs to_ns,
-                      const Eigen::Matrix<double, 6, 1>& value) {
+Observation* Builder::Observe(ObservationKind kind, std::size_t channel, TimeNs from_ns,
+                              TimeNs to_ns, const Eigen::Matrix<double, 6, 1>& value) {
   const int s = SegmentOf(to_ns);
-  if (s < 0) return;
+  if (s < 0) return nullptr;
   MotionSegment& segment = motion().segments[static_cast<std::size_t>(s)];
   segment.observations.push_back({kind, static_cast<int>(channel),
                                   ToSeconds(from_ns - segment.start_ns),
                                   ToSeconds(to_ns - segment.start_ns), value});
+  return &segment.observations.back();
 }
 
 const SensorDescription* Builder::SensorOf(const NamedEncoders& named) const {
@@ -285,16 +286,17 @@ void Builder::AddUnits() {
     AddImuParameters(sensor, ExtentOf_m(model(), link), &problem_.table, &channel);
     const auto& imu = std::get<ImuModel>(sensor.model);
     const double root_s = std::sqrt(kImuWindow_s);
+    const Eigen::Matrix<double, 6, 1> white = WhiteNoiseOf(samples, kImuWindow_s);
     const std::string name = input_.machine + "/" + sensor.name + "/";
     for (int i = 0; i < 6; ++i) {
       const bool is_rate = i < 3;
       const double density =
           is_rate ? imu.gyro_noise_density_radpsrthz : imu.accel_noise_density_mps2rthz;
-      const int noise =
-          AddNoise(name + (is_rate ? "w" : "a") + std::string(1, "xyz"[i % 3]) +
-                       (is_rate ? "_radps" : "_mps2"),
-                   is_rate ? "rad/s" : "m/s^2", std::max(density / root_s, is_rate ? 1e-5 : 1e-4),
-                   is_rate ? 0.05 : 0.5);
+      const int noise = AddNoise(name + (is_rate ? "w" : "a") + std::string(1, "xyz"[i % 3]) +
+                                     (is_rate ? "_radps" : "_mps2"),
+                                 is_rate ? "rad/s" : "m/s^2",
+                                 std::max({density / root_s, white[i], is_rate ? 1e-5 : 1e-4}),
+                                 is_rate ? 0.05 : 0.5);
       if (i == 0) channel.noise = noise;
     }
     SetTolerances(channel.noise, channel.bias, 6);
@@ -307,7 +309,9 @@ void Builder::AddUnits() {
          WindowsOf(samples, kImuWindow_s, [&](TimeNs t_ns) { return SegmentOf(t_ns); })) {
       Eigen::Matrix<double, 6, 1> value;
       value << window.w_S_radps, window.f_S_mps2;
-      Observe(ObservationKind::kImu, motion().imus.size() - 1, window.from_ns, window.to_ns, value);
+      Observation* seen = Observe(ObservationKind::kImu, motion().imus.size() - 1, window.from_ns,
+                                  window.to_ns, value);
+      if (seen) seen->share = window.share, seen->model_error = window.model_error;
     }
   }
 }

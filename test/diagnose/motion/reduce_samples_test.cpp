@@ -76,6 +76,26 @@ TEST(ImuWindows, AreMeansOfSamplesOverTheTimesOfThese) {
   }
 }
 
+TEST(ImuWindows, OfSamplesThatGrowEvenlyHaveNoModelError) {
+  for (const ImuWindow& window : WindowsOf(Samples(50), 0.05, OneSegment)) {
+    EXPECT_LT(window.model_error.norm(), 1e-9);
+    EXPECT_EQ(window.share, 1);
+  }
+}
+
+// A blow of 10 m/s^2 over one window of five samples: second differences of 10, -20 and 10.
+TEST(ImuWindows, DoNotFollowABlow) {
+  std::vector<ImuSample> samples = Samples(500);
+  for (int k = 250; k < 255; ++k) samples[k].f_S_mps2.y() += 10;
+  const std::vector<ImuWindow> windows = WindowsOf(samples, 0.05, OneSegment);
+  for (int k = 0; k < 100; ++k) {
+    const int away = std::abs(k - 50);
+    const double expected = away <= 1 ? 5 : away == 2 ? 2.5 : 0;
+    EXPECT_NEAR(windows[k].model_error[4], expected, 1e-9) << k;
+    EXPECT_LT(windows[k].model_error[3], 1e-9) << k;
+  }
+}
+
 TEST(ImuWindows, EndAtALostRowWhichNoneIsAMeanOver) {
   std::vector<ImuSample> samples = Samples(50);
   samples.erase(samples.begin() + 12);

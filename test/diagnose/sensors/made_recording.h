@@ -40,6 +40,9 @@ struct Made {
   double base_moves = 1, slew_moves = 1, boom_moves = 1;  ///< times the usual
   /// Rate of the swing, reversed within 5 ms every 0.9 s, as at a stop.
   double blows_radps = 0;
+  /// Share by which all units feel the swing accelerate more than its rates do.
+  double swing_accelerates_more = 0;
+  double upper_unit_x_m = -0.3;  ///< of the upper structure's unit from the swing's axis
   bool has_poses = true;
 };
 
@@ -100,7 +103,8 @@ class MadeRecording {
     const EncoderModel encoders = {.joints = {"swing", "boom"}, .noise_rad = 0.0005};
     input.machine = "m";
     input.sensors = {
-        Described("imu_upper", "upper", MakePose({-0.3, 0.2, 0.5}, 0.1, 0.2, 1.5), 50, unit),
+        Described("imu_upper", "upper", MakePose({how.upper_unit_x_m, 0.2, 0.5}, 0.1, 0.2, 1.5), 50,
+                  unit),
         Described("imu_boom", "boom", MakePose({1.2, 0.1, 0.2}, 0.2, -0.3, 0.4), 50, unit),
         Described("left", "upper", MakePose({-0.9, 0.5, 1.4}), 5, receiver),
         Described("right", "upper", MakePose({-0.9, -0.5, 1.4}), 5, receiver),
@@ -169,6 +173,7 @@ class MadeRecording {
       if (is_wrong) {
         if (how_.wrong.gyro_x_reversed) sample.w_WS_S_radps.x() *= -1;
         sample.w_WS_S_radps += how_.wrong.gyro_bias_radps;
+        sample.f_S_mps2 = sample.f_S_mps2.cwiseProduct(how_.wrong.accel_scale);
         sample.f_S_mps2 += how_.wrong.accel_bias_mps2;
       }
       measured.imus[s].push_back(sample);
@@ -187,9 +192,22 @@ class MadeRecording {
       const Vec3 a_W =
           (before.translation() - 2 * now.translation() + after.translation()) / (h * h);
       mean.first += turned.axis() * turned.angle() / (2 * h) / parts;
-      mean.second += now.linear().transpose() * (a_W + Vec3(0, 0, kStandardGravity_mps2)) / parts;
+      mean.second += now.linear().transpose() *
+                     (a_W + MoreOfSwing(link, X_LS, t) + Vec3(0, 0, kStandardGravity_mps2)) / parts;
     }
     return mean;
+  }
+  /// The acceleration in W that the swing's rates do not have.
+  Vec3 MoreOfSwing(int link, const Pose& X_LS, double t) const {
+    constexpr double kStep_s = 1e-3, kStep_rad = 1e-4;
+    const auto at = [&](double more_rad) -> Vec3 {
+      std::vector<double> q = Joints(t);
+      q[0] += more_rad;
+      return (ForwardKinematics(model, Base(t), q)[link] * X_LS).translation();
+    };
+    const double qdd =
+        (Joints(t - kStep_s)[0] - 2 * Joints(t)[0] + Joints(t + kStep_s)[0]) / (kStep_s * kStep_s);
+    return how_.swing_accelerates_more * qdd * (at(kStep_rad) - at(-kStep_rad)) / (2 * kStep_rad);
   }
   Vec3 Reflected(double t) const {
     const Vec3 boom_W = Frame(2, Pose::Identity(), t).linear().col(0);

@@ -171,6 +171,24 @@ TEST(SensorDiagnosis, OfBlowsThatNoSplineFollowsNamesNothing) {
   }
 }
 
+// An acceleration that all units behind a joint feel alike is not the scale of any of them.
+TEST(SensorDiagnosis, OfAnAccelerationThatAllUnitsHaveTooLargeNamesNothing) {
+  for (const double more : {0.045, -0.03}) {
+    MadeRecording made({.seed = 23, .swing_accelerates_more = more});
+    const SensorDiagnosis told = Diagnosed(&made);
+    EXPECT_THAT(NamesOf(told.findings), IsEmpty()) << more << Told(told);
+  }
+}
+
+// Two units far from the swing's axis distinguish the scale of one from the gain of both.
+TEST(SensorDiagnosis, NamesTheScaleOfOneUnitBesideAnAccelerationThatAllHaveTooLarge) {
+  MadeRecording made({.wrong = {.accel_scale = {1, 1.08, 1}},
+                      .seed = 24,
+                      .swing_accelerates_more = 0.045,
+                      .upper_unit_x_m = -2});
+  ExpectNamed({{}, "imu_boom/scale", "accel_y_factor", 1.08}, Diagnosed(&made));
+}
+
 TEST(SensorDiagnosis, TwoAntennasOneAboveTheOtherHaveNoYaw) {
   MadeRecording made({.seed = 25});
   made.input.sensors[3].X_BS = made.input.sensors[2].X_BS;

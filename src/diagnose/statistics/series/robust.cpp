@@ -19,6 +19,16 @@ double RobustScale(const std::vector<double>& values) {
   return 1.4826 * Median(std::move(distance));
 }
 
+double WhiteNoise(const std::vector<std::vector<double>>& series) {
+  std::vector<double> third;
+  for (const std::vector<double>& x : series) {
+    for (std::size_t k = 3; k < x.size(); ++k) {
+      third.push_back(x[k] - 3 * x[k - 1] + 3 * x[k - 2] - x[k - 3]);
+    }
+  }
+  return third.empty() ? 0 : RobustScale(third) / std::sqrt(20.0);
+}
+
 std::size_t CorrelationLength(std::span<const double> values, double level) {
   const std::size_t n = values.size();
   double mean = 0, energy = 0;

@@ -18,6 +18,10 @@ double LargestMagnitude(std::span<const double> values);
 /// 1.4826 median |x - median x|.
 double RobustScale(const std::vector<double>& values);
 
+/// Standard deviation of white noise with the third differences of some series, each in the order
+/// of its times: slower signals hardly count. 0 where there are none.
+double WhiteNoise(const std::vector<std::vector<double>>& series);
+
 /// First lag, in samples, at which the autocorrelation falls below `level`; at most a quarter of
 /// the length. 1 for a constant.
 std::size_t CorrelationLength(std::span<const double> values, double level = 0.2);
