@@ -121,7 +121,8 @@ from pathlib import Path
 sys.path.insert(0, {scripts!r})
 from campaign_cost import make_records
 here = Path(__file__).parent
-(here / "submitted").write_text(str(time.monotonic()))
+if not (here / "submitted").exists():
+    (here / "submitted").write_text(str(time.monotonic()))
 tasks = re.findall(r"set -- ([0-9 ]+);;", Path(sys.argv[-1]).read_text())
 make_records(Path(sys.argv[-1]).parent, [int(n) for task in tasks for n in task.split()])
 (here / "state").write_text("".join(f"JobId={{k}} JobState=COMPLETED NodeList=node\\n" for k in range(len(tasks))))
@@ -152,7 +153,7 @@ def index(tera, episodes: int) -> None:
         begin = time.monotonic()
         seconds(tera, "campaign", "run", campaign, "--on", "slurm", "--poll", "0.1", env={**os.environ, "PATH": f"{scratch}:{os.environ['PATH']}"})
         end, submitted, made = time.monotonic(), *(float((scratch / name).read_text()) for name in ("submitted", "made"))
-        print(f"until the array is submitted: {submitted - begin:.1f} s; collecting it: {end - made:.1f} s")
+        print(f"until the first array is submitted: {submitted - begin:.1f} s; collecting all: {end - made:.1f} s")
         print(f"status: {seconds(tera, 'campaign', 'status', campaign):.1f} s")
 
 
