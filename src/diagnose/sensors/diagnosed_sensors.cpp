@@ -19,9 +19,6 @@ constexpr double kMostOfMotion = 0.2;
 /// What is named gains at least this share of its own gain and of all that could still be gained:
 /// as of blocks, less is too little to be what is wrong.
 constexpr double kLeastExcessOfCause = 1.0 / 3;
-/// What changes less than noise does may be an error of the motion's model, which no noise hides in
-/// a long recording: splines that lag behind a shake, means over intervals.
-constexpr double kLeastSignalToNoise = 1;
 constexpr std::string_view kClockMechanism = "clock_offset";
 
 /// The index of a parameter that the mechanism must have.
@@ -148,8 +145,7 @@ DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machin
   Teller teller(machine, &out);
   const double left = out.estimate.left_to_gain;
   const auto is_cause = [&](const SensorFinding& found) {
-    return found.gain >= kLeastExcessOfCause * (found.gain + left) &&
-           found.signal_to_noise >= kLeastSignalToNoise;
+    return found.gain >= kLeastExcessOfCause * (found.gain + left);
   };
   for (const SensorFinding& found : out.estimate.findings) {
     (is_cause(found) ? out.findings : out.unconfirmed).push_back(teller.Tell(found));

@@ -9,7 +9,6 @@
 #include "core/units.h"
 #include "diagnose/motion/starting_delays.h"
 #include "diagnose/sensors/reflection.h"
-#include "diagnose/sensors/signal_to_noise.h"
 #include "diagnose/statistics/series/robust.h"
 #include "sensors/sensor_mechanisms.h"
 
@@ -137,7 +136,6 @@ std::vector<SensorFinding> ReversedOf(const SensorProblem& problem, const Motion
       // Twice its motion is what it would be off by.
       const auto c = static_cast<std::size_t>(unit.noise + one.row);
       const double ratio = 2 * estimate.noise[c].motion / estimate.noise[c].sigma;
-      finding.signal_to_noise = std::max(finding.signal_to_noise, ratio);
       for (const auto& segment : estimate.residuals[c].by_segment) {
         finding.gain +=
             0.5 * ratio * ratio * static_cast<double>(segment.size()) / estimate.noise[c].inflation;
@@ -211,14 +209,11 @@ SensorFinding FindingOf(const ParameterTable& table, const NamedGroup& one) {
   return finding;
 }
 
-void Report(const SensorProblem& problem, const GroupJudgement& judgement,
-            const std::vector<ParameterQuadratic>& segments, SensorDiagnosis* diagnosis) {
+void Report(const ParameterTable& table, const GroupJudgement& judgement,
+            SensorDiagnosis* diagnosis) {
   diagnosis->left_to_gain = judgement.left_to_gain;
-  const ParameterTable& table = problem.table;
   for (const NamedGroup& one : judgement.named) {
     diagnosis->findings.push_back(FindingOf(table, one));
-    diagnosis->findings.back().signal_to_noise =
-        SignalToNoise(problem.motion, segments, table, one);
   }
   for (const NamedGroup& one : judgement.unproven) {
     diagnosis->unproven.push_back(FindingOf(table, one));
@@ -311,7 +306,7 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
          channel.tolerance, RmsOf(before.residuals[c]), RmsOf(after.residuals[c])});
   }
   diagnosis.motion = MotionOf(problem.motion, after);
-  Report(problem, judgement, after.quadratics, &diagnosis);
+  Report(problem.table, judgement, &diagnosis);
   const std::vector<SensorFinding> reversed = ReversedOf(problem, flexible, opposed);
   diagnosis.findings.insert(diagnosis.findings.begin(), reversed.begin(), reversed.end());
   return diagnosis;

@@ -29,7 +29,6 @@ struct SensorFinding : TargetMechanism {
   std::vector<FoundNumber> numbers;
   double gain = 0, p = 1;
   std::vector<TargetMechanism> rivals;  ///< not told apart from it
-  double signal_to_noise = 0;           ///< SignalToNoise; of what is named
 };
 
 /// One measured number over the whole recording.

@@ -23,7 +23,6 @@ SensorDiagnosis TurnedUnit() {
                        120,
                        1e-6,
                        {{"encoders/boom", &SensorMechanism("bias", EffectTarget::kEncoderAxis)}}};
-  turned.signal_to_noise = 5;
   turned.numbers = {{"roll_deg", "deg", 2, 0.1, 0, 0.46, true},
                     {"pitch_deg", "deg", 0.01, 0.1, 0, 0.46, false},
                     {"yaw_deg", "deg", 0, 0.1, 0, 0.46, false}};
@@ -108,16 +107,6 @@ TEST(DiagnosedSensors, AreToldInASentenceWithNumbersRivalsAndErrors) {
   EXPECT_THAT(sentence, HasSubstr("of the imu boom, beyond tolerance"));
   EXPECT_THAT(sentence, HasSubstr("bias of the encoders"));
   EXPECT_THAT(sentence, HasSubstr("Imu boom specific force along y: RMSE 0.5 → 0.1 m/s²"));
-}
-
-TEST(DiagnosedSensors, AreNotNamedForWhatChangesLessThanNoiseDoes) {
-  SensorDiagnosis made = TurnedUnit();
-  made.findings[0].signal_to_noise = 1.1;
-  EXPECT_THAT(DiagnosedOf(made, "m").findings, SizeIs(1));
-  made.findings[0].signal_to_noise = 0.9;
-  const DiagnosedSensors told = DiagnosedOf(made, "m");
-  EXPECT_THAT(told.findings, SizeIs(0));
-  EXPECT_THAT(told.unconfirmed, SizeIs(1));
 }
 
 // Residuals that persist at three times their successive differences, but within the tolerance of a
