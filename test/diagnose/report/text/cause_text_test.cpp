@@ -30,7 +30,7 @@ std::vector<const Mechanism*> AllMechanisms() {
   return all;
 }
 
-/// The mechanism of that id that has such a number, where there is one.
+/// The mechanism with this id and parameter.
 const Mechanism& Having(std::string_view id, std::string_view parameter) {
   for (const Mechanism* mechanism : AllMechanisms()) {
     if (mechanism->id != id) continue;
@@ -48,7 +48,7 @@ struct Made {
   Finding finding;
 };
 
-/// A finding of a mechanism with some numbers, which alone are free; others have their defaults.
+/// A finding of a mechanism with some numbers, the only free ones; others have their defaults.
 void Make(const Mechanism& mechanism, const std::string& target,
           const std::map<std::string, double>& numbers, Made* made) {
   made->candidate = {&mechanism, target, {}, {}, {}, {}};
@@ -75,7 +75,8 @@ std::string Meaning(const Mechanism& mechanism, const std::string& target,
   return MeaningText({.finding = &made.finding});
 }
 
-/// What a finding should say, from the equations and signatures of docs/reference/mechanisms.md.
+/// Expected sentence of a finding, from the equations and signatures of
+/// docs/reference/mechanisms.md.
 struct Expected {
   std::string_view id;
   std::string target;
@@ -229,7 +230,7 @@ TEST(PlainSentence, AddsNumbersThatHaveNoPlaceInItAndWhatTheScenarioHas) {
             "0.4. The scenario has width 0.05 and asymmetry 0 here.");
 }
 
-// A mechanism that is added to the library needs words of its own.
+// A new mechanism of the library needs its own words.
 TEST(PlainSentence, EveryMechanismHasOneOfItsOwn) {
   std::map<std::string, std::string_view> id_of_meaning;
   for (const Mechanism* mechanism : AllMechanisms()) {
@@ -265,7 +266,7 @@ TEST(PlainSentence, LabelsAreAFewWords) {
   }
 }
 
-/// The dead band of Complete(), which this recording does not tell from a valve curve.
+/// The dead band of Complete(), with a valve curve as rival.
 Diagnosis NotToldApart() {
   Diagnosis diagnosis = Complete();
   Finding& finding = diagnosis.blocks[0].diagnosis.findings[0];
