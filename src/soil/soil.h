@@ -72,7 +72,7 @@ struct RaisedGround {
   double radius_m = 0, edge_m = 1, height_m = 0;
 };
 
-/// Where soil has gone since the start. What one place gained another lost: the total stays zero.
+/// Movement of soil since the start. One place's gain is another's loss: the total stays zero.
 struct MassLedger {
   double ground_kg = 0;   ///< gained by the ground
   double shifted_kg = 0;  ///< sum of what single columns have on them, piles included

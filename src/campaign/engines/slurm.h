@@ -24,10 +24,10 @@ struct SlurmOptions {
 ///
 /// Model   a task makes several episodes by WorkerScript. The controller is asked for the state of
 ///         tasks (scontrol), so that accounting is not needed; one that does not answer is asked
-///         again. Episodes that neither came out nor failed are tried in further arrays: without
-///         the nodes that were lost or met an obstacle, with twice the memory where that ran out.
-///         Those that were stopped, as by a time limit, go on where they were. Killed while arrays
-///         are under way, the next call waits for them first.
+///         again. Further arrays retry episodes that neither succeeded nor failed. They exclude
+///         nodes that were lost or met an obstacle, and double the memory where it ran out. Stopped
+///         episodes, as by a time limit, resume where they were. After a kill while arrays are
+///         under way, the next call waits for those arrays first.
 /// Throws  InputError if another engine is at work, or if Slurm is absent or refuses the array.
 CampaignState RunOnSlurm(const Plan& plan, const SlurmOptions& options);
 

@@ -34,9 +34,9 @@ struct AxisRange {
   double Middle_rad(double otherwise) const;
 };
 
-/// Excitations of one axis from the middle of its range and within it: steps and reversals of many
-/// sizes, slow ramps through neutral, stairs, sweeps over the whole range, waves. Further steps are
-/// driven with one of `others` held elsewhere, for another load.
+/// Excitations of one axis from the middle of its range and within it. They are steps and reversals
+/// of many sizes, slow ramps through neutral, stairs, sweeps over the whole range, and waves.
+/// Further steps are driven with one of `others` held elsewhere, for another load.
 ///
 /// Model   rates in proportion to the lever. Steps take up to nine twentieths of the range, from
 ///         0.25 to 1.5 s. Excitations that need a wider range are left out.

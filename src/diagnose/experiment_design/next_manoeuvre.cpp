@@ -239,8 +239,8 @@ void Designer::GoToMiddle(const AxisRange& range) {
   length_s_ += back.length_s;
 }
 
-/// Appends an excitation to the run: as it is, or mirrored, or after moves to the middle, whichever
-/// stays within the ranges; none of them where none does.
+/// Appends an excitation to the run: as it is, mirrored, or after moves to the middle, whichever
+/// stays within the ranges. Appends nothing where none does.
 void Designer::Drive(const Excitation& excitation, const AmbiguousAxis& axis) {
   const auto predicted = [&](const Excitation& one) {
     return PredictRun(found_, one.moves, one.length_s, at_rad_, {options_.step_s, options_.step_s});

@@ -49,8 +49,8 @@ struct DiagnosedAxis {
 /// (greedy_design.h). Axes with a class of causes come first, then those that could not be judged,
 /// then those with undetectable mechanisms.
 ///
-/// Model   excitations of each axis (excitation.h) are predicted from the middle of the range in
-///         the recording, which is at least the travel of full lever in 0.8 s. They are chosen
+/// Model   excitations of each axis (excitation.h) are predicted from the middle of the recorded
+///         range. That range is at least the travel of full lever in 0.8 s. They are chosen
 ///         greedily (greedy_design.h) and driven one after another from the machine's initial
 ///         position. Where they would leave the range, less a twentieth at either end, they are
 ///         mirrored or preceded by a move to the middle. Steps are added until a diagnosis has

@@ -11,8 +11,8 @@ namespace tera {
 namespace {
 
 constexpr double kLoadPeriod_s = 0.05;  ///< in which the weight's load on joints hardly changes
-/// Amplitude of what keeps samples of a rate from being equal: an encoder that repeats itself to
-/// the bit is taken for one that passes on old values.
+/// Amplitude of a tremor that keeps samples of a rate from being equal. An encoder that repeats
+/// itself to the bit would seem to pass on old values.
 constexpr double kTremor_radps = 1e-9;
 
 std::size_t AxesOf(const MachineModel& model) {

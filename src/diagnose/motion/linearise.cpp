@@ -77,8 +77,8 @@ T Variable(double value, int derivative) {
   }
 }
 
-/// What an ideal unit measures in the frame of a unit's link, of these numbers, with derivatives by
-/// the motion if the scalar has any.
+/// Measurement of an ideal unit in the frame of a unit's link for these numbers, with derivatives
+/// by the motion if the scalar has any.
 template <typename T>
 Inertial<T> InLink(const UnitChannel& unit, const At& at, const Numbers& numbers) {
   std::array<Vector3<T>, 3> rpy;
@@ -102,8 +102,8 @@ Inertial<T> InLink(const UnitChannel& unit, const At& at, const Numbers& numbers
                            q[1].data(), q[2].data());
 }
 
-/// What an ideal unit measures of a motion that rests where it is no more than noise, and the
-/// derivatives of that by its mount and its place.
+/// Measurement of an ideal unit whose motion rests where it is only noise, and its derivatives by
+/// the unit's mount and place.
 struct AtRest {
   Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
   Eigen::Matrix<double, 6, 6> by_own = Eigen::Matrix<double, 6, 6>::Zero();

@@ -39,9 +39,9 @@ struct SegmentMotion {
 ///         the splines are (UniformSpline::MeanOver), signs, scale, bias. A receiver: its antenna's
 ///         place. All are as late as their parameter says. Accelerations count in inertial units
 ///         with the gain of their number of the motion, which all units share.
-///         Derivatives by parameters are those of a motion that rests where it does not stand out
-///         of its noise: a motion that follows the noise of a sensor would else seem to excite its
-///         scale, place and delay, which then give way to the noise (errors in variables).
+///         Derivatives by parameters are those of a motion that rests where it does not exceed its
+///         noise. Otherwise a motion that follows a sensor's noise would seem to excite its scale,
+///         place and delay, and the noise would bias these (errors in variables).
 /// Omits   products of motions that change within an observation; filters, which count as delays.
 bool Linearise(const MotionProblem& problem, const UniformSpline& spline,
                const SegmentMotion& motion, const Eigen::VectorXd& parameters,

@@ -45,7 +45,7 @@ Matrix3<T> RotationAbout(const Vec3& axis, const T& angle) {
   return R;
 }
 
-/// What an ideal inertial unit in a frame measures.
+/// Measurement of an ideal inertial unit in a frame.
 template <typename T>
 struct Inertial {
   Vector3<T> w;      ///< turn rate, in the frame

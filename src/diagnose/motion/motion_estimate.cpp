@@ -72,8 +72,8 @@ void AddMotionPriors(const MotionSegment& segment, const Eigen::MatrixXd& now,
 /// A quadratic that does not know whether all channels are late alike: the motion is late as well
 /// then. Linearised about a motion that follows noise it would seem to know.
 ///
-/// Model   of p the quadratic is that of p - u w'p, u 1 for each delay and w the share of each in
-///         what the segment tells of delays, so that one of which it tells nothing stays so.
+/// Model   at p the result is `q` at p - u w'p. u is 1 for each delay, and w is the share of each
+///         in the segment's information on delays. A delay without information keeps none.
 ParameterQuadratic WithoutCommonDelay(const ParameterQuadratic& q, const std::vector<int>& delays) {
   const auto count = q.score.size();
   Eigen::VectorXd common = Eigen::VectorXd::Zero(count), share = common;
@@ -113,8 +113,8 @@ LinearisedSegment LineariseSegment(const MotionProblem& problem, std::size_t s,
   return linear;
 }
 
-/// Which numbers move, by the power of their rates over three blocks; all their derivatives count
-/// there, as half of them would make no direction of descent.
+/// Which numbers move, by the power of their rates over three blocks. All their derivatives count
+/// there, since half of them would give no direction of descent.
 Eigen::ArrayXXd MovingOf(const UniformSpline& spline, const Eigen::MatrixXd& coefficients,
                          const std::vector<Eigen::MatrixXd>& covariance) {
   const auto blocks = static_cast<Eigen::Index>(covariance.size());
@@ -201,8 +201,8 @@ void GatherResiduals(const std::vector<LinearisedSegment>& linear, MotionEstimat
   }
 }
 
-/// Halves the step of a delay each time it turns back: derivatives by delays are those of a motion
-/// that rests where it is noise, so that whole steps go too far and back again.
+/// Halves the step of a delay each time it turns back. Derivatives by delays are those of a motion
+/// that rests where it is noise, so that full steps oscillate.
 class DelaySteps {
  public:
   explicit DelaySteps(const std::vector<int>& delays)

@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// What is known about parameters beforehand: normal about `documented`, within bounds.
+/// Prior of the parameters: normal about `documented`, within bounds.
 struct ParameterPrior {
   Eigen::VectorXd documented, sigma, lower, upper;  ///< bounds may be infinite
   Eigen::VectorXd small = sigma;                    ///< changes far below are none
@@ -19,7 +19,8 @@ struct MotionEstimate {
   std::vector<SegmentMotion> motion;
   Eigen::VectorXd parameters;
   std::vector<NoiseChannel> noise;
-  /// Of each segment over the parameters of all, its own wandering integrated out.
+  /// One quadratic for each segment, over the parameters of all, with its own wandering integrated
+  /// out.
   std::vector<ParameterQuadratic> quadratics;
   std::vector<ChannelResiduals> residuals;  ///< one for each noise channel
   int iterations = 0;
@@ -35,9 +36,9 @@ struct EstimateOptions {
 /// The estimate with which a problem begins.
 MotionEstimate StartingEstimate(const MotionProblem& problem, const ParameterPrior& prior);
 
-/// Gives an estimate other parameters. By what all delays change alike its motion is shifted in
-/// time, exactly: nothing else tells a motion that is late from channels that all are, and no
-/// linear step of splines follows it.
+/// Gives an estimate other parameters. A change common to all delays shifts its motion in time,
+/// exactly. A late motion is indistinguishable from channels that are all late, and no linear step
+/// of splines follows such a shift.
 void SetParameters(const std::vector<int>& delays, const Eigen::VectorXd& parameters,
                    MotionEstimate* estimate);
 
@@ -45,10 +46,10 @@ void SetParameters(const std::vector<int>& delays, const Eigen::VectorXd& parame
 ///
 /// Model   Gauss-Newton; rows are weighted as Student's t has it, from the third iteration of a
 ///         first estimate on, and by their channel's inflation. Each segment's motion is eliminated
-///         (NormalEquations), its own wandering of the parameters integrated out, and the sum of
-///         what is left with the prior is least within the bounds. That all channels are late
-///         alike, nothing tells but the prior. A weak prior on the third derivatives of the motion
-///         carries it over lost rows, another on its place holds what nothing measures.
+///         (NormalEquations), and its own wandering of the parameters integrated out. The sum of
+///         the remaining quadratics and the prior is minimised within the bounds. The prior alone
+///         determines a delay common to all channels. A weak prior on the third derivatives of the
+///         motion carries it over lost rows. Another on its place holds unmeasured numbers.
 MotionEstimate EstimateMotion(const MotionProblem& problem, const ParameterPrior& prior,
                               MotionEstimate start, const EstimateOptions& options = {});
 

@@ -8,8 +8,8 @@
 #include "diagnose/motion/raised_part.h"
 #include "diagnose/motion/uniform_spline.h"
 
-/// What the estimate of a machine's motion is made from: channels with the places of their
-/// parameters, and observations cut into segments.
+/// Input of the estimate of a machine's motion: channels with the places of their parameters, and
+/// observations cut into segments.
 
 namespace tera {
 
@@ -58,9 +58,9 @@ enum class ObservationKind { kImu, kReceiver, kAxis, kPose, kTravel, kStill, kRe
 /// Numbers that were measured over a time, in seconds of their segment's spline.
 ///
 /// An inertial unit's are rates and forces; a receiver's a place; an encoder's one angle; a pose's
-/// place and roll, pitch, yaw. Travel is forward and yaw rate of running gear; rest that of the
-/// number `channel`, which no encoder measures; ground the height, roll and pitch that a base has
-/// on it.
+/// place and roll, pitch, yaw. Travel is forward and yaw rate of running gear. Rest is that of the
+/// number `channel`, which no encoder measures. Ground is the height, roll and pitch of a base on
+/// it.
 struct Observation {
   ObservationKind kind = ObservationKind::kAxis;
   int channel = 0;

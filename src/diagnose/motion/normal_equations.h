@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// A quadratic over the parameters, 1/2 p' `information` p - `score`' p, that a segment's
-/// observations leave where its motion follows the parameters as well as it can.
+/// A quadratic over the parameters, 1/2 p' `information` p - `score`' p. It is the cost of a
+/// segment's observations where its motion follows the parameters as well as it can.
 struct ParameterQuadratic {
   Eigen::MatrixXd information;
   Eigen::VectorXd score;
@@ -31,8 +31,8 @@ class NormalEquations {
   void AddPrior(int first, int number, const std::vector<double>& pattern, double residual,
                 double weight);
 
-  /// Eliminates the motion. What is left for the parameters, as changes from where the rows were
-  /// linearised; nothing can be added from then on.
+  /// Eliminates the motion and returns the quadratic over the parameters, as changes from the point
+  /// of linearisation. No rows can be added afterwards.
   ParameterQuadratic Reduce();
   /// The motion's best changes where the parameters change by so much; Reduce comes before.
   Eigen::VectorXd MotionStep(const Eigen::VectorXd& change) const;

@@ -20,14 +20,14 @@ struct ImuWindow {
 /// The usual time from sample to sample, 0 for fewer than two.
 TimeNs UsualPeriod_ns(const std::vector<TimeNs>& t_ns);
 
-/// Samples, each a mean over the usual period before its stamp, as windows of at most `longest_s`;
-/// a lost row, and a time at which `segment_of` differs, ends a window.
+/// Reduces samples, each a mean over the usual period before its stamp, to windows of at most
+/// `longest_s`. A lost row, or a change of `segment_of`, ends a window.
 ///
 /// Model   model error is a quarter of the largest second difference of the means around a window,
-///         as far as that exceeds three of its robust deviations. A blow of turning shows in the
-///         rates of two windows by half, in the forces of one: they disagree by a quarter of the
-///         forces' second difference.
-/// Omits   what the jitter of stamps makes of slopes.
+///         minus three of its robust deviations. A blow of turning shows by half in the rates of
+///         two windows, but in the forces of one. Rates and forces then disagree by a quarter of
+///         the forces' second difference.
+/// Omits   the effect of jittering stamps on slopes.
 std::vector<ImuWindow> WindowsOf(const std::vector<ImuSample>& samples, double longest_s,
                                  const std::function<int(TimeNs)>& segment_of);
 

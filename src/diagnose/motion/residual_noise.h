@@ -21,10 +21,10 @@ double ErrorWeight(double residual, double sigma);
 /// Sets scale and inflation of each channel by its residuals.
 ///
 /// Model   mean and scale by maximum likelihood under Student's t with `kErrorDof`, the scale at
-///         least the data sheet's; what all residuals are off by alike is an error and no noise.
-///         Inflation 1 + 2 sum rho_k of weighted residuals about that mean, up to the first lag at
-///         which the autocorrelation is below 0.05, of a hundred at most.
-/// Omits   what the motion itself took up of the errors.
+///         least the data sheet's. The mean of the residuals is an error and no noise. Inflation 1
+///         + 2 sum rho_k of weighted residuals about that mean, up to the first lag with an
+///         autocorrelation below 0.05, at most a hundred.
+/// Omits   the part of the errors that the motion itself took up.
 /// Source  Lange, Little and Taylor 1989; Sokal 1989, "Monte Carlo methods in statistical
 ///         mechanics", on summing autocorrelations.
 void EstimateNoise(const std::vector<ChannelResiduals>& residuals,

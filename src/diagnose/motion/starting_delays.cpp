@@ -34,12 +34,12 @@ UnitRows RowsOf(const MotionProblem& problem, int unit) {
   return some;
 }
 
-/// What a unit measured in one row, and what the motion implies of it with a delay.
+/// A unit's measurements in one row, and those that the motion implies with a delay.
 struct BesideMotion {
   std::vector<double> measured, implied;
 };
 
-/// Of each of its six rows, as far as the motion covers them.
+/// The comparison of each of a unit's six rows, as far as the motion covers them.
 std::array<BesideMotion, 6> Compared(const MotionProblem& problem, const MotionEstimate& at,
                                      const UnitRows& rows, const Eigen::VectorXd& parameters) {
   std::array<BesideMotion, 6> compared;
@@ -71,7 +71,7 @@ double MeanSquare(const std::array<BesideMotion, 6>& compared) {
                              : square / static_cast<double>(count);
 }
 
-/// About zero: what rests adds nothing.
+/// About zero: samples at rest add nothing.
 double Correlation(const BesideMotion& row) {
   double both = 0, one = 0, two = 0;
   for (std::size_t k = 0; k < row.measured.size(); ++k) {

@@ -17,7 +17,7 @@ struct TimeSeries {
   double At(double at_s) const;
 };
 
-/// What running gear does over a short time.
+/// Motion of running gear over a short time.
 struct TravelWindow {
   double from_s = 0, to_s = 0;
   double forward_mps = 0, turning_radps = 0;
@@ -35,7 +35,7 @@ struct AntennaTrack {
 /// The height of the ground at (x, y) in W.
 using GroundHeight = std::function<double(double x_m, double y_m)>;
 
-/// What a rough motion is put together from; times count from the same second.
+/// Sources of a rough motion; times count from the same second.
 struct RoughSources {
   std::vector<TimeSeries> joints;  ///< one for each of which the motion is estimated
   std::vector<double> poses_t_s;
@@ -46,9 +46,9 @@ struct RoughSources {
   GroundHeight ground;        ///< empty where it is not known
 };
 
-/// The motion of the base, one series for each number, near enough for an estimate to begin with:
-/// by recorded poses, else by two antennas, else by running gear that is laid over the places of
-/// one antenna, else by running gear from the start.
+/// The motion of the base, one series for each number, near enough for an estimate to begin with.
+/// Its source is recorded poses, else two antennas, else running gear laid over one antenna's
+/// places, else running gear from the start.
 ///
 /// Omits   leaning where neither poses nor ground are known; delays.
 std::array<TimeSeries, kBaseNumbers> RoughBase(const RoughSources& sources);

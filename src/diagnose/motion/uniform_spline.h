@@ -23,8 +23,8 @@ struct UniformSpline {
   bool Covers(double from_s, double to_s) const { return from_s >= 0 && to_s <= end_s(); }
   /// At a time that it covers.
   SplineWeights At(double t_s) const;
-  /// Of the means over a time that it covers, no longer than a step: exact for the derivatives, by
-  /// Simpson's rule for the value. Of longer times, those of their middle.
+  /// Weights of the means over a time that it covers, no longer than a step. They are exact for the
+  /// derivatives, by Simpson's rule for the value. For longer times they are those of the middle.
   SplineWeights MeanOver(double from_s, double to_s) const;
 };
 

@@ -72,8 +72,8 @@ struct Pressing {
 };
 
 /// Loose soil at the surface gives way first, until it is as dense as bank soil and stands like it;
-/// then the upper soil becomes denser. What exceeds the density to which the pressure presses it is
-/// shoved away, added to `beside`.
+/// then the upper soil becomes denser. Soil beyond the density that the pressure yields is shoved
+/// away and added to `beside`.
 void PressColumn(const ColumnMaterial& material, const Pressing& pressing, Column* column,
                  SpoilMix* beside);
 

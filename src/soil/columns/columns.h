@@ -200,8 +200,8 @@ class Columns {
   void DepositAt(int i, int j, const Spoil& spoil);
   /// Presses the surface down: see PressColumn.
   void Press(ColumnId k, const Pressing& pressing, SpoilMix* beside);
-  /// Takes the upper `thickness_m` away and adds it to `cut`. What was pressed into the surface
-  /// stays so in the one below.
+  /// Takes the upper `thickness_m` away and adds it to `cut`. The new surface keeps the prints
+  /// pressed into the old one.
   void Scrape(ColumnId k, double thickness_m, SpoilMix* cut);
   /// Turns the upper `thickness_m` into loose soil.
   void Break(ColumnId k, double thickness_m);

@@ -31,7 +31,7 @@ struct RutPlan {
   double depth_m = 0;
 };
 
-/// Reads `ruts`. Faults go to `config`. What lies beyond the site is left out.
+/// Reads `ruts`. Faults go to `config`. Ruts beyond the site are left out.
 std::vector<RutPlan> ReadRuts(const ConfigMap& config);
 
 /// Presses them, across each other each by its own depth.

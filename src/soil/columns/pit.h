@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// An excavation that is there at the start, its walls upright. What was dug there has left the
-/// site. Its walls stand or fail as any bank does, from the first step on.
+/// An excavation that is there at the start, its walls upright. The dug soil has left the site. Its
+/// walls stand or fail as any bank does, from the first step on.
 struct PitPlan {
   std::vector<Vec2> outline_W_m;
   double depth_m = 0;  ///< of its floor, which follows the ground as it was

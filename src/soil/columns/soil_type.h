@@ -63,10 +63,10 @@ struct BearingLimit {
 
 /// Model   general shear, c N_c + rho g (depth N_q + b N_gamma / 2), the greater one of the soil's
 ///         two strengths. A pass is too short for fine soil to drain, and water that fills its
-///         pores then takes the load: friction fades as the pores' air is cut off, from a degree of
-///         saturation of 0.85 on, to none at 1, wholly where T = K_s E t / (gamma_w b^2) < 0.1 and
-///         not at all where it is more than 0.4, t = 1 s. Without friction it is Prandtl's (2 + pi)
-///         c. What holds no water (pavement) has no limit.
+///         pores then takes the load. Friction fades as the pores' air is cut off, from a degree of
+///         saturation of 0.85 to none at 1. It fades wholly where T = K_s E t / (gamma_w b^2) <
+///         0.1, and not where T > 0.4, t = 1 s. Without friction it is Prandtl's (2 + pi) c. Soil
+///         that holds no water (pavement) has no limit.
 /// Source  Prandtl 1920, Reissner 1924; T: Vermeer and Meier 1998 (PLAXIS, Reference Manual); air:
 ///         Fredlund and Rahardjo 1993, Soil Mechanics for Unsaturated Soils, ch. 2.
 BearingLimit LimitUnderGear(const SoilType& soil, double width_m);

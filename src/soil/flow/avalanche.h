@@ -18,18 +18,17 @@ class Grains;
 ///         momentum is carried along, and Coulomb friction acts against the flow's direction. The
 ///         slope that counts is the surface's full gradient, so that piles are round. Ground at
 ///         rest starts to flow where it is steeper than the start angle; friction mu_slow of slow
-///         flow lies between that and the angle of repose. Of soil that flows with speed v and
-///         thickness h, out of the H that lie loose, friction is mu_slow (1 + (r - 1) f(Fr) g(h /
-///         H)) + b I, Fr = v / sqrt(g h), I = 5/2 Fr d / h: f rises from 0 to 1 between Froude
-///         numbers of 0.1 and 0.5, g between a skin and the whole depth; r, the soil's
-///         `fast_flow_friction`, is less than 1 for dry grains, by as much as lets columns run out
-///         as far as Lube measured, and more for moist crumbs; I is the inertial number of a
-///         Bagnold profile, d the soil's grain. What flows is several times the part of the loose
-///         soil that stands above the slope of slow friction, and what has come along; what lies
-///         deeper rests. All velocities of a step come from one state, and so do all masses: the
-///         order of columns does not matter. Banks fail as in StandingWalls. Only columns near a
-///         change are visited. Nothing flows into a column in which a tool stands lower than the
-///         surface beside.
+///         flow lies between that and the angle of repose. Soil flows with speed v in the upper
+///         thickness h of the loose depth H. Its friction is mu_slow (1 + (r - 1) f(Fr) g(h / H)) +
+///         b I, Fr = v / sqrt(g h), I = 5/2 Fr d / h. f rises from 0 to 1 between Froude numbers of
+///         0.1 and 0.5, g between a skin and the whole depth. r is the soil's `fast_flow_friction`.
+///         It exceeds 1 for moist crumbs; for dry grains it is below 1, so that columns run out as
+///         far as Lube measured. I is the inertial number of a Bagnold profile, d the soil's grain.
+///         The flowing layer is several times the loose soil above the slope of slow friction, plus
+///         the soil that has come along. Deeper soil rests. All velocities of a step come from one
+///         state, and so do all masses: the order of columns does not matter. Banks fail as in
+///         StandingWalls. Only columns near a change are visited. Nothing flows into a column in
+///         which a tool stands lower than the surface beside.
 ///         Columns may stand on a tilted floor of steel, t the tangent of its tilt: gravity sees a
 ///         slope s of them as (s + t) / (1 - s t). Where t exceeds the friction of steel and no
 ///         wall below holds the soil, its whole depth slides on the floor, driven by t + K s

@@ -11,9 +11,9 @@ namespace tera {
 /// The flow of the soil that lies in a truck's bed.
 ///
 /// Model   Soil flows on the bed's columns as on the ground, on a floor of steel that stands as the
-///         carrier does. What stands at the border above the slope at repose from the walls' rim,
-///         or from the lip of an open gate, falls off beside the bed as clods; where the floor is
-///         too steep to hold soil, all that reaches an open gate.
+///         carrier does. Soil at the border falls off beside the bed as clods where it stands above
+///         the slope at repose. That slope starts at the walls' rim, or at the lip of an open gate.
+///         Where the floor is too steep to hold soil, all soil that reaches an open gate falls off.
 /// Omits   the carrier's acceleration; adhesion to the floor; friction on the side walls.
 class BedFlow {
  public:

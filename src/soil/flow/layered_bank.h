@@ -48,13 +48,13 @@ struct SlipSurface {
 /// Finds the surface on which a bank of layers is the least safe.
 ///
 /// Model   The bank's face rises from the toe over `run_m`; its surface comes out farther behind
-///         the toe than `beyond_m`. What slips moves as one block at an angle omega below the
-///         level; its slip surface has a kink at each border, where it leaves layer k at omega +
-///         phi_k (upper bound). The weight drives W sin(omega), and each layer holds c_k L_k
-///         cos(phi_k). In one soil that is Culmann's wedge. Tried are all omega, and, besides a
-///         surface through all layers, those that run out along a border, above which the layers,
-///         down to the depth 2 c / (rho g) tan(45 deg + phi / 2) to which each cracks, crack
-///         upright and are a mere load.
+///         the toe than `beyond_m`. The slipping soil moves as one block at an angle omega below
+///         the level. Its slip surface has a kink at each border, where it leaves layer k at omega
+///         + phi_k (upper bound). The weight drives W sin(omega), and each layer holds c_k L_k
+///         cos(phi_k). In one soil that is Culmann's wedge. The search covers all omega, the
+///         surface through all layers, and the surfaces that run out along a border. Layers above
+///         such a border crack upright to the depth 2 c / (rho g) tan(45 deg + phi / 2) of each,
+///         and there are a mere load.
 /// Omits   layers that slip on their own, water in cracks.
 /// Source  Chen 1975, Limit Analysis and Soil Plasticity, ch. 9; cracks: Terzaghi 1943, Theoretical
 ///         Soil Mechanics, ch. 9.

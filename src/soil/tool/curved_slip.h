@@ -5,10 +5,10 @@
 /// The force that a blade needs to cut soil along a curved slip surface.
 ///
 /// Frames  level x ahead, upright z; all angles are from the level, as in earthmoving.h.
-/// Model   The slip surface is a logarithmic spiral r = r_0 exp(theta tan phi), which leaves the
-///         edge at one angle and comes out of the surface at another, steeper by its turn. What
-///         friction and weight it carries acts towards its pole, so that moments about the pole
-///         give P: the weight's part acts at the lower third of the blade, that of cohesion,
+/// Model   The slip surface is a logarithmic spiral r = r_0 exp(theta tan phi). It leaves the edge
+///         at one angle and reaches the surface at another, steeper by its turn. The spiral's
+///         normal and friction stresses act towards its pole, so that moments about the pole give
+///         P. The weight's part of P acts at the lower third of the blade, the part of cohesion,
 ///         adhesion and surcharge at its middle. The two angles are those that make P least. With
 ///         no turn the spiral is a plane, and P that of the earthmoving equation. Inertia acts
 ///         along the surface, shear on the flanks at the middle of their area.

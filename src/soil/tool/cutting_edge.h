@@ -16,17 +16,17 @@ namespace tera {
 /// Resistance of the ground against a shovel's cutting edge and teeth.
 ///
 /// Frames  W; B frame of the shovel's link.
-/// Model   For each of several strips of the edge the least force along slip surfaces through the
-///         ground as it lies ahead (CutAhead), with its own depth and speed, the carried soil's
-///         surcharge, and its share of the flanks' shear; less where layers are weaker than their
-///         mean, in the share that they are so on level ground (CutLayers). Edge and
-///         teeth, which run ahead of it by their length, pierce the soil that they meet (Piercing).
-///         Once the carried soil fills 0.8 of the struck capacity the soil separates along it
-///         instead of the floor: the plane that cuts turns towards the mouth until the bucket is
-///         full, soil rubs on soil, and what is carried weighs the less on the wedge. What comes in
-///         pushes the carried soil up the floor, against its friction there and on the side walls
-///         (at-rest pressure). All builds up over a few millimetres of travel (soil is elastic
-///         before it fails), so that it holds at rest; no strip is ever driven on.
+/// Model   Each of several strips of the edge needs the least force along slip surfaces through the
+///         ground ahead (CutAhead). A strip has its own depth and speed, the carried soil's
+///         surcharge, and its share of the flanks' shear. Layers weaker than their mean reduce the
+///         force by the same share as on level ground (CutLayers). Edge and teeth pierce the soil
+///         that they meet (Piercing); the teeth run ahead of the edge by their length.
+///         Once the carried soil fills 0.8 of the struck capacity, the soil separates along it
+///         instead of the floor. The cutting plane then turns towards the mouth until the bucket is
+///         full, soil rubs on soil, and the carried soil weighs less on the wedge. Incoming soil
+///         pushes the carried soil up the floor, against friction there and on the side walls
+///         (at-rest pressure). Forces build up over a few millimetres of travel (soil is elastic
+///         before it fails), so that they hold at rest. They never drive a strip on.
 /// Omits   side cutters, slopes across the travel.
 /// Source  see earthmoving.h; secondary separation as in Algoryx's terrain material.
 class CuttingEdge {

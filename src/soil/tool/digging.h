@@ -17,26 +17,28 @@ namespace tera {
 ///
 /// Frames  W; B frame of the shovel's link.
 /// Model   Geometry: no soil stays above the lowest point of the shovel's cross-section in any
-///         column. What comes in through the mouth is carried (a bucket) until it is heaped full;
-///         the rest, and what a blade, the back of a bucket or its shell meets, is put outside in
-///         the direction of motion (what stands over a buried bucket passes over it and falls
-///         behind), over the columns that move with it, from where it rolls down to
-///         repose: a heap that the edge slides goes along as it lies, else a passive wedge rises
-///         from the shovel's lowest point at 45 deg - phi/2 and fans out. What would
-///         stand before a blade higher than at repose down from its top edge rides up and over it.
-///         Carried soil beyond what stands heaped at the angle of repose under the present apparent
-///         gravity leaves over the lower lip at a finite rate, as clods that fall, over the cutting
-///         edge between the teeth. A layer as thick as adhesion (or cohesion, if that is less)
-///         holds against its weight sticks to the shell, but no thicker than a clod: dug soil is
-///         loose, and what does not touch steel falls. Force: CuttingEdge, ShovelWalls, and the
-///         shell's underside, which rests on the ground: elastic up to the bearing pressure, then
-///         it presses the ground aside; Coulomb friction along it. What lies over the ground below
-///         the lowest of the surfaces on the shovel's four sides is its surcharge. So does the soil
-///         in a full bucket whose mouth looks down. The shell is a cell thick towards its back, so
-///         that no soil slips through it between two columns; where a thin one's face has passed
-///         over a column in a step, it has cut there.
+///         column. A bucket carries the soil that comes in through its mouth until it is heaped
+///         full. The rest goes outside in the direction of motion, with the soil that a blade, a
+///         bucket's back or its shell meets. Soil over a buried bucket passes over it and falls
+///         behind. Soil put outside lies over the columns that move with it, and from there rolls
+///         down to repose. A heap that the edge slides goes along as it lies; else a passive wedge
+///         rises from the shovel's lowest point at 45 deg - phi/2 and fans out. Soil before a blade
+///         rides up and over it above the slope at repose down from its top edge.
+///         Carried soil above the heap at repose, under the present apparent gravity, leaves over
+///         the lower lip at a finite rate. It falls as clods, over the cutting edge between the
+///         teeth. A layer sticks to the shell, as thick as adhesion (or cohesion, if less) holds
+///         against its weight, but no thicker than a clod. Dug soil is loose: soil that does not
+///         touch steel falls.
+///         Force: CuttingEdge, ShovelWalls, and the shell's underside, which rests on the ground.
+///         The underside is elastic up to the bearing pressure, then it presses the ground aside;
+///         Coulomb friction acts along it. Soil over the ground, up to the lowest of the surfaces
+///         on the shovel's four sides, is the ground's surcharge. So is the soil in a full bucket
+///         whose mouth looks down. The shell is a cell thick towards its back, so that no soil
+///         slips through it between two columns. Where a thin shell's face has passed over a column
+///         in a step, it has cut there.
 /// Omits   layers inside the bucket, the time in which its load slides, sticky soil that is shaken
-/// off. Source  Rankine 1857 (passive wedge); Terzaghi 1943 (bearing).
+///         off.
+/// Source  Rankine 1857 (passive wedge); Terzaghi 1943 (bearing).
 class Digging {
  public:
   /// `soils` are those of the ground, as the machine meets them.

@@ -7,10 +7,10 @@
 /// Model   The wedge between blade and the slip plane is in limit equilibrium:
 ///         P = w (rho g d^2 N_gamma + c d N_c + c_a d N_a + q d N_q) + inertia, with the slip
 ///         plane's angle beta that makes P least. All angles are from the level, gravity is
-///         upright, and `depth_m` is the surface's height above the edge: on ground that rises
-///         ahead by `slope_rad` the slip plane comes out d / (tan beta - tan slope) ahead, and the
-///         wedge, its slip plane and the blade in the ground are as large as that makes them. Of
-///         the soil on the blade, behind the upright line through the edge, all weight is counted
+///         upright, and `depth_m` is the surface's height above the edge. On ground that rises
+///         ahead by `slope_rad` the slip plane comes out d / (tan beta - tan slope) ahead. That
+///         length sets the size of the wedge, of its slip plane and of the blade in the ground. All
+///         soil on the blade behind the upright line through the edge counts with its full weight
 ///         (Luengo's swept volume). Shear on the wedge's two flanks is added to the slip plane's
 ///         cohesion.
 /// Omits   bent blades, the rest of the tool, three-dimensional wedges beyond the flanks' shear.

@@ -33,9 +33,9 @@ namespace tera {
 ///         ch. 7 (a central block on a weak seam and its resisting wedge).
 CuttingForce CutLayers(const CuttingInput& mean, std::span<const CutLayer> layers);
 
-/// The force to move the ground that lies ahead (CutAhead), less where its layers are weaker than
-/// soil of their mean, in the share that they are so on level ground. Of `blade` soil and depth are
-/// taken from the others, of `ahead` what lies on the blade alone counts.
+/// The force to move the ground that lies ahead (CutAhead). Layers weaker than soil of their mean
+/// reduce it by the same share as on level ground. `ground` and `soil` replace the soil and depth
+/// of `blade`; only the soil on the blade counts in `ahead`.
 CuttingForce CutLayersAhead(const CuttingInput& blade, const GroundAhead& ground,
                             const CutSoil& soil, const SoilAhead& ahead);
 

@@ -9,8 +9,9 @@ namespace tera {
 
 /// Pressure on a steel edge of some thickness that is pushed into each of several soils.
 ///
-/// Model   Of the bearing pressure at 0.5 m, 10 % at the surface, growing with depth to all of it
-///         at 0.5 m, and no more below; none above the ground. Loose soil has no cohesion.
+/// Model   The pressure is 10 % of the bearing pressure at 0.5 m at the surface. It grows with
+///         depth to all of it at 0.5 m, and no more below. It is zero above the ground. Loose soil
+///         has no cohesion.
 /// Source  penetration resistance as in Algoryx's terrain material.
 class Piercing {
  public:

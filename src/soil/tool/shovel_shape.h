@@ -31,7 +31,7 @@ class ShovelShape {
     bool is_beside() const { return to_m < from_m; }
     std::optional<double> Crosses_m(const Vec2& a, const Vec2& d) const;
   };
-  /// Those through places of the ground.
+  /// Upright lines through places of the ground.
   class Uprights {
    public:
     Uprights(const ShovelShape& shape, const Pose& X_WB);

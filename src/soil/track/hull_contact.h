@@ -9,13 +9,13 @@ namespace tera {
 /// Point of a machine's structure on the ground.
 ///
 /// Frames  W.
-/// Model   A spring and damper along the shortest way out of the ground (GroundExit), so that the
-///         wall of a pit pushes sideways what slides into it, and another spring across it that
-///         yields where Coulomb friction is used up; the ground only pushes. The first spring is as
-///         long as the point has come into the ground by its own motion, at most as the way out:
-///         soil that is heaped over a point lifts nothing. Springs change by motion against their
-///         force, or they shorten; so the ground never gives more work than it took, however the
-///         way out turns. Of the ground and a low obstacle, the one it is deeper in bears it.
+/// Model   A spring and damper act along the shortest way out of the ground (GroundExit), so that a
+///         pit's wall pushes sliding points sideways. Another spring acts across it and yields
+///         where Coulomb friction is used up. The ground only pushes. The first spring is as long
+///         as the point's own motion into the ground, and at most as the way out: soil heaped over
+///         a point lifts nothing. Springs change by motion against their force, or they shorten. So
+///         the ground never gives more work than it took, however the way out turns. The deeper one
+///         of the ground and a low obstacle bears the point.
 ///         Loose soil gives way beyond what it bears under a square footing as wide as what the
 ///         point's cone of 1 to 1 touches: a ridge is ploughed, a fill bears after some
 ///         centimetres. Stiffness and damping are in proportion to the machine's mass: alike

@@ -39,7 +39,7 @@ class Plate {
   /// pen at most Pressure_pa at a depth of `bearing_m`, damped. `share` is s.
   double DampedPressure_pa(double share, double pen_m, double bearing_m, double into_mps) const;
   /// Solves s k_e (pen - ds) = Pressure_pa(ease (pressed + ds)) for ds by safeguarded Newton steps;
-  /// 0 where the ground bears the plate elastically. Of `ease` see Rolling.
+  /// 0 where the ground bears the plate elastically. For `ease` see Rolling.
   double PlasticSinkage_m(double share, double ease, double pressed_m, double pen_m) const;
   /// Work per unit area of pressing from sinkage `from_m` to `to_m`, near by.
   double PressingWork_jpm2(double from_m, double to_m) const;

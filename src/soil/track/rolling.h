@@ -14,14 +14,14 @@ namespace tera {
 ///         falls off from the leading edge to the trailing one, by the sine of the slip angle. Both
 ///         are as much nearer to 1 as the wheel has not come over its contact's length yet, or as
 ///         its sinkage is elastic.
-///         Slip and skid dig a wheel in: of the sinkage z, what they have dug bears nothing, the
-///         share is 1 - min(d / z, f / (1 + f)). Slip i digs d = g (K + h / 2), g = 1.3 (1 -
-///         exp(-(i / 0.42)^2)), K the soil's shear displacement and h the height of grousers; skid
-///         digs as much with g = 3.5 times the skid squared. Where a plate would hardly sink, it is
-///         bounded by f = 6 g times what bears.
+///         Slip and skid dig a wheel in. Their part d of the sinkage z bears nothing: the share is
+///         1 - min(d / z, f / (1 + f)). Slip i digs d = g (K + h / 2), g = 1.3 (1 - exp(-(i /
+///         0.42)^2)), K the soil's shear displacement and h the height of grousers; skid digs as
+///         much with g = 3.5 times the skid squared. Where a plate would hardly sink, it is bounded
+///         by f = 6 g times what bears.
 /// Source  Wong and Reece 1967, J. Terramechanics 4(1): peak and rear of the stress, with c1 = 0.4
 ///         and c2 = 0.15 of the ranges in Ishigami, Miwa, Nagatani and Yoshida 2007, J. Field
-///         Robotics 24(3). What slip digs: fitted to two single-wheel tests of smooth wheels, Ding
+///         Robotics 24(3). Digging by slip: fitted to two single-wheel tests of smooth wheels, Ding
 ///         et al. 2011, J. Terramechanics 48(1), and Pavlov and Johnson's data (robomechanics,
 ///         3d-terramechanics), whose soils, loads and radii differ threefold; h / 2 to the lugged
 ///         wheel of the first. Skid: the second. Sideways: by analogy. See docs/evidence/soil.md.

@@ -40,9 +40,9 @@ void ForColumnsUnder(const ContactPatch& patch, const Footprint& foot, const Col
   }
 }
 
-/// Share of a patch's pressing that moving forwards may account for. What comes under it from the
-/// side, its side face has pushed; and a patch that faces backwards leaves the ground, which has
-/// risen under it by itself.
+/// Share of a patch's pressing that moving forwards may account for. The side face has pushed soil
+/// that comes under the patch from the side. A patch that faces backwards leaves the ground, which
+/// has risen under it by itself.
 double ForwardShare(const Footprint& foot, const BodyState& body, const Vec3& v_W) {
   constexpr double kFlat = 1e-6;
   const double along_mps = v_W.dot(foot.along_W), across_mps = v_W.dot(foot.across_W);

@@ -38,8 +38,8 @@ struct Footprint {
 ///         between grousers goes with the shoes: where they slip over the ground, a layer as thick
 ///         as they are high, and no thicker than they have sunk in, leaves at the end to which it
 ///         is carried, and the gear sinks by as much, evenly over its contact: h i / (1 - i) in a
-///         pass at slip i. The ground keeps its memory of pressure thereby. What comes free gets
-///         the print of the grousers, see Tread.
+///         pass at slip i. The ground keeps its memory of pressure thereby. Ground that comes free
+///         gets the print of the grousers, see Tread.
 /// Omits   soil that grousers carry sideways.
 /// Source  Bekker 1969; memory and grid as in Krenn and Hirzinger 2009; slip sinkage: Reece 1965.
 class Rut {

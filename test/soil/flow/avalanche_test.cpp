@@ -237,7 +237,7 @@ TEST(Avalanche, APileComesToRestAndThenCostsNothing) {
 }
 
 TEST(Avalanche, BothDiagonalsAndAxesFlowAlike) {
-  // What rounding sums in another order, the flow of moist crumbs makes larger: friction that rises
+  // The flow of moist crumbs amplifies the rounding of sums in another order: friction that rises
   // stops and starts faces.
   struct Case {
     const char* soil;

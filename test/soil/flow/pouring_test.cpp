@@ -11,7 +11,7 @@
 #include "soil/soil_fixture.h"
 #include "soil/tool/shovel_shape.h"
 
-/// What leaves a bucket: where it leaves it, and the pile that it makes.
+/// Soil that leaves a bucket: the place where it leaves, and the pile that it makes.
 
 namespace tera {
 namespace {

@@ -179,7 +179,7 @@ TEST_F(GroundRasterTest, ChangeCountsFromTheMarkedStart) {
                             soil->MarkStart();
                             EXPECT_NEAR(sum("marked.tif"), 0, 1e-9);
                           });
-  // What was in the bucket then has come down since.
+  // The bucket's load at that time has come down since.
   const double after_kg = sum("dumped.tif");
   EXPECT_GT(after_kg, 50);
 }

@@ -123,7 +123,7 @@ TEST(LargeSite, TheSameCutOnASiteOfAnySizeLeavesTheSameGround) {
   EXPECT_GT(changed, 200);
 }
 
-/// What a dig leaves: what is missing, and what lies where the bucket was dumped.
+/// Traces of a dig: the missing soil, and the heap where the bucket was dumped.
 struct HoleAndHeap {
   explicit HoleAndHeap(const TerrainSurface& ground) {
     for (double y_m = -2.5; y_m < 5; y_m += ground.cell_m) {

@@ -10,7 +10,7 @@
 
 namespace tera::testing_soil {
 
-/// What is wrong with a terrain mapping, or nothing.
+/// Faults of a terrain mapping; empty if it is valid.
 inline std::vector<InputFault> FaultsOf(const std::string& terrain_yaml) {
   return FaultsIn([&] { MakeGround(terrain_yaml); });
 }

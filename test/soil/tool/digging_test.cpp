@@ -182,7 +182,7 @@ TEST(Digging, ATrenchThroughALayerBringsUpBothSoilsByTheirThickness) {
   EXPECT_NEAR(load.soil_kg[0] + load.soil_kg[1], load.mass_kg, 1e-9);
 }
 
-/// What is left in the bucket after a dig and a dump.
+/// Soil that stays in the bucket after a dig and a dump.
 double LeftAfterDump_kg(const std::string& soil_name) {
   auto soil = MakeGround("soil: " + soil_name + "\n");
   const int machine = AddCompactBucket(soil.get());

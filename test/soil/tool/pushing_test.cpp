@@ -51,7 +51,7 @@ TEST(Digging, TheWindrowBeforeABladeResistsByTheFrictionOfItsWeight) {
     if (t_s > 0.05 && t_s < 0.25) first_n += force_n, ++first;
     if (t_s > 7.5) last_n += force_n, ++last;
   });
-  // What rides along lies before the blade, between its ends.
+  // Soil that rides along lies before the blade, between its ends.
   const TerrainSurface& ground = soil->surface();
   double rides_m3 = 0, beside_m3 = 0;
   for (double x = -3.4; x < 2.5; x += 0.05) {
@@ -141,7 +141,8 @@ PlateRun RunPlate(const std::string& soil_name, double rake_deg) {
   return run;
 }
 
-/// What docs/reference/soil.md quotes of a run: draft, the equation's and the trial wedges', in N.
+/// Numbers of a run that docs/reference/soil.md quotes: draft, the equation's and the trial
+/// wedges', in N.
 void Quote(const std::string& soil_name, double rake_deg, const PlateRun& run) {
   testing::Test::RecordProperty(
       fmt::format("{}_{:.0f}_deg", soil_name, rake_deg),
@@ -150,8 +151,8 @@ void Quote(const std::string& soil_name, double rake_deg, const PlateRun& run) {
 
 TEST(Digging, APlateMeetsTrialWedgesAtEveryRake) {
   // The draft grows with the rake, and where soil rides over the plate it is the earthmoving
-  // equation's. Of steeper plates, before which a heap lies, it is that of trial wedges in the
-  // ground as it lies, or as much less as spirals and sliding take.
+  // equation's. Steeper plates have a heap before them. Their draft is that of trial wedges in the
+  // ground as it lies, less the difference that spirals and sliding make.
   for (const char* soil : {"dirt", "sand"}) {
     double last_n = 0;
     for (const double rake_deg : {30.0, 45.0, 60.0, 75.0, 90.0}) {
@@ -165,8 +166,9 @@ TEST(Digging, APlateMeetsTrialWedgesAtEveryRake) {
       last_n = run.draft_n;
       Quote(soil, rake_deg, run);
     }
-    // What leans forwards meets what soil meets on soil: no less than with its heap spread evenly,
-    // no more than where the heap is as firm as the ground and as high as the plate everywhere.
+    // A plate that leans forwards has the resistance of soil on soil. The draft is no less than
+    // with its heap spread evenly. It is no more than with a heap as firm as the ground and as high
+    // as the plate everywhere.
     for (const double rake_deg : {105.0, 120.0}) {
       const PlateRun run = RunPlate(soil, rake_deg);
       EXPECT_GT(run.draft_n, run.equation_n) << soil << ' ' << rake_deg;
@@ -178,7 +180,8 @@ TEST(Digging, APlateMeetsTrialWedgesAtEveryRake) {
 
 TEST(Digging, AnUprightPlateLetsNoHeapThrough) {
   // A cone of 0.5 m radius, a plate 1.5 m wide that moves 1.2 m through it, thinner than a cell or
-  // thicker, whichever way it faces. What comes behind it within its width does so around its ends.
+  // thicker, whichever way it faces. Soil that comes behind it within its width goes around its
+  // ends.
   for (const double cell_m : {0.05, 0.1}) {
     for (const double thick_m : {0.01, 0.06}) {
       for (const double yaw_rad : {0.0, 0.5, 45 * kDeg}) {

@@ -17,8 +17,8 @@ class TrialWedges {
   TrialWedges(const SoilType& soil, double rake_rad, double depth_m, double plate_m)
       : soil_(soil), rake_rad_(rake_rad), depth_m_(depth_m), plate_m_(plate_m) {}
 
-  /// Of a part of the plate `width_m` wide, with `flanks` of its two flanks' shear, the least P of
-  /// all plane slip surfaces, over x = 0 to 2 m of the surface z_m(x).
+  /// The least P of all plane slip surfaces, over x = 0 to 2 m of the surface z_m(x). It is for a
+  /// part of the plate `width_m` wide, with the share `flanks` of its two flanks' shear.
   template <typename Surface>
   double Draft_n(double width_m, double flanks, const Surface& z_m) const {
     double least_n = std::numeric_limits<double>::infinity();

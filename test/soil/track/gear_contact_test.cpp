@@ -361,7 +361,8 @@ TEST(GearContact, RutsAreAsDeepInCellsOfAllSizes) {
 }
 
 TEST(GearContact, RutsTakeTheSameWorkInCellsOfAllSizes) {
-  // Of a track 0.3 m wide along the grid, 8 columns of 4 cm stand under its width, 6 of 5, 4 of 7.
+  // A track 0.3 m wide along the grid has 8 columns of 4 cm under its width, 6 of 5 cm, or 4 of 7
+  // cm.
   std::vector<double> drag_n;
   for (const double cell_m : {0.05, 0.04, 0.07}) {
     Block block(fmt::format("size_m: [8, 4]\nsoil: loose_sand\ncell_m: {}\n", cell_m),

@@ -75,7 +75,7 @@ TEST(SideFaces, HoldALeaningTrackAgainstBeingPulledSideways) {
 
 /// A track alone, without shear, that leans to its left (to its right: by less than 0), its lower
 /// edge at first along the surface of level ground which yields at one pressure, whatever the
-/// depth. What lies beyond the edge is the side's, what lies on this side of it the underside's.
+/// depth. Soil beyond the edge belongs to the side, soil on this side of it to the underside.
 class LeaningTrack {
  public:
   LeaningTrack(double lean_rad, const SoilType& soil, double cell_m)
@@ -111,7 +111,7 @@ class LeaningTrack {
     body_.X_WB.translation() = edge_W_m_ - left_ * body_.X_WB.linear() * Vec3(0, kWidth_m / 2, 0);
     Act();
   }
-  /// Of the force on the side: the faces are at right angles.
+  /// Work of the force on the side: the faces are at right angles.
   double side_work_j() const { return side_work_j_; }
   double SideDisplaces_m3() const {
     double sum_m3 = 0;
@@ -124,7 +124,7 @@ class LeaningTrack {
     }
     return sum_m3;
   }
-  /// Of ground above where it was, further out from the edge than `from_m`.
+  /// Volume of ground above its first height, further out from the edge than `from_m`.
   double RaisedBeyond_m3(double from_m) const {
     double sum_m3 = 0;
     for (int j = 0; j < ground_.ny(); ++j) {
