@@ -13,9 +13,9 @@ inline constexpr int kRoll = 3, kYaw = 5;
 
 /// A part that rises beside an antenna, as a boom.
 ///
-/// What it reflects changes a place by (h cos a, h sin a, v cos a) r, a = A - azimuth, with A the
-/// part's azimuth and r the sine of its elevation. That is linear in the four numbers
-/// (h cos azimuth, h sin azimuth, v cos azimuth, v sin azimuth) where r (cos A, sin A) is known.
+/// Its reflection shifts a place by (h cos a, h sin a, v cos a) r, a = A - azimuth. A is the part's
+/// azimuth and r the sine of its elevation. The shift is linear in (h cos azimuth, h sin azimuth, v
+/// cos azimuth, v sin azimuth) where r (cos A, sin A) is known.
 struct RaisedPart {
   KinematicChain chain;
   Vec3 direction_L = Vec3::UnitX();  ///< from its foot to its tip

@@ -17,8 +17,8 @@ struct PerceptionOptions {
 };
 
 /// Compares the lidar and camera data of a recording with their simulation on the recorded
-/// trajectory: one list for each machine, with one entry for each of its recorded sensors. `names`
-/// are the machines' names in the recording.
+/// trajectory. Returns one list for each machine, with one entry for each of its recorded sensors.
+/// `names` are the machines' names in the recording.
 ///
 /// Throws InputError for an invalid recorded file.
 std::vector<std::vector<PerceptionDiagnosis>> RunPerception(const Scenario& scenario,

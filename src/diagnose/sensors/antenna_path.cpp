@@ -60,7 +60,7 @@ bool AddJoints(const MachineModel& model, const Measurements& measured, int link
   return true;
 }
 
-/// What says how the base moved. False where nothing does.
+/// Adds the sources of the base's motion. False where there are none.
 bool AddBase(const DiagnosisInput& input, const Measurements& measured, TimeNs zero_ns,
              RoughSources* sources, Span* span) {
   sources->travel = GearTravel(input, measured, zero_ns);

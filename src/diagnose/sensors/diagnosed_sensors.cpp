@@ -13,11 +13,11 @@ namespace {
 
 /// RMS over what successive residuals differ by, from which on error is left.
 constexpr double kMostOfDifferences = 2;
-/// RMS over the motion of a unit below which no axis of it is exchanged or reversed, which errs by
-/// as much as it moves; error that the splines are too smooth for is less.
+/// RMS error over the motion of a unit below which none of its axes is exchanged or reversed: such
+/// an axis errs by as much as it moves. Errors of too smooth splines are smaller.
 constexpr double kMostOfMotion = 0.2;
-/// What is named gains at least this share of its own gain and of all that could still be gained:
-/// as of blocks, less is too little to be what is wrong.
+/// A named mechanism gains at least this share of its own gain plus all remaining gain. As for
+/// blocks, a smaller share is too little to be the cause.
 constexpr double kLeastExcessOfCause = 1.0 / 3;
 constexpr std::string_view kClockMechanism = "clock_offset";
 
@@ -44,8 +44,8 @@ const ChannelError* MostLessened(const SensorDiagnosis& estimate, const std::str
   return most;
 }
 
-/// The channel that shows best what the findings about a target do: one of its own, unless it is so
-/// exact that the motion follows it whatever is wrong with it, and others bear its error.
+/// The channel that shows best the effect of the findings about a target. It is one of its own,
+/// unless that is so exact that the motion follows its errors and others bear them.
 const ChannelError* ChannelThatShows(const SensorDiagnosis& estimate, const std::string& target) {
   const ChannelError* own = MostLessened(estimate, target);
   return own == nullptr || Lessened(*own) > 0 ? own : MostLessened(estimate, "");
@@ -116,9 +116,9 @@ class Teller {
   DiagnosedSensors* out_;
 };
 
-/// What the estimate says of the clock of a receiver whose samples it had stamped anew, which is no
-/// finding beside the offset: taken from its findings, else the documented one as far as it is
-/// known.
+/// The clock that the estimate finds for a receiver whose samples it had stamped anew, which is no
+/// finding beside the offset. It is taken from its findings, else the documented one with its known
+/// uncertainty.
 FoundNumber TakeRest(const OffsetReceiver& offset, DiagnosedSensors* sensors) {
   FoundNumber rest{.value = offset.documented_s, .sigma = offset.sigma_s};
   for (auto* list : {&sensors->findings, &sensors->unconfirmed, &sensors->within_tolerance}) {

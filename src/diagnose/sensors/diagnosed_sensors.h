@@ -25,8 +25,8 @@ struct DiagnosedSensors {
   SensorDiagnosis estimate;
   std::deque<Candidate> candidates;  ///< of the findings and of their rivals
   std::vector<SensorFound> findings, within_tolerance;
-  /// Mechanisms that were chosen and remove too little of the error to be its cause; and, not
-  /// confirmed, those that lie beyond tolerance without a steady gain.
+  /// Mechanisms that were chosen and remove too little of the error to be its cause. Unconfirmed
+  /// ones also include those beyond tolerance without a steady gain.
   std::vector<SensorFound> unconfirmed;
 };
 
@@ -36,16 +36,16 @@ DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machin
 /// Adds the axes that counted backwards, as findings, but those of which the scenario says so.
 void TellReversed(const std::vector<ReversedAxis>& reversed, DiagnosedSensors* sensors);
 
-/// Adds the receivers whose samples were stamped anew, as findings: by how much their clocks are
-/// off, the rest that the estimate says of them included.
+/// Adds the receivers whose samples were stamped anew, as findings: the offsets of their clocks,
+/// including the rest that the estimate finds.
 void TellOffset(const std::vector<OffsetReceiver>& offset, const std::string& machine,
                 DiagnosedSensors* sensors);
 
-/// Whether what is left of a channel is no louder than twice what its residuals differ by from one
-/// to the next: error that lasts would be. Error that changes as fast as noise does is not seen.
+/// Whether a channel's residual is no louder than twice its differences from one sample to the
+/// next: lasting error would be. Error that changes as fast as noise is not seen.
 bool IsNoise(const ChannelError& channel);
 
-/// Whether what is left of a channel is noise, within the tolerance of a constant error, or below a
+/// Whether a channel's residual is noise, within the tolerance of a constant error, or below a
 /// fifth of a unit's motion: no sensor is wrong for it.
 bool IsExplained(const ChannelError& channel);
 
@@ -54,9 +54,9 @@ bool IsExplained(const ChannelError& channel);
 Measurements WithoutExplained(const DiagnosisInput& input, const SensorDiagnosis& estimate,
                               Measurements measured);
 
-/// Leaves the blocks of inertial units the mechanisms that the estimate does not have. The others
-/// were judged beside all sensors at once; a unit over poses and encoders as they were measured
-/// would take the noise of these for a filter or a delay of its own.
+/// Leaves the blocks of inertial units only the mechanisms that the estimate does not have. The
+/// others were judged beside all sensors at once. A unit over measured poses and encoders would
+/// take their noise for a filter or a delay of its own.
 void RemoveEstimated(const DiagnosisInput& input, const SensorDiagnosis& estimate,
                      std::vector<ReplayBlock>* blocks);
 

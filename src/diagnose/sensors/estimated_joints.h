@@ -8,9 +8,9 @@
 
 namespace tera {
 
-/// The joints of the model whose motion the sensors' errors are asked beside: on the way from the
-/// base to an inertial unit or an antenna that measured, not fixed, and with a lever or an encoder.
-/// All others stay as the model has them at first.
+/// The joints of the model whose motion is estimated with the sensors' errors. They lie between the
+/// base and an inertial unit or antenna with samples, are not fixed, and have a lever or an
+/// encoder. All others keep the model's initial position.
 std::vector<std::size_t> EstimatedJoints(const DiagnosisInput& input, const Measurements& measured);
 
 }  // namespace tera

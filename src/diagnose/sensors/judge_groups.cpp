@@ -17,7 +17,7 @@ namespace {
 constexpr double kInterval = 0.95;   ///< of a number, to lie beyond its tolerance wholly
 constexpr double kRangeEnd = 0.99;   ///< share of a range beyond which a value is at its end
 constexpr double kRivalShare = 0.5;  ///< of a gain, without which a group is no rival
-/// Of the posterior density, in logarithms: twenty times as likely.
+/// Odds of the posterior density, in logarithms: twenty times as likely.
 constexpr double kRivalOdds = 3;
 constexpr int kMostTried = 8;        ///< groups that are judged on held-out segments at each step
 constexpr double kCancels = 0.98;    ///< correlation of two numbers whose effects cancel
@@ -41,8 +41,8 @@ bool Has(const Set& set, int group) {
   return std::find(set.begin(), set.end(), group) != set.end();
 }
 
-/// Sums of consecutive segments, in as many parts as may be: errors that outlast a segment, as the
-/// slow ones of receivers do, would else make segments confirm each other.
+/// Sums of consecutive segments, in as many parts as may be. Errors that outlast a segment, such as
+/// slow ones of receivers, would otherwise make segments confirm each other.
 std::vector<ParameterQuadratic> PartsOf(const std::vector<ParameterQuadratic>& segments) {
   const std::size_t count = std::min(segments.size(), kMostParts);
   std::vector<ParameterQuadratic> parts;
@@ -119,8 +119,9 @@ class Judge {
     return total;
   }
   double FitOf(const Eigen::VectorXd& parameters) const { return -sum_.At(parameters); }
-  /// The logarithm of the largest posterior density with a set free, whatever its numbers are: what
-  /// all segments say, less what it takes to stretch all other numbers within their tolerances.
+  /// The logarithm of the largest posterior density with a set free, whatever its numbers are. It
+  /// is that of all segments, less the cost of stretching all other numbers within their
+  /// tolerances.
   double LogPosterior(const Set& free) const {
     const Eigen::VectorXd best = Fit(free);
     const ParameterPrior prior = table_.PriorWith(free);

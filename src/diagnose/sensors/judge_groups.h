@@ -44,19 +44,20 @@ struct GroupJudgement {
 
 /// Which groups lie beyond their tolerance.
 ///
-/// Model   each segment is a quadratic over the parameters. A group is tried by the gain, on each
-///         segment, of parameters that all other segments fit best with the group free over those
-///         with it and all others within tolerance (SmallestWithin); SteadyEffectP over segments
-///         judges how steady it is. A tolerance is a bound: a prior alone would give way to the
-///         data, and what is far off would then gain nothing from being free. A group is admissible
-///         where p is small enough for as many groups, one of its numbers lies beyond its tolerance
-///         with the whole of its interval of 95 %, and none is at the end of its range. That with
-///         which the recording is most likely enters, the priors of all numbers within tolerance
-///         counted; named ones that are no longer admissible leave. Errors are the larger of the
-///         posterior's and of the block jackknife's over a dozen parts of the recording, intervals
-///         those of Student's t: a model that is wrong makes a posterior sharp, and its parts
-///         disagree.
-/// Omits   what is not quadratic: linearise again where much was named.
+/// Model   each segment is a quadratic over the parameters. The test of a group is its gain on each
+///         segment, of parameters fitted to all other segments. They are fitted with the group
+///         free, and with it and all others within tolerance (SmallestWithin). SteadyEffectP over
+///         segments judges how steady the gain is. A tolerance is a bound: a mere prior would yield
+///         to the data, and a large error would then gain nothing from being free.
+///         A group is admissible if its p is small enough for as many groups and none of its
+///         numbers is at the end of its range. One number must also lie beyond its tolerance with
+///         its whole interval of 95 %. The group with the largest posterior of the recording
+///         enters, the priors of all numbers within tolerance included. Named groups that become
+///         inadmissible leave.
+///         Errors are the larger of the posterior's and of the block jackknife's over a dozen parts
+///         of the recording. Intervals are those of Student's t. A wrong model makes a posterior
+///         sharp, but its parts disagree.
+/// Omits   nonlinear effects: linearise again where many groups were named.
 /// Source  Ibragimov and Mueller 2010; Kuensch 1989, "The jackknife and the bootstrap for general
 ///         stationary observations".
 GroupJudgement JudgeGroups(const ParameterTable& table,

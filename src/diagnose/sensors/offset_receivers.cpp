@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kEstimated_s = 0.5;  ///< up to which the estimate finds delays by itself
 constexpr double kAlpha = 0.01;       ///< for all receivers together
-/// What fixes move by over what gear and joints say: tracks slip, and a wheel's radius is worn.
+/// Motion of the fixes over that of gear and joints: tracks slip, and a wheel's radius is worn.
 constexpr double kLeastLagShare = 0.5, kMostLagShare = 1.5;
 constexpr const char* kClock = "clock_offset";
 constexpr const char* kOffset = "offset_s";

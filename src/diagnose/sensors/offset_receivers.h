@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// What a receiver's fixes say of its clock beside running gear and joints.
+/// Lag of a receiver's fixes beside running gear and joints.
 struct ReceiverLag {
   std::size_t sensor = 0;   ///< its place among the scenario's sensors
   PathLag lag;              ///< beyond what is documented of its stamps
@@ -20,12 +20,12 @@ std::vector<ReceiverLag> ReceiverLags(const DiagnosisInput& input, const Measure
 
 /// The receivers whose stamps are late or early by more than the estimate of the motion finds.
 ///
-/// Model   a receiver's stamps are wrong where its antenna moved as running gear and joints (or
-///         recorded poses, where no gear was read) moved it (AntennaPath) at another time
-///         (LagBehind): by a lag beyond half a second and its tolerance with 95 %, better than with
-///         any other lag with p of 0.01 over all receivers, and by about as much as gear and joints
-///         say.
-/// Omits   that encoders are early, or poses, and all receivers right; receivers without their
+/// Model   a receiver's stamps are wrong if its antenna follows running gear and joints
+///         (AntennaPath) at another time (LagBehind). Recorded poses replace them where no gear was
+///         read. The lag exceeds half a second and its tolerance with 95 %. It is better than any
+///         other lag with p of 0.01 over all receivers. The fixes move by about as much as gear and
+///         joints say.
+/// Omits   early encoders or poses beside receivers that are all right; receivers without their
 ///         documented fix.
 std::vector<OffsetReceiver> OffsetReceiversOf(const DiagnosisInput& input,
                                               const Measurements& measured);

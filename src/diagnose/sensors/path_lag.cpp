@@ -23,7 +23,7 @@ constexpr std::size_t kFewestSteps = 10;
 constexpr double kLoudest = 2;
 constexpr double kLeastNoise_m = 1e-3;  ///< of a step: rounding of fixes
 
-/// What means over a second move by from one to the next.
+/// Steps of means over a second, from one to the next.
 struct Steps {
   std::vector<Complex> moved_m;
   std::vector<char> is_known;

@@ -31,23 +31,23 @@ struct PathLag {
   double rms_before_m = 0, rms_after_m = 0;
 };
 
-/// The lag with which a path explains most of what fixes move by; none where they have too little
+/// The lag with which a path explains most of the fixes' steps; none where they have too little
 /// time in common.
 ///
-/// Model   fixes are averaged over a second, and the path likewise, at their times less a lag.
-///         What the means move by from one second to the next is q of the path and z of the fixes,
-///         z = share exp(i turn) q + noise: the share is one of the whole, the turn one of each
-///         five seconds, for headings by running gear drift, and where they begin is not known. Of
-///         lags up to a minute the one is taken that explains most of |z|^2.
-///         It is held against all others by the gain in log-likelihood over at most two dozen parts
-///         of the recording (GainP): against those up to `near_s`, which it has to show to be
-///         wrong, on those seconds alone which the path covers with either; against those a second
-///         and four deviations from it, where it has to be the better one of two, on all seconds, a
-///         lag explaining nothing of what the path does not cover with it. p is the largest of
-///         these, over as many tries as there are seconds of lags. Noise is what the lag leaves, of
-///         five seconds whichever of the two leaves less of them where that is more, and twice as
-///         loud, as differences of white noise are where they are loudest. The deviation of the lag
-///         is that by the scatter of the pieces' scores.
+/// Model   fixes are averaged over a second, and the path likewise, at their times less a lag. q is
+///         the step of the path's means from one second to the next, z that of the fixes', z =
+///         share exp(i turn) q + noise. The share is one for the whole recording. The turn is one
+///         for each five seconds, because headings by running gear drift and start unknown. The lag
+///         is the one, up to a minute, that explains most of |z|^2.
+///         The lag is tested against others by the gain in log-likelihood over at most two dozen
+///         parts of the recording (GainP). Lags up to `near_s` have to be wrong, on those seconds
+///         alone that the path covers with both lags. Lags a second and four deviations away have
+///         to be worse, on all seconds; a lag explains nothing where the path does not cover it. p
+///         is the largest of these, over as many tries as there are seconds of lags.
+///         Noise is the residual of the lag. In each five seconds the smaller residual of the two
+///         lags replaces it where that is larger. Its variance counts twice, as the power of
+///         differences of white noise where they are loudest. The deviation of the lag is that by
+///         the scatter of the blocks' scores.
 /// Omits   errors of the path that last longer than a part of the recording.
 /// Source  Shafer 2021, "Testing by betting"; Ibragimov and Mueller 2010 (steady_gain.h); White
 ///         1982, "Maximum likelihood estimation of misspecified models".

@@ -31,7 +31,7 @@ TimeSeries RatesOf(const EncoderRecording& recording, std::size_t axis) {
   return rates;
 }
 
-/// What a unit turns about an axis of its link, as means over the time of a difference of
+/// Turning of a unit about an axis of its link, as means over the time of a difference of
 /// positions.
 TimeSeries TurnsAbout(const SensorDescription& unit, const std::vector<ImuSample>& samples,
                       const Vec3& axis_L) {
@@ -60,7 +60,7 @@ std::optional<std::size_t> UnitOf(const DiagnosisInput& input, const Measurement
   return std::nullopt;
 }
 
-/// What the hinge turns by the units behind and before it.
+/// Turning of the hinge by the units behind and before it.
 TimeSeries TurnsOfHinge(const DiagnosisInput& input, const Measurements& measured, int joint) {
   const Joint& hinge = input.model->joints[static_cast<std::size_t>(joint)];
   const auto behind = UnitOf(input, measured, hinge.child),

@@ -99,8 +99,8 @@ bool TurnAbout(const MotionEstimate& implied, MotionProblem* motion,
   return !more.empty();
 }
 
-/// All that can be fitted, from documented delays; and from those by which rates look most alike,
-/// where they are others and then more is explained.
+/// Fits all parameters, from documented delays. Also fits them from the delays of most similar
+/// rates, where these differ, and keeps that fit if it explains more.
 MotionEstimate WithAnyDelays(const MotionProblem& motion, const ParameterPrior& wide,
                              MotionEstimate start, const EstimateOptions& options) {
   MotionEstimate best = EstimateMotion(motion, wide, start, options);

@@ -53,8 +53,8 @@ struct EstimatedMotion {
   Eigen::Matrix<double, kBaseNumbers, 1> BaseNumbersAt(TimeNs t_ns) const;
 };
 
-/// What the sensors of a machine, compared with each other and with the motion that they all imply,
-/// say about themselves.
+/// Diagnosis of a machine's sensors, which are compared with each other and with the motion that
+/// they all imply.
 struct SensorDiagnosis {
   std::vector<SensorFinding> findings;
   std::vector<SensorFinding> within_tolerance, untestable;
@@ -74,11 +74,11 @@ struct SensorDiagnosis {
 /// Estimates motion and parameters of all sensors together, and judges which of them lie beyond
 /// their tolerances.
 ///
-/// Model   first everything is fitted under a wide prior: that gives the noise, which is thereby of
-///         no narrower model than any judged, and a point about which all is linearised. Axes of
-///         units that go against the motion are turned about and told (OpposedAxes). Groups are
-///         judged there (JudgeGroups), everything is linearised again with the named ones free, and
-///         judged once more.
+/// Model   first everything is fitted under a wide prior. This gives the noise, under a model no
+///         narrower than any judged, and the point of linearisation. Axes of units that oppose the
+///         motion are turned about and reported (OpposedAxes). Groups are judged there
+///         (JudgeGroups). Everything is linearised again with the named groups free, and judged
+///         once more.
 SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements& measured,
                                 const SensorDiagnosisOptions& options, StageClock* clock);
 

@@ -19,16 +19,16 @@ namespace {
 
 constexpr double kPriorShare = 0.5;   ///< sigma of a prior over the tolerance
 constexpr double kFlexibleShare = 1;  ///< of the flexible prior
-/// Of delays ten times as much: far from the true ones their effect is not linear.
+/// Ten times as wide for delays: far from the true ones their effect is not linear.
 constexpr double kFlexibleDelays = 10;
 constexpr double kFreeShare = 100;    ///< of a group that is free, over the default tolerance
 constexpr double kLeastShare = 0.01;  ///< of the default: what is stated as exact is known so well
-/// What differs from segment to segment over the tolerance: of biases, and of all else, which
-/// stands for what the models leave out.
+/// Differences between segments over the tolerance, of biases and of all else. The latter stands
+/// for the models' omissions.
 constexpr double kBiasWander = 0.25, kWander = 0.06;
 constexpr double kMostDelay_s = 3;
-/// Tolerance of an acceleration's gain. A joint with time constant T under steps dt accelerates
-/// 1 + dt / 2T times as much at a step's beginning as in its mean; 0.1 holds for T = 5 dt.
+/// Tolerance of an acceleration's gain. A joint with time constant T under steps dt accelerates 1 +
+/// dt / 2T times as much at a step's beginning as in its mean; 0.1 holds for T = 5 dt.
 constexpr double kAccelerationGain = 0.1;
 /// Poses and the ground have numbers of mechanisms of these.
 constexpr EffectTarget kImu = EffectTarget::kImu, kGnss = EffectTarget::kGnss;
@@ -50,8 +50,8 @@ class GroupOf {
     const int first = static_cast<int>(table->parameters.size());
     table->groups.push_back({{target, &SensorMechanism(mechanism, kind)}, first});
   }
-  /// `documented_si` is in SI units, of which one of the unit has `si_per_unit`; a number is looked
-  /// for within `range` to both sides of it, in its own unit.
+  /// `documented_si` is in SI units; one of the unit has `si_per_unit` of them. The search covers
+  /// `range` to both sides of the documented number, in its own unit.
   GroupOf& Number(const std::string& name, const std::string& unit, double si_per_unit,
                   double documented_si, double range, double wander_share) {
     const ParameterGroup& group = table_->groups.back();
@@ -220,9 +220,9 @@ void AddReceiverParameters(const SensorDescription& receiver, const Vec3& part_m
   const auto& model = std::get<GnssModel>(receiver.model);
   const Effects& effects = receiver.effects;
   channel->place = AddShift(receiver.name, kGnss, "gnss_lever_arm", effects, part_m, table);
-  // Slow errors of a fix are another datum in each segment, which does not differ from the one
-  // before by all that it errs: as independent ones they count for more, so that their mean errs by
-  // as much as that of a first-order Gauss-Markov process.
+  // Slow errors of a fix are another datum in each segment, which correlates with the one before.
+  // As independent ones they get more weight, so that their mean has the error of a first-order
+  // Gauss-Markov process's mean.
   const double rho = std::exp(-segment_s / model.correlation_time_s);
   const double slowness = std::sqrt((1 + rho) / (1 - rho));
   const double east_m = table->HalfWidthOf(receiver.name, "position_datum", "east_m");

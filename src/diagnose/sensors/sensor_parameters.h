@@ -74,10 +74,10 @@ void AddReflectionParameters(const SensorDescription& receiver, ParameterTable* 
 /// The yaw of two antennas of one link, which belongs to the first of them. Its tolerance is that
 /// of the whole heading, less `by_places_rad`, by which the antennas' own places may turn it.
 int AddPairYaw(const SensorDescription& receiver, double by_places_rad, ParameterTable* table);
-/// One axis of a set of encoders: `effects` are those of the axis, `target` its name
-/// "encoders/boom", `swing` the standard deviation of its positions, rad or m. Where even the
-/// widest scale changes those by less than its zero may be off, no scale of it is named: a joint
-/// that stays where it is does not tell one from the other.
+/// One axis of a set of encoders. `effects` are those of the axis, `target` its name
+/// "encoders/boom", `swing` the standard deviation of its positions, rad or m. Its scale cannot be
+/// named if even the widest scale changes positions by less than the zero's tolerance. A joint at
+/// rest does not distinguish the two.
 void AddAxisParameters(const std::string& target, const Effects& effects, bool slides, double swing,
                        ParameterTable* table, AxisChannel* channel);
 /// The delay of a set of encoders, for all its axes.
@@ -85,13 +85,14 @@ int AddEncoderDelay(const std::string& target, const Effects& effects, Parameter
 /// The gain of the acceleration of a joint or of the base's yaw, which is never named; returns its
 /// place.
 ///
-/// Model   every inertial unit behind a joint feels the same gain, so that a scale which all of
-///         them share is none of theirs: a spline has too little of accelerations shorter than its
-///         knots, and a recorder or simulator with discrete steps has others than its rates have.
+/// Model   every inertial unit behind a joint feels the same gain, so that a scale common to all of
+///         them is none of theirs. A spline has too little of accelerations shorter than its knots.
+///         A recorder or simulator with discrete steps has accelerations that differ from its
+///         rates'.
 int AddAccelerationGain(const std::string& number, ParameterTable* table);
 /// By how much the known ground is too high, which is never named; returns its place.
 int AddGroundHeight(ParameterTable* table);
-/// Of recorded poses. Those of a simulation are true: no more than late.
+/// Parameters of recorded poses. Poses of a simulation are true, and at most late.
 void AddPoseParameters(bool were_measured, ParameterTable* table, MapChannel* channel);
 
 }  // namespace tera

@@ -49,8 +49,8 @@ double SwingOf(const EncoderRecording& recording, std::size_t axis) {
   return std::sqrt(square);
 }
 
-/// The extent of a link along its axes: that of the box with its mass and inertia, or of its frame,
-/// its joints and its centre of mass where these are further apart.
+/// The extent of a link along its axes. It is that of the box with its mass and inertia, or of its
+/// frame, joints and centre of mass where these are further apart.
 Vec3 ExtentOf_m(const MachineModel& model, int index) {
   const Link& link = model.links[static_cast<std::size_t>(index)];
   Vec3 least_m = link.com_B_m.cwiseMin(0), most_m = link.com_B_m.cwiseMax(0);
@@ -361,8 +361,8 @@ void Builder::AddReceiver(std::size_t sensor, const KinematicChain& chain) {
   if (!track.t_s.empty()) rough_.antennas.push_back(std::move(track));
 }
 
-/// Where a part may rise beside it, as encoders show, of which more than the antennas themselves
-/// tells where it points: their noise would else seem to be its reflection.
+/// Adds a reflection where encoders measure the part's posture, and inertial units or poses its
+/// heading. By antennas alone their noise would seem to be a reflection.
 void Builder::AddReflection(const SensorDescription& receiver, ReceiverChannel* channel) {
   if (motion().imus.empty() && measured_.poses.empty()) return;
   const auto part = RaisedPartOf(model(), model().LinkIndex(receiver.link), places_);
@@ -406,8 +406,8 @@ void Builder::AddPoses() {
   const std::string name = input_.machine + "/" + std::string(kPoses) + "/";
   for (int i = 0; i < 6; ++i) {
     const bool is_place = i < 3;
-    // What differs from one part of a map to the next differs within a part as well, and smoothly,
-    // so that residuals do not show it.
+    // Differences between parts of a map also occur within a part, but smoothly, so that residuals
+    // do not show them.
     const int off = is_place ? channel.shift : channel.turn;
     const double smooth =
         off < 0 ? 0 : problem_.table.parameters[static_cast<std::size_t>(off + i % 3)].wander;
@@ -453,8 +453,8 @@ void Builder::AddTravel() {
   }
 }
 
-/// Of a joint without an encoder that its lever leaves where it is: it would else take up what the
-/// units before and behind it err by.
+/// Rest of a joint without an encoder that its lever leaves where it is. Otherwise the joint would
+/// absorb the errors of the units before and behind it.
 void Builder::AddRests() {
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     if (!rough_.joints[j].empty()) continue;
@@ -490,7 +490,7 @@ void Builder::SetStart() {
   if (place_.ground) AddGround(base);
 }
 
-/// Of a place the ground is known once: a machine that stands does not measure it again.
+/// The ground of a place counts once: a machine that stands does not measure it again.
 void Builder::AddGround(const std::array<TimeSeries, kBaseNumbers>& base) {
   motion().ground_height = AddGroundHeight(&problem_.table);
   std::optional<Vec2> last_m;

@@ -10,7 +10,7 @@
 
 namespace tera {
 
-/// What is known of a machine's place beside its measurements.
+/// Knowledge of a machine's place beside its measurements.
 struct KnownPlace {
   std::optional<Pose> start;  ///< of the base at first
   GroundHeight ground;        ///< empty where it is not known

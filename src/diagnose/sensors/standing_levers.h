@@ -6,14 +6,14 @@
 #include "diagnose/diagnosis_input.h"
 #include "diagnose/motion/starting_motion.h"
 
-/// What stands still by its lever, as windows of 0.1 s that are still, in seconds from `zero_ns`.
+/// Windows of 0.1 s in which a part stands still by its lever, in seconds from `zero_ns`.
 ///
-/// Model   what has a lever that was recorded rests where that has been within 0.02 of neutral, the
-///         dead band that is as expected, for 2 s, longer than a drive follows its lever, and is so
-///         until half a second after the window: oil is shut in then. Not in a window in which
-///         something turns that no encoder measures: where a unit turns by more than 0.15 rad/s
-///         than all the joints before it that have encoders do together, in the mean over a second
-///         about the window. A base rocks with 0.05 rad/s.
+/// Model   a part with a recorded lever rests where the lever has been within 0.02 of neutral for 2
+///         s. 0.02 is the expected dead band; 2 s is longer than a drive follows its lever. The
+///         lever stays there until half a second after the window, since the oil is then shut in.
+///         Windows in which an unmeasured part turns do not count. There a unit's mean rate over a
+///         second about the window exceeds the encoders' rates of all joints before it by 0.15
+///         rad/s. A base rocks with 0.05 rad/s.
 /// Omits   a machine that slides or is pushed along, and one that drives straight ahead by levers
 ///         that were left at zero in a recording.
 

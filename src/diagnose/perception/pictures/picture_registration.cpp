@@ -11,8 +11,8 @@ namespace {
 constexpr double kLeastSpread = 0.05;  ///< of the range of values: less is no contrast
 constexpr double kWindowShare = 0.05;  ///< of the width: the window of mean and spread
 
-/// Moving average of `count` values that are `stride` apart: the mean of each value and its `reach`
-/// neighbours to either side, the first and last value repeated beyond the ends.
+/// Moving average of `count` values that are `stride` apart. Each is the mean of a value and its
+/// `reach` neighbours to either side; the first and last value are repeated beyond the ends.
 void SlideMean(const float* from, float* to, int count, int stride, int reach) {
   const auto at = [&](int i) { return from[std::clamp(i, 0, count - 1) * stride]; };
   double sum = 0;

@@ -77,9 +77,9 @@ Image<float> Blurred(const Image<float>& picture, double sigma_px);
 /// Edges of simulated pictures, and their distances from the same edges in measured pictures.
 ///
 /// Frames  W, B, S, C as in PictureSource; T the camera under a calibration.
-/// Model   landmarks: in each square of a thirtieth of the picture's width, the pixel with the
-///         steepest brightness, one for each level of blur. A landmark is the point in space seen
-///         there, at the nearest depth of its nine neighbours, since an edge belongs to the
+/// Model   each square of a thirtieth of the picture's width has a landmark for each level of blur,
+///         at the pixel with the steepest brightness. A landmark is the point in space seen there.
+///         It has the nearest depth of its nine neighbours, since an edge belongs to the
 ///         foreground. Under another calibration it moves in the measured picture. Its residual, in
 ///         pixels, is the difference of brightness there over the simulated slope; its derivatives
 ///         use the mean of both slopes. Brightness is that of PictureLevels.

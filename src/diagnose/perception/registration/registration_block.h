@@ -20,8 +20,8 @@ namespace tera {
 
 /// Split of a recording's scans or pictures by blocks of time.
 ///
-/// Model   blocks of a second, or of a fortieth of the recording if that is longer. Of each ten in
-///         a row four are TRAIN, three SELECT and three FINAL, in random order.
+/// Model   blocks of a second, or of a fortieth of the recording if that is longer. Each ten in a
+///         row have four of TRAIN, three of SELECT and three of FINAL, in random order.
 /// Omits   pose noise that lasts longer than a block, which counts as error.
 struct ScanSplit {
   std::vector<std::size_t> block;  ///< of each scan; empty blocks are not counted

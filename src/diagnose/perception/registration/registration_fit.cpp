@@ -69,7 +69,7 @@ bool TurnsAlone(const CalibrationVector& derivative) {
          derivative[kRangeFactor] == 0;
 }
 
-/// One step of Gauss and Newton from the values of `terms`, with priors about `start`; its length
+/// One Gauss-Newton step from the values of `terms`, with priors about `start`. Returns its length
 /// before it is shortened, in standard deviations of the prior.
 double Step(const NormalEquations& equations, CalibrationJacobian jacobian, bool turns_alone,
             const Structure& start, Structure* terms) {

@@ -71,8 +71,8 @@ class Search {
     return block_.residuals(points, block_.Under(terms), level);
   }
 
-  /// The values given, or those of the scenario; where one of a candidate's starts in their place
-  /// makes half of TRAIN likelier at the coarsest level, the likeliest of these.
+  /// Starts at the given values, or those of the scenario. A candidate's likeliest start replaces
+  /// them where it makes half of TRAIN likelier at the coarsest level.
   void SetStarts(const Structure& given) {
     for (const Candidate& candidate : block_.candidates) {
       Term term{&candidate,
@@ -119,8 +119,8 @@ class Search {
     AddDetectability(left, fit, result);
   }
 
-  /// Adds by how much each parameter may be off until the mean square of distances over their noise
-  /// has grown by as much as a term must take from it.
+  /// Adds the detectable error of each parameter. It raises the mean square of distances over their
+  /// noise by as much as a term must remove.
   void AddDetectability(const std::vector<PointResidual>& left, const RegistrationFit& all,
                         RegistrationSearch* result) const {
     CalibrationMatrix information = CalibrationMatrix::Zero();

@@ -48,13 +48,13 @@ double ExcessRemoved(const HeldOutError& error, double noise_rmse);
 /// Selects the block's candidates that act on its sensor, starting at the values of `start`.
 ///
 /// Model   noise from the residual of a fit of all candidates to TRAIN. Forward selection from
-///         nothing, with each structure fitted to TRAIN (registration_fit.h): the one with the
-///         greatest gain on SELECT first. A term stays if its gain there is steady over blocks of
-///         time (steady_gain.h; SearchOptions::alpha, Bonferroni over the candidates) and reduces
-///         the error by at least 2 %. Terms that the others make superfluous are then removed. A
-///         candidate with fewer parameters is preferred if it is not steadily worse, and a
-///         candidate that is equally good in a term's place is its rival. On FINAL, unused by any
-///         fit, each must gain steadily again (kConfirmedP).
+///         nothing takes the structure with the greatest gain on SELECT first. Each structure is
+///         fitted to TRAIN (registration_fit.h). A term stays if its gain there is steady over
+///         blocks of time (steady_gain.h; SearchOptions::alpha, Bonferroni over the candidates) and
+///         reduces the error by at least 2 %. Superfluous terms beside the others are then removed.
+///         A candidate with fewer parameters is preferred if it is not steadily worse. A candidate
+///         that is equally good in a term's place is its rival. On FINAL, unused by any fit, each
+///         must gain steadily again (kConfirmedP).
 /// Omits   cross-fitting, pairs of candidates that show only together, and a flexible regressor,
 ///         which StructureSearch has for channels. At most four candidates act on a sensor, and
 ///         thousands of points distinguish them.

@@ -85,8 +85,8 @@ std::vector<Beam> BeamsOf(const RangeScan& scan);
 /// Casts the rays of `points` under a calibration. The residual is each point's distance behind the
 /// simulated surface on its ray.
 ///
-/// Model   noise along the normal: that of the range times the cosine of incidence, an angle of
-///         0.02 deg times the range (encoders and poses), and 2 mm of the surface.
+/// Model   noise along the normal has three parts: the range's times the cosine of incidence, 0.02
+///         deg times the range (encoders and poses), and 2 mm of the surface.
 /// Source  Chen and Medioni 1992 (distance to planes).
 std::vector<PointResidual> ResidualsOf(const RangeSource& source,
                                        const std::vector<ScanPoints>& points,

@@ -150,8 +150,8 @@ std::vector<double> SharesIn(const Shares& shares, const Window& window) {
   return within;
 }
 
-/// The window that shows a cloud best, among the whole recording, its halves, quarters and eighths;
-/// its p is corrected for the choice among all of them.
+/// The window that shows a cloud best, among the whole recording, its halves, quarters and eighths.
+/// Its p is corrected for the choice among all of them.
 Window ShownBestIn(const Shares& seen, std::size_t blocks) {
   Window best{0, blocks, 1};
   double windows = 0;

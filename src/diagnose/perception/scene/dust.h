@@ -24,10 +24,10 @@ struct DustCloud : SceneDifference {
 ///         cloud is dust if fewer than 60 % of the rays that reached its voxels ended there. Half
 ///         of its returns must also scatter by 0.1 m or more in every direction, within their cubic
 ///         metre.
-///         Significance: more than one ray in 200 ended there, by Student's t over blocks of time,
-///         with a variance moderated by eight blocks that agree within a tenth. On TRAIN and SELECT
-///         the level is five per cent over the clouds, in the whole recording, a half, a quarter or
-///         an eighth of it. On FINAL it is one per cent, over the blocks between the first and the
+///         Significance: more than one ray in 200 ended there, by Student's t over blocks of time.
+///         Eight blocks that agree within a tenth moderate its variance. On TRAIN and SELECT the
+///         level is five per cent over the clouds, in the whole recording, a half, a quarter or an
+///         eighth of it. On FINAL it is one per cent. FINAL's blocks lie between the first and the
 ///         last in which the other parts show the cloud. A cloud that stops more rays is a solid
 ///         object.
 /// Omits   rays that the dust absorbed, of which a scan has no point. A tree or fence missing in

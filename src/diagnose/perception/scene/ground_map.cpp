@@ -26,8 +26,8 @@ constexpr double kWallShare = 0.35;    ///< of the cells of an object that stand
 constexpr double kSteepestCone = 1.7;  ///< of soil: 60 deg
 constexpr double kWindows = 3;         ///< the recording and its two halves
 
-/// The variance shrunk to that of blocks which agree within 2 cm, as if there were eight more of
-/// these: where few blocks see a place, their own scatter says little.
+/// Shrinks the variance to that of blocks which agree within 2 cm, as if there were eight more of
+/// these. Where few blocks see a place, their own scatter is uncertain.
 constexpr ModeratedTTest kHeightTest{
     .prior_blocks = 8, .prior_scatter = 0.02, .least_sigma = kLeastSigma_m};
 

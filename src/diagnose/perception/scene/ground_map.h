@@ -41,13 +41,13 @@ struct GroundMap {
 /// Compares measured with simulated ground, cell by cell.
 ///
 /// Frames  W.
-/// Model   height of each point over the simulated ground below it, without points on simulated
-///         objects and on their edges (where a ray turned by up to 1.2 deg would meet one). Each
-///         cell of 0.25 m has a median for each block of time, and Student's t of these over
-///         blocks. Their variance is moderated by eight blocks that agree within 2 cm, and each has
-///         an error of 1 cm that no number of scans reduces. Cells of 5 cm or more on TRAIN and
-///         SELECT are selected by Benjamini and Hochberg at a false discovery rate of 0.01. Four or
-///         more with one sign form a region. Regions bridge gaps of up to half a
+/// Model   height of each point over the simulated ground below it. Points on simulated objects and
+///         on their edges do not count (a ray turned by up to 1.2 deg would meet one). Each cell of
+///         0.25 m has a median for each block of time, and Student's t of these over blocks. Eight
+///         blocks that agree within 2 cm moderate their variance. Each median has an error of 1 cm
+///         that no number of scans reduces. Benjamini and Hochberg's procedure selects cells of 5
+///         cm or more on TRAIN and SELECT at a false discovery rate of 0.01. Four or more with one
+///         sign form a region. Regions bridge gaps of up to half a
 ///         metre, and include the unseen cells between. A region stays if it has at least half its
 ///         height on FINAL, at one per cent over the regions. The two halves of the recording are
 ///         also examined separately.

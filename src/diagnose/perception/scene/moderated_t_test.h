@@ -8,9 +8,9 @@ namespace tera {
 /// Moderated t-test of whether values, one for each block of time, have a mean above a limit.
 ///
 /// Model   Student's t over blocks, since the rays of one block meet the same surfaces. Two terms
-///         keep a few blocks that agree by chance from being significant: a variance shrunk to a
-///         prior one with the weight of additional blocks, and a standard deviation added to that
-///         of the mean.
+///         keep a few blocks that agree by chance from being significant. A prior with the weight
+///         of additional blocks shrinks the variance. A further standard deviation adds to that of
+///         the mean.
 /// Source  Smyth 2004, "Linear models and empirical Bayes methods" (moderated t).
 struct ModeratedTTest {
   /// Mean of values, with its standard deviation and degrees of freedom.

@@ -175,9 +175,9 @@ std::string ObstacleTo(const RangeSource& source, const ScanSplit& split) {
   return "";
 }
 
-/// Sensor and scene together: a scene that differs in a few places is believed before a sensor that
-/// differs everywhere, if the sensor is right elsewhere; else the sensor comes first, without the
-/// places that still differ under what was found of it.
+/// Judges sensor and scene together. If the sensor is right elsewhere, a scene that differs in a
+/// few places is believed before a sensor that differs everywhere. Otherwise the sensor comes
+/// first, without the places that still differ under its findings.
 SceneComparison SearchTogether(const RangeSource& source, const ScanSplit& split,
                                const RegistrationBlock& block, RegistrationSearch* sensor) {
   const auto search = [&](const PointFlags& excluded) {

@@ -25,7 +25,7 @@ using Kind = CauseInRecording::Kind;
 /// Raised when a key changes its name or meaning.
 constexpr int kRecordingsFormat = 1;
 
-/// What a recording says of a cause: in recordings.json, in a table, and as the end of a sentence.
+/// A recording's evidence on a cause: in recordings.json, in a table, and as the end of a sentence.
 struct KindWords {
   Kind kind;
   std::string_view name, cell, clause;

@@ -6,7 +6,7 @@
 
 #include "core/html.h"
 
-// What the pages of reports consist of.
+// Parts of the pages of reports.
 
 namespace tera {
 

@@ -91,8 +91,8 @@ bool IsClear(const Finding& finding, const FreeParameter& free) {
   return std::abs(estimate.value - without) > kToldDeviations * estimate.sigma.value_or(0);
 }
 
-/// The fitted numbers of a finding by their names, those in `told` apart. Of several, those that
-/// are clear.
+/// The fitted numbers of a finding by their names, without those in `told`. Only clear ones, but
+/// all if none is clear and `told` is empty.
 std::string NamedNumbers(const Finding& finding, const std::set<std::string_view>& told) {
   std::vector<std::string> all, clear;
   for (const FreeParameter& free : finding.term.candidate->free) {

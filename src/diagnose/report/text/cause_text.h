@@ -19,7 +19,7 @@ std::string TargetText(const Candidate& candidate);
 std::string FilledIn(std::string_view meaning, const Finding& finding);
 
 /// "The boom does not move while its lever is within 12 % of neutral." Empty for a difference of
-/// the scene, which SentenceOf tells as it is.
+/// the scene, which SentenceOf states.
 std::string MeaningText(const Cause& cause);
 
 /// "Boom: dead band or valve curve", a heading of what was found and what is not told apart from

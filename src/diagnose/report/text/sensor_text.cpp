@@ -88,7 +88,7 @@ ReadableUnit UnitOf(const PerceptionDiagnosis& diagnosis) {
   return diagnosis.unit == "m" ? ReadableUnit{100, "cm"} : ReadableUnit{1, diagnosis.unit};
 }
 
-/// What the sensor's data are compared with.
+/// The simulated features that the sensor's data are compared with.
 std::string_view SurfacesText(const PerceptionDiagnosis& diagnosis) {
   return diagnosis.unit == "m" ? "surfaces" : "edges";
 }

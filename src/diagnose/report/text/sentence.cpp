@@ -21,8 +21,8 @@ constexpr std::size_t kFewNumbers = 3;
 constexpr double kClearDeviations = 3;
 constexpr std::size_t kMostRivalsNamed = 2;  ///< of those that were rejected
 
-/// Whether a number is written without its name: it is the first and only one that a mechanism
-/// requires, so that the mechanism's name is enough.
+/// Whether a number is written without its name. It then is the first and only one that a mechanism
+/// requires, so that the mechanism's name suffices.
 bool GoesUnnamed(const Mechanism& mechanism, std::size_t index) {
   const auto required = std::count_if(mechanism.parameters.begin(), mechanism.parameters.end(),
                                       [](const EffectParameter& p) { return !p.otherwise; });

@@ -22,7 +22,7 @@ namespace tera {
 namespace {
 
 /// Delays count as the same where they differ by less than this share of the longer one, or by less
-/// than so many standard deviations, but never by more than kMostDifference of the longer one.
+/// than so many standard deviations. Beyond kMostDifference of the longer one they never do.
 constexpr double kSameShare = 0.2, kSameDeviations = 3, kMostDifference = 0.5;
 
 std::optional<ParameterEstimate> DelayOf(const DiagnosedBlock& diagnosed) {

@@ -16,8 +16,8 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 /// The decimal exponent of a value that is not 0: 2 for 523, -1 for 0.18.
 int ExponentOf(double value) { return static_cast<int>(std::floor(std::log10(std::abs(value)))); }
 
-/// A value rounded to a power of ten and written without an exponent; halves go away from 0, as a
-/// reader would round what was written with more digits, also where a double lies just below one.
+/// A value rounded to a power of ten and written without an exponent. Halves go away from 0, as a
+/// reader would round a longer number, also where a double lies just below one.
 std::string Fixed(double value, int lowest_power) {
   constexpr double kBelowHalf = 1e-12;  // relative: thousands of times a double's resolution
   value *= 1 + kBelowHalf;
