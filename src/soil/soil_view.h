@@ -44,9 +44,9 @@ struct VoxelBox {
 ///
 /// Frames  W. Cube (i, j, k) has its lowest corner at low_W_m + edge_m * (i, j, k) and stands at
 ///         (k * ny + j) * nx + i in each list.
-/// Model   what each column has between the heights of a cube, layer by layer, is summed up: no
-///         mass is lost or gained but by rounding. The box is moved to the nearest border between
-///         columns and made larger to whole cubes. Beyond the site there is nothing.
+/// Model   each column's layers are summed up between the heights of a cube: no mass is lost or
+///         gained but by rounding. The box is moved to the nearest border between columns and made
+///         larger to whole cubes. Beyond the site there is nothing.
 struct SoilVoxels {
   static constexpr std::uint8_t kNoSoil = 255;
 

@@ -167,8 +167,8 @@ class SlurmRun {
                        ShellWord(plan_.folder / "slurm.sh"));
   }
 
-  /// Submits arrays. Where a limit on jobs refuses the first, its tasks are made half as many;
-  /// where it refuses a later one, the rest waits for the next time.
+  /// Submits arrays. Where a limit on jobs refuses the first, it gets half as many tasks. Where the
+  /// limit refuses a later one, the rest waits for the next time.
   Jobs Submit(const CampaignState& state) {
     const Limits limits = AskLimits();
     std::vector<int> left = state.missing;

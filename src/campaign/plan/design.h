@@ -14,9 +14,10 @@ struct SetValue {
 
 /// The values of the factors in episode `number`, from 0: a pure function of the campaign.
 ///
-/// Model   full: combinations of levels in turn, the last factor fastest. latin_hypercube: one
-///         random permutation of strata for each factor, a random place in each stratum. sobol: the
-///         sequence without its first point, the origin. Levels share a factor's range evenly.
+/// Model   full takes combinations of levels in turn, the last factor fastest. latin_hypercube has
+///         one random permutation of strata for each factor, and a random place in each stratum.
+///         sobol is the sequence without its first point, the origin. Levels share a factor's range
+///         evenly.
 /// Source  McKay, Beckman, Conover 1979; Joe, Kuo 2008, by Boost.Random.
 std::vector<SetValue> DesignPoint(const Campaign& campaign, int number);
 

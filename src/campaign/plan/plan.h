@@ -35,8 +35,8 @@ struct Plan {
 std::string EpisodeName(int number);
 
 /// Reads, checks and writes a campaign into `folder`. Planning the same campaign again changes
-/// nothing. Loads episodes spread over the campaign (all of a small one), so that keys that do not
-/// exist and rules that no episode can meet are found here.
+/// nothing. Loads episodes spread over the campaign (all of a small one). This finds unknown keys
+/// and rules that no episode can fulfil.
 ///
 /// Throws  InputError: faults of the campaign at their place; a folder of another campaign or of
 ///         another version of TERA.

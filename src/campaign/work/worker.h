@@ -24,8 +24,8 @@ struct WorkerOptions {
 /// there is left as it is, and one that was killed goes on.
 ///
 /// Model   an episode is made in work/ and renamed when it is whole, with its record. Bad input, a
-///         bug, refusals by the rules and too little memory leave a failure in failed/; a place
-///         that cannot be written, and files other than when planned, leave none.
+///         bug, refusals by the rules and too little memory leave a failure in failed/. Unwritable
+///         places and files changed since the plan leave none.
 /// Throws  InputError, also of an episode that failed before and would fail again.
 void RunEpisode(const Plan& plan, int number, const WorkerOptions& options);
 

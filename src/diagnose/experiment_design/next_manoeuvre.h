@@ -50,12 +50,11 @@ struct DiagnosedAxis {
 /// then those with undetectable mechanisms.
 ///
 /// Model   excitations of each axis (excitation.h) are predicted from the middle of the recorded
-///         range. That range is at least the travel of full lever in 0.8 s. They are chosen
-///         greedily (greedy_design.h) and driven one after another from the machine's initial
-///         position. Where they would leave the range, less a twentieth at either end, they are
-///         mirrored or preceded by a move to the middle. Steps are added until a diagnosis has
-///         ample manoeuvres. A set with a power of 0.5 (DiscriminationPower) counts as
-///         discriminated.
+///         range. The range is at least the travel of full lever in 0.8 s. They are chosen greedily
+///         (greedy_design.h) and driven one after another from the machine's initial position.
+///         Where they would leave the range, less a twentieth at either end, they are mirrored or
+///         preceded by a move to the middle. Steps are added until a diagnosis has ample
+///         manoeuvres. A set with a power of 0.5 (DiscriminationPower) counts as discriminated.
 /// Omits   collisions with the ground and with the machine itself, except that the recording
 ///         reached these positions; base and inertial units; effects of moving several joints at
 ///         once, beyond the load.

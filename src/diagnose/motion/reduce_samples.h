@@ -23,9 +23,9 @@ TimeNs UsualPeriod_ns(const std::vector<TimeNs>& t_ns);
 /// Reduces samples, each a mean over the usual period before its stamp, to windows of at most
 /// `longest_s`. A lost row, or a change of `segment_of`, ends a window.
 ///
-/// Model   model error is a quarter of the largest second difference of the means around a window,
-///         minus three of its robust deviations. A blow of turning shows by half in the rates of
-///         two windows, but in the forces of one. Rates and forces then disagree by a quarter of
+/// Model   model error is a quarter of the excess of the means' largest second difference around a
+///         window over three of its robust deviations. A blow of turning shows by half in the rates
+///         of two windows, but in the forces of one. Rates and forces then disagree by a quarter of
 ///         the forces' second difference.
 /// Omits   the effect of jittering stamps on slopes.
 std::vector<ImuWindow> WindowsOf(const std::vector<ImuSample>& samples, double longest_s,

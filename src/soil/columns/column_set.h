@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// A set of columns that is walked tile by tile and row by row, whatever the order in which they
-/// came: neighbours in the ground are neighbours in memory. One bit a column.
+/// A set of columns, one bit each. Its walk goes tile by tile and row by row, whatever the order of
+/// insertion: neighbours in the ground are neighbours in memory.
 class ColumnSet {
  public:
   bool Contains(ColumnId k) const {

@@ -170,8 +170,8 @@ class Columns {
     std::vector<GroundProfile> profiles;
     std::vector<std::vector<Gained>> gained;
   };
-  /// Takes up water. Layers gain what undisturbed ground of their profile gains as deep below its
-  /// surface, as far as their pores hold or give it; what is cut free stays as it was.
+  /// Takes up water. Layers gain as much as undisturbed ground of their profile at the same depth,
+  /// as far as their pores hold or give it. Soil that is cut free keeps its water.
   void TakeUp(Water water);
   void SetWetness(std::vector<TerrainSurface::Wetness> wetness) {
     surface_.SetWetness(std::move(wetness));

@@ -25,8 +25,8 @@ class SoilKinds {
   std::uint8_t At(std::uint8_t kind, double moisture) const;
   /// Adds that of the very per cent; false if there is no more room.
   bool Add(std::uint8_t kind, double moisture);
-  /// Adds kinds of all soils that hold water, from the driest that they get to saturation, in steps
-  /// as small as there is room for; false if there is none. They are shown as the given soil.
+  /// Adds kinds of all soils that hold water, from their driest state to saturation. Steps are as
+  /// small as there is room for; false if there is none. They are shown as the given soil.
   bool AddHidden();
   /// The kind as which a kind is shown.
   std::uint8_t Shown(std::uint8_t kind) const { return kind < shown_ ? kind : given_[kind]; }

@@ -27,9 +27,9 @@ inline double LooseDensity_kgpm3(const SoilType& soil) {
 }
 
 /// Density to which `pressure_pa` presses undisturbed soil together. Its void ratio is e - C_c
-/// log10(1 + p / p_0), p_0 = 10 kPa what the upper half metre of a site has borne (an estimate); it
-/// is never more than the greatest. Source: Terzaghi 1943; Das, Principles of Geotechnical
-/// Engineering, ch. 11.
+/// log10(1 + p / p_0). p_0 = 10 kPa is the past load on the upper half metre of a site (an
+/// estimate). The density never exceeds the greatest. Source: Terzaghi 1943; Das, Principles of
+/// Geotechnical Engineering, ch. 11.
 double PressedDensity_kgpm3(const SoilType& soil, double pressure_pa);
 
 /// Bearing modulus of soil of `density_share` of its undisturbed density over that which it has

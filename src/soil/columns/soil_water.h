@@ -28,10 +28,10 @@ double SuctionStress_pa(const SoilWater& water, double moisture);
 /// The soil at another degree of saturation.
 ///
 /// Model   Its pores stay, and water that they gain adds to the bulk density. Cohesion, of cuts and
-///         of gear, changes by tan phi times the change of the suction stress and is at least
-///         nothing; moduli, of elasticity and of pressure and sinkage, change as the root of the
-///         stress between grains, that of suction and the 10 kPa of PressedDensity_kgpm3.
-/// Omits   friction stays (Lu and Likos); swelling; repose and fast flow of what is dug.
+///         of gear, changes by tan phi times the change of the suction stress, and is never
+///         negative. Moduli, of elasticity and of pressure and sinkage, change as the root of the
+///         stress between grains. This is suction plus the 10 kPa of PressedDensity_kgpm3.
+/// Omits   friction stays (Lu and Likos); swelling; repose and fast flow of dug soil.
 /// Source  cohesion: Lu and Likos 2006; moduli: Hardin and Black 1968, J. Soil Mech. Found. Div.
 ///         ASCE 94, and Janbu 1963.
 SoilType AtMoisture(const SoilType& soil, double moisture);

@@ -114,9 +114,9 @@ void Avalanche::LookAround(ColumnId k, const Columns& ground) {
                  !Flows(k, ground);
 }
 
-/// Speed that friction leaves after a step of soil that flows `flow_m` thick, out of `loose_m` that
-/// lie loose, on a floor that gravity presses it to. Friction that rises with speed is that of the
-/// speed it leaves, lest it overshoot.
+/// Speed after a step's friction. The soil flows `flow_m` thick in the loose depth `loose_m`, on a
+/// floor that gravity presses it to. Friction that rises with speed is that of the final speed,
+/// lest it overshoot.
 double Avalanche::Friction::Braked(double before_mps, double speed_mps, const Layer& layer,
                                    double gravity_mps2, double dt_s) const {
   const double froude = before_mps / std::sqrt(gravity_mps2 * layer.flow_m);

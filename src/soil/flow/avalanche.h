@@ -68,8 +68,8 @@ class Avalanche {
     double mobile_m = 0;          ///< of the loose soil, from the surface down: the part that flows
     double outflow_m = 0;         ///< of it wanted in this step
     bool rests = true;            ///< of a visited one: it does not flow and is gentle
-    /// For a visited one, the slope of the loose soil across each axis. What stands firm, above it
-    /// or below, pushes nothing sideways.
+    /// For a visited one, the slope of the loose soil across each axis. Firm soil, above it or
+    /// below, pushes nothing sideways.
     double across_slope[2] = {0, 0};
   };
   struct Friction {

@@ -12,7 +12,7 @@ namespace tera {
 ///
 /// Model   Soil flows on the bed's columns as on the ground, on a floor of steel that stands as the
 ///         carrier does. Soil at the border falls off beside the bed as clods where it stands above
-///         the slope at repose. That slope starts at the walls' rim, or at the lip of an open gate.
+///         the slope at repose. The slope starts at the walls' rim, or at the lip of an open gate.
 ///         Where the floor is too steep to hold soil, all soil that reaches an open gate falls off.
 /// Omits   the carrier's acceleration; adhesion to the floor; friction on the side walls.
 class BedFlow {

@@ -185,8 +185,8 @@ bool Grains::GoesWithBank(double dt_s, const Columns& ground, Grain* grain) {
   return true;
 }
 
-/// Whether a clod that slides goes on where soil has come to lie under it: with its own energy, if
-/// it has as much; otherwise it is buried.
+/// Whether a sliding clod goes on where soil has come to lie under it. It needs enough energy of
+/// its own for the lift; otherwise it is buried.
 bool Grains::RisesWithGround(const Columns& ground, Grain* grain) {
   const double rise_m = ground.HeightAt(grain->p_W_m.x(), grain->p_W_m.y()) - grain->p_W_m.z();
   if (rise_m <= 0) return true;

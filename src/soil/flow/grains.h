@@ -18,14 +18,13 @@ namespace tera {
 ///         and swells on that way. Where it meets the ground it loses its velocity into the
 ///         surface and, by Coulomb friction, as much of that along it; it slides on while the
 ///         surface is steeper than friction holds. A wall stops its travel: it is not lifted over
-///         an edge. Loose soil takes in what was poured where it meets it: what lies too steep then
-///         flows as Avalanche says; pieces of a bank slide on over it. Where soil comes to lie
-///         under one that slides, it pays with its motion for being lifted, or is buried.
-///         Otherwise, at rest, or when it has slid for kLongestSlide_s, it becomes loose soil of
-///         the columns around, or of the bed over which it is. There are never more than
-///         kMostClods: clods are larger while many are under way, and what more is poured lies in
-///         the column below at once. Clods neither touch each other nor machines: they exert no
-///         force.
+///         an edge. Loose soil takes in poured soil where they meet. Soil that lies too steep then
+///         flows as in Avalanche. Pieces of a bank slide on over it. Where soil comes to lie under
+///         one that slides, it pays with its motion for being lifted, or is buried. Otherwise, at
+///         rest, or when it has slid for kLongestSlide_s, it becomes loose soil of the columns
+///         around, or of the bed over which it is. There are never more than kMostClods: clods are
+///         larger while many are under way. Further poured soil lies in the column below at once.
+///         Clods neither touch each other nor machines: they exert no force.
 /// Omits   collisions between clods, bouncing, drag of the air, the push that a clod gives the soil
 ///         that takes it in.
 class Grains {

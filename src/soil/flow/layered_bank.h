@@ -64,9 +64,8 @@ class LayeredBanks {
   SlipSurface LeastSafe(std::span<const BankLayer> layers, double run_m, double beyond_m) const;
 
  private:
-  /// The least safety is flat over the angle: in steps of 3 deg it is right to 0.5 % for upright
-  /// faces, and to 4 % where the face is but 15 deg steeper than friction; the bank then counts as
-  /// safer than it is.
+  /// The least safety is flat over the angle. Steps of 3 deg overestimate it by 0.5 % for upright
+  /// faces, and by 4 % where the face is only 15 deg steeper than friction.
   static constexpr int kAngles = 29;
   struct Soil {
     double weight_npm3, crack_m, tan_friction;

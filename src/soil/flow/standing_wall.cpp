@@ -162,9 +162,8 @@ bool StandingWalls::IsEdge(ColumnId k, const Columns& ground) const {
   });
 }
 
-/// Calls `take(out, m, step_m, fall_m, edge_fall_m)` for the columns on which one looks down from
-/// the top of a bank, m columns of step_m away, on each side on which it falls off more than
-/// `tan_edge`.
+/// Calls `take(out, m, step_m, fall_m, edge_fall_m)` for the columns below the top of a bank, m
+/// columns of step_m away. It does this on each side that falls off more than `tan_edge`.
 template <typename Take>
 void ForFalls(ColumnId k, double top_m, double tan_edge, const Columns& ground, Take take) {
   const auto [i, j] = ground.PlaceOf(k);

@@ -20,15 +20,14 @@ double CulmannHeight_m(const SoilType& soil, double slope_rad);
 ///
 /// Model   Columns are upright prisms: between neighbours of unequal height stands an upright wall.
 ///         A bank stands up to Culmann's critical height for its slope from the wall at its edge to
-///         that at its toe, looking down over several columns in eight directions; loose soil on
-///         top does not count, loose soil at the toe supports, and so does a tool. A cohesive bank
-///         that is too high loses the wedge above the plane through its toe at half the sum of
-///         slope and friction angle: it becomes clods where it stood, which slide down the plane.
-///         One with no or little cohesion crumbles at the surface into loose soil, down to the
-///         slope of internal friction. Gear that stands on the wedge loads it: q for each square
-///         metre of its surface counts as 2 q / (rho g) of height. Where the uppermost soil stands,
-///         and others lie below it, the surface through them on which the bank is the least safe
-///         counts (LayeredBanks).
+///         that at its toe. The search looks down over several columns in eight directions. Loose
+///         soil on top does not count; loose soil at the toe supports, and so does a tool. A
+///         cohesive bank that is too high loses the wedge above the plane through its toe at half
+///         the sum of slope and friction angle. The wedge becomes clods where it stood, which slide
+///         down the plane. One with no or little cohesion crumbles at the surface into loose soil,
+///         down to the slope of internal friction. Gear that stands on the wedge loads it: q for
+///         each square metre of its surface counts as 2 q / (rho g) of height. Where the uppermost
+///         soil stands on other soils, the least safe surface through them counts (LayeredBanks).
 /// Omits   heaps behind the edge as surcharge, water in cracks, undercut banks.
 class StandingWalls {
  public:

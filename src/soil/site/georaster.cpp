@@ -127,10 +127,10 @@ double WidestGap_m(std::vector<double> height_m, double out_m) {
 
 /// Refuses pixels of one number that stands for no height, which no tag says.
 ///
-/// Model   the number is the lowest or the highest of all. It is one that files hold in the place
-///         of no height, and lies farther from the next than a wall is high and than any two of the
-///         others lie apart, one after the other in size; or, whatever the number, farther than
-///         from the lowest to the highest of the others, and than a tower is high.
+/// Model   the number is the lowest or the highest of all. Either files commonly hold it in place
+///         of a missing height. It then lies farther from the next than a wall is high and than any
+///         two successive others lie apart. Or it is any number, farther away than the span of all
+///         others and than a tower is high.
 void RequireMarkedGaps(const std::filesystem::path& file, GDALRasterBand* band,
                        const std::vector<double>& height_m, double unit_m) {
   constexpr double kHighestWall_m = 50, kHighestCliffOverSea_m = 100, kTallestTower_m = 1000;

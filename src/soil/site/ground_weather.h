@@ -14,8 +14,8 @@ namespace tera {
 /// alone, since rain falls alike everywhere. Copies go on from the same state.
 ///
 /// Model   Every ten seconds the water of each profile seeps on (Seepage); every minute the ground
-///         takes it over. The surface is seen as wet as its slice, and its upper 2 mm as they fill
-///         with rain, up to the moisture at which the rain passes through.
+///         takes it over. The surface looks as wet as its slice, and as its upper 2 mm while they
+///         fill with rain, up to the moisture at which the rain passes through.
 /// Omits   water that runs or stands on the surface; frost. Ground of one soil at the surface looks
 ///         as that of the first profile with it.
 class GroundWeather {

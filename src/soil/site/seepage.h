@@ -41,9 +41,9 @@ struct WaterSlice {
 
 /// The water of a profile under weather.
 ///
-/// Model   Water moves down by its weight alone, at the conductivity of where it is (kinematic
-///         wave), through slices of at most 0.1 m to 2 m of depth, whence it drains freely. A full
-///         slice holds up what comes from above; what the surface does not take runs off. The
+/// Model   Water moves down by its weight alone, at the local conductivity (kinematic wave),
+///         through slices of at most 0.1 m to 2 m of depth. There it drains freely. A full slice
+///         holds up the water from above; water that the surface does not take runs off. The
 ///         surface's slice evaporates the potential rate while it holds three quarters of its
 ///         field capacity (suction of 33 kPa), below in proportion.
 /// Omits   suction between slices, which wets sharper fronts' edges and lifts water; air that is

@@ -13,9 +13,9 @@
 
 namespace tera {
 
-/// A site before anything has moved on it: what the scenario's `terrain:` mapping says. It stays as
-/// it is, so that any number of runs may start on it, also at the same time; each works a Soil of
-/// its own (MakeSoil).
+/// A site before anything has moved on it, by the scenario's `terrain:` mapping. It is constant, so
+/// that any number of runs may start on it, also at the same time. Each run works a Soil of its own
+/// (MakeSoil).
 ///
 /// Frames  W.
 class Site {

@@ -14,8 +14,8 @@ namespace {
 constexpr double kLeastFriction = 1e-6;  ///< tangent; a spiral of less is a circle
 constexpr double kLeastTurn_rad = 1e-3;
 constexpr double kTurnStep_rad = 15 * kDeg, kWidestTurn_rad = 120.5 * kDeg;
-// Where the spirals of least force lie: they come out of level ground steeper than Rankine's slip
-// plane by this share of their turn, of ground that rises by this share of its slope in addition.
+// Exits of the spirals of least force. They leave level ground steeper than Rankine's slip plane by
+// this share of their turn, and rising ground by this share of its slope in addition.
 constexpr double kExitPerTurn = 1.0 / 3, kExitPerSlope = 0.6;
 constexpr double kAround_rad = 25 * kDeg;  ///< they are looked for in this range about that exit
 

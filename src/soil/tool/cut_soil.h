@@ -20,8 +20,8 @@ struct CutLayer {
   bool is_loose = false;
 };
 
-/// Soil that an edge at some depth cuts through: means over the layers and strata above it, each by
-/// its thickness, those layers themselves, and the soil that the edge itself meets.
+/// Soil that an edge at some depth cuts through. It holds means over the layers and strata above
+/// the edge, weighted by thickness, those layers themselves, and the soil at the edge.
 ///
 /// Model   Loose soil has lost its cohesion; friction is the mean of its tangent. Neighbours of one
 ///         strength are one layer. There are at most kMostLayers, of which the lowest holds the

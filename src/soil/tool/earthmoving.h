@@ -8,7 +8,7 @@
 ///         P = w (rho g d^2 N_gamma + c d N_c + c_a d N_a + q d N_q) + inertia, with the slip
 ///         plane's angle beta that makes P least. All angles are from the level, gravity is
 ///         upright, and `depth_m` is the surface's height above the edge. On ground that rises
-///         ahead by `slope_rad` the slip plane comes out d / (tan beta - tan slope) ahead. That
+///         ahead by `slope_rad` the slip plane comes out d / (tan beta - tan slope) ahead. The
 ///         length sets the size of the wedge, of its slip plane and of the blade in the ground. All
 ///         soil on the blade behind the upright line through the edge counts with its full weight
 ///         (Luengo's swept volume). Shear on the wedge's two flanks is added to the slip plane's

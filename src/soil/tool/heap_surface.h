@@ -20,11 +20,11 @@ struct CarriedHeap {
 /// The surface of the soil in a shovel, as triangles.
 ///
 /// Frames  B frame of the shovel's link.
-/// Model   The heap of HeapGrid under which there is just the volume carried. Where gravity lets
-///         the shovel hold less than that at the angle of repose, because soil takes time to leave
-///         or sticks, the heap is turned towards the mouth as far as it takes; what would not stand
-///         in a level shovel either stands steeper.
-/// Omits   what no heap below 85 deg holds, of which as much is drawn as one holds.
+/// Model   The heap of HeapGrid under which there is just the volume carried. The shovel may carry
+///         more than stands at the angle of repose, because soil takes time to leave or sticks. The
+///         heap then turns towards the mouth as far as it must. Soil that would not stand in a
+///         level shovel either stands steeper.
+/// Omits   soil beyond the heap of 85 deg, which is the steepest drawn.
 struct HeapSurface {
   std::vector<Vec3> p_B_m;
   std::vector<Vec3> floor_B_m;  ///< the shell below each point

@@ -12,17 +12,17 @@ namespace tera {
 /// The force that a plane blade needs to cut soil in layers: the least of those along surfaces
 /// that use the weakest of them.
 ///
-/// Model   Soil fails where that takes least. Tried are
+/// Model   Soil fails where that takes least. The search covers
 ///         - one plane through all layers, as strong as they are on average over the depth;
 ///         - a surface with a kink at each border: each layer slips at the angle that makes its own
 ///           part of P least, under the weight of the layers above as a surcharge, and the parts
 ///           add up. With one angle for all it is that of the earthmoving equation;
-///         - along each border to a softer soil below, layers above it slide as one block, as long
-///           as thick, on that soil, and push Rankine's passive wedge before them, while those
+///         - along each border to a softer soil below, layers above it slide on that soil as one
+///           block, as long as thick. They push Rankine's passive wedge before them, while those
 ///           below slip as in the second. The blade's upright force presses the block down or
 ///           lifts it.
 ///         In soil of one strength only the first remains. Borders lie parallel to the surface, but
-///         under loose soil, where they rise as what is firm there does.
+///         under loose soil they rise as the firm soil does.
 ///         Where layers reach less deep than the edge, the lowest goes on.
 ///         The wedge's angle and length are those of the plane, whichever surface is the least.
 /// Omits   soft soil just below the edge, cracks, crusts that bend; shear along borders between

@@ -17,7 +17,7 @@ constexpr int kLongestRoll = 60;          ///< columns
 /// Loose shares of what is pushed: it begins to slide as a heap, and does so wholly.
 constexpr double kHalfLoose = 0.5, kNearlyLoose = 0.9;
 
-/// The n-th multiple of a ratio, without its whole part: with these two ratios, numbers that fill a
+/// The n-th multiple of a ratio, without its whole part. With these two ratios the numbers fill a
 /// square evenly, however many there are (Roberts 2018, the sequence R2).
 constexpr double kAcross = 0.7548776662466927, kAlong = 0.5698402909980532;
 double Turn(std::size_t n, double ratio) {
@@ -54,8 +54,8 @@ Vec2 Digging::WayOutFrom(const Swept& swept, const Vec2& direction) const {
   return at;
 }
 
-/// How far what stands at a place higher than a part of the shovel slides as a heap, from 0, where
-/// half of it is firm soil that breaks, to 1, where nearly all is loose.
+/// Share in which soil above a part of the shovel slides as a heap. It is 0 where half of the soil
+/// is firm and breaks, and 1 where nearly all is loose.
 double Digging::SlidesAsHeap(const Place& at, const Swept& swept, const Columns& ground) const {
   const ColumnId k = ground.IdAt(at.i, at.j);
   if (k == Columns::kNone) return 0;
@@ -66,9 +66,9 @@ double Digging::SlidesAsHeap(const Place& at, const Swept& swept, const Columns&
                     : 0;
 }
 
-/// The ground outside the footprint that a part of the shovel moves when it pushes in `way_out`:
-/// of firm soil what stands above a plane that rises from the shovel's lowest point at Rankine's
-/// passive angle, in a fan; of a heap, straight ahead, as far as the edge moves it.
+/// The ground outside the footprint that a part of the shovel moves when it pushes in `way_out`.
+/// Firm soil moves in a fan, above a plane that rises from the shovel's lowest point at Rankine's
+/// passive angle. A heap moves straight ahead, as far as the edge moves it.
 Digging::Heap Digging::HeapBefore(const BodyState& body, const Swept& swept, const Vec2& way_out,
                                   const SoilType& soil, const Columns& ground) const {
   const Vec2 straight = WayOutFrom(swept, way_out);
@@ -131,9 +131,9 @@ void Digging::LetPassOver(const Swept& swept, const Vec3& v_W, Columns* ground) 
   }
 }
 
-/// Whether soil that comes to a place before a blade rides up and over it: where what lies there
-/// already reaches as high as a heap that falls at repose from the blade's top edge, but not over
-/// that edge, as a bank does.
+/// Whether soil that comes to a place before a blade rides up and over it. It does where the soil
+/// there reaches the slope at repose down from the blade's top edge. Soil above that edge, such as
+/// a bank, does not.
 bool Digging::RidesOver(const BodyState& body, const Place& at, double repose_rad,
                         const Columns& ground) const {
   if (shovel_.capacity_m3 > 0 || !ground.Contains(at.i, at.j)) return false;

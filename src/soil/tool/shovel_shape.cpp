@@ -42,7 +42,7 @@ std::vector<Vec2> Behind(double length_m, std::vector<Vec2> profile) {
 }
 
 /// Mean over a width of the height of soil that is `most_m` high in the middle and rises with given
-/// slopes from both ends, of which the first may fall.
+/// slopes from both ends. The first slope may fall.
 double MeanOfRoof_m(double most_m, double rise_a, double rise_b, double width_m) {
   if (rise_a < 0) {
     if (most_m >= 0) return 0.5 * rise_a * width_m;

@@ -11,9 +11,9 @@ namespace tera {
 ///
 /// Frames  B's x-z plane, as in Shovel; mouth_normal_B and each segment's outward normal point out
 ///         of the region.
-/// Model   It holds soil behind the edge, not on the teeth, between which soil falls: heaped at the
-///         angle of repose from both lips and, over the mouth, from the tops of the side walls. Its
-///         struck volume is the capacity.
+/// Model   It holds soil behind the edge, not on the teeth, between which soil falls. Soil is
+///         heaped at the angle of repose from both lips and, over the mouth, from the tops of the
+///         side walls. Its struck volume is the capacity.
 class ShovelShape {
  public:
   explicit ShovelShape(const Shovel& shovel);

@@ -14,12 +14,12 @@ namespace tera {
 ///
 /// Frames  W; B frame of the shovel's link.
 /// Model   The side walls, and the part of the back that is too steep to rest on the ground, push
-///         soil before them as plates do: in upright strips, each against the passive pressure of
-///         the ground that lies beside (CutAhead) between its lowest and its highest point. Along
-///         the mouth's normal the rim of a bucket, the side walls' edges and the top edge, is
-///         pushed in like a cutting edge of the same thickness (Piercing). All builds up over a few
-///         millimetres of travel, holds at rest, fades as a wall moves on along soil that it has
-///         not pressed, and drives no strip on.
+///         soil before them as plates do. Each upright strip meets the passive pressure of the
+///         ground beside it (CutAhead) between its lowest and its highest point. Along the mouth's
+///         normal a bucket's rim (the side walls' edges and the top edge) is pushed in like a
+///         cutting edge of the same thickness (Piercing). Forces build up over a few millimetres of
+///         travel and hold at rest. They fade as a wall moves on along unpressed soil, and drive no
+///         strip on.
 /// Omits   friction along the walls, side cutters.
 /// Source  see slip_ahead.h.
 class ShovelWalls {

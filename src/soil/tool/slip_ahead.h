@@ -11,9 +11,9 @@ namespace tera {
 /// The ground ahead of an edge, in the upright plane along its travel.
 ///
 /// Frames  x ahead of the edge, heights above it.
-/// Model   Surface and top of what stands firm at places that lie the farther apart the farther
-///         they are. Right at the edge, where a shovel leaves no ground to look at, the surface
-///         goes on from what stands ahead as the line nearest to that does, up to 25 deg steep.
+/// Model   Surface and top of the firm soil, at places whose spacing grows with their distance.
+///         Right at the edge a shovel leaves no ground. There the nearest line of the ground ahead
+///         continues the surface, up to 25 deg steep.
 struct GroundAhead {
   static constexpr int kPlaces = 20;
 
@@ -35,20 +35,21 @@ struct SoilAhead {
   double carried_over_m = 1;    ///< length that it covers at least
 };
 
-/// The force that a blade needs to move the soil that is there: the least over slip surfaces
-/// through the ground as it lies ahead.
+/// The force that a blade needs to move the soil ahead: the least over slip surfaces through the
+/// ground as it lies.
 ///
 /// Frames  x ahead of the edge, heights above it.
-/// Model   Soil fails where that takes least. Tried are
+/// Model   Soil fails where that takes least. The search covers
 ///         - planes from the edge to where they first come out of the ground;
 ///         - logarithmic spirals from the edge to there, which bulge below those planes, by the
 ///           equation of moments of CurvedSlip;
-///         - planes from the edge to the top of what stands firm, on which the loose soil beyond
-///           slides as far as it is cheaper than to push Rankine's wedge up through it.
-///         Weight, cohesion of what stands firm and shear on the flanks are summed up over upright
+///         - planes from the edge to the top of the firm soil. The loose soil beyond slides on it
+///           as far as that is cheaper than pushing Rankine's wedge up through it.
+///         Weight, cohesion of the firm soil and shear on the flanks are summed up over upright
 ///         slices between slip surface and ground, on the blade as far as it reaches. So a heap
 ///         takes no more than sliding it, and a slope no more than there is of it.
-/// Omits   slopes across the travel, of several strata of firm soil all but the mean (CutLayers).
+/// Omits   slopes across the travel; several strata of firm soil, which count by their mean
+///         (CutLayers).
 /// Source  Coulomb 1776 (trial wedges); Terzaghi 1943, ch. 7 (spirals); NAVFAC DM 7.01, 1986, ch. 7
 ///         (a block on a weak seam and the wedge that resists it).
 CuttingForce CutAhead(const CuttingInput& in, const GroundAhead& ground, const SoilAhead& soil);

@@ -200,8 +200,8 @@ Vec2 GearContact::Shear(std::size_t k, const Pressed& pressed, const Vec2& slip_
   return ShearForce_n(pressed.Strength(), share, j_m.norm(), slip_mps);
 }
 
-/// Force, across, on the side face of a patch that pushes into the soil beside it: passive pressure
-/// down from where the soil that it lifts comes out, whether or not the patch itself bears. A place
+/// Force, across, on the side face of a patch that pushes into the soil beside it. It is passive
+/// pressure from the exit of the lifted soil down, whether or not the patch itself bears. A place
 /// beside the gear is pushed by half of it on average. A side that faces down bears by itself.
 double GearContact::PushAside_n(std::size_t k, const Footprint& foot, const Step& step) {
   const BodyState& body = step.body;

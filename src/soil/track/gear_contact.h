@@ -24,14 +24,14 @@ namespace tera {
 ///         over the soil, which gives way as a rolling shoe comes down on it, half-way between the
 ///         patch's normal and the machine's down, so that raised patches that roll shear nothing.
 ///         Stress (c + p tan phi)(1 - exp(-|j|/K)) along j, see terramechanics.h: a spring at rest,
-///         the closed-form thrust at steady slip. Wheels: WheelContact. Sides: the sunk side face
-///         that is pushed into soil meets passive pressure, mobilised by the way by which a place
-///         beside the gear is pushed. When the machine leans so far that a track's side faces down,
-///         it bears as its shoes do, see SideFaces. Resistance: work done on the rut by moving on,
-///         rather than by moving down, is paid back as a drag over a short distance. Gear that does
-///         not shear the ground is carried alone: no shear force, no drag. An obstacle low enough
-///         for the gear to climb bears it as pavement does, moves under it with its own velocity,
-///         and keeps it off the ground below.
+///         the closed-form thrust at steady slip. Wheels: WheelContact. Sides: a sunk side face
+///         pushed into soil meets passive pressure, mobilised by the way by which a place beside
+///         the gear is pushed. When a leaning machine's track faces down with its side, the side
+///         bears as its shoes do, see SideFaces. Resistance: work done on the rut by moving on,
+///         rather than down, acts as a drag over a short distance. Gear that does not shear the
+///         ground is carried alone: no shear force, no drag. An obstacle low enough for the gear to
+///         climb bears it as pavement does, moves under it with its own velocity, and keeps it off
+///         the ground below.
 /// Omits   shear on the sides of grousers, tension of the track.
 /// Source  Bekker 1969; Janosi and Hanamoto 1961; Wills 1963; side faces:
 ///         Hegedus 1960, see PushedFace.

@@ -10,11 +10,10 @@ namespace tera {
 /// The shortest way out of the ground from a point in it.
 ///
 /// Frames  W.
-/// Model   The surface is a sheet of triangles between the columns, each cell cut along
-///         its diagonal from (i, j) to (i+1, j+1); the way leads to the point of the sheet
-///         that is nearest. So beside the wall of a pit it leads out of the wall, on a
-///         slope along the slope's normal, and its length does not jump from place to
-///         place.
+/// Model   The surface is a sheet of triangles between the columns, each cell cut along its
+///         diagonal from (i, j) to (i+1, j+1). The way leads to the nearest point of the sheet. So
+///         it leads out of the wall beside a pit, and along the normal on a slope, and its length
+///         is continuous.
 /// Omits   ways longer than `kReach_m` that are not straight up.
 struct GroundExit {
   static constexpr double kReach_m = 0.5;

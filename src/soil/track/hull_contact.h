@@ -16,9 +16,9 @@ namespace tera {
 ///         a point lifts nothing. Springs change by motion against their force, or they shorten. So
 ///         the ground never gives more work than it took, however the way out turns. The deeper one
 ///         of the ground and a low obstacle bears the point.
-///         Loose soil gives way beyond what it bears under a square footing as wide as what the
-///         point's cone of 1 to 1 touches: a ridge is ploughed, a fill bears after some
-///         centimetres. Stiffness and damping are in proportion to the machine's mass: alike
+///         Loose soil gives way beyond its bearing capacity under a square footing as wide as the
+///         contact of the point's cone of 1 to 1. So a ridge is ploughed, and a fill bears after
+///         some centimetres. Stiffness and damping are in proportion to the machine's mass: alike
 ///         machines go in alike.
 /// Omits   any change of the ground, the weight of soil on the structure, the strength of ground
 ///         that is not loose.
