@@ -177,8 +177,8 @@ TEST(Avalanche, ACubeOfMoistSoilSetFreeComesToLieAtRepose) {
   }
 }
 
-// Lube's law has no length of its own, nor has the flow's friction but for the grains' size: what
-// is left are the cell and the step of time.
+// Lube's law has no length scale, and the flow's friction has only the grains' size. The remaining
+// scales are the cell and the time step.
 TEST(Avalanche, ColumnsOfAllSizesRunOutAlike) {
   const SoilType sand = Shipped("sand");
   for (const double aspect : {0.4, 1.2}) {

@@ -113,9 +113,9 @@ TEST(Bed, ThatTipsLessThanSteelHoldsShiftsNothing) {
   }
 }
 
-/// Over a shut gate or wall stays a wedge, V = l h^2 / (2 tan(tilt - surface)) over the length l of
-/// a wall of height h. Its surface stands at repose or up to the 1.1 deg above at which soil starts
-/// to flow.
+/// A wedge V = l h^2 / (2 tan(tilt - surface)) stays behind a shut gate or wall of height h, over
+/// its length l. Its surface stands at repose or up to the 1.1 deg above at which soil starts to
+/// flow.
 TEST(Bed, ThatTipsWithAllWallsShutHoldsAWedgeBehindTheLowerOne) {
   struct Turn {
     double pitch_rad, roll_rad, wall_length_m;
@@ -147,8 +147,8 @@ TEST(Bed, ThatTipsWithAllWallsShutHoldsAWedgeBehindTheLowerOne) {
   }
 }
 
-/// Below the friction of steel there stays behind the open gate what lies under the slope at repose
-/// from its lip: in the bed that rises at repose less the tilt.
+/// Below the friction of steel, soil under the slope at repose from the open gate's lip stays. In
+/// the bed that slope rises at repose less the tilt.
 TEST(Bed, WithAnOpenGateKeepsWhatLiesUnderReposeFromItsLip) {
   for (const double tilt_rad : {0.0, 10 * kDeg, 18 * kDeg}) {
     Yard yard;
@@ -165,8 +165,8 @@ TEST(Bed, WithAnOpenGateKeepsWhatLiesUnderReposeFromItsLip) {
   }
 }
 
-/// On a floor at 30 deg, of friction 22 deg, a block gains g (sin 30 - cos 30 tan 22) of speed: so
-/// does the load's upper end, about which soil spreads by a few columns.
+/// On a floor at 30 deg, of friction 22 deg, a block gains g (sin 30 - cos 30 tan 22) of speed. So
+/// does the load's upper end; soil spreads about it by a few columns.
 TEST(Bed, ItsLoadSlidesOutAsABlockOverAnOpenGate) {
   Yard yard;
   yard.Fill(0.3);
@@ -212,8 +212,8 @@ TEST(Bed, HoldsWhatIsPouredIntoItAtRepose) {
   EXPECT_EQ(yard.ground.GroundGain().gained_kg, 0);
   EXPECT_NEAR(yard.bed().load().mass_kg / yard.poured_kg, 1, 1e-12);
   EXPECT_NEAR(yard.bed().load().volume_m3, yard.poured_kg / 1250, 1e-9);
-  // A heap no steeper than where flow starts, 33.1 deg, nor higher than the cone at repose, 32 deg:
-  // h = (3 V tan^2(32 deg) / pi)^(1/3); what falls 1.6 m spreads it.
+  // A heap is no steeper than the start angle of flow, 33.1 deg. It is no higher than the cone at
+  // repose, 32 deg: h = (3 V tan^2(32 deg) / pi)^(1/3). Soil that falls 1.6 m spreads it.
   const Columns& soil = yard.bed().columns();
   const double cone_m = std::cbrt(3 * 0.2 * std::pow(std::tan(32 * kDeg), 2) / kPi);
   EXPECT_GT(soil.HeightAt(0.3, 0.1), 0.65 * cone_m);

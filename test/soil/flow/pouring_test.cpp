@@ -123,8 +123,8 @@ TEST(Pouring, WhatSpillsOverTheCuttingEdgeLeavesBetweenTheTeeth) {
   EXPECT_GT(clods[-1], 200);
 }
 
-/// Digs with the compact bucket in eight places, at y from -3.5 to 3.5 m and x about 0, and each
-/// time opens it within five seconds, its edge resting at a place.
+/// Digs with the compact bucket in eight places, at y from -3.5 to 3.5 m and x about 0. Each time
+/// it opens within five seconds, with its edge at rest.
 BucketPath EightBucketsOver(const Vec3& edge_W_m) {
   const Vec3 edge_B(CompactBucket().profile_B_m[0].x(), 0, 0);
   const auto edge_there = [&](double t_s, double pitch_rad) {

@@ -384,9 +384,9 @@ TEST(StandingWall, SandOverClaySlumpsAndTheClayBelowStands) {
   EXPECT_EQ(wall.ground.TopAt(40, 60), 0);
 }
 
-/// Height of the crust a quarter of a metre behind the rim of a pit in clay, 0.9 m deep with
-/// upright walls, after two seconds; a block on tracks whose middle stands `behind_m` behind the
-/// rim.
+/// Height of the crust a quarter of a metre behind the rim of a pit in clay after two seconds. The
+/// pit is 0.9 m deep with upright walls. The middle of a block on tracks stands `behind_m` behind
+/// the rim.
 double CrustUnderTracks_m(double behind_m, bool loaded = true) {
   // It stands up to 4 c / (rho g) tan(45 deg + phi / 2) - 2 q / (rho g): 1.19 m less 4.7 m under
   // half of the tracks' ground, 82 kPa.

@@ -170,8 +170,8 @@ TEST(GroundWeather, ATrackSinksMoreAfterAnHourOfRain) {
   ::testing::Test::RecordProperty("wet_mm", std::to_string(1000 * wet_m));
 }
 
-// Culmann: 4 c tan(45 + phi / 2) / (rho g) is 1.25 m of dirt as it is, and 0.6 m where 10 mm/h pass
-// through it: by Lu and Likos 1.2 of 2.1 kPa are left, and it is 320 kg/m^3 heavier.
+// Culmann: 4 c tan(45 + phi / 2) / (rho g) is 1.25 m for dirt as it is, and 0.6 m where 10 mm/h
+// pass through it. By Lu and Likos 1.2 of 2.1 kPa remain, and it is 320 kg/m^3 heavier.
 TEST(GroundWeather, AWallThatSuctionHeldFallsInTheRain) {
   const Site site = Under(
       "size_m: [10, 10]\ncell_m: 0.1\nsoil: dirt\n"

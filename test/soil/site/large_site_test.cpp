@@ -105,8 +105,8 @@ std::unique_ptr<Soil> Dug(const std::string& size_m, const BucketPath& path) {
 }
 
 TEST(LargeSite, TheSameCutOnASiteOfAnySizeLeavesTheSameGround) {
-  // Into the ground and along it, not out of it: places round otherwise on another site, and where
-  // a clod falls decides by a hair's breadth what flows.
+  // Into the ground and along it, not out of it. Places round otherwise on another site, and the
+  // flow is sensitive to the place where a clod falls.
   const BucketPath cut({{0.0, {0.3, 0, 1.28}, 80 * kDeg},
                         {1.0, {0.3, 0, 0.58}, 85 * kDeg},
                         {2.5, {-0.5, 0, 0.56}, 105 * kDeg}});

@@ -60,8 +60,8 @@ TEST(Seepage, NoWaterIsLostOrMade) {
   }
 }
 
-// Once the ground has taken up what it can, steady rain leaves below as it comes; rain beyond the
-// saturated conductivity (of loam 24.96 cm a day, Carsel and Parrish 1988) runs off.
+// Once the ground is saturated for the rain, steady rain leaves below at its own rate. Rain beyond
+// the saturated conductivity (of loam 24.96 cm a day, Carsel and Parrish 1988) runs off.
 TEST(Seepage, SteadyRainDrainsAndTheRestRunsOff) {
   WeatheredGround loam("dirt");
   loam.Have(200, 10, 0);
@@ -72,8 +72,8 @@ TEST(Seepage, SteadyRainDrainsAndTheRestRunsOff) {
   EXPECT_NEAR(tight.Have(10, 100, 0).ran_off_m, 1 - 10 * 0.2496 / 24, 2e-3);
 }
 
-// Two days after it was full of water, soil holds its field capacity: of sandy loam 0.207 and of
-// sand 0.091 by volume (Rawls, Brakensiek and Saxton 1982, at 33 kPa).
+// Two days after saturation, soil holds its field capacity. By volume it is 0.207 for sandy loam
+// and 0.091 for sand (Rawls, Brakensiek and Saxton 1982, at 33 kPa).
 TEST(Seepage, SaturatedSoilDrainsToFieldCapacity) {
   WeatheredGround loam("dirt", 1), sand("sand", 1);
   loam.Have(48, 0, 0);

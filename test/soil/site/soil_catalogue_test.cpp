@@ -131,8 +131,8 @@ double SinkageInClay_m(double pressure_pa) {
   return -block.links[0].X_WB.translation().z();
 }
 
-// Prandtl's strip on soil without friction bears (2 + pi) c: 21.3 kPa of a cohesion of 4.14 kPa,
-// and the weight of what lies beside it, 0.9 kPa at 5 cm. Its own weight and the friction left
+// Prandtl's strip on soil without friction bears (2 + pi) c: 21.3 kPa for a cohesion of 4.14 kPa.
+// The weight of the soil beside it adds 0.9 kPa at 5 cm. Its own weight and the friction left
 // before full saturation add less than two fifths. A machine of 3.5 t on its tracks presses with
 // 36 kPa.
 TEST(SoilCatalogue, VerySoftClayBearsWhatItsCohesionAllows) {

@@ -28,9 +28,9 @@ double Kp(const CuttingInput& in) {
          (in.width_m * in.density_kgpm3 * kStandardGravity_mps2 * in.depth_m * in.depth_m / 2);
 }
 
-// Caquot and Kerisel's K_p of upright walls and level ground as NAVFAC DM-7.02 (1986), fig. 6 has
-// it: for delta = phi, and its reduction R for less wall friction. A plane slip surface has 10.1,
-// 23.0 and 92.6 for delta = phi.
+// Caquot and Kerisel's K_p of upright walls and level ground by NAVFAC DM-7.02 (1986), fig. 6: for
+// delta = phi, and its reduction R for less wall friction. A plane slip surface has 10.1, 23.0 and
+// 92.6 for delta = phi.
 TEST(CurvedSlip, PassivePressureIsCaquotAndKerisels) {
   struct Row {
     double phi_deg, k_p;
@@ -61,10 +61,10 @@ TEST(CurvedSlip, WithoutWallFrictionThePassivePressureIsRankines) {
   }
 }
 
-// Weightless soil of a perfectly rough wall: Prandtl's slip lines give the pressure across the wall
-// K = (1 + sin phi) exp(2 theta tan phi), 2 theta = 90 deg + phi, of a surcharge (Lancellotta 2002,
-// eq. 20, for delta = phi), and by corresponding states c cot phi (K - 1) of cohesion, where
-// adhesion is as high. Lower bounds, which a surface of failure cannot fall below.
+// Weightless soil at a perfectly rough wall. By Prandtl's slip lines a surcharge presses across the
+// wall with K = (1 + sin phi) exp(2 theta tan phi), 2 theta = 90 deg + phi (Lancellotta 2002, eq.
+// 20, for delta = phi). By corresponding states cohesion gives c cot phi (K - 1), where adhesion is
+// as high. Both are lower bounds for a surface of failure.
 TEST(CurvedSlip, SurchargeAndCohesionOfSoilOnSoilAreNoLessThanPrandtls) {
   for (const double phi_deg : {20.0, 30.0, 40.0}) {
     const double phi = phi_deg * kDeg;
@@ -120,8 +120,8 @@ TEST(CurvedSlip, WithoutATurnItIsTheEarthmovingEquation) {
   }
 }
 
-// With more wall friction, and with a blade that leans more, the force grows without a step, and
-// never exceeds what soil on soil meets at an upright face.
+// With more wall friction, and with a blade that leans more, the force grows without a step. It
+// never exceeds that of soil on soil at an upright face.
 TEST(CurvedSlip, ForceGrowsSteadilyWithWallFrictionAndLean) {
   for (const double phi_deg : {13.0, 30.0, 44.0}) {
     CuttingInput in = Wall(phi_deg, 0);

@@ -210,9 +210,9 @@ TEST(CuttingEdge, ABucketThatIsFullCutsLikeAPlateOfSoilAcrossItsMouth) {
 
 TEST(CuttingEdge, TeethPierceFirstAndTheEdgeFollowsTheirLengthLater) {
   const SoilType soil = Clay(2000);
-  // At a pitch of 60 degrees the floor at the edge falls by 0.75 of its length, so that teeth of 15
-  // cm alone are in the ground at 8 cm. Six of them, 60 x 20 mm, have the area of 600 mm of a 12 mm
-  // edge.
+  // At a pitch of 60 degrees the floor at the edge falls by 0.75 of its length. So at 8 cm the
+  // teeth of 15 cm alone are in the ground. Six of them, 60 x 20 mm, have the area of 600 mm of a
+  // 12 mm edge.
   const auto force_n = [&](int teeth, double length_m) {
     Shovel bucket = CompactBucket();
     bucket.teeth = teeth;

@@ -48,8 +48,8 @@ double WorstOfDigging(const std::string& upper, const std::string& middle,
   const int bed = soil->AddBed({Vec3(0, 0, 0.2), Vec2(3.2, 1.6), 0.6});
   double worst = 0, most_carried_kg = 0, most_in_air_kg = 0;
   for (int cycle = 0; cycle < kCycles; ++cycle) {
-    // Each digs elsewhere on a ring of 4 m, deeper every time round; the blade pushes and the track
-    // drives across pile and trench of the one before. Every other bucket goes into the truck.
+    // Each digs elsewhere on a ring of 4 m, deeper every time round. Blade and track cross the pile
+    // and trench of the one before. Every other bucket goes into the truck.
     const double yaw_rad = 2 * kPi * (cycle % 12) / 12;
     const BucketPath dig = DigCycle(0.12 + 0.02 * (cycle % 12), -0.04 * (cycle / 12), yaw_rad);
     const double z_m = 0.22 - 0.04 * (cycle / 12);

@@ -196,14 +196,14 @@ double LeftAfterDump_kg(const std::string& soil_name) {
 
 TEST(Digging, StickySoilLeavesALayerInTheBucket) {
   EXPECT_EQ(LeftAfterDump_kg("dirt"), 0);
-  // Adhesion of 300 Pa carries 300 / 9.81 kg on each square metre of the inside: 0.6 m times 1.1 m
-  // of floor and back, less the teeth, and two sides of 0.2 m^2.
+  // Adhesion of 300 Pa carries 300 / 9.81 kg on each square metre of the inside. That is 0.6 m
+  // times 1.1 m of floor and back, less the teeth, and two sides of 0.2 m^2.
   EXPECT_NEAR(LeftAfterDump_kg("wet_sand") / (300 / 9.81 * 1.0), 1, 0.2);
 }
 
 TEST(Digging, ClayFallsOutOfABucketWhoseMouthLooksDownButForAFewCentimetres) {
   // It is dug as clods that weigh 1790 / 1.4 kg/m^3. A layer of 1 to 3 cm on the square metre of
-  // the inside is what a shovel has to scrape off: less than a third of the 0.11 m^3 struck.
+  // the inside has to be scraped off with a shovel. It is less than a third of the 0.11 m^3 struck.
   const double left_kg = LeftAfterDump_kg("clay");
   EXPECT_GT(left_kg, 0.01 * 1279);
   EXPECT_LT(left_kg, 0.03 * 1279);
@@ -231,8 +231,8 @@ TEST(Digging, AHeapedBucketSpillsWhenItIsSlewedHard) {
   const double calm_kg = carried_kg(0);
   EXPECT_GT(calm_kg, 100);
   EXPECT_GT(carried_kg(1), 0.85 * calm_kg);
-  // As if tilted by 55 deg, past the repose of 37: the surface falls from the lower side wall by 18
-  // deg, which over 0.6 m is 0.1 m at mean.
+  // The state is that of a tilt by 55 deg, past the repose of 37. The surface falls from the lower
+  // side wall by 18 deg, or 0.1 m at mean over 0.6 m.
   EXPECT_LT(carried_kg(14), 0.85 * calm_kg);
 }
 
@@ -265,8 +265,8 @@ TEST(Digging, ABucketDeepInTheGroundThrowsUpNoNeedles) {
                 }
               });
   }
-  // The shovel displaces 0.15 m^3 at a time, which heaped up as a cone at repose is 0.43 m high; it
-  // heaps it on what it heaped before. Needles are metres high.
+  // The shovel displaces 0.15 m^3 at a time. Heaped up as a cone at repose this is 0.43 m high. It
+  // comes to lie on the earlier heaps. Needles are metres high.
   RecordProperty("highest_m", fmt::format("{:.2f}", highest_m));
   EXPECT_LT(highest_m, 0.7);
 }

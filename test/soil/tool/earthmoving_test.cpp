@@ -85,9 +85,9 @@ TEST(Earthmoving, GrowsWithDepthSlopeSpeedCohesionAndSurcharge) {
   EXPECT_EQ(with([](auto* in) { in->depth_m = 0; }), 0);
 }
 
-// Coulomb's passive pressure of ground that rises by i behind a smooth upright wall,
-// K_p = cos^2 phi / (1 - sqrt(sin phi sin(phi + i) / cos i))^2 (Das, Principles of Foundation
-// Engineering, ch. 7), worked by hand for phi = 30 deg.
+// Coulomb's passive pressure of ground that rises by i behind a smooth upright wall, by hand for
+// phi = 30 deg. K_p = cos^2 phi / (1 - sqrt(sin phi sin(phi + i) / cos i))^2 (Das, Principles of
+// Foundation Engineering, ch. 7).
 TEST(Earthmoving, ASmoothUprightBladeOnASlopeMeetsCoulombsPassivePressure) {
   const std::array<std::array<double, 2>, 4> table = {
       {{-20, 1.548}, {-10, 2.204}, {10, 4.081}, {20, 5.737}}};
@@ -99,11 +99,11 @@ TEST(Earthmoving, ASmoothUprightBladeOnASlopeMeetsCoulombsPassivePressure) {
   }
 }
 
-// Luengo, Singh and Cannon's form in the frame of the surface: N_w = (cot beta - tan a)
-// (cos a + sin a cot(beta + phi)) / 2D of the wedge ahead of the upright through the edge, N_c of
-// its slip plane, and the swept volume on the blade. Worked by a program of its own for 1 m of
-// width, 0.3 m below the surface; sand: phi 39, delta 19.5 deg, 1474 kg/m^3; dirt: phi 40, delta 20
-// deg and c = 2100 Pa.
+// Luengo, Singh and Cannon's form in the frame of the surface. N_w = (cot beta - tan a) (cos a +
+// sin a cot(beta + phi)) / 2D is that of the wedge ahead of the upright through the edge. N_c is
+// that of its slip plane; the swept volume lies on the blade. A separate program worked it for 1 m
+// of width, 0.3 m below the surface. Sand: phi 39, delta 19.5 deg, 1474 kg/m^3. Dirt: phi 40, delta
+// 20 deg and c = 2100 Pa.
 TEST(Earthmoving, SlopesAreLuengos) {
   struct Case {
     double cohesion_pa, rake_deg, slope_deg, expected_n;
@@ -125,9 +125,9 @@ TEST(Earthmoving, SlopesAreLuengos) {
   }
 }
 
-// Where tool, slope and friction leave no room for a wedge, the force must not run off to the pole
-// of the wedge's equilibrium: it is a continuous function of the rake, so that a small step of the
-// rake makes a small step of the force.
+// Where tool, slope and friction leave no room for a wedge, the force must not diverge at the pole
+// of the wedge's equilibrium. It is a continuous function of the rake: a small step of the rake
+// makes a small step of the force.
 TEST(Earthmoving, StaysContinuousWhereNoWedgeFits) {
   for (const double slope_deg : {-25.0, 0.0, 10.0, 25.0}) {
     CuttingInput in;

@@ -39,8 +39,8 @@ Vec3 Tilted(const Shovel& shovel, double pitch_rad, double roll_rad) {
          ShovelShape(shovel).LevelUp_B();
 }
 
-/// Upright columns of 4 mm between a surface and the lowest point of a shovel's shell, in axes of
-/// which the first two are level in the profile's plane and along B's y axis.
+/// Upright columns of 4 mm between a surface and the lowest point of a shovel's shell. Their first
+/// two axes are level, in the profile's plane and along B's y axis.
 class Columns4mm {
  public:
   Columns4mm(const Shovel& shovel, const Vec3& up_B) : shovel_(shovel) {

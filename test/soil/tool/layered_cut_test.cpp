@@ -61,10 +61,10 @@ TEST(LayeredCut, InOneSoilItIsTheEarthmovingEquation) {
   }
 }
 
-// A border that parts nothing: each of the parts is cut under the weight of those above, with the
-// flanks' shear of its own depth, and together they are the whole. Each has its own best angle,
-// which makes a difference where cohesion and weight would have different ones, and its own spiral,
-// which takes up to 5 % less than one through all parts.
+// A border between equal soils. Each part is cut under the weight of those above, with the flanks'
+// shear of its own depth, and the parts add up to the whole. Each has its own best angle, which
+// differs where cohesion and weight prefer different ones. Each has its own spiral, which takes up
+// to 5 % less than one through all parts.
 TEST(LayeredCut, PartsOfOneSoilAddUpToTheWhole) {
   for (const double cohesion_pa : {0.0, 3000.0}) {
     const std::vector<CutLayer> parts = {Soil(0.12, 35, cohesion_pa), Soil(0.10, 35, cohesion_pa),
@@ -92,9 +92,9 @@ TEST(LayeredCut, ASmoothUprightPlateMeetsRankinesPressureInEachLayer) {
   EXPECT_NEAR(ForceIn(layers, blade).draft_n / (0.6 * (upper_n + lower_n)), 1, 1e-3);
 }
 
-// A crust on a soft seam, before an upright plate with friction delta against it: the crust moves
-// as a block b long on the seam, H = (W - V) tan phi_s + c_s b + Rankine's wedge before it, where
-// V = H cot(90 deg + delta) is what the plate lifts.
+// A crust on a soft seam, before an upright plate with friction delta against it. The crust moves
+// as a block b long on the seam, H = (W - V) tan phi_s + c_s b + Rankine's wedge before it. V = H
+// cot(90 deg + delta) is the plate's lift.
 TEST(LayeredCut, ACrustSlidesOnTheSoftSeamBelowIt) {
   constexpr double kCrust_m = 0.30, kSeam_m = 1e-5;
   CuttingInput blade = Blade(90);

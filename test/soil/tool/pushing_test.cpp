@@ -72,10 +72,10 @@ TEST(Digging, TheWindrowBeforeABladeResistsByTheFrictionOfItsWeight) {
 }
 
 /// A plate 0.3 m wide and 0.6 m long without a thin edge's piercing, driven 2 m with its edge 0.2 m
-/// deep: its draft over the last half metre, the heap that it has then over the wedge of the
-/// earthmoving equation, the equation's draft with that heap as an even surcharge, that at the
-/// depth of the whole plate, and, of a plate that does not lean forwards, that of trial wedges in
-/// the ground as it lies.
+/// deep. `draft_n` is its draft over the last half metre, `heap_m` the final heap over the wedge of
+/// the earthmoving equation. `equation_n` is the equation's draft with that heap as an even
+/// surcharge, `deep_n` that at the depth of the whole plate. `wedges_n` is the draft of trial
+/// wedges in the ground as it lies, for plates that do not lean forwards.
 struct PlateRun {
   double draft_n = 0, heap_m = 0, equation_n = 0, wedges_n = 0, deep_n = 0;
 };
@@ -318,7 +318,7 @@ TEST(Digging, ABladeLosesAboutAsMuchOfItsLoadAsIsMeasured) {
 }
 
 TEST(Digging, SoilRidesOverAFlatPlateAndHeapsUpBeforeASteepOne) {
-  // A plate at 30 deg ends 0.1 m above the ground and 0.5 m behind its edge: at a repose of 33 deg
+  // A plate at 30 deg ends 0.1 m above the ground and 0.5 m behind its edge. At a repose of 33 deg
   // nothing stays ahead of it. At 75 deg it ends 0.38 m up and 0.16 m behind.
   EXPECT_LT(RunPlate("sand", 30).heap_m, 0.02);
   EXPECT_GT(RunPlate("sand", 75).heap_m, 0.05);

@@ -67,9 +67,9 @@ TEST(ShovelWalls, TheBackPushesSoilBehindItAndIsNotHeldFromBehind) {
 
 TEST(ShovelWalls, TheRimOfAMouthThatLooksDownIsPushedInLikeAThinEdge) {
   // At a pitch of 90 deg the box stands on its mouth, 2 m below its origin. The edges of the side
-  // walls and the top edge, together 1.6 m long and 12 mm thick, carry at 0.5 m what Terzaghi's
-  // strip does for local shear: rho g (0.5 N_q + 0.012 N_gamma / 2), where phi is
-  // atan(2/3 tan 30 deg) = 21.05 deg, N_q = 7.1 and N_gamma = 6.2.
+  // walls and the top edge are together 1.6 m long and 12 mm thick. At 0.5 m they bear as
+  // Terzaghi's strip for local shear: rho g (0.5 N_q + 0.012 N_gamma / 2). phi is atan(2/3 tan 30
+  // deg) = 21.05 deg, N_q = 7.1 and N_gamma = 6.2.
   const double full_n = 1500 * 9.81 * (0.5 * 7.1 + 0.006 * 6.2) * 0.012 * 1.6;
   const Vec3 down_W(0, 0, -1e-3);
   const auto up_n = [&](double depth_m, const Vec3& v_W) {

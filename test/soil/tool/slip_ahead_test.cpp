@@ -68,9 +68,9 @@ double Section_m2(const GroundAhead& ground) {
 
 constexpr double kWeight_npm3 = 1600 * kStandardGravity_mps2;
 
-// K_p by the linear program of test/judges/blade_limit.py, which finds the least upper bound over
-// patterns of slip lines between the points of a grid: a little high, as grids are coarse. A plane
-// slip surface has 11.8, 26.6 and 65 on the last three slopes.
+// K_p by the linear program of test/judges/blade_limit.py. It finds the least upper bound over
+// patterns of slip lines between the points of a grid, a little high because grids are coarse. A
+// plane slip surface has 11.8, 26.6 and 65 on the last three slopes.
 TEST(SlipAhead, SlopesHaveThePassivePressureOfALimitAnalysis) {
   struct Row {
     double phi_deg, delta_deg, slope_deg, k_p;
@@ -85,8 +85,8 @@ TEST(SlipAhead, SlopesHaveThePassivePressureOfALimitAnalysis) {
   }
 }
 
-// Caquot and Kerisel's K_p at 40 deg and half of it on the blade, of level ground and of ground
-// that rises by 10 and 20 deg, as their tables are quoted: about 10, 16 and 27.
+// Caquot and Kerisel's K_p at 40 deg and half of it on the blade, by quoted tables. It is about 10
+// for level ground, and 16 and 27 for ground that rises by 10 and 20 deg.
 TEST(SlipAhead, RisingGroundIsNotTheEndlessPlanes) {
   const auto k_p = [](double slope_deg) {
     return Upright(Slope(1, slope_deg * kDeg, 0, 10), 40, 20).total_n / (kWeight_npm3 / 2);
@@ -96,9 +96,9 @@ TEST(SlipAhead, RisingGroundIsNotTheEndlessPlanes) {
   EXPECT_NEAR(k_p(20) / 27, 1, 0.2);
 }
 
-// A berm that is pushed at its foot or in its flank: no more than what slides all of it, W tan phi
-// by a smooth blade, and with friction on the blade, which presses it down,
-// W sin(phi) / sin(90 deg + delta + phi) along the blade's force.
+// A berm that is pushed at its foot or in its flank takes no more than sliding all of it. A smooth
+// blade needs W tan phi. Friction on the blade presses the berm down: W sin(phi) / sin(90 deg +
+// delta + phi) along the blade's force.
 TEST(SlipAhead, ABermTakesNoMoreThanSlidingIt) {
   for (const double at_blade_m : {0.05, 0.3, 0.6}) {
     for (const double high_m : {0.6, 0.9}) {
@@ -116,8 +116,9 @@ TEST(SlipAhead, ABermTakesNoMoreThanSlidingIt) {
   }
 }
 
-// A heap of loose soil on a cut of 3 cm slides on what is firm: between the weight's friction alone
-// and that with the chip below it, whose least force is known by itself under the heap's weight.
+// A heap of loose soil on a cut of 3 cm slides on the firm soil. Its force lies between the
+// weight's friction alone and that with the chip below it. The chip's least force under the heap's
+// weight is known by itself.
 TEST(SlipAhead, AHeapBeforeAThinCutSlides) {
   const GroundAhead heap = Between({{0, 0.53}, {0.71, 0.03}, {2.5, 0.03}}, 0.03);
   const double weight_n = kWeight_npm3 * Section_m2(heap);
@@ -126,9 +127,9 @@ TEST(SlipAhead, AHeapBeforeAThinCutSlides) {
   EXPECT_LT(draft_n, 2.5 * weight_n * std::tan(40 * kDeg));
 }
 
-// Drafts of the same program, in N/m: a berm of 0.6 m at 35 deg, the blade 0.3 m deep in its near
-// flank; heaps at 35 deg of 0.5 m on a cut of 3 cm and of 0.25 m on one of 0.2 m, with 2100 Pa of
-// cohesion below them and without.
+// Drafts of the same program, in N/m. One is for a berm of 0.6 m at 35 deg, the blade 0.3 m deep in
+// its near flank. The others are for heaps at 35 deg, of 0.5 m on a cut of 3 cm and of 0.25 m on
+// one of 0.2 m, with and without 2100 Pa of cohesion below them.
 TEST(SlipAhead, BermsAndHeapsHaveTheDraftOfALimitAnalysis) {
   const double t = std::tan(35 * kDeg);
   const std::vector<Corner> berm = {{0, 0.3}, {0.3 / t, 0.6}, {0.85 / t, 0.05}};

@@ -9,9 +9,8 @@
 
 namespace tera::testing_soil {
 
-/// The ground before a plate in a plane along its travel, x ahead of the plate's edge, and what the
-/// trial wedges of Coulomb's method have in it: the surface as it lies, firm below z = 0, loose
-/// above.
+/// Coulomb's trial wedges in the ground before a plate, in a plane along its travel, x ahead of the
+/// plate's edge. The surface is as it lies; soil is firm below z = 0, loose above.
 class TrialWedges {
  public:
   TrialWedges(const SoilType& soil, double rake_rad, double depth_m, double plate_m)

@@ -24,8 +24,8 @@ double MeanSinkage_m(const SoilType& soil, double pressure_pa) {
 double DrySandSinkage_m(double times) { return 0.0371 * std::pow(times, 1 / 1.1); }
 constexpr auto kNothing = [](const Vec3&) {};
 
-/// The block's depth at rest: Bekker's 37.1 mm, and what rebounds: a plate of width b on a half
-/// space settles by p b (1 - nu^2) I / E, nu = 0.3, I = 0.88.
+/// The block's depth at rest: Bekker's 37.1 mm, and the rebound: a plate of width b on a half space
+/// settles by p b (1 - nu^2) I / E, nu = 0.3, I = 0.88.
 constexpr double kDepth_m = 0.0371 + 40875 * kWidth_m * (1 - 0.09) * 0.88 / 4.5e6;
 
 TEST(GearContact, BlockSinksToBekkersDepthAndIsCarriedInFull) {
@@ -158,7 +158,7 @@ TEST(GearContact, DrivingLeavesTwoRutsAndLosesNoMass) {
 
 TEST(GearContact, ShearingBackAndForthDissipates) {
   // Locked tracks on sand, K = 18 mm, pushed on by 2 K: 1 - e^-2 = 0.865 of the strength. Unloading
-  // at the initial stiffness strength / K spends that within 0.865 K; as much further on, the soil
+  // at the initial stiffness strength / K spends that within 0.865 K. As much further on, the soil
   // resists the other way with 1 - e^-0.865 = 0.579 of the strength.
   Block block("size_m: [12, 4]\nsoil: sand\n", Vec2(0.1, 0), 0);
   for (int k = 0; k < 2000; ++k) block.ActAndSinkGently();
@@ -233,8 +233,8 @@ TEST(GearContact, SandThatIsPressedAsideDoesNotComeBackUnderTheTrack) {
 }
 
 TEST(GearContact, SecondPassSinksOnlyFromWhereTheFirstHasPressed) {
-  // Pressed ground is as stiff as on unloading, until the pressure that it knows: a second pass of
-  // the same machine leaves the rut as it was; one twice as heavy makes it 2^(1/n) times as deep.
+  // Up to its largest past pressure, pressed ground is as stiff as on unloading. A second pass of
+  // the same machine leaves the rut as it was. One twice as heavy makes it 2^(1/n) times as deep.
   Block block(kDrySand, Vec2(-2, 0));
   block.Stand();
   block.Drive(5, 1.0, 0, kNothing);
@@ -264,8 +264,8 @@ std::pair<double, double> LoweredAndRaised_m3(const TerrainSurface& ground) {
 }
 
 TEST(GearContact, ATurnOnTheSpotShovesSandAsideRatherThanPressingItTogether) {
-  // Sheared sand keeps its volume but for what the pressure presses together: a void ratio of 0.81
-  // loses 0.05 log10(1 + 41 kPa / 10 kPa) = 0.035, 2 % of the 0.3 m below, 6 mm of some 3 cm.
+  // Sheared sand keeps its volume but for compression by the pressure. A void ratio of 0.81 loses
+  // 0.05 log10(1 + 41 kPa / 10 kPa) = 0.035, 2 % of the 0.3 m below, 6 mm of some 3 cm.
   Block block("size_m: [8, 8]\nsoil: sand\n", Vec2(0, 0), 0, {.nose_m = 0.25});
   block.Stand();
   const double rate_radps = 0.4, shoe_mps = rate_radps * kGauge_m / 2;
@@ -436,8 +436,8 @@ TEST(GearContact, LockedTracksHoldATorqueAsTheirShearStrengthAllows) {
   EXPECT_GT(turned_rad, 5 * first_rad);
 }
 
-/// A track of the block with half of its weight on dirt, which drives along x over its origin:
-/// depth of its rut there, and the density of the uppermost soil.
+/// A track of the block with half of its weight on dirt, which drives along x over its origin.
+/// Results are the depth of its rut there and the density of the uppermost soil.
 struct FillTest {
   Columns ground = LevelColumns(Shipped("dirt"), 0.05, 121);
   double level_m = 0;
@@ -583,8 +583,8 @@ TEST(GearContact, TurningOnTheSpotIsResistedByFrictionAcrossTheTracks) {
 }
 
 TEST(GearContact, GrousersOfASpinningTrackDigIn) {
-  // Shoes that slip by s carry a layer as thick as the grousers are high, h s of soil for each
-  // metre of width, out of L: the block sinks by h s / L, and the soil lies behind.
+  // Shoes that slip by s carry a layer as thick as the grousers are high: h s of soil for each
+  // metre of width, out of L. The block sinks by h s / L, and the soil lies behind.
   Block block(kDrySand, Vec2(0, 0), 0, {.grouser_m = 0.03});
   block.Stand(2000);
   const double before_m = -block.links[0].X_WB.translation().z();
@@ -598,7 +598,7 @@ TEST(GearContact, GrousersOfASpinningTrackDigIn) {
 
 TEST(GearContact, SlipMakesAMovingTrackSinkDeeper) {
   // At 50 % slip each place loses a layer of h i / (1 - i) = h from the front to the rear, half of
-  // it on average; the track comes to lie so.
+  // it on average. The track comes to lie so.
   const auto depth_m = [](double grouser_m) {
     Block block(kDrySand, Vec2(-3, 0), 0, {.grouser_m = grouser_m});
     block.links[0].X_WB.linear() = RotationFromRpy(0, -grouser_m / kLength_m, 0);  // nose up

@@ -143,9 +143,9 @@ TEST(HullContact, PloughsThroughARidgeOfLooseSoil) {
   }
 }
 
-// A tonne on four points: 2.45 kN each, and a square footing b = 0.15 m + 2 d of loose sand bears
-// b^2 (rho g d N_q + rho g b N_gamma / 2). A load that comes at once goes deeper, by its fall:
-// twice as deep where bearing grows with the depth.
+// A tonne on four points loads each with 2.45 kN. A square footing b = 0.15 m + 2 d on loose sand
+// bears b^2 (rho g d N_q + rho g b N_gamma / 2). A sudden load goes deeper, by its fall: twice as
+// deep where bearing grows with the depth.
 TEST(HullContact, SinksIntoLooseFillUntilItBears) {
   const SoilType sand = Sand();
   Columns ground = LevelColumns(sand, 0.1, 41);

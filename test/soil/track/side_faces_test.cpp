@@ -49,10 +49,10 @@ class OnEdge {
 
 TEST(SideFaces, ALeaningTrackPressesOnBothFacesOfItsEdge) {
   // At 45 deg the edge is a wedge that both faces make alike, so that no force is left across it.
-  // At depth d, each presses with N = L K h^n dh / c over h from 0 to d, as plates do at the depth
-  // h that they have, c = cos 45 deg, and shears upwards with N tan phi + A c'. K = k_c / b + k_phi
-  // of a plate 0.275 m wide. Ground that rebounds bears less, soil that one face presses out and
-  // that comes to lie before the other more.
+  // At depth d, each presses with N = L K h^n dh / c over h from 0 to d, c = cos 45 deg, as plates
+  // do at their depth h. Each shears upwards with N tan phi + A c'. K = k_c / b + k_phi of a plate
+  // 0.275 m wide. Ground that rebounds bears less, soil that one face presses out and that comes to
+  // lie before the other more.
   constexpr double kDeep_m = 0.12, kExponent = 1.1, kModulus = 990 / 0.275 + 1528430;
   const double c = std::cos(45 * kDeg);
   const double normal_n =
@@ -160,10 +160,9 @@ class LeaningTrack {
 };
 
 TEST(SideFaces, SoilTakesNoMoreWorkThanTheForceDoes) {
-  // Loose soil is pressed together and not aside, so that the work on it is the pressure at which
-  // it yields times the volume that it gives way by. The force has what damps it and what rebounds
-  // on top, and lacks what the slope at the rut's rim, a cell wide, does not bear; with the cell
-  // the latter vanishes.
+  // Loose soil is pressed together and not aside. So the work on it is its yield pressure times the
+  // displaced volume. Damping and rebound add to the force. The slope at the rut's rim, a cell
+  // wide, bears nothing, which vanishes with the cell.
   for (const double lean_deg : {22.0, -25.0, 28.0}) {
     LeaningTrack track(lean_deg * kDeg, LeaningTrack::Yielding(6000), 0.0125);
     track.PushDown(0.15);
@@ -174,9 +173,10 @@ TEST(SideFaces, SoilTakesNoMoreWorkThanTheForceDoes) {
 }
 
 TEST(SideFaces, SweepTheSoilThatTheirTouchingPartMeets) {
-  // From the edge up the share s of the face touches: seen from above, a strip as wide as s h sin a
-  // or as what is in the ground, over which the depth falls off by cot a. From step to step of lean
-  // the volume grows by no more than such a step brings: it does not begin at once at 20 deg.
+  // From the edge up the share s of the face touches. Seen from above this is a strip as wide as s
+  // h sin a, or as the part in the ground. Over it the depth falls off by cot a. From step to step
+  // of lean the volume grows by no more than such a step brings: it does not begin at once at 20
+  // deg.
   constexpr double kDeep_m = 0.15;
   const auto swept_m3 = [kDeep_m](double lean_rad) {
     const double height_m = SideFaces::Bearing(std::sin(lean_rad)) * LeaningTrack::kFace_m;

@@ -9,7 +9,7 @@
 
 #include "soil/soil_fixture.h"
 
-/// A single wheel in a soil bin: a frame drives it along level ground at a set slip and slip angle
+/// A single wheel in a soil bin. A frame drives it along level ground at a set slip and slip angle,
 /// and lets it sink under its load.
 
 namespace tera::testing_soil {

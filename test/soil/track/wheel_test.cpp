@@ -37,8 +37,8 @@ constexpr WheelSoil kSand{.cohesion_pa = 1040,
 
 /// A single wheel of Ding et al. 2011, J. Terramechanics 48(1), figure 9 and table 2, as digitised
 /// in roverdevkit (Autonomous Mission Systems Lab), data/validation/single_wheel_experiments.csv.
-/// The soil's k_c and k_phi, of plates, let the integral sink it 11 mm at no slip for the 5 that
-/// were measured; times 3.7 they give what was measured there.
+/// With the soil's k_c and k_phi, from plates, the integral sinks it 11 mm at no slip; the
+/// measurement is 5 mm. Times 3.7 they give the measured sinkage there.
 constexpr double kPlateToWheel = 3.7;
 constexpr RigidWheel kDingWheel{.radius_m = 0.15735, .width_m = 0.165, .load_n = 80};
 constexpr WheelSoil kDingSoil{.cohesion_pa = 250,
@@ -186,8 +186,8 @@ TEST(Wheel, SideForceGrowsWithTheSlipAngleAsIshigamiSays) {
 }
 
 TEST(Wheel, StraightAcrossMeetsTheStrengthBelowAndThePassivePressureBeside) {
-  // A locked wheel, sunk as it stands: c A + W tan phi, and Hegedus along its chord, the mean of
-  // whose depth is 2/3 of the deepest and of whose depth squared 8/15.
+  // A locked wheel, sunk as it stands: c A + W tan phi, and Hegedus along its chord. The chord's
+  // mean depth is 2/3 of the deepest, its mean depth squared 8/15.
   WheelSoil soil = kSimulant;
   soil.shear_m = 0.013;
   const WheelTest test = RunWheel(kRoverWheel, soil.Yaml(), 0, 90 * kDeg);
