@@ -63,7 +63,7 @@ std::vector<std::string> LinesOf(const std::string& text) {
   return lines;
 }
 
-/// A job, or a task of an array, as `scontrol --oneliner show job` tells it.
+/// A job, or a task of an array, by `scontrol --oneliner show job`.
 struct Task {
   std::string id, state, node, log;
 };
@@ -127,7 +127,7 @@ class SlurmRun {
 
   fs::path JobsFile() const { return plan_.folder / "slurm.jobs"; }
 
-  /// The state, where what another try may mend is missing and not failed.
+  /// The state, in which episodes that another try may mend are missing and not failed.
   CampaignState Collect() {
     CampaignState state = RefreshIndex(plan_);
     for (const auto& [_, failure] : state.failed) {

@@ -17,7 +17,7 @@ std::string ContentsTable(const DatasetStatistics& statistics);
 /// Adds the counts of classes, ranges, pictures, scans, boxes and points.
 void AddCounts(const DatasetStatistics& of_episode, DatasetStatistics* sum);
 
-/// Report (Markdown) of a campaign: its state, its values, and what its episodes cost.
+/// Report (Markdown) of a campaign: its state, its values, and its episodes' costs.
 std::string CampaignReport(const Plan& plan, const CampaignState& state);
 
 }  // namespace tera

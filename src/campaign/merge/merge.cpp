@@ -34,7 +34,7 @@ void RequireAllMade(const Plan& plan, const CampaignState& state) {
                                 plan.campaign.episodes)});
 }
 
-/// Lints every episode. Returns the sum of what they hold.
+/// Lints every episode. Returns the sum of their contents.
 DatasetStatistics LintAll(const Plan& plan, const CampaignState& state,
                           const MergeOptions& options) {
   DatasetStatistics sum;

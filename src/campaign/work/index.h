@@ -21,8 +21,8 @@ struct CampaignState {
   double MeanWall_s() const;     ///< 0 without episodes
 };
 
-/// Brings index.sqlite up to what is in the folder, and returns it. The index is derived: deleted,
-/// it is made anew. Table `episodes` has a row of each episode that is whole or failed.
+/// Updates index.sqlite to the folder's contents, and returns it. The index is derived: deleted, it
+/// is made anew. Table `episodes` has a row of each episode that is whole or failed.
 ///
 /// Throws  InputError: an index or an episode of another campaign, a file that is no index.
 CampaignState RefreshIndex(const Plan& plan);

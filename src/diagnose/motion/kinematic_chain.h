@@ -17,7 +17,7 @@ struct KinematicChain {
     Vec3 axis_J = Vec3::UnitZ();
     bool slides = false;
     int joint = 0;  ///< its index in the model
-    int place = 0;  ///< among the joints of which the motion is estimated
+    int place = 0;  ///< among the joints with an estimated motion
   };
   std::vector<Step> steps;
   Pose X_PL = Pose::Identity();  ///< of the link in the last joint's child, fixed

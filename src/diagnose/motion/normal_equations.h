@@ -43,7 +43,7 @@ class NormalEquations {
  private:
   int block_, blocks_, numbers_, parameters_;
   std::vector<Eigen::MatrixXd> pair_;  ///< of a block and the next one, until they are factors
-  /// The lower Cholesky factor of each block, and what of it stands below.
+  /// The lower Cholesky factor of each block, and its rows below the block.
   std::vector<Eigen::MatrixXd> factor_, below_;
   Eigen::MatrixXd right_;  ///< coupling to the parameters, then the gradient; eliminated forwards
   Eigen::MatrixXd information_;

@@ -6,8 +6,8 @@
 
 namespace tera {
 
-/// Numbers of which splines describe the motion: the base's place in W, its roll, pitch and yaw,
-/// then the joints of which the motion is estimated.
+/// Numbers whose motion splines describe: the base's place in W, its roll, pitch and yaw, then the
+/// joints with an estimated motion.
 inline constexpr int kBaseNumbers = 6;
 inline constexpr int kRoll = 3, kYaw = 5;
 
@@ -20,7 +20,7 @@ struct RaisedPart {
   KinematicChain chain;
   Vec3 direction_L = Vec3::UnitX();  ///< from its foot to its tip
 
-  /// r (cos A, sin A) in W with the numbers of a motion; nought of a part that hangs or stands
+  /// r (cos A, sin A) in W with the numbers of a motion; zero for a part that hangs or stands
   /// upright.
   Eigen::Vector2d At(const Eigen::VectorXd& numbers) const;
 };

@@ -13,7 +13,8 @@ struct ImuWindow {
   TimeNs from_ns = 0, to_ns = 0;
   Vec3 w_S_radps = Vec3::Zero(), f_S_mps2 = Vec3::Zero();
   double share = 1;  ///< of the time of a window without lost rows
-  /// 1 sigma of what splines with knots as far apart as windows leave out: of rates, then forces.
+  /// 1 sigma of the part that splines with knots as far apart as windows leave out: of rates, then
+  /// forces.
   Eigen::Matrix<double, 6, 1> model_error = Eigen::Matrix<double, 6, 1>::Zero();
 };
 

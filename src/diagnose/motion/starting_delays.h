@@ -7,7 +7,7 @@
 
 namespace tera {
 
-/// An axis of an inertial unit that measures the opposite of what a motion implies.
+/// An axis of an inertial unit that measures the opposite of the motion.
 struct OpposedAxis {
   std::size_t unit = 0;
   int row = 0;   ///< of its rates, then forces

@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastBaseline_m = 0.2;  ///< between two antennas, that tells a heading
+constexpr double kLeastBaseline_m = 0.2;  ///< between two antennas, that shows a heading
 constexpr double kLeastPath_m = 2;        ///< of which the direction tells a heading
 constexpr double kNear_s = 0.3;           ///< of the other antenna's samples
 constexpr double kHalfFootprint_m = 0.6;

@@ -37,7 +37,7 @@ using GroundHeight = std::function<double(double x_m, double y_m)>;
 
 /// Sources of a rough motion; times count from the same second.
 struct RoughSources {
-  std::vector<TimeSeries> joints;  ///< one for each of which the motion is estimated
+  std::vector<TimeSeries> joints;  ///< one for each joint with an estimated motion
   std::vector<double> poses_t_s;
   std::vector<Pose> poses;  ///< of the base, recorded
   std::vector<AntennaTrack> antennas;

@@ -178,7 +178,7 @@ double FormulaProposer::StabilityOf(std::size_t term,
   return count / static_cast<double>(chosen.size());
 }
 
-/// The residual beyond what some columns explain.
+/// The residual that some columns leave unexplained.
 Series FormulaProposer::Left(const std::vector<Eigen::Index>& columns, const Solved& solved) const {
   const Eigen::VectorXd explained = columns_(Eigen::all, columns) * solved.beta;
   Series left = residual_;

@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-/// RMS over what successive residuals differ by, from which on error is left.
+/// RMS over the differences of successive residuals, from which on error is left.
 constexpr double kMostOfDifferences = 2;
 /// RMS error over the motion of a unit below which none of its axes is exchanged or reversed: such
 /// an axis errs by as much as it moves. Errors of too smooth splines are smaller.

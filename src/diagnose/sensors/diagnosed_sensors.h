@@ -49,8 +49,8 @@ bool IsNoise(const ChannelError& channel);
 /// fifth of a unit's motion: no sensor is wrong for it.
 bool IsExplained(const ChannelError& channel);
 
-/// The measurements without those of units and receivers that the estimate explains, or of which it
-/// names what is wrong.
+/// The measurements without those of units and receivers that the estimate explains, or whose fault
+/// it names.
 Measurements WithoutExplained(const DiagnosisInput& input, const SensorDiagnosis& estimate,
                               Measurements measured);
 

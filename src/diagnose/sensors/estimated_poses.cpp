@@ -11,7 +11,7 @@ constexpr TimeNs kEvery_ns = 100'000'000;
 
 using Numbers = Eigen::Matrix<double, kBaseNumbers, 1>;
 
-/// Half of what the next part has more where one ends and the next begins; 0 where they are apart.
+/// Half of the step to the next part where one ends and the next begins; 0 where they are apart.
 Numbers HalfStep(const EstimatedMotion& part, const EstimatedMotion& next) {
   if (part.end_ns != next.start_ns) return Numbers::Zero();
   Numbers step = next.BaseNumbersAt(next.start_ns) - part.BaseNumbersAt(part.end_ns);

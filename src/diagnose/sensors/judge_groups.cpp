@@ -306,7 +306,7 @@ void Judge::SetAsideCancelling(Set* set, GroupJudgement* judgement) const {
   }
 }
 
-/// Lists the groups that are not named by what the recording says of them.
+/// Lists the unnamed groups by the recording's evidence on them.
 void Judge::ListOthers(const Set& named, GroupJudgement* judgement) const {
   const auto before = CrossFits(named);
   for (int g = 0; g < groups(); ++g) {

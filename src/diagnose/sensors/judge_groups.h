@@ -12,7 +12,7 @@ struct JudgeOptions {
   int most_named = 4;
 };
 
-/// A number with what the data say of it where its group is free.
+/// A number with its estimate where its group is free.
 struct JudgedParameter {
   double value = 0, sigma = 0;  ///< in SI units
   bool is_beyond = false;       ///< its tolerance, with the whole of its interval

@@ -10,12 +10,12 @@ namespace tera {
 /// Lag of a receiver's fixes beside running gear and joints.
 struct ReceiverLag {
   std::size_t sensor = 0;   ///< its place among the scenario's sensors
-  PathLag lag;              ///< beyond what is documented of its stamps
+  PathLag lag;              ///< beyond the documented lag of its stamps
   double documented_s = 0;  ///< offset of its clock
   double near_s = 0;        ///< lags that are as expected, or that the estimate finds itself
 };
 
-/// The lag of each receiver of which there is something to compare.
+/// The lag of each receiver with data to compare.
 std::vector<ReceiverLag> ReceiverLags(const DiagnosisInput& input, const Measurements& measured);
 
 /// The receivers whose stamps are late or early by more than the estimate of the motion finds.

@@ -100,7 +100,7 @@ class Comparison {
   std::size_t blocks_ = 0;
 };
 
-/// Means over the seconds of what `place` gives of each fix, none where it gives none of one.
+/// Means over the seconds of `place` at each fix; none where one fix has no place.
 template <typename Place>
 Steps Comparison::StepsOf(const Place& place) const {
   const double start_s = fixes_.front().t_s;

@@ -24,10 +24,10 @@ struct PlanarFix {
 /// By how much fixes come after the path that they are of.
 struct PathLag {
   double lag_s = 0, sigma_s = 0;
-  double share = 0;  ///< what the fixes move by over what the path does
+  double share = 0;  ///< motion of the fixes over that of the path
   double p = 1;      ///< of so steady a gain over all other lags by chance
-  /// RMS of what fixes move by in a step less what the path does, without a lag and with it, where
-  /// both are there.
+  /// RMS of the fixes' motion in a step less the path's, without a lag and with it, where both are
+  /// there.
   double rms_before_m = 0, rms_after_m = 0;
 };
 

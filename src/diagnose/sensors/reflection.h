@@ -38,7 +38,7 @@ struct Reflection {
 double LargestReflection_m(GnssFix fix);
 
 Eigen::Vector4d LinearReflection(const Reflection& reflection);
-/// The reflection with the azimuth of its horizontal numbers, and what it has of the vertical ones.
+/// The reflection with the azimuth of its horizontal numbers, and its part of the vertical ones.
 Reflection ReflectionOf(const Eigen::Vector4d& numbers);
 
 }  // namespace tera

@@ -90,7 +90,7 @@ TimeSeries LeverOf(const DiagnosisInput& input, int joint) {
   return lever;
 }
 
-/// Uncentred: what rests adds nothing.
+/// Uncentred: samples at rest add nothing.
 double CorrelationAt(const TimeSeries& rates, const TimeSeries& other, double late_s) {
   double both = 0, one = 0, two = 0;
   for (std::size_t k = 0; k < rates.t_s.size(); ++k) {

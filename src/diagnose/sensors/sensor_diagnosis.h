@@ -35,8 +35,8 @@ struct SensorFinding : TargetMechanism {
 struct ChannelError {
   std::string name, unit;
   double noise = 0, inflation = 1;
-  double differences = 0;  ///< what residuals differ by from one to the next, as white noise would
-  double motion = 0;       ///< of an inertial unit: standard deviation of what it measured
+  double differences = 0;  ///< differences of successive residuals, as white noise would have
+  double motion = 0;       ///< of an inertial unit: standard deviation of its measurements
   double tolerance = 0;    ///< of an error that stays as it is
   double rms_before = 0, rms_after = 0;  ///< with nothing free, with what was named free
 };

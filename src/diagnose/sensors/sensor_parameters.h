@@ -16,13 +16,13 @@ struct SensorParameter {
   double si_per_unit = 1;
   double documented = 0, tolerance = 0;
   double free_sigma = 0;  ///< of its prior where it is free
-  double wander = 0;      ///< 1 sigma of what differs from segment to segment
+  double wander = 0;      ///< 1 sigma of the difference between segments
   double lower = 0, upper = 0;
   double taken = 0;  ///< of its tolerance, by numbers with the same effect
 };
 
-/// A mechanism, one of the table of all, and what it acts on. Numbers of the motion's own model
-/// have none.
+/// A mechanism, one of the table of all, and its target. Numbers of the motion's own model have
+/// none.
 struct TargetMechanism {
   std::string target;
   const Mechanism* mechanism = nullptr;
@@ -32,7 +32,7 @@ struct TargetMechanism {
   std::string Name() const { return target + "/" + std::string(mechanism->id); }
 };
 
-/// A mechanism of one target, with all its numbers: what is named, or not, as a whole.
+/// A mechanism of one target, with all its numbers, which is named, or not, as a whole.
 struct ParameterGroup : TargetMechanism {
   int first = 0, count = 0;  ///< its parameters
   bool may_be_named = true;

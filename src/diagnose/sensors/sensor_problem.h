@@ -24,7 +24,7 @@ struct SensorProblem {
   std::vector<std::string> not_compared;  ///< sensors that are not in it, and why
 };
 
-/// The problem of what was measured.
+/// The problem of the measurements.
 ///
 /// Model   inertial units, receivers with their documented fix, encoders of joints on the way to
 ///         these, recorded poses, travel and stillness of running gear, known ground. Segments of

@@ -15,7 +15,7 @@ namespace tera {
 ///
 /// Frames  W.
 /// Model   A clod falls freely; one of a bank that fails first slides down with it as one block,
-///         and swells on that way. Where it meets the ground it loses its velocity into the
+///         and swells on that way. At the ground it loses its velocity into the
 ///         surface and, by Coulomb friction, as much of that along it; it slides on while the
 ///         surface is steeper than friction holds. A wall stops its travel: it is not lifted over
 ///         an edge. Loose soil takes in poured soil where they meet. Soil that lies too steep then

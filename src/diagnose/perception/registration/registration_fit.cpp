@@ -173,7 +173,7 @@ double ValueWithout(const Candidate& candidate, std::size_t index) {
   return DefaultOf(candidate, index).value_or(candidate.starts.front()[index]);
 }
 
-/// The terms with what a fit did not determine put back and held.
+/// The terms with the undetermined parameters of a fit put back and held.
 Structure WithoutUndetermined(Structure start, const RegistrationFit& fit) {
   for (std::size_t t = 0; t < start.size(); ++t) {
     Term& term = start[t];

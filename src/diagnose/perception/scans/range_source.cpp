@@ -52,7 +52,7 @@ std::vector<Beam> BeamsOf(const RangeScan& scan) {
 namespace {
 
 constexpr std::size_t kMostPointsOfScan = 400;  ///< that register a sensor
-/// Standard deviations of what encoders and poses, and the surface's mesh, add to a range's noise.
+/// Standard deviations that encoders and poses, and the surface's mesh, add to a range's noise.
 constexpr double kDirectionSigma_rad = 0.02 * kDeg, kSurfaceSigma_m = 0.002;
 
 /// Derivatives of the distance to the surface that is met.

@@ -30,8 +30,8 @@ struct DustCloud : SceneDifference {
 ///         eighth of it. On FINAL it is one per cent. FINAL's blocks lie between the first and the
 ///         last in which the other parts show the cloud. A cloud that stops more rays is a solid
 ///         object.
-/// Omits   rays that the dust absorbed, of which a scan has no point. A tree or fence missing in
-///         the scenario counts as dust: it also stops some rays at many depths.
+/// Omits   rays that the dust absorbed, since a scan has no point of them. A tree or fence missing
+///         in the scenario counts as dust: it also stops some rays at many depths.
 /// Source  Phillips et al. 2017, "When the dust settles: the four behaviors of lidar in the
 ///         presence of fine airborne particulates"; moderated t: Smyth 2004.
 struct Dust {

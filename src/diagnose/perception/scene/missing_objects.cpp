@@ -28,7 +28,7 @@ struct Tally {
   std::size_t rays = 0;
 };
 
-/// Probability, by chance, of so many blocks of which more than half of the rays went on.
+/// Probability, by chance, of so many blocks in which more than half of the rays went on.
 double ShareP(const std::map<std::size_t, RayCount>& blocks) {
   std::vector<double> shares;
   for (const auto& [block, count] : blocks) shares.push_back(count.through / count.all);

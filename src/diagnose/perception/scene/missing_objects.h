@@ -24,7 +24,7 @@ struct MissingObject : SceneDifference {
 ///         obstacle is missing if more than half of at least 20 rays passed, in TRAIN and SELECT
 ///         and again in FINAL. The test is Student's t over at least three blocks of time, with a
 ///         standard deviation of the mean of at least 0.03, at one per cent over the obstacles.
-/// Omits   rays without any return, of which a scan has no point.
+/// Omits   rays without any return, since a scan has no point of them.
 struct MissingObjects {
   std::vector<MissingObject> objects;
   PointFlags explained;  ///< points that were measured behind one

@@ -75,7 +75,7 @@ Json Where(const DiagnosedBlock& diagnosed, const Location& location) {
           {"regime", RegimeOf(location)}};
 }
 
-/// The location of what a lidar or camera shows, with its place on the site if it has one.
+/// The location of a lidar's or camera's finding, with its place on the site if it has one.
 Json Where(const PerceptionDiagnosis& sensor, const PerceptionFinding& found) {
   Json intervals = Json::array(), place = nullptr;
   for (const auto& [from_s, to_s] : found.intervals_s) {
@@ -140,7 +140,7 @@ Json LearnedOf(const Proposal& proposal) {
           {"rmse_after", JsonNumber(proposal.learned->rmse_after)}};
 }
 
-/// The formula or curve for what is left of a channel, if there is one.
+/// The formula or curve for a channel's residual, if there is one.
 Json ProposalOf(const DiagnosedBlock& diagnosed, std::size_t channel) {
   const Proposal* proposal = ProposalFor(diagnosed, channel);
   if (proposal == nullptr) return nullptr;

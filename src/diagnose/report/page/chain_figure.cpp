@@ -94,7 +94,7 @@ std::string TextOf(const Candidate& candidate) {
                      WordsOf(candidate.mechanism->id, candidate.target)->label);
 }
 
-/// A cause, and in other stages what is not told apart from it.
+/// A cause, and in other stages its rival hypotheses.
 void AddCause(const Cause& cause, Chain* chain) {
   const Stage stage = StageOf(cause.mechanism().slot);
   std::string text = TextOf(*cause.finding->term.candidate);
@@ -130,7 +130,7 @@ void AddEntries(const Diagnosis& diagnosis, Chain* chain) {
 
 constexpr std::size_t kMostEntries = 4;  ///< that a box shows
 
-/// A sign that says without colour what the frame of a box says.
+/// A sign that has the meaning of a box's frame without colour.
 std::string Sign(std::string_view css_class, std::string_view sign) {
   return fmt::format("<b class='sign {}'>{}</b>", css_class, sign);
 }

@@ -159,7 +159,7 @@ std::string SvgPlot::Axes() const {
 
 std::string SvgPlot::Take() const {
   const double width = width_ - kLeft - kRight, height = height_ - kTop - kBottom;
-  // A nested SVG clips what is beyond its edges.
+  // A nested SVG clips shapes beyond its edges.
   return fmt::format("<svg viewBox='0 0 {0:.0f} {1:.0f}' role='img' aria-label='{2}'>", width_,
                      height_, Escaped(what_)) +
          Axes() +

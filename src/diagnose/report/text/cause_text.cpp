@@ -77,7 +77,7 @@ std::string NumberAt(const Place& place, const ParameterEstimate& estimate) {
   }
 }
 
-/// Whether a number clearly differs from what it is without the finding.
+/// Whether a number clearly differs from its value without the finding.
 bool IsClear(const Finding& finding, const FreeParameter& free) {
   const ParameterEstimate& estimate = finding.parameters[free.index];
   const Candidate& candidate = *finding.term.candidate;

@@ -22,8 +22,7 @@ std::string FilledIn(std::string_view meaning, const Finding& finding);
 /// the scene, which SentenceOf states.
 std::string MeaningText(const Cause& cause);
 
-/// "Boom: dead band or valve curve", a heading of what was found and what is not told apart from
-/// it.
+/// "Boom: dead band or valve curve", a heading of the finding and its rival hypotheses.
 std::string HeadingOf(const Candidate& found, const std::vector<const Candidate*>& alike);
 
 /// "Fairly sure.", "Sure that something is wrong here, not which of 2 causes it is."

@@ -175,7 +175,7 @@ std::string SentenceOf(const PerceptionDiagnosis& diagnosis, const PerceptionFin
   const HeldOutError& error = found.finding.held_out;
   std::string text = fmt::format("{}: {} ({}).", SensorText(diagnosis), WhatText(found),
                                  EvidenceClause(found.finding));
-  // There is no surface of what is not there, or in the air.
+  // Missing objects, and returns from the air, have no surface.
   if (error.rmse_after <= 0) return text;
   return text + fmt::format(" Held-out distance to the simulated {} {}.", SurfacesText(diagnosis),
                             Change(error.rmse_before, error.rmse_after, UnitOf(diagnosis)));

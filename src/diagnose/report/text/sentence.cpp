@@ -210,7 +210,7 @@ std::string LeftText(double rmse, double noise, const std::string& si_unit) {
   return fmt::format("{} at a noise of {}", Readable(rmse, si_unit), Readable(noise, si_unit));
 }
 
-/// The residual of a channel of which nothing is unexplained, in words.
+/// The residual of a fully explained channel, in words.
 std::string ResidualText(const DiagnosedBlock& diagnosed, std::size_t channel) {
   if (IsLeft(diagnosed, channel)) return "";
   for (const ResidualVerdict& verdict : diagnosed.diagnosis.residual_verdicts) {
