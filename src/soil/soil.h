@@ -15,7 +15,7 @@
 
 namespace tera {
 
-/// How a soil holds water and lets it through; nothing of what is no soil, as pavement.
+/// How a soil holds water and lets it through; nothing for pavement and the like.
 ///
 /// Model   suction (S_e^(n/(1-n)) - 1)^(1/n) / alpha, S_e = (S - S_r) / (1 - S_r) of the degree of
 ///         saturation S.
@@ -75,7 +75,7 @@ struct RaisedGround {
 /// Movement of soil since the start. One place's gain is another's loss: the total stays zero.
 struct MassLedger {
   double ground_kg = 0;   ///< gained by the ground
-  double shifted_kg = 0;  ///< sum of what single columns have on them, piles included
+  double shifted_kg = 0;  ///< sum of the gains of single columns, piles included
   double grains_kg = 0;   ///< in the air
   double carried_kg = 0;  ///< in shovels
   double beds_kg = 0;     ///< in trucks' beds
@@ -125,7 +125,7 @@ class Soil {
 
   /// Adds a bed, empty, at W's origin; returns its handle.
   virtual int AddBed(const SoilBed& bed) = 0;
-  /// Puts a bed, with what lies in it, where its carrier is. Soil slides out of an open gate.
+  /// Puts a bed, with its load, where its carrier is. Soil slides out of an open gate.
   virtual void MoveBed(int handle, const Pose& X_WB, bool gate_is_open) = 0;
   virtual BedLoad bed_load(int handle) const = 0;
 

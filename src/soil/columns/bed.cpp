@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kCell_m = 0.08;
 constexpr double kUnderFloor_m = 0.1;    ///< so far below the floor a clod still lies on it
-constexpr double kBesideWall_m = 0.20;   ///< what overflows falls this far outside the inner box
+constexpr double kBesideWall_m = 0.20;   ///< overflowing soil falls this far outside the inner box
 constexpr double kOverflow_mps = 0.3;    ///< and so fast outwards
 constexpr double kLeastShown_m = 0.004;  ///< thinner soil is not seen
 constexpr double kClodShown_cells = 0.8, kClodSunk = 0.55;  ///< radius; its part below the surface

@@ -11,8 +11,7 @@ namespace tera {
 
 /// A truck's bed and the soil that lies in it.
 ///
-/// Frames  W; B of what carries the bed; F of the floor: axes of B, origin on the middle of the
-///         floor.
+/// Frames  W; B of the bed's carrier; F of the floor: axes of B, origin on the middle of the floor.
 /// Model   Columns of their own on the floor, F fixed; the walls are their border. The wall at the
 ///         tail, towards -x, is a gate. The soil is seen as clods at rest, one for each column. How
 ///         it flows there: BedFlow.
@@ -39,7 +38,7 @@ class Bed {
     SpoilMix soil;
     Vec3 p_W_m, v_W_mps;
   };
-  /// Takes what stands above `rim_m` in a column at the border. It leaves with a velocity in F, at
+  /// Takes the soil above `rim_m` in a column at the border. It leaves with a velocity in F, at
   /// least at a slow walk outwards.
   Overflow TakeOverflow(int i, int j, double rim_m, const Vec2& v_F_mps);
 

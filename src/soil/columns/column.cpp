@@ -90,7 +90,7 @@ void CutBank(const ColumnMaterial& m, double z_m, Column* c, SpoilMix* cut) {
 }
 
 /// Loose soil at the surface gives way until it is as dense as bank soil, and then stands like it.
-/// Returns what is left of `ds_m`.
+/// Returns the rest of `ds_m`.
 double SettleLoose(const ColumnMaterial& m, double ds_m, Column* c) {
   for (int n = c->layer_count - 1; n >= 0 && c->layers[n].loose && ds_m > 0; --n) {
     SoilLayer& layer = c->layers[n];

@@ -22,8 +22,8 @@ struct SoilLayer {
   double density_kgpm3() const { return kgpm2 / thickness_m; }
 };
 
-/// One vertical column of ground: undisturbed soil up to `bank_m`, then what was compacted or put
-/// on it.
+/// One vertical column of ground: undisturbed soil up to `bank_m`, then soil that was compacted or
+/// put on it.
 ///
 /// Model   undisturbed soil has its stratum's density, layers their own. There are at most
 ///         kMostLayers; the two thinnest neighbours of a fuller column become one, of the heavier
@@ -32,7 +32,7 @@ struct Column {
   static constexpr int kMostLayers = 5;
 
   double ground_m = 0;   ///< z of the undisturbed surface, below which its strata lie
-  double bank_m = 0;     ///< z of the top of what is still undisturbed
+  double bank_m = 0;     ///< z of the top of the undisturbed soil
   double top_m = 0;      ///< z of the surface
   double pressed_m = 0;  ///< plastic sinkage pressed into this surface, for reloading
   std::array<SoilLayer, kMostLayers> layers;  ///< from below

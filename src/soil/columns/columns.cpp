@@ -29,7 +29,7 @@ double GainedBetween_m(const std::vector<Columns::Gained>& gained, double top_m,
   return sum_m;
 }
 
-/// Lets a column's layers take up what ground as deep has gained.
+/// Lets a column's layers take up as much water as ground at the same depth has gained.
 void WetLayers(const SoilKinds& kinds, const std::vector<Columns::Gained>& gained, Column* c) {
   double top_m = 0;
   for (int n = c->layer_count - 1; n >= 0; --n) {
@@ -370,7 +370,7 @@ void Columns::TakeUp(Water water) {
       WetLayers(kinds_, water.gained[c.profile], &c);
       water_kg_ += (c.Gain_kgpm2(profiles_[c.profile]) - before_kgpm2) * area_m2_;
       RefreshSkin(k);
-      NoteChange(k);  // what has lost strength may now slide
+      NoteChange(k);  // weakened soil may now slide
     }
   }
 }
@@ -390,7 +390,7 @@ void Columns::Load(const std::vector<ColumnId>& columns, double pressure_pa) {
 
 void Columns::Unblock(ColumnId k) {
   Release(k);
-  Changed(k);  // what was held back may now slide
+  Changed(k);  // soil that was held back may now slide
 }
 
 Columns::Gain Columns::GroundGain() const {

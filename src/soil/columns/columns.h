@@ -176,7 +176,7 @@ class Columns {
   void SetWetness(std::vector<TerrainSurface::Wetness> wetness) {
     surface_.SetWetness(std::move(wetness));
   }
-  /// Mass of what columns have gained that TakeUp brought, or took from them.
+  /// Mass that TakeUp has brought to the columns or taken from them.
   double water_kg() const { return water_kg_; }
 
   /// Raises the undisturbed ground: no soil is moved from elsewhere.
@@ -188,7 +188,7 @@ class Columns {
   /// Loose soil on its way from one column to another.
   struct Transfer {
     ColumnId from, to;
-    double thickness_m;  ///< at most what is loose is taken
+    double thickness_m;  ///< at most the loose soil is taken
   };
   /// All soil leaves its columns before any arrives.
   void Transport(const std::vector<Transfer>& transfers);
@@ -205,9 +205,9 @@ class Columns {
   void Scrape(ColumnId k, double thickness_m, SpoilMix* cut);
   /// Turns the upper `thickness_m` into loose soil.
   void Break(ColumnId k, double thickness_m);
-  /// From now on, what has changed is counted from the present ground.
+  /// From now on, changes are counted from the present ground.
   void MarkStart();
-  /// The column at a place; of a quiet tile, what it would be.
+  /// The column at a place; in a quiet tile, the column that it would have.
   Column ColumnAt(int i, int j) const;
   /// A column's gain since MarkStart, or since it was undisturbed.
   struct Change {
@@ -231,7 +231,7 @@ class Columns {
   /// Gear presses on the columns that it blocks, which are no support for a bank then.
   void Load(const std::vector<ColumnId>& columns, double pressure_pa);
   bool IsPropped(ColumnId k) const { return IsBlocked(k) && skin(k).load_pa == 0; }
-  /// Columns around what has been loaded since the last call.
+  /// Columns around those loaded since the last call.
   std::vector<Box> TakeLoaded() { return std::exchange(loaded_, {}); }
   void Unblock(ColumnId k);
 

@@ -33,7 +33,7 @@ class CubeStack {
     mass_of_soil_kg_.assign(static_cast<std::size_t>(count_) * soils_.size(), 0);
   }
   void Add(const SoilPiece& piece, double area_m2);
-  /// Puts what is in cube `k` into the lists at `at`.
+  /// Puts the content of cube `k` into the lists at `at`.
   void Store(int k, std::size_t at, SoilVoxels* voxels) const;
 
  private:
@@ -53,7 +53,7 @@ void CubeStack::Add(const SoilPiece& piece, double area_m2) {
   const auto cube_of = [&](double z_m) {
     return static_cast<int>(std::clamp(std::floor((z_m - low_m_) / edge_m_), -1.0, count_ + 0.0));
   };
-  // One cube more on either side: what lies on a border must not be lost to rounding.
+  // One cube more on either side: soil on a border must not be lost to rounding.
   const int first = std::max(0, cube_of(piece.bottom_m) - 1);
   const int last = std::min(count_ - 1, cube_of(piece.top_m) + 1);
   const double compaction = CompactionOf(piece, soils_[piece.soil]);

@@ -2,7 +2,7 @@
 
 #include "soil/soil.h"
 
-/// Water in the pores of a soil, and what it does to the soil's strength.
+/// Water in the pores of a soil, and its effect on the soil's strength.
 ///
 /// Source  van Genuchten 1980, Soil Sci. Soc. Am. J. 44; Mualem 1976; Lu and Likos 2006, J.
 ///         Geotech. Geoenviron. Eng. 132; Das, Principles of Geotechnical Engineering, ch. 3.

@@ -29,7 +29,7 @@ class SpoilMix {
   bool empty() const { return parts_.empty(); }
   double mass_kg() const;
   double volume_m3() const;
-  /// The kind of which there is most mass; the first soil if there is none.
+  /// The kind with the most mass; the first soil if there is none.
   std::uint8_t main_soil() const;
   /// In the order of the soils' indices.
   const std::vector<Spoil>& parts() const { return parts_; }

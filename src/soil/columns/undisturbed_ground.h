@@ -59,7 +59,7 @@ struct ProfileMap {
   int J(double y_m) const;
 };
 
-/// The ground before anything has moved: what need not be kept column by column.
+/// The ground before anything has moved, which need not be kept column by column.
 ///
 /// Frames  W.
 /// Model   heights at every `base_cells`-th vertex of the grid with plane

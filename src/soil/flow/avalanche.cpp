@@ -28,7 +28,8 @@ constexpr double kLongestStep_cells = 0.5;  ///< soil moves no farther in a step
 constexpr double kGentle = 0.65;
 constexpr double kLevel = 1e-9;           ///< a gradient that is none
 constexpr double kFilm_m = 1e-4;          ///< the thinnest layer that flows
-constexpr double kMobileOverExcess = 20;  ///< thickness that flows over what stands too steep
+constexpr double kMobileOverExcess = 20;  ///< thickness that flows over the soil that stands too
+                                          ///< steep
 constexpr double kLeastUp = 0.05;         ///< of a floor's normal and a surface's on it
 
 /// Length where numbers neither overflow nor vanish: quicker than std::hypot.

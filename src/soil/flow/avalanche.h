@@ -13,22 +13,22 @@ class Grains;
 
 /// Loose soil that flows down slopes, and banks that fail.
 ///
-/// Model   Depth-averaged flow of the loose soil on top of each column, over what stands. The faces
-///         between columns have velocities: gravity drives them down the slope of the surface,
-///         momentum is carried along, and Coulomb friction acts against the flow's direction. The
-///         slope that counts is the surface's full gradient, so that piles are round. Ground at
-///         rest starts to flow where it is steeper than the start angle; friction mu_slow of slow
-///         flow lies between that and the angle of repose. Soil flows with speed v in the upper
-///         thickness h of the loose depth H. Its friction is mu_slow (1 + (r - 1) f(Fr) g(h / H)) +
-///         b I, Fr = v / sqrt(g h), I = 5/2 Fr d / h. f rises from 0 to 1 between Froude numbers of
-///         0.1 and 0.5, g between a skin and the whole depth. r is the soil's `fast_flow_friction`.
-///         It exceeds 1 for moist crumbs; for dry grains it is below 1, so that columns run out as
-///         far as Lube measured. I is the inertial number of a Bagnold profile, d the soil's grain.
-///         The flowing layer is several times the loose soil above the slope of slow friction, plus
-///         the soil that has come along. Deeper soil rests. All velocities of a step come from one
-///         state, and so do all masses: the order of columns does not matter. Banks fail as in
-///         StandingWalls. Only columns near a change are visited. Nothing flows into a column in
-///         which a tool stands lower than the surface beside.
+/// Model   Depth-averaged flow of the loose soil on top of each column, over the standing soil. The
+///         faces between columns have velocities: gravity drives them down the slope of the
+///         surface, momentum is carried along, and Coulomb friction acts against the flow's
+///         direction. The slope that counts is the surface's full gradient, so that piles are
+///         round. Ground at rest starts to flow where it is steeper than the start angle; friction
+///         mu_slow of slow flow lies between that and the angle of repose. Soil flows with speed v
+///         in the upper thickness h of the loose depth H. Its friction is mu_slow (1 + (r - 1)
+///         f(Fr) g(h / H)) + b I, Fr = v / sqrt(g h), I = 5/2 Fr d / h. f rises from 0 to 1 between
+///         Froude numbers of 0.1 and 0.5, g between a skin and the whole depth. r is the soil's
+///         `fast_flow_friction`. It exceeds 1 for moist crumbs; for dry grains it is below 1, so
+///         that columns run out as far as Lube measured. I is the inertial number of a Bagnold
+///         profile, d the soil's grain. The flowing layer is several times the loose soil above the
+///         slope of slow friction, plus the soil that has come along. Deeper soil rests. All
+///         velocities of a step come from one state, and so do all masses: the order of columns
+///         does not matter. Banks fail as in StandingWalls. Only columns near a change are visited.
+///         Nothing flows into a column in which a tool stands lower than the surface beside.
 ///         Columns may stand on a tilted floor of steel, t the tangent of its tilt: gravity sees a
 ///         slope s of them as (s + t) / (1 - s t). Where t exceeds the friction of steel and no
 ///         wall below holds the soil, its whole depth slides on the floor, driven by t + K s
@@ -86,7 +86,7 @@ class Avalanche {
   /// Forces on the soil at a face: its drive and its friction.
   struct Drive {
     double along, across;  ///< slopes, against which it flows
-    double gravity_mps2;   ///< normal to what it flows on
+    double gravity_mps2;   ///< normal to the surface that it flows on
     const Friction* friction;
     bool slides = false;  ///< on the floor, as deep as it lies
   };

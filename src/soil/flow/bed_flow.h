@@ -19,7 +19,7 @@ class BedFlow {
  public:
   explicit BedFlow(const std::vector<SoilType>& soils) : avalanche_(soils) {}
 
-  /// Lets time pass; what overflows is poured beside the bed.
+  /// Lets time pass; overflowing soil is poured beside the bed.
   void Flow(double dt_s, Bed* bed, Columns* ground, Grains* grains);
 
  private:

@@ -16,7 +16,7 @@ constexpr double kRestSpeed_mps = 0.05;  ///< slower clods rest where friction h
 constexpr double kScatter_mps = 0.15;    ///< of a clod's velocity, each axis, one sigma
 constexpr int kMostFalls = 40;           ///< columns that what is laid down falls on over
 constexpr double kSteep = 1;             ///< slope of a column beside that a clod does not reach
-constexpr double kWall = 2;              ///< slope of what a clod does not climb
+constexpr double kWall = 2;              ///< slope that a clod does not climb
 
 /// Whether soil put on a column would fall off it, as off a wall, to the lowest one around.
 bool FallsOn(const Columns& ground, Columns::Place* at) {

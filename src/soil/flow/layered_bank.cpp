@@ -78,7 +78,7 @@ LayeredBanks::LayeredBanks(const std::vector<SoilType>& soils) {
   }
 }
 
-/// The surface of a block of which the `cracked` uppermost layers have cracked.
+/// The surface of a block whose `cracked` uppermost layers have cracked.
 SlipSurface LayeredBanks::SlipAt(std::span<const BankLayer> layers, int cracked, double run_m,
                                  int angle) const {
   SlipSurface slip;

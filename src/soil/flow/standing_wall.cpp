@@ -16,7 +16,7 @@ constexpr double kLeastOverhang_m = 2e-4;
 constexpr double kLeastLoaded_m = 0.3;
 constexpr double kLeastWedge_m = 0.1;    ///< soil that stands no higher crumbles
 constexpr double kBreakSpeed_mps = 1.0;  ///< at which it does
-constexpr double kVeneer_m = 0.05;       ///< more loose soil than this covers what would crumble
+constexpr double kVeneer_m = 0.05;       ///< more loose soil than this covers the crumbling soil
 constexpr double kLongestWedge_m = 10;
 constexpr double kDeeper_m = 1e-3;  ///< by less, a toe farther off is no deeper
 /// Sum of the directions in which ground falls away; if shorter, it does so on all sides alike.
@@ -237,7 +237,7 @@ bool StandingWalls::StandsAsSlope(const BankLayers& layers, double length_m) con
   return slope_m <= length_m;
 }
 
-/// Whether a bank of several soils, of which the uppermost stands by itself, does so as a whole.
+/// Whether a bank of several soils, whose uppermost stands by itself, stands as a whole.
 std::optional<StandingWalls::Failure> StandingWalls::FailureOfLayers(ColumnId k,
                                                                      const Columns& ground) const {
   const Bank bank = BankAt(k, ground);

@@ -34,7 +34,7 @@ class StandingWalls {
   struct Failure {
     ColumnId column;    ///< at the edge
     std::uint8_t soil;  ///< uppermost of those that stand upright there
-    double top_m;       ///< z of the bank, below what lies loose on it
+    double top_m;       ///< z of the bank, below the loose soil on it
     double drop_m;      ///< from there to the toe
     double run_m;       ///< from the wall at the edge to that at the toe
     double overhang_m;  ///< of the drop, more than stands

@@ -4,8 +4,8 @@
 
 namespace tera {
 
-/// Heights of undisturbed ground that something else than a scenario's `terrain:` mapping tells: a
-/// mesh of the site.
+/// Heights of undisturbed ground from another source than a scenario's `terrain:` mapping: a mesh
+/// of the site.
 ///
 /// Frames  W: a grid of square cells whose middle is W's origin.
 /// Model   bilinear between its vertices; the site's size is that of the grid.

@@ -14,7 +14,7 @@
 namespace tera {
 namespace {
 
-constexpr int kBlock = 256;              ///< pixels to a side of what is packed together
+constexpr int kBlock = 256;              ///< pixels to a side of a packed block
 constexpr int kWithoutOverviews = 2048;  ///< pixels to a side that are drawn as they are
 constexpr int kSmallestOverview = 512;   ///< pixels
 constexpr int kCells = TerrainGrid::kTileCells;

@@ -14,7 +14,7 @@ namespace tera {
 struct MapReference {
   std::string wkt;       ///< of the plane alone
   std::string name;      ///< for people: "WGS 84 / UTM zone 32N"
-  std::string vertical;  ///< what heights are counted from, where that was named
+  std::string vertical;  ///< zero of the heights, where it was named
   /// Where the plane is meant for, in degrees, where that is known: west, south, east, north.
   std::optional<std::array<double, 4>> area_deg = {};
 };

@@ -77,7 +77,7 @@ GroundProfile ReadLayers(const ConfigMap& config, SoilCatalogue* soils) {
   return GroundProfile(strata);
 }
 
-/// `soil` or `layers`, of which just one is there.
+/// `soil` or `layers`, whichever of the two is there.
 GroundProfile ReadProfile(const ConfigMap& config, SoilCatalogue* soils) {
   if (config.Has("layers")) {
     if (config.Has("soil"))

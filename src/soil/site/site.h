@@ -32,7 +32,7 @@ class Site {
   /// from the start if it has rained already. Returns false if that needs more kinds of soil than
   /// there may be. Call when the ground is as runs start on it.
   bool LetWeatherAct(const WeatherSpell& weather, bool is_wet);
-  /// Whether the scenario says what the weather was until the start.
+  /// Whether the scenario gives the weather until the start.
   bool has_weather_before() const { return has_weather_before_; }
   /// At the start of a run; nothing where no weather acts.
   const std::optional<GroundWeather>& weather() const { return weather_; }

@@ -116,8 +116,8 @@ std::optional<SoilClassGrid> ReadClassFile(const ConfigMap& config,
   }
 }
 
-/// A soil map must have a class for every place of the site, but for what a grid's turn by the
-/// meridian convergence may leave out at the corners.
+/// A soil map must have a class for every place of the site. Only corners that a grid's turn by the
+/// meridian convergence leaves out may lack one.
 void RequireCover(const ConfigMap& config, const SoilClassGrid& classes, const TerrainGrid& grid) {
   constexpr double kSpare = 0.05;  // of the map's size: three degrees
   const Vec2 size_m = classes.cell_m.cwiseProduct(Vec2(classes.nx, classes.ny));

@@ -19,7 +19,7 @@ struct PilePlan {
   std::uint8_t soil = 0;
 };
 
-/// The ground at the start: what the scenario's `terrain:` mapping says.
+/// The ground at the start, by the scenario's `terrain:` mapping.
 struct SitePlan {
   UndisturbedGround ground;
   SoilKinds kinds;

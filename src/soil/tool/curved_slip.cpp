@@ -75,7 +75,7 @@ class Spirals {
     return (integral(end) - integral(edge)) / (3 * (t * t + 1));
   }
 
-  /// Shear on both sides of what lies ahead of the edge, about at the middle of its chord's
+  /// Shear on both sides of the soil ahead of the edge, about at the middle of its chord's
   /// triangle, along the way that soil goes there.
   double FlanksMoment_n(const Vec2& edge, const Vec2& end, double sector_m2) const {
     const Vec2 above = edge + in_.depth_m * Vec2::UnitY();

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kThinnest_m = 1e-6;  ///< thinner soil says nothing
 
-/// Sums over what has been passed on the way down, by thickness.
+/// Sums over the soil passed on the way down, by thickness.
 struct Passed {
   double thickness_m = 0, kgpm2 = 0;
   double friction_m = 0, tool_friction_m = 0, cohesion_pam = 0, adhesion_pam = 0;
@@ -53,7 +53,7 @@ class Collector {
   }
 
  private:
-  /// As what was added last.
+  /// As the soil added last.
   bool IsAsStrong(std::uint8_t soil, bool is_loose) const {
     const SoilType &a = soils_[cut_.at_edge], &b = soils_[soil];
     return (cut_.edge_in_loose ? 0 : a.cohesion_pa) == (is_loose ? 0 : b.cohesion_pa) &&

@@ -24,8 +24,8 @@ struct CutLayer {
 /// the edge, weighted by thickness, those layers themselves, and the soil at the edge.
 ///
 /// Model   Loose soil has lost its cohesion; friction is the mean of its tangent. Neighbours of one
-///         strength are one layer. There are at most kMostLayers, of which the lowest holds the
-///         mean of all that lies below the others.
+///         strength are one layer. There are at most kMostLayers; the lowest holds the mean of all
+///         soil below the others.
 struct CutSoil {
   static constexpr int kMostLayers = 6;
 
@@ -40,8 +40,7 @@ struct CutSoil {
   }
 };
 
-/// The soil of a column above z_m, of which `soils` are the properties. At least that of the
-/// surface.
+/// The soil of a column above z_m, with the properties `soils`. At least that of the surface.
 CutSoil SoilAbove(ColumnId k, double z_m, const Columns& ground,
                   const std::vector<SoilType>& soils);
 

@@ -28,7 +28,7 @@ std::optional<Vec3> CutDirection(const ShovelShape& shape, const Mat3& R_WB) {
   return travel_W.normalized();
 }
 
-/// The friction of a plane of which a share is soil, not steel.
+/// The friction of a plane with a share of soil instead of steel.
 void RubOnSoil(double share, CutLayer* layer) {
   layer->tool_friction_rad += share * (layer->friction_rad - layer->tool_friction_rad);
 }
@@ -44,7 +44,7 @@ struct CuttingEdge::Strip {
   double depth_m() const { return ahead.depth_m(); }
 };
 
-/// Along what soil separates, and what rests on it.
+/// The surface along which soil separates, and the load on it.
 struct CuttingEdge::Plane {
   Vec3 up_W;                    ///< from the edge up the plane
   double on_soil = 0;           ///< share of it that is carried soil, not steel

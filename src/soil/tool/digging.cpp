@@ -73,7 +73,7 @@ Vec2 Digging::ShellThickness_B(const BodyState& body, double cell_m) const {
   return cell_m / std::max(in_section.norm(), kLeastSpeed_mps) * behind_W.norm() * in_section;
 }
 
-/// The rectangle of columns over which the shovel stands, of which none is marked yet.
+/// The rectangle of columns over which the shovel stands, none marked yet.
 void Digging::FrameMask(const BodyState& body, double behind_m, const Columns& ground) {
   const double half_m = 0.5 * shovel_.width_m;
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -188,7 +188,7 @@ bool Digging::PressShell(const BodyState& body, const Swept& swept, double dt_s,
   const double overlap_m = ground->at(k).top_m - swept.crossing.low_m;
   const Vec3 p_W(ground->x_m(swept.i), ground->y_m(swept.j), swept.crossing.low_m);
   const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(p_W - body.X_WB.translation());
-  // The shell's own advance into the column, and what it may indent elastically.
+  // The shell's own advance into the column, and its possible elastic indentation.
   const double v_in_mps = v_W.dot(n_W);
   const double advance_m = std::max(0.0, v_in_mps) / -n_W.z() * dt_s;
   const bool comes_from_ahead = may_enter || v_in_mps < 0;
@@ -277,7 +277,7 @@ ShovelShape::Hold Digging::HoldOf(const Vec3& up_B) const {
 double Digging::Holds_m3(double heap_m3) const {
   const SoilType& soil = soils_[carried_.main_soil()];
   const double weight_npm3 = kStandardGravity_mps2 * carried_.mass_kg() / carried_.volume_m3();
-  // Clods that have been dug no longer hold together: those alone hang that touch the shell.
+  // Dug clods do not hold together: only those that touch the shell hang.
   const double layer_m =
       std::min(std::min(soil.adhesion_pa, soil.cohesion_pa) / weight_npm3, kStuckClod_m);
   const double touched = Clamp01(fullest_m3_ / shovel_.capacity_m3);

@@ -48,7 +48,7 @@ GroundAhead LookAhead(const Vec3& p_W, double near_m, const Vec3& travel_W, cons
   look(1);
   if (ahead.top_m[1] <= 0) return ahead;
   ahead.x_m = PlacesAhead_m(near_m, ahead.top_m[1]);
-  // Sums for the line nearest to what stands close by.
+  // Sums for the line nearest to the ground close by.
   double n = 0, x = 0, z = 0, xx = 0, xz = 0;
   for (int k = 1; k < GroundAhead::kPlaces; ++k) {
     look(k);

@@ -25,7 +25,7 @@ constexpr double kOpen = std::numeric_limits<double>::infinity();
 class Cone {
  public:
   Cone(double slope_rad, double up_y, double up_z) : up_y_(up_y), up_z_(up_z) {
-    constexpr double kLeast = 0.05;  // tilted sideways beyond what its slope can hold
+    constexpr double kLeast = 0.05;  // tilted sideways beyond its slope's hold
     const double t2 = std::pow(std::tan(slope_rad), 2), over_z2 = 1 / (up_z * up_z);
     a_ = std::max(kLeast, 1 - t2 * up_y * up_y * over_z2);
     b_ = t2 * up_y * over_z2;

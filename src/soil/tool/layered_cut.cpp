@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-constexpr double kWedgeLength = 2;  ///< of what an upright blade lifts, in depths
+constexpr double kWedgeLength = 2;  ///< of the soil that an upright blade lifts, in depths
 
 /// The level and upright force of a part of a blade.
 struct Force {
@@ -143,7 +143,7 @@ CuttingForce CutLayers(const CuttingInput& mean, std::span<const CutLayer> layer
     least.vertical_n = force.vertical_n;
     least.total_n = std::hypot(force.draft_n, force.vertical_n);
   };
-  std::array<Force, CutSoil::kMostLayers + 1> below;  // what the slices from one on add
+  std::array<Force, CutSoil::kMostLayers + 1> below;  // sum of the slices from one on
   for (int n = slices.count - 1; n >= 0; --n) below[n] = ForceOn(slices.in[n]) + below[n + 1];
   try_force(below[0]);
   for (int n = 1; n < slices.count; ++n) {
@@ -157,7 +157,7 @@ CuttingForce CutLayers(const CuttingInput& mean, std::span<const CutLayer> layer
 
 namespace {
 
-/// Densities and cohesion of what stands firm at the edge, and of what lies loose on it.
+/// Densities and cohesion of the firm soil at the edge, and of the loose soil on it.
 SoilAhead WithSoilOf(const CutSoil& cut, SoilAhead ahead) {
   CutLayer firm, loose;
   for (const CutLayer& layer : cut.layers()) {

@@ -14,7 +14,8 @@ constexpr double kFan_rad = 25 * kDeg;    ///< to both sides of the direction of
 constexpr double kParcel_m = 0.001;       ///< soil is spread in parcels at least this thick
 constexpr double kThickest_m = 0.02;      ///< and at most this
 constexpr int kLongestRoll = 60;          ///< columns
-/// Loose shares of what is pushed: it begins to slide as a heap, and does so wholly.
+/// Loose shares of the pushed soil: the first where it begins to slide as a heap, the second where
+/// all of it does.
 constexpr double kHalfLoose = 0.5, kNearlyLoose = 0.9;
 
 /// The n-th multiple of a ratio, without its whole part. With these two ratios the numbers fill a

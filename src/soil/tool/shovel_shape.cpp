@@ -216,7 +216,7 @@ struct ShovelShape::Heap {
     rise = -n.x() / std::max(n.y(), kLeastUp);
     for (Slice& s : slices) s.floor -= rise * s.x, s.surface -= rise * s.x;
   }
-  /// Area of what lies below the level `cap`.
+  /// Area of the section below the level `cap`.
   double AreaBelow(double cap) const {
     double area = 0;
     for (const Slice& s : slices) area += std::max(0.0, std::min(s.surface, cap) - s.floor) * dx;
@@ -232,7 +232,7 @@ struct ShovelShape::Heap {
     }
     return {bottom, top};
   }
-  /// Centre of what lies below `cap`, in Level's axes; nothing where that is empty.
+  /// Centre of the section below `cap`, in Level's axes; nothing where that is empty.
   std::optional<Vec2> CentreBelow(double cap) const {
     double area = 0;
     Vec2 moment = Vec2::Zero();

@@ -20,7 +20,7 @@ constexpr double kSlowestWall_mps = 1e-4;       ///< slower walls keep their ela
 constexpr int kStrips = 4;                      ///< of a wall
 constexpr int kRimPieces = 4;                   ///< of each edge of the mouth
 
-/// Takes out of a force what would drive its point on.
+/// Removes the part of a force that would drive its point on.
 Vec3 Opposing(const Vec3& force_W_n, const Vec3& v_W_mps) {
   const double power_w = force_W_n.dot(v_W_mps), v2 = v_W_mps.squaredNorm();
   if (power_w <= 0 || v2 <= kSlowestWall_mps * kSlowestWall_mps) return force_W_n;

@@ -27,9 +27,9 @@ double CrossProduct(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y()
 struct Lifted {
   double end_m = 0;       ///< where it ends ahead
   double slope = 0;       ///< of the plane
-  double weight_npm = 0;  ///< without what lies on the blade
+  double weight_npm = 0;  ///< without the soil on the blade
   double moment_n = 0;    ///< of that about the edge
-  double firm_m = 0;      ///< level length of the plane in what stands firm
+  double firm_m = 0;      ///< level length of the plane in firm soil
   double flank_npm = 0;   ///< shear on one flank
 };
 
@@ -112,7 +112,7 @@ class SlipAhead {
   double on_blade_npm_ = 0, on_blade_n_ = 0;  ///< weight behind the edge, and its moment about it
   std::array<Sums, GroundAhead::kPlaces> sums_;
   int firm_to_ = 0;  ///< the last place before which nothing lies loose
-  /// To slide what lies loose from each place on, and how far it does then.
+  /// Force to slide the loose soil from each place on, and how far it slides.
   std::array<double, GroundAhead::kPlaces> slide_npm_{}, slide_to_m_{};
   std::array<Lifted, GroundAhead::kPlaces> to_;       ///< planes that come out at each place
   std::array<bool, GroundAhead::kPlaces> is_seen_{};  ///< from the edge through soil alone

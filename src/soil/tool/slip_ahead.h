@@ -26,12 +26,12 @@ struct GroundAhead {
 /// lies below the point.
 GroundAhead LookAhead(const Vec3& p_W, double near_m, const Vec3& travel_W, const Columns& ground);
 
-/// Soil ahead of a blade, besides what CuttingInput says of its mean.
+/// Soil ahead of a blade, in addition to its mean in CuttingInput.
 struct SoilAhead {
   double firm_density_kgpm3 = 0, loose_density_kgpm3 = 0;
   double firm_cohesion_pa = 0;  ///< loose soil has none
   double blade_m = 0;           ///< the blade's length, from edge to top
-  double carried_npm = 0;       ///< weight for each metre of width that rests on what is lifted
+  double carried_npm = 0;       ///< weight for each metre of width that rests on the lifted soil
   double carried_over_m = 1;    ///< length that it covers at least
 };
 

@@ -67,7 +67,7 @@ SoilType HardSurface() {
   return hard;
 }
 
-/// The ground's soils and, last, what obstacles are made of.
+/// The ground's soils and, last, the obstacles' material.
 std::vector<SoilType> WithHardSurface(std::vector<SoilType> soils) {
   soils.push_back(HardSurface());
   return soils;
@@ -90,7 +90,7 @@ struct GearContact::Pressed {
   double area_m2 = 0;
   double sinkage_m = 0;
   Vec3 moment_W = Vec3::Zero();  ///< sum of normal force times place, for the centre of pressure
-  Vec3 moving_W = Vec3::Zero();  ///< sum of normal force times velocity of what it presses on
+  Vec3 moving_W = Vec3::Zero();  ///< sum of normal force times velocity of the pressed ground
   const Plate* plate = nullptr;
 
   ShearStrength Strength() const { return plate->Strength(normal_n, area_m2); }

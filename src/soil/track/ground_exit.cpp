@@ -104,7 +104,7 @@ std::optional<GroundExit> FindGroundExit(const Columns& ground, const Vec3& p_W_
   Search search(ground, p_W_m);
   search.Start(depth_m);
   search.LookAt(ci, cj);
-  // Rings of cells around, as long as they can be nearer than what was found.
+  // Rings of cells around, as long as they can be nearer than the point found.
   const double to_next_m = h * std::min({u, 1 - u, v, 1 - v});
   for (int ring = 1;; ++ring) {
     const double away_m = to_next_m + (ring - 1) * h;

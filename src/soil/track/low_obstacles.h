@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// Rigid things on the ground, as what drives over them meets them.
+/// Rigid obstacles on the ground, as running gear meets them.
 ///
 /// Frames  W.
 /// Model   Seen from above, a height: that of the boxes' upper faces (a tilted box is a ramp),
@@ -17,7 +17,7 @@ namespace tera {
 ///         round end comes over an edge before it touches it. Seen from within, the shortest way
 ///         out of a box by any face but the lowest. Whoever asks says how high it climbs; obstacles
 ///         that rise higher are not there.
-/// Omits   that they sink, tilt or slip under what drives over them.
+/// Omits   that they sink, tilt or slip under running gear.
 class LowObstacles {
  public:
   /// Adds an obstacle at W's origin; returns its handle.

@@ -64,7 +64,7 @@ class Rut {
     Vec2 out_W;      ///< away from the gear, of length 1
     double reach_m;  ///< from there
   };
-  /// Presses a column's surface; what is not pressed together heaves.
+  /// Presses a column's surface; soil that is not pressed together heaves.
   void Lower(ColumnId k, const Pressing& pressing, const Beside& beside, Columns* ground);
   /// Lets patch `k`, whose columns were just pressed, slip by `slip_m` over them, along travel;
   /// `contact_m` is the length of ground under the whole gear.

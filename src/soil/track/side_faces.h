@@ -28,7 +28,8 @@ struct SideFaces {
   static double Bearing(double down) {
     return std::clamp((down - kFrom) / (kWholly - kFrom), 0.0, 1.0);
   }
-  /// Middle of what touches of a face, along its Footprint's across_W from the face's own middle.
+  /// Middle of the touching part of a face, along its Footprint's across_W from the face's own
+  /// middle.
   static double Middle_m(const ContactPatch& face, double touching) {
     return -0.5 * face.outward_B.y() * (1 - touching) * face.width_m;
   }

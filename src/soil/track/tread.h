@@ -15,8 +15,8 @@ namespace tera {
 ///         over which they slip by i, prints are a pitch times 1 - i apart. A column is the mean of
 ///         the wave over its width c, sin(pi c / pitch) / (pi c / pitch) of it. Columns wider than
 ///         half a pitch cannot show it and keep its mean, a smooth rut.
-/// Omits   the grousers' own shape; prints of what comes free beside the track while the ground
-///         half a pitch farther out is still under it.
+/// Omits   the grousers' own shape; prints of ground that comes free beside the track while the
+///         ground half a pitch farther out is still under it.
 class Tread {
  public:
   explicit Tread(const RunningGear& gear);

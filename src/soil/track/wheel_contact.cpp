@@ -11,7 +11,7 @@ namespace tera {
 namespace {
 
 constexpr double kNodes_rad = 2 * kDeg;
-constexpr double kLeastDown = 0.05;  ///< of its normal: what faces further up touches no ground
+constexpr double kLeastDown = 0.05;  ///< of its normal: faces further up touch no ground
 constexpr double kMostEntry_rad = 88 * kDeg;
 constexpr double kSlowest_mps = 1e-6;
 
@@ -185,7 +185,7 @@ WheelContact::Node WheelContact::Bear(double angle_rad, const BodyState& body,
   return node;
 }
 
-/// Shear at node `k`, and what it adds to the sum.
+/// Shear at node `k`, and its part of the sum.
 void WheelContact::Shear(std::size_t k, const Node& node, double shoe_mps, double dt_s,
                          const BodyState& body, const std::vector<Vec2>& before_m, GearSum* sum) {
   const Vec3 p_W_m = node.moment_W / node.normal_n, origin_W_m = body.X_WB.translation();

@@ -16,7 +16,7 @@
 
 namespace tera {
 
-/// Sum of what the parts of a gear on the ground do.
+/// Sum over the parts of a gear on the ground.
 struct GearSum {
   Wrench wrench;          ///< about the link's origin
   double traction_n = 0;  ///< shear along the machine's forward travel

@@ -136,7 +136,7 @@ TEST_F(ColumnTest, WhatThePressureDoesNotPressTogetherIsShovedAside) {
 }
 
 TEST_F(ColumnTest, DumpedSoilIsAsFirmAsItsDensityOverADepthOfThreeTenths) {
-  // Terzaghi's 12.4th power of the mean of what lies there over what it has undisturbed.
+  // Terzaghi's 12.4th power of the mean density there over the undisturbed one.
   EXPECT_EQ(FirmnessOf(column_, soils_), 1);
   Deposit(0.15, 1040, 0);
   EXPECT_NEAR(FirmnessOf(column_, soils_), std::pow(0.5 * (0.8 + 1), 12.4), 1e-9);

@@ -60,7 +60,7 @@ struct Pit {
     const Vec2 p = -behind_m * out;
     return ground.HeightAt(p.x(), p.y());
   }
-  /// The same without what lies loose there, at the nearest column.
+  /// The same without the loose soil there, at the nearest column.
   double BankBehind(double behind_m) {
     const Vec2 p = -behind_m * out;
     const Column& c = ground.at(ground.Touch(ground.NearestI(p.x()), ground.NearestJ(p.y())));
@@ -307,7 +307,7 @@ struct LayeredWall {
     }
   }
   double EdgeTop_m() { return ground.at(ground.Touch(60, 60)).top_m; }
-  /// Without what lies loose on it.
+  /// Without the loose soil on it.
   double EdgeBank_m() { return EdgeTop_m() - ground.at(ground.Touch(60, 60)).loose_m(); }
 
   Columns ground;

@@ -6,7 +6,7 @@
 #include "soil/site/site_plan.h"
 #include "soil/soil_fixture.h"
 
-/// Sites read from a scenario's terrain mapping, and what is wrong with one.
+/// Sites read from a scenario's terrain mapping, and the faults of one.
 
 namespace tera::testing_soil {
 

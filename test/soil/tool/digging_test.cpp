@@ -196,8 +196,8 @@ double LeftAfterDump_kg(const std::string& soil_name) {
 
 TEST(Digging, StickySoilLeavesALayerInTheBucket) {
   EXPECT_EQ(LeftAfterDump_kg("dirt"), 0);
-  // Adhesion of 300 Pa carries 300 / 9.81 kg on each square metre of the inside. That is 0.6 m
-  // times 1.1 m of floor and back, less the teeth, and two sides of 0.2 m^2.
+  // Adhesion of 300 Pa carries 300 / 9.81 kg on each square metre of the inside. The inside is 0.6
+  // m times 1.1 m of floor and back, less the teeth, and two sides of 0.2 m^2.
   EXPECT_NEAR(LeftAfterDump_kg("wet_sand") / (300 / 9.81 * 1.0), 1, 0.2);
 }
 

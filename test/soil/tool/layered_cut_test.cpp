@@ -113,7 +113,7 @@ TEST(LayeredCut, ACrustSlidesOnTheSoftSeamBelowIt) {
 }
 
 TEST(LayeredCut, TheOrderOfLayersCounts) {
-  // Friction is borne by what lies above, so that the rough soil resists more below.
+  // The weight above provides friction, so that the rough soil resists more below.
   const CutLayer smooth = Soil(0.15, 10, 3000), rough = Soil(0.15, 40, 0);
   EXPECT_LT(ForceIn({rough, smooth}, Blade(60)).draft_n,
             0.9 * ForceIn({smooth, rough}, Blade(60)).draft_n);

@@ -27,7 +27,7 @@ CuttingForce Upright(const GroundAhead& ground, double phi_deg, double delta_deg
   return CutAhead(in, ground, soil);
 }
 
-/// A slope, of which the upper `loose_m` lie loose.
+/// A slope whose upper `loose_m` lies loose.
 GroundAhead Slope(double depth_m, double slope_rad, double loose_m, double reach_m) {
   GroundAhead ground;
   for (int k = 0; k < GroundAhead::kPlaces; ++k) {

@@ -282,7 +282,7 @@ TEST(GearContact, ATurnOnTheSpotShovesSandAsideRatherThanPressingItTogether) {
   EXPECT_GT(raised_m3 / lowered_m3, 0.6);
   EXPECT_LT(raised_m3 / lowered_m3, 1);
   EXPECT_NEAR(block.soil->ledger().total_kg(), 0, 1e-9);
-  // All that is lowered is raised, but for what is pressed together; what heaves lies loosely.
+  // The lowered volume is raised, but for the soil pressed together; heaved soil lies loosely.
   const SoilType& sand = block.soil->soils()[0];
   const SoilVoxels cubes = block.soil->Voxels({Vec3(-2.5, -2.5, -0.6), Vec3(2.5, 2.5, 0.4)});
   double pressed_m3 = 0, loosened_m3 = 0;
@@ -314,8 +314,8 @@ TEST(GearContact, ATurnOnTheSpotShovesSandAsideRatherThanPressingItTogether) {
 
 TEST(GearContact, SandHeavesBesideATrackAsFarAsPrandtlsSlipSurfaceReaches) {
   // N_q of local shear, tan phi' = 2/3 tan 28 deg, is 6.1 (Das, table 3.1, at 19.5 deg): it comes
-  // out sqrt(6.1) b = 0.74 m beside. Heave falls off evenly to there: what one half of the rut has
-  // lost but for the 2 % that are pressed together, over half of the way.
+  // out sqrt(6.1) b = 0.74 m beside. Heave falls off evenly to there. It is the loss of one half of
+  // the rut, but for the 2 % pressed together, over half of the way.
   Block block("size_m: [12, 8]\nsoil: sand\n", Vec2(-3, 0));
   block.Stand();
   block.Drive(6, 1.0, 0, kNothing);

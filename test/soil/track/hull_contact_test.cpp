@@ -121,7 +121,7 @@ Columns GroundWithARidge(double cell_m) {
   return ground;
 }
 
-// The least that the ridge could bear is what a square footing of loose sand does.
+// The ridge bears at least as much as a square footing of loose sand.
 TEST(HullContact, PloughsThroughARidgeOfLooseSoil) {
   for (const double cell_m : {0.025, 0.05}) {
     const Columns ground = GroundWithARidge(cell_m);

@@ -196,7 +196,8 @@ TEST(SideFaces, SweepTheSoilThatTheirTouchingPartMeets) {
 }
 
 TEST(SideFaces, PushSoilOutBesideWhatTouches) {
-  // Dense soil goes to both sides of what presses it: some of it out, beyond the part that touches.
+  // Dense soil goes to both sides of the pressing face: some of it out, beyond the part that
+  // touches.
   for (const double lean_deg : {22.0, -23.0, 25.0}) {
     const double lean_rad = std::abs(lean_deg) * kDeg;
     const double touching = SideFaces::Bearing(std::sin(lean_rad));
