@@ -46,8 +46,8 @@ struct SoilType {
   /// crumbs.
   double fast_flow_friction = 1;
   double young_modulus_pa = 0;
-  // Pressure-sinkage (Bekker) and shear (Janosi-Hanamoto) under running gear, all of one
-  // measurement: a plate's shear strength is not the internal one that a cut or a wall has.
+  // Pressure-sinkage (Bekker) and shear (Janosi-Hanamoto) under running gear, all from one
+  // measurement. A plate's shear strength is not the internal one of a cut or a wall.
   double k_c_npm_n1 = 0;    ///< N/m^(n+1)
   double k_phi_npm_n2 = 0;  ///< N/m^(n+2)
   double sinkage_exponent = 1;

@@ -33,8 +33,8 @@ struct GroupJudgement {
   std::vector<std::vector<int>>
       not_told_apart;       ///< groups whose effects cancel, none of them named
   std::vector<int> within;  ///< differ from the documented, within tolerance
-  /// Beyond tolerance where they alone are free as well, with a gain on parts of the recording that
-  /// they were not fitted to, and not named: that is not steady, or something else explains it.
+  /// Unnamed groups beyond tolerance where they alone are free as well, with a gain on held-out
+  /// parts of the recording. The gain is not steady, or something else explains it.
   std::vector<NamedGroup> unproven;
   std::vector<int> untestable;                         ///< their error exceeds their tolerance
   std::vector<std::vector<JudgedParameter>> by_group;  ///< each where it alone is free

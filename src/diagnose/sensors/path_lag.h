@@ -41,9 +41,10 @@ struct PathLag {
 ///         is the one, up to a minute, that explains most of |z|^2.
 ///         The lag is tested against others by the gain in log-likelihood over at most two dozen
 ///         parts of the recording (GainP). Lags up to `near_s` have to be wrong, on those seconds
-///         alone that the path covers with both lags. Lags a second and four deviations away have
-///         to be worse, on all seconds; a lag explains nothing where the path does not cover it. p
-///         is the largest of these, over as many tries as there are seconds of lags.
+///         alone that the path covers with both lags. Lags at least a second and at least four
+///         deviations away have to be worse, on all seconds. A lag explains nothing where the path
+///         does not cover it. p is the largest of these, over as many tries as there are seconds of
+///         lags.
 ///         Noise is the residual of the lag. In each five seconds the smaller residual of the two
 ///         lags replaces it where that is larger. Its variance counts twice, as the power of
 ///         differences of white noise where they are loudest. The deviation of the lag is that by

@@ -62,11 +62,10 @@ struct ProfileMap {
 /// The ground before anything has moved, which need not be kept column by column.
 ///
 /// Frames  W.
-/// Model   heights at every `base_cells`-th vertex of the grid with plane
-///         triangles between them, as in TerrainSurface; strata that follow the
-///         surface; the first profile everywhere, or what the map says; regions
-///         with strata of their own over it, of which the last one that holds a
-///         place counts.
+/// Model   heights at every `base_cells`-th vertex of the grid with plane triangles between them,
+///         as in TerrainSurface; strata that follow the surface; the first profile everywhere, or
+///         the map's; regions with strata of their own over it. The last region that holds a place
+///         counts.
 struct UndisturbedGround {
   TerrainGrid grid;
   int base_cells = 1;

@@ -17,7 +17,7 @@ class Grains;
 ///         faces between columns have velocities: gravity drives them down the slope of the
 ///         surface, momentum is carried along, and Coulomb friction acts against the flow's
 ///         direction. The slope that counts is the surface's full gradient, so that piles are
-///         round. Ground at rest starts to flow where it is steeper than the start angle; friction
+///         round. Ground at rest starts to flow where it is steeper than the start angle. Friction
 ///         mu_slow of slow flow lies between that and the angle of repose. Soil flows with speed v
 ///         in the upper thickness h of the loose depth H. Its friction is mu_slow (1 + (r - 1)
 ///         f(Fr) g(h / H)) + b I, Fr = v / sqrt(g h), I = 5/2 Fr d / h. f rises from 0 to 1 between
@@ -29,9 +29,9 @@ class Grains;
 ///         velocities of a step come from one state, and so do all masses: the order of columns
 ///         does not matter. Banks fail as in StandingWalls. Only columns near a change are visited.
 ///         Nothing flows into a column in which a tool stands lower than the surface beside.
-///         Columns may stand on a tilted floor of steel, t the tangent of its tilt: gravity sees a
+///         Columns may stand on a tilted floor of steel, t the tangent of its tilt. Gravity sees a
 ///         slope s of them as (s + t) / (1 - s t). Where t exceeds the friction of steel and no
-///         wall below holds the soil, its whole depth slides on the floor, driven by t + K s
+///         wall below holds the soil, its whole depth slides on the floor. t + K s drives it
 ///         against that friction, K Rankine's active coefficient.
 /// Omits   vertical acceleration, earth pressure other than hydrostatic but on a floor, entrainment
 ///         of bank soil, flow over the site's border; that a heap's own thrust lets it slide on a

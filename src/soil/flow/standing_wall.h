@@ -46,7 +46,7 @@ class StandingWalls {
   /// Whether the top of a column is the edge of a bank that cannot stand.
   std::optional<Failure> FailureAt(ColumnId k, const Columns& ground) const;
   /// Calls visit(k) for columns within reach of gear that has been on the ground since the last
-  /// call: their banks may fail though nothing there has changed.
+  /// call. Their banks may fail though nothing there has changed.
   template <typename Visit>
   static void ForLoaded(Columns* ground, Visit visit) {
     const int reach = static_cast<int>(kLoadReach_m / ground->cell_m());

@@ -102,8 +102,8 @@ class Conversion {
       transformation_;
 };
 
-/// How far the ellipsoid falls below its tangent plane at latitude `lat_deg`, east and north of the
-/// point of contact: the parabola of the two main curvatures of WGS 84.
+/// Drop of the ellipsoid below its tangent plane at latitude `lat_deg`, east and north of the point
+/// of contact. It is the parabola of the two main curvatures of WGS 84.
 class EllipsoidDrop {
  public:
   explicit EllipsoidDrop(double lat_deg);

@@ -12,14 +12,14 @@ namespace tera {
 /// Heights of a site, row-major with x fastest and y northwards.
 ///
 /// Frames  the tangent plane at `origin`: x east, y north, z up, as in W.
-/// Model   the file's heights, bilinear between its pixels, looked up on a grid of the tangent
-///         plane through the file's reference system, so that meridian convergence, scale and datum
-///         are accounted for; the ellipsoid's drop below the plane, x^2 / 2N + y^2 / 2M, is taken
-///         off. Where the turned grid reaches over the file's border, the border's height goes on.
+/// Model   the file's heights, bilinear between its pixels, on a grid of the tangent plane. The
+///         file's reference system gives the places, and so includes meridian convergence, scale
+///         and datum. The ellipsoid's drop below the plane, x^2 / 2N + y^2 / 2M, is taken off.
+///         Where the turned grid reaches over the file's border, the border's height goes on.
 ///         Heights in the file are taken as above the WGS 84 ellipsoid.
-/// Omits   the geoid: a file of heights above sea level puts the site's origin too low or too high
-///         by the geoid's height there, alike for the whole site, which only GNSS heights show; the
-///         deviation of plumb lines from each other (7 mm sideways at 300 m for 150 m of height).
+/// Omits   the geoid, so that heights above sea level shift the whole site by the geoid's height at
+///         its origin, which only GNSS heights show; the deviation of plumb lines from each other
+///         (7 mm sideways at 300 m for 150 m of height).
 /// Source  Snyder 1987, "Map projections", for convergence and scale.
 struct ElevationGrid {
   int nx = 0, ny = 0;
@@ -57,7 +57,7 @@ struct SoilClassGrid {
 
 /// Reads a one-band GeoTIFF of bytes. `about` is the site's origin where something else says it,
 /// else it is the file's middle. Throws InputError as ReadElevation does, for pixels of another
-/// type, and for a scale and offset that make other than whole numbers of 0 to 255 of them.
+/// type, and for a scale and offset whose results are not whole numbers from 0 to 255.
 SoilClassGrid ReadSoilClasses(const std::filesystem::path& file,
                               const std::optional<SiteOrigin>& about);
 

@@ -27,9 +27,10 @@ void WriteSiteMap(const std::filesystem::path& file, const SiteMap& map, const S
 
 /// Reads a raster of the ground (ground_raster.h) of a site whose origin is `origin`.
 ///
-/// Model   of more than `most_side` pixels along a side, squares cover as many pixels as it takes
-///         to stay within, and hold their mean; of classes, what there is most of. Pixels at the
-///         eastern and southern borders that do not fill a square are left out.
+/// Model   a raster of more than `most_side` pixels along a side is reduced to squares, just large
+///         enough to stay within. A square holds the mean of its pixels, or their most frequent
+///         class. Pixels at the eastern and southern borders that do not fill a square are left
+///         out.
 /// Throws InputError where the file cannot be read or is in another projection.
 SiteMap ReadSiteMap(const std::filesystem::path& file, const SiteOrigin& origin, int most_side);
 

@@ -58,8 +58,8 @@ class Seepage {
   void Run(const WeatherSpell& weather, double duration_s);
   const std::vector<WaterSlice>& slices() const { return slices_; }
   const WaterBalance& balance() const { return balance_; }
-  /// Strata of the slices, of which neighbours of one stratum and about one moisture are joined,
-  /// with other moisture and density; below them the profile goes on.
+  /// Strata of the slices, with their moisture and density. Neighbours of one stratum and about one
+  /// moisture are joined. Below them the profile goes on.
   GroundProfile Profile() const;
 
  private:
@@ -81,8 +81,8 @@ std::vector<WeatherSpell> ReadWeatherBefore(const ConfigMap& config);
 /// The profile, each stratum of the kind that is nearest to its moisture.
 GroundProfile OfKinds(const SoilKinds& kinds, const GroundProfile& profile);
 
-/// Lets weather act on all profiles, and turns soil of other moisture than its kind's into a kind
-/// of its own, to the per cent, which it adds. Returns false if there is no room for it.
+/// Lets weather act on all profiles. Adds a kind, to the per cent of moisture, for soil whose
+/// moisture differs from its kind's. Returns false if there is no room for it.
 bool Wet(const std::vector<WeatherSpell>& weather, SoilKinds* kinds,
          std::vector<GroundProfile>* profiles);
 

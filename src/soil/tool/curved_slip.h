@@ -12,7 +12,7 @@
 ///         adhesion and surcharge at its middle. The two angles are those that make P least. With
 ///         no turn the spiral is a plane, and P that of the earthmoving equation. Inertia acts
 ///         along the surface, shear on the flanks at the middle of their area.
-/// Omits   a plane zone above the spiral: where soil rubs on soil P is 7 to 11 % more than in the
+/// Omits   a plane zone above the spiral. Where soil rubs on soil P is 7 to 11 % more than in the
 ///         tables of Caquot and Kerisel (1948) at 30 to 40 deg. The search finds the least P within
 ///         1 % on level ground and 13 % on slopes of 25 deg, for faces that lean back or stand
 ///         upright, with friction near that of the soil.

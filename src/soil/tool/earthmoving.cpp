@@ -18,8 +18,8 @@ constexpr int kSections = 20;  ///< 90 deg * 0.618^20 is 0.006 deg
 
 double Cot(double a) { return 1 / std::tan(a); }
 
-/// The equation for one tool in one soil, ready to be evaluated for many wedge angles, of which it
-/// takes the tangent: all functions of other angles are looked up once.
+/// The equation for one tool in one soil, ready to be evaluated for many wedge angles by their
+/// tangents. All functions of other angles are computed once.
 class Wedges {
  public:
   explicit Wedges(const CuttingInput& in)

@@ -36,8 +36,9 @@ struct CuttingForce {
 /// Factors at a given wedge angle; valid while rake + tool friction + wedge + friction < 180 deg.
 CuttingFactors CuttingFactorsAt(const CuttingInput& in, double wedge_rad);
 
-/// A face that leans forwards traps soil beneath it, which moves on with it: an upright face, with
-/// the friction that turns the force as far, of soil on soil at most. Others as they are.
+/// A face that leans forwards traps soil beneath it, which moves on with it. It counts as an
+/// upright face, with the friction that turns the force as far, of soil on soil at most. Others as
+/// they are.
 CuttingInput AsUpright(CuttingInput in);
 
 /// The force with the wedge angle that makes it least. Zero for zero depth.

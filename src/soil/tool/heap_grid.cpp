@@ -20,8 +20,8 @@ constexpr double kOpen = std::numeric_limits<double>::infinity();
 /// How much higher than a point of the rim soil may stand at a place beside it.
 ///
 /// Frames  dx and dy from the point along the columns' axes; gravity's up is (0, up_y, up_z).
-/// Model   soil rises from the point at the slope t: with the rise g against gravity, of which the
-///         level distance depends in turn, g^2 = t^2 (dx^2 + (dy - up_y g)^2 / up_z^2).
+/// Model   soil rises from the point at the slope t. Its rise g against gravity changes the level
+///         distance in turn: g^2 = t^2 (dx^2 + (dy - up_y g)^2 / up_z^2).
 class Cone {
  public:
   Cone(double slope_rad, double up_y, double up_z) : up_y_(up_y), up_z_(up_z) {

@@ -16,10 +16,11 @@ using HeapRelief = std::function<double(double along_m, double across_m)>;
 ///
 /// Frames  B frame of the shovel's link. Columns stand along `up` in the profile's plane: x along
 ///         `right`, y along B's y axis, heights along `up`.
-/// Model   A column reaches from the shell to the lowest of: a plane that mounds a little towards
-///         the middle of the mouth, the less the steeper it lies; the cones that rise at the heap's
-///         slope from every point of the mouth's rim; the shell above, where it overhangs. Relief
-///         is taken off. Between the columns surface and shell are linear over triangles.
+/// Model   A column reaches from the shell to the lowest of three surfaces: a plane, the cones that
+///         rise at the heap's slope from every point of the mouth's rim, and an overhanging shell
+///         above. The plane mounds a little towards the middle of the mouth, the less the steeper
+///         it lies. Relief is taken off. Between the columns surface and shell are linear over
+///         triangles.
 /// Omits   hollows of the shell that a column meets above its lowest one.
 class HeapGrid {
  public:

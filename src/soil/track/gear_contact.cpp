@@ -40,7 +40,7 @@ int Neighbour(const RunningGear& gear, std::size_t k, double direction) {
   return best;
 }
 
-/// Velocity of a patch over the soil at p_W, which gives way as a rolling shoe comes down on it:
+/// Velocity of a patch over the soil at p_W. The soil gives way as a rolling shoe comes down on it,
 /// half-way between the patch's normal and the machine's down. So a raised nose that rolls shears
 /// nothing.
 Vec3 OverSoil_mps(const Footprint& foot, const BodyState& body, const Vec3& v_W) {

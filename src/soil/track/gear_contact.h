@@ -30,8 +30,8 @@ namespace tera {
 ///         bears as its shoes do, see SideFaces. Resistance: work done on the rut by moving on,
 ///         rather than down, acts as a drag over a short distance. Gear that does not shear the
 ///         ground is carried alone: no shear force, no drag. An obstacle low enough for the gear to
-///         climb bears it as pavement does, moves under it with its own velocity, and keeps it off
-///         the ground below.
+///         climb bears it as pavement does and moves under it with its own velocity. It keeps the
+///         gear off the ground below.
 /// Omits   shear on the sides of grousers, tension of the track.
 /// Source  Bekker 1969; Janosi and Hanamoto 1961; Wills 1963; side faces:
 ///         Hegedus 1960, see PushedFace.

@@ -12,8 +12,8 @@
 namespace tera {
 namespace {
 
-/// On a machine of 3.5 t, a rigid corner 0.15 m across on soil of 5 MPa, E d / (0.88 (1 - nu^2)) =
-/// 1e6 N/m: on four points it sinks 9 mm.
+/// A rigid corner 0.15 m across of a machine of 3.5 t, on soil of 5 MPa, has E d / (0.88 (1 -
+/// nu^2)) = 1e6 N/m. On four points it sinks 9 mm.
 constexpr double kStiffness_npm_kg = 1e6 / 3500;
 constexpr double kDamping_nspm_kg = 1.8e4 / 3500;  ///< about 0.3 of critical for a quarter of it
 constexpr double kCorner_m = 0.15;                 ///< of that machine

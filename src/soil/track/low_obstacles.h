@@ -12,11 +12,11 @@ namespace tera {
 /// Rigid obstacles on the ground, as running gear meets them.
 ///
 /// Frames  W.
-/// Model   Seen from above, a height: that of the boxes' upper faces (a tilted box is a ramp),
-///         beside which it falls off at 45 deg down to the box's foot, as far out as a sprocket's
-///         round end comes over an edge before it touches it. Seen from within, the shortest way
-///         out of a box by any face but the lowest. Whoever asks says how high it climbs; obstacles
-///         that rise higher are not there.
+/// Model   Seen from above, a height: that of the boxes' upper faces (a tilted box is a ramp).
+///         Beside them it falls off at 45 deg down to the box's foot. This is as far out as a
+///         sprocket's round end overhangs an edge before it touches it. Seen from within, the
+///         shortest way out of a box by any face but the lowest. Whoever asks says how high it
+///         climbs; obstacles that rise higher are not there.
 /// Omits   that they sink, tilt or slip under running gear.
 class LowObstacles {
  public:

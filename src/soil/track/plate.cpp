@@ -10,14 +10,13 @@
 namespace tera {
 namespace {
 
-/// Share of critical damping: what a footing as large and heavy as a machine's tracks radiates into
-/// the ground (0.3, Lysmer and Richart 1966), and as much for hysteresis of soil and shoes
-/// (estimate).
+/// Share of critical damping. A footing as large and heavy as a machine's tracks radiates 0.3 into
+/// the ground (Lysmer and Richart 1966). Hysteresis of soil and shoes has as much (estimate).
 constexpr double kDampingRatio = 0.6;
 
 /// x^n between bounds, for x > 0 and n up to 2. The bits of a positive number are its logarithm to
-/// base 2 with straight lines between the powers of 2, which lie at most 0.0861 below it: powers
-/// are between 2^-0.0861 and 2^(0.0861 n) of what straight lines say.
+/// base 2 with straight lines between the powers of 2. These lie at most 0.0861 below it: powers
+/// are between 2^-0.0861 and 2^(0.0861 n) of the straight lines' values.
 struct PowerBounds {
   float low, high;
 };

@@ -4,11 +4,11 @@
 
 namespace tera {
 
-/// How much softer ground is under a wheel that rolls and slips than under a plate: it bears what
-/// Bekker's plate would at a share of its sinkage, p = p_B(share z).
+/// How much softer ground is under a wheel that rolls and slips than under a plate. It bears like
+/// Bekker's plate at a share of its sinkage, p = p_B(share z).
 ///
 /// Model   The stress at theta from straight down is greatest at theta_m = (c1 + c2 i) theta_1,
-///         theta_1 where the rim enters the ground, and falls off to nothing below the axle: behind
+///         theta_1 where the rim enters the ground. It falls off to nothing below the axle. Behind
 ///         theta_m the share has the factor (cos theta' - cos theta_1) / (cos theta - cos theta_1),
 ///         theta' = theta_1 - theta (theta_1 - theta_m) / theta_m. To the side likewise, the share
 ///         falls off from the leading edge to the trailing one, by the sine of the slip angle. Both
@@ -16,9 +16,9 @@ namespace tera {
 ///         its sinkage is elastic.
 ///         Slip and skid dig a wheel in. Their part d of the sinkage z bears nothing: the share is
 ///         1 - min(d / z, f / (1 + f)). Slip i digs d = g (K + h / 2), g = 1.3 (1 - exp(-(i /
-///         0.42)^2)), K the soil's shear displacement and h the height of grousers; skid digs as
-///         much with g = 3.5 times the skid squared. Where a plate would hardly sink, it is bounded
-///         by f = 6 g times what bears.
+///         0.42)^2)), K the soil's shear displacement and h the height of grousers. Skid digs as
+///         much with g = 3.5 times the skid squared. Where a plate would hardly sink, digging is at
+///         most f = 6 g times the sinkage that bears.
 /// Source  Wong and Reece 1967, J. Terramechanics 4(1): peak and rear of the stress, with c1 = 0.4
 ///         and c2 = 0.15 of the ranges in Ishigami, Miwa, Nagatani and Yoshida 2007, J. Field
 ///         Robotics 24(3). Digging by slip: fitted to two single-wheel tests of smooth wheels, Ding

@@ -30,16 +30,16 @@ struct Footprint {
 /// Running gear's work on the columns under it: it presses a rut and carries soil away.
 ///
 /// Frames  W; patches in the frame B of the gear's link.
-/// Model   Columns under a patch give way plastically to where the patch's elastic pressure, with
-///         its peaks under road wheels, and Bekker's agree, and remember it for later passes.
-///         Height becomes density, as far as the pressure presses soil together. The rest heaves
-///         beside the gear, most at its edge and none from where Prandtl's slip surface comes out,
+/// Model   Columns under a patch give way plastically until its elastic pressure, with its peaks
+///         under road wheels, equals Bekker's. They remember that pressure for later passes. Height
+///         becomes density, as far as the pressure presses soil together. The rest heaves beside
+///         the gear, most at its edge and none beyond the exit of Prandtl's slip surface. It heaves
 ///         in parcels whose places follow the golden section. Soil
-///         between grousers goes with the shoes: where they slip over the ground, a layer as thick
-///         as they are high, and no thicker than they have sunk in, leaves at the end to which it
-///         is carried, and the gear sinks by as much, evenly over its contact: h i / (1 - i) in a
-///         pass at slip i. The ground keeps its memory of pressure thereby. Ground that comes free
-///         gets the print of the grousers, see Tread.
+///         between grousers goes with the shoes. Where they slip over the ground, a layer as thick
+///         as they are high, at most their sinkage, leaves at the end to which it is carried. The
+///         gear sinks by as much, evenly over its contact: h i / (1 - i) in a pass at slip i. The
+///         ground keeps its memory of pressure thereby. Ground that comes free gets the print of
+///         the grousers, see Tread.
 /// Omits   soil that grousers carry sideways.
 /// Source  Bekker 1969; memory and grid as in Krenn and Hirzinger 2009; slip sinkage: Reece 1965.
 class Rut {

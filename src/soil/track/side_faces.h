@@ -17,7 +17,7 @@ namespace tera {
 ///         wholly from `kWholly`. These are the sines of the machine's lean, 20 and 30 deg: a
 ///         machine that stands on both tracks leans by less.
 /// Omits   the upper half of a track's side, the gaps between shoes and frame, wheels' sides; that
-///         what comes to be touched as the machine leans further resists that.
+///         newly touched soil resists as the machine leans further.
 struct SideFaces {
   static constexpr double kFrom = 0.34, kWholly = 0.5;
 

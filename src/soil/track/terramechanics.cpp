@@ -93,8 +93,9 @@ Vec2 Mobilised(const SoilType& soil, const Vec2& j_m) {
   return j_m * (ShearMobilisation(soil, size) / size);
 }
 
-/// The stress has a part along the slip, which loads further as Janosi says, or, pointing against
-/// it, unloads at the initial stiffness; and a part across, which yields to the slip.
+/// The stress has a part along the slip and a part across. The part along loads further by Janosi
+/// or, pointing against the slip, unloads at the initial stiffness. The part across yields to the
+/// slip.
 void ShearFurther(const SoilType& soil, const Vec2& slip_m, Vec2* j_m) {
   const double size_m = slip_m.norm();
   const double limit_m = kLargestShear * soil.shear_modulus_m;

@@ -35,9 +35,9 @@ double PressureShare(const ContactPatch& patch, double along_m);
 /// phi. Source: Bekker 1960, Off-the-Road Locomotion; Wong 2008, ch. 2.
 double BulldozingResistance_n(const SoilType& soil, double width_m, double z_m);
 
-/// How far beside a strip of width `width_m` soil heaves that it does not press together: to where
-/// Prandtl's slip surface comes out, b sqrt(N_q), of local shear. Source: Prandtl 1920; Terzaghi
-/// 1943.
+/// Reach, beside a strip of width `width_m`, of the heave of soil that it does not press together.
+/// It ends at the exit of Prandtl's slip surface, b sqrt(N_q), of local shear. Source: Prandtl
+/// 1920; Terzaghi 1943.
 double HeaveReach_m(const SoilType& soil, double width_m);
 
 /// An upright face that pushes soil before it.
@@ -66,8 +66,9 @@ class PushedFace {
 ///
 /// Model   A shear displacement j, along and across the shoes' travel, mobilises the share 1 -
 ///         exp(-|j| / K) of the strength, along j. Slip against j unloads at the initial stiffness,
-///         so that what a shear has cost is not given back; slip across j turns the stress its way
-///         within K where the strength is used up, so that sliding soil resists where it slides to.
+///         so that the work of a shear is not given back. Slip across j turns the stress its way
+///         within K where the strength is used up. So sliding soil resists in its direction of
+///         sliding.
 /// Source  Janosi and Hanamoto 1961.
 
 /// Stress per unit strength at shear displacement `j_m`.

@@ -8,13 +8,13 @@ namespace tera {
 /// The print of a track's grousers in the rut that it leaves behind.
 ///
 /// Frames  W; B the frame of the gear's link.
-/// Model   A wave along the track, as long as the grousers' pitch and from trough to crest as high
-///         as they are, but no higher than the ground was pressed in. Where a column comes free in
-///         a trough, soil goes from it to the column half a pitch farther out, until the two differ
-///         by the wave; so the wave keeps the rut's mass. It stands still on the shoes: on ground
-///         over which they slip by i, prints are a pitch times 1 - i apart. A column is the mean of
-///         the wave over its width c, sin(pi c / pitch) / (pi c / pitch) of it. Columns wider than
-///         half a pitch cannot show it and keep its mean, a smooth rut.
+/// Model   A wave along the track, as long as the grousers' pitch. From trough to crest it is as
+///         high as they are, but no higher than the ground was pressed in. Where a column comes
+///         free in a trough, soil goes from it to the column half a pitch farther out, until the
+///         two differ by the wave. So the wave keeps the rut's mass. It stands still on the shoes:
+///         on ground over which they slip by i, prints are a pitch times 1 - i apart. A column is
+///         the mean of the wave over its width c, sin(pi c / pitch) / (pi c / pitch) of it. Columns
+///         wider than half a pitch cannot show it and keep its mean, a smooth rut.
 /// Omits   the grousers' own shape; prints of ground that comes free beside the track while the
 ///         ground half a pitch farther out is still under it.
 class Tread {

@@ -44,12 +44,11 @@ double DepthBeside_m(const PushedFace& face, const Vec3& p_W_m, const Columns& g
 /// A rigid wheel on the ground.
 ///
 /// Frames  W; B the frame of the gear's link.
-/// Model   Stresses are integrated around the rim from where it enters the ground to where it
-///         leaves it, at fixed angles, finer than the ground's cells show: the normal stress is
-///         elastic, at most what Rolling says. Columns under the rim give way to it. Shear: each
-///         angle has a shear displacement j, carried along by the rim and zero where it enters;
-///         slip is over soil at rest, so that j is Wong and Reece's. Resistance is that of the
-///         stresses alone.
+/// Model   Stresses are integrated around the rim between its entry into the ground and its exit,
+///         at fixed angles, finer than the ground's cells show. The normal stress is elastic, at
+///         most Rolling's. Columns under the rim give way to it. Shear: each angle has a shear
+///         displacement j, carried along by the rim and zero where it enters; slip is over soil at
+///         rest, so that j is Wong and Reece's. Resistance is that of the stresses alone.
 ///         Sides: the sunk side that is pushed into soil meets passive pressure on its whole chord,
 ///         in proportion to the sine of its slip angle.
 ///         An obstacle low enough to be climbed bears it as pavement does.

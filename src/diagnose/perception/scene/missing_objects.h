@@ -22,8 +22,8 @@ struct MissingObject : SceneDifference {
 ///         the obstacle's surface.
 ///         Among rays without a return in front, those with a point behind passed through. An
 ///         obstacle is missing if more than half of at least 20 rays passed, in TRAIN and SELECT
-///         and again in FINAL. The test is Student's t over at least three blocks of time, with a
-///         standard deviation of the mean of at least 0.03, at one per cent over the obstacles.
+///         and again in FINAL. The test is Student's t over at least three blocks of time, at one
+///         per cent over the obstacles. The standard deviation of the mean is at least 0.03.
 /// Omits   rays without any return, since a scan has no point of them.
 struct MissingObjects {
   std::vector<MissingObject> objects;
