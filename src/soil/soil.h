@@ -88,7 +88,7 @@ struct MassLedger {
 
 /// An open box that soil may be dumped into: a truck's bed, a container, a bin.
 ///
-/// Frames  B frame of what carries it, z up.
+/// Frames  B frame of its carrier, z up.
 struct SoilBed {
   Vec3 floor_B_m = Vec3::Zero();  ///< middle of its floor
   Vec2 size_m = Vec2::Zero();     ///< inner length along x and width along y

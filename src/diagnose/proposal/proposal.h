@@ -48,7 +48,7 @@ std::vector<LibraryTerm> TermLibraryOf(const Channel& channel,
 struct LeastSquares {
   Eigen::MatrixXd information;
   Eigen::VectorXd pull;
-  double energy = 0, rows = 0;  ///< of what is fitted: its sum of squares, its samples
+  double energy = 0, rows = 0;  ///< of the fitted values: sum of squares, samples
 
   void Add(const LeastSquares& other, double times = 1);
 };

@@ -12,7 +12,7 @@ struct PlanarPath {
   std::vector<std::complex<double>> at_m;
 
   bool Covers(double t_s) const;
-  std::complex<double> At(double t_s) const;  ///< within what it covers
+  std::complex<double> At(double t_s) const;  ///< within the time it covers
 };
 
 /// A place in the plane at a time.

@@ -22,7 +22,7 @@ constexpr double kFlexibleShare = 1;  ///< of the flexible prior
 /// Ten times as wide for delays: far from the true ones their effect is not linear.
 constexpr double kFlexibleDelays = 10;
 constexpr double kFreeShare = 100;    ///< of a group that is free, over the default tolerance
-constexpr double kLeastShare = 0.01;  ///< of the default: what is stated as exact is known so well
+constexpr double kLeastShare = 0.01;  ///< of the default: uncertainty of numbers stated as exact
 /// Differences between segments over the tolerance, of biases and of all else. The latter stands
 /// for the models' omissions.
 constexpr double kBiasWander = 0.25, kWander = 0.06;

@@ -9,11 +9,11 @@ namespace tera {
 namespace {
 
 constexpr double kWindow_s = 0.1;
-constexpr double kNeutral = 0.02;          ///< lever that rests: what a dead band is expected to be
+constexpr double kNeutral = 0.02;          ///< lever that rests: the expected dead band
 constexpr double kLongestEffect_s = 2;     ///< of a lever, after it came to rest
 constexpr double kStampedLate_s = 0.5;     ///< by which a lever may be stamped late, at most
 constexpr double kTurnsOver_s = 1;         ///< time over which turning is asked about
-constexpr double kLeastTurn_radps = 0.15;  ///< three times what a base rocks
+constexpr double kLeastTurn_radps = 0.15;  ///< three times the rocking of a base
 
 /// The column of the lever for which `moves_it` holds; none where it was not recorded.
 template <typename Predicate>

@@ -18,7 +18,7 @@ constexpr double kFirmDepth_m = 0.3;  ///< of the plate to which the moduli belo
 Spoil Parcel(const SoilLayer& layer, double share, const SoilType& soil, double area_m2) {
   const double kgpm2 = layer.kgpm2 * share;
   const double volume_m = layer.loose ? layer.thickness_m * share
-                                      : kgpm2 / LooseDensity_kgpm3(soil);  // what stood swells
+                                      : kgpm2 / LooseDensity_kgpm3(soil);  // standing soil swells
   return {kgpm2 * area_m2, volume_m * area_m2, layer.soil, layer.moisture};
 }
 
@@ -128,7 +128,7 @@ void ReachDown(const ColumnMaterial& m, double influence_m, Column* c) {
   }
 }
 
-/// Makes the layers thinner, each by its share, and takes out what exceeds the density that they
+/// Makes the layers thinner, each by its share, and takes out the soil beyond the density that they
 /// had, or to which the pressure presses them.
 void Compact(const ColumnMaterial& m, double ds_m, double pressure_pa, Column* c,
              SpoilMix* beside) {

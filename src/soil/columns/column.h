@@ -57,8 +57,8 @@ struct ColumnMaterial {
   double area_m2;
 };
 
-/// Takes everything above z_m away and adds it to `cut`. Loose soil keeps its density; what stood
-/// swells.
+/// Takes everything above z_m away and adds it to `cut`. Loose soil keeps its density; soil that
+/// stood swells.
 void CutColumn(const ColumnMaterial& material, double z_m, Column* column, SpoilMix* cut);
 
 /// Puts loose soil on top.

@@ -23,7 +23,7 @@ using ColumnId = std::uint32_t;
 ///
 /// Frames  W. Column (i, j) stands under vertex (i, j) of the surface and is cell x cell wide.
 /// Model   Only tiles in which something has happened have columns of their own; elsewhere the
-///         ground is what UndisturbedGround says, which copies share. Every operation moves mass:
+///         ground is that of UndisturbedGround, which copies share. Every operation moves mass:
 ///         from one column to another, to a tool, or over the border of the site (outside_kg).
 /// Omits   moisture that moves by itself; see TakeUp.
 class Columns {

@@ -10,11 +10,12 @@ namespace {
 
 constexpr double kClod_m3 = 1e-4;        ///< about 6 cm across
 constexpr double kLargestClods = 8;      ///< times that, when as many as may be are under way
-constexpr double kUseOfRoom = 0.8;       ///< by what falls at once: each column's makes whole clods
+constexpr double kUseOfRoom = 0.8;       ///< by soil that falls at once: each column's makes whole
+                                         ///< clods
 constexpr double kLongestSlide_s = 3;    ///< then a clod rests wherever it is
 constexpr double kRestSpeed_mps = 0.05;  ///< slower clods rest where friction holds them
 constexpr double kScatter_mps = 0.15;    ///< of a clod's velocity, each axis, one sigma
-constexpr int kMostFalls = 40;           ///< columns that what is laid down falls on over
+constexpr int kMostFalls = 40;           ///< columns over which soil that is laid down falls on
 constexpr double kSteep = 1;             ///< slope of a column beside that a clod does not reach
 constexpr double kWall = 2;              ///< slope that a clod does not climb
 

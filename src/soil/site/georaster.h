@@ -46,7 +46,7 @@ struct RasterFrame {
   }
 };
 
-/// Opens a one-band raster. `content` says what is needed, for messages: "elevation raster".
+/// Opens a one-band raster. `content` names the needed raster, for messages: "elevation raster".
 RasterFile OpenRaster(const std::filesystem::path& file, std::string_view content);
 
 /// The raster's file, and those beside it that GDAL reads with it (.tfw, .aux.xml).

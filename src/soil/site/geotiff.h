@@ -50,7 +50,7 @@ struct SoilClassGrid {
   Vec2 first_m = Vec2::Zero();  ///< middle of cell (0, 0)
   Vec2 cell_m = Vec2::Zero();
   std::vector<std::uint8_t> value;
-  std::optional<std::uint8_t> gap_value;     ///< what the file calls no data
+  std::optional<std::uint8_t> gap_value;     ///< the file's no-data value
   SiteOrigin origin;                         ///< height zero unless given
   std::vector<std::filesystem::path> files;  ///< as of ElevationGrid
 };

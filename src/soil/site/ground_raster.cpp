@@ -157,7 +157,7 @@ bool Output::Write(const std::filesystem::path& file) const {
   if (!dataset) return false;
   const bool written = Describe(dataset.get()) && WritePixels(dataset->GetRasterBand(1)) &&
                        AddOverviews(dataset.get());
-  dataset.reset();  // what is still in memory is written now
+  dataset.reset();  // writes the rest in memory
   return written && CPLGetLastErrorType() < CE_Failure;
 }
 

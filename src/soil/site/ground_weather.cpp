@@ -15,7 +15,7 @@ constexpr TimeNs kPeriod_ns = kPeriod_s * kNsPerSecond;
 constexpr std::int64_t kPeriodsPerTake = 6;
 constexpr double kSeen_m = 0.002;  ///< depth to which light and rain make a surface look wet
 
-/// Moisture at which soil lets water through at a rate: all of it, of what lets through less.
+/// Moisture at which soil lets water through at a rate: full for soil that lets through less.
 double MoisturePassing(const SoilWater& water, double rate_mps) {
   constexpr int kHalvings = 40;
   double low = water.residual, high = 1;

@@ -11,9 +11,8 @@ namespace tera {
 
 /// Soils below a site's surface, by place.
 struct SiteProfiles {
-  std::vector<GroundProfile>
-      profiles;  ///< the first one wherever no region lies, or what a map says
-  std::vector<ProfileRegion> regions;                     ///< later ones lie over earlier ones
+  std::vector<GroundProfile> profiles;  ///< the first one wherever no region lies, or a map's
+  std::vector<ProfileRegion> regions;   ///< later ones lie over earlier ones
   std::map<std::uint8_t, std::uint8_t> profile_of_class;  ///< of `soil_classes`; empty without
 };
 

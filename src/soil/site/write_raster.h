@@ -54,7 +54,7 @@ bool WriteSquares(const std::filesystem::path& file, const SquareRaster<T>& rast
     written = band->RasterIO(GF_Write, 0, j, raster.nx, 1, row.data(), raster.nx, 1, kType, 0, 0) ==
               CE_None;
   }
-  dataset.reset();  // what is still in memory is written now
+  dataset.reset();  // writes the rest in memory
   return written && CPLGetLastErrorType() < CE_Failure;
 }
 

@@ -18,7 +18,7 @@ struct CuttingInput {
   double flank_above_npm = 0;  ///< shear on a flank of those others, for each metre of length
   double speed_mps = 0;        ///< over ground, its level part
   double slope_rad = 0;        ///< the ground rises ahead
-  double firm_slope_rad = 0;   ///< what lies under a heap of loose soil does
+  double firm_slope_rad = 0;   ///< of the soil under a heap of loose soil
   double flank_share =
       0;  ///< of the two flanks' shear: 1 for a whole tool, 1/n for one of n strips
 };

@@ -23,7 +23,7 @@ constexpr double kSlideSpeed_mps = 0.10;    ///< shell friction is proportional 
 constexpr double kBeside_m = 0.1;           ///< where the ground beside the shovel is looked at
 constexpr double kNear_m = 0.3;             ///< a shovel this close to the ground holds soil back
 // Carried soil.
-constexpr double kSpillTime_s = 0.25;   ///< time constant at which what cannot stay leaves
+constexpr double kSpillTime_s = 0.25;   ///< time constant at which excess soil leaves
 constexpr double kStuckClod_m = 0.025;  ///< thickest layer that hangs on the shell: an estimate
 constexpr double kBeforeLip_m = 0.1;    ///< where the ground before the mouth is looked at
 constexpr double kShut_m = 0.05;        ///< ground this far above the lip shuts the mouth

@@ -40,8 +40,8 @@ class Cone {
   double up_y_, up_z_, a_, b_, c_x_, c_y_;
 };
 
-/// Integral over a triangle of area 1 of what is positive of a linear function with these values at
-/// its corners.
+/// Integral over a triangle of area 1 of the positive part of a linear function with these values
+/// at its corners.
 double MeanOfPositive(double a, double b, double c) {
   if (a > b) std::swap(a, b);
   if (b > c) std::swap(b, c);

@@ -98,7 +98,7 @@ Digging::Heap Digging::HeapBefore(const BodyState& body, const Swept& swept, con
 }
 
 /// Puts soil outside the footprint in `way_out`, on the columns that move there. From there it
-/// rolls down what is steeper than repose, or over a blade.
+/// rolls down slopes steeper than repose, or over a blade.
 void Digging::PutOutside(const BodyState& body, const Swept& swept, const Vec2& way_out,
                          SpoilMix* spoil, Columns* ground) {
   const SoilType& soil = soils_[spoil->main_soil()];

@@ -137,7 +137,7 @@ void SlipAhead::FindOnBlade() {
   on_blade_n_ = -mean_npm3_ * back_m * back_m * (depth_m + 2 * end_m) / 6;
 }
 
-/// From the farthest place back: loose soil slides on what is firm below it, or gives way as
+/// From the farthest place back: loose soil slides on the firm soil below it, or gives way as
 /// Rankine's wedge, whichever takes less.
 void SlipAhead::FindSliding() {
   const double k_p = std::pow((1 + tan_friction_ * cos_friction_) / cos_friction_, 2);

@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-constexpr double kMostBeside = 2;  ///< half heights: the foot of what falls off at 45 deg
+constexpr double kMostBeside = 2;  ///< half heights: the foot of the slope at 45 deg
 
 /// A box with its upright axis and which way that points.
 struct Standing {

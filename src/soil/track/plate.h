@@ -29,8 +29,7 @@ class Plate {
   double rebound_papm() const { return rebound_papm_; }
   /// How far beside it soil heaves, see HeaveReach_m.
   double heave_reach_m() const { return heave_reach_m_; }
-  /// Pressure of the ground at sinkage `z_m`: Bekker's, at most what the soil bears
-  /// (LimitUnderGear).
+  /// Pressure of the ground at sinkage `z_m`: Bekker's, at most the bearing limit (LimitUnderGear).
   double Pressure_pa(double z_m) const;
   /// Whether that is at least `pressure_pa`. A glance at the logarithm tells in most cases, single
   /// precision in nearly all.

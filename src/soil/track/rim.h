@@ -16,7 +16,7 @@ namespace tera {
 struct Rim {
   Vec3 axle_B_m = Vec3::Zero();
   double radius_m = 0, width_m = 0;
-  double first_rad = 0, last_rad = 0;  ///< what of it is there
+  double first_rad = 0, last_rad = 0;  ///< the part that is there
 
   /// A place on the rim, in W.
   struct Point {

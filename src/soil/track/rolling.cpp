@@ -11,7 +11,7 @@ constexpr double kDugBySlip = 1.3, kSlipToDig = 0.42;         ///< of g
 constexpr double kDugBySkid = 3.5;
 constexpr double kDugOverBearing = 6;     ///< of f
 constexpr double kGrouserShare = 0.5;     ///< of their height, added to K
-constexpr double kLeastEntry_rad = 1e-3;  ///< less is a wheel on what does not yield
+constexpr double kLeastEntry_rad = 1e-3;  ///< less is a wheel on ground that does not yield
 constexpr double kLeastShare = 1e-3;      ///< ground below the axle of a wheel that rolls
 
 }  // namespace

@@ -26,7 +26,7 @@ namespace tera {
 ///         3d-terramechanics), whose soils, loads and radii differ threefold; h / 2 to the lugged
 ///         wheel of the first. Skid: the second. Sideways: by analogy. See docs/evidence/soil.md.
 struct Rolling {
-  double slip = 0;    ///< i: 1 - v / (r w), 0 to 1, of what the contact has met
+  double slip = 0;    ///< i: 1 - v / (r w), 0 to 1, over the contact so far
   double skid = 0;    ///< 1 - r w / v, 0 to 1
   double rolled = 0;  ///< -1 to 1: contact's length, forwards, or further
   double aside = 0;   ///< -1 to 1: of its way, to the left

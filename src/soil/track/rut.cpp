@@ -75,7 +75,7 @@ struct Rut::Under {
   std::size_t patch;
   const Footprint& foot;
   Vec3 d_W_m;                ///< from the middle of the patch, on its plane
-  double middle_m, width_m;  ///< across, of what touches of the patch
+  double middle_m, width_m;  ///< across, of the touching part of the patch
   double along_m() const { return d_W_m.dot(foot.along_W); }
   double across_m() const { return d_W_m.dot(foot.across_W); }
 };

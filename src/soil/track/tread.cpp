@@ -37,7 +37,7 @@ void Tread::Print(ColumnId k, const Pose& X_WB, Columns* ground) const {
   const Vec3 p_W(ground->x_m(i), ground->y_m(j), ground->skin(k).top_m);
   const double x_B_m = (X_WB.inverse() * p_W).x();
   const double wave = std::cos(2 * kPi * (x_B_m + travel_m_) / pitch_m_);
-  if (wave >= 0) return;  // a crest gets what troughs give
+  if (wave >= 0) return;  // a crest gets the soil of troughs
 
   const double outward_m = std::copysign(0.5 * pitch_m_, x_B_m - middle_B_m_);
   const Vec3 q_W = p_W + outward_m * X_WB.linear().col(0);

@@ -24,7 +24,7 @@ TEST(Pit, IsAsDeepAsItSaysWithinItsOutlineAndNowhereElse) {
   EXPECT_NEAR(ground.HeightAt(3.5, 0), before_m(0) - 0.8, 1e-6);
   EXPECT_NEAR(ground.HeightAt(1.5, 0), before_m(0), 1e-6);  // beyond the slanting side
   EXPECT_NEAR(ground.HeightAt(3.5, -2.2), before_m(-2.2), 1e-6);
-  EXPECT_EQ(soil->ledger().ground_kg, 0);  // what was dug is not of this site
+  EXPECT_EQ(soil->ledger().ground_kg, 0);  // dug soil is not of this site
 }
 
 TEST(Pit, WallsOfClayStandAtOneMetreAndFailAtOnePointFourAndSandSlumps) {

@@ -183,7 +183,7 @@ TEST_P(PileOfABucket, StandsAtReposeAlongAxesAndDiagonals) {
   double top_m = 0;
   for (double x = 3; x < 5; x += 0.02) top_m = std::max(top_m, ground.HeightAt(x, spot_W_m.y()));
   EXPECT_GT(top_m, 0.55);          // flanks of ten columns of 10 cm
-  Vec2 middle_W_m = Vec2::Zero();  // of what lies above half the height
+  Vec2 middle_W_m = Vec2::Zero();  // of the soil above half the height
   int above = 0;
   for (double x = 2; x < 6; x += 0.02) {
     for (double y = -2; y < 2; y += 0.02) {

@@ -187,7 +187,7 @@ TEST(StandingWall, WhatFallsOfClayIsClodsForAWhileAndLosesNoMass) {
 }
 
 TEST(StandingWall, WhatFailsNeverStandsMoreThanACellHigherThanTheGroundDid) {
-  // A little more than what each can bear: clay 1.19 m, dirt 1.25 m, wet sand 2.2 m; sand nothing.
+  // A little more than each can bear: clay 1.19 m, dirt 1.25 m, wet sand 2.2 m; sand nothing.
   const std::vector<std::pair<const char*, double>> kSoils = {
       {"clay", 1.4}, {"dirt", 1.5}, {"wet_sand", 2.6}, {"sand", 1.0}};
   for (const auto& [soil, height_m] : kSoils) {

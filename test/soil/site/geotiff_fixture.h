@@ -89,7 +89,7 @@ inline void WriteUtmRaster(const std::string& file, const std::vector<std::vecto
   }
 }
 
-/// Changes what a file says of its band.
+/// Changes a file's description of its band.
 template <typename Edit>
 void EditBand(const std::string& file, Edit edit) {
   GDALAllRegister();

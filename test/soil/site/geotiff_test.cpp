@@ -14,7 +14,7 @@
 #include "geotiff_fixture.h"
 #include "site_fixture.h"
 
-// Elevation files: what is written comes back, and lies where geodesy says it does.
+// Elevation files: written heights come back, and lie where geodesy puts them.
 
 namespace tera {
 namespace {

@@ -21,7 +21,7 @@ using namespace testing_soil;
 /// Work of a bucket over a volume of undisturbed soil, 1 kJ/m^3 being 1 kPa.
 struct Resistance {
   double of_hole_kpa = 0;    ///< over all that is dug
-  double of_filled_kpa = 0;  ///< over what fills the bucket
+  double of_filled_kpa = 0;  ///< over the soil that fills the bucket
 };
 
 /// The compact excavator's bucket is drawn 0.8 m through level ground at a depth of 0.15 m, which

@@ -194,7 +194,7 @@ TEST(CuttingEdge, ABucketThatIsFullCutsLikeAPlateOfSoilAcrossItsMouth) {
     Columns ground = LevelColumns(soil, 0.05, 161, 2.0);
     CuttingEdge edge(bucket, {soil});
     const double pitch_rad = 90 * kDeg;
-    const Vec3 ahead_W = -kAhead_W;  // what faces up at pitch 180 deg faces back at 90 deg
+    const Vec3 ahead_W = -kAhead_W;  // a face upwards at pitch 180 deg faces back at 90 deg
     const BodyState body =
         Moving(Vec3(0.3, -0.2, 2.0 - 0.2 + 0.78), 0.1 * ahead_W, pitch_rad, kYaw_rad);
     const CuttingEdge::Carried load{1e-6, fill * bucket.capacity_m3, 0};

@@ -35,7 +35,7 @@ Pose TruckPose(double t_s, int cycle, double yaw_rad) {
   return MakePose(RotationFromRpy(0, 0, yaw_rad) * p_m, 0, 0, yaw_rad + kPi);
 }
 
-/// Three soils over each other. Returns the ledger's worst moment, as a share of what was shifted.
+/// Three soils over each other. Returns the ledger's worst moment, as a share of the shifted mass.
 double WorstOfDigging(const std::string& upper, const std::string& middle,
                       const std::string& lower) {
   auto soil = MakeGround(

@@ -137,7 +137,7 @@ class LeaningTrack {
     }
     return sum_m3;
   }
-  /// Mass that is neither where it was nor where it was put, over what was put anywhere.
+  /// Mass that is neither where it was nor where it was put, over all mass put anywhere.
   double Lost() const {
     const Columns::Gain gain = ground_.GroundGain();
     return gain.net_kg / gain.gained_kg;

@@ -82,7 +82,7 @@ TEST(Tread, PrintsKeepTheRutsDepth) {
   const double smooth_m = Rut(Site(kDrySand, 0.025), 0, 0).Mean_m();
   const double printed_m = Rut(Site(kDrySand, 0.025), 0, kGrouser_m).Mean_m();
   EXPECT_LT(smooth_m, -0.03);
-  // Crests are loose soil: what was a tenth denser stands as much higher.
+  // Crests are loose soil: soil that was a tenth denser stands as much higher.
   EXPECT_NEAR(printed_m, smooth_m, 0.003);
 }
 

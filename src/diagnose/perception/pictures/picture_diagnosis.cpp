@@ -59,7 +59,7 @@ SplitPoints LandmarksToRegister(const PictureRegistration& pictures, const ScanS
       split, [&](const std::vector<Part>& parts) { return pictures.PointsOf(split, parts); });
 }
 
-/// The camera with what may act on it, by the pictures that a registration holds at present.
+/// The camera with its possible mechanisms, by the pictures that a registration holds at present.
 RegistrationBlock BlockOf(const PictureSource& source,
                           const std::unique_ptr<PictureRegistration>& pictures) {
   return {source.X_BS, source.present,

@@ -97,13 +97,13 @@ namespace {
 constexpr double kSquareShare = 1.0 / 30;  ///< of the width: the side of a square
 constexpr double kBorderShare = 0.02;      ///< of the width: a margin without landmarks
 constexpr double kLeastGradient = 0.08;    ///< a pixel, of brightness over its spread
-constexpr double kLeastEdge = 1e-3;        ///< a pixel: what a residual is divided by at least
+constexpr double kLeastEdge = 1e-3;        ///< a pixel: least divisor of a residual
 /// Standard deviations of brightness over its spread, of an edge's place, and of a shift of the
 /// camera at each level.
 constexpr double kBrightnessSigma = 0.1, kPlaceSigma_px = 0.2;
 constexpr double kShiftSigma_m[PictureLevels::kCount] = {0, 0.02, 0.05, 0.1};
 constexpr double kDifference_m = 1e-5;  ///< of a difference quotient of the lens
-constexpr double kNearest_m = 0.05;     ///< depth of what the camera can see
+constexpr double kNearest_m = 0.05;     ///< least depth that the camera can see
 constexpr double kSideOfEdge_px = 1.5;  ///< from its middle, which is grey in every picture
 
 /// The nearest depth of a pixel and its neighbours; 0 where there is none.

@@ -214,7 +214,7 @@ class Search {
     return simplest;
   }
 
-  /// Forward as long as it gets better, then without what the others can do without.
+  /// Forward as long as it improves, then without the superfluous terms.
   Subset Choose() {
     if (!IsBetter({}, all_)) return {};
     Subset chosen;

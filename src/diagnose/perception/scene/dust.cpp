@@ -22,7 +22,8 @@ constexpr int kCloudReach = 2;                  ///< voxels between members of a
 constexpr std::size_t kFewestReturns = 40;      ///< of a cloud
 constexpr std::size_t kFewestOfCubicMetre = 6;  ///< returns whose scatter is known
 constexpr std::size_t kMostParts = 8;           ///< of a recording, looked at alone
-constexpr double kMostStopped = 0.6;       ///< share of rays: what stops more is a solid object
+constexpr double kMostStopped = 0.6;       ///< share of rays: a cloud that stops more is a solid
+                                           ///< object
 constexpr double kLeastThickness_m = 0.1;  ///< less is a surface
 /// More than one ray in 200, by blocks that agree within a tenth.
 constexpr ModeratedTTest kMoreThanRare{.limit = 0.005, .prior_blocks = 8, .prior_scatter = 0.1};

@@ -125,7 +125,7 @@ std::vector<std::vector<CellIndex>> Clusters(const std::map<CellIndex, CellDiffe
   return clusters;
 }
 
-/// Cells that no ray met take over what the nearest one within reach shows, if that is of a region.
+/// Cells that no ray met take over the nearest cell within reach, if that is of a region.
 void FillGaps(GroundMap* map) {
   std::map<CellIndex, GroundCell> filled;
   for (const auto& [place, cell] : map->cells) {
@@ -175,7 +175,7 @@ void Measure(const GroundMap& map, int index, GroundRegion* region) {
   region->mean_m = region->volume_m3 / region->area_m2;
 }
 
-/// Whether soil cannot stand so: what is higher than simulated has walls, or is higher than the
+/// Whether soil cannot stand so: the part higher than simulated has walls, or is higher than the
 /// steepest cone of soil on its area.
 bool IsObject(const GroundRegion& region) {
   if (region.mean_m < 0) return false;

@@ -60,7 +60,7 @@ std::string NumberText(const UncertainNumber& number, const ReadableUnit& unit) 
   return WithUnit(WithSigma(number.value * unit.factor, number.sigma * unit.factor), unit);
 }
 
-/// ", width 0.121 ± 0.003": all of a cause's numbers; what differs says so.
+/// ", width 0.121 ± 0.003": all of a cause's numbers; differing ones say so.
 std::string PooledText(const SharedCause& cause) {
   std::string text;
   for (const SharedNumber& number : cause.numbers) {

@@ -30,7 +30,7 @@ std::string Paragraph(std::string_view css_class, const std::string& text) {
   return text.empty() ? "" : fmt::format("<p class='{}'>{}</p>\n", css_class, Escaped(text));
 }
 
-/// A section of the first screen: a heading, what it means, a picture, and sentences with the
+/// A section of the first screen: a heading, its meaning, a picture, and sentences with the
 /// evidence.
 std::string Section(std::string_view css_class, const std::string& heading,
                     const std::string& meaning, const std::string& picture,

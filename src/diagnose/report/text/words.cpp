@@ -296,7 +296,7 @@ constexpr MechanismWords kWords[] = {
     {"terrain_height", "height of the ground",
      "Around ({x_m}, {y_m}), within {radius_m}, the ground is {height_m:higher:lower} than in the "
      "scenario."},
-    // Sensors: where they are, what they measure, when they say it was.
+    // Sensors: their places, their measurements, their stamps.
     {"extrinsic", "mount off", "{The} is not mounted where its documentation says, by {numbers}."},
     {"mount_rotation", "turned mount", "{The} is turned against its documented mount: {numbers}."},
     {"axis_flip", "reversed sign", "{The} counts backwards{axes}."},
