@@ -45,8 +45,8 @@ bool IsNear(double found, double factor) {
   return found > 0 && std::abs(std::log(found / factor)) < std::log(kMostUnitRatio);
 }
 
-/// A hint at the unit that, in place of an SI unit, makes numbers too large by a factor; empty
-/// where no such unit is known.
+/// The unit that numbers are probably in if they are `factor` times what they would be in
+/// `si_unit`; empty if none fits.
 std::string UnitBehind(double factor, const std::string& si_unit) {
   const bool is_angle = si_unit.starts_with("rad");
   const std::string rest = si_unit.substr(is_angle ? 3 : std::min<std::size_t>(1, si_unit.size()));

@@ -37,8 +37,8 @@ struct FoundList {
   std::vector<std::vector<Found>> items;
 };
 
-/// The first list among `values`. Mappings above it are patches that address items by index:
-/// {2: {rate_hz: 5}}. Any other value is a fault and returns nullopt.
+/// The first value that is not a mapping; it must be a list. Mappings before it are patches of that
+/// list's items, {index: keys}. If there is no list, adds a fault and returns nullopt.
 std::optional<FoundList> ListAmong(ConfigNode& node, std::string_view key,
                                    const std::vector<Found>& values, const std::string& need) {
   const auto list = std::find_if(values.begin(), values.end(),

@@ -52,7 +52,8 @@ std::vector<Layer> LayersOf(ConfigNode& node, std::string_view key) {
   return layers;
 }
 
-/// The value at a path of keys. Assigning a node would change its target, so the function recurses.
+/// The value at a path of keys. Recursive, since assigning to a YAML::Node overwrites the node that
+/// it refers to: a loop variable would change the document.
 std::optional<YAML::Node> ValueAt(const YAML::Node& map, std::span<const std::string> path) {
   if (path.empty()) return map;
   if (!map.IsMap()) return std::nullopt;

@@ -154,7 +154,8 @@ void TerrainSurface::ForTilesAround(int i, int j, Visit visit) {
 void TerrainSurface::Set(int i, int j, const Vertex& vertex) {
   const Slot slot = SlotOf(i, j);
   if (block_of_[slot.tile] >= 0 && blocks_[block_of_[slot.tile]][slot.local] == vertex) return;
-  // Undisturbed neighbour tiles could not represent a border that is no longer straight.
+  // Tiles that share this vertex are refined too: the edges of a coarse tile are straight, and
+  // could not follow it.
   ForTilesAround(i, j, [&](int a, int b) {
     Refine(a, b);
     ++version_[tile_index(a, b)];

@@ -12,8 +12,8 @@ namespace tera {
 /// Its coordinates may be those of a map.
 ///
 /// Model   units: the scale of Umeyama's similarity, if the residual is below a twentieth of a's
-///         size. Times: a shift that leaves less than a third of the error, and less than shifts of
-///         a second more or less.
+///         size. Times: a shift between GPS time, UTC and TAI that leaves less than a third of the
+///         unshifted error, and less error than shifts one second longer or shorter.
 std::vector<std::string> TrackDoubts(const Trajectory& a, const Trajectory& b, TimeNs max_gap_ns);
 
 }  // namespace tera

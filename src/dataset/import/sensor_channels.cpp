@@ -308,7 +308,8 @@ std::vector<MappedRow> HeldTogether(const std::vector<TablePart>& parts,
   return together;
 }
 
-/// The parts of a table: its own file or topic, and each column with its own topic.
+/// The sources of a table's columns: one for all columns from the table's own file or topic, and
+/// one more for each column that names a topic.
 std::vector<TablePart> ReadTableParts(const ConfigMap& config, const ConfigMap& top,
                                       const Mapping& mapping, std::vector<std::string>* names) {
   std::vector<TablePart> parts;

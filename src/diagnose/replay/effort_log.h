@@ -26,7 +26,8 @@ struct EffortLog {
   /// The rate at the encoder's steps, over the whole time.
   double fine_s = 0;
   std::vector<double> fine_rate_radps;
-  /// Gaussian over the fine steps, odd in number, of sum 1.
+  /// Smoothing weights: a Gaussian sampled at the fine steps, with an odd number of weights that
+  /// sum to 1.
   std::vector<double> kernel;
 
   /// Grid of the comparison: the fine step of each sample, and the quantities there. It has four

@@ -31,9 +31,9 @@ bool IsExplainedAsExpected(const Finding& finding);
 ///
 /// Model   a parameter is beyond its tolerance if 95 % of its posterior lies beyond the nearer end.
 ///         The posterior is normal about the estimate, the tolerance about the scenario's value. A
-///         parameter without a posterior, at a bound of its range or undetermined, never is. A
-///         mechanism whose free parameters all lack a stated tolerance is beyond it if it acts at
-///         all.
+///         parameter has no posterior if it is at a bound of its range or undetermined; it then
+///         never counts as beyond tolerance. A mechanism whose free parameters all lack a stated
+///         tolerance is beyond it if it acts at all.
 bool IsBeyondTolerance(const Finding& finding);
 
 /// Whether a finding is not of practical size, or a hypothesis within tolerance explains as well.

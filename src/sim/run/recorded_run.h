@@ -8,8 +8,8 @@
 
 namespace tera {
 
-/// The scenario of a simulated recording, read from unchanged input files except for `overrides`
-/// (key.path=value), with which the text is resolved anew. Otherwise as LoadRecordedRun.
+/// The scenario of a simulated recording, resolved again from its unchanged input files, with
+/// `overrides` (key.path=value) on top. `moved` and the errors are as in LoadRecordedRun.
 LoadedScenario LoadRecordedScenario(const std::filesystem::path& directory,
                                     const std::vector<std::string>& overrides,
                                     const std::vector<std::string>& moved);

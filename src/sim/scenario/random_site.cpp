@@ -56,7 +56,7 @@ class SitePlanner {
   }
   Spread SpreadAt(const ConfigMap& config, const char* key, const Range& range) const;
   int Count(const ConfigMap& config, const std::string& kind) const;
-  /// One of a list; nothing for an empty list, which is a fault.
+  /// Draws one entry of a list. An empty list is a fault and gives an empty text.
   std::string OneOf(const ConfigMap& config, const char* key, const Stream& stream);
   /// Reserves a free place for a rectangle; a fault and nothing if there is none.
   std::optional<Footprint> Place(const ConfigMap& config, const std::string& kind,

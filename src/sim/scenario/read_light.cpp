@@ -106,7 +106,8 @@ Environment ReadEnvironment(const ConfigMap& config, const SiteOrigin& origin) {
     config.Fault("sun_illuminance_klx", "the sun is below the horizon at that time; leave it out");
   }
   environment.turbidity = config.Number("turbidity", Between(1.5, 10, ""), environment.turbidity);
-  // The default is not written into the resolved scenario, where it would be stated fog.
+  // Read as optional, so that the resolved scenario has no default visibility: written there, it
+  // would be read back as fog that somebody asked for.
   if (const auto visibility_m = config.OptionalNumber("visibility_m", Positive("m"))) {
     environment.fog_visibility_m = environment.weather.visibility_m = *visibility_m;
   }

@@ -12,7 +12,8 @@ namespace tera {
 /// Source  COCO API, `maskApi.h`.
 class RunLengths {
  public:
-  /// Adds `count` inside pixels from pixel `first` on, which is not before the end of the last run.
+  /// Adds `count` inside pixels from `first` on. `first` must be at or after the end of the runs so
+  /// far.
   void Add(std::int64_t first, std::int64_t count);
   /// Number of inside pixels.
   std::int64_t area_px() const { return area_px_; }

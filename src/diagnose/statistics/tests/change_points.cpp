@@ -35,8 +35,9 @@ std::vector<Cell> GatherCells(const Series& innovations, double dof, std::size_t
   return cells;
 }
 
-/// Standard deviation of a score per sample by the scatter of neighbouring cells, at least 1.
-/// Slightly correlated innovations must not look like changes.
+/// Standard deviation of a score per sample, estimated from differences of neighbouring cells; at
+/// least 1, and 1 with fewer than ten differences. Slightly correlated innovations must not look
+/// like changes.
 double Inflation(const std::vector<Cell>& cells, double Cell::*score) {
   std::vector<double> difference;
   const Cell* before = nullptr;
