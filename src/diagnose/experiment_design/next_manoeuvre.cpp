@@ -27,7 +27,7 @@ constexpr double kReturnRest_s = 0.8;
 constexpr double kShortestReturn_s = 0.05;  ///< a shorter way back is not driven
 constexpr double kFirstRest_s = 1;
 constexpr double kClassWeight = 3;  ///< of a pair of a class, over one of a mechanism not seen
-/// Power from which on a set counts as discriminated.
+/// Least power at which an ambiguity set counts as discriminated.
 constexpr double kLeastPower = 0.5;
 constexpr std::size_t kMostKindsListed = 4;  ///< of excitations, in a description
 /// Commanded manoeuvres of TRAIN with SELECT, and of FINAL, up to which steps are added: about
@@ -239,8 +239,8 @@ void Designer::GoToMiddle(const AxisRange& range) {
   length_s_ += back.length_s;
 }
 
-/// Appends an excitation to the run: as it is, mirrored, or after moves to the middle, whichever
-/// stays within the ranges. Appends nothing where none does.
+/// Tries an excitation as it is, then mirrored, then after moves to the middle of the ranges.
+/// Appends the first that stays within the ranges. If none does, only those moves are appended.
 void Designer::Drive(const Excitation& excitation, const AmbiguousAxis& axis) {
   const auto predicted = [&](const Excitation& one) {
     return PredictRun(found_, one.moves, one.length_s, at_rad_, {options_.step_s, options_.step_s});

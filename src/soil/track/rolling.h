@@ -31,7 +31,8 @@ struct Rolling {
   double rolled = 0;  ///< -1 to 1: contact's length, forwards, or further
   double aside = 0;   ///< -1 to 1: of its way, to the left
 
-  /// Share of the sinkage that bears under a wheel whose lowest point is `deep_m` deep.
+  /// Share of the sinkage `deep_m` of a wheel's lowest point that still bears load; what slip and
+  /// skid have dug bears nothing.
   double BearingShare(const SoilType& soil, double grouser_m, double deep_m) const;
   /// A place on its rim, `pen_m` in ground that has been pressed in by `pressed_m`.
   struct Place {
