@@ -60,7 +60,8 @@ std::string NumberText(const UncertainNumber& number, const ReadableUnit& unit) 
   return WithUnit(WithSigma(number.value * unit.factor, number.sigma * unit.factor), unit);
 }
 
-/// ", width 0.121 ± 0.003": all of a cause's numbers; differing ones say so.
+/// ", width 0.121 ± 0.003": a cause's pooled numbers. A number that differs between recordings is
+/// followed by its spread and p.
 std::string PooledText(const SharedCause& cause) {
   std::string text;
   for (const SharedNumber& number : cause.numbers) {
