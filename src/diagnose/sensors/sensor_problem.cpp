@@ -361,8 +361,9 @@ void Builder::AddReceiver(std::size_t sensor, const KinematicChain& chain) {
   if (!track.t_s.empty()) rough_.antennas.push_back(std::move(track));
 }
 
-/// Adds a reflection where encoders measure the part's posture, and inertial units or poses its
-/// heading. By antennas alone their noise would seem to be a reflection.
+/// Adds the reflection of a raised part next to an antenna. All joints of that part must have
+/// encoders, and an inertial unit or poses must give its direction: with antennas alone, their
+/// noise would pass for a reflection.
 void Builder::AddReflection(const SensorDescription& receiver, ReceiverChannel* channel) {
   if (motion().imus.empty() && measured_.poses.empty()) return;
   const auto part = RaisedPartOf(model(), model().LinkIndex(receiver.link), places_);
