@@ -33,6 +33,7 @@ std::vector<Verdict> VerdictsOf(const Diagnosis& diagnosis) {
       untestable = untestable || !candidate.smallest;
     }
   }
+  unexplained = unexplained || !UnexplainedOfSensors(diagnosis).empty();
   judged = judged || !diagnosis.sensors.estimate.channels.empty();
   untestable = untestable || !diagnosis.sensors.estimate.untestable.empty();
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {

@@ -18,6 +18,8 @@ constexpr int kUnweightedIterations = 2;  ///< of a first estimate
 /// Power of a rate over that of its error, from which on it stands out.
 constexpr double kStandsOut = 30;
 constexpr double kSettled = 0.02;  ///< change of parameters over what is small
+/// Factors of a delay's step where it turns back, and where it goes on.
+constexpr double kTurnsBack = 0.5, kGoesOn = 1.5;
 
 /// One segment linearised about a motion.
 struct LinearisedSegment {
@@ -210,7 +212,8 @@ class DelaySteps {
   void Damp(Eigen::VectorXd* step) {
     for (std::size_t k = 0; k < delays_.size(); ++k) {
       double& own_s = (*step)[delays_[k]];
-      share_[k] = own_s * last_s_[k] < 0 ? 0.5 * share_[k] : std::min(1.0, 1.5 * share_[k]);
+      share_[k] =
+          own_s * last_s_[k] < 0 ? kTurnsBack * share_[k] : std::min(1.0, kGoesOn * share_[k]);
       last_s_[k] = own_s;
       own_s *= share_[k];
     }

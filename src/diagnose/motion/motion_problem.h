@@ -66,7 +66,7 @@ struct Observation {
   int channel = 0;
   double from_s = 0, to_s = 0;
   Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
-  double share = 1;  ///< of its time in the usual one, to which the noise belongs
+  double share = 1;  ///< samples of its mean over those of a whole window
   /// 1 sigma of what the model leaves out of each number.
   Eigen::Matrix<double, 6, 1> model_error = Eigen::Matrix<double, 6, 1>::Zero();
 };

@@ -45,6 +45,11 @@ bool IsStill(const std::vector<GearTrack>& gears, const std::vector<double>& res
   return true;
 }
 
+/// Whether nothing is missing between two windows.
+bool Follows(const ImuWindow& one, const ImuWindow& next) {
+  return next.from_ns - one.to_ns < (next.to_ns - next.from_ns) / 2;
+}
+
 void SetModelError(std::vector<ImuWindow>* windows) {
   const std::size_t count = windows->size();
   if (count < 3) return;
@@ -55,7 +60,9 @@ void SetModelError(std::vector<ImuWindow>* windows) {
       value[k] = i < 3 ? window.w_S_radps[i] : window.f_S_mps2[i - 3];
     }
     for (std::size_t k = 1; k + 1 < count; ++k) {
-      second[k] = value[k - 1] - 2 * value[k] + value[k + 1];
+      const bool follow =
+          Follows((*windows)[k - 1], (*windows)[k]) && Follows((*windows)[k], (*windows)[k + 1]);
+      second[k] = follow ? value[k - 1] - 2 * value[k] + value[k + 1] : 0;
     }
     const double usual = kUsualSecond * RobustScale(second);
     for (std::size_t k = 0; k < count; ++k) {

@@ -27,7 +27,7 @@ TimeNs UsualPeriod_ns(const std::vector<TimeNs>& t_ns);
 /// Model   model error is a quarter of the excess of the means' largest second difference around a
 ///         window over three of its robust deviations. A blow of turning shows by half in the rates
 ///         of two windows, but in the forces of one. Rates and forces then disagree by a quarter of
-///         the forces' second difference.
+///         the forces' second difference. Windows next to a lost row have none.
 /// Omits   the effect of jittering stamps on slopes.
 std::vector<ImuWindow> WindowsOf(const std::vector<ImuSample>& samples, double longest_s,
                                  const std::function<int(TimeNs)>& segment_of);

@@ -177,15 +177,16 @@ std::vector<EstimatedMotion> MotionOf(const MotionProblem& problem,
   for (std::size_t s = 0; s < problem.segments.size(); ++s) {
     const MotionSegment& segment = problem.segments[s];
     if (segment.observations.empty()) continue;
-    double from_s = segment.spline.end_s(), to_s = 0;
+    const double end_s = segment.spline.end_s(), shift_s = estimate.motion[s].shift_s;
+    double from_s = end_s, to_s = 0;
     for (const Observation& observation : segment.observations) {
-      from_s = std::min(from_s, std::max(0.0, observation.from_s));
-      to_s = std::max(to_s, std::min(segment.spline.end_s(), observation.to_s));
+      from_s = std::min(from_s, std::max(0.0, observation.from_s + shift_s));
+      to_s = std::max(to_s, std::min(end_s, observation.to_s + shift_s));
     }
     EstimatedMotion one;
-    one.spline_start_ns = segment.start_ns - FromSeconds(estimate.motion[s].shift_s);
-    one.start_ns = segment.start_ns + FromSeconds(from_s);
-    one.end_ns = segment.start_ns + FromSeconds(to_s);
+    one.spline_start_ns = segment.start_ns - FromSeconds(shift_s);
+    one.start_ns = one.spline_start_ns + FromSeconds(from_s);
+    one.end_ns = one.spline_start_ns + FromSeconds(to_s);
     one.spline = segment.spline;
     one.coefficients = estimate.motion[s].coefficients;
     motion.push_back(std::move(one));

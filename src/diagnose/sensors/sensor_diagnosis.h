@@ -31,7 +31,8 @@ struct SensorFinding : TargetMechanism {
   std::vector<TargetMechanism> rivals;  ///< not told apart from it
 };
 
-/// One measured number over the whole recording.
+/// One measured number over the whole recording. Its residuals count over the scale that noise and
+/// the motion's model error have together, times the noise: a blow weighs little.
 struct ChannelError {
   std::string name, unit;
   double noise = 0, inflation = 1;

@@ -311,7 +311,9 @@ void Builder::AddUnits() {
       value << window.w_S_radps, window.f_S_mps2;
       Observation* seen = Observe(ObservationKind::kImu, motion().imus.size() - 1, window.from_ns,
                                   window.to_ns, value);
-      if (seen) seen->share = window.share, seen->model_error = window.model_error;
+      if (!seen) continue;
+      seen->share = window.share;
+      seen->model_error = window.model_error;
     }
   }
 }

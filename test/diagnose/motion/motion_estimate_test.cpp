@@ -124,6 +124,74 @@ TEST(EstimateMotion, IntegratesOutWhatWandersFromSegmentToSegment) {
   EXPECT_NEAR(estimate.parameters[0], 0.07, 1e-3);
 }
 
+/// Two encoders whose stamps are late by these times, as parameters.
+MotionProblem LateEncoders(double first_s, double second_s) {
+  MotionProblem problem = TwoEncoders(3, 0, 0);
+  const Stream draw(2, "late");
+  for (std::size_t s = 0; s < 3; ++s) {
+    std::uint64_t k = 0;
+    for (Observation& seen : problem.segments[s].observations) {
+      const double late_s = seen.channel == 0 ? first_s : second_s;
+      seen.value[0] = Angle(static_cast<int>(s), seen.from_s - late_s) +
+                      0.1 * kSigma[seen.channel] * draw.Gaussian(k++, static_cast<int>(s));
+    }
+  }
+  problem.axes[0].late = 0;
+  problem.axes[1] = {.late = 1, .noise = 1};
+  problem.parameters = 2;
+  problem.wander = Eigen::VectorXd::Zero(2);
+  problem.delays = {0, 1};
+  return problem;
+}
+
+ParameterPrior PriorOfDelays(double first_s, double second_s) {
+  const Eigen::Vector2d far = Eigen::Vector2d::Constant(kMotionEstimateInfinity);
+  return {Eigen::Vector2d(first_s, second_s), Eigen::Vector2d(1, 1), -far, far};
+}
+
+// Encoders alone do not reveal a delay of both. The prior divides their difference equally.
+TEST(EstimateMotion, FindsByHowMuchOneIsLaterThanTheOther) {
+  const MotionEstimate estimate = Estimated(LateEncoders(0.2, 0.3), PriorOfDelays(0, 0), false);
+  // An angle of 0.5 sin 1.3 t has a rate of 0.46 rad/s in quadratic mean.
+  const double sigma_s = 0.1 * std::sqrt(kVariance / 1500) / 0.46;
+  EXPECT_NEAR(estimate.parameters[1] - estimate.parameters[0], 0.1, 5 * sigma_s);
+  EXPECT_NEAR(estimate.parameters[1] + estimate.parameters[0], 0, 1e-3);
+}
+
+// If all channels are later by a time, the same motion is earlier by it.
+TEST(EstimateMotion, WithAllDelaysLargerHasTheSameResiduals) {
+  const MotionProblem problem = LateEncoders(0.2, 0.3);
+  const MotionEstimate first = Estimated(problem, PriorOfDelays(0.2, 0.3), false);
+  MotionEstimate later = first;
+  SetParameters(problem.delays, first.parameters + Eigen::Vector2d(0.25, 0.25), &later);
+  const EstimateOptions once{.most_iterations = 0, .estimates_noise = false};
+  const MotionEstimate a = EstimateMotion(problem, PriorOfDelays(0.2, 0.3), first, once),
+                       b = EstimateMotion(problem, PriorOfDelays(0.45, 0.55), later, once);
+  for (std::size_t c = 0; c < 2; ++c) {
+    for (std::size_t s = 0; s < 3; ++s) {
+      const auto &x = a.residuals[c].by_segment[s], &y = b.residuals[c].by_segment[s];
+      ASSERT_EQ(x.size(), y.size());
+      for (std::size_t k = 0; k < x.size(); ++k) EXPECT_NEAR(x[k], y[k], 1e-9);
+    }
+  }
+  EXPECT_GT(a.residuals[0].by_segment[0].size(), 400u);
+}
+
+// A mean over half of the usual time has twice the variance, and so has a model error of one sigma.
+TEST(EstimateMotion, WeighsByShareAndModelError) {
+  const double whole =
+      Estimated(TwoEncoders(1, 0.01, 0), Prior(10), false).quadratics[0].information(0, 0);
+  MotionProblem half = TwoEncoders(1, 0.01, 0), blurred = half;
+  for (Observation& seen : half.segments[0].observations) seen.share = 0.5;
+  for (Observation& seen : blurred.segments[0].observations) {
+    seen.model_error[0] = kSigma[seen.channel];
+  }
+  for (const MotionProblem& problem : {half, blurred}) {
+    const MotionEstimate estimate = Estimated(problem, Prior(10), false);
+    EXPECT_NEAR(estimate.quadratics[0].information(0, 0), whole / 2, 2e-3 * whole);
+  }
+}
+
 TEST(EstimateMotion, IsTheSameWithOneThreadAndTwo) {
   const MotionProblem problem = TwoEncoders(3, 1, 0.07);
   const MotionEstimate start = StartingEstimate(problem, Prior(1));

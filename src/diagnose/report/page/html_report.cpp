@@ -92,16 +92,7 @@ std::string SectionOf(const UnexplainedInBlock& entry) {
 
 /// Section on sensors that disagree for no known reason.
 std::string SectionOf(const std::vector<const ChannelError*>& left) {
-  std::vector<std::string> errors;
-  for (const ChannelError* channel : left) {
-    errors.push_back(fmt::format("{} {} (noise {})", QuantityOf(channel->name),
-                                 Readable(channel->rms_after, channel->unit),
-                                 Readable(channel->noise, channel->unit)));
-  }
-  return Section(
-      "unexplained", "Sensors that do not agree",
-      fmt::format("Error is left that no number of a sensor explains: {}.", Listed(errors)), "",
-      {});
+  return Section("unexplained", "Sensors that do not agree", SentenceOfUnexplained(left), "", {});
 }
 
 /// Undetectable mechanisms of each block.

@@ -51,6 +51,17 @@ std::string SentenceOf(const SensorFound& found) {
       alike.empty() ? "" : "; not told apart from: " + Listed(alike), ErrorText(found));
 }
 
+std::string SentenceOfUnexplained(const std::vector<const ChannelError*>& left) {
+  if (left.empty()) return "";
+  std::vector<std::string> errors;
+  for (const ChannelError* channel : left) {
+    errors.push_back(fmt::format("{} {} (noise {})", QuantityOf(channel->name),
+                                 Readable(channel->rms_after, channel->unit),
+                                 Readable(channel->noise, channel->unit)));
+  }
+  return fmt::format("Error is left that no number of a sensor explains: {}.", Listed(errors));
+}
+
 std::vector<std::string> OtherSensorSentences(const DiagnosedSensors& sensors) {
   std::vector<std::string> sentences, within;
   for (const SensorFound& found : sensors.within_tolerance) within.push_back(TextOf(found));

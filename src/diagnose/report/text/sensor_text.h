@@ -16,6 +16,10 @@ std::vector<std::string> ComparedSensors(const DiagnosedSensors& sensors);
 /// "Bias x 0.1 ± 0.02 m/s² of the imu, beyond tolerance (..)."
 std::string SentenceOf(const SensorFound& found);
 
+/// "Error is left that no number of a sensor explains: imu bucket turn about y 0.11 rad/s (noise
+/// 0.007 rad/s)."; empty without such errors.
+std::string SentenceOfUnexplained(const std::vector<const ChannelError*>& left);
+
 /// Sentences on significant findings within tolerance, on indistinguishable ones, and on sensors
 /// that were not compared, with the reason.
 std::vector<std::string> OtherSensorSentences(const DiagnosedSensors& sensors);

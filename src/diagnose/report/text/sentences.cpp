@@ -105,6 +105,9 @@ std::string UnexplainedText(const Diagnosis& diagnosis) {
   for (const auto& [diagnosed, unexplained] : RankedUnexplained(diagnosis)) {
     quantities.push_back(QuantityOf(diagnosed->block.channels[unexplained->location.channel].name));
   }
+  for (const ChannelError* left : UnexplainedOfSensors(diagnosis)) {
+    quantities.push_back(QuantityOf(left->name));
+  }
   return quantities.empty() ? "" : fmt::format(" Unexplained: {}.", Listed(quantities));
 }
 
@@ -222,6 +225,7 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
   for (const SensorFound& found : diagnosis.sensors.findings) {
     say(SentenceOf(found));
   }
+  say(SentenceOfUnexplained(UnexplainedOfSensors(diagnosis)));
   const std::vector<std::string> seen = PerceptionSentences(diagnosis.perception);
   const bool is_seen =
       std::any_of(diagnosis.perception.begin(), diagnosis.perception.end(),

@@ -286,6 +286,26 @@ TEST(Sentence, OfNothingTellsWhatSensorsWereCompared) {
               StartsWith("Nothing found: imu and poses agree with each other."));
 }
 
+TEST(Sentence, OfASensorWhoseErrorNoNumberExplainsDoesNotSayThatItAgrees) {
+  Diagnosis diagnosis;
+  diagnosis.sensors.estimate.channels = {
+      {.name = "m/imu_arm/wy_radps", .unit = "rad/s", .noise = 0.007, .differences = 0.006},
+      {.name = "m/imu_bucket/wy_radps",
+       .unit = "rad/s",
+       .noise = 0.007,
+       .differences = 0.006,
+       .motion = 0.5,
+       .tolerance = 0.002,
+       .rms_after = 0.11}};
+  EXPECT_THAT(VerdictsOf(diagnosis), ::testing::ElementsAre(Verdict::kUnexplained));
+  EXPECT_THAT(SummaryOf(diagnosis),
+              ::testing::StartsWith("In short: nothing named. Unexplained: imu bucket"));
+  const std::vector<std::string> sentences = SentencesOf(diagnosis);
+  EXPECT_THAT(sentences,
+              ::testing::Contains(::testing::HasSubstr("no number of a sensor explains")));
+  EXPECT_THAT(sentences, ::testing::Not(::testing::Contains(::testing::HasSubstr("agree with"))));
+}
+
 TEST(Sentence, OfMissingInputComesFirst) {
   Diagnosis diagnosis = Of(BoomWithDeadBand());
   diagnosis.missing_input = {{"excavator1/encoders/arm_radps", "arm", 0.61, false}};
