@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "campaign/plan/rule_check.h"
@@ -78,29 +79,43 @@ std::string ScenarioDigest(const Campaign& campaign, const std::vector<std::stri
   return Sha256Of(text);
 }
 
-/// Digest of the scenario under a level of a factor and the first values of all others.
-std::string LevelDigest(const Campaign& campaign, const DesignFactor& varied,
-                        const std::string& level) {
+std::vector<std::string> OverridesOf(const std::vector<SetValue>& values) {
   std::vector<std::string> overrides;
-  for (const DesignFactor& factor : campaign.factors) {
-    const std::string first =
-        factor.levels.empty() ? fmt::format("{}", factor.least) : factor.levels.front();
-    overrides.push_back(factor.key + "=" + (&factor == &varied ? level : first));
-  }
-  return ScenarioDigest(campaign, overrides);
+  for (const SetValue& value : values) overrides.push_back(value.key + "=" + value.yaml);
+  return overrides;
 }
 
 bool MayNameFile(const std::string& level) {
   return level.find_first_of("./") != std::string::npos && !ParseFinite(level);
 }
 
-std::map<std::string, std::string> LevelDigests(const Campaign& campaign) {
-  std::map<std::string, std::string> digests;
+/// The first episode, up to `last`, of each "key=level" that may name files.
+std::map<std::string, int> FirstEpisodes(const Campaign& campaign, int last) {
+  std::set<std::string> wanted;
   for (const DesignFactor& factor : campaign.factors) {
     for (const std::string& level : factor.levels) {
-      if (!MayNameFile(level)) continue;
-      digests[factor.key + "=" + level] = LevelDigest(campaign, factor, level);
+      if (MayNameFile(level)) wanted.insert(factor.key + "=" + level);
     }
+  }
+  std::map<std::string, int> first;
+  for (int number = 0; number <= last && first.size() < wanted.size(); ++number) {
+    for (const std::string& level : OverridesOf(DesignPoint(campaign, number))) {
+      if (wanted.contains(level)) first.try_emplace(level, number);
+    }
+  }
+  return first;
+}
+
+/// Digest of the scenario under the values of an episode, before randomise: draws.
+std::string PointDigest(const Campaign& campaign, int number) {
+  return ScenarioDigest(campaign, OverridesOf(DesignPoint(campaign, number)));
+}
+
+/// By the first episode of each level: other values may not fit it.
+std::map<std::string, std::string> LevelDigests(const Campaign& campaign) {
+  std::map<std::string, std::string> digests;
+  for (const auto& [level, number] : FirstEpisodes(campaign, campaign.episodes - 1)) {
+    digests[level] = PointDigest(campaign, number);
   }
   return digests;
 }
@@ -261,13 +276,16 @@ void RequireSameScenario(const Plan& plan, int number) {
   if (Fingerprint(plan.campaign, text, plan.level_digests) != plan.fingerprint) {
     fail(plan.campaign.scenario.string(), "is another scenario, or has other inputs,");
   }
+  if (plan.level_digests.empty()) return;
+  const std::map<std::string, int> first = FirstEpisodes(plan.campaign, number);
   const std::vector<SetValue> values = DesignPoint(plan.campaign, number);
   for (std::size_t f = 0; f < values.size(); ++f) {
-    const DesignFactor& factor = plan.campaign.factors[f];
-    const auto planned = plan.level_digests.find(factor.key + "=" + values[f].yaml);
+    const std::string level = values[f].key + "=" + values[f].yaml;
+    const auto planned = plan.level_digests.find(level);
     if (planned == plan.level_digests.end()) continue;
-    if (LevelDigest(plan.campaign, factor, values[f].yaml) == planned->second) continue;
-    fail(factor.place, fmt::format("level {} names files that are others", values[f].yaml));
+    if (PointDigest(plan.campaign, first.at(level)) == planned->second) continue;
+    fail(plan.campaign.factors[f].place,
+         fmt::format("level {} names files that are others", values[f].yaml));
   }
 }
 
@@ -280,8 +298,8 @@ std::uint64_t EpisodeSeed(const Campaign& campaign, int number, int draw) {
 LoadedScenario EpisodeScenario(const Campaign& campaign, int number, int draw) {
   std::vector<std::string> overrides;
   if (!campaign.randomise.empty()) overrides.push_back("randomise=" + campaign.randomise);
-  for (const SetValue& value : DesignPoint(campaign, number)) {
-    overrides.push_back(value.key + "=" + value.yaml);
+  for (std::string& value : OverridesOf(DesignPoint(campaign, number))) {
+    overrides.push_back(std::move(value));
   }
   overrides.push_back(fmt::format("seed={}", EpisodeSeed(campaign, number, draw)));
   return LoadUnder(campaign, overrides);

@@ -97,6 +97,24 @@ TEST(Plan, AChangedFileThatALevelNamesMakesAnotherCampaign) {
   EXPECT_THAT([&] { MakePlan(campaign, out); }, ThrowsFault(FaultKind::kInconsistent, "out"));
 }
 
+// Sobol's first point, 1/2 in each dimension, has the second of two levels of each factor.
+TEST(Plan, ALevelThatFitsNoFirstValuesIsPlannedInItsOwnEpisode) {
+  WriteWholeFile(OwnFolder() / "boom.yaml", R"(sensors: [{name: imu, link: boom, rate_hz: 50,
+    preset: tera:config/sensors/xsens_mti_670.yaml}])");
+  WriteWholeFile(OwnFolder() / "none.yaml", "sensors: []\n");
+  const Plan plan = MakePlan(
+      WriteCampaign("name: rigs\nscenario: resting.yaml\ndesign: sobol\nepisodes: 1\nfactors:\n"
+                    "  - {key: 'machines[0].machine', levels: [tera:config/machines/warthog.yaml, "
+                    "tera:config/machines/excavator20t.yaml]}\n"
+                    "  - {key: 'machines[0].rig', levels: [none.yaml, boom.yaml]}\n"),
+      OwnFolder() / "out");
+  RequireSameScenario(plan, 0);
+  EXPECT_EQ(plan.level_digests.size(), 2u);
+  WriteWholeFile(OwnFolder() / "boom.yaml", "sensors: []\n");
+  EXPECT_THAT([&] { RequireSameScenario(plan, 0); },
+              ThrowsFault(FaultKind::kInconsistent, "factors[0].key"));
+}
+
 // RFC 4180: a field with a comma or a quote stands in quotes, its own quotes doubled.
 TEST(Plan, ItsTableQuotesFields) {
   MakePlan(WriteCampaign("name: q\nscenario: resting.yaml\nfactors: [{key: name, levels: "
