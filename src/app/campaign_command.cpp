@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -6,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/arguments/argument_checks.h"
@@ -45,7 +47,29 @@ void PrintState(const Plan& plan, const CampaignState& state) {
   if (!state.failed.empty() || !state.missing.empty()) throw CLI::RuntimeError(kNotAllDone);
 }
 
-enum class Engine { kPool, kSlurm, kSsh, kKubernetes };
+enum class Engine { kPool, kSlurm, kSsh, kKubernetes, kOneEpisode };
+
+std::string EngineName(Engine engine) {
+  switch (engine) {
+    case Engine::kPool:
+      return "a run on this computer";
+    case Engine::kSlurm:
+      return "--on slurm";
+    case Engine::kSsh:
+      return "--on ssh";
+    case Engine::kKubernetes:
+      return "--on kubernetes";
+    case Engine::kOneEpisode:
+      return "--index";
+  }
+  return "";
+}
+
+/// An option that some engines alone have.
+struct EngineOption {
+  CLI::Option* option = nullptr;
+  std::vector<Engine> engines;
+};
 
 struct RunArguments {
   std::filesystem::path folder;
@@ -57,7 +81,22 @@ struct RunArguments {
   std::filesystem::path hosts;
   SlurmOptions slurm;
   std::string image, volume;  ///< the volume as CLAIM:PATH
+  std::vector<EngineOption> of_engines;
 };
+
+void RequireOwnOptions(const RunArguments& arguments, Engine engine) {
+  std::vector<InputFault> faults;
+  for (const EngineOption& own : arguments.of_engines) {
+    if (own.option->count() == 0 || std::ranges::count(own.engines, engine) > 0) continue;
+    std::vector<std::string> names;
+    for (const Engine other : own.engines) names.push_back(EngineName(other));
+    faults.emplace_back(FaultKind::kInconsistent,
+                        fmt::format("is an option of {}, not of {}; leave it out",
+                                    fmt::join(names, ", "), EngineName(engine)),
+                        own.option->get_name());
+  }
+  if (!faults.empty()) throw InputError(std::move(faults));
+}
 
 WorkerCommand WorkerOf(const RunArguments& arguments) {
   WorkerCommand worker{std::filesystem::read_symlink("/proc/self/exe"),
@@ -101,9 +140,14 @@ void WriteKubernetesJob(const Plan& plan, const RunArguments& arguments) {
 }
 
 void RunRun(const RunArguments& arguments) {
+  RequireOwnOptions(arguments, arguments.index ? Engine::kOneEpisode : arguments.engine);
   const Plan plan = LoadPlan(arguments.folder);
   if (arguments.index) {
-    return RunEpisode(plan, *arguments.index, {arguments.threads, arguments.egl});
+    if (!RunEpisode(plan, *arguments.index, {arguments.threads, arguments.egl})) {
+      fmt::print(stderr, "episode {} is left to another worker, which is making it\n",
+                 *arguments.index);
+    }
+    return;
   }
   switch (arguments.engine) {
     case Engine::kSlurm:
@@ -118,6 +162,7 @@ void RunRun(const RunArguments& arguments) {
     case Engine::kKubernetes:
       return WriteKubernetesJob(plan, arguments);
     case Engine::kPool:
+    case Engine::kOneEpisode:
       break;
   }
   const int fill = std::max(1, HostOptions().threads / arguments.threads);
@@ -129,30 +174,48 @@ void RunRun(const RunArguments& arguments) {
 void AddEngineOptions(CLI::App* command, RunArguments* arguments) {
   constexpr int kMost = 10'000'000;
   SlurmOptions* const slurm = &arguments->slurm;
-  command
-      ->add_option("--on", arguments->engine,
-                   "slurm: by job arrays; ssh: by GNU parallel; kubernetes: write an indexed Job")
+  const auto of = [&](std::vector<Engine> engines, CLI::Option* option) {
+    arguments->of_engines.push_back({option, std::move(engines)});
+    return option;
+  };
+  of({Engine::kSlurm, Engine::kSsh, Engine::kKubernetes},
+     command->add_option("--on", arguments->engine,
+                         "slurm: by job arrays; ssh: by GNU parallel; kubernetes: write an "
+                         "indexed Job"))
       ->transform(OneOf<Engine>(
           {{"slurm", Engine::kSlurm}, {"ssh", Engine::kSsh}, {"kubernetes", Engine::kKubernetes}}));
-  command->add_option("--memory-mb", arguments->memory_mb, "slurm, kubernetes: memory of a task")
+  of({Engine::kPool, Engine::kSsh, Engine::kKubernetes},
+     command->add_option("--processes", arguments->processes,
+                         "Most episodes at once; as many as there are cores"))
+      ->check(WholeNumberBetween(1, 4096));
+  of({Engine::kSlurm, Engine::kKubernetes},
+     command->add_option("--memory-mb", arguments->memory_mb,
+                         "slurm, kubernetes: memory of a task"))
       ->check(WholeNumberBetween(1, kMost));
-  command->add_option("--per-task", slurm->per_task, "slurm: episodes of a task (5 min of them)")
+  of({Engine::kSlurm}, command->add_option("--per-task", slurm->per_task,
+                                           "slurm: episodes of a task (5 min of them)"))
       ->check(WholeNumberBetween(1, kMost));
-  command->add_option("--minutes", slurm->minutes, "slurm: time limit of a task")
+  of({Engine::kSlurm},
+     command->add_option("--minutes", slurm->minutes, "slurm: time limit of a task"))
       ->check(WholeNumberBetween(1, kMost));
-  command
-      ->add_option("--tries", slurm->tries,
-                   "slurm: times in a row that arrays may end without an episode (3)")
+  of({Engine::kSlurm},
+     command->add_option("--tries", slurm->tries,
+                         "slurm: times in a row that arrays may end without an episode (3)"))
       ->check(WholeNumberBetween(1, 100));
-  command->add_option("--poll", slurm->poll_s, "slurm: seconds between questions (30)")
+  of({Engine::kSlurm},
+     command->add_option("--poll", slurm->poll_s, "slurm: seconds between questions (30)"))
       ->check(PositiveNumber("seconds"));
-  command->add_option("--sbatch", slurm->arguments,
-                      "slurm: further options of sbatch, \"--partition=sim --qos=low\"");
-  command->add_option("--hosts", arguments->hosts, "ssh: file of hosts, as --sshloginfile has it")
+  of({Engine::kSlurm},
+     command->add_option("--sbatch", slurm->arguments,
+                         "slurm: further options of sbatch, \"--partition=sim --qos=low\""));
+  of({Engine::kSsh}, command->add_option("--hosts", arguments->hosts,
+                                         "ssh: file of hosts, as --sshloginfile has it"))
       ->check(CLI::ExistingFile);
-  command->add_option("--image", arguments->image, "kubernetes: image of a container with tera");
-  command->add_option("--volume", arguments->volume,
-                      "kubernetes: CLAIM:PATH, the shared volume that holds DIR");
+  of({Engine::kKubernetes}, command->add_option("--image", arguments->image,
+                                                "kubernetes: image of a container with tera"));
+  of({Engine::kKubernetes},
+     command->add_option("--volume", arguments->volume,
+                         "kubernetes: CLAIM:PATH, the shared volume that holds DIR"));
 }
 
 void AddFolder(CLI::App* command, std::filesystem::path* folder) {
@@ -180,10 +243,6 @@ void AddRunVerb(CLI::App* app) {
   AddFolder(command, &arguments->folder);
   command->add_option("--index", arguments->index, "Make this episode alone, in this process")
       ->check(WholeNumberFrom0());
-  command
-      ->add_option("--processes", arguments->processes,
-                   "Most episodes at once; as many as there are cores")
-      ->check(WholeNumberBetween(1, 4096));
   command->add_option("--threads", arguments->threads, "Threads of each episode (1)")
       ->check(WholeNumberBetween(1, 256));
   command->add_option("--egl-device", arguments->egl.device, "GPU to render with, as for generate")

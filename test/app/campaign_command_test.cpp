@@ -10,6 +10,7 @@
 #include "app/program.h"
 #include "app/refused.h"
 #include "campaign/campaign_files.h"
+#include "core/faults.h"
 #include "dataset/files/file_digest.h"
 #include "dataset/files/folder_lock.h"
 #include "dataset/files/tiny_disk.h"
@@ -119,10 +120,10 @@ TEST_F(CampaignCommand, ParallelMakesWhatThePoolMakes) {
   WriteWholeFile(scratch_.path() / "hosts", "2/:\n");  // this computer, two at once
   Plan("pool");
   EXPECT_EQ(Tera({"campaign", "run", "pool"}).status, 0);
-  Plan("ssh");
-  const Outcome run = Tera({"campaign", "run", "ssh", "--on", "ssh", "--hosts", "hosts"});
+  Plan("over ssh");  // parallel has a shell read its words again
+  const Outcome run = Tera({"campaign", "run", "over ssh", "--on", "ssh", "--hosts", "hosts"});
   EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_EQ(Bytes("ssh"), Bytes("pool"));
+  EXPECT_EQ(Bytes("over ssh"), Bytes("pool"));
 }
 
 TEST_F(CampaignCommand, AnEngineThatLacksWhatItNeedsIsRefused) {
@@ -133,6 +134,20 @@ TEST_F(CampaignCommand, AnEngineThatLacksWhatItNeedsIsRefused) {
                             "--volume", "sites:" + scratch_.path().string()});
   EXPECT_EQ(job.status, 0) << job.err;
   EXPECT_TRUE(fs::exists(scratch_.path() / "six/kubernetes.yaml"));
+}
+
+TEST_F(CampaignCommand, AnOptionOfAnotherEngineIsRefused) {
+  Plan("six");
+  const auto expect_refused = [&](Arguments arguments, const std::string& option) {
+    arguments.insert(arguments.begin(), {"campaign", "run", "six"});
+    ExpectRefused(scratch_, arguments, TellsOf(option));
+  };
+  expect_refused({"--memory-mb", "2000"}, "--memory-mb");
+  expect_refused({"--index", "0", "--processes", "2"}, "--processes");
+  expect_refused({"--index", "0", "--on", "slurm"}, "--on");
+  expect_refused({"--on", "slurm", "--processes", "2"}, "--processes");
+  expect_refused({"--on", "kubernetes", "--minutes", "5"}, "--minutes");
+  expect_refused({"--on", "ssh", "--hosts", "six.yaml", "--image", "a"}, "--image");
 }
 
 TEST_F(CampaignCommand, AFolderThatIsNoCampaignIsRefused) {

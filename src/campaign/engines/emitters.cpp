@@ -48,20 +48,24 @@ std::string Indented(const std::string& text, const std::string& indent) {
 std::string WorkerScript(const Plan& plan, const WorkerCommand& worker) {
   std::string arguments;
   for (const std::string& word : worker.arguments) arguments += " " + ShellWord(word);
+  std::string crashes;  // statuses of a shell
+  for (const int signal : kCrashSignals) {
+    crashes += fmt::format("{}{}", crashes.empty() ? "" : "|", 128 + signal);
+  }
   return fmt::format(R"(status=0
 for number; do
   {} campaign run {} --index "$number"{}; ended=$?
   failure={}/$(printf %06d "$number").yaml
-  if [ $ended -ge 128 ] && [ $ended -ne {} ] && [ $ended -ne {} ]; then
+  case $ended in {})
     printf 'reason: bug\nmessage: "crashed by signal %d"\n' $((ended - 128)) > "$failure.part"
     mv "$failure.part" "$failure"
-  fi
+  esac
   [ $ended -eq 0 ] || [ -e "$failure" ] || status=1
 done
 exit $status
 )",
                      ShellWord(worker.program), ShellWord(plan.folder), arguments,
-                     ShellWord(plan.folder / "failed"), 128 + SIGKILL, 128 + SIGTERM);
+                     ShellWord(plan.folder / "failed"), crashes);
 }
 
 CampaignState RunOverSsh(const Plan& plan, const SshOptions& options) {
@@ -75,7 +79,8 @@ CampaignState RunOverSsh(const Plan& plan, const SshOptions& options) {
                                       ShellWord(plan.folder / "logs/parallel.tsv"));
   if (options.processes) arguments += fmt::format(" --jobs {}", *options.processes);
   std::signal(SIGCHLD, SIG_DFL);  // a parent that ignores it would leave nothing to wait for
-  ChildProcess parallel("parallel", arguments + " sh " + ShellWord(script),
+  // parallel joins its words to one line, which a shell reads again.
+  ChildProcess parallel("parallel", arguments + " sh " + ShellWord(ShellWord(script)),
                         "install the package parallel; logs/parallel.tsv in the campaign's folder "
                         "has the status of each episode and host");
   parallel.Write(fmt::format("{}\n", fmt::join(before.missing, "\n")));

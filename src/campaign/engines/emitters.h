@@ -13,7 +13,8 @@ namespace tera {
 /// Shell text that makes the episodes "$@", one after the other.
 ///
 /// Model   an episode that crashes leaves a failure, as in the pool; one that was killed leaves
-///         none. The status is 1 if an episode neither came out nor failed.
+///         none. The status is 1 if an episode neither came out nor failed, unless another worker
+///         makes it.
 std::string WorkerScript(const Plan& plan, const WorkerCommand& worker);
 
 struct SshOptions {

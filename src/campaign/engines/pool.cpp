@@ -74,17 +74,6 @@ std::string EndOfLog(const fs::path& log) {
   return text.size() <= kMostBytes ? text : text.substr(text.size() - kMostBytes);
 }
 
-/// Whether another worker makes the episode of this folder.
-bool IsHeld(const fs::path& work) {
-  if (!fs::exists(work)) return false;
-  try {
-    const FolderLock lock(work);
-    return false;
-  } catch (const InputError&) {
-    return true;
-  }
-}
-
 class Pool {
  public:
   Pool(const Plan& plan, const PoolOptions& options, const CampaignState& state)
@@ -134,21 +123,20 @@ class Pool {
       peak_mb_ = std::max(peak_mb_, record.peak_mb);
       return;
     }
-    const bool is_told = fs::exists(plan_.FailureFile(number));
-    if (!is_told && IsHeld(plan_.WorkFolder(number))) return;
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;  // another worker makes it
     ++failed_;
-    if (is_told) return;
+    if (fs::exists(plan_.FailureFile(number))) return;
     // A full disk fails whatever is tried, and cuts the log too.
     const bool is_full = fs::space(plan_.folder).available < kFullDiskBytes;
     if (WIFSIGNALED(status) && !is_full) {
       const int signal = WTERMSIG(status);
-      const bool is_killed = signal == SIGKILL || signal == SIGTERM || signal == SIGINT;
-      WriteFailure(is_killed
-                       ? Failure{FailureReason::kKilled,
+      const bool is_crash = std::ranges::find(kCrashSignals, signal) != kCrashSignals.end();
+      WriteFailure(is_crash
+                       ? Failure{FailureReason::kBug, fmt::format("crashed by signal {}", signal)}
+                       : Failure{FailureReason::kKilled,
                                  fmt::format("was killed by signal {}; where memory ran out, run "
                                              "fewer at once by --processes",
-                                             signal)}
-                       : Failure{FailureReason::kBug, fmt::format("crashed by signal {}", signal)},
+                                             signal)},
                    plan_.FailureFile(number));
       return;
     }

@@ -10,8 +10,10 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <set>
+#include <string_view>
 #include <thread>
 
 #include "core/error.h"
@@ -24,9 +26,10 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kShortestTask_s = 300;  ///< shorter ones burden the controller
-constexpr int kSilences = 40;            ///< answers that may be missing in a row
-constexpr int kFirstMemory_mb = 4000;    ///< where the cluster's default was too little
+constexpr double kShortestTask_s = 300;   ///< shorter ones burden the controller
+constexpr int kSilences = 40;             ///< answers that may be missing in a row
+constexpr double kFirstMemory_mb = 4000;  ///< where a task had too little, and nobody says how much
+constexpr int kObstacles = 2;  ///< that exclude a node: one may lie in the episode or a shared disk
 constexpr std::size_t kMostEpisodesAtOnce = 100'000;
 constexpr std::size_t kShareOfJobs = 2;         ///< the controller keeps jobs of others too
 constexpr std::size_t kLastOfLog_bytes = 1000;  ///< shown where nothing more comes out
@@ -63,19 +66,49 @@ std::vector<std::string> LinesOf(const std::string& text) {
   return lines;
 }
 
+/// The value of KEY=VALUE in a line of `scontrol --oneliner`, or nothing.
+std::string WordOf(const std::string& line, const std::string& key) {
+  const std::size_t at = (" " + line).find(" " + key + "=");
+  if (at == std::string::npos) return "";
+  const std::size_t begin = at + key.size() + 1;
+  return line.substr(begin, line.find_first_of(" \n", begin) - begin);
+}
+
+/// "4000M", "3.50G" or "4000" in MB, as Slurm has it: 1 G is 1024 M. Nothing is 0.
+double MbOf(const std::string& text) {
+  constexpr std::string_view kUnits = "KMGT";
+  const std::size_t unit = text.empty() ? kUnits.npos : kUnits.find(text.back());
+  const auto number = ParseFinite(unit == kUnits.npos ? text : text.substr(0, text.size() - 1));
+  if (!number) return 0;
+  return unit == kUnits.npos ? *number : *number * std::pow(1024.0, static_cast<double>(unit) - 1);
+}
+
 /// A job, or a task of an array, by `scontrol --oneliner show job`.
 struct Task {
-  std::string id, state, node, log;
+  std::string id, state, node, log, array, place;  ///< place in the array
+  double memory_mb = 0;                            ///< 0 where it is unlimited
 };
 
 Task TaskIn(const std::string& line) {
-  const auto word = [&](const std::string& key) -> std::string {
-    const std::size_t at = (" " + line).find(" " + key + "=");
-    if (at == std::string::npos) return "";
-    const std::size_t begin = at + key.size() + 1;
-    return line.substr(begin, line.find_first_of(" \n", begin) - begin);
-  };
-  return {word("JobId"), word("JobState"), word("NodeList"), word("StdOut")};
+  return {.id = WordOf(line, "JobId"),
+          .state = WordOf(line, "JobState"),
+          .node = WordOf(line, "NodeList"),
+          .log = WordOf(line, "StdOut"),
+          .array = WordOf(line, "ArrayJobId"),
+          .place = WordOf(line, "ArrayTaskId"),
+          .memory_mb = std::max(
+              MbOf(WordOf(line, "MinMemoryNode")),
+              MbOf(WordOf(line, "MinMemoryCPU")) * std::max(1.0, MbOf(WordOf(line, "NumCPUs"))))};
+}
+
+/// The largest memory that a task can have on one node; infinite where Slurm does not say.
+double AskLargestNode_mb() {
+  double most_mb = 0;
+  for (const std::string& line : LinesOf(Ask("scontrol --oneliner show nodes").text)) {
+    const double here_mb = MbOf(WordOf(line, "RealMemory")) - MbOf(WordOf(line, "MemSpecLimit"));
+    most_mb = std::max(most_mb, here_mb);
+  }
+  return most_mb > 1 ? most_mb : std::numeric_limits<double>::infinity();  // 1: not configured
 }
 
 struct Limits {
@@ -110,12 +143,15 @@ class SlurmRun {
       const Jobs jobs = LinesOf(ReadWholeFile(JobsFile()));
       Say(fmt::format("waits for jobs {} of a run that was stopped", fmt::join(jobs, ", ")));
       Wait(jobs);
+      AskForMore();
     }
     CampaignState state = Collect();
+    left_to_retry_ = LackingIn(state);
     for (int without = 0; !state.missing.empty();) {
       if (without == options_.tries) GiveUp();
       const std::size_t before = state.missing.size();
       Wait(Submit(state));
+      AskForMore();
       state = Collect();
       without = state.missing.size() < before ? 0 : without + 1;
     }
@@ -124,19 +160,65 @@ class SlurmRun {
 
  private:
   using Jobs = std::vector<std::string>;
+  struct Array {
+    std::vector<int> episodes;
+    std::size_t each = 1;  ///< episodes of a task
+  };
 
   fs::path JobsFile() const { return plan_.folder / "slurm.jobs"; }
 
-  /// The state, in which episodes that another try may mend are missing and not failed.
-  CampaignState Collect() {
-    CampaignState state = RefreshIndex(plan_);
-    for (const auto& [_, failure] : state.failed) {
-      lacked_memory_ = lacked_memory_ || failure.reason == FailureReason::kMemory;
+  /// The state, in which episodes that were killed are missing and not failed.
+  CampaignState Collect() const {
+    const CampaignState state = RefreshIndex(plan_);
+    bool is_any = false;
+    for (const auto& [number, failure] : state.failed) {
+      if (failure.reason != FailureReason::kKilled) continue;
+      is_any = fs::remove(plan_.FailureFile(number)) || is_any;
     }
-    if (ClearFailures(plan_, false) > 0) state = RefreshIndex(plan_);
-    if (lacked_memory_) memory_mb_ = std::max(2 * memory_mb_, kFirstMemory_mb);
+    return is_any ? RefreshIndex(plan_) : state;
+  }
+
+  /// Episodes that failed for want of memory in the last arrays.
+  std::set<int> LackingIn(const CampaignState& state) const {
+    std::set<int> lacking;
+    for (const auto& [number, failure] : state.failed) {
+      const bool is_new = !left_to_retry_.contains(number);
+      if (failure.reason == FailureReason::kMemory && is_new) lacking.insert(number);
+    }
+    return lacking;
+  }
+
+  /// After arrays: where memory ran out the next have twice as much, up to that of the largest
+  /// node. What ran out of that fails.
+  void AskForMore() {
+    const CampaignState state = RefreshIndex(plan_);
+    const std::set<int> told = LackingIn(state);
+    if (told.empty() && !lacked_memory_) return;
+    const double had_mb = std::max<double>(memory_mb_, task_mb_), most_mb = AskLargestNode_mb();
+    const double larger_mb = 2 * std::max(had_mb, state.LargestPeakMb()),
+                 wanted_mb = had_mb > 0 ? larger_mb : std::max(larger_mb, kFirstMemory_mb);
+    memory_mb_ = static_cast<int>(std::min(wanted_mb, most_mb));
+    if (had_mb < most_mb) {
+      for (const int number : told) fs::remove(plan_.FailureFile(number));
+    } else {
+      left_to_retry_.insert(told.begin(), told.end());
+      for (const auto& episodes : lacking_) FailFirstBegun(episodes, state, most_mb);
+    }
+    task_mb_ = 0;
     lacked_memory_ = false;
-    return state;
+    lacking_.clear();
+  }
+
+  /// Of the episodes of a task that ran out of memory, it made the first that is begun.
+  void FailFirstBegun(const std::vector<int>& episodes, const CampaignState& state,
+                      double most_mb) {
+    const auto begun =
+        std::ranges::find_if(episodes, [&](int number) { return state.begun.contains(number); });
+    if (begun == episodes.end()) return;
+    WriteFailure({FailureReason::kMemory,
+                  fmt::format("{:.0f} MB were too little, and no node has more", most_mb)},
+                 plan_.FailureFile(*begun));
+    left_to_retry_.insert(*begun);
   }
 
   std::size_t EpisodesOfTask(const CampaignState& state) const {
@@ -197,6 +279,7 @@ class SlurmRun {
       }
       left.erase(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(count));
       jobs.push_back(answer.text.substr(0, answer.text.find_first_of(";\n")));
+      arrays_[jobs.back()] = {numbers, each};
       WriteWholeFile(JobsFile(), fmt::format("{}\n", fmt::join(jobs, "\n")));
       Say(fmt::format("job {}: {} episodes in {} tasks", jobs.back(), count, tasks));
     }
@@ -226,17 +309,20 @@ class SlurmRun {
                     fmt::join(jobs, ", ")));
   }
 
-  /// Whether tasks are under way.
+  /// Whether tasks are under way, which all are whose state is not a last one.
   bool Look(const std::string& tasks) {
-    static const std::set<std::string> kUnderWay = {"PENDING",    "RUNNING",   "CONFIGURING",
-                                                    "COMPLETING", "SUSPENDED", "REQUEUED"};
+    static const std::set<std::string> kLast = {
+        "BOOT_FAIL", "CANCELLED",     "COMPLETED", "DEADLINE", "FAILED",
+        "NODE_FAIL", "OUT_OF_MEMORY", "PREEMPTED", "REVOKED",  "TIMEOUT"};
     bool is_under_way = false;
     std::map<std::string, int> ended;
     for (const std::string& line : LinesOf(tasks)) {
       const Task task = TaskIn(line);
-      if (kUnderWay.contains(task.state)) is_under_way = true;
+      task_mb_ = std::max(task_mb_, task.memory_mb);
+      const bool has_ended = task.state.empty() || kLast.contains(task.state);
+      is_under_way = is_under_way || !has_ended;
       const bool is_well = task.state.empty() || task.state == "COMPLETED";
-      if (is_well || kUnderWay.contains(task.state) || !seen_.insert(task.id).second) continue;
+      if (is_well || !has_ended || !seen_.insert(task.id).second) continue;
       ++ended[fmt::format("{} on {}", task.state, task.node)];
       Learn(task);
     }
@@ -245,18 +331,36 @@ class SlurmRun {
   }
 
   void Learn(const Task& task) {
-    if (task.state == "OUT_OF_MEMORY") lacked_memory_ = true;
-    const bool is_of_node =
-        task.state == "NODE_FAIL" || task.state == "BOOT_FAIL" || task.state == "FAILED";
-    if (is_of_node && !task.node.empty() && task.node != "(null)") excluded_.insert(task.node);
+    if (task.state == "OUT_OF_MEMORY") {
+      lacked_memory_ = true;
+      lacking_.push_back(EpisodesOf(task));
+    }
     if (task.state == "FAILED") obstacle_log_ = task.log;
+    const bool is_lost = task.state == "NODE_FAIL" || task.state == "BOOT_FAIL";
+    if (task.node.empty() || task.node == "(null)") return;
+    if (is_lost || (task.state == "FAILED" && ++obstacles_[task.node] == kObstacles)) {
+      excluded_.insert(task.node);
+    }
+  }
+
+  /// None of an array that a run submitted that was stopped.
+  std::vector<int> EpisodesOf(const Task& task) const {
+    const auto array = arrays_.find(task.array);
+    const auto place = ParseNumber<std::size_t>(task.place);
+    if (array == arrays_.end() || !place) return {};
+    const auto& [numbers, each] = array->second;
+    const std::size_t begin = std::min(*place * each, numbers.size());
+    return {numbers.begin() + static_cast<std::ptrdiff_t>(begin),
+            numbers.begin() + static_cast<std::ptrdiff_t>(std::min(begin + each, numbers.size()))};
   }
 
   /// The end of the log of a task that met an obstacle.
   std::string LastObstacle() const {
     if (obstacle_log_.empty() || !fs::exists(obstacle_log_)) return "";
     const std::string text = ReadWholeFile(obstacle_log_);
-    return fmt::format("; nodes {} met obstacles; {} ends:\n{}", fmt::join(excluded_, ", "),
+    std::vector<std::string> nodes;
+    for (const auto& [node, _] : obstacles_) nodes.push_back(node);
+    return fmt::format("; nodes {} met obstacles; {} ends:\n{}", fmt::join(nodes, ", "),
                        obstacle_log_,
                        text.substr(text.size() - std::min(text.size(), kLastOfLog_bytes)));
   }
@@ -274,10 +378,15 @@ class SlurmRun {
 
   const Plan& plan_;
   const SlurmOptions& options_;
-  int memory_mb_;
+  int memory_mb_;       ///< asked for
+  double task_mb_ = 0;  ///< the most that a task of the last arrays had, by a default too
   bool lacked_memory_ = false;
-  std::set<std::string> excluded_;  ///< nodes
-  std::set<std::string> seen_;      ///< tasks that were learnt from
+  std::vector<std::vector<int>> lacking_;  ///< episodes of each task that ran out of memory
+  std::set<int> left_to_retry_;            ///< episodes that failed for want of memory
+  std::map<std::string, Array> arrays_;
+  std::map<std::string, int> obstacles_;  ///< of each node
+  std::set<std::string> excluded_;        ///< nodes
+  std::set<std::string> seen_;            ///< tasks that were learnt from
   std::string obstacle_log_;
 };
 

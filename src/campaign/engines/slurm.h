@@ -25,8 +25,9 @@ struct SlurmOptions {
 /// Model   a task makes several episodes by WorkerScript. The controller is asked for the state of
 ///         tasks (scontrol), so that accounting is not needed; one that does not answer is asked
 ///         again. Further arrays retry episodes that neither succeeded nor failed. They exclude
-///         nodes that were lost or met an obstacle, and double the memory where it ran out. Stopped
-///         episodes, as by a time limit, resume where they were. After a kill while arrays are
+///         nodes that were lost or met an obstacle twice, and double the memory where it ran out,
+///         up to that of the largest node: what needs more fails. Stopped episodes, as by a time
+///         limit, resume where they were. After a kill while arrays are
 ///         under way, the next call waits for those arrays first.
 /// Throws  InputError if another engine is at work, or if Slurm is absent or refuses the array.
 CampaignState RunOnSlurm(const Plan& plan, const SlurmOptions& options);

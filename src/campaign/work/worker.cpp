@@ -10,6 +10,7 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "campaign/work/episode_record.h"
@@ -38,12 +39,21 @@ std::string HostName() {
   return name.data();
 }
 
-/// Whether the computer is at fault and not the episode, so that no episode would come out.
+/// Whether the computer is at fault and not the episode, so that no episode would come out: its
+/// disks, or a driver or program, which lies in no file.
 bool IsOfTheComputer(const std::exception& error) {
+  if (dynamic_cast<const std::system_error*>(&error) != nullptr) return true;  // of files too
   const auto* input = dynamic_cast<const InputError*>(&error);
   return input != nullptr && std::ranges::any_of(input->faults(), [](const InputFault& fault) {
-           return fault.kind == FaultKind::kUnwritable;
+           return fault.kind == FaultKind::kUnwritable ||
+                  (fault.kind == FaultKind::kUnsupported && fault.place.empty());
          });
+}
+
+bool IsOfFilesIn(const fs::path& folder, const InputError& error) {
+  return std::ranges::any_of(error.faults(), [&](const InputFault& fault) {
+    return fault.place.starts_with(folder.string());
+  });
 }
 
 /// Time and memory of all tries of an episode, kept in its work folder.
@@ -174,7 +184,7 @@ class Attempt {
     try {
       generate();
     } catch (const InputError& error) {
-      if (IsOfTheComputer(error)) throw;
+      if (IsOfTheComputer(error) || !IsOfFilesIn(IncompleteOf(dataset), error)) throw;
       fs::remove_all(IncompleteOf(dataset));  // too damaged to go on with
       generate();
     }
@@ -230,17 +240,23 @@ void RequireWorthRetry(const fs::path& file) {
 
 }  // namespace
 
-void RunEpisode(const Plan& plan, int number, const WorkerOptions& options) {
+bool RunEpisode(const Plan& plan, int number, const WorkerOptions& options) {
   if (number < 0 || number >= plan.campaign.episodes) {
     throw InputError("--index", {FaultKind::kOutOfRange,
                                  fmt::format("{} is no episode of {}, need 0 to {}", number,
                                              plan.folder.string(), plan.campaign.episodes - 1)});
   }
-  if (fs::exists(plan.EpisodeFolder(number))) return;
+  if (fs::exists(plan.EpisodeFolder(number))) return true;
   RequireSameScenario(plan, number);
   MakeFolder(plan.WorkFolder(number));
-  const FolderLock lock(plan.WorkFolder(number));
-  if (fs::exists(plan.EpisodeFolder(number))) return;  // another worker has just made it
+  std::optional<FolderLock> lock;
+  try {
+    lock.emplace(plan.WorkFolder(number));
+  } catch (const InputError& error) {
+    if (error.faults().front().kind != FaultKind::kUnwritable) throw;
+    return false;
+  }
+  if (fs::exists(plan.EpisodeFolder(number))) return true;  // another worker has just made it
   const fs::path failure = plan.FailureFile(number);
   if (fs::exists(failure)) RequireWorthRetry(failure);
   fs::remove(failure);
@@ -254,6 +270,7 @@ void RunEpisode(const Plan& plan, int number, const WorkerOptions& options) {
                  failure);
     throw;
   }
+  return true;
 }
 
 }  // namespace tera

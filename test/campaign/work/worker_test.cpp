@@ -10,6 +10,8 @@
 #include "campaign/work/judge.h"
 #include "core/faults.h"
 #include "dataset/files/folder_lock.h"
+#include "dataset/files/whole_folder.h"
+#include "sim/run/generate.h"
 
 namespace tera {
 namespace {
@@ -61,12 +63,65 @@ TEST(Worker, RefusedDrawsAreCountedAndBounded) {
   EXPECT_TRUE(ReadRecord(lenient.EpisodeFolder(0) / "episode.yaml").refused.empty());
 }
 
-TEST(Worker, ASecondWorkerOfAnEpisodeIsRefusedAndLeavesNoFailure) {
+TEST(Worker, AnEpisodeThatAnotherWorkerMakesIsLeftToIt) {
   const Plan plan = MakePlan(WriteCampaign(kSoils), OwnFolder() / "out");
   MakeFolder(plan.WorkFolder(0));
-  const FolderLock lock(plan.WorkFolder(0));
-  EXPECT_THAT([&] { RunEpisode(plan, 0, {}); }, ThrowsFault(FaultKind::kUnwritable, "000000"));
+  {
+    const FolderLock lock(plan.WorkFolder(0));
+    EXPECT_FALSE(RunEpisode(plan, 0, {}));
+  }
   EXPECT_FALSE(fs::exists(plan.FailureFile(0)));
+  EXPECT_TRUE(RunEpisode(plan, 0, {}));
+}
+
+/// Stops an episode before its last step. Returns its unfinished dataset.
+fs::path StopAtTheEnd(const Plan& plan, int number) {
+  const LoadedScenario loaded = EpisodeScenario(plan.campaign, number, 0);
+  const fs::path dataset = plan.WorkFolder(number) / "draw_0/data";
+  MakeFolder(dataset.parent_path());
+  EXPECT_THROW(Generate(loaded.scenario, loaded.resolved_yaml,
+                        {.out = dataset,
+                         .progress =
+                             [](const GenerateProgress&) {
+                               throw InputError("here", {FaultKind::kUnwritable, "stopped"});
+                             }}),
+               InputError);
+  return IncompleteOf(dataset);
+}
+
+TEST(Worker, AMissingDriverFailsNoEpisodeAndRemovesNothing) {
+  std::string with_camera = kRestingRover;
+  with_camera.replace(with_camera.find("rate_hz: 100}]"), 14,
+                      "rate_hz: 100}, {name: front, preset: tera:config/sensors/rgb_640.yaml, "
+                      "link: chassis, rate_hz: 10}]");
+  const Plan plan = MakePlan(WriteCampaign(kSoils, with_camera), OwnFolder() / "out");
+  const WorkerOptions without{.egl = {.device = 99}};
+  EXPECT_THAT([&] { RunEpisode(plan, 0, without); }, ThrowsFault(FaultKind::kUnsupported));
+  EXPECT_FALSE(fs::exists(plan.FailureFile(0)));
+  const fs::path stopped = StopAtTheEnd(plan, 0);
+  EXPECT_THAT([&] { RunEpisode(plan, 0, without); }, ThrowsFault(FaultKind::kUnsupported));
+  EXPECT_FALSE(fs::exists(plan.FailureFile(0)));
+  EXPECT_TRUE(fs::exists(stopped / "INCOMPLETE.frames"));
+}
+
+TEST(Worker, AnUnfinishedDatasetThatIsDamagedIsMadeAnew) {
+  const Plan plan = MakePlan(WriteCampaign(kSoils), OwnFolder() / "out");
+  WriteWholeFile(StopAtTheEnd(plan, 0) / "scenario.yaml", "damaged");
+  EXPECT_TRUE(RunEpisode(plan, 0, {}));
+  const Plan whole = MakePlan(OwnFolder() / "campaign.yaml", OwnFolder() / "whole");
+  RunEpisode(whole, 0, {});
+  EXPECT_EQ(DigestOfEpisode(plan, 0), DigestOfEpisode(whole, 0));
+}
+
+// A link to itself cannot be followed: an error that the file system throws.
+TEST(Worker, AnErrorOfTheFileSystemFailsNoEpisode) {
+  const Plan plan = MakePlan(WriteCampaign(kSoils), OwnFolder() / "out");
+  const fs::path mark = plan.WorkFolder(0) / "draw_0.refused";
+  MakeFolder(mark.parent_path());
+  fs::create_symlink(mark.filename(), mark);
+  EXPECT_THROW(RunEpisode(plan, 0, {}), fs::filesystem_error);
+  EXPECT_FALSE(fs::exists(plan.FailureFile(0)));
+  EXPECT_TRUE(fs::is_symlink(mark));
 }
 
 TEST(Worker, AFileThatADrawLacksFailsItsEpisodeAlone) {
@@ -124,7 +179,7 @@ TEST(Worker, ANumberBeyondTheCampaignIsRefused) {
 
 TEST(Failure, TooLittleMemoryIsNoBug) {
   EXPECT_EQ(ReasonOf(std::bad_alloc()), FailureReason::kMemory);
-  EXPECT_EQ(ReasonOf(InputError("a", {FaultKind::kUnsupported, "b"})), FailureReason::kBadInput);
+  EXPECT_EQ(ReasonOf(InputError("a", {FaultKind::kMissing, "b"})), FailureReason::kBadInput);
   EXPECT_EQ(ReasonOf(std::logic_error("c")), FailureReason::kBug);
   EXPECT_TRUE(IsWorthRetry(FailureReason::kMemory));
 }
