@@ -157,15 +157,22 @@ def index(tera, episodes: int) -> None:
         print(f"status: {seconds(tera, 'campaign', 'status', campaign):.1f} s")
 
 
+DEVIATION = 0.25  # of the logarithm of an episode's time; a mean of 1 needs its median at exp(-DEVIATION^2 / 2)
+
+
 def simulate(seed: int, per_task: int, creates_hz: float, files=400, node_life_s=30 * 86400, episodes=10_000, nodes=1_000, mean_s=300, dispatch_hz=20,
              start_s=2):
     """Makespan, shares of the nodes' and the server's time, and number of arrays of a campaign.
 
-    Model  a controller starts dispatch_hz tasks a second; an episode lasts a lognormal time (a quarter of its mean is its standard
-           deviation) and then writes its files at a server that serves all nodes one after the other; a node that is lost loses the rest
-           of its task, which a second array makes.
+    Model  a controller starts dispatch_hz tasks a second; an episode lasts a lognormal time of this mean (deviation: a quarter of it)
+           and then writes its files at a server that serves all nodes one after the other; a node that is lost loses the rest
+           of its task, which a further array makes anew.
     """
     chance = random.Random(seed)
+
+    def lasting_s() -> float:
+        return mean_s * chance.lognormvariate(-DEVIATION**2 / 2, DEVIATION)
+
     free, left, busy_s, disk_s, served_s = [(0.0, n) for n in range(nodes)], list(range(episodes)), 0.0, 0.0, 0.0
     end_s, arrays = 0.0, 0
     while left:
@@ -181,7 +188,7 @@ def simulate(seed: int, per_task: int, creates_hz: float, files=400, node_life_s
             if waiting and free and (not running or max(free[0][0], dispatched_s) <= running[0][0]):
                 ready_s, node = heapq.heappop(free)
                 dispatched_s = max(ready_s, dispatched_s + 1 / dispatch_hz)
-                heapq.heappush(running, (dispatched_s + start_s + chance.lognormvariate(0, 0.25) * mean_s, node, waiting.pop()))
+                heapq.heappush(running, (dispatched_s + start_s + lasting_s(), node, waiting.pop()))
                 continue
             now_s, node, task = heapq.heappop(running)
             if chance.random() < mean_s / node_life_s:
@@ -193,7 +200,7 @@ def simulate(seed: int, per_task: int, creates_hz: float, files=400, node_life_s
             busy_s += mean_s
             end_s = max(end_s, disk_s)
             if task[1:]:
-                heapq.heappush(running, (disk_s + chance.lognormvariate(0, 0.25) * mean_s, node, task[1:]))
+                heapq.heappush(running, (disk_s + lasting_s(), node, task[1:]))
             else:
                 heapq.heappush(free, (disk_s, node))
         left = lost
