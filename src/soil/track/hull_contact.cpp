@@ -12,21 +12,25 @@
 namespace tera {
 namespace {
 
-/// A rigid corner 0.15 m across of a machine of 3.5 t, on soil of 5 MPa, has E d / (0.88 (1 -
-/// nu^2)) = 1e6 N/m. On four points it sinks 9 mm.
-constexpr double kStiffness_npm_kg = 1e6 / 3500;
-constexpr double kDamping_nspm_kg = 1.8e4 / 3500;  ///< about 0.3 of critical for a quarter of it
-constexpr double kCorner_m = 0.15;                 ///< of that machine
-constexpr double kFriction = 0.5;                  ///< steel on soil
+/// Mass of the machine that has the three figures below. Others have them in proportion: stiffness
+/// and damping to their mass, the corner's width to the cube root of it, as lengths of alike
+/// bodies.
+constexpr double kReferenceMass_kg = 3500;
+/// A rigid corner 0.15 m across on soil of 5 MPa has E d / (0.88 (1 - nu^2)) = 1e6 N/m. On four
+/// points the reference machine sinks 9 mm.
+constexpr double kStiffness_npm = 1e6;
+constexpr double kDamping_nspm = 1.8e4;  ///< about 0.3 of critical for a quarter of the machine
+constexpr double kCorner_m = 0.15;       ///< width of the corner that touches
+constexpr double kFriction = 0.5;        ///< steel on soil
 
 }  // namespace
 
 HullContact::HullContact(const GroundTools::HullPoint& point, double mass_kg, double climb_m)
     : point_(point),
       climb_m_(climb_m),
-      stiffness_npm_(kStiffness_npm_kg * mass_kg),
-      damping_nspm_(kDamping_nspm_kg * mass_kg),
-      corner_m_(kCorner_m * std::cbrt(mass_kg / 3500)) {
+      stiffness_npm_(kStiffness_npm / kReferenceMass_kg * mass_kg),
+      damping_nspm_(kDamping_nspm / kReferenceMass_kg * mass_kg),
+      corner_m_(kCorner_m * std::cbrt(mass_kg / kReferenceMass_kg)) {
   TERA_CHECK(mass_kg >= 0, mass_kg);
 }
 

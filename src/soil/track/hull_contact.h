@@ -18,8 +18,8 @@ namespace tera {
 ///         of the ground and a low obstacle bears the point.
 ///         Loose soil gives way beyond its bearing capacity under a square footing as wide as the
 ///         contact of the point's cone of 1 to 1. So a ridge is ploughed, and a fill bears after
-///         some centimetres. Stiffness and damping are in proportion to the machine's mass: alike
-///         machines go in alike.
+///         some centimetres. Stiffness and damping are in proportion to the machine's mass, the
+///         contact's width to its cube root: alike machines go in alike.
 /// Omits   any change of the ground, the weight of soil on the structure, the strength of ground
 ///         that is not loose.
 /// Source  footing in loose soil: Terzaghi 1943, see BearingPressure_pa.

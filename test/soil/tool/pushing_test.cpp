@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "soil/soil_fixture.h"
 #include "soil/tool/digging.h"
@@ -351,14 +352,17 @@ BucketDrafts DragBucket(const std::string& soil) {
 }
 
 TEST(Digging, AFullBucketsDraftIsThreefoldAndADigStaysBelowItsBreakoutForce) {
-  for (const char* soil : {"sand", "clay", "dirt", "stiff_clay", "hard_loam"}) {
+  // The ratios of docs/evidence/soil.md; no measurement is known.
+  const std::pair<const char*, double> ratios[] = {
+      {"sand", 1.8}, {"clay", 2.4}, {"dirt", 3.1}, {"stiff_clay", 5.2}, {"hard_loam", 5.7}};
+  for (const auto& [soil, ratio] : ratios) {
     const BucketDrafts drafts = DragBucket(soil);
     RecordProperty(fmt::format("{}_before_and_full_n", soil),
                    fmt::format("{:.0f} {:.0f}", drafts.before_n, drafts.full_n));
-    if (std::string(soil) != "dirt") continue;
-    EXPECT_GT(drafts.full_n, 2 * drafts.before_n);
-    EXPECT_LT(drafts.full_n, 3.6 * drafts.before_n);
-    EXPECT_LT(drafts.jump_n, 1500);
+    EXPECT_NEAR(drafts.full_n / drafts.before_n / ratio, 1, 0.1) << soil;
+    if (std::string(soil) == "dirt") {
+      EXPECT_LT(drafts.jump_n, 1500);
+    }
   }
   // 24 MPa in its bucket cylinder of 70 mm push on a lever of at most 0.21 m, against 0.78 m from
   // pin to teeth (config/machines/tb235.yaml).
