@@ -277,9 +277,10 @@ std::string SmallestSizes(const Diagnosis& diagnosis) {
   Table table({"On", "Mechanism", "Seen from about"});
   const auto add = [&](const Candidate& candidate, std::size_t parameter,
                        const std::optional<double>& smallest) {
-    std::string size = "not at any size";
-    if (smallest) {
-      const EffectParameter& number = candidate.mechanism->parameters[parameter];
+    const auto& numbers = candidate.mechanism->parameters;
+    std::string size = smallest ? "yes" : "not at any size";
+    if (smallest && !numbers.empty()) {
+      const EffectParameter& number = numbers[parameter];
       size = fmt::format(
           "{} {}", Code(number.name),
           WithUnit(Significant(*smallest, 3), {1, number.unit == "1" ? "" : Escaped(number.unit)}));

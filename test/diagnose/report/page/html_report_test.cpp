@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "diagnose/blocks/measured_poses.h"
 #include "diagnose/report/made_diagnosis.h"
 #include "diagnose/report/page/page.h"
 #include "diagnose/report/text/sentences.h"
@@ -97,6 +98,13 @@ TEST(HtmlReport, AnswersFirstAndFoldsTheDetails) {
     EXPECT_GT(at, last) << next;
     last = at;
   }
+}
+
+TEST(HtmlReport, AMechanismWithoutNumbersIsSeenOrNot) {
+  const Candidate stamps = ArrivalStampsCandidate();
+  DiagnosedBlock boom = BoomWithDeadBand();
+  boom.diagnosis.detectability = {{&stamps, 1}};
+  EXPECT_THAT(HtmlReport(Of(std::move(boom)), "run"), HasSubstr("<td>yes</td>"));
 }
 
 TEST(HtmlReport, WhereNothingIsWrongSaysSoWithWhatCouldNotHaveBeenSeen) {
