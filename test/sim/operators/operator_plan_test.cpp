@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -10,6 +11,7 @@
 #include "core/faults.h"
 #include "core/units.h"
 #include "own_folder.h"
+#include "sim/operators/planar_arm.h"
 
 namespace tera {
 namespace {
@@ -219,6 +221,59 @@ TEST(ReadOperatorPlan, RefusesMoreDigCyclesThanAnyRunHolds) {
   EXPECT_THAT(DigFaults("servo_gain_1ps: 0"), HasFault(kOutOfRange, "servo_gain_1ps"));
   EXPECT_THAT(DigFaults("slew_braking_degps2: -1"), HasFault(kOutOfRange, "slew_braking_degps2"));
   EXPECT_THAT(DigFaults("cycles: 5000000000"), HasFault(kOutOfRange, "cycles"));
+}
+
+/// A cut by an operator whose machine stands still and whose bucket's tip nothing moves.
+struct HeldCut {
+  double ends_s = 0;  ///< when the cut ends
+  double boom = 0;    ///< lever 2.2 s after the start
+};
+
+/// Tip at radius `r_m` from the slew's axis and height `z_m` above the ground. It enters at 4.2 m,
+/// and the cut ends at 2.6 m. At 0.7 m/s that takes 2.3 s; an operator gives up after 3.7 s.
+HeldCut CutWithTipHeldAt(double r_m, double z_m) {
+  const MachineModel model = Excavator();
+  const PlanarArm::Joints joints{model.JointIndex("slew"), model.JointIndex("boom"),
+                                 model.JointIndex("arm"), model.JointIndex("bucket")};
+  const auto lever_of = [&](int joint) {
+    return std::ranges::find(model.levers, joint, &Lever::joint) - model.levers.begin();
+  };
+  MachineState state;
+  state.links.resize(model.links.size());
+  state.q_rad.resize(model.joints.size());
+  state.qd_radps.resize(model.joints.size());
+  const double slew_m = model.joints[joints.slew].X_PJ.translation().z();
+  const auto angles = PlanarArm(model, joints, 0).Inverse({r_m, z_m - slew_m, -75 * kDeg});
+  state.q_rad[joints.boom] = angles.value().boom_rad;
+  state.q_rad[joints.arm] = angles->arm_rad;
+  state.q_rad[joints.bucket] = angles->bucket_rad;
+  const TerrainSurface ground(TerrainGrid{Vec2(-10, -10), 0.5, 41, 41});
+
+  const double patience_s = 0.02, curl_s = 1.3;
+  const Config config = Config::FromText(
+      "{type: dig_cycle, dump_azimuth_deg: 60, patience_s: 0.02}", "operator.yaml");
+  const auto digger = MakeOperator(ReadOperatorPlan(config.root(), model), model, {});
+  HeldCut cut;
+  for (int step = 0; step < 1000; ++step) {
+    const std::vector<double> levers =
+        digger->Levers({FromSeconds(0.01 * step), model, state, ground});
+    if (step == 220) cut.boom = levers[lever_of(joints.boom)];
+    cut.ends_s = 0.01 * step - curl_s - patience_s;  // it then curls, lifts and swings
+    if (levers[lever_of(joints.slew)] != 0) break;
+  }
+  return cut;
+}
+
+TEST(DigCycle, WaitsForATipThatIsHeldBackAndRaisesIt) {
+  const HeldCut cut = CutWithTipHeldAt(4.2, 0);
+  EXPECT_NEAR(cut.ends_s, 1.6 * 1.6 / 0.7, 0.1);
+  EXPECT_GT(cut.boom, 0.3);
+}
+
+TEST(DigCycle, GoesOnWhereTheTipIsNearerToTheMachineHoweverHighItIs) {
+  for (const double z_m : {-0.4, -0.2, 0.2}) {
+    EXPECT_NEAR(CutWithTipHeldAt(2.4, z_m).ends_s, 1.6 / 0.7, 0.1) << z_m;
+  }
 }
 
 }  // namespace
