@@ -209,7 +209,7 @@ class SlurmRun {
     lacking_.clear();
   }
 
-  /// Of the episodes of a task that ran out of memory, it made the first that is begun.
+  /// Fails the first begun episode of a task that ran out of memory: the task was making that one.
   void FailFirstBegun(const std::vector<int>& episodes, const CampaignState& state,
                       double most_mb) {
     const auto begun =

@@ -12,7 +12,7 @@ namespace tera {
 struct ImuWindow {
   TimeNs from_ns = 0, to_ns = 0;
   Vec3 w_S_radps = Vec3::Zero(), f_S_mps2 = Vec3::Zero();
-  double share = 1;  ///< of the time of a window without lost rows
+  double share = 1;  ///< samples in it over those of a window without lost rows
   /// 1 sigma of the part that splines with knots as far apart as windows leave out: of rates, then
   /// forces.
   Eigen::Matrix<double, 6, 1> model_error = Eigen::Matrix<double, 6, 1>::Zero();
