@@ -131,7 +131,8 @@ void CompareReceivers(const RecordedMachine& a, const RecordedMachine& b,
   machine->remarks = std::move(found.remarks);
 }
 
-MachineComparison CompareMachine(const RecordedMachine& a, const RecordedMachine& b) {
+MachineComparison CompareMachine(const RecordedMachine& a, const RecordedMachine& b,
+                                 std::size_t every) {
   MachineComparison machine{.name_a = a.name, .name_b = b.name};
   Trajectory poses_a = LoadTrajectory(a), poses_b = LoadTrajectory(b);
   if (!poses_a.empty() && !poses_b.empty()) {
@@ -141,6 +142,8 @@ MachineComparison CompareMachine(const RecordedMachine& a, const RecordedMachine
     CompareReceivers(a, b, &machine);
   }
   CompareSeries(*a.recording, *b.recording, b.shift_ns, &machine);
+  machine.scans = CompareScans(a, b, every);
+  machine.pictures = ComparePictures(a, b, every);
   return machine;
 }
 
@@ -157,7 +160,10 @@ std::string ChannelsText(const Recording& recording, const std::string& machine)
 
 void RequireSomething(const Recording& a, const Recording& b, const Comparison& comparison) {
   const auto has_something = [](const MachineComparison& machine) {
-    return !machine.tracks.empty() || !machine.channels.empty();
+    const auto has_pairs = [](const auto& one) { return !one.sensor.pairs.empty(); };
+    return !machine.tracks.empty() || !machine.channels.empty() ||
+           std::any_of(machine.scans.begin(), machine.scans.end(), has_pairs) ||
+           std::any_of(machine.pictures.begin(), machine.pictures.end(), has_pairs);
   };
   const auto& machines = comparison.machines;
   if (std::any_of(machines.begin(), machines.end(), has_something)) return;
@@ -293,13 +299,14 @@ std::string NameOf(const Recording& recording) {
 
 }  // namespace
 
-Comparison Compare(const std::filesystem::path& a, const std::filesystem::path& b) {
+Comparison Compare(const std::filesystem::path& a, const std::filesystem::path& b,
+                   std::size_t every) {
   const Recording recording_a(a), recording_b(b);
   const TimeAlignment times = AlignTimes(recording_a, recording_b);
   Comparison comparison{NameOf(recording_a), NameOf(recording_b), times.told, {}};
   for (const auto& [name_a, name_b] : MatchMachines(recording_a, recording_b)) {
     comparison.machines.push_back(
-        CompareMachine({&recording_a, name_a, 0}, {&recording_b, name_b, times.shift_ns}));
+        CompareMachine({&recording_a, name_a, 0}, {&recording_b, name_b, times.shift_ns}, every));
   }
   RequireSomething(recording_a, recording_b, comparison);
   return comparison;
@@ -315,13 +322,16 @@ std::string ComparisonTable(const Comparison& comparison) {
                    machine.name_a == machine.name_b ? "" : " and " + machine.name_b);
     for (const TrackComparison& track : machine.tracks) AppendTrack(&text, track);
     for (const std::string& remark : machine.remarks) fmt::format_to(out, "  {}\n", remark);
-    if (machine.channels.empty()) continue;
-    fmt::format_to(out, "  {:<40}{:>12}{:>12}{:>9}\n", "channel, in its own unit", "rmse", "mean",
-                   "samples");
+    if (!machine.channels.empty()) {
+      fmt::format_to(out, "  {:<40}{:>12}{:>12}{:>9}\n", "channel, in its own unit", "rmse", "mean",
+                     "samples");
+    }
     for (const ChannelDifference& d : machine.channels) {
       fmt::format_to(out, "  {:<40}{:>12.5g}{:>12.5g}{:>9}\n", d.channel + " " + d.column, d.rmse,
                      d.mean, d.count);
     }
+    for (const ScanComparison& scans : machine.scans) text += ScanTable(scans);
+    for (const PictureComparison& pictures : machine.pictures) text += PictureTable(pictures);
   }
   return text;
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "dataset/compare/picture_comparison.h"
+#include "dataset/compare/scan_comparison.h"
 #include "dataset/compare/trajectory_error.h"
 
 namespace tera {
@@ -36,6 +38,8 @@ struct MachineComparison {
   /// a parked machine.
   std::vector<TrackComparison> tracks;
   std::vector<ChannelDifference> channels;
+  std::vector<ScanComparison> scans;
+  std::vector<PictureComparison> pictures;
   std::vector<std::string> remarks;  ///< on omitted comparisons
 };
 
@@ -49,11 +53,12 @@ struct Comparison {
 /// Compares two recordings, simulated or real. Machines are matched by name, or as the only machine
 /// of each side. If one side has no poses, the antennas of both are compared (TracksOfReceivers).
 /// Sensor channels of numbers over time, without receivers, are matched by folder name and their
-/// numbers by column name. Samples of `b` are interpolated to the times of `a`. AlignTimes aligns
-/// the times.
+/// numbers by column name. Samples of `b` are interpolated to the times of `a`. Scans and pictures
+/// of one sensor are compared in pairs, one of `every` pairs. AlignTimes aligns the times.
 ///
 /// Throws  InputError if either cannot be read, or they share no machine or no data of any machine.
-Comparison Compare(const std::filesystem::path& a, const std::filesystem::path& b);
+Comparison Compare(const std::filesystem::path& a, const std::filesystem::path& b,
+                   std::size_t every = 1);
 
 /// The comparison as text for a terminal.
 std::string ComparisonTable(const Comparison& comparison);

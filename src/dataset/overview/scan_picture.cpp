@@ -21,13 +21,6 @@ Colour ClassColour(std::uint8_t label) {
   return label < kSemanticClasses.size() ? kSemanticClasses[label].rgb : kUnknownClass;
 }
 
-double ShownRadius_m(const std::vector<LidarPoint>& points) {
-  std::vector<double> ranges_m;
-  for (const LidarPoint& p : points) ranges_m.push_back(std::hypot(p.x_m, p.y_m));
-  if (ranges_m.empty()) return kMinRadius_m;
-  return std::max(kMinRadius_m, Quantile(std::move(ranges_m), kShareInView));
-}
-
 /// A square of `size_px`, omitted if it crosses the border.
 void Dot(double x_px, double y_px, int size_px, const Colour& colour, Picture* picture) {
   const int x = static_cast<int>(std::floor(x_px)), y = static_cast<int>(std::floor(y_px));
@@ -73,10 +66,22 @@ Colour Shaded(const LidarPoint& p) {
 
 }  // namespace
 
+double ShownRadius_m(const std::vector<LidarPoint>& points) {
+  std::vector<double> ranges_m;
+  for (const LidarPoint& p : points) ranges_m.push_back(std::hypot(p.x_m, p.y_m));
+  if (ranges_m.empty()) return kMinRadius_m;
+  return std::max(kMinRadius_m, Quantile(std::move(ranges_m), kShareInView));
+}
+
 Picture DrawScanFromAbove(const std::vector<LidarPoint>& points, int width_px, int height_px) {
+  return DrawScanFromAbove(points, width_px, height_px, ShownRadius_m(points));
+}
+
+Picture DrawScanFromAbove(const std::vector<LidarPoint>& points, int width_px, int height_px,
+                          double radius_m) {
   Picture picture = Empty(width_px, height_px);
   cv::Mat canvas(height_px, width_px, CV_8UC3, picture.data.data());
-  const double px_per_m = 0.5 * std::min(width_px, height_px) / ShownRadius_m(points);
+  const double px_per_m = 0.5 * std::min(width_px, height_px) / radius_m;
   const cv::Point2d centre(0.5 * width_px, 0.5 * height_px);
   for (double ring_m = kRingStep_m; ring_m * px_per_m < width_px; ring_m += kRingStep_m) {
     cv::circle(canvas, centre, static_cast<int>(ring_m * px_per_m), cv::Scalar(60, 60, 70), 1,

@@ -9,7 +9,6 @@
 #include "core/error.h"
 #include "core/types/labels.h"
 #include "dataset/format/recording.h"
-#include "dataset/realism/picture_statistics.h"
 
 namespace tera {
 namespace {
@@ -17,18 +16,17 @@ namespace {
 constexpr int kSmallest_px = 64;
 constexpr std::int64_t kFewestPixels = 1000;  ///< smallest reported class
 
-SurfaceRealism Told(const std::string& name, const SurfaceSums& sums) {
+SurfaceRealism ToldOf(const std::string& name, const SurfaceSums& sums) {
   return {name,          sums.pixels(),  sums.mscn_shape(), sums.step_kurtosis(),
           sums.chroma(), sums.noise_dn()};
 }
 
-void RequireSize(const std::filesystem::path& dataset, const std::string& folder,
-                 const CameraFrame& frame) {
+void RequireSize(const std::filesystem::path& folder, const CameraFrame& frame) {
   const Image<std::uint8_t>& semantic = frame.semantic;
   if (!semantic.empty() &&
       (semantic.width_px != frame.rgb.width_px || semantic.height_px != frame.rgb.height_px)) {
     throw InputError(
-        (dataset / folder).string(),
+        folder.string(),
         fmt::format(
             "a picture of {} x {} px with classes of {} x {} px; need classes of the same size",
             frame.rgb.width_px, frame.rgb.height_px, semantic.width_px, semantic.height_px));
@@ -36,7 +34,7 @@ void RequireSize(const std::filesystem::path& dataset, const std::string& folder
   const int least_px = std::min(frame.rgb.width_px, frame.rgb.height_px);
   if (least_px >= kSmallest_px) return;
   throw InputError(
-      (dataset / folder).string(),
+      folder.string(),
       {FaultKind::kOutOfRange, fmt::format("pictures of {} x {} px found, need at least {} px to a "
                                            "side for a spectrum; record larger ones",
                                            frame.rgb.width_px, frame.rgb.height_px, kSmallest_px)});
@@ -44,40 +42,50 @@ void RequireSize(const std::filesystem::path& dataset, const std::string& folder
 
 }  // namespace
 
+RealismSums::RealismSums() : of_class_(kSemanticClasses.size()) {
+  told_.slope_least = std::numeric_limits<double>::infinity();
+  told_.slope_most = -told_.slope_least;
+}
+
+void RealismSums::Add(const std::filesystem::path& folder, const CameraFrame& frame) {
+  RequireSize(folder, frame);
+  AddPicture(frame.rgb, frame.semantic, &whole_, &of_class_);
+  const double slope = AmplitudeSlope(Luminance(frame.rgb));
+  told_.slope_mean += slope;
+  told_.slope_least = std::min(told_.slope_least, slope);
+  told_.slope_most = std::max(told_.slope_most, slope);
+  told_.colourfulness += Colourfulness(frame.rgb);
+  ++told_.pictures;
+}
+
+Realism RealismSums::Told() const {
+  Realism told = told_;
+  told.slope_mean /= told.pictures;
+  told.colourfulness /= told.pictures;
+  told.surfaces.push_back(ToldOf("all", whole_));
+  for (std::size_t c = 0; c < of_class_.size(); ++c) {
+    if (of_class_[c].pixels() < kFewestPixels) continue;
+    told.surfaces.push_back(ToldOf(std::string(kSemanticClasses[c].name), of_class_[c]));
+  }
+  return told;
+}
+
 Realism MeasureRealism(const std::filesystem::path& dataset, int every_frame) {
   const Recording recording(dataset);
-  SurfaceSums whole;
-  std::vector<SurfaceSums> of_class(kSemanticClasses.size());
-  Realism realism;
-  realism.slope_least = std::numeric_limits<double>::infinity();
-  realism.slope_most = -realism.slope_least;
+  RealismSums sums;
   for (const std::string& folder : recording.SensorsOf(ChannelForm::kPictures)) {
     const std::vector<TimeNs> times = recording.FrameTimes(folder);
     for (std::size_t k = 0; k < times.size(); k += static_cast<std::size_t>(every_frame)) {
       const CameraFrame frame = recording.LoadFrame(folder, times[k]);
       if (frame.rgb.empty()) break;
-      RequireSize(dataset, folder, frame);
-      AddPicture(frame.rgb, frame.semantic, &whole, &of_class);
-      const double slope = AmplitudeSlope(Luminance(frame.rgb));
-      realism.slope_mean += slope;
-      realism.slope_least = std::min(realism.slope_least, slope);
-      realism.slope_most = std::max(realism.slope_most, slope);
-      realism.colourfulness += Colourfulness(frame.rgb);
-      ++realism.pictures;
+      sums.Add(dataset / folder, frame);
     }
   }
-  if (realism.pictures == 0) {
+  if (sums.pictures() == 0) {
     throw InputError(dataset.string(), {FaultKind::kMissing,
                                         "holds no colour pictures; need a camera with rgb: true"});
   }
-  realism.slope_mean /= realism.pictures;
-  realism.colourfulness /= realism.pictures;
-  realism.surfaces.push_back(Told("all", whole));
-  for (std::size_t c = 0; c < of_class.size(); ++c) {
-    if (of_class[c].pixels() < kFewestPixels) continue;
-    realism.surfaces.push_back(Told(std::string(kSemanticClasses[c].name), of_class[c]));
-  }
-  return realism;
+  return sums.Told();
 }
 
 std::string RealismTable(const Realism& r) {
