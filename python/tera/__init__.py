@@ -6,7 +6,7 @@
         obs, info = env.reset(seed=1)
         obs, reward, terminated, truncated, info = env.step(env.action_space.sample())
 
-Env is the environment, Session the requests below it, Server the program that answers them. They are imported when they
+Env is the environment, VectorEnv several at once, Session the requests below it, Server the program that answers them. They are imported when they
 are first used: reading datasets needs NumPy and PyYAML, and OpenCV for pictures.
 """
 
@@ -15,11 +15,13 @@ from importlib import import_module
 from tera.data import (Box, Camera, Dataset, Diagnosis, Flow, Frame, Keypoint, Lens, Lidar, PoseTrack, Scan, Table, diagnosis, pose_matrix,
                        transformed)
 
-_CLIENT = {"Env": "tera.env", "Patch": "tera.env", "make": "tera.env", "Server": "tera.server", "Refused": "tera.session",
-           "Session": "tera.session", "SessionEnded": "tera.session", "messages": "tera.v1.simulation_pb2"}
+_CLIENT = {"Env": "tera.env", "Patch": "tera.machine_io", "make": "tera.env", "VectorEnv": "tera.vector",
+           "make_vector": "tera.vector", "Server": "tera.server", "Refused": "tera.session", "Session": "tera.session",
+           "SessionEnded": "tera.session", "messages": "tera.v1.simulation_pb2"}
 
 __all__ = ["Box", "Camera", "Dataset", "Diagnosis", "Env", "Flow", "Frame", "Keypoint", "Lens", "Lidar", "Patch", "PoseTrack", "Refused", "Scan",
-           "Server", "Session", "SessionEnded", "Table", "diagnosis", "make", "messages", "pose_matrix", "transformed"]
+           "Server", "Session", "SessionEnded", "Table", "VectorEnv", "diagnosis", "make", "make_vector", "messages", "pose_matrix",
+           "transformed"]
 
 
 def __getattr__(name: str):

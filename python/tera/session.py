@@ -57,7 +57,7 @@ class Session:
         self._responses = service.SimulationStub(self._channel).Session(iter(self._requests.get, None))
         try:
             self.welcome = self.ask(hello=messages.Hello(protocol=PROTOCOL, client=client)).welcome
-            self.description = self.ask(describe=messages.Describe()).description
+            self.description = self.describe()
         except BaseException:
             self.close()
             raise
@@ -85,14 +85,24 @@ class Session:
             raise Refused(response.refusal.message, response.refusal.episode_over)
         return response
 
-    def reset(self, seed=None, observe=None):
-        """A fresh episode; an Observation at t = 0."""
-        return self.ask(reset=messages.Reset(seed=seed, observe=observe)).observation
+    def describe(self, environment=0):
+        """What is simulated, as the episode of that environment has drawn it."""
+        return self.ask(describe=messages.Describe(environment=environment)).description
+
+    def reset(self, seed=None, observe=None, next_seed=None):
+        """A fresh episode; an Observation at t = 0. `next_seed`: that of the reset to follow, which is then prepared."""
+        return self.ask(reset=messages.Reset(seed=seed, observe=observe, next_seed=next_seed)).observation
 
     def step(self, actions=(), duration_s=None, physics_steps=None, observe=None):
         """An Observation after the given duration, or number of physics steps, under `actions`."""
         return self.ask(step=messages.Step(actions=actions, duration_s=duration_s, physics_steps=physics_steps,
                                            observe=observe)).observation
+
+    def batch(self, turns):
+        """An Observation for each of the turns (messages.Turn), or the exception Refused for one that cannot be done."""
+        outcomes = self.ask(batch=messages.Batch(turns=turns)).outcomes.outcomes
+        return [outcome.observation if outcome.HasField("observation")
+                else Refused(outcome.refusal.message, outcome.refusal.episode_over) for outcome in outcomes]
 
     def close(self):
         """Ends the session and waits until the server is free for the next."""

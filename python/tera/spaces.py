@@ -5,8 +5,13 @@ import numpy as np
 try:
     from gymnasium import Env as EnvBase
     from gymnasium.spaces import Box, Dict
+    from gymnasium.vector import AutoresetMode
+    from gymnasium.vector import VectorEnv as VectorBase
+    from gymnasium.vector.utils import batch_space
+    NEXT_STEP = AutoresetMode.NEXT_STEP
 except ImportError:
-    EnvBase = object
+    EnvBase = VectorBase = object
+    NEXT_STEP = "NextStep"
 
     class Box:
         """Arrays of one shape and type between two bounds, the bounds included."""
@@ -75,3 +80,9 @@ except ImportError:
 
         def __repr__(self):
             return f"Dict({self.spaces})"
+
+    def batch_space(space, count):
+        """That of `count` arrays of `space`, or dicts of arrays, on top of each other."""
+        if isinstance(space, Dict):
+            return Dict({name: batch_space(part, count) for name, part in space.items()})
+        return Box(np.stack([space.low] * count), np.stack([space.high] * count), dtype=space.dtype)

@@ -27,7 +27,11 @@ struct ServeArguments {
 
 void RunServe(const ServeArguments& arguments) {
   const ScenarioSource source =
-      SourceOf(Load(arguments.scenario).resolved_yaml, arguments.scenario.scenario);
+      SourceOf([options = arguments.scenario](std::optional<std::uint64_t> seed) {
+        ScenarioOptions seeded = options;
+        if (seed) seeded.seed = seed;
+        return Load(seeded);
+      });
   const std::shared_ptr<const Scenario> scenario = source(std::nullopt).scenario;
   StageOptions options{
       .threads = arguments.host.threads, .egl = arguments.host.egl, .record = std::nullopt};

@@ -3,14 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <future>
 #include <map>
 #include <set>
 #include <utility>
+#include <vector>
 
+#include "core/beside.h"
 #include "core/error.h"
+#include "core/workers.h"
 #include "dataset/files/checked_file.h"
 #include "serve/action.h"
 #include "serve/description.h"
@@ -61,45 +66,68 @@ fs::path NextEpisode(const fs::path& folder) {
   return folder / fmt::format("episode_{:04}", last + 1);
 }
 
-class LiveStage : public Stage {
- public:
-  LiveStage(const v1::Description& description, const ScenarioSource& source,
-            const StageOptions& options, const Server::Log& log, std::function<bool()> ended)
-      : description_(description),
-        source_(source),
-        options_(options),
-        log_(log),
-        ended_(std::move(ended)) {}
+/// Power of the joints and gears that drive; those that brake take nothing back.
+double DrivingPower_w(const MachineState& machine) {
+  double power_w = 0;
+  for (std::size_t j = 0; j < machine.effort_nm.size(); ++j) {
+    power_w += std::max(0.0, machine.effort_nm[j] * machine.qd_radps[j]);
+  }
+  for (std::size_t g = 0; g < machine.gear_torque_nm.size(); ++g) {
+    power_w += std::max(0.0, machine.gear_torque_nm[g] * machine.gear_rate_radps[g]);
+  }
+  return power_w;
+}
 
-  ~LiveStage() override {
+/// A run at its start, with what collects its samples.
+struct Episode {
+  std::unique_ptr<SampleKeeper> keeper;  ///< must outlive the run
+  std::unique_ptr<LiveRun> run;
+};
+
+/// What all environments of a session share.
+struct Shared {
+  ScenarioSource source;
+  StageOptions options;
+  Server::Log log;
+  std::function<bool()> ended;
+};
+
+/// One episode after the other, driven by Resets and Steps.
+class Environment {
+ public:
+  Environment(const Shared& shared, const v1::Description& description)
+      : shared_(shared), description_(description) {}
+
+  ~Environment() {
     try {
       FinishEpisode();
     } catch (const std::exception& error) {
-      log_(fmt::format("the recording is left incomplete: {}", error.what()));
+      shared_.log(fmt::format("the recording is left incomplete: {}", error.what()));
     }
   }
 
-  v1::Description Describe() override { return description_; }
+  const v1::Description& description() const { return description_; }
 
-  std::optional<v1::Observation> Reset(const v1::Reset& request) override {
-    SeededScenario seeded =
-        source_(request.has_seed() ? std::optional(request.seed()) : std::nullopt);
+  v1::Observation Reset(const v1::Reset& request) {
+    const SeededScenario seeded = SeededBy(request);
     const ObservationPlan plan = PlanObservation(request.observe(), *seeded.scenario, 0);
     FinishEpisode();
-    LiveOptions options{.threads = options_.threads, .egl = options_.egl, .record = std::nullopt};
-    if (options_.record) options.record = NextEpisode(*options_.record);
-    auto keeper = std::make_unique<SampleKeeper>();
-    keeper->Keep(plan.sensors, 0);
-    run_ = std::make_unique<LiveRun>(std::move(seeded.scenario), seeded.resolved_yaml, options,
-                                     std::vector<MeasurementSink*>{keeper.get()});
-    keeper_ = std::move(keeper);
+    Episode episode = TakePrepared(request);
+    if (!episode.run) episode = Begin(shared_, seeded, plan);
+    keeper_ = std::move(episode.keeper);
+    run_ = std::move(episode.run);
     steps_ = 0;
     driven_.clear();
-    return Observe(plan);
+    work_j_.assign(run_->scenario().machines.size(), 0);
+    v1::Observation observation = Observe(plan);
+    observation.set_described_anew(DescribeAnew());
+    PrepareNext(request);
+    return observation;
   }
 
-  std::optional<v1::Observation> Step(const v1::Step& request) override {
-    if (!run_) throw InputError("the episode was ended by a fault; need Reset");
+  /// Returns nullopt if the session ends during the steps.
+  std::optional<v1::Observation> Step(const v1::Step& request) {
+    if (!run_) throw InputError("there is no episode, or a fault has ended it; need Reset");
     const double rate_hz = run_->scenario().physics_rate_hz;
     const std::int64_t steps = StepsOf(request, rate_hz);
     const Commands commands = CommandsOf(request, run_->scenario());
@@ -115,19 +143,70 @@ class LiveStage : public Stage {
     return Observe(plan);
   }
 
-  bool InEpisode() const override { return run_ != nullptr; }
+  bool InEpisode() const { return run_ != nullptr; }
 
  private:
   using Commands = std::map<std::size_t, ControlMessage>;
+
+  /// An episode that is made beside the steps of another, for the Reset that it fits.
+  struct Prepared {
+    std::uint64_t seed;
+    std::string observe;
+    std::future<Episode> episode;
+  };
+
+  SeededScenario SeededBy(const v1::Reset& request) const {
+    return shared_.source(request.has_seed() ? std::optional(request.seed()) : std::nullopt);
+  }
+
+  static Episode Begin(const Shared& shared, const SeededScenario& seeded,
+                       const ObservationPlan& plan) {
+    LiveOptions options{
+        .threads = shared.options.threads, .egl = shared.options.egl, .record = std::nullopt};
+    if (shared.options.record) options.record = NextEpisode(*shared.options.record);
+    Episode episode{std::make_unique<SampleKeeper>(), nullptr};
+    episode.keeper->Keep(plan.sensors, 0);
+    episode.run = std::make_unique<LiveRun>(seeded.scenario, seeded.resolved_yaml, options,
+                                            std::vector<MeasurementSink*>{episode.keeper.get()});
+    return episode;
+  }
+
+  /// Without a run, if no fitting episode is prepared.
+  Episode TakePrepared(const v1::Reset& request) {
+    std::optional<Prepared> prepared = std::exchange(prepared_, std::nullopt);
+    if (!prepared) return {};
+    Episode episode;
+    try {
+      episode = prepared->episode.get();
+    } catch (const InputError&) {
+      return {};  // made again by the Reset, for whose answer the fault is
+    }
+    const bool fits = request.has_seed() && request.seed() == prepared->seed &&
+                      request.observe().SerializeAsString() == prepared->observe;
+    return fits ? std::move(episode) : Episode();
+  }
+
+  /// A recorded episode is not prepared: its folder appears when it begins.
+  void PrepareNext(const v1::Reset& request) {
+    if (!request.has_next_seed() || shared_.options.record) return;
+    v1::Reset next = request;
+    next.set_seed(request.next_seed());
+    prepared_ = Prepared{next.seed(), next.observe().SerializeAsString(), Beside([this, next] {
+                           const SeededScenario seeded = SeededBy(next);
+                           return Begin(shared_, seeded,
+                                        PlanObservation(next.observe(), *seeded.scenario, 0));
+                         })};
+  }
 
   /// Returns false if the session ends during the steps.
   bool Run(const Commands& commands, std::int64_t steps) {
     const auto repeat = std::max<std::int64_t>(
         1, static_cast<std::int64_t>(kRepeat_s * run_->scenario().physics_rate_hz));
     for (std::int64_t k = 0; k < steps; ++k) {
-      if (ended_()) return false;
+      if (shared_.ended()) return false;
       if (k % repeat == 0) Command(commands);
       run_->Step();
+      CountWork();
       ++steps_;
     }
     return true;
@@ -144,10 +223,29 @@ class LiveStage : public Stage {
     }
   }
 
+  void CountWork() {
+    const double dt_s = 1 / run_->scenario().physics_rate_hz;
+    for (std::size_t m = 0; m < work_j_.size(); ++m) {
+      work_j_[m] += DrivingPower_w(run_->simulation().state().machines[m]) * dt_s;
+    }
+  }
+
+  /// Returns whether the episode's description differs from the last.
+  bool DescribeAnew() {
+    v1::Description description = Describe(run_->scenario());
+    description.set_seed(description_.seed());
+    const bool is_new = description.SerializeAsString() != description_.SerializeAsString();
+    description_ = std::move(description);
+    return is_new;
+  }
+
   v1::Observation Observe(const ObservationPlan& plan) {
     v1::Observation observation;
     const Simulation& simulation = run_->simulation();
     PutState(simulation.state(), run_->scenario(), plan.patches, &observation);
+    for (std::size_t m = 0; m < work_j_.size(); ++m) {
+      observation.mutable_machines(static_cast<int>(m))->set_work_j(work_j_[m]);
+    }
     keeper_->Take(&observation);
     return observation;
   }
@@ -157,15 +255,99 @@ class LiveStage : public Stage {
     if (run) run->Finish();
   }
 
-  const v1::Description description_;
-  const ScenarioSource source_;
-  const StageOptions options_;
-  const Server::Log log_;
-  const std::function<bool()> ended_;
+  const Shared& shared_;
+  v1::Description description_;
   std::unique_ptr<SampleKeeper> keeper_;  ///< must outlive the run
   std::unique_ptr<LiveRun> run_;
   std::int64_t steps_ = 0;        ///< physics steps since the start
   std::set<std::size_t> driven_;  ///< machines that a step has named
+  std::vector<double> work_j_;    ///< of each machine
+  std::optional<Prepared> prepared_;
+};
+
+class LiveStage : public Stage {
+ public:
+  LiveStage(const v1::Description& description, Shared shared)
+      : description_(description), shared_(std::move(shared)), workers_(shared_.options.threads) {
+    Grow(1);
+  }
+
+  v1::Description Describe(std::uint32_t environment) override {
+    RequireEnvironment(environment);
+    return environment < environments_.size() ? environments_[environment]->description()
+                                              : description_;
+  }
+
+  std::optional<v1::Observation> Reset(const v1::Reset& request) override {
+    return environments_[0]->Reset(request);
+  }
+
+  std::optional<v1::Observation> Step(const v1::Step& request) override {
+    return environments_[0]->Step(request);
+  }
+
+  std::optional<v1::Outcomes> Do(const v1::Batch& request) override {
+    std::set<std::uint32_t> named;
+    for (const v1::Turn& turn : request.turns()) {
+      RequireEnvironment(turn.environment());
+      if (!named.insert(turn.environment()).second) {
+        throw InputError("", {FaultKind::kRepeated,
+                              fmt::format("environment {} has two turns in one batch; need one",
+                                          turn.environment())});
+      }
+    }
+    if (!named.empty()) Grow(*named.rbegin() + 1);
+    v1::Outcomes outcomes;
+    for (int k = 0; k < request.turns_size(); ++k) outcomes.add_outcomes();
+    std::atomic<bool> ended = false;
+    workers_.ForRanges(request.turns_size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (auto k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
+        if (!Take(request.turns(k), outcomes.mutable_outcomes(k))) ended = true;
+      }
+    });
+    if (ended) return std::nullopt;
+    return outcomes;
+  }
+
+  bool InEpisode() const override { return environments_[0]->InEpisode(); }
+
+ private:
+  static void RequireEnvironment(std::uint32_t environment) {
+    if (environment < kMostEnvironments) return;
+    throw InputError("", {FaultKind::kOutOfRange, fmt::format("environment {}; need 0 to {}",
+                                                              environment, kMostEnvironments - 1)});
+  }
+
+  void Grow(std::size_t count) {
+    while (environments_.size() < count) {
+      environments_.push_back(std::make_unique<Environment>(shared_, description_));
+    }
+  }
+
+  /// Returns false if the session ends during the turn.
+  bool Take(const v1::Turn& turn, v1::Outcome* outcome) {
+    Environment& environment = *environments_[turn.environment()];
+    const bool was_in_episode = environment.InEpisode();
+    try {
+      if (turn.has_reset()) {
+        *outcome->mutable_observation() = environment.Reset(turn.reset());
+        return true;
+      }
+      if (!turn.has_step()) throw InputError("a turn of no kind; need Reset or Step");
+      std::optional<v1::Observation> observation = environment.Step(turn.step());
+      if (!observation) return false;
+      *outcome->mutable_observation() = std::move(*observation);
+    } catch (const InputError& error) {
+      outcome->mutable_refusal()->set_message(error.what());
+      outcome->mutable_refusal()->set_episode_over(was_in_episode && !environment.InEpisode());
+    }
+    return true;
+  }
+
+  const v1::Description description_;
+  const Shared shared_;
+  std::vector<std::unique_ptr<Environment>> environments_;  ///< by their number
+  Workers workers_;                                         ///< each takes turns of a batch
 };
 
 }  // namespace
@@ -175,7 +357,7 @@ Server::MakeStage LiveStages(const Scenario& scenario, ScenarioSource source,
   if (options.record) MakeWritableFolder(*options.record);
   return [description = Describe(scenario), source = std::move(source), options,
           log = std::move(log)](std::function<bool()> ended) {
-    return std::make_unique<LiveStage>(description, source, options, log, std::move(ended));
+    return std::make_unique<LiveStage>(description, Shared{source, options, log, std::move(ended)});
   };
 }
 

@@ -1,32 +1,47 @@
 #include "serve/scenario_source.h"
 
-#include <fmt/format.h>
-
+#include <mutex>
 #include <utility>
-#include <vector>
 
-#include "core/config/config.h"
+#include "core/config/kept_texts.h"
 
 namespace tera {
 namespace {
 
-SeededScenario ReadSeeded(const std::string& resolved_yaml, const std::string& name,
-                          std::optional<std::uint64_t> seed) {
-  std::vector<std::string> overrides;
-  if (seed) overrides.push_back(fmt::format("seed={}", *seed));
-  const Config config = Config::FromText(resolved_yaml, name, overrides);
-  auto scenario = std::make_shared<const Scenario>(ReadScenario(config.root()));
-  config.Finish();
-  return {std::move(scenario), config.ResolvedYaml()};
-}
+using Load = std::function<LoadedScenario(std::optional<std::uint64_t>)>;
+
+/// The scenario with its own seed, and the latest with another.
+struct Shelf {
+  Load load;
+  KeptTexts texts;
+  std::mutex mutex;
+  SeededScenario own, latest;
+
+  SeededScenario Read(std::optional<std::uint64_t> seed) {
+    const KeptTexts::Reading reading(&texts);
+    LoadedScenario loaded = load(seed);
+    return {std::make_shared<const Scenario>(std::move(loaded.scenario)),
+            std::move(loaded.resolved_yaml)};
+  }
+};
 
 }  // namespace
 
-ScenarioSource SourceOf(const std::string& resolved_yaml, const std::string& name) {
-  const SeededScenario own = ReadSeeded(resolved_yaml, name, std::nullopt);
-  return [=](std::optional<std::uint64_t> seed) {
-    if (!seed || *seed == own.scenario->seed) return own;
-    return ReadSeeded(resolved_yaml, name, seed);
+ScenarioSource SourceOf(Load load) {
+  const auto shelf = std::make_shared<Shelf>();
+  shelf->load = std::move(load);
+  shelf->own = shelf->latest = shelf->Read(std::nullopt);
+  return [shelf](std::optional<std::uint64_t> seed) {
+    {
+      const std::lock_guard lock(shelf->mutex);
+      if (!seed) return shelf->own;
+      for (const SeededScenario* known : {&shelf->own, &shelf->latest}) {
+        if (known->scenario->seed == *seed) return *known;
+      }
+    }
+    SeededScenario read = shelf->Read(seed);
+    const std::lock_guard lock(shelf->mutex);
+    return shelf->latest = std::move(read);
   };
 }
 

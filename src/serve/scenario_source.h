@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/scenario/scenario.h"
+#include "sim/scenario/load_scenario.h"
 
 namespace tera {
 
@@ -16,13 +16,12 @@ struct SeededScenario {
   std::string resolved_yaml;
 };
 
-/// Returns the scenario with the given seed, or with its own seed.
+/// Returns the scenario with the given seed, or with its own seed. Any thread may call it.
 using ScenarioSource = std::function<SeededScenario(std::optional<std::uint64_t> seed)>;
 
-/// Source of the scenario in the text `resolved_yaml`, independent of later changes to its file.
-/// Messages call it `name`. Episodes with its own seed share one scenario. Another seed creates
-/// another scenario from the text, because its terrain may differ. Throws InputError for faulty
-/// text.
-ScenarioSource SourceOf(const std::string& resolved_yaml, const std::string& name);
+/// Source of the scenario that `load` reads, with what `randomise:` draws by the seed. YAML files
+/// stay as they were when they were first read. Episodes in sequence with one seed share one
+/// scenario. Throws InputError for faulty text, now for the scenario's own seed.
+ScenarioSource SourceOf(std::function<LoadedScenario(std::optional<std::uint64_t>)> load);
 
 }  // namespace tera

@@ -87,7 +87,7 @@ Status Session::OutOfTurn(const v1::Request& request) const {
   if (request.kind_case() == v1::Request::KIND_NOT_SET) {
     return {StatusCode::UNIMPLEMENTED,
             fmt::format("request {} is of no kind that protocol {} knows; need Hello, Describe, "
-                        "Reset or Step",
+                        "Reset, Step or Batch",
                         request.sequence(), kServeProtocol)};
   }
   if (!greeted_ && !request.has_hello()) {
@@ -122,12 +122,20 @@ void Session::Greet(const v1::Hello& hello, v1::Response* response) {
   welcome.set_server(server_);
   welcome.set_largest_request_bytes(kLargestRequest_bytes);
   welcome.set_largest_samples_bytes(kLargestSamples_bytes);
+  welcome.set_most_environments(kMostEnvironments);
 }
 
 bool Session::Act(const v1::Request& request, v1::Response* response) {
   try {
     if (request.has_describe()) {
-      *response->mutable_description() = stage_->Describe();
+      *response->mutable_description() = stage_->Describe(request.describe().environment());
+      return true;
+    }
+    if (request.has_batch()) {
+      std::optional<v1::Outcomes> outcomes = stage_->Do(request.batch());
+      if (!outcomes) return false;
+      in_episode_ = in_episode_ || stage_->InEpisode();
+      *response->mutable_outcomes() = std::move(*outcomes);
       return true;
     }
     std::optional<v1::Observation> observation =

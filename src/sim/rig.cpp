@@ -27,16 +27,13 @@ Rig::Rig(const Scenario& scenario, const SceneAssembly& assembly, const EglOptio
   }
   if (Has(ChannelForm::kPictures) || Has(ChannelForm::kScans)) scene_.FollowAir(scenario);
   if (Has(ChannelForm::kPictures)) scene_.OpenRasterizers(egl, sink->TakesFramesLate());
-  if (Has(ChannelForm::kScans)) scene_.MakeRayScene();
   if (std::any_of(units_.begin(), units_.end(),
                   [](const Unit& unit) { return unit.sampler->LooksBack(); })) {
     scene_.KeepPast();
   }
 }
 
-double Rig::camera_wall_s() const {
-  return scene_.rasterizers() != nullptr ? scene_.rasterizers()->busy_s() : 0.0;
-}
+double Rig::camera_wall_s() const { return scene_.busy_s(); }
 
 bool Rig::Has(ChannelForm form) const {
   return std::any_of(units_.begin(), units_.end(),

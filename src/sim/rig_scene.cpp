@@ -23,11 +23,23 @@ RigScene::~RigScene() = default;
 
 /// With a single thread, that thread takes the pictures.
 void RigScene::OpenRasterizers(const EglOptions& egl, bool late) {
-  const int beside = late && threads_ > 1 ? RasterizerPool::FittingCount(egl, threads_) : 0;
+  egl_ = egl;
+  if (!late) return;
+  const int beside = threads_ > 1 ? RasterizerPool::FittingCount(egl, threads_) : 0;
   rasterizers_ = std::make_unique<RasterizerPool>(assembly_.model(), egl, threads_, beside);
 }
 
-void RigScene::MakeRayScene() { ray_scene_ = std::make_unique<RayScene>(assembly_.model()); }
+RasterizerPool* RigScene::rasterizers() const {
+  if (!rasterizers_) {
+    rasterizers_ = std::make_unique<RasterizerPool>(assembly_.model(), egl_, threads_, 0);
+  }
+  return rasterizers_.get();
+}
+
+RayScene* RigScene::ray_scene() const {
+  if (!ray_scene_) ray_scene_ = std::make_unique<RayScene>(assembly_.model());
+  return ray_scene_.get();
+}
 
 void RigScene::Advance(const WorldStep& step) {
   before_ = &step.before;

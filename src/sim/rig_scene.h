@@ -22,11 +22,9 @@ class RigScene : public SensedScene {
   RigScene(const SceneAssembly& assembly, int threads);
   ~RigScene() override;
 
-  /// For sensors that take pictures; in parallel with the run if `late`. Throws InputError without
-  /// a way to draw.
+  /// For sensors that take pictures: in parallel with the run if `late`, else opened by the first
+  /// picture. Throws InputError without a way to draw, as does that first picture.
   void OpenRasterizers(const EglOptions& egl, bool late);
-  /// For sensors that cast rays.
-  void MakeRayScene();
   /// For sensors that need past poses, which are kept from then on.
   void KeepPast() { keeps_past_ = true; }
   /// For sensors that look through the air. From then on the scenario's dust, if any, is simulated.
@@ -42,8 +40,11 @@ class RigScene : public SensedScene {
   std::vector<Pose> BodiesAt(TimeNs t_ns) const override;
   SensedAir air() const override;
   KeptScene Keep() const override;
-  RasterizerPool* rasterizers() const override { return rasterizers_.get(); }
-  RayScene* ray_scene() const override { return ray_scene_.get(); }
+  RasterizerPool* rasterizers() const override;
+  /// Made for the first scan.
+  RayScene* ray_scene() const override;
+  /// Wall-clock seconds of the busiest rasterizer.
+  double busy_s() const { return rasterizers_ ? rasterizers_->busy_s() : 0.0; }
   int threads() const override { return threads_; }
 
  private:
@@ -55,8 +56,9 @@ class RigScene : public SensedScene {
 
   const SceneAssembly& assembly_;
   int threads_;
-  std::unique_ptr<RasterizerPool> rasterizers_;
-  std::unique_ptr<RayScene> ray_scene_;
+  EglOptions egl_;
+  mutable std::unique_ptr<RasterizerPool> rasterizers_;
+  mutable std::unique_ptr<RayScene> ray_scene_;
   const Instant *before_ = nullptr, *after_ = nullptr;
   const TerrainSurface* ground_ = nullptr;
   mutable Shapes shapes_;  ///< shapes in the step, if known

@@ -146,7 +146,7 @@ TEST(LiveStage, ASensorWithoutAMessageOfItsOwnSendsRowsOfItsColumns) {
   };
   const std::unique_ptr<Stage> stage = LiveStages(*with_tilt(std::nullopt).scenario, with_tilt, {},
                                                   [](const std::string&) {})([] { return false; });
-  const v1::Sensor sensor = stage->Describe().machines(0).sensors(0);
+  const v1::Sensor sensor = stage->Describe(0).machines(0).sensors(0);
   EXPECT_EQ(sensor.type(), "inclinometer");
   ASSERT_EQ(sensor.columns_size(), 2);
   EXPECT_EQ(sensor.columns(0), "tilt_rad");

@@ -1,14 +1,19 @@
 #pragma once
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/config/config.h"
 #include "core/error.h"
+#include "own_folder.h"
 #include "serve/live_stage.h"
 #include "serve/session.h"
 
@@ -39,8 +44,18 @@ machines:
     rig: {sensors: [{name: imu, preset: tera:config/sensors/xsens_mti_670.yaml, link: chassis}]}
 )";
 
+/// Source of a scenario's text.
+inline ScenarioSource SourceOfText(const std::string& text, const std::string& name) {
+  const auto file = std::make_shared<const std::filesystem::path>(OwnFolder() / name);
+  std::ofstream(*file) << text;
+  return SourceOf([file](std::optional<std::uint64_t> seed) {
+    return LoadScenario(
+        *file, seed ? std::vector{fmt::format("seed={}", *seed)} : std::vector<std::string>{});
+  });
+}
+
 inline SeededScenario Source(std::optional<std::uint64_t> seed) {
-  static const ScenarioSource source = SourceOf(kStageScenario, "stage.yaml");
+  static const ScenarioSource source = SourceOfText(kStageScenario, "stage.yaml");
   return source(seed);
 }
 
@@ -103,7 +118,7 @@ class LiveStageTest : public testing::Test {
   }
 
   std::unique_ptr<Stage> stage_ = NewStage();
-  v1::Description description_ = stage_->Describe();
+  v1::Description description_ = stage_->Describe(0);
   v1::Machine digger_ = description_.machines(0);
 };
 

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <tuple>
 
 #include "serve/live_stage_fixture.h"
 
@@ -95,6 +96,38 @@ TEST_F(LiveStageTest, TheSameSeedGivesTheSameBytesAndAnotherOtherNoise) {
   const std::string first = whole(1);
   EXPECT_TRUE(whole(1) == first);
   EXPECT_FALSE(whole(2) == first);
+}
+
+TEST(LiveStages, AResetDrawsTheYardOfItsSeed) {
+  const std::string text = std::string(kStageScenario) + R"(
+randomise:
+  - {key: 'machines[0].start.yaw_deg', uniform: [-180, 180]}
+  - {key: 'terrain.size_m', choice: [[16, 16], [18, 18], [20, 20], [22, 22]]}
+)";
+  const ScenarioSource source = SourceOfText(text, "yards.yaml");
+  const std::unique_ptr<Stage> stage = LiveStages(*source(std::nullopt).scenario, source, {},
+                                                  [](const std::string&) {})([] { return false; });
+  const auto yard = [&](std::uint64_t seed) {
+    v1::Reset reset;
+    reset.set_seed(seed);
+    v1::Observation observation = stage->Reset(reset).value();
+    const bool anew = observation.described_anew();
+    observation.clear_described_anew();
+    return std::tuple(observation.SerializeAsString(), anew, stage->Describe(0).site().x_max_m());
+  };
+  const auto [first, first_anew, first_m] = yard(1);
+  const auto [again, again_anew, again_m] = yard(1);
+  EXPECT_TRUE(first == again);
+  EXPECT_FALSE(again_anew);
+  int yards = 0;
+  for (std::uint64_t seed = 2; seed < 8; ++seed) {
+    const double before_m = stage->Describe(0).site().x_max_m();
+    const auto [other, anew, x_max_m] = yard(seed);
+    EXPECT_FALSE(other == first);
+    EXPECT_EQ(anew, x_max_m != before_m);
+    yards += anew;
+  }
+  EXPECT_GT(yards, 0);  // with 4 sizes, 6 draws are of one size in 4^-5 of all cases
 }
 
 TEST_F(LiveStageTest, RefusesWhatCannotBeDoneAndChangesNothing) {

@@ -32,7 +32,7 @@ class EndlessStage : public Stage {
     ++*alive_;
   }
   ~EndlessStage() override { --*alive_; }
-  v1::Description Describe() override {
+  v1::Description Describe(std::uint32_t) override {
     v1::Description description;
     description.set_scenario(std::string(kLarge, 'x'));
     return description;
@@ -46,6 +46,7 @@ class EndlessStage : public Stage {
     *stepping_ = false;
     return std::nullopt;
   }
+  std::optional<v1::Outcomes> Do(const v1::Batch&) override { return v1::Outcomes(); }
   bool InEpisode() const override { return true; }
 
  private:

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 /// episode.
 class CountingStage : public Stage {
  public:
-  v1::Description Describe() override {
+  v1::Description Describe(std::uint32_t) override {
     v1::Description description;
     description.set_scenario("counting");
     return description;
@@ -38,6 +38,7 @@ class CountingStage : public Stage {
     return Now();
   }
 
+  std::optional<v1::Outcomes> Do(const v1::Batch&) override { return v1::Outcomes(); }
   bool InEpisode() const override { return in_episode_; }
 
   bool ended = false;

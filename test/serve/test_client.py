@@ -367,10 +367,160 @@ class GymnasiumTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "options of a reset: wind; need none"):
             self.env().reset(options={"wind": 3})
 
+    def test_a_prepared_reset_gives_what_an_unprepared_one_does(self):
+        prepared = self.env()
+        told = [prepared.reset(seed=6)[0], prepared.reset()[0]]
+        prepared.close()
+        plain = tera.Env(server.address, prepare=False, sensors=["imu", "gnss", "camera", "encoders"],
+                         patch=tera.Patch(2.0, 0.25))
+        self.addCleanup(plain.close)
+        for one, other in zip(told, [plain.reset(seed=6)[0], plain.reset()[0]]):
+            self.assertTrue(equal(one, other))
+
     @unittest.skipUnless(importlib.util.find_spec("gymnasium"), "Gymnasium is not installed")
     def test_gymnasiums_own_check_passes(self):
         from gymnasium.utils.env_checker import check_env
         check_env(self.env(), skip_render_check=True)
+
+    @unittest.skipUnless(importlib.util.find_spec("gymnasium"), "Gymnasium is not installed")
+    def test_the_vector_is_gymnasiums(self):
+        from gymnasium.vector import VectorEnv
+        envs = tera.VectorEnv(server.address, 2)
+        self.addCleanup(envs.close)
+        self.assertIsInstance(envs, VectorEnv)
+
+
+DRAWN = SCENARIO + """
+randomise:
+  - {key: 'machines[1].start.yaw_deg', uniform: [-90, 90]}
+  - {key: terrain.soil, choice: [dirt, sand, gravel]}
+"""
+
+
+class VectorEnvTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        drawn = Path(folder.name) / "drawn.yaml"
+        drawn.write_text(DRAWN)
+        cls.drawn = tera.Server(drawn)
+        cls.addClassCleanup(cls.drawn.close)
+
+    def envs(self, num_envs=3, **options):
+        envs = tera.VectorEnv(self.drawn.address, num_envs, **options)
+        self.addCleanup(envs.close)
+        return envs
+
+    def test_each_environment_is_what_it_would_be_alone_in_the_yard_of_its_seed(self):
+        options = {"sensors": ["imu", "camera"], "reward": "load_kg - 1e-3 * work_j", "step_s": 0.2}
+        envs = self.envs(**options)
+        action = np.where([lever.name == "boom" for lever in envs.machine.levers], -0.5, 0.0)
+        stacked = [envs.reset(seed=7)[0]]
+        rewards = []
+        for _ in range(2):
+            observation, reward, _, _, info = envs.step(np.stack([action] * 3))
+            stacked.append(observation)
+            rewards.append(reward)
+        np.testing.assert_array_equal(info["seed"], [7, 8, 9])
+        self.assertFalse(np.allclose(stacked[0]["base_rotation_WB"][0], stacked[0]["base_rotation_WB"][1]))
+        envs.close()
+        env = tera.Env(self.drawn.address, **options)
+        self.addCleanup(env.close)
+        for k in range(3):
+            told = [env.reset(seed=7 + k)[0]]
+            for step in range(2):
+                observation, reward, *_ = env.step(action)
+                told.append(observation)
+                self.assertEqual(reward, rewards[step][k])
+            for one, all_of_them in zip(told, stacked):
+                self.assertTrue(equal(one, {name: value[k] for name, value in all_of_them.items()}))
+
+    def test_an_episode_that_is_over_begins_the_next_by_the_following_step(self):
+        envs = self.envs(2, step_s=0.5, terminated="time_s > 0.4 and x_m < 1e9", reward="1")
+        envs.reset(seed=[3, 30])
+        still = np.zeros(envs.action_space.shape)
+        _, reward, terminations, truncations, info = envs.step(still)
+        self.assertTrue(terminations.all())
+        self.assertFalse(truncations.any())
+        np.testing.assert_array_equal(reward, [1, 1])
+        _, reward, terminations, _, after = envs.step(still)
+        np.testing.assert_array_equal(reward, [0, 0])
+        self.assertFalse(terminations.any())
+        np.testing.assert_array_equal(after["time_s"], [0, 0])
+        self.assertFalse(np.any(after["seed"] == info["seed"]))
+        again = tera.vector.Seeds(0)
+        again.begin(3)
+        self.assertEqual(again.begin()[0], after["seed"][0])  # that of Env.reset()
+
+    def test_spaces_hold_what_is_stacked(self):
+        envs = self.envs(2, sensors=["imu", "gnss", "camera"], patch=tera.Patch(2.0, 0.25))
+        observation, _ = envs.reset(seed=1)
+        self.assertTrue(envs.observation_space.contains(observation))
+        self.assertEqual(set(observation), set(envs.observation_space.spaces))
+        envs.action_space.seed(2)
+        action = envs.action_space.sample()
+        self.assertEqual(action.shape, (2,) + envs.single_action_space.shape)
+        observation, reward, terminations, truncations, _ = envs.step(action)
+        self.assertTrue(envs.observation_space.contains(observation))
+        self.assertEqual([a.dtype for a in (reward, terminations, truncations)], [np.float64, bool, bool])
+
+    def test_wrong_calls_are_refused(self):
+        with self.assertRaisesRegex(ValueError, "num_envs 65; need at most 64"):
+            self.envs(65)
+        with self.assertRaisesRegex(ValueError, "num_envs 0"):
+            self.envs(0)
+        envs = self.envs(2)
+        still = np.zeros(envs.action_space.shape)
+        with self.assertRaisesRegex(RuntimeError, "step before reset"):
+            envs.step(still)
+        with self.assertRaisesRegex(ValueError, "3 seeds; need 2"):
+            envs.reset(seed=[1, 2, 3])
+        envs.reset(seed=1)
+        with self.assertRaisesRegex(ValueError, "1 actions; need 2"):
+            envs.step(still[:1])
+        still[1] = 2
+        with self.assertRaisesRegex(tera.Refused, "environment 1: .*need -1 to 1"):
+            envs.step(still)
+
+    def test_a_machine_that_the_draw_changes_is_seen_so(self):
+        heavier = Path(folder.name) / "heavier.yaml"
+        heavier.write_text(SCENARIO + """
+randomise:
+  - {key: terrain.size_m, choice: [[14, 14], [16, 16]]}
+""")
+        with tera.Server(heavier) as server, tera.Session(server.address) as session:
+            sizes = set()
+            for seed in range(8):
+                anew = session.reset(seed=seed).described_anew
+                before, session.description = session.description, session.describe()
+                self.assertEqual(anew, before != session.description)
+                sizes.add(session.description.site.x_max_m)
+            self.assertEqual(sizes, {7.0, 8.0})
+
+
+class TruthTest(unittest.TestCase):
+    def test_expressions_read_the_truth_after_a_step(self):
+        env = tera.Env(server.address, step_s=0.2, reward="max(tilt_rad, 0) + 2 * (time_s > 0.1) - change_work_j",
+                       terminated="touches > 0 or tilt_rad > 0.5")
+        self.addCleanup(env.close)
+        _, info = env.reset(seed=1)
+        self.assertEqual(info["truth"]["change_work_j"], 0)
+        up = np.where([lever.name == "boom" for lever in env.machine.levers], 0.5, 0.0)
+        observation, reward, terminated, _, info = env.step(up)
+        truth = info["truth"]
+        self.assertAlmostEqual(reward, truth["tilt_rad"] + 2 - truth["work_j"])
+        self.assertGreater(truth["work_j"], 10)
+        self.assertFalse(terminated)
+        w, x, y, z = observation["base_rotation_WB"]
+        self.assertAlmostEqual(np.cos(truth["tilt_rad"]), rotation(w, x, y, z)[2, 2], places=9)
+        np.testing.assert_allclose([truth[name] for name in ("x_m", "y_m", "z_m")], observation["base_position_W_m"])
+
+    def test_what_is_no_expression_is_refused_before_a_server_is_asked(self):
+        for text, words in (("tilt > 1", "no truth 'tilt'; need one of time_s"), ("__import__('os')", "no function"),
+                            ("touches.real", "Attribute is not possible"), ("load_kg >", "need one of Python's"),
+                            ("sin(x_m, key=1)", "Call is not possible"), ("'text'", "is no number"),
+                            ("[x_m]", "List is not possible"), ("max", "no truth 'max'")):
+            with self.assertRaisesRegex(ValueError, words):
+                tera.Env("127.0.0.1:1", reward=text)
 
 
 class SessionTest(unittest.TestCase):

@@ -4,9 +4,11 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "core/config/config.h"
 #include "core/config/config_layers.h"
+#include "core/config/kept_texts.h"
 #include "core/config/listed_folder.h"
 #include "core/config/merge_keys.h"
 #include "core/config/portable_name.h"
@@ -16,6 +18,31 @@
 
 namespace tera {
 namespace fs = std::filesystem;
+
+namespace {
+thread_local KeptTexts* kept_texts = nullptr;
+}  // namespace
+
+KeptTexts::Reading::Reading(KeptTexts* texts) : outer_(std::exchange(kept_texts, texts)) {}
+
+KeptTexts::Reading::~Reading() { kept_texts = outer_; }
+
+std::optional<std::string> KeptTexts::TextOf(const fs::path& file) {
+  const std::string place = internal::Canonical(file).string();
+  if (kept_texts != nullptr) {
+    const std::lock_guard lock(kept_texts->mutex_);
+    const auto kept = kept_texts->texts_.find(place);
+    if (kept != kept_texts->texts_.end()) return kept->second;
+  }
+  std::ifstream stream(file);
+  if (!stream) return std::nullopt;
+  std::stringstream text;
+  text << stream.rdbuf();
+  if (kept_texts == nullptr) return text.str();
+  const std::lock_guard lock(kept_texts->mutex_);
+  return kept_texts->texts_.emplace(place, text.str()).first->second;
+}
+
 namespace internal {
 namespace {
 
@@ -56,18 +83,17 @@ std::string ShownName(const fs::path& path) {
 }
 
 YAML::Node LoadYaml(const fs::path& file, const std::string& shown) {
-  std::ifstream stream(file);
-  if (!stream) throw InputError(shown, fault::CannotBeRead("a readable YAML file"));
-  std::stringstream text;
-  text << stream.rdbuf();
-  if ((text >> std::ws).peek() == '<') {
+  const std::optional<std::string> text = KeptTexts::TextOf(file);
+  if (!text) throw InputError(shown, fault::CannotBeRead("a readable YAML file"));
+  const std::size_t start = text->find_first_not_of(" \t\r\n");
+  if (start != std::string::npos && (*text)[start] == '<') {
     throw InputError(shown + ":1:1",
                      {FaultKind::kMalformed,
                       "is XML; need YAML (a URDF is named by the key `urdf` of a machine "
                       "file, docs/guide/my-machine.md)"});
   }
   try {
-    YAML::Node node = YAML::Load(text.str());
+    YAML::Node node = YAML::Load(*text);
     ApplyMergeKeys(node);
     if (!node.IsMap()) throw InputError(shown + ":1:1", fault::NotAMapping("at the top"));
     return node;

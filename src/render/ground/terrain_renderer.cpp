@@ -21,7 +21,7 @@ constexpr double kErrorM = 0.02;
 GlObject DetailTexture() {
   constexpr int kLevels = 10;  // down to one texel
   static_assert(GroundDetail::kSide == 1 << (kLevels - 1));
-  const GroundDetail detail = MakeGroundDetail();
+  static const GroundDetail detail = MakeGroundDetail();  // the same for all grounds
   GlObject texture = MakeTexture(GL_RGBA8, GroundDetail::kSide, GroundDetail::kSide,
                                  Filter::kMipmapped, Wrap::kRepeat, kLevels);
   glTextureSubImage2D(texture.id(), 0, 0, 0, GroundDetail::kSide, GroundDetail::kSide, GL_RGBA,

@@ -67,7 +67,8 @@ class CameraSampler : public SensorSampler {
                     output_.sink->NeedsFrame(output_.channel, times.t_ns, clock_.Due(next_ + 1))};
     if (picture.is_needed || camera().HasMemory()) Order(step, &picture);
     ordered_.push_back(std::move(picture));
-    const bool is_late = step.scene.rasterizers()->work_beside() && !LooksBack();
+    const bool is_late =
+        first_rasterizer_ && step.scene.rasterizers()->work_beside() && !LooksBack();
     WriteAllBut(is_late ? cameras_.size() + 1 : 0);  // so that no rasterizer is idle
   }
 

@@ -105,6 +105,34 @@ Vec3 TexelDirection(int column, int row) {
   return {horizontal * std::cos(azimuth_rad), horizontal * std::sin(azimuth_rad), z};
 }
 
+/// Noise of the clouds, which is that of all skies.
+float CloudNoise(const Vec3& d) {
+  static const LatticeNoise noise("render/clouds", 8, 6);
+  const double reach = kCloudScale / (d.z() + kCloudHorizon);
+  return noise.At(kCloudOffset.x() + d.x() * reach,
+                  kCloudOffset.y() + d.y() * reach * kCloudStretch);
+}
+
+/// Directions of all texels with the noise there, row by row.
+struct TexelNoise {
+  Vec3 direction_W;
+  float noise;
+};
+const std::vector<TexelNoise>& TexelNoises() {
+  static const std::vector<TexelNoise> noises = [] {
+    std::vector<TexelNoise> all;
+    all.reserve(static_cast<std::size_t>(Sky::kWidth) * Sky::kHeight);
+    for (int row = 0; row < Sky::kHeight; ++row) {
+      for (int column = 0; column < Sky::kWidth; ++column) {
+        const Vec3 d = TexelDirection(column, row);
+        all.push_back({d, CloudNoise(d)});
+      }
+    }
+    return all;
+  }();
+  return noises;
+}
+
 /// Illuminance of level ground by a sky: integral of radiance times the sine of elevation over the
 /// upper hemisphere.
 template <typename RadianceOf>
@@ -128,8 +156,7 @@ Eigen::Vector3f LevelSum(const RadianceOf& radiance_of) {
 Sky::Sky(const Environment& environment)
     : turbidity_(environment.turbidity),
       cloud_cover_(environment.cloud_cover),
-      snow_share_(static_cast<float>(SnowShare(environment.weather, TerrainSurface::Cover(), 1))),
-      cloud_noise_("render/clouds", 8, 6) {
+      snow_share_(static_cast<float>(SnowShare(environment.weather, TerrainSurface::Cover(), 1))) {
   Vec3 s = environment.to_sun_W.normalized();
   if (s.z() < std::sin(kMinSunHeight_rad)) {
     const double level = s.head<2>().norm();
@@ -166,12 +193,6 @@ Eigen::Vector3f Sky::ClearSky(const Vec3& direction_W) const {
 void Sky::SetIlluminance(double level_lx) {
   const auto now_lx = LevelSum([&](const Vec3& d) { return ClearSky(d); });
   sky_scale_ = static_cast<float>(level_lx / Luminance(now_lx.cast<double>()));
-}
-
-float Sky::CloudNoise(const Vec3& d) const {
-  const double reach = kCloudScale / (d.z() + kCloudHorizon);
-  return cloud_noise_.At(kCloudOffset.x() + d.x() * reach,
-                         kCloudOffset.y() + d.y() * reach * kCloudStretch);
 }
 
 /// Finds the noise threshold exceeded in the fraction `cover` of the sky, and the clouds'
@@ -254,9 +275,8 @@ Eigen::Vector3f Sky::Airlight(const Vec3& direction_W) const {
 }
 
 /// The clear sky with thin clouds.
-Eigen::Vector3f Sky::ThinClouds(const Vec3& d) const {
+Eigen::Vector3f Sky::ThinClouds(const Vec3& d, float n) const {
   Eigen::Vector3f radiance = ClearSky(d);
-  const float n = CloudNoise(d);
   const float cover = std::clamp((n - kCloudCover) / kCloudEdge, 0.0f, 1.0f) * kCloudOpacity;
   const Eigen::Vector3f white = sun_lx_ * kCloudSun + kCloudZenith * zenith_;
   radiance += cover * (white - radiance) * static_cast<float>(std::min(1.0, d.z() * kCloudFade));
@@ -265,17 +285,14 @@ Eigen::Vector3f Sky::ThinClouds(const Vec3& d) const {
 
 void Sky::Paint(double fog_visibility_m) {
   const double extinction_1pm = -std::log(kVisibleContrast) / fog_visibility_m;
-  texels_.resize(static_cast<std::size_t>(kWidth) * kHeight);
-  for (int row = 0; row < kHeight; ++row) {
-    for (int column = 0; column < kWidth; ++column) {
-      const Vec3 d = TexelDirection(column, row);
-      Eigen::Vector3f radiance = cloud_cover_ ? CloudySky(d) : ThinClouds(d);
-      // Haze of exponential density: zenith optical depth times the air mass.
-      const double haze =
-          1 - std::exp(-extinction_1pm * kHazeScaleHeight_m * kHazeShare / (d.z() + kHazeHorizon));
-      radiance += static_cast<float>(haze) * (Airlight(d) - radiance);
-      texels_[static_cast<std::size_t>(row) * kWidth + column] = radiance;
-    }
+  texels_.reserve(TexelNoises().size());
+  for (const auto& [d, noise] : TexelNoises()) {
+    Eigen::Vector3f radiance = cloud_cover_ ? CloudySky(d) : ThinClouds(d, noise);
+    // Haze of exponential density: zenith optical depth times the air mass.
+    const double haze =
+        1 - std::exp(-extinction_1pm * kHazeScaleHeight_m * kHazeShare / (d.z() + kHazeHorizon));
+    radiance += static_cast<float>(haze) * (Airlight(d) - radiance);
+    texels_.push_back(radiance);
   }
 }
 

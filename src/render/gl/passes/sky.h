@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "render/ground/lattice_noise.h"
 #include "render/scene.h"
 
 namespace tera {
@@ -55,11 +54,10 @@ class Sky {
   Eigen::Vector3f ClearSky(const Vec3& direction_W) const;
   void SetIlluminance(double level_lx);
   void FitClouds(double cover);
-  float CloudNoise(const Vec3& direction_W) const;
   /// Cloud fraction in a direction, and the radiance of the cloud.
   float CloudShare(const Vec3& direction_W) const;
   Eigen::Vector3f CloudRadiance(const Vec3& direction_W) const;
-  Eigen::Vector3f ThinClouds(const Vec3& direction_W) const;
+  Eigen::Vector3f ThinClouds(const Vec3& direction_W, float noise) const;
   /// The sky with its clouds, without haze.
   Eigen::Vector3f CloudySky(const Vec3& direction_W) const;
   Eigen::Vector3f Airlight(const Vec3& direction_W) const;
@@ -74,7 +72,6 @@ class Sky {
   float cloud_threshold_ = 0;          ///< noise threshold of clouds
   float cloud_zenith_cdpm2_ = 0;       ///< luminance of a cloud at the zenith
   float snow_share_;                   ///< snow-covered fraction of the surrounding ground
-  LatticeNoise cloud_noise_;
   Eigen::Vector3f sun_lx_, zenith_, ground_;
   std::vector<Eigen::Vector3f> texels_;
   std::array<Eigen::Vector3f, 9> diffuse_;
