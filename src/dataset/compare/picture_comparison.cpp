@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "core/error.h"
+#include "dataset/realism/realism_sums.h"
 
 namespace tera {
 namespace {

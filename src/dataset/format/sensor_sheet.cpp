@@ -25,7 +25,15 @@ Pose ReadPlace(const ConfigMap& map) {
   return MakePose(p_m, rotation.normalized().toRotationMatrix());
 }
 
-CameraLens ReadLens(const ConfigMap& model) {
+ImuNoise ReadImuNoise(const ConfigMap& model) {
+  const auto number = [&](const char* key) { return model.Number(key, AtLeast(0, ""), 0); };
+  return {kDeg * number("gyro_noise_density_degpsrthz"), kDeg * number("gyro_sample_noise_degps"),
+          kMicroG_mps2 * number("accel_noise_density_ugrthz"), number("accel_sample_noise_mps2")};
+}
+
+}  // namespace
+
+CameraLens ReadCameraLens(const ConfigMap& model) {
   CameraLens lens;
   lens.width_px = static_cast<int>(model.Integer("width_px", Between(1, kMostPixels, "px")));
   lens.height_px = static_cast<int>(model.Integer("height_px", Between(1, kMostPixels, "px")));
@@ -46,14 +54,6 @@ CameraLens ReadLens(const ConfigMap& model) {
   return lens;
 }
 
-ImuNoise ReadImuNoise(const ConfigMap& model) {
-  const auto number = [&](const char* key) { return model.Number(key, AtLeast(0, ""), 0); };
-  return {kDeg * number("gyro_noise_density_degpsrthz"), kDeg * number("gyro_sample_noise_degps"),
-          kMicroG_mps2 * number("accel_noise_density_ugrthz"), number("accel_sample_noise_mps2")};
-}
-
-}  // namespace
-
 SensorSheet ReadSensorSheet(const std::filesystem::path& sensor_folder) {
   const Config config = Config::FromFile(sensor_folder / "sensor.yaml");
   const ConfigMap root = config.root();
@@ -66,7 +66,7 @@ SensorSheet ReadSensorSheet(const std::filesystem::path& sensor_folder) {
   sheet.latency_ns = FromSeconds(root.Number("latency_s", AtLeast(0, "s"), 0));
   if (root.Has("model")) {
     const ConfigMap model = root.Map("model");
-    if (model.Has("fx_px")) sheet.lens = ReadLens(model);
+    if (model.Has("fx_px")) sheet.lens = ReadCameraLens(model);
     if (sheet.type == kImuChannel) sheet.imu_noise = ReadImuNoise(model);
   }
   // Other keys belong to other readers and are checked only after a fault in the requested ones.

@@ -9,6 +9,8 @@
 
 namespace tera {
 
+class ConfigMap;
+
 /// A camera's picture and lens as in docs/reference/dataset.md. The centre of pixel (0, 0) is the
 /// image point (0, 0).
 struct CameraLens {
@@ -37,6 +39,9 @@ struct SensorSheet {
   std::optional<CameraLens> lens;
   std::optional<ImuNoise> imu_noise;
 };
+
+/// Reads a camera's `model` as in sensor.yaml. Faults go to `model`.
+CameraLens ReadCameraLens(const ConfigMap& model);
 
 /// Throws InputError if the file is missing or deviates from docs/reference/dataset.md.
 SensorSheet ReadSensorSheet(const std::filesystem::path& sensor_folder);

@@ -109,6 +109,22 @@ CsvForm ReadCsvForm(const ConfigMap& config) {
   return form;
 }
 
+std::optional<BagTopic> ReadNamedTopic(const ConfigMap& channel, std::string_view key,
+                                       const std::filesystem::path& bag, UnpackedFiles* unpacked) {
+  for (const std::filesystem::path& part : FilesOfBag(bag)) channel.AlsoReads(part);
+  const std::string name = channel.Text(key);
+  const FoundTopic found = FindTopic(bag, name, unpacked);
+  if (!found.topic) {
+    channel.Fault(
+        key,
+        {FaultKind::kNoSuchName,
+         fmt::format(
+             "{} has no topic '{}'{}; it has {}", bag.string(), name, DidYouMean(name, found.names),
+             found.names.empty() ? "none" : fmt::format("{}", fmt::join(found.names, ", ")))});
+  }
+  return found.topic;
+}
+
 namespace {
 
 /// The topic that a channel names, as described in its bag.
@@ -118,17 +134,9 @@ std::optional<BagTopic> ReadTopic(const ConfigMap& channel, const std::filesyste
     if (LooksLikeBag(file)) channel.Fault("topic", "is missing; need one of the bag's topics");
     return std::nullopt;
   }
-  BagTopic unknown{.name = channel.Text("topic")};
+  const BagTopic unknown{.name = channel.Text("topic")};
   if (file.empty()) return unknown;
-  for (const std::filesystem::path& part : FilesOfBag(file)) channel.AlsoReads(part);
-  const FoundTopic found = FindTopic(file, unknown.name, unpacked);
-  if (found.topic) return found.topic;
-  channel.Fault(
-      "topic",
-      fmt::format("{} has no topic '{}'{}; it has {}", file.string(), unknown.name,
-                  DidYouMean(unknown.name, found.names),
-                  found.names.empty() ? "none" : fmt::format("{}", fmt::join(found.names, ", "))));
-  return unknown;
+  return ReadNamedTopic(channel, "topic", file, unpacked).value_or(unknown);
 }
 
 /// Whether a mapping gives a time for a channel whose rows have their own stamps.

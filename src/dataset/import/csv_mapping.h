@@ -51,6 +51,10 @@ struct RowSource {
 /// the topic up in its bag.
 RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top, UnpackedFiles* unpacked);
 
+/// The topic of a bag that `key` names. Faults, as an unknown name, go to `channel`.
+std::optional<BagTopic> ReadNamedTopic(const ConfigMap& channel, std::string_view key,
+                                       const std::filesystem::path& bag, UnpackedFiles* unpacked);
+
 /// A table's syntax from the keys of `csv:`.
 CsvForm ReadCsvForm(const ConfigMap& config);
 

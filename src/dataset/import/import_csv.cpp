@@ -16,6 +16,7 @@
 #include "dataset/import/foreign_file.h"
 #include "dataset/import/import_run.h"
 #include "dataset/import/logs/foreign_log.h"
+#include "dataset/import/pictures/camera_channel.h"
 #include "dataset/import/scans/lidar_channel.h"
 
 namespace tera {
@@ -34,11 +35,6 @@ Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options, Unpacked
   }
   for (const char* shared : {"file", "time", "csv", "talker"})
     top.Has(shared);  // each channel may have its own
-  if (top.Has("cameras")) {
-    top.Fault("cameras",
-              "pictures of logs do not come in by a mapping; need them written into the "
-              "recording's folders (docs/reference/dataset.md, recordings with pictures)");
-  }
   mapping.starts_at_zero = top.Choice("zero", {"start", "as_written"}, "as_written") == "start";
   mapping.epoch = ReadEpoch(top, /*may_count_from_1970=*/true);
   top.Has("machine_model");  // read later, by encoders that need it
@@ -66,14 +62,17 @@ Mapping ReadMapping(const ConfigMap& top, const ImportOptions& options, Unpacked
   for (const ConfigMap& item : top.List("lidars")) {
     mapping.jobs.push_back(ReadLidar(item, top, &mapping));
   }
+  for (const ConfigMap& item : top.List("cameras")) {
+    mapping.jobs.push_back(ReadCamera(item, top, &mapping));
+  }
   if (const auto pose = top.OptionalMap("pose")) {
     mapping.jobs.push_back(ReadPose(*pose, top, &mapping));
   }
   if (mapping.jobs.empty()) {
-    top.Fault(
-        "",
-        "imports nothing, need at least one of imus, gyros, gnss, encoders, tables, lidars and "
-        "pose");
+    top.Fault("",
+              "imports nothing, need at least one of imus, gyros, gnss, encoders, tables, lidars, "
+              "cameras "
+              "and pose");
   }
   return mapping;
 }

@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/types/labels.h"
 #include "dataset/format/recording.h"
+#include "dataset/realism/realism_sums.h"
 
 namespace tera {
 namespace {

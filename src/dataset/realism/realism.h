@@ -5,9 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "core/types/measurement.h"
-#include "dataset/realism/picture_statistics.h"
-
 namespace tera {
 
 /// Statistics of the pixels of one class, from SurfaceSums.
@@ -23,24 +20,6 @@ struct Realism {
   double slope_mean = 0, slope_least = 0, slope_most = 0;  ///< slopes of amplitude spectra
   double colourfulness = 0;                                ///< mean
   std::vector<SurfaceRealism> surfaces;                    ///< all, then classes
-};
-
-/// Sums over any number of pictures.
-class RealismSums {
- public:
-  RealismSums();
-
-  /// Adds a colour picture, by class if it has labels. Throws InputError, with the camera's
-  /// `folder`, for a picture smaller than 64 px and for labels of another size.
-  void Add(const std::filesystem::path& folder, const CameraFrame& frame);
-  int pictures() const { return told_.pictures; }
-  /// Of at least one picture.
-  Realism Told() const;
-
- private:
-  Realism told_;  ///< sums where Told has means
-  SurfaceSums whole_;
-  std::vector<SurfaceSums> of_class_;
 };
 
 /// Measures one of `every_frame` colour pictures of all cameras of a dataset, by class if there are

@@ -6,10 +6,10 @@
 #include <algorithm>
 
 #include "core/config/listed_folder.h"
-#include "core/config/spelling.h"
 #include "core/error.h"
 #include "core/units.h"
 #include "dataset/import/bag/topic_table.h"
+#include "dataset/import/csv_mapping.h"
 #include "dataset/import/scans/capture_file.h"
 #include "dataset/import/scans/ouster_decoder.h"
 #include "dataset/import/scans/packet_topic.h"
@@ -17,6 +17,7 @@
 #include "dataset/import/scans/point_topic.h"
 #include "dataset/import/scans/scan_file.h"
 #include "dataset/import/scans/velodyne_decoder.h"
+#include "dataset/import/stamped_files.h"
 
 namespace tera {
 namespace {
@@ -202,24 +203,8 @@ class LidarKeys {
         });
   }
 
-  std::optional<BagTopic> FindOwnTopic() {
-    for (const std::filesystem::path& part : FilesOfBag(source_.file)) channel_.AlsoReads(part);
-    const std::string name = channel_.Text("topic");
-    const FoundTopic found = FindTopic(source_.file, name, unpacked_);
-    if (!found.topic) {
-      channel_.Fault(
-          "topic",
-          {FaultKind::kNoSuchName,
-           fmt::format(
-               "{} has no topic '{}'{}; it has {}", source_.file.string(), name,
-               DidYouMean(name, found.names),
-               found.names.empty() ? "none" : fmt::format("{}", fmt::join(found.names, ", ")))});
-    }
-    return found.topic;
-  }
-
   void ReadTopic() {
-    const auto topic = FindOwnTopic();
+    const auto topic = ReadNamedTopic(channel_, "topic", source_.file, unpacked_);
     if (!topic) return;
     if (topic->type == kPointCloudType) {
       ReadPoints(*topic);
@@ -281,55 +266,21 @@ class LidarKeys {
   }
 
   LidarSource ReadFolder() {
-    source_.file = Folder(channel_, "files");
+    const StampedFiles stamped = ReadStampedFiles(channel_, {".bin", ".pcd", ".ply"}, "scans");
+    source_.file = stamped.folder;
     if (source_.file.empty()) return {};
-    std::vector<std::filesystem::path> files;
-    std::vector<TimeNs> times_ns;
-    try {
-      files = ScanFilesOf(source_.file);
-      times_ns = TimesOfFiles(files);
-    } catch (const InputError& fault) {
-      channel_.Fault("files", fault.AsFinding());
-    }
-    for (const std::filesystem::path& file : files) channel_.AlsoReads(file);
     ReadTime({"stamp"}, "stamp");
-    source_.read = [files, times_ns, form = ReadForm()](ScanReading* reading) {
-      for (std::size_t k = 0; k < files.size(); ++k) {
+    source_.read = [stamped, form = ReadForm()](ScanReading* reading) {
+      for (std::size_t k = 0; k < stamped.files.size(); ++k) {
         ++reading->pieces;
         try {
-          reading->take(ReadScanFile(files[k], form, times_ns[k]));
+          reading->take(ReadScanFile(stamped.files[k], form, stamped.times_ns[k]));
         } catch (const InputError& fault) {
           reading->leave_out(fault);
         }
       }
     };
     return source_;
-  }
-
-  std::vector<TimeNs> TimesOfFiles(const std::vector<std::filesystem::path>& files) {
-    std::vector<TimeNs> times_ns;
-    if (channel_.Has("times")) {
-      const std::filesystem::path times = channel_.File("times");
-      if (!times.empty()) times_ns = ReadScanTimes(times);
-      if (!times.empty() && times_ns.size() != files.size()) {
-        channel_.Fault("times", {FaultKind::kInconsistent,
-                                 fmt::format("has {} times, the folder has {} scans; need one each",
-                                             times_ns.size(), files.size())});
-      }
-      return times_ns;
-    }
-    for (const std::filesystem::path& file : files) {
-      const auto t_ns = StampOfName(file);
-      if (!t_ns) {
-        channel_.Fault("times", {FaultKind::kMissing,
-                                 fmt::format("is missing: the name {} is no time since 1970; need "
-                                             "a file of one time a line",
-                                             file.filename().string())});
-        return {};
-      }
-      times_ns.push_back(*t_ns);
-    }
-    return times_ns;
   }
 
   const ConfigMap& channel_;

@@ -4,7 +4,6 @@
 #include <liblzf/lzf.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cstring>
 #include <map>
 #include <sstream>
@@ -13,8 +12,7 @@
 #include "core/error.h"
 #include "core/parse_number.h"
 #include "dataset/files/checked_file.h"
-#include "dataset/import/calendar_time.h"
-#include "dataset/import/logs/log_time.h"
+#include "dataset/import/cloud/ply_header.h"
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -26,31 +24,7 @@ namespace {
 
 std::string EndingOf(const fs::path& file) { return LowerCase(file.extension().string()); }
 
-bool IsDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
-/// Natural order: "2.pcd" before "10.pcd".
-bool IsBefore(const fs::path& a_path, const fs::path& b_path) {
-  const std::string a = a_path.filename().string(), b = b_path.filename().string();
-  std::size_t i = 0, j = 0;
-  while (i < a.size() && j < b.size()) {
-    if (!IsDigit(a[i]) || !IsDigit(b[j])) {
-      if (a[i] != b[j]) return a[i] < b[j];
-      ++i, ++j;
-      continue;
-    }
-    const auto number = [](const std::string& text, std::size_t* at) {
-      std::size_t begin = *at;
-      while (*at < text.size() && IsDigit(text[*at])) ++*at;
-      while (begin + 1 < *at && text[begin] == '0') ++begin;
-      return text.substr(begin, *at - begin);
-    };
-    const std::string m = number(a, &i), n = number(b, &j);
-    if (m != n) return m.size() != n.size() ? m.size() < n.size() : m < n;
-  }
-  return a.size() - i < b.size() - j;
-}
-
-/// The header of a PCD file.
+/// The header of a PCD file, or of a PLY file.
 struct PcdHead {
   std::vector<RecordField> fields;
   std::size_t step = 0, points = 0, columns = 0, body = 0;
@@ -197,81 +171,36 @@ UnitScan ReadKittiScan(const fs::path& file, const PointForm& form, TimeNs stamp
   return RecordReader(points, form).Read(stamp_ns);
 }
 
+UnitScan ReadPlyScan(const fs::path& file, const PointForm& form, TimeNs stamp_ns) {
+  const std::string bytes = ReadWholeFile(file);
+  const PlyVertices vertices = ReadPlyHeader(file, bytes);
+  PcdHead head{.step = vertices.record_bytes,
+               .points = vertices.count,
+               .columns = vertices.properties.size(),
+               .body = vertices.body,
+               .data = vertices.form};
+  for (const PlyProperty& one : vertices.properties) {
+    head.fields.push_back({one.name, one.type, one.bytes, one.at});
+  }
+  std::string records = bytes.substr(head.body);
+  if (head.data == "ascii") records = FromText(file, &head, records);
+  RequireBody(file, records.size(), head.points * head.step);
+  const PointRecords points{.fields = head.fields,
+                            .step = head.step,
+                            .count = head.points,
+                            .bytes = records,
+                            .is_big_endian = vertices.form == "binary_big_endian",
+                            .place = file.string()};
+  return RecordReader(points, form).Read(stamp_ns);
+}
+
 }  // namespace
 
-std::vector<fs::path> ScanFilesOf(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string ending = EndingOf(entry.path());
-    if (entry.is_regular_file() && (ending == ".pcd" || ending == ".bin")) {
-      files.push_back(entry.path());
-    }
-  }
-  if (files.empty()) {
-    RefuseScan(folder, FaultKind::kMissing, "has no scans, need files .pcd or .bin (KITTI's)");
-  }
-  std::sort(files.begin(), files.end(), IsBefore);
-  return files;
-}
-
 UnitScan ReadScanFile(const fs::path& file, const PointForm& form, TimeNs stamp_ns) {
-  return EndingOf(file) == ".bin" ? ReadKittiScan(file, form, stamp_ns)
-                                  : ReadPcdScan(file, form, stamp_ns);
-}
-
-std::optional<TimeNs> StampOfName(const fs::path& file) {
-  const std::string name = file.stem().string();
-  const std::size_t point = name.find('.');
-  const bool is_number = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-    return IsDigit(c) || c == '.';
-  });
-  if (!is_number) return std::nullopt;
-  constexpr std::size_t kSecondsDigits = 10;  // years 2001 to 2286
-  constexpr TimeNs kLeastStamp_s = 100'000'000;
-  if (point != name.npos) return point >= kSecondsDigits ? SecondsOfText(name) : std::nullopt;
-  if (name.size() < kSecondsDigits || name.size() > kSecondsDigits + 9) return std::nullopt;
-  const auto number = ParseNumber<std::int64_t>(name);
-  if (!number) return std::nullopt;
-  for (const auto& [digits, unit_ns] : {std::pair{19, TimeNs{1}},
-                                        {16, TimeNs{1000}},
-                                        {13, TimeNs{1'000'000}},
-                                        {10, TimeNs{1'000'000'000}}}) {
-    if (name.size() != static_cast<std::size_t>(digits)) continue;
-    const TimeNs t_ns = *number * unit_ns;
-    // Smaller numbers, such as 0000000010, are indices of files.
-    return t_ns >= kLeastStamp_s * kNsPerSecond ? std::optional(t_ns) : std::nullopt;
-  }
-  return std::nullopt;
-}
-
-std::vector<TimeNs> ReadScanTimes(const fs::path& file) {
-  constexpr std::int64_t kNanoseconds = 100'000'000'000'000'000;
-  std::istringstream lines(ReadWholeFile(file));
-  std::vector<TimeNs> times_ns;
-  int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back()))) line.pop_back();
-    if (line.empty() || line.front() == '#') continue;
-    const auto whole = ParseNumber<std::int64_t>(line);
-    std::optional<TimeNs> t_ns;
-    if (whole && *whole >= kNanoseconds) t_ns = *whole;
-    if (!t_ns) t_ns = SecondsOfText(line);
-    // KITTI's odometry writes 1.037875e-01.
-    if (const auto seconds = ParseNumber<double>(line); !t_ns && seconds) {
-      t_ns = FromSeconds(*seconds);
-    }
-    if (const auto date = CalendarTimeOf(line, std::nullopt); !t_ns && date) t_ns = date->t_ns;
-    if (!t_ns) {
-      throw InputError(fmt::format("{}:{}", file.string(), number),
-                       {FaultKind::kMistyped,
-                        fmt::format("found '{}', need a time in seconds, in ns since 1970, or a "
-                                    "date with a time of day",
-                                    line)});
-    }
-    times_ns.push_back(*t_ns);
-  }
-  return times_ns;
+  const std::string ending = EndingOf(file);
+  return ending == ".bin"   ? ReadKittiScan(file, form, stamp_ns)
+         : ending == ".ply" ? ReadPlyScan(file, form, stamp_ns)
+                            : ReadPcdScan(file, form, stamp_ns);
 }
 
 }  // namespace tera

@@ -14,6 +14,7 @@
 #include "dataset/import/bag/byte_cursor.h"
 #include "dataset/import/bag/message_schema.h"
 #include "dataset/import/bag/standard_topics.h"
+#include "dataset/import/pictures/camera_topic.h"
 #include "dataset/import/scans/packet_topic.h"
 #include "dataset/import/scans/point_topic.h"
 #include "dataset/import/suggest/bag_channels.h"
@@ -91,9 +92,10 @@ class BagGuess {
         PlainNameOf(NameOfLog()), Machine(), YamlWord(log_.string()));
     if (!damage_.empty()) yaml += "# damaged, needs --skip-bad-rows: " + OneLine(damage_) + "\n";
     const std::string channels = channels_.Yaml();
-    if (lidars_at_epoch_ && !channels.starts_with("zero: start")) yaml += "zero: start\n";
+    if (counts_from_epoch_ && !channels.starts_with("zero: start")) yaml += "zero: start\n";
     yaml += channels;
     if (!lidars_.empty()) yaml += "lidars:\n" + lidars_;
+    if (!cameras_.empty()) yaml += "cameras:\n" + cameras_;
     if (!others_.empty()) yaml += "# Not mapped:\n" + others_;
     return yaml;
   }
@@ -151,6 +153,7 @@ class BagGuess {
   std::string Add(const SeenTopic& seen) {
     const std::string& type = seen.topic.type;
     if (type == kPointCloudType || HoldsPackets(type)) return AddLidar(seen);
+    if (type == kImageType || type == kCompressedImageType) return AddCamera(seen);
     try {
       SchemaOf(seen.topic);
     } catch (const BadBytes& bad) {
@@ -166,10 +169,6 @@ class BagGuess {
     if (StandardColumnOf(type, "qw")) {
       return pose_ != nullptr ? "the pose is that of " + pose_->topic.name
                               : "a pose of a part, or one that cannot be read";
-    }
-    if (type.ends_with("Image")) {
-      return "pictures do not come in by a mapping: docs/reference/dataset.md, recordings with "
-             "pictures";
     }
     if (type.ends_with("Scan") || type.ends_with("CustomMsg") || type.ends_with("Packets")) {
       return "scans of this type do not come in by a mapping: docs/reference/dataset.md, importing "
@@ -187,14 +186,38 @@ class BagGuess {
     if (type == kPandarType) rest = ", unit: qt64}   # guessed: the only one that is read";
     if (type == kPointCloudType) rest = "}";
     if (rest.empty()) rest = ", metadata: unknown}   # need the JSON that the sensor itself gave";
-    constexpr TimeNs kEpoch_ns = 100'000'000 * kNsPerSecond;
-    lidars_at_epoch_ = lidars_at_epoch_ || seen.first_ns > kEpoch_ns;
+    counts_from_epoch_ = counts_from_epoch_ || seen.first_ns > kEpoch_ns;
     lidars_ +=
         fmt::format("  - {{name: {}, topic: {}{}\n", names_.Take(PlainNameOf(seen.topic.name)),
                     YamlWord(seen.topic.name), rest);
     return "";
   }
 
+  /// An entry of `cameras`, with the CameraInfo beside its topic.
+  std::string AddCamera(const SeenTopic& seen) {
+    std::string why_not = FaultOfFirstPicture(log_, seen.topic, &unpacked_);
+    if (!why_not.empty()) return why_not;
+    std::string name = seen.topic.name;
+    for (const std::string_view transport : {"/compressed", "/theora"}) {
+      if (name.ends_with(transport)) name.resize(name.size() - transport.size());
+    }
+    const std::string info = name.substr(0, name.rfind('/') + 1) + "camera_info";
+    const bool has_info =
+        std::any_of(census_.topics().begin(), census_.topics().end(), [&](const SeenTopic& other) {
+          return other.topic.name == info && other.topic.type == kCameraInfoType;
+        });
+    const std::string lens =
+        !has_info ? "uncalibrated: true}   # guessed: no CameraInfo is beside it"
+        : name.find("rect") != name.npos
+            ? fmt::format("info: {}, rectified: true}}   # guessed, by the name", YamlWord(info))
+            : fmt::format("info: {}}}", YamlWord(info));
+    counts_from_epoch_ = counts_from_epoch_ || seen.first_ns > kEpoch_ns;
+    cameras_ += fmt::format("  - {{name: {}, topic: {}, {}\n", names_.Take(PlainNameOf(name)),
+                            YamlWord(seen.topic.name), lens);
+    return "";
+  }
+
+  static constexpr TimeNs kEpoch_ns = 100'000'000 * kNsPerSecond;
   std::filesystem::path log_;
   UnpackedFiles unpacked_;
   Census census_;
@@ -202,8 +225,8 @@ class BagGuess {
   std::string damage_;
   const SeenTopic* pose_ = nullptr;
   TakenNames names_;
-  std::string others_, lidars_;
-  bool lidars_at_epoch_ = false;  ///< their times count from 1970
+  std::string others_, lidars_, cameras_;
+  bool counts_from_epoch_ = false;  ///< times of lidars or cameras count from 1970
 };
 
 }  // namespace

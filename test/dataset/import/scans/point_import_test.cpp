@@ -189,6 +189,36 @@ TEST_F(LidarImportTest, PcdScansHaveTheirTimesInTheirNames) {
   ExpectFault("files: scans, stamp: first", FaultKind::kMissing, "files");
 }
 
+TEST_F(LidarImportTest, PlyScansComeInByTheirVertices) {
+  MakeFolder(scratch_.path() / "scans");
+  const auto head = [](const std::string& form) {
+    return "ply\nformat " + form +
+           " 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
+           "property uchar reflectivity\nproperty ushort ring\nend_header\n";
+  };
+  File("scans/1700000000.1.ply", head("binary_little_endian") + PlaceBytes(1, 2, 3) +
+                                     Bytes(std::uint8_t{51}) + Bytes(std::uint16_t{7}));
+  // 4, 5 and 6 as floats, and ring 7, with the first byte first.
+  File("scans/1700000000.2.ply",
+       head("binary_big_endian") +
+           std::string("\x40\x80\0\0\x40\xa0\0\0\x40\xc0\0\0\x33\0\x07", 15));
+  Import("files: scans, stamp: first", "zero: start\n");
+  const auto scans = Scans();
+  ASSERT_EQ(scans.size(), 2u);
+  ExpectPlace(scans[0].points[0], {1, 2, 3});
+  ExpectPlace(scans[1].points[0], {4, 5, 6});
+  for (const LidarScan& scan : scans) {
+    EXPECT_FLOAT_EQ(scan.points[0].intensity, 0.2F);
+    EXPECT_EQ(scan.points[0].ring, 7);
+  }
+  File("scans/1700000000.2.ply", head("ascii") + "4 5 6 51 7\n");
+  Import("files: scans, stamp: first, full_intensity: 255", "zero: start\n");
+  ExpectPlace(Scans()[1].points[0], {4, 5, 6});
+  EXPECT_FLOAT_EQ(Scans()[1].points[0].intensity, 0.2F);
+  File("scans/1700000000.2.ply", head("binary_little_endian") + "short");
+  ExpectFault("files: scans, stamp: first", FaultKind::kMalformed, "scans/1700000000.2.ply");
+}
+
 TEST_F(LidarImportTest, OurOwnScansInAFolderComeBack) {
   MakeFolder(scratch_.path() / "scans");
   const LidarPoint point{

@@ -413,20 +413,25 @@ TEST_F(SuggestBag, LeversOfDeltaCanAreCommands) {
 
 // --- Topics without import
 
-TEST_F(SuggestBag, PicturesAreToldWithTheReason) {
+TEST_F(SuggestBag, CamerasAreEntriesWithTheCameraInfoBesideThem) {
   TopicsMcap bag;
-  for (int k = 0; k < 2; ++k) {
-    bag.Message("/imu", kImuName, LogAt(k), ImuMessage(StampAt(k)));
-    bag.Message("/front/image", "sensor_msgs/msg/CompressedImage", LogAt(k), Cdr());
-  }
+  Cdr grey;  // 2 x 1 px
+  grey.Header(1, 0).Add(std::uint32_t{1}).Add(std::uint32_t{2}).Text("mono8");
+  grey.Add(std::uint8_t{0}).Add(std::uint32_t{2}).Add(std::uint32_t{2}).Add('a').Add('b');
+  Cdr packed;
+  packed.Header(1, 0).Text("compressedDepth").Add(std::uint32_t{0});
+  bag.Message("/front/image_raw", "sensor_msgs/msg/Image", LogAt(0), grey);
+  bag.Message("/front/camera_info", "sensor_msgs/msg/CameraInfo", LogAt(0), Cdr());
+  bag.Message("/front/image_rect", "sensor_msgs/msg/Image", LogAt(1), grey);
+  bag.Message("/rear/image", "sensor_msgs/msg/Image", LogAt(2), grey);
+  bag.Message("/rear/depth/compressedDepth", "sensor_msgs/msg/CompressedImage", LogAt(3), packed);
   Write(bag);
-  Suggested();
-  EXPECT_THAT(yaml_, HasSubstr("/front/image (sensor_msgs/CompressedImage): 2 messages, 100 Hz; "
-                               "pictures do not come in by a mapping"));
-  EXPECT_THAT(FaultOf("imus: [{name: imu, topic: /imu}]\ncameras: [{name: a, topic: "
-                      "/front/image}]\n"),
-              AllOf(HasSubstr("cameras: pictures of logs do not come in"),
-                    HasSubstr("docs/reference/dataset.md"), Not(HasSubstr("unknown key"))));
+  const std::string yaml = SuggestMapping(scratch_.path() / "log.mcap");
+  EXPECT_THAT(yaml, HasSubstr("cameras:\n  - {name: front_image_raw, topic: "
+                              "\"/front/image_raw\", info: \"/front/camera_info\"}\n"));
+  EXPECT_THAT(yaml, HasSubstr("info: \"/front/camera_info\", rectified: true}   # guessed"));
+  EXPECT_THAT(yaml, HasSubstr("topic: \"/rear/image\", uncalibrated: true}   # guessed"));
+  EXPECT_THAT(yaml, HasSubstr("need the raw depth topic"));
 }
 
 TEST_F(SuggestBag, LidarsAreEntriesThatSayWhatTheyNeed) {

@@ -123,7 +123,9 @@ TEST_F(Suggest, ABagIsMappedByItsTypes) {
                             HasSubstr("topic: \"/digger/imu\"   # 6 messages, 10 Hz\n"),
                             HasSubstr("topic: \"/digger/gps/fix\""), HasSubstr("lat_deg: 46.78"),
                             HasSubstr("topic: \"/digger/joints\""), HasSubstr("pose:"),
-                            HasSubstr("#   /digger/front/image_raw (sensor_msgs/Image): 6 mess")));
+                            HasSubstr("{name: digger_front_image_raw, topic: "),
+                            HasSubstr("uncalibrated: true}"),
+                            HasSubstr("#   /digger/front/instance/image_raw (sensor_msgs/Image)")));
   }
 }
 
