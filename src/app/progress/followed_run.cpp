@@ -67,6 +67,13 @@ void PrintReport(const GenerateReport& report, const std::string& out) {
   for (const auto& [name, wall_s] : stages) {
     fmt::print("  {:<14} {:7.2f}  {}\n", name, wall_s, factor(wall_s));
   }
+  if (!report.task) return;
+  fmt::print(
+      "  task {}: {:.1f} % of the floor within tolerance, {:.3f} to {:.3f} m, rms {:.3f} m; "
+      "to cut {:.3f} m3, cut beyond {:.3f} m3\n",
+      report.task_done ? "done" : "not done", 100 * report.task->within, report.task->lowest_m,
+      report.task->highest_m, report.task->rms_m, report.task->to_cut_m3,
+      report.task->cut_beyond_m3);
 }
 
 /// Runs and ends the progress line.

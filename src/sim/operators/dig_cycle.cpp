@@ -4,29 +4,26 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "sim/operators/dig_poses.h"
 #include "sim/operators/joint_servo.h"
 
 namespace tera {
 namespace {
 
+using namespace dig;
+
 constexpr double kLeverRate_1ps = 5.0;  // a hand goes from neutral to full lever in 0.2 s
+constexpr double kTrackRate_1ps = 1.5;  // a careful hand on the tracks
 constexpr double kTipTolerance_m = 0.12;
+constexpr double kEntryTolerance_m = 0.06;  // in a trench
 constexpr double kAngleTolerance_rad = 6 * kDeg;
 constexpr double kSlewAtRest_radps = 5 * kDeg;  // below this rate it may lower or dump
-constexpr double kClearance = 0.58;             // bucket lengths above the ground before lowering
-constexpr double kCarryInside_m = 1.6;          // radius of the carried load, less than at the dump
-constexpr double kCarryAbove_m = 0.2;           // height of the carried load, more than at the dump
 constexpr double kSwingHeight = 0.6;            // share of the dump height from which it may slew
 constexpr double kCutLag_m = 0.15;              // lag of the tip beyond which the target waits
 constexpr double kStallLift_mps = 0.15;         // rise rate of a stalled cut
 constexpr double kFullShare = 0.9;              // share of the struck capacity of a full bucket
 constexpr double kCutPatience = 1.6;            // times the undisturbed duration of the cut
 constexpr double kDumpedShare = 0.05;           // share of the load at the start of the dump
-// Pitches of the tip direction.
-constexpr double kEntryPitch_rad = -75 * kDeg;
-constexpr double kCutEndPitch_rad = -112 * kDeg;
-constexpr double kCarryPitch_rad = -188 * kDeg;
-constexpr double kDumpPitch_rad = -60 * kDeg;
 // Shares of the cut's length: descent at its start, ascent at its end.
 constexpr double kRampIn = 0.35, kRampOut = 0.2;
 constexpr double kRampEnd = 0.3;  // share of the ascent at which the cut ends, still in the ground
@@ -45,8 +42,6 @@ double Smooth(double s) {
   return s * s * (3 - 2 * s);
 }
 
-double Mix(double a, double b, double s) { return a + (b - a) * s; }
-
 /// The angle equivalent to `angle_rad` that is nearest to `reference_rad`.
 double Nearest(double angle_rad, double reference_rad) {
   return angle_rad + 2 * kPi * std::round((reference_rad - angle_rad) / (2 * kPi));
@@ -61,7 +56,13 @@ double TipError_m(const PlanarArm::Tip& a, const PlanarArm::Tip& b) {
 DigCycle::DigCycle(const MachineModel& model, const DigPlan& plan)
     : plan_(plan),
       arm_(model, plan.joints, plan.tip_frame),
-      dig_azimuth_rad_(plan.dig_azimuth_rad) {}
+      dig_azimuth_rad_(plan.dig_azimuth_rad),
+      dump_azimuth_rad_(plan.dump_azimuth_rad),
+      cut_{plan.reach_m, plan.cut_length_m, 0} {
+  if (!plan.trench) return;
+  trench_.emplace(*plan.trench);
+  if (plan.blade >= 0) blade_ = PlacesOfBlade(model, plan.blade);
+}
 
 std::vector<double> DigCycle::Levers(const OperatorView& view) {
   std::vector<double> levers(view.model.levers.size(), 0.0);
@@ -69,7 +70,8 @@ std::vector<double> DigCycle::Levers(const OperatorView& view) {
     started_ = true;
     X_WJ_start_ = SlewFrame(view);
     last_ns_ = view.t_ns;
-    Enter(Phase::kApproach, view);
+    if (trench_) stand_m_ = trench_->first_stand_m();
+    Enter(trench_ ? Phase::kMove : Phase::kApproach, view);
   }
   Advance(view);
   if (phase_ == Phase::kDone) return levers;
@@ -86,12 +88,20 @@ std::vector<double> DigCycle::Levers(const OperatorView& view) {
 
   levers_.resize(levers.size(), 0.0);
   dead_zones_.resize(levers.size());
+  if (phase_ == Phase::kMove) DriveTracks(view, &levers);
   for (std::size_t i = 0; i < levers.size(); ++i) {
     const int joint = view.model.levers[i].joint;
-    if (joint < 0) continue;
+    if (joint < 0) {
+      const double reach = kTrackRate_1ps * dt_s;
+      levers[i] = std::clamp(levers[i], levers_[i] - reach, levers_[i] + reach);
+      continue;
+    }
     const auto servo = [&](double q_rad, double qd_radps) {
       levers[i] = ServoLever(view.model, view.state, joint, q_rad, qd_radps, plan_.servo_gain_1ps);
     };
+    if (trench_ && joint == plan_.blade) {
+      servo(phase_ == Phase::kMove ? blade_.up_rad : blade_.anchored_rad, 0);
+    }
     if (joint == plan_.joints.slew) levers[i] = SlewLever(view, target.slew_rad);
     if (joint == plan_.joints.boom) servo(angles.boom_rad, rate(angles.boom_rad, before.boom_rad));
     if (joint == plan_.joints.arm) servo(angles.arm_rad, rate(angles.arm_rad, before.arm_rad));
@@ -108,6 +118,10 @@ std::vector<double> DigCycle::Levers(const OperatorView& view) {
 }
 
 double DigCycle::SlewLever(const OperatorView& view, double target_rad) const {
+  // In a trench the walls hold the bucket: a slew would turn the machine instead.
+  const bool is_between_walls =
+      trench_ && (phase_ == Phase::kCut || phase_ == Phase::kCurl || phase_ == Phase::kLift);
+  if (is_between_walls) return 0;
   const int joint = plan_.joints.slew;
   const double q_rad = view.state.q_rad[joint];
   const double nearest_rad = Nearest(target_rad, q_rad);
@@ -127,7 +141,19 @@ void DigCycle::Enter(Phase phase, const OperatorView& view) {
   phase_tip_ = TipNow(view.state);
   phase_load_kg_ = LoadOf(view).mass_kg;
   last_angles_.reset();
-  if (phase == Phase::kCut) {
+  if (trench_ && phase == Phase::kApproach) ChooseCut(view);
+  if (trench_ && phase == Phase::kLift) ChooseDump(view);
+  drives_ = false;
+  if (trench_ && phase == Phase::kCut) {
+    cut_s_m_ = -kPlunge_m;
+    cut_raised_m_ = 0;
+    cut_ground_m_.clear();
+    for (int k = 0; k <= kGroundSamples; ++k) {
+      const double r_m = cut_.reach_m - cut_.length_m * k / kGroundSamples;
+      cut_ground_m_.push_back(
+          trench_->GroundAt(view.ground, AxisStation(view) - r_m, cut_.offset_m));
+    }
+  } else if (phase == Phase::kCut) {
     cut_s_m_ = 0;
     cut_raised_m_ = 0;
     cut_ground_m_.clear();
@@ -151,17 +177,22 @@ void DigCycle::Advance(const OperatorView& view) {
   const SoilReaction::Load load = LoadOf(view);
 
   switch (phase_) {
+    case Phase::kMove:
+      AdvanceMove(view, slewed && placed);
+      break;
     case Phase::kApproach:
       if ((stands && placed) || late) Enter(Phase::kLower, view);
       break;
     case Phase::kLower:
-      if (TipError_m(tip, target.tip) < kTipTolerance_m || late) Enter(Phase::kCut, view);
+      if (TipError_m(tip, target.tip) < (trench_ ? kEntryTolerance_m : kTipTolerance_m) || late)
+        Enter(Phase::kCut, view);
       break;
     case Phase::kCut:
       // A tip that has run ahead, towards the machine, is not held back.
       AdvanceCut(view, tip.r_m > target.tip.r_m ? TipError_m(tip, target.tip) : 0.0);
-      if (cut_s_m_ >= plan_.cut_length_m || load.volume_m3 > kFullShare * Capacity_m3(view) ||
-          time_s > kCutPatience * plan_.cut_length_m / plan_.cut_speed_mps) {
+      if (cut_s_m_ >= cut_.length_m || load.volume_m3 > kFullShare * Capacity_m3(view) ||
+          time_s >
+              kCutPatience * (cut_.length_m + (trench_ ? kPlunge_m : 0)) / plan_.cut_speed_mps) {
         Enter(Phase::kCurl, view);
       }
       break;
@@ -169,8 +200,10 @@ void DigCycle::Advance(const OperatorView& view) {
       if (time_s > kCurl_s && (placed || late)) Enter(Phase::kLift, view);
       break;
     case Phase::kLift:
-      if (tip.z_m - GroundInPlane(view, slew_rad, tip.r_m) > kSwingHeight * plan_.dump_height_m ||
-          late) {
+      if (trench_ ? IsOverRim(view, tip)
+                  : tip.z_m - GroundInPlane(view, slew_rad, tip.r_m) >
+                            kSwingHeight * plan_.dump_height_m ||
+                        late) {
         Enter(Phase::kSwing, view);
       }
       break;
@@ -220,7 +253,7 @@ DigCycle::Place DigCycle::PlaceOf(const OperatorView& view, double azimuth_rad, 
 }
 
 DigCycle::Place DigCycle::DumpPlace(const OperatorView& view) const {
-  return PlaceOf(view, plan_.dump_azimuth_rad, plan_.dump_reach_m);
+  return PlaceOf(view, dump_azimuth_rad_, plan_.dump_reach_m);
 }
 
 DigCycle::Place DigCycle::DigPlace(const OperatorView& view) const {
@@ -228,6 +261,7 @@ DigCycle::Place DigCycle::DigPlace(const OperatorView& view) const {
 }
 
 DigCycle::Target DigCycle::TargetNow(const OperatorView& view) const {
+  if (trench_) return TrenchTarget(view);
   const Place dump = DumpPlace(view), dig = DigPlace(view);
   const double dump_ground_m = GroundInPlane(view, dump.slew_rad, dump.r_m);
   const PlanarArm::Tip carry = {dump.r_m - kCarryInside_m,
@@ -242,17 +276,8 @@ DigCycle::Target DigCycle::TargetNow(const OperatorView& view) const {
       return {{dig.r_m, dig_ground_m, kEntryPitch_rad}, dig.slew_rad};
     case Phase::kCut:
       return {CutPoint(cut_s_m_), dig.slew_rad};
-    case Phase::kCurl: {
-      // The tip waits for a late bucket; the arm would otherwise spill the load.
-      const double turned = (TipNow(view.state).pitch_rad - phase_tip_.pitch_rad) /
-                            (kCarryPitch_rad - phase_tip_.pitch_rad);
-      const double s =
-          std::min(Smooth(PhaseTime_s(view) / kCurl_s), std::max(turned, 0.0) + kCurlLead);
-      const double bucket_m = arm_.bucket_length_m() * s;
-      return {{phase_tip_.r_m - kCurlDrag * bucket_m, phase_tip_.z_m + kCurlLift * bucket_m,
-               Mix(phase_tip_.pitch_rad, kCarryPitch_rad, s)},
-              dig.slew_rad};
-    }
+    case Phase::kCurl:
+      return {CurlTip(view, kCurlDrag), dig.slew_rad};
     case Phase::kLift:
       return {carry, dig.slew_rad};
     case Phase::kSwing:
@@ -262,8 +287,20 @@ DigCycle::Target DigCycle::TargetNow(const OperatorView& view) const {
       return {{dump.r_m, dump_ground_m + plan_.dump_height_m, kDumpPitch_rad}, dump.slew_rad};
     case Phase::kReturn:
       return {{dump.r_m, carry.z_m, kDumpPitch_rad}, dig.slew_rad};
+    case Phase::kMove:
+      break;  // only to a trench's stands
   }
   return {};
+}
+
+PlanarArm::Tip DigCycle::CurlTip(const OperatorView& view, double drag) const {
+  // The tip waits for a late bucket; the arm would otherwise spill the load.
+  const double turned = (TipNow(view.state).pitch_rad - phase_tip_.pitch_rad) /
+                        (kCarryPitch_rad - phase_tip_.pitch_rad);
+  const double s = std::min(Smooth(PhaseTime_s(view) / kCurl_s), std::max(turned, 0.0) + kCurlLead);
+  const double bucket_m = arm_.bucket_length_m() * s;
+  return {phase_tip_.r_m - drag * bucket_m, phase_tip_.z_m + kCurlLift * bucket_m,
+          Mix(phase_tip_.pitch_rad, kCarryPitch_rad, s)};
 }
 
 PlanarArm::Tip DigCycle::CutPoint(double s_m) const {

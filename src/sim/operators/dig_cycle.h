@@ -6,6 +6,7 @@
 #include "sim/operators/dead_zone_compensation.h"
 #include "sim/operators/operator.h"
 #include "sim/operators/planar_arm.h"
+#include "sim/operators/trench_work.h"
 
 namespace tera {
 
@@ -29,6 +30,11 @@ struct DigPlan {
   double slew_braking_radps2 = 0;  ///< deceleration at which the slew stops; 0: at once
   double patience_s = 4.0;         ///< longest duration of a phase
   int cycles = 0;                  ///< 0: endless
+  bool to_design = false;          ///< digs the scenario's task instead of one place
+  // Only for that.
+  SkidSteerLevers tracks;
+  int blade = -1;  ///< joint of a blade that anchors the machine while it digs; -1: none
+  std::optional<TrenchPlan> trench;
 };
 
 /// Digs, lifts, slews, dumps and returns. Joint targets come from inverse kinematics on the current
@@ -41,6 +47,12 @@ struct DigPlan {
 ///         hand. Places stay fixed in W when the tracks turn or slide, since an operator sees the
 ///         truck: the dump place fully, the dig place by its azimuth. The slew rate is at most
 ///         sqrt(2 a e), from which braking at a stops within the remaining angle e.
+///
+///         With a trench, each cycle's cut and the stands are those of TrenchWork. The cut follows
+///         the design where that is above its depth, and the slew follows the trench's line. The
+///         bucket is lifted upright out of the trench before it slews, and dumped where the heap
+///         beside the machine is lowest. Between stands the machine backs along the line. Its work
+///         ends at the last stand when no soil is left above the design.
 /// Omits   force control; avoidance of obstacles; boom swing and travel stay neutral.
 class DigCycle : public Operator {
  public:
@@ -48,17 +60,43 @@ class DigCycle : public Operator {
   std::vector<double> Levers(const OperatorView& view) override;
 
  private:
-  enum class Phase { kApproach, kLower, kCut, kCurl, kLift, kSwing, kDump, kReturn, kDone };
+  enum class Phase { kMove, kApproach, kLower, kCut, kCurl, kLift, kSwing, kDump, kReturn, kDone };
 
   struct Target {
     PlanarArm::Tip tip;
     double slew_rad = 0;
   };
 
+  /// Angles of the blade's joint: in the ground, and up for driving.
+  struct BladePlaces {
+    double anchored_rad = 0, up_rad = 0;
+  };
+  static BladePlaces PlacesOfBlade(const MachineModel& model, int joint);
+
   /// The cycle's places relative to the machine's current pose.
   struct Place {
     double slew_rad, r_m;
   };
+
+  /// A tip in the arm's plane and the slew that turns this plane to it.
+  Target InPlane(const OperatorView& view, const Vec3& p_W_m, double pitch_rad) const;
+
+  // The same for a trench.
+  Vec3 OnLine(const OperatorView& view, double r_m, double z_W_m) const;
+  double AxisStation(const OperatorView& view) const;
+  Target TrenchTarget(const OperatorView& view) const;
+  Target Entry(const OperatorView& view, double z_W_m) const;
+  Target CutTarget(const OperatorView& view) const;
+  Target LiftTarget(const OperatorView& view) const;
+  PlanarArm::Tip TrenchCarry(const OperatorView& view) const;
+  bool IsOverRim(const OperatorView& view, const PlanarArm::Tip& tip) const;
+  void ChooseCut(const OperatorView& view);
+  void ChooseDump(const OperatorView& view);
+  void AdvanceMove(const OperatorView& view, bool posed);
+  void DriveTracks(const OperatorView& view, std::vector<double>* levers) const;
+  /// Angle of the undercarriage's heading from that to the trench's first end.
+  double Heading_rad(const OperatorView& view) const;
+  bool StandsAsPlanned(const OperatorView& view) const;
 
   Pose SlewFrame(const OperatorView& view) const;
   Place PlaceOf(const OperatorView& view, double azimuth_rad, double r_m) const;
@@ -68,6 +106,8 @@ class DigCycle : public Operator {
   void Advance(const OperatorView& view);
   Target TargetNow(const OperatorView& view) const;
   PlanarArm::Tip CutPoint(double s_m) const;
+  /// Tip while the bucket curls; `drag` bucket lengths inwards in all.
+  PlanarArm::Tip CurlTip(const OperatorView& view, double drag) const;
   double GroundInPlane(const OperatorView& view, double azimuth_rad, double r_m) const;
   PlanarArm::Angles ReachableAngles(const MachineModel& model, const PlanarArm::Tip& tip) const;
   PlanarArm::Tip TipNow(const MachineState& state) const;
@@ -95,10 +135,19 @@ class DigCycle : public Operator {
   double phase_load_kg_ = 0;                      ///< load at the start of the phase
   PlanarArm::Tip phase_tip_;                      ///< tip at the start of the phase
   std::optional<PlanarArm::Angles> last_angles_;
+  double dump_azimuth_rad_;
+  std::optional<TrenchWork> trench_;
+  TrenchCut cut_;
+  int empty_pulls_ = 0;  ///< in a row
+  double rim_m_ = 0;     ///< highest ground at the trench, when the cut was chosen
+  double stand_m_ = 0;   ///< station of the slew axis where it works, or to which it drives
+  bool drives_ = false;  ///< arm and blade are in their places for driving
+  BladePlaces blade_;
 };
 
-/// Reads the keys of `type: dig_cycle`. Returns nothing and reports to `config` if the machine has
-/// no such arm.
-std::optional<DigPlan> ReadDigPlan(const ConfigMap& config, const MachineModel& model);
+/// Reads the keys of `type: dig_cycle`, or of `dig_to_design`. Returns nothing and reports to
+/// `config` if the machine has no such arm.
+std::optional<DigPlan> ReadDigPlan(const ConfigMap& config, const MachineModel& model,
+                                   bool to_design);
 
 }  // namespace tera

@@ -44,16 +44,17 @@ std::unique_ptr<Operator> Make(const RandomLeversPlan& plan, const MachineModel&
 }  // namespace
 
 OperatorPlan ReadOperatorPlan(const ConfigMap& config, const MachineModel& model) {
-  const std::string type = ChoiceOfKeys(
-      config, "type",
-      {"idle", "lever_replay", "twist_replay", "waypoints", "dig_cycle", "random_levers"});
+  const std::string type = ChoiceOfKeys(config, "type",
+                                        {"idle", "lever_replay", "twist_replay", "waypoints",
+                                         "dig_cycle", "dig_to_design", "random_levers"});
   if (IsUnread(config)) return IdlePlan{};
   if (type == "lever_replay") return ReadLeverReplay(config, model);
   if (type == "twist_replay") return ReadTwistReplay(config, model);
   if (type == "waypoints") return ReadWaypointPlan(config, model);
   if (type == "random_levers") return ReadRandomLevers(config);
-  if (type == "dig_cycle") {
-    if (const std::optional<DigPlan> plan = ReadDigPlan(config, model)) return *plan;
+  if (type == "dig_cycle" || type == "dig_to_design") {
+    const bool to_design = type == "dig_to_design";
+    if (const std::optional<DigPlan> plan = ReadDigPlan(config, model, to_design)) return *plan;
   }
   return IdlePlan{};  // the fault of a dig cycle is already reported
 }

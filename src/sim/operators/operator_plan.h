@@ -21,8 +21,8 @@ using OperatorPlan = std::variant<IdlePlan, LeverReplayPlan, TwistReplayPlan, Wa
                                   RandomLeversPlan>;
 
 /// Reads a machine's `operator:` mapping. `type` is one of idle, lever_replay, twist_replay,
-/// waypoints, dig_cycle, random_levers. Faults (a joint or lever the machine lacks, an unreadable
-/// file) go to `config`.
+/// waypoints, dig_cycle, dig_to_design, random_levers. Faults (a joint or lever the machine lacks,
+/// an unreadable file) go to `config`.
 OperatorPlan ReadOperatorPlan(const ConfigMap& config, const MachineModel& model);
 
 /// An operator in its initial state.

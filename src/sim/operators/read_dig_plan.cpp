@@ -11,6 +11,11 @@ namespace tera {
 namespace {
 
 constexpr double kMostCycles = 1e6;
+constexpr double kLayer_m = 0.12;  ///< of a compact machine's pull along a trench
+constexpr double kPull_mps =
+    0.5;  ///< slow enough for the tip to keep within centimetres of the design
+constexpr double kClearOfHeap_deg =
+    35;                               ///< from the middle of a heap to its foot, seen from the axis
 constexpr double kLeastArm_m = 1e-3;  ///< between pins; a shorter arm has no direction
 
 /// Whether `link` is a descendant of `ancestor`.
@@ -88,10 +93,47 @@ bool CheckArm(const ConfigMap& config, const MachineModel& model, const DigPlan&
   return good;
 }
 
+/// Reads `blade`: the joint of a blade that has a lever; -1 without it.
+int ReadBlade(const ConfigMap& config, const MachineModel& model) {
+  const std::string name = config.Text("blade", "blade");
+  const int joint = model.JointIndex(name);
+  const bool has_lever = joint >= 0 && std::ranges::any_of(model.levers, [&](const Lever& l) {
+                           return l.joint == joint;
+                         });
+  if (has_lever) return joint;
+  if (name != "blade") {
+    config.Fault("blade", {FaultKind::kNoSuchName,
+                           fmt::format("machine '{}' has no joint '{}' with a lever; name that of "
+                                       "its blade, or leave the key out",
+                                       model.kind, name)});
+  }
+  return -1;
+}
+
+/// Reads where a dig cycle digs, and how often.
+void ReadPlace(const ConfigMap& config, DigPlan* plan) {
+  const Range azimuth = Between(-360, 360, "deg");
+  plan->dig_azimuth_rad = config.Number("dig_azimuth_deg", azimuth, 0) * kDeg;
+  plan->azimuth_step_rad = config.Number("azimuth_step_deg", azimuth, 0) * kDeg;
+  plan->reach_m = config.Number("reach_m", Positive("m"), plan->reach_m);
+  plan->cut_length_m = config.Number("cut_length_m", Positive("m"), plan->cut_length_m);
+  plan->cycles = static_cast<int>(config.Integer("cycles", Between(0, kMostCycles, ""), 0));
+  if (plan->cut_length_m >= plan->reach_m) {
+    config.Fault("cut_length_m", {FaultKind::kOutOfRange,
+                                  "the cut would pass the slew axis, need less than reach_m"});
+  }
+}
+
 }  // namespace
 
-std::optional<DigPlan> ReadDigPlan(const ConfigMap& config, const MachineModel& model) {
+std::optional<DigPlan> ReadDigPlan(const ConfigMap& config, const MachineModel& model,
+                                   bool to_design) {
   DigPlan plan;
+  plan.to_design = to_design;
+  if (to_design) {
+    plan.tracks = ReadSkidSteerLevers(config, model);
+    plan.blade = ReadBlade(config, model);
+  }
   const auto joint = [&](std::string_view key) {
     const std::string name = config.Text(key, key);
     const int index = model.JointIndex(name);
@@ -120,26 +162,21 @@ std::optional<DigPlan> ReadDigPlan(const ConfigMap& config, const MachineModel& 
                  {FaultKind::kMissing, "the link that this joint moves carries no shovel"});
   }
 
-  const Range azimuth = Between(-360, 360, "deg");
-  plan.dig_azimuth_rad = config.Number("dig_azimuth_deg", azimuth, 0) * kDeg;
-  plan.azimuth_step_rad = config.Number("azimuth_step_deg", azimuth, 0) * kDeg;
-  plan.dump_azimuth_rad = config.Number("dump_azimuth_deg", azimuth, 80) * kDeg;
-  plan.reach_m = config.Number("reach_m", Positive("m"), plan.reach_m);
-  plan.cut_length_m = config.Number("cut_length_m", Positive("m"), plan.cut_length_m);
-  plan.cut_depth_m = config.Number("cut_depth_m", AtLeast(0, "m"), plan.cut_depth_m);
-  plan.cut_speed_mps = config.Number("cut_speed_mps", Positive("m/s"), plan.cut_speed_mps);
+  if (!to_design) ReadPlace(config, &plan);
+  plan.dump_azimuth_rad = config.Number("dump_azimuth_deg", Between(-360, 360, "deg"), 80) * kDeg;
+  plan.cut_depth_m =
+      config.Number("cut_depth_m", AtLeast(0, "m"), to_design ? kLayer_m : plan.cut_depth_m);
+  plan.cut_speed_mps =
+      config.Number("cut_speed_mps", Positive("m/s"), to_design ? kPull_mps : plan.cut_speed_mps);
   plan.dump_reach_m = config.Number("dump_reach_m", Positive("m"), plan.dump_reach_m);
   plan.dump_height_m = config.Number("dump_height_m", Positive("m"), plan.dump_height_m);
-  plan.clear_dump_rad = config.Number("clear_dump_deg", Between(0, 180, "deg"), 0) * kDeg;
+  plan.clear_dump_rad =
+      config.Number("clear_dump_deg", Between(0, 180, "deg"), to_design ? kClearOfHeap_deg : 0) *
+      kDeg;
   plan.slew_braking_radps2 =
       config.Number("slew_braking_degps2", AtLeast(0, "deg/s2"), plan.slew_braking_radps2) * kDeg;
   plan.servo_gain_1ps = config.Number("servo_gain_1ps", Positive("1/s"), plan.servo_gain_1ps);
   plan.patience_s = config.Number("patience_s", Positive("s"), plan.patience_s);
-  plan.cycles = static_cast<int>(config.Integer("cycles", Between(0, kMostCycles, ""), 0));
-  if (plan.cut_length_m >= plan.reach_m) {
-    config.Fault("cut_length_m", {FaultKind::kOutOfRange,
-                                  "the cut would pass the slew axis, need less than reach_m"});
-  }
 
   const bool complete = plan.joints.slew >= 0 && plan.joints.boom >= 0 && plan.joints.arm >= 0 &&
                         plan.joints.bucket >= 0 && plan.tip_frame >= 0 && plan.shovel >= 0;

@@ -35,7 +35,7 @@ void RunToEnd(const Scenario& scenario, const std::string& resolved_yaml,
   Run run(scenario, OperatorsOf(scenario), assembly, options.egl, options.threads, writer);
   TerrainLog terrain(scenario, run.simulation().state().ground(), writer);
   std::optional<StateLog> states = StateLogOf(scenario, resolved_yaml, options, run, writer);
-  while (*step < steps) {
+  while (*step < steps && !run.task().IsDone()) {
     ++*step;
     run.Step();
     terrain.Write(run.simulation().state().t_ns);
@@ -46,13 +46,17 @@ void RunToEnd(const Scenario& scenario, const std::string& resolved_yaml,
     }
   }
   terrain.Finish();
+  if (run.task().HasTask()) run.task().WriteMap(writer->PathFor(kDeviationMap));
   run.Finish();
   if (states) {
     states->Add(run.simulation().state());
     states->Commit();
   }
+  if (*step < steps) writer->SetDuration(static_cast<double>(*step) / scenario.physics_rate_hz);
   writer->Finish();
-  report->simulated_s = scenario.duration_s;
+  report->task = run.task().deviation();
+  report->task_done = run.task().IsDone();
+  report->simulated_s = static_cast<double>(*step) / scenario.physics_rate_hz;
   report->physics_s = run.simulation().physics_wall_s();
   report->soil_s = run.simulation().soil_wall_s();
   report->camera_s = run.rig().camera_wall_s();

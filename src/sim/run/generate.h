@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "render/gl/rasterizer.h"
@@ -29,6 +30,8 @@ struct GenerateReport {
   double simulated_s = 0, wall_s = 0;
   double physics_s = 0, soil_s = 0, camera_s = 0, camera_wait_s = 0, lidar_s = 0;
   std::int64_t frames = 0, bytes = 0;
+  std::optional<TaskDeviation> task;  ///< at the end; nothing without a task
+  bool task_done = false;
 };
 
 /// Runs `scenario` and writes its dataset to `options.out`. `resolved_yaml` is from

@@ -127,6 +127,9 @@ struct LiveRun::Impl {
   void Finish() {
     const double duration_s = ToSeconds(run->simulation().state().t_ns);
     if (terrain) terrain->Finish();
+    if (recorder && run->task().HasTask()) {
+      run->task().WriteMap(recorder->PathFor(kDeviationMap));
+    }
     run->Finish();
     if (!recorder) return;
     recorder->SetDuration(duration_s);

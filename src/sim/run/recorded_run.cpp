@@ -94,8 +94,14 @@ bool IsInside(const std::filesystem::path& folder, const std::filesystem::path& 
 LoadedScenario LoadRecordedScenario(const std::filesystem::path& directory,
                                     const std::vector<std::string>& overrides,
                                     const std::vector<std::string>& moved) {
-  RequireSimulated(Recording(directory));
-  return ScenarioOf(directory, overrides, moved);
+  const Recording recording(directory);
+  RequireSimulated(recording);
+  LoadedScenario loaded = ScenarioOf(directory, overrides, moved);
+  // A run whose task was done ended before its time.
+  if (loaded.scenario.task) {
+    loaded.scenario.duration_s = std::min(loaded.scenario.duration_s, recording.info().duration_s);
+  }
+  return loaded;
 }
 
 LoadedScenario LoadRecordedRun(const std::filesystem::path& directory,

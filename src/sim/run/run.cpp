@@ -53,6 +53,7 @@ Run::Run(const Scenario& scenario, Operators operators, const SceneAssembly& ass
     : simulation_(scenario, std::move(operators)),
       truth_(scenario, sink),
       poses_(scenario, sink),
+      task_(scenario, simulation_.ground(), sink),
       rig_(scenario, assembly, egl, threads, sink) {
   poses_.WriteStart(simulation_.state());
   rig_.SampleStart(simulation_.state(), simulation_.ground());
@@ -62,6 +63,7 @@ void Run::Step() {
   simulation_.Step();
   truth_.Write(simulation_.previous(), simulation_.state());
   poses_.Write(simulation_.previous(), simulation_.state());
+  task_.Write(simulation_.state().t_ns);
   rig_.Sample(simulation_.last_step());
 }
 

@@ -6,6 +6,7 @@
 #include "sim/physics_motion.h"
 #include "sim/rig.h"
 #include "sim/run/pose_log.h"
+#include "sim/run/task_log.h"
 #include "sim/run/truth_log.h"
 #include "sim/scene_assembly.h"
 #include "sim/simulation.h"
@@ -32,11 +33,13 @@ class Run {
 
   const Simulation& simulation() const { return simulation_; }
   const Rig& rig() const { return rig_; }
+  const TaskLog& task() const { return task_; }
 
  private:
   Simulation simulation_;
   TruthLog truth_;
   PoseLog poses_;
+  TaskLog task_;
   Rig rig_;
 };
 

@@ -1,6 +1,7 @@
 #include "sim/run/truth_log.h"
 
 #include "core/types/sample_rows.h"
+#include "sim/run/task_log.h"
 
 namespace tera {
 namespace {
@@ -74,9 +75,8 @@ std::vector<double> HydraulicRow(const MachineState& now, const MachineState& ne
   return row;
 }
 
-}  // namespace
-
-std::vector<ChannelInfo> TruthChannels(const Scenario& scenario) {
+/// The channels of a TruthLog.
+std::vector<ChannelInfo> StateChannels(const Scenario& scenario) {
   std::vector<ChannelInfo> channels;
   for (const ScenarioMachine& machine : scenario.machines) {
     const MachineModel& model = machine.placement.model;
@@ -97,10 +97,18 @@ std::vector<ChannelInfo> TruthChannels(const Scenario& scenario) {
   return channels;
 }
 
+}  // namespace
+
+std::vector<ChannelInfo> TruthChannels(const Scenario& scenario) {
+  std::vector<ChannelInfo> channels = StateChannels(scenario);
+  if (scenario.task) channels.push_back(TaskChannel());
+  return channels;
+}
+
 TruthLog::TruthLog(const Scenario& scenario, MeasurementSink* sink)
     : sink_(sink), soils_(scenario.site->soils().size()) {
   std::vector<ChannelId> ids;
-  for (const ChannelInfo& info : TruthChannels(scenario)) ids.push_back(sink->AddChannel(info));
+  for (const ChannelInfo& info : StateChannels(scenario)) ids.push_back(sink->AddChannel(info));
   auto next = ids.begin();
   for (const ScenarioMachine& machine : scenario.machines) {
     channels_.push_back({next[0], next[1], next[2], std::nullopt});

@@ -9,7 +9,7 @@
 namespace tera {
 
 /// The truth channels of a scenario, in order: commands, pose, joints and cylinders of each
-/// machine, then the bed of each obstacle.
+/// machine, then the bed of each obstacle, then the progress of the task.
 std::vector<ChannelInfo> TruthChannels(const Scenario& scenario);
 
 /// Writes the truth: commands of every machine, poses, joints, loads and cylinders, and the loads

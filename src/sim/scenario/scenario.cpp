@@ -21,6 +21,7 @@
 #include "sim/scenario/read_light.h"
 #include "sim/scenario/read_tolerances.h"
 #include "sim/scenario/read_wear.h"
+#include "sim/scenario/task_of_machine.h"
 
 namespace tera {
 namespace {
@@ -403,7 +404,8 @@ Scenario ReadScenario(const ConfigMap& config) {
   const Wear wear = ReadWear(config, {});
   const OfAllMachines all{ReadScenarioEffects(config), ReadScenarioTolerances(config),
                           ReadAbsentMeshes(config)};
-  for (const ConfigMap& machine : config.List("machines")) {
+  const std::vector<ConfigMap> machines = config.List("machines");
+  for (const ConfigMap& machine : machines) {
     scenario.machines.push_back(ReadMachineEntry(machine, all));
     scenario.machines.back().wear = ReadWear(machine, wear);
     CheckRaisedGround(machine, scenario.machines.back().placement.model, site.surface());
@@ -414,6 +416,13 @@ Scenario ReadScenario(const ConfigMap& config) {
     LetWeatherAct(*environment, scenario.environment.weather.rain_mmph, &site);
   }
   scenario.site = std::make_shared<const Site>(std::move(site));
+  if (const auto task = config.OptionalMap("task")) {
+    scenario.task = ReadTask(*task, scenario.site->surface());
+  }
+  for (std::size_t m = 0; m < scenario.machines.size(); ++m) {
+    GiveTask(config.OptionalMap("task"), machines[m], scenario.task, scenario.site->surface(),
+             &scenario.machines[m]);
+  }
   for (const ConfigMap& obstacle : config.List("obstacles")) {
     scenario.obstacles.push_back(ReadObstacle(obstacle, wear));
   }

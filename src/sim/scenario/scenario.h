@@ -20,6 +20,7 @@
 #include "sim/scenario/site_mesh.h"
 #include "sim/scenario/sling.h"
 #include "sim/scenario/terrain_record.h"
+#include "sim/task/task.h"
 #include "soil/site/site.h"
 
 namespace tera {
@@ -105,6 +106,7 @@ struct Scenario {
   std::vector<ScenarioMachine> machines;
   std::vector<ScenarioObstacle> obstacles;
   std::vector<Sling> slings;
+  std::optional<Task> task;
   std::vector<ScenarioLamp> lamps;
   TerrainRecord record;
   std::optional<double>
