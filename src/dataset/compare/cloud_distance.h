@@ -25,4 +25,18 @@ struct CloudDistances {
 CloudDistances DistancesFrom(const std::vector<LidarPoint>& other,
                              const std::vector<LidarPoint>& points);
 
+/// Departure of one range from a flat surface.
+struct PlaneDeviation {
+  double range_m = 0, deviation_m = 0;
+};
+
+/// Departures of ranges from the flat surfaces of their own cloud, in the sensor's frame.
+///
+/// Model   of at most 500 points, every n-th: along the ray, from the plane of least squares
+///         through the 200 nearest points, where these are broad and flat as for DistancesFrom and
+///         the ray is within 60 deg of its normal.
+/// Omits   relief below a tenth of the patch, which counts as deviation; noise above it, whose
+///         patches are not judged.
+std::vector<PlaneDeviation> DeviationsOnPlanes(const std::vector<LidarPoint>& points);
+
 }  // namespace tera

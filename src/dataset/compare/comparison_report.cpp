@@ -44,9 +44,16 @@ Json TrackJson(const TrackComparison& track) {
 }
 
 Json SideJson(const ScanSide& side) {
-  return {{"points", side.points},
-          {"range_share", side.range_share},
-          {"reflectivity_quantiles", side.reflectivity}};
+  Json json = {{"points", side.points},
+               {"second_returns", side.second_returns},
+               {"range_share", side.range_share},
+               {"plane_deviation_m", Json::array()},
+               {"reflectivity_quantiles", side.reflectivity}};
+  if (side.without_return) json["without_return"] = *side.without_return;
+  for (const auto& deviation_m : side.plane_deviation_m) {
+    json["plane_deviation_m"].push_back(deviation_m ? Json(*deviation_m) : Json());
+  }
+  return json;
 }
 
 Json DistanceJson(const DistanceFigures& d) {

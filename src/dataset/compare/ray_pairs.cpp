@@ -15,7 +15,7 @@ constexpr float kReach = 0.75F;  ///< of the spacing: between a half, the farthe
 constexpr double kLoneSpacing_rad = 0.2 * kDeg;  ///< where a scan has one ray
 constexpr std::size_t kMostLooked = 1000;        ///< rays that tell the spacing
 
-/// One direction of two returns of a pulse, in radians.
+/// Angle between returns of one pulse where nothing else tells, in radians.
 constexpr float kSameRay = 1e-4F;
 
 /// The rays of one scan.
@@ -25,14 +25,26 @@ struct Rays {
   std::vector<Eigen::Vector3f> places;      ///< in the space of NearestPoints
 };
 
+/// Whether times and rings of its points tell the pulses of a scan apart. Drivers leave them out.
+bool TellsPulses(const LidarScan& scan) {
+  const auto differs = [&](auto LidarPoint::*member) {
+    return std::any_of(scan.points.begin(), scan.points.end(), [&](const LidarPoint& p) {
+      return p.*member != scan.points.front().*member;
+    });
+  };
+  return differs(&LidarPoint::time_offset_ns) && differs(&LidarPoint::ring);
+}
+
 Rays RaysOf(const LidarScan& scan) {
   Rays rays;
+  const bool tells_pulses = TellsPulses(scan);
   for (std::size_t k = 0; k < scan.points.size(); ++k) {
     const LidarPoint& p = scan.points[k];
     const Eigen::Vector3f direction = Eigen::Vector3f(p.x_m, p.y_m, p.z_m).normalized();
-    const bool is_next_return = k > 0 && p.time_offset_ns == scan.points[k - 1].time_offset_ns &&
-                                p.ring == scan.points[k - 1].ring &&
-                                (direction - rays.directions.back()).norm() < kSameRay;
+    const bool is_next_return =
+        k > 0 && p.time_offset_ns == scan.points[k - 1].time_offset_ns &&
+        p.ring == scan.points[k - 1].ring &&
+        (tells_pulses || (direction - rays.directions.back()).norm() < kSameRay);
     if (is_next_return) continue;
     rays.first.push_back(k);
     rays.directions.push_back(direction);
@@ -81,6 +93,8 @@ float Spacing(const Rays& rays, const NearestPoints& nearest) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> FirstReturns(const LidarScan& scan) { return RaysOf(scan).first; }
 
 RayPairs PairRays(const LidarScan& a, const LidarScan& b) {
   Rays rays_a = RaysOf(a), rays_b = RaysOf(b);

@@ -14,6 +14,10 @@ struct RayPairs {
   std::vector<std::size_t> only_a, only_b;                ///< no return in the other
 };
 
+/// Indices of the first returns of a scan's rays. Points in sequence of one time and ring are of
+/// one ray; where a scan has no times or no rings, those of one direction.
+std::vector<std::size_t> FirstReturns(const LidarScan& scan);
+
 /// Pairs the rays of two scans by direction.
 ///
 /// Frames  the sensor's of each scan; the scans have one place and one attitude.

@@ -11,6 +11,7 @@
 #include "dataset/compare/binned_values.h"
 #include "dataset/compare/cloud_distance.h"
 #include "dataset/compare/ray_pairs.h"
+#include "dataset/format/sensor_sheet.h"
 
 namespace tera {
 namespace {
@@ -28,22 +29,40 @@ double MeanOf(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+std::size_t RangeBin(double range_m) {
+  std::size_t bin = kRangeLimits_m.size() - 1;
+  while (bin > 0 && range_m < kRangeLimits_m[bin]) --bin;
+  return bin;
+}
+
 /// Sums over the points of one side.
 class SideSums {
  public:
+  /// `rays` of a whole scan, 0 if unknown.
+  explicit SideSums(int rays) : rays_(rays) {}
+
   void Add(const LidarScan& scan) {
+    ++scans_;
+    first_returns_ += static_cast<std::int64_t>(FirstReturns(scan).size());
     for (const LidarPoint& point : scan.points) {
-      const double range_m = RangeOf_m(point);
-      std::size_t bin = kRangeLimits_m.size() - 1;
-      while (bin > 0 && range_m < kRangeLimits_m[bin]) --bin;
-      ++ranges_[bin];
+      ++ranges_[RangeBin(RangeOf_m(point))];
       reflectivity_.Add(static_cast<double>(point.intensity));
+    }
+    for (const PlaneDeviation& one : DeviationsOnPlanes(scan.points)) {
+      deviation_m_[RangeBin(one.range_m)].Add(std::abs(one.deviation_m));
     }
   }
   ScanSide Told() const {
     ScanSide side{.points = reflectivity_.count()};
+    side.second_returns = side.points - first_returns_;
+    if (rays_ > 0) {
+      side.without_return =
+          1 - static_cast<double>(first_returns_) / (static_cast<double>(rays_) * scans_);
+    }
     for (std::size_t k = 0; k < ranges_.size() && side.points > 0; ++k) {
       side.range_share[k] = static_cast<double>(ranges_[k]) / static_cast<double>(side.points);
+      if (deviation_m_[k].count() < kFewestOnPlanes) continue;
+      side.plane_deviation_m[k] = kSigmaOfMedian * deviation_m_[k].Quantile(0.5);
     }
     for (std::size_t k = 0; k < kReflectivityShares.size(); ++k) {
       side.reflectivity[k] = reflectivity_.Quantile(kReflectivityShares[k]);
@@ -52,15 +71,19 @@ class SideSums {
   }
 
  private:
-  // Bins are centred on the steps of 8-bit units.
-  static constexpr double kStep = 1.0 / 2550;
+  static constexpr double kStep = 1.0 / 2550;  ///< bins are centred on the steps of 8-bit units
+  static constexpr double kSigmaOfMedian = 1.4826;  ///< of a normal distribution
+  static constexpr std::int64_t kFewestOnPlanes = 30;
+  int rays_, scans_ = 0;
+  std::int64_t first_returns_ = 0;
   std::array<std::int64_t, kRangeLimits_m.size()> ranges_{};
+  std::vector<BinnedValues> deviation_m_{kRangeLimits_m.size(), BinnedValues{0, 1, 0.0001}};
   BinnedValues reflectivity_{-0.5 * kStep, 1, kStep};
 };
 
-/// Distances of many clouds; bins of 1 mm.
+/// Distances of many clouds.
 struct DistanceSums {
-  BinnedValues values{0, 20, 0.001};
+  BinnedValues values{0, 20, 0.0001};
 
   void Add(const std::vector<double>& distances_m) {
     for (const double distance_m : distances_m) values.Add(distance_m);
@@ -73,6 +96,8 @@ struct DistanceSums {
 /// Sums over the frames of one lidar.
 class ScanSums {
  public:
+  ScanSums(int rays_a, int rays_b) : a_(rays_a), b_(rays_b) {}
+
   void Add(const FramePair& t, const LidarScan& a, const LidarScan& b) {
     a_.Add(a);
     b_.Add(b);
@@ -149,11 +174,15 @@ class ScanSums {
   SideSums a_, b_;
   std::int64_t only_a_ = 0, only_b_ = 0;
   RaysOfClasses of_a_{}, of_b_{};
-  BinnedValues range_m_{-10, 10, 0.001}, ratio_{0, 20, 0.001};
+  BinnedValues range_m_{-10, 10, 0.0001}, ratio_{0, 20, 0.001};
   DistanceSums a_to_b_, b_to_a_, a_to_surface_, b_to_surface_;
   std::vector<double> chamfer_m_;
   std::vector<WorstFrame> worst_;
 };
+
+int RaysOfSheet(const Recording& recording, const std::string& folder) {
+  return ReadSensorSheet(recording.directory() / folder).lidar_rays;
+}
 
 double Percent(std::int64_t part, std::int64_t whole) {
   return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole) : 0;
@@ -162,15 +191,30 @@ double Percent(std::int64_t part, std::int64_t whole) {
 std::string RangeText() {
   std::string text = fmt::format("    {:<30}", "range, % of points");
   for (std::size_t k = 0; k + 1 < kRangeLimits_m.size(); ++k) {
-    text += fmt::format("{:>8}", fmt::format("{}-{} m", kRangeLimits_m[k], kRangeLimits_m[k + 1]));
+    text += fmt::format("{:>9}", fmt::format("{}-{} m", kRangeLimits_m[k], kRangeLimits_m[k + 1]));
   }
-  return text + fmt::format("{:>8}\n", fmt::format(">{} m", kRangeLimits_m.back()));
+  return text + fmt::format("{:>9}\n", fmt::format(">{} m", kRangeLimits_m.back()));
 }
 
 std::string SharesText(const char* title, const ScanSide& side) {
   std::string text = fmt::format("    {:<30}", title);
-  for (const double share : side.range_share) text += fmt::format("{:>8.1f}", 100 * share);
+  for (const double share : side.range_share) text += fmt::format("{:>9.1f}", 100 * share);
   return text + "\n";
+}
+
+std::string DeviationText(const char* title, const ScanSide& side) {
+  std::string text = fmt::format("    {:<30}", title);
+  for (const auto& deviation_m : side.plane_deviation_m) {
+    text += deviation_m ? fmt::format("{:>9.1f}", 1000 * *deviation_m) : fmt::format("{:>9}", "-");
+  }
+  return text + "\n";
+}
+
+std::string ReturnsText(const char* title, const ScanSide& side, std::int64_t scans) {
+  return fmt::format(
+      "    {:<30}{} points a scan, {:.2f} % second returns, rays without a return {}\n", title,
+      side.points / scans, Percent(side.second_returns, side.points),
+      side.without_return ? fmt::format("{:.1f} %", 100 * *side.without_return) : "not known");
 }
 
 std::string DistanceText(const char* title, const DistanceFigures& d) {
@@ -184,7 +228,8 @@ std::vector<ScanComparison> CompareScans(const RecordedMachine& a, const Recorde
                                          std::size_t every) {
   std::vector<ScanComparison> comparisons;
   for (SensorInBoth& sensor : SensorsInBoth(a, b, ChannelForm::kScans, every)) {
-    ScanSums sums;
+    ScanSums sums(RaysOfSheet(*a.recording, sensor.folder_a),
+                  RaysOfSheet(*b.recording, sensor.folder_b));
     for (const FramePair& t : sensor.pairs) {
       sums.Add(t, a.recording->LoadScan(sensor.folder_a, t.a_ns),
                b.recording->LoadScan(sensor.folder_b, t.b_ns));
@@ -202,8 +247,7 @@ std::string ScanTable(const ScanComparison& c) {
   const auto out = std::back_inserter(text);
   const auto scans = static_cast<std::int64_t>(c.sensor.pairs.size());
   const std::int64_t rays = c.rays_both + c.rays_only_a + c.rays_only_b;
-  fmt::format_to(out, "    points a scan                 {} in the reference, {} compared\n",
-                 c.a.points / scans, c.b.points / scans);
+  text += ReturnsText("reference", c.a, scans) + ReturnsText("compared", c.b, scans);
   fmt::format_to(
       out,
       "    rays with a return            both {:.1f} %, only reference {:.1f} %, only compared "
@@ -214,6 +258,8 @@ std::string ScanTable(const ScanComparison& c) {
                  "(compared less reference)\n",
                  c.range_mean_m, c.range_median_m, c.range_rms_m);
   text += RangeText() + SharesText("  reference", c.a) + SharesText("  compared", c.b);
+  text += "    deviation on planes, mm\n" + DeviationText("  reference", c.a) +
+          DeviationText("  compared", c.b);
   fmt::format_to(out,
                  "    reflectivity, quantiles 5, 25, 50, 75, 95 %: {:.3f} in the reference, "
                  "{:.3f} compared; ratio {:.3f}\n",

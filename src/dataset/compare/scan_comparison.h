@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,11 @@ inline constexpr std::array<double, 5> kReflectivityShares = {0.05, 0.25, 0.5, 0
 /// Points of a lidar in one recording.
 struct ScanSide {
   std::int64_t points = 0;
+  std::int64_t second_returns = 0;       ///< points behind the first return of their ray
+  std::optional<double> without_return;  ///< share of rays; none if sensor.yaml has no columns
+  /// Robust deviation of ranges on planes in each bin of kRangeLimits_m (DeviationsOnPlanes); none
+  /// where fewer than 30 points were judged.
+  std::array<std::optional<double>, kRangeLimits_m.size()> plane_deviation_m{};
   std::array<double, kRangeLimits_m.size()> range_share{};
   std::array<double, kReflectivityShares.size()> reflectivity{};  ///< quantiles
 };

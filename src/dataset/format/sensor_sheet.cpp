@@ -25,6 +25,17 @@ Pose ReadPlace(const ConfigMap& map) {
   return MakePose(p_m, rotation.normalized().toRotationMatrix());
 }
 
+/// Beams times columns, where the pattern has both.
+int ReadLidarRays(const ConfigMap& model) {
+  constexpr double kMostColumns = 100'000;
+  constexpr std::size_t kMostBeams = 1024;
+  if (!model.Has("columns") || !model.Has("elevation_deg")) return 0;
+  const auto columns = static_cast<int>(model.Integer("columns", Between(1, kMostColumns, "")));
+  return columns *
+         static_cast<int>(
+             model.Numbers("elevation_deg", Between(-90, 90, "deg"), 1, kMostBeams).size());
+}
+
 ImuNoise ReadImuNoise(const ConfigMap& model) {
   const auto number = [&](const char* key) { return model.Number(key, AtLeast(0, ""), 0); };
   return {kDeg * number("gyro_noise_density_degpsrthz"), kDeg * number("gyro_sample_noise_degps"),
@@ -67,6 +78,7 @@ SensorSheet ReadSensorSheet(const std::filesystem::path& sensor_folder) {
   if (root.Has("model")) {
     const ConfigMap model = root.Map("model");
     if (model.Has("fx_px")) sheet.lens = ReadCameraLens(model);
+    if (sheet.type == kLidarChannel) sheet.lidar_rays = ReadLidarRays(model);
     if (sheet.type == kImuChannel) sheet.imu_noise = ReadImuNoise(model);
   }
   // Other keys belong to other readers and are checked only after a fault in the requested ones.

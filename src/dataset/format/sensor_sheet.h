@@ -37,6 +37,7 @@ struct SensorSheet {
   double rate_hz = 0;        ///< 0: unknown
   TimeNs latency_ns = 0;
   std::optional<CameraLens> lens;
+  int lidar_rays = 0;  ///< of a whole scan; 0: unknown
   std::optional<ImuNoise> imu_noise;
 };
 

@@ -1,10 +1,12 @@
 #include "dataset/compare/scan_comparison.h"
 
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "core/faults.h"
 #include "core/quantile.h"
@@ -85,6 +87,30 @@ TEST(CloudDistance, ShiftOfAPlaneIsTheDistanceFromItsSurface) {
   EXPECT_EQ(d.to_point_m.size(), Wall(6.05).points.size());
 }
 
+// Half a deg between beams and columns; 2 cm of noise along the ray.
+TEST(CloudDistance, DeviationOnAPlaneIsTheNoiseOfTheRange) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise_m(0, 0.02);
+  const Vec3 normal = MakePose(Vec3::Zero(), 0, 0.2, 0.3).rotation() * Vec3::UnitX();
+  LidarScan wall;
+  for (int row = -40; row <= 40; ++row) {
+    for (int column = -40; column <= 40; ++column) {
+      const Vec3 ray = MakePose(Vec3::Zero(), 0, 0.5 * row * kDeg, 0.5 * column * kDeg).rotation() *
+                       Vec3::UnitX();
+      const Eigen::Vector3f p = ((8 / normal.dot(ray) + noise_m(random)) * ray).cast<float>();
+      LidarPoint point;
+      point.x_m = p.x(), point.y_m = p.y(), point.z_m = p.z();
+      wall.points.push_back(point);
+    }
+  }
+  const std::vector<PlaneDeviation> found = DeviationsOnPlanes(wall.points);
+  ASSERT_GT(found.size(), 400u);
+  double square_sum_m2 = 0;
+  for (const PlaneDeviation& one : found) square_sum_m2 += one.deviation_m * one.deviation_m;
+  // 5 standard errors of a deviation of 400 values are 18 %; the fit of three numbers takes 1 %.
+  EXPECT_NEAR(std::sqrt(square_sum_m2 / double(found.size())), 0.02, 0.2 * 0.02);
+}
+
 TEST(CloudDistance, LineHasNoSurface) {
   LidarScan line;
   for (int k = 0; k < 100; ++k) {
@@ -137,6 +163,19 @@ TEST(RayPairs, SecondReturnIsNoRay) {
   for (const auto& [in_a, in_b] : pairs.both) EXPECT_EQ(in_b, 2 * in_a);
 }
 
+// As of a beam that leaves 4 cm above the origin: by time and ring, the direction differs by 2 deg.
+TEST(RayPairs, SecondReturnIsKnownByTimeAndRingOrElseByDirection) {
+  LidarScan scan;
+  for (const LidarPoint& p : Sphere(1).points) {
+    scan.points.push_back(p);
+    scan.points.push_back(p);
+    scan.points.back().z_m += 0.04F;
+  }
+  EXPECT_EQ(FirstReturns(scan).size(), scan.points.size() / 2);
+  for (LidarPoint& p : scan.points) p.ring = 0;
+  EXPECT_EQ(FirstReturns(scan).size(), scan.points.size());
+}
+
 TEST(RayPairs, EmptyScanLosesAll) {
   const LidarScan a = Sphere(5), none;
   EXPECT_EQ(PairRays(a, none).only_a.size(), a.points.size());
@@ -160,10 +199,16 @@ constexpr const char* kMount =
 
 /// Writes scans 0.1 s apart, the first at `first_ns`.
 void WriteScans(const fs::path& directory, const std::vector<LidarScan>& scans, TimeNs first_ns = 0,
-                double mount_m = 2) {
+                double mount_m = 2, int columns = 0) {
   DatasetWriter writer(directory, SampleInfo(), {});
-  const ChannelId lidar =
-      writer.AddChannel(LidarChannel("husky/roof", fmt::format(kMount, mount_m)));
+  std::string sheet = fmt::format(kMount, mount_m);
+  if (columns > 0) {
+    std::vector<double> elevation_deg;
+    for (int beam = 0; beam < kBeams; ++beam) elevation_deg.push_back(14 - 2 * beam);
+    sheet += fmt::format("model: {{elevation_deg: [{}], columns: {}}}\n",
+                         fmt::join(elevation_deg, ", "), columns);
+  }
+  const ChannelId lidar = writer.AddChannel(LidarChannel("husky/roof", sheet));
   TimeNs t_ns = first_ns;
   for (LidarScan scan : scans) {
     scan.t_ns = scan.t_available_ns = t_ns;
@@ -220,6 +265,25 @@ TEST(ScanComparison, RangesDropOutAndReflectivityAreThoseOfTheGeometry) {
   EXPECT_NEAR(c.a_to_b.mean_m, 2, 1e-5);
   EXPECT_GT(c.b_to_a.mean_m, 2);
   EXPECT_NEAR(c.chamfer_m, c.a_to_b.mean_m + c.b_to_a.mean_m, 1e-9);
+}
+
+TEST(ScanComparison, RaysWithoutAReturnAndSecondReturnsAreCounted) {
+  ScratchDirectory scratch;
+  LidarScan real = Sphere(5), sim;
+  std::erase_if(real.points, IsInSector);
+  for (const LidarPoint& p : real.points) {
+    sim.points.push_back(p);
+    if (p.ring != 3) continue;
+    sim.points.push_back(p);
+    sim.points.back().x_m *= 1.5F, sim.points.back().y_m *= 1.5F, sim.points.back().z_m *= 1.5F;
+  }
+  WriteScans(scratch.path() / "real", {real}, 0, 2, kColumns);
+  WriteScans(scratch.path() / "sim", {sim});
+  const ScanComparison c = ComparedScans(scratch.path());
+  EXPECT_NEAR(c.a.without_return.value(), 15.0 / kColumns, 1e-12);
+  EXPECT_FALSE(c.b.without_return);
+  EXPECT_EQ(c.a.second_returns, 0);
+  EXPECT_EQ(c.b.second_returns, kColumns - 15);
 }
 
 TEST(ScanComparison, WorstFramesComeFirstAndAreWrittenSideBySide) {
