@@ -98,7 +98,12 @@ cv::Mat InOwnOrder(const cv::Mat& rows, bool is_big_endian) {
   return own;
 }
 
-bool EndsAsJpeg(std::string_view bytes) { return bytes.rfind("\xff\xd9") != bytes.npos; }
+/// Zeros may follow the end marker, as some cameras pad their pictures. The marker also ends the
+/// thumbnail within a picture, so that it counts at the end alone.
+bool EndsAsJpeg(std::string_view bytes) {
+  const std::size_t last = bytes.find_last_not_of('\0');
+  return last != bytes.npos && bytes.substr(0, last + 1).ends_with("\xff\xd9");
+}
 
 }  // namespace
 

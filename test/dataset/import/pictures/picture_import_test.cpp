@@ -278,6 +278,14 @@ TEST_F(PictureImport, CompressedPicturesAreThoseOfTheirFiles) {
         "/cam/raw", "sensor_msgs/msg/CompressedImage");
     ExpectFault(kTopic, kMalformed, "log.mcap: /cam/raw message 1");
   }
+  // A whole picture's marker stands before the end, as that of a thumbnail does.
+  const std::string jpeg = EncodedAs(".jpg", picture);
+  Bag({FileMessage(100, "", jpeg + jpeg.substr(0, jpeg.size() / 2))}, InfoOf("plumb_bob", {}),
+      "/cam/raw", "sensor_msgs/msg/CompressedImage");
+  ExpectFault(kTopic, kMalformed, "log.mcap: /cam/raw message 1");
+  Bag({FileMessage(100, "", jpeg + std::string(5, '\0'))}, InfoOf("plumb_bob", {}), "/cam/raw",
+      "sensor_msgs/msg/CompressedImage");
+  Import(kTopic);
   Bag({FileMessage(100, "webp", "RIFFxxxxWEBP")}, InfoOf("plumb_bob", {}), "/cam/raw",
       "sensor_msgs/msg/CompressedImage");
   ExpectFault(kTopic, kUnsupported, "log.mcap: /cam/raw message 1");
