@@ -15,7 +15,9 @@ using namespace dig;
 constexpr double kLeverRate_1ps = 5.0;  // a hand goes from neutral to full lever in 0.2 s
 constexpr double kTrackRate_1ps = 1.5;  // a careful hand on the tracks
 constexpr double kTipTolerance_m = 0.12;
-constexpr double kEntryTolerance_m = 0.06;  // in a trench
+constexpr double kGiveUpLean_rad = 10 * kDeg;  // more than before, at which a cut in a trench ends
+constexpr double kSinkAgain_mps = 0.1;         // of a cut in a trench that is no longer held
+constexpr double kEntryTolerance_m = 0.06;     // in a trench
 constexpr double kAngleTolerance_rad = 6 * kDeg;
 constexpr double kSlewAtRest_radps = 5 * kDeg;  // below this rate it may lower or dump
 constexpr double kSwingHeight = 0.6;            // share of the dump height from which it may slew
@@ -140,6 +142,7 @@ void DigCycle::Enter(Phase phase, const OperatorView& view) {
   phase_start_ns_ = view.t_ns;
   phase_tip_ = TipNow(view.state);
   phase_load_kg_ = LoadOf(view).mass_kg;
+  if (phase == Phase::kLower) up_W_ = view.state.links[0].X_WB.linear().col(2);
   last_angles_.reset();
   if (trench_ && phase == Phase::kApproach) ChooseCut(view);
   if (trench_ && phase == Phase::kLift) ChooseDump(view);
@@ -189,8 +192,11 @@ void DigCycle::Advance(const OperatorView& view) {
       break;
     case Phase::kCut:
       // A tip that has run ahead, towards the machine, is not held back.
-      AdvanceCut(view, tip.r_m > target.tip.r_m ? TipError_m(tip, target.tip) : 0.0);
-      if (cut_s_m_ >= cut_.length_m || load.volume_m3 > kFullShare * Capacity_m3(view) ||
+      AdvanceCut(view, trench_
+                           ? IsHeldBack(view, tip, target.tip)
+                           : tip.r_m > target.tip.r_m && TipError_m(tip, target.tip) >= kCutLag_m);
+      if (cut_s_m_ >= cut_.length_m || (trench_ && Lean_rad(view) > kGiveUpLean_rad) ||
+          load.volume_m3 > kFullShare * Capacity_m3(view) ||
           time_s >
               kCutPatience * (cut_.length_m + (trench_ ? kPlunge_m : 0)) / plan_.cut_speed_mps) {
         Enter(Phase::kCurl, view);
@@ -231,10 +237,11 @@ void DigCycle::Advance(const OperatorView& view) {
   }
 }
 
-void DigCycle::AdvanceCut(const OperatorView& view, double lag_m) {
+void DigCycle::AdvanceCut(const OperatorView& view, bool held_back) {
   const double dt_s = ToSeconds(view.t_ns - last_ns_);
-  if (lag_m < kCutLag_m) {
+  if (!held_back) {
     cut_s_m_ += plan_.cut_speed_mps * dt_s;
+    if (trench_) cut_raised_m_ = std::max(0.0, cut_raised_m_ - kSinkAgain_mps * dt_s);
   } else {
     cut_raised_m_ += kStallLift_mps * dt_s;
   }

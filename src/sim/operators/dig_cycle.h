@@ -96,6 +96,11 @@ class DigCycle : public Operator {
   void DriveTracks(const OperatorView& view, std::vector<double>* levers) const;
   /// Angle of the undercarriage's heading from that to the trench's first end.
   double Heading_rad(const OperatorView& view) const;
+  /// By how much the machine leans more than before the cut.
+  double Lean_rad(const OperatorView& view) const;
+  /// Whether a cut in a trench must wait and rise.
+  bool IsHeldBack(const OperatorView& view, const PlanarArm::Tip& tip,
+                  const PlanarArm::Tip& target) const;
   bool StandsAsPlanned(const OperatorView& view) const;
 
   Pose SlewFrame(const OperatorView& view) const;
@@ -113,7 +118,7 @@ class DigCycle : public Operator {
   PlanarArm::Tip TipNow(const MachineState& state) const;
   double Capacity_m3(const OperatorView& view) const;
   double SlewLever(const OperatorView& view, double target_rad) const;
-  void AdvanceCut(const OperatorView& view, double lag_m);
+  void AdvanceCut(const OperatorView& view, bool held_back);
   double ArmError_rad(const OperatorView& view, const PlanarArm::Tip& tip) const;
   SoilReaction::Load LoadOf(const OperatorView& view) const;
   double PhaseTime_s(const OperatorView& view) const;
@@ -138,10 +143,11 @@ class DigCycle : public Operator {
   double dump_azimuth_rad_;
   std::optional<TrenchWork> trench_;
   TrenchCut cut_;
-  int empty_pulls_ = 0;  ///< in a row
-  double rim_m_ = 0;     ///< highest ground at the trench, when the cut was chosen
-  double stand_m_ = 0;   ///< station of the slew axis where it works, or to which it drives
-  bool drives_ = false;  ///< arm and blade are in their places for driving
+  int empty_pulls_ = 0;        ///< in a row
+  Vec3 up_W_ = Vec3::UnitZ();  ///< the undercarriage's z before the cut
+  double rim_m_ = 0;           ///< highest ground at the trench, when the cut was chosen
+  double stand_m_ = 0;         ///< station of the slew axis where it works, or to which it drives
+  bool drives_ = false;        ///< arm and blade are in their places for driving
   BladePlaces blade_;
 };
 

@@ -29,6 +29,10 @@ constexpr double kMostTowards_rad = 10 * kDeg;
 constexpr double kLongestMove_s = 40;
 // It drives to its stand again when it has been pulled farther or turned more than this.
 constexpr double kMostTurned_rad = 6 * kDeg, kMostDrift_m = 0.25;
+// A cut waits and rises when its tip lags by so much, or has been pulled below its line, or when
+// the machine leans so much more than before. At more lean it ends.
+constexpr double kHeldBack_m = 0.15, kPulledIn_m = 0.1;
+constexpr double kEaseLean_rad = 6 * kDeg;
 // The blade in the ground.
 constexpr double kAnchor_m = 0.08, kBladeTolerance_rad = 3 * kDeg;
 constexpr int kBladeSteps = 50;
@@ -197,6 +201,16 @@ double DigCycle::Heading_rad(const OperatorView& view) const {
   const Vec3 x_W = view.state.links[0].X_WB.linear().col(0);
   const Vec2 ahead = -trench_->line().Along();
   return std::remainder(std::atan2(x_W.y(), x_W.x()) - std::atan2(ahead.y(), ahead.x()), 2 * kPi);
+}
+
+double DigCycle::Lean_rad(const OperatorView& view) const {
+  return std::acos(std::clamp(up_W_.dot(view.state.links[0].X_WB.linear().col(2)), -1.0, 1.0));
+}
+
+bool DigCycle::IsHeldBack(const OperatorView& view, const PlanarArm::Tip& tip,
+                          const PlanarArm::Tip& target) const {
+  return tip.r_m - target.r_m > kHeldBack_m || target.z_m - tip.z_m > kPulledIn_m ||
+         Lean_rad(view) > kEaseLean_rad;
 }
 
 bool DigCycle::StandsAsPlanned(const OperatorView& view) const {

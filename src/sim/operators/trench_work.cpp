@@ -15,7 +15,7 @@ constexpr double kStep_m = 0.05;         // between samples of the profile
 constexpr int kAcross = 7;               // samples across the bucket
 constexpr double kShareOfWindow = 0.75;  // of the radii, from stand to stand
 constexpr double kReachedStand_m = 0.1;
-constexpr double kSpare_m = 0.1;   // pulls move the machine by as much from its first stand
+constexpr double kSpare_m = 0.15;  // pulls move the machine by as much from its stand
 constexpr double kBeside_m = 0.3;  // ground beside the trench that the bucket may pass over
 constexpr double kLeastCut_m = 0.5;
 constexpr double kLeftShare = 0.6;   // of the tolerance; less soil above the design may stay
@@ -155,7 +155,7 @@ double TrenchWork::first_stand_m() const { return plan_.far_m - kSpare_m; }
 
 std::optional<double> TrenchWork::NextStand(double axis_station_m) const {
   const double first_m = first_stand_m();
-  const double last_m = std::max(first_m, line().length_m() + plan_.near_m);
+  const double last_m = std::max(first_m, line().length_m() + plan_.near_m + kSpare_m);
   if (axis_station_m > last_m - kReachedStand_m) return std::nullopt;
   const double most_m = kShareOfWindow * (plan_.far_m - plan_.near_m);
   const double moves = std::ceil((last_m - first_m) / most_m);

@@ -30,12 +30,13 @@ bool IsOnSite(const ConfigMap& config, std::string_view key, const Vec2& corner_
       ((corner_W_m + margin).array() <= high_m.array()).all()) {
     return true;
   }
-  config.Fault(key, {FaultKind::kOutOfRange,
-                     fmt::format("the design reaches beyond the site: its corner ({:g}, {:g}) m "
-                                 "with {:g} m for the side; need x {:g} to {:g} m, y {:g} to {:g} "
-                                 "m, or a larger terrain",
-                                 corner_W_m.x(), corner_W_m.y(), margin_m, low_m.x(), high_m.x(),
-                                 low_m.y(), high_m.y())});
+  config.Fault(
+      key, {FaultKind::kOutOfRange,
+            fmt::format("the design reaches beyond the site: its corner ({:g}, {:g}) m "
+                        "with {:.2f} m for the side; need x {:g} to {:g} m, y {:g} to {:g} "
+                        "m, or a larger terrain",
+                        corner_W_m.x(), corner_W_m.y(), margin_m, low_m.x(), high_m.x(), low_m.y(),
+                        high_m.y())});
   return false;
 }
 

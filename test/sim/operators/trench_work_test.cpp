@@ -53,10 +53,10 @@ void SetGround(const TrenchWork& trench, double from_m, double to_m, float heigh
 
 TEST(TrenchWork, BacksFromStandToStandUntilItReachesTheOtherEnd) {
   const TrenchWork trench(SlantedTrench(0.6));
-  // From a tenth within 4.4 m to 6 + 2.4 m in moves of at most three quarters of 2 m.
+  // From 0.15 m within 4.4 m to as much beyond 6 + 2.4 m, in moves of at most 1.5 m.
   double stand_m = trench.first_stand_m();
-  EXPECT_NEAR(stand_m, 4.3, 1e-9);
-  for (const double expected_m : {4.3 + 4.1 / 3, 4.3 + 8.2 / 3, 8.4}) {
+  EXPECT_NEAR(stand_m, 4.25, 1e-9);
+  for (const double expected_m : {4.25 + 4.3 / 3, 4.25 + 8.6 / 3, 8.55}) {
     const std::optional<double> next_m = trench.NextStand(stand_m);
     ASSERT_TRUE(next_m);
     EXPECT_NEAR(*next_m, expected_m, 1e-9);
@@ -94,9 +94,9 @@ TEST(TrenchWork, LeavesTheNearestSoilToTheNextStandButNotAtTheLast) {
   SetGround(trench, -0.1, 1.8, -1.0F, &ground);
   EXPECT_FALSE(trench.NextCut(ground, 4.4, 0.2, 0.096));  // it reaches as far as station 2
   SetGround(trench, -0.1, 5.8, -1.0F, &ground);
-  const auto cut = trench.NextCut(ground, 8.4, 0.2, 0.096);
+  const auto cut = trench.NextCut(ground, 8.55, 0.2, 0.096);
   ASSERT_TRUE(cut);
-  EXPECT_NEAR(8.4 - (cut->reach_m - cut->length_m), 6.0, 2 * kCell_m);
+  EXPECT_NEAR(8.55 - (cut->reach_m - cut->length_m), 6.0, 2 * kCell_m);
 }
 
 TEST(TrenchWork, LeavesWhatIsWithinTheTolerance) {
