@@ -1,7 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -50,11 +52,26 @@ class Stepper {
   double lever_ = 0, push_s_ = 0, end_s_ = 0;
 };
 
+/// Friction of a joint that has a peak at one angle, as lost rate.
+struct FrictionPeak {
+  double loss_radps = 0, beyond_middle_rad = 0, half_width_rad = 1;
+
+  double Left(double rate_radps, double beyond_rad) const {
+    const double off = (beyond_rad - beyond_middle_rad) / half_width_rad;
+    const double loss = loss_radps / (1 + off * off);
+    return std::copysign(std::max(0.0, std::abs(rate_radps) - loss), rate_radps);
+  }
+};
+
 /// The arm of the 3.5 t machine with some effects, under steps of its lever alone.
 class SteppedArm {
  public:
-  explicit SteppedArm(const Numbers& effects)
-      : model_(ShippedMachine("tb235")), arm_(static_cast<std::size_t>(model_.JointIndex("arm"))) {
+  explicit SteppedArm(const Numbers& effects, double noise_radps = kNoise_radps,
+                      FrictionPeak friction = {})
+      : model_(ShippedMachine("tb235")),
+        arm_(static_cast<std::size_t>(model_.JointIndex("arm"))),
+        noise_radps_(noise_radps),
+        friction_(friction) {
     MachineModel real = model_;
     real.effects.joints.resize(model_.joints.size());
     for (const auto& [id, values] : effects) {
@@ -97,16 +114,19 @@ class SteppedArm {
         encoders_.recording.samples.push_back(
             {.t_ns = FromSeconds(t_s),
              .q_rad = {q_rad},
-             .qd_radps = {rate_radps + kNoise_radps * noise.Gaussian(step)}});
+             .qd_radps = {rate_radps + noise_radps_ * noise.Gaussian(step)}});
       }
       rate_radps = chain.DeliveredRate(chain.Demand(commands_.rows.back()[0], kPlantStep_s),
                                        {q_rad, rate_radps, 0}, kPlantStep_s);
+      rate_radps = friction_.Left(rate_radps, q_rad - middle_rad);
       q_rad += kPlantStep_s * rate_radps;
     }
   }
 
   MachineModel model_;
   std::size_t arm_;
+  double noise_radps_;
+  FrictionPeak friction_;
   TableRecording commands_;
   NamedEncoders encoders_{"excavator1/encoders", {}};
   std::vector<DiagnosedBlock> diagnosed_;
@@ -159,6 +179,26 @@ TEST(WholeValve, EachDirectionHasABandAndAGainOfItsOwn) {
 TEST(WholeValve, OfAJointAsItsOwnerSaysNothingIsFound) {
   SteppedArm arm({});
   const BlockDiagnosis diagnosis = arm.Diagnose();
+  EXPECT_THAT(FoundIn(diagnosis), IsEmpty());
+  EXPECT_THAT(diagnosis.unexplained, IsEmpty());
+}
+
+TEST(WholeValve, AJointThatRubsAtAnAngleIsUnexplainedOverItsAngle) {
+  // The arm crosses the angle in a small share of its samples, so that the error of the whole
+  // recording is less than twice the noise.
+  const FrictionPeak peak{.loss_radps = 0.35, .beyond_middle_rad = 0.15, .half_width_rad = 0.02};
+  const BlockDiagnosis diagnosis = SteppedArm({}, 0.05, peak).Diagnose();
+  EXPECT_THAT(FoundIn(diagnosis), IsEmpty());
+  ASSERT_EQ(diagnosis.unexplained.size(), 1u);
+  EXPECT_LT(diagnosis.unexplained[0].rmse, 2 * diagnosis.unexplained[0].noise);
+  EXPECT_LT(diagnosis.unexplained[0].p.value_or(1), 0.01);
+  ASSERT_FALSE(diagnosis.unexplained[0].location.regimes.empty());
+  EXPECT_EQ(diagnosis.unexplained[0].location.regimes[0].variable, "position/arm");
+}
+
+TEST(WholeValve, FrictionWithinTheToleranceOfRatesIsNoErrorOverAnyAngle) {
+  const FrictionPeak peak{.loss_radps = 0.02, .beyond_middle_rad = 0.15, .half_width_rad = 0.02};
+  const BlockDiagnosis diagnosis = SteppedArm({}, kNoise_radps, peak).Diagnose();
   EXPECT_THAT(FoundIn(diagnosis), IsEmpty());
   EXPECT_THAT(diagnosis.unexplained, IsEmpty());
 }

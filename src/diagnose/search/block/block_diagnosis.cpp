@@ -10,6 +10,7 @@
 #include "diagnose/search/fit/flexible_regressor.h"
 #include "diagnose/search/fit/static_map.h"
 #include "diagnose/search/fit/steady_gain.h"
+#include "diagnose/search/structure/expected_beside.h"
 
 namespace tera {
 namespace {
@@ -62,12 +63,11 @@ class BlockDiagnoser {
                        std::size_t channel) const;
   std::size_t MostImproved(const FittedStructure& before, const FittedStructure& after) const;
   ErrorAsExpected AsExpected(const Misfit& found, const Misfit& instead, std::size_t channel) const;
-  std::vector<double> ToleratedErrors() const;
+  Tolerated ToleratedErrors() const;
 
   const EvaluationContext context_;
   const StructureFitter fitter_;  ///< fitted to TRAIN and SELECT
-  /// RMS change of each channel on FINAL by a rate factor at the end of its tolerance.
-  const std::vector<double> tolerated_;
+  const Tolerated tolerated_;
 };
 
 bool IsNearer(const HeldOutError& error) { return error.rmse_after < error.rmse_before; }
@@ -182,7 +182,8 @@ void BlockDiagnoser::Confirm(BlockDiagnosis* out) const {
 
 void BlockDiagnoser::FindUnexplained(BlockDiagnosis* out) const {
   out->residual_verdicts = ResidualVerdictsOf(context_, out->search);
-  out->unexplained = UnexplainedOf(context_, out->search, out->residual_verdicts, tolerated_);
+  out->unexplained =
+      UnexplainedOf(context_, fitter_, out->search, out->residual_verdicts, tolerated_);
 }
 
 const Unexplained* UnexplainedIn(const BlockDiagnosis& out, std::size_t channel) {
@@ -197,8 +198,8 @@ void BlockDiagnoser::FindLostCommands(BlockDiagnosis* out) const {
   if (context_.block.of_chance.empty()) return;
   const Unexplained* left = UnexplainedIn(*out, 0);
   if (left != nullptr && left->p) return;  // an error that repeats is not random
-  const auto lost =
-      LostCommandsOf(context_, out->search, out->residual_verdicts[0].noise.rms(), tolerated_[0]);
+  const auto lost = LostCommandsOf(context_, out->search, out->residual_verdicts[0].noise.rms(),
+                                   tolerated_.rms[0]);
   if (!lost) return;
   const Candidate& candidate = context_.block.of_chance.front();
   Finding finding;
@@ -252,7 +253,7 @@ void BlockDiagnoser::CompareWithExpected(BlockDiagnosis* out) const {
   for (std::size_t t = 0; t < out->findings.size(); ++t) {
     Finding& finding = out->findings[t];
     const std::size_t channel = finding.held_out.channel;
-    finding.tolerated = tolerated_[channel];
+    finding.tolerated = tolerated_.rms[channel];
     if (t >= found.size()) continue;  // lost commands come last
     if (IsStated(*finding.term.candidate) && finding.evidence.expected_rivals.empty()) continue;
     const Misfit instead = MisfitOfExpectedInstead(context_.block, fitter_, found, t);
@@ -334,35 +335,48 @@ void BlockDiagnoser::MoveProxies(BlockDiagnosis* out) const {
   }
 }
 
-/// The candidate alone, with its main parameter at the lower end of its tolerance. Only for rate
-/// factors, whose neutral value is 1, and for the difference between tracks, which is a factor of
-/// each.
-std::optional<Term> FactorAtTolerance(const Candidate& candidate) {
-  if (candidate.free.empty()) return std::nullopt;
-  const FreeParameter& factor = candidate.free.front();
-  const bool is_factor = factor.expected && (factor.expected->neutral == 1 ||
-                                             candidate.mechanism->id == "track_asymmetry");
-  if (!is_factor) return std::nullopt;
-  Term term{&candidate, candidate.starts.front()};
-  term.values[factor.index] = factor.expected->value - factor.expected->half_width;
+/// Whether a candidate is a rate factor, whose neutral value is 1. The difference between tracks is
+/// a factor of each.
+bool IsRateFactor(const Candidate& candidate) {
+  const auto& free = candidate.free;
+  return !free.empty() && free.front().expected &&
+         (free.front().expected->neutral == 1 || candidate.mechanism->id == "track_asymmetry");
+}
+
+/// The candidate alone, with its first parameter of stated tolerance at the end of that tolerance
+/// that is farther from neutral; none if no tolerance is stated.
+std::optional<Term> AtTolerance(const Candidate& candidate) {
+  const Candidate held = HeldToExpected(candidate);
+  if (held.free.empty()) return std::nullopt;
+  const FreeParameter& main = held.free.front();
+  Term term{&candidate, held.starts.front()};
+  const double neutral = main.expected->neutral;
+  const bool is_upper_farther = main.upper - neutral > neutral - main.lower + 1e-9;
+  term.values[main.index] = is_upper_farther ? main.upper : main.lower;
   return term;
 }
 
-/// Largest RMS change of each channel on FINAL by a rate factor at the end of its tolerance.
-std::vector<double> BlockDiagnoser::ToleratedErrors() const {
-  std::vector<double> most(context_.block.channels.size(), 0.0);
+Tolerated BlockDiagnoser::ToleratedErrors() const {
+  Tolerated out{{}, std::vector<double>(context_.block.channels.size(), 0.0)};
   const auto nothing = context_.block.predict({});
   for (const Candidate& candidate : context_.block.candidates) {
-    const std::optional<Term> factor = FactorAtTolerance(candidate);
-    if (!factor) continue;
-    const Misfit change =
-        context_.likelihood.EvaluateAgainst(context_.block.predict({*factor}), nothing);
-    for (std::size_t c = 0; c < most.size(); ++c) {
+    const std::optional<Term> accepted = AtTolerance(candidate);
+    if (!accepted) continue;
+    const auto predicted = context_.block.predict({*accepted});
+    out.changes.push_back(predicted);
+    for (std::size_t c = 0; c < predicted.size(); ++c) {
+      for (std::size_t k = 0; k < predicted[c].size(); ++k) {
+        out.changes.back()[c][k] -= nothing[c][k];
+      }
+    }
+    if (!IsRateFactor(candidate)) continue;
+    const Misfit change = context_.likelihood.EvaluateAgainst(predicted, nothing);
+    for (std::size_t c = 0; c < out.rms.size(); ++c) {
       const double square = MeanSquare(change.residual[c], context_.final_mask);
-      most[c] = std::max(most[c], std::sqrt(square));
+      out.rms[c] = std::max(out.rms[c], std::sqrt(square));
     }
   }
-  return most;
+  return out;
 }
 
 BlockDiagnosis BlockDiagnoser::Untested() const {

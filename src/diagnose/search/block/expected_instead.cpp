@@ -1,5 +1,8 @@
 #include "diagnose/search/block/expected_instead.h"
 
+#include <iterator>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -8,15 +11,11 @@
 namespace tera {
 namespace {
 
-constexpr int kMostInstead = 3;  ///< mechanisms within tolerance that may replace one term
+constexpr int kMostInstead = 3;  ///< mechanisms within tolerance that are added
 
-}  // namespace
-
-Misfit MisfitOfExpectedInstead(const ReplayBlock& block, const StructureFitter& fitter,
-                               const Structure& found, std::size_t term) {
-  const std::vector<Candidate> expected =
-      ExpectedBeside(block, found, found[term].candidate->target);
-  FittedStructure best = fitter.FitFrom(Without(found, term));
+/// Adds mechanisms within tolerance to a structure.
+Misfit MisfitWith(const std::vector<Candidate>& expected, const StructureFitter& fitter,
+                  FittedStructure best) {
   for (int added = 0; added < kMostInstead; ++added) {
     const Structure beside = best.terms;
     const double likelihood = best.log_likelihood;
@@ -34,6 +33,26 @@ Misfit MisfitOfExpectedInstead(const ReplayBlock& block, const StructureFitter& 
     if (most == 0) break;
   }
   return std::move(best.misfit);
+}
+
+}  // namespace
+
+Misfit MisfitOfExpectedInstead(const ReplayBlock& block, const StructureFitter& fitter,
+                               const Structure& found, std::size_t term) {
+  return MisfitWith(ExpectedBeside(block, found, found[term].candidate->target), fitter,
+                    fitter.FitFrom(Without(found, term)));
+}
+
+Misfit MisfitOfExpectedBeside(const ReplayBlock& block, const StructureFitter& fitter,
+                              const FittedStructure& found) {
+  std::set<std::string> targets;
+  for (const Candidate& candidate : block.candidates) targets.insert(candidate.target);
+  std::vector<Candidate> expected;
+  for (const std::string& target : targets) {
+    std::vector<Candidate> of_target = ExpectedBeside(block, found.terms, target);
+    std::move(of_target.begin(), of_target.end(), std::back_inserter(expected));
+  }
+  return MisfitWith(expected, fitter, found);
 }
 
 }  // namespace tera

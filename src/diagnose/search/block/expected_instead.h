@@ -18,4 +18,8 @@ namespace tera {
 Misfit MisfitOfExpectedInstead(const ReplayBlock& block, const StructureFitter& fitter,
                                const Structure& found, std::size_t term);
 
+/// The same beside all terms of a structure, of the mechanisms of all targets.
+Misfit MisfitOfExpectedBeside(const ReplayBlock& block, const StructureFitter& fitter,
+                              const FittedStructure& found);
+
 }  // namespace tera

@@ -135,21 +135,6 @@ RegimeNoise NoiseForRegimes(const Series& residual, const NoiseModel& noise,
   return {{.scale = rms, .dof = 10}, static_cast<double>(CorrelationLength(ValidValues(residual)))};
 }
 
-/// Each of the channel's variables twice: as argument of an additive error, and of a share of the
-/// simulated value.
-std::vector<RegimeVariable> VariablesAndShares(const Channel& channel, const Series& residual) {
-  std::vector<double> simulated(residual.size(), 0.0);
-  for (std::size_t k = 0; k < residual.size(); ++k) {
-    if (residual.valid[k]) simulated[k] = channel.measured.value[k] - residual.value[k];
-  }
-  std::vector<RegimeVariable> variables = channel.variables;
-  for (const RegimeVariable& variable : channel.variables) {
-    variables.push_back(variable);
-    variables.back().times = simulated;
-  }
-  return variables;
-}
-
 /// Columns held fixed while a variable's curve is fitted: those of earlier regressors, and the
 /// curve's factor.
 Eigen::MatrixXd KnownBefore(const Eigen::MatrixXd& known, const RegimeAxis& axis) {
@@ -173,11 +158,34 @@ std::size_t WorstOf(const std::vector<Segment>& intervals, const Series& residua
   return worst;
 }
 
+/// The ranked regressors, with the leading variable first.
+std::vector<Regressor> LedBy(const std::optional<LeadingVariable>& leading,
+                             const std::vector<RegimeTestResult>& tests,
+                             std::vector<Regressor> ranked) {
+  if (!leading) return ranked;
+  std::erase_if(ranked, [&](const Regressor& one) { return one.variable == leading->index; });
+  ranked.insert(ranked.begin(), {leading->index, leading->p, tests[leading->index].share});
+  return ranked;
+}
+
 }  // namespace
 
+std::vector<RegimeVariable> VariablesAndShares(const Channel& channel, const Series& residual) {
+  std::vector<double> simulated(residual.size(), 0.0);
+  for (std::size_t k = 0; k < residual.size(); ++k) {
+    if (residual.valid[k]) simulated[k] = channel.measured.value[k] - residual.value[k];
+  }
+  std::vector<RegimeVariable> variables = channel.variables;
+  for (const RegimeVariable& variable : channel.variables) {
+    variables.push_back(variable);
+    variables.back().times = simulated;
+  }
+  return variables;
+}
+
 Location Locate(const Channel& channel, std::size_t index, const Series& residual,
-                const NoiseModel& noise, const NoiseLevel& level, const Stream& stream,
-                int threads) {
+                const NoiseModel& noise, const NoiseLevel& level, const Stream& stream, int threads,
+                const std::optional<LeadingVariable>& leading) {
   Location location{index, {}, 0, {}};
   location.intervals = Mismatch(residual, noise, level);
   location.worst = WorstOf(location.intervals, residual, std::pow(level.rms(), 2));
@@ -188,7 +196,8 @@ Location Locate(const Channel& channel, std::size_t index, const Series& residua
       SelectRegimes(residual, against.noise, variables,
                     {.test = {.repeats = against.repeats}, .threads = threads}, stream);
   Eigen::MatrixXd known(static_cast<Eigen::Index>(residual.size()), 0);
-  for (const auto& [index_of_variable, p, share] : RankedRegressors(found)) {
+  const auto& alone = found.steps.empty() ? found.left : found.steps.front().tests;
+  for (const auto& [index_of_variable, p, share] : LedBy(leading, alone, RankedRegressors(found))) {
     const RegimeVariable& variable = variables[index_of_variable];
     const RegimeAxis axis(variable);
     Regime regime{variable.name, axis.has_times(), p, share, {}, {}};

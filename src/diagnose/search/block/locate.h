@@ -31,6 +31,17 @@ struct Location {
   std::vector<Regime> regimes;     ///< the best regressor first; each given the previous ones
 };
 
+/// A channel's variables, each twice: as argument of an additive error, and of a share of the
+/// simulated value.
+std::vector<RegimeVariable> VariablesAndShares(const Channel& channel, const Series& residual);
+
+/// A variable over which a residual is known to have structure.
+struct LeadingVariable {
+  std::size_t index = 0;  ///< among VariablesAndShares
+  double p = 1;
+  double gain = 0;  ///< of its curve in log-likelihood, on SELECT
+};
+
 /// Locates the residual of a channel in time and over the channel's variables.
 ///
 /// Model   In time (change_points.h), at 1 %: intervals where innovations differ from noise, and
@@ -41,7 +52,8 @@ struct Location {
 ///         and as the simulated value times such a function, tested against the noise. A residual
 ///         of three times the noise (ten times without rest) is tested against white noise of its
 ///         own size.
-///         Order: a variable without significance comes first, with its unadjusted p, if it
+///         Order: `leading` comes first, with its own p. Without it, a variable without
+///         significance comes first, with its unadjusted p, if it
 ///         explains 1.3 times as much as the best significant one. Without any significant one, 2 %
 ///         suffice. Time and seldom revisited places have too few shifts for a small p. Among
 ///         variables that explain equally much to a twentieth, the smallest p wins.
@@ -49,6 +61,6 @@ struct Location {
 ///         of as many samples would.
 Location Locate(const Channel& channel, std::size_t index, const Series& residual,
                 const NoiseModel& noise, const NoiseLevel& level, const Stream& stream,
-                int threads = 2);
+                int threads = 2, const std::optional<LeadingVariable>& leading = {});
 
 }  // namespace tera

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <functional>
 
+#include "diagnose/search/block/expected_instead.h"
 #include "diagnose/search/fit/flexible_regressor.h"
 #include "diagnose/search/fit/steady_gain.h"
 #include "diagnose/search/structure/effect_size.h"
+#include "diagnose/statistics/regime/partialling.h"
+#include "diagnose/statistics/series/robust.h"
 
 namespace tera {
 namespace {
@@ -69,6 +72,12 @@ void Decide(const EvaluationContext& context, const SearchResult& search,
                                                 : ResidualVerdict::Kind::kOfFew;
 }
 
+double SumOf(const std::vector<ManoeuvreGain>& gains) {
+  double sum = 0;
+  for (const ManoeuvreGain& one : gains) sum += one.gain;
+  return sum;
+}
+
 /// p-value of the flexible regressor's steady gain on a channel's residual; none if it has none.
 /// `cross_fitted` gives the residual after fits to other manoeuvres. It serves a second test over
 /// all manoeuvres if the residual is loud in few of them or may be slow noise. Its p-value is
@@ -96,6 +105,95 @@ std::optional<double> FollowedP(const EvaluationContext& context, const Misfit& 
   return p <= context.options.alpha ? std::optional(p) : std::nullopt;
 }
 
+/// Energies of series in each manoeuvre, each sample weighted by the square of what a curve
+/// removes.
+class WeightedEnergies {
+ public:
+  WeightedEnergies(const std::vector<Manoeuvre>& manoeuvres, const Series& before,
+                   const Series& after)
+      : manoeuvres_(manoeuvres), weight_(before.size(), 0.0) {
+    for (std::size_t k = 0; k < before.size(); ++k) {
+      if (before.valid[k]) weight_[k] = std::pow(before.value[k] - after.value[k], 2);
+    }
+  }
+  Eigen::VectorXd Of(const std::vector<double>& values) const {
+    return Sum([&](std::size_t k) { return values[k] * values[k]; });
+  }
+  Eigen::VectorXd OfOne() const {
+    return Sum([](std::size_t) { return 1.0; });
+  }
+
+ private:
+  template <typename Square>
+  Eigen::VectorXd Sum(Square square) const {
+    Eigen::VectorXd sums(static_cast<Eigen::Index>(manoeuvres_.size()));
+    for (std::size_t m = 0; m < manoeuvres_.size(); ++m) {
+      double sum = 0;
+      const Segment& samples = manoeuvres_[m].samples;
+      for (std::size_t k = samples.begin; k < samples.end; ++k) {
+        if (weight_[k] > 0) sum += weight_[k] * square(k);
+      }
+      sums[static_cast<Eigen::Index>(m)] = sum;
+    }
+    return sums;
+  }
+
+  const std::vector<Manoeuvre>& manoeuvres_;
+  std::vector<double> weight_;
+};
+
+/// Whether the error that `beyond` removes from `misfit` is surely larger, where it acts, than
+/// mechanisms within tolerance, nominal numbers and forms may leave.
+bool IsLargeWhereItActs(const EvaluationContext& context, const SearchResult& search,
+                        const Tolerated& tolerated, const ResidualVerdict& verdict,
+                        const Misfit& misfit, const Misfit& beyond) {
+  const std::size_t c = verdict.channel;
+  const WeightedEnergies energies(context.manoeuvres, misfit.residual[c], beyond.residual[c]);
+  Eigen::VectorXd accepted = 0 * energies.OfOne();
+  const auto accept = [&](const Eigen::VectorXd& energy) {
+    if (energy.sum() > accepted.sum()) accepted = energy;
+  };
+  for (const auto& change : tolerated.changes) accept(energies.Of(change[c]));
+  for (const Channel& channel : context.block.channels) {
+    if (channel.unit != context.block.channels[c].unit) continue;
+    accept(kNominalShare * kNominalShare * energies.Of(channel.measured.value));
+  }
+  const double noise = verdict.noise.rms() * verdict.noise.rms();
+  const Eigen::VectorXd excess =
+      energies.Of(search.nothing.misfit.residual[c].value) - noise * energies.OfOne();
+  accepted += kFormShare * excess.cwiseMax(0.0);
+  const Eigen::VectorXd more =
+      energies.Of(misfit.residual[c].value) - energies.Of(beyond.residual[c].value) - accepted;
+  return more.sum() > kOneSided95 * more.norm();
+}
+
+/// The variable over which a channel's residual has most structure; none if over none.
+std::optional<LeadingVariable> StructureOf(const EvaluationContext& context,
+                                           const SearchResult& search, const Tolerated& tolerated,
+                                           const ResidualVerdict& verdict, const Misfit& misfit) {
+  const std::size_t c = verdict.channel;
+  const std::vector<RegimeVariable> variables =
+      VariablesAndShares(context.block.channels[c], misfit.residual[c]);
+  std::vector<Segment> manoeuvres;
+  for (const Manoeuvre& one : context.manoeuvres) manoeuvres.push_back(one.samples);
+  const auto tests = static_cast<double>(
+      std::max(context.options.total_channels, context.block.channels.size()) * variables.size());
+  std::optional<LeadingVariable> leading;
+  double most = 0;
+  for (std::size_t v = 0; v < variables.size(); ++v) {
+    const Misfit beyond = CrossFittedOver(KnownColumns(RegimeAxis(variables[v])), c,
+                                          context.likelihood, misfit, context.manoeuvres);
+    const auto gains = GainsOf(context.likelihood, misfit, beyond, manoeuvres, c);
+    const double gain = SumOf(gains);
+    const double p = std::min(1.0, tests * GainP(gains));
+    if (gain <= most || p > context.options.alpha) continue;
+    if (!IsLargeWhereItActs(context, search, tolerated, verdict, misfit, beyond)) continue;
+    most = gain;
+    leading = {v, p, SumOf(GainsOf(context.likelihood, misfit, beyond, context.select, c))};
+  }
+  return leading;
+}
+
 }  // namespace
 
 std::vector<ResidualVerdict> ResidualVerdictsOf(const EvaluationContext& context,
@@ -119,9 +217,10 @@ std::vector<ResidualVerdict> ResidualVerdictsOf(const EvaluationContext& context
   return verdicts;
 }
 
-std::vector<Unexplained> UnexplainedOf(const EvaluationContext& context, const SearchResult& search,
+std::vector<Unexplained> UnexplainedOf(const EvaluationContext& context,
+                                       const StructureFitter& fitter, const SearchResult& search,
                                        const std::vector<ResidualVerdict>& verdicts,
-                                       const std::vector<double>& tolerated) {
+                                       const Tolerated& tolerated) {
   const Misfit& misfit = search.found.misfit;
   const Misfit beyond =
       ResidualBeyondFlexible(context.block, context.likelihood, misfit, context.manoeuvres);
@@ -132,25 +231,37 @@ std::vector<Unexplained> UnexplainedOf(const EvaluationContext& context, const S
     }
     return *crossed;
   };
+  std::optional<Misfit> expected;
+  const auto structure_of = [&](const ResidualVerdict& verdict) {
+    auto leading = StructureOf(context, search, tolerated, verdict, misfit);
+    if (!leading) return leading;
+    if (!expected) expected = MisfitOfExpectedBeside(context.block, fitter, search.found);
+    return StructureOf(context, search, tolerated, verdict, *expected);
+  };
   std::vector<Unexplained> unexplained;
   for (const ResidualVerdict& verdict : verdicts) {
     const std::size_t c = verdict.channel;
-    double total = 0;
-    for (const auto& one : GainsOf(context.likelihood, misfit, beyond, context.select, c)) {
-      total += one.gain;
-    }
+    const double total = SumOf(GainsOf(context.likelihood, misfit, beyond, context.select, c));
     Unexplained left{{}, {}, 0, verdict.rmse, verdict.noise.rms()};
-    left.share = std::max(0.0, total / std::max({search.flexible_gain, total, 1e-9}));
+    const auto share_of = [&](double gain) {
+      return std::max(0.0, gain / std::max({search.flexible_gain, gain, 1e-9}));
+    };
+    left.share = share_of(total);
     const double taken = MeanSquare(misfit.residual[c], context.final_mask) -
                          MeanSquare(beyond.residual[c], context.final_mask);
-    const bool is_minded = tolerated[c] == 0 || taken >= tolerated[c] * tolerated[c];
+    const bool is_minded = tolerated.rms[c] == 0 || taken >= tolerated.rms[c] * tolerated.rms[c];
     if (left.share >= kLeastUnexplainedShare && is_minded) {
       left.p = FollowedP(context, misfit, beyond, cross_fitted, verdict);
+    }
+    const std::optional<LeadingVariable> structure = structure_of(verdict);
+    if (structure) {
+      left.p = std::min(left.p.value_or(1), structure->p);
+      left.share = std::max(left.share, share_of(structure->gain));
     }
     if (!left.p && verdict.kind != ResidualVerdict::Kind::kError) continue;
     left.location =
         Locate(context.block.channels[c], c, misfit.residual[c], context.likelihood.noise()[c],
-               verdict.noise, context.stream, context.options.threads);
+               verdict.noise, context.stream, context.options.threads, structure);
     unexplained.push_back(std::move(left));
   }
   return unexplained;

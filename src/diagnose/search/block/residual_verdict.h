@@ -29,13 +29,22 @@ struct ResidualVerdict {
   } kind = Kind::kNoise;
 };
 
+/// What mechanisms at the ends of their tolerances change.
+struct Tolerated {
+  /// Change of each channel's prediction by each mechanism.
+  std::vector<std::vector<std::vector<double>>> changes;
+  /// Largest RMS on FINAL by a rate factor, of each channel, beyond nuisances.
+  std::vector<double> rms;
+};
+
 /// Error that no candidate explains.
 struct Unexplained {
   Location location;
-  /// p-value of the flexible regressor's steady gain; none if it does not gain.
+  /// p-value of structure over a variable, or of the flexible regressor's steady gain; none if
+  /// neither gains.
   std::optional<double> p;
-  double share = 0;  ///< the flexible regressor's gain in likelihood, relative to its gain without
-                     ///< any term
+  double share = 0;  ///< the larger gain of the two in likelihood, relative to the flexible
+                     ///< regressor's without any term
   double rmse = 0;   ///< on FINAL
   double noise = 0;  ///< RMS of the channel's noise
 };
@@ -52,16 +61,27 @@ struct Unexplained {
 std::vector<ResidualVerdict> ResidualVerdictsOf(const EvaluationContext& context,
                                                 const SearchResult& search);
 
-/// Errors that no mechanism explains: residuals with the verdict of error, and residuals that the
-/// flexible regressor still predicts.
+/// Errors that no mechanism explains: residuals with structure over a variable, residuals with the
+/// verdict of error, and residuals that the flexible regressor still predicts.
 ///
-/// Model   the flexible regressor predicts a channel if its gain is steady over SELECT (Bonferroni
+/// Model   structure: a curve over the variable (twenty B-splines), or the simulated value times
+///         such a curve, is fitted to four fifths of the manoeuvres and judged on the others. It is
+///         structure if the manoeuvres gain from it, steadily or clearly in several (GainP;
+///         Bonferroni over variables and the diagnosis's channels), and if it is large where it
+///         acts. Each sample weighs there by the square of what the curve changes. Under these
+///         weights, the energy that the curve removes must exceed the change by any mechanism at
+///         the end of its tolerance, and what nominal numbers and forms may leave, by 1.6 standard
+///         deviations over manoeuvres. Both must
+///         hold again beside the mechanisms within tolerance that explain most
+///         (MisfitOfExpectedBeside). The variable with the largest gain leads the location.
+///         The flexible regressor predicts a channel if its gain is steady over SELECT (Bonferroni
 ///         over the diagnosis's channels) and FINAL. All manoeuvres are tested too, each by a fit
 ///         to the others, if few are loud or the residual may be slow noise. The latter test is at
 ///         half the level. A predicted error is reported only if it reduces FINAL's error by at
-///         least `tolerated`.
-std::vector<Unexplained> UnexplainedOf(const EvaluationContext& context, const SearchResult& search,
+///         least what is tolerated.
+std::vector<Unexplained> UnexplainedOf(const EvaluationContext& context,
+                                       const StructureFitter& fitter, const SearchResult& search,
                                        const std::vector<ResidualVerdict>& verdicts,
-                                       const std::vector<double>& tolerated);
+                                       const Tolerated& tolerated);
 
 }  // namespace tera

@@ -130,12 +130,12 @@ std::vector<std::size_t> FoldOfSamples(const std::vector<Manoeuvre>& manoeuvres,
   return fold;
 }
 
-/// A channel's flexible regressor with a constant column, raw and whitened by the noise model.
+/// Columns with a constant one, raw and whitened by the noise model.
 class WhitenedColumns {
  public:
-  WhitenedColumns(const Channel& channel, const WhiteningFilter& filter)
-      : columns_(WithConstant(channel.flexible_regressor,
-                              static_cast<Eigen::Index>(channel.measured.size()))),
+  WhitenedColumns(const Eigen::MatrixXd& columns, std::size_t samples,
+                  const WhiteningFilter& filter)
+      : columns_(WithConstant(columns, static_cast<Eigen::Index>(samples))),
         white_(columns_.rows(), columns_.cols()),
         filter_(filter) {
     for (Eigen::Index c = 0; c < columns_.cols(); ++c)
@@ -187,7 +187,7 @@ NoiseModel NoiseOf(const Channel& channel, const std::vector<double>& predicted,
     if (residual.valid[k]) residual.value[k] -= predicted[k];
   }
   const WhiteningFilter as_it_is({}, residual.valid);
-  const WhitenedColumns columns(channel, as_it_is);
+  const WhitenedColumns columns(channel.flexible_regressor, residual.size(), as_it_is);
   double freedom_share = 0;  // degrees of freedom of the columns, relative to the rows
   if (const auto problem =
           columns.Over(fit_on, std::vector<std::size_t>(residual.size(), 0), residual)) {
@@ -203,43 +203,68 @@ NoiseModel NoiseOf(const Channel& channel, const std::vector<double>& predicted,
   return noise;
 }
 
-}  // namespace
-
-Misfit ResidualBeyondFlexible(const ReplayBlock& block, const Likelihood& likelihood,
-                              const Misfit& misfit, const std::vector<Manoeuvre>& manoeuvres) {
-  Misfit out = misfit;
-  const Mask train = MaskOf(manoeuvres, Part::kTrain, block.samples());
-  const std::vector<std::size_t> fold = FoldOfSamples(manoeuvres, block.samples());
-  for (std::size_t c = 0; c < block.channels.size(); ++c) {
-    const NoiseModel& noise = likelihood.noise()[c];
-    const WhiteningFilter filter(noise, misfit.residual[c].valid);
-    const WhitenedColumns columns(block.channels[c], filter);
-    const auto problem = columns.Over(train, fold, misfit.residual[c]);
-    const auto ridge = problem ? BestRidge(*problem) : std::nullopt;
-    if (!ridge) continue;
-    out.residual[c] = columns.Less(Regress(*problem, *ridge), misfit.residual[c]);
-    out.innovation[c] =
-        filter.Apply(Eigen::Map<const Eigen::VectorXd>(
-            out.residual[c].value.data(), static_cast<Eigen::Index>(block.samples()))) /
-        noise.scale;
-  }
-  return out;
+/// Subtracts from a channel's residual what columns, fitted to TRAIN, predict.
+void SubtractColumns(const Eigen::MatrixXd& columns, const NoiseModel& noise,
+                     const std::vector<Manoeuvre>& manoeuvres, Series* residual,
+                     Eigen::VectorXd* innovation) {
+  const std::size_t samples = residual->size();
+  const WhiteningFilter filter(noise, residual->valid);
+  const WhitenedColumns whitened(columns, samples, filter);
+  const auto problem = whitened.Over(MaskOf(manoeuvres, Part::kTrain, samples),
+                                     FoldOfSamples(manoeuvres, samples), *residual);
+  const auto ridge = problem ? BestRidge(*problem) : std::nullopt;
+  if (!ridge) return;
+  *residual = whitened.Less(Regress(*problem, *ridge), *residual);
+  *innovation = filter.Apply(Eigen::Map<const Eigen::VectorXd>(
+                    residual->value.data(), static_cast<Eigen::Index>(samples))) /
+                noise.scale;
 }
 
-Misfit CrossFittedResidual(const ReplayBlock& block, const Likelihood& likelihood,
-                           const Misfit& misfit, const std::vector<Manoeuvre>& manoeuvres) {
+/// Judges each manoeuvre of a misfit by `beyond`, fitted to the manoeuvres of other folds.
+template <typename Beyond>
+Misfit CrossFitted(const Misfit& misfit, const std::vector<Manoeuvre>& manoeuvres, Beyond beyond) {
   Misfit out = misfit;
   for (std::size_t f = 0; f < kRegressorFolds; ++f) {
     std::vector<Manoeuvre> parted = manoeuvres;
     for (std::size_t m = 0; m < parted.size(); ++m) {
       parted[m].part = m % kRegressorFolds == f ? Part::kFinal : Part::kTrain;
     }
-    const Misfit beyond = ResidualBeyondFlexible(block, likelihood, misfit, parted);
+    const Misfit judged = beyond(parted);
     for (const Manoeuvre& manoeuvre : parted) {
-      if (manoeuvre.part == Part::kFinal) CopySamples(beyond, manoeuvre.samples, &out);
+      if (manoeuvre.part == Part::kFinal) CopySamples(judged, manoeuvre.samples, &out);
     }
   }
   return out;
+}
+
+}  // namespace
+
+Misfit ResidualBeyondFlexible(const ReplayBlock& block, const Likelihood& likelihood,
+                              const Misfit& misfit, const std::vector<Manoeuvre>& manoeuvres) {
+  Misfit out = misfit;
+  for (std::size_t c = 0; c < block.channels.size(); ++c) {
+    SubtractColumns(block.channels[c].flexible_regressor, likelihood.noise()[c], manoeuvres,
+                    &out.residual[c], &out.innovation[c]);
+  }
+  return out;
+}
+
+Misfit CrossFittedResidual(const ReplayBlock& block, const Likelihood& likelihood,
+                           const Misfit& misfit, const std::vector<Manoeuvre>& manoeuvres) {
+  return CrossFitted(misfit, manoeuvres, [&](const std::vector<Manoeuvre>& parted) {
+    return ResidualBeyondFlexible(block, likelihood, misfit, parted);
+  });
+}
+
+Misfit CrossFittedOver(const Eigen::MatrixXd& columns, std::size_t channel,
+                       const Likelihood& likelihood, const Misfit& misfit,
+                       const std::vector<Manoeuvre>& manoeuvres) {
+  return CrossFitted(misfit, manoeuvres, [&](const std::vector<Manoeuvre>& parted) {
+    Misfit out = misfit;
+    SubtractColumns(columns, likelihood.noise()[channel], parted, &out.residual[channel],
+                    &out.innovation[channel]);
+    return out;
+  });
 }
 
 std::vector<NoiseModel> NoiseOfBlock(const ReplayBlock& block,

@@ -28,6 +28,12 @@ Misfit ResidualBeyondFlexible(const ReplayBlock& block, const Likelihood& likeli
 Misfit CrossFittedResidual(const ReplayBlock& block, const Likelihood& likelihood,
                            const Misfit& misfit, const std::vector<Manoeuvre>& manoeuvres);
 
+/// The same for one channel and other columns, with a row for each sample. Other channels are
+/// unchanged.
+Misfit CrossFittedOver(const Eigen::MatrixXd& columns, std::size_t channel,
+                       const Likelihood& likelihood, const Misfit& misfit,
+                       const std::vector<Manoeuvre>& manoeuvres);
+
 /// Noise of each channel on TRAIN and SELECT: the residual of a fit of the flexible regressor
 /// together with the terms found so far. The part of a missing mechanism that the flexible
 /// regressor can follow is not noise; the rest counts as noise.
