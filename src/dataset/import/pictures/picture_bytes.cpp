@@ -65,7 +65,7 @@ cv::Mat RowsOf(const RawPixels& p, int type, const std::string& place) {
   const bool is_picture = p.width_px >= 1 && p.height_px >= 1 && p.width_px <= kMostSide_px &&
                           p.height_px <= kMostSide_px;
   const std::size_t row = static_cast<std::size_t>(p.width_px) * CV_ELEM_SIZE(type);
-  if (!is_picture || p.step_bytes < row ||
+  if (!is_picture || p.step_bytes < row || p.step_bytes % CV_ELEM_SIZE1(type) != 0 ||
       p.bytes.size() / p.step_bytes < static_cast<std::size_t>(p.height_px)) {
     RefusePicture(
         place, FaultKind::kMalformed,
@@ -103,6 +103,16 @@ cv::Mat InOwnOrder(const cv::Mat& rows, bool is_big_endian) {
 bool EndsAsJpeg(std::string_view bytes) {
   const std::size_t last = bytes.find_last_not_of('\0');
   return last != bytes.npos && bytes.substr(0, last + 1).ends_with("\xff\xd9");
+}
+
+/// Empty if OpenCV cannot decode it. It throws for sizes beyond its limits.
+cv::Mat Decoded(std::string_view bytes) {
+  const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
+  try {
+    return cv::imdecode(raw, cv::IMREAD_UNCHANGED);
+  } catch (const cv::Exception&) {
+    return {};
+  }
 }
 
 }  // namespace
@@ -150,11 +160,7 @@ ImportedPicture DecodePictureFile(std::string_view bytes, const std::string& pla
                               bytes.size()));
   }
   const bool is_whole = is_png ? bytes.find("IEND") != bytes.npos : EndsAsJpeg(bytes);
-  cv::Mat read;
-  if (is_whole) {
-    const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
-    read = cv::imdecode(raw, cv::IMREAD_UNCHANGED);
-  }
+  const cv::Mat read = is_whole ? Decoded(bytes) : cv::Mat();
   if (read.empty()) {
     RefusePicture(place, FaultKind::kMalformed,
                   fmt::format("not a whole {} ({} bytes); copy it again, or leave it out by "

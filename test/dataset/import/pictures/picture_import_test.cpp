@@ -318,6 +318,9 @@ TEST_F(PictureImport, MessagesThatAreNoPicturesAreTold) {
   ExpectFault(kTopic, kMalformed, "log.mcap: /cam/raw message 1");
   Bag({ImageOf(100, "rgb8", kWidth, Pixels("abc"))}, info);  // rows shorter than their pixels
   ExpectFault(kTopic, kMalformed, "log.mcap: /cam/raw message 1");
+  // Rows that end within a pixel's 16 bits.
+  Bag({ImageOf(100, "16UC1", 2 * kWidth + 1, Pixels("ab", kWidth * kHeight + 2))}, info);
+  ExpectFault(kTopic, kMalformed, "log.mcap: /cam/raw message 1");
   Bag({ImageOf(100, "mono8", 0, "")}, info);
   ExpectFault(kTopic, kMalformed, "log.mcap: /cam/raw message 1");
   Cdr cut;
