@@ -18,6 +18,8 @@ constexpr double kReachedStand_m = 0.1;
 constexpr double kSpare_m = 0.15;  // pulls move the machine by as much from its stand
 constexpr double kBeside_m = 0.3;  // ground beside the trench that the bucket may pass over
 constexpr double kLeastCut_m = 0.5;
+constexpr double kClimb_m =
+    0.25;  // a pull ends before a step of this height, which would tip the machine
 constexpr double kLeftShare = 0.6;   // of the tolerance; less soil above the design may stay
 constexpr double kEqualShare = 0.9;  // of the most soil; of equal cuts it takes the farthest
 constexpr double kPitchStep_rad = 2 * kDeg, kMostTurn_rad = 70 * kDeg;
@@ -131,20 +133,24 @@ std::optional<TrenchCut> TrenchWork::NextCut(const TerrainSurface& ground, doubl
       above_m.push_back(GroundAt(ground, station_m, offset_m) - DesignAt(station_m, offset_m));
     }
     // What is nearer is cut at the end of a pull, and but for the last stand from the next one.
-    const std::size_t nearest =
-        above_m.size() - std::min(above_m.size(), static_cast<std::size_t>(kLeastCut_m / kStep_m));
+    const auto least = static_cast<std::size_t>(kLeastCut_m / kStep_m);
+    const std::size_t nearest = above_m.size() - std::min(above_m.size(), least);
     const std::size_t ends = NextStand(axis_station_m) ? nearest : above_m.size();
     for (std::size_t start = 0; start < ends; ++start) {
       if (above_m[start] < left_m) continue;
-      double soil_m3 = 0;
+      double soil_m3 = 0, lowest_m = above_m[start];
       std::size_t end = start;
       for (; end < above_m.size() && soil_m3 < load_m3; ++end) {
+        const double path_m = std::max(above_m[end] - layer_m, 0.0);
+        lowest_m = std::min(lowest_m, path_m);
+        if (path_m > lowest_m + kClimb_m) break;
         soil_m3 += std::clamp(above_m[end], 0.0, layer_m) * plan_.bucket_m * kStep_m;
       }
       if (soil_m3 * kEqualShare <= best_m3) continue;
       best_m3 = soil_m3;
-      const double length_m = std::max(kLeastCut_m, static_cast<double>(end - start) * kStep_m);
-      const double reach_m = to_m - static_cast<double>(std::min(start, nearest)) * kStep_m;
+      const std::size_t first = std::min(start, end - std::min(end, least));
+      const double reach_m = to_m - static_cast<double>(first) * kStep_m;
+      const double length_m = static_cast<double>(std::max(end, first + least) - first) * kStep_m;
       best = TrenchCut{reach_m, std::min(length_m, std::max(reach_m - from_m, kStep_m)), offset_m};
     }
   }
