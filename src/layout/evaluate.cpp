@@ -112,7 +112,8 @@ std::vector<LayoutReport> Evaluate(const Cycle& cycle, const LayoutStudy& study,
   const MachineModel& model = scenario.machines[studied.machine].placement.model;
   std::vector<LayoutMeasures> measures;
   std::vector<JointInformation> joints;
-  for (const Layout& layout : layouts) {
+  for (Layout& layout : layouts) {
+    PutInAir(study.air, &layout);
     measures.emplace_back(study, scenario, assembly, layout);
     joints.emplace_back(model, studied.upper, layout.sensors);
   }

@@ -3,9 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+#include <variant>
 
+#include "core/check.h"
 #include "core/error.h"
+#include "render/air/weather.h"
+#include "sensors/lidar/lidar_view.h"
 
 namespace tera {
 namespace {
@@ -97,6 +102,33 @@ Layout LoadLayout(const std::filesystem::path& file, const Cycle& cycle, std::si
                       "has no lidar and no camera; need one at least, to ask what it sees"});
   }
   return layout;
+}
+
+void PutInAir(const AirStudy& air, Layout* layout) {
+  const Weather weather{.visibility_m = air.visibility_m,
+                        .rain_mmph = air.rain_mmph,
+                        .snowfall_mmph = air.snowfall_mmph};
+  const double extinction_1pm = weather.Extinction_1pm();
+  if (extinction_1pm <= 0) return;
+  const SensedAir sensed{.rain_mmph = air.rain_mmph,
+                         .snowfall_mmph = air.snowfall_mmph,
+                         .visibility_m = air.visibility_m};
+  const double contrast_m = -std::log(kVisibleContrast) / extinction_1pm;
+  for (Viewer& viewer : layout->viewers) {
+    const auto sensor =
+        std::find_if(layout->sensors.begin(), layout->sensors.end(),
+                     [&](const SensorDescription& one) { return one.name == viewer.name; });
+    TERA_CHECK(sensor != layout->sensors.end(), viewer.name);
+    if (const auto* lidar = std::get_if<LidarModel>(&sensor->model)) {
+      viewer.field.reach_m = [model = *lidar, sensed](double returned) {
+        return ReachInAir_m(model, sensed, returned);
+      };
+    } else {
+      viewer.field.reach_m = [clear = viewer.field.reach_m, contrast_m](double returned) {
+        return std::min(clear(returned), contrast_m);
+      };
+    }
+  }
 }
 
 void MoveViewers(const MachineState& machine, Layout* layout) {

@@ -48,6 +48,13 @@ Layout LayoutOfSensors(std::vector<SensorDescription> sensors, const MachineMode
 /// Throws  InputError if it has no lidar and no camera, and as scenarios do.
 Layout LoadLayout(const std::filesystem::path& file, const Cycle& cycle, std::size_t machine);
 
+/// Shortens the reach of all viewers by fog, rain and falling snow.
+///
+/// Model   lidars: ReachInAir_m. Cameras: the range at which the air leaves 2 % of the contrast
+///         (Koschmieder), which in fog alone is its visibility.
+/// Omits   dust; a time-of-flight camera's own light, which fog returns as a lidar's.
+void PutInAir(const AirStudy& air, Layout* layout);
+
 /// Sets X_WS of the viewers from the machine's state.
 void MoveViewers(const MachineState& machine, Layout* layout);
 

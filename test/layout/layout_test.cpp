@@ -209,6 +209,36 @@ TEST_F(SceneLayouts, AreComparedAtTheSameMomentsWithFiguresOfTheSameNames) {
   }
 }
 
+TEST_F(SceneLayouts, ReachNoFartherInFogThanItsLight) {
+  Layout layout = LoadLayout(path() / "front.yaml", TheCycle(), 0);
+  const double clear_m = layout.viewers[0].field.reach_m(0.2);
+  PutInAir({}, &layout);
+  EXPECT_EQ(layout.viewers[0].field.reach_m(0.2), clear_m);
+  PutInAir({.visibility_m = 50}, &layout);
+  EXPECT_LT(layout.viewers[0].field.reach_m(0.2), 0.6 * clear_m);
+  EXPECT_GT(layout.viewers[0].field.reach_m(0.8), layout.viewers[0].field.reach_m(0.2));
+  // 2 % of the contrast are left at the visibility.
+  EXPECT_NEAR(layout.viewers[1].field.reach_m(0.2), 50, 1e-9);
+}
+
+TEST_F(SceneLayouts, DetectAPersonLessFarInFog) {
+  const Cycle cycle = TheCycle();
+  LayoutStudy study = SmallStudy();
+  const std::vector<Layout> layouts = {LoadLayout(path() / "front.yaml", cycle, 0)};
+  const auto within = [&](double visibility_m) {
+    study.air.visibility_m = visibility_m;
+    const LayoutReport report = Evaluate(cycle, study, layouts, {.threads = 2}).at(0);
+    for (const Figure& figure : report.figures) {
+      if (NameOf(figure.id) == "person/standing/detected_within_12m") return figure.at.at(0);
+    }
+    ADD_FAILURE() << "no such figure";
+    return 0.0;
+  };
+  const double clear = within(0), hazy = within(2000), thick = within(8);
+  EXPECT_LE(hazy, clear);
+  EXPECT_LT(thick, 0.5 * clear);
+}
+
 TEST_F(SceneLayouts, WhatTheMachineHidesFromAnEyeIsTheSameForAll) {
   const Cycle cycle = TheCycle();
   LayoutStudy study = SmallStudy();

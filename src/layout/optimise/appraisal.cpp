@@ -273,7 +273,9 @@ LayoutMeasures Appraisal::MeasuresOf(const Layout& layout) const {
 }
 
 Layout Appraisal::Laid(const Genes& genes) const {
-  return LayoutOf(search_, genes, kept_, model());
+  Layout layout = LayoutOf(search_, genes, kept_, model());
+  PutInAir(study_.air, &layout);
+  return layout;
 }
 
 Appraised Appraisal::Of(Layout layout) const {

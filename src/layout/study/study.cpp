@@ -29,6 +29,15 @@ SeenFrom ReadSeen(const ConfigMap& config) {
   return seen;
 }
 
+AirStudy ReadAir(const ConfigMap& config) {
+  constexpr double kMostRain_mmph = 200, kMostSnow_mmph = 20;
+  AirStudy air;
+  air.visibility_m = config.OptionalNumber("visibility_m", Positive("m")).value_or(0);
+  air.rain_mmph = config.Number("rain_mmph", Between(0, kMostRain_mmph, "mm/h"), 0);
+  air.snowfall_mmph = config.Number("snowfall_mmph", Between(0, kMostSnow_mmph, "mm/h"), 0);
+  return air;
+}
+
 PersonStudy ReadPerson(const ConfigMap& config) {
   PersonStudy person;
   std::set<std::string> names;
@@ -118,6 +127,7 @@ LayoutStudy ReadStudy(const ConfigMap& config) {
     }
   }
   if (const auto seen = config.OptionalMap("seen")) study.seen = ReadSeen(*seen);
+  if (const auto air = config.OptionalMap("air")) study.air = ReadAir(*air);
   if (const auto person = config.OptionalMap("person")) study.person = ReadPerson(*person);
   if (const auto map = config.OptionalMap("elevation")) study.elevation = ReadElevation(*map);
   if (const auto eye = config.OptionalMap("eye")) study.eye = ReadEye(*eye);

@@ -56,6 +56,12 @@ struct PrecisionFit {
   double a = 0, b = 0;
 };
 
+/// Weather in which the questions are asked; clear air unless stated.
+struct AirStudy {
+  double visibility_m = 0;  ///< Koschmieder's, of fog and haze; 0: clear
+  double rain_mmph = 0, snowfall_mmph = 0;
+};
+
 /// Parameters of the entropies of a layout.
 struct InformationStudy {
   double voxel_m = 0.5;  ///< edge of the voxels of the occupancy grid
@@ -76,6 +82,7 @@ struct LayoutStudy {
   std::vector<double> map_heights_m = {0, 0.9, 1.5, 1.7};
   std::vector<Zone> zones;
   SeenFrom seen;
+  AirStudy air;
   PersonStudy person;
   ElevationStudy elevation;
   std::optional<EyeStudy> eye;

@@ -11,12 +11,18 @@
 namespace tera {
 namespace {
 
+constexpr double kUsualPulse_m = 0.75;  ///< of 5 ns
+constexpr double kLight_mps = 299792458;
 constexpr double kStep_m = 0.05;
 constexpr double kFarthestParticle_m = 40;
 // Lanes of the random draws. A kind of particle has two.
 constexpr std::uint32_t kStart = 0, kDrop = 1, kFlake = 3, kFogStart = 5, kFogNoise = 6;
 
 }  // namespace
+
+double PulseLength_m(const std::optional<LidarBeam>& beam) {
+  return beam ? 0.5 * kLight_mps * beam->pulse_s : kUsualPulse_m;
+}
 
 AirEchoes::AirEchoes(const RangeEquation& equation, const Ranges& ranges, const SensedAir& air,
                      const Stream& draws)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/random.h"
@@ -11,6 +12,9 @@
 #include "sensors/sampling.h"
 
 namespace tera {
+
+/// Length of air that one pulse of a beam covers; without a beam that of a usual one.
+double PulseLength_m(const std::optional<LidarBeam>& beam);
 
 /// Effect of the air on lidar pulses: fog, rain, falling snow and dust.
 ///

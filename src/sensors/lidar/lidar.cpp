@@ -36,8 +36,6 @@ struct SweptScan {
 
 /// Beam of a lidar without a stated one: Velodyne VLP-16 user manual, section 4.2 and appendix.
 constexpr double kUsualDivergence_rad = 0.003;
-constexpr double kUsualPulse_m = 0.75;  ///< of 5 ns
-constexpr double kLight_mps = 299792458;
 constexpr int kRing = 6;                                     ///< sub-rays around the axis
 constexpr double kAxisWeight = 0.5, kRingWeight = 1 / 12.0;  ///< of the energy
 
@@ -106,7 +104,7 @@ Lidar::Lidar(const LidarModel& model, const SampleClock& clock, TimeNs latency_n
              std::uint64_t seed, const std::string& stream_name)
     : model_(model),
       equation_(model),
-      pulse_m_(model.beam ? 0.5 * kLight_mps * model.beam->pulse_s : kUsualPulse_m),
+      pulse_m_(PulseLength_m(model.beam)),
       sub_rays_(model.beam ? model.beam->sub_rays : 1),
       clock_(clock),
       latency_ns_(latency_ns),

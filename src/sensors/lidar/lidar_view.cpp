@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/units.h"
+#include "render/air/rain.h"
+#include "render/air/weather.h"
+#include "sensors/lidar/air_echoes.h"
 
 namespace tera {
 namespace {
@@ -21,6 +25,20 @@ std::vector<double> Borders(const std::vector<double>& sorted) {
   }
   borders.push_back(sorted.back() + 0.5 * (sorted.back() - sorted[sorted.size() - 2]));
   return borders;
+}
+
+/// Power below which fog hides a surface from a beam that reports one return; 0: it never does.
+double PowerOfFog(const LidarModel& model, const RangeEquation& equation, double fog_1pm,
+                  double extinction_1pm) {
+  const bool reports_it_too = model.beam && (model.beam->returns > 1 || model.beam->pick == "last");
+  if (fog_1pm <= 0 || reports_it_too) return 0;
+  const double pulse_m = PulseLength_m(model.beam);
+  const double range_m = model.min_range_m + 0.5 * pulse_m;
+  const double reflectance =
+      kPi * FogBackscatter_1pmsr(fog_1pm) * pulse_m * std::exp(-2 * extinction_1pm * range_m);
+  if (reflectance < equation.LeastAir(range_m)) return 0;
+  const bool is_first = model.beam && model.beam->pick == "first";
+  return is_first ? std::numeric_limits<double>::infinity() : equation.Power(reflectance, range_m);
 }
 
 }  // namespace
@@ -47,6 +65,28 @@ ViewField ViewOf(const LidarModel& model, double rate_hz) {
   view.bytes_per_sample = kPoint_bytes;
   view.samples_per_s = rate_hz * static_cast<double>(elevation_rad.size()) * model.columns;
   return view;
+}
+
+double ReachInAir_m(const LidarModel& model, const SensedAir& air, double returned) {
+  const RangeEquation equation(model);
+  if (!equation.limits()) return model.max_range_m;
+  const double fog_1pm = FogExtinction_1pm(air.visibility_m);
+  const double extinction_1pm =
+      fog_1pm + Rain(air.rain_mmph).Extinction_1pm() + Snowfall(air.snowfall_mmph).Extinction_1pm();
+  const double hides = PowerOfFog(model, equation, fog_1pm, extinction_1pm);
+  const auto is_reported = [&](double range_m) {
+    const double left = returned * std::exp(-2 * extinction_1pm * range_m);
+    return left >= equation.LeastSurface(range_m) && equation.Power(left, range_m) > hides;
+  };
+  double near_m = 0, far_m = model.max_range_m;
+  if (is_reported(far_m)) return far_m;
+  // The power falls with the range, and what it needs does not.
+  constexpr int kHalvings = 50;
+  for (int k = 0; k < kHalvings; ++k) {
+    const double middle_m = 0.5 * (near_m + far_m);
+    (is_reported(middle_m) ? near_m : far_m) = middle_m;
+  }
+  return near_m;
 }
 
 }  // namespace tera

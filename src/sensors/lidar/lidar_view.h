@@ -17,4 +17,14 @@ namespace tera {
 /// Source  radar equation as in Lidar.
 ViewField ViewOf(const LidarModel& model, double rate_hz);
 
+/// Range up to which the usual pulse returns a surface through fog, rain or falling snow.
+///
+/// Model   `returned` exp(-2 a r) reaches RangeEquation::LeastSurface(r), with the extinction a of
+///         AirEchoes. Where fog itself is detected at the nearest range, half a pulse beyond
+///         `min_range_m`, a beam that reports one return reports the surface only if that is
+///         stronger, with `pick: first` never, with `last` always. More returns hold both.
+/// Omits   dust, drops and flakes that return in place of the surface, noise of the fog's echo.
+/// Source  as Lidar and AirEchoes.
+double ReachInAir_m(const LidarModel& model, const SensedAir& air, double returned);
+
 }  // namespace tera

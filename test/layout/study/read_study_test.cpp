@@ -41,6 +41,9 @@ TEST(LoadStudy, RefusesWhatIsNone) {
   ExpectRefused("map_heights_m: [1, -1]\n", HasFaultAt("map_heights_m"));
   ExpectRefused("seen: {reflectance: 0}\n", HasFaultAt("seen.reflectance"));
   ExpectRefused("seen: {lidar_points_per_m2: -1}\n", HasFaultAt("seen.lidar_points_per_m2"));
+  ExpectRefused("air: {visibility_m: 0}\n", HasFault(kOutOfRange, "air.visibility_m"));
+  ExpectRefused("air: {rain_mmph: -1}\n", HasFault(kOutOfRange, "air.rain_mmph"));
+  ExpectRefused("air: {fog_m: 50}\n", HasFault(kUnknown, "air.fog_m"));
   ExpectRefused("person: {lidar_points: 0}\n", HasFaultAt("person.lidar_points"));
   ExpectRefused("person: {cluster_points: 0}\n", HasFaultAt("person.cluster_points"));
   ExpectRefused("person: {cluster_points: 2.5}\n", HasFaultAt("person.cluster_points"));

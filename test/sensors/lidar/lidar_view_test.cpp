@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/units.h"
@@ -218,6 +219,71 @@ TEST(LidarView, SaysWhatItMeasures) {
   EXPECT_EQ(field.distance_sigma_m(70), 0.02);
   EXPECT_EQ(field.samples_per_s, 16 * 500 * 20);
   EXPECT_GE(field.bytes_per_sample, 3 * sizeof(float));
+}
+
+TEST(LidarView, ReachInClearAirIsThatOfTheView) {
+  for (const char* preset : {"os1_64", "os1_32", "vlp16", "hdl64e"}) {
+    const LidarModel model = ViewPreset(preset);
+    const ViewField field = ViewOf(model, 10);
+    for (const double returned : {0.02, 0.1, 0.4, 0.9}) {
+      EXPECT_NEAR(ReachInAir_m(model, {}, returned), field.reach_m(returned),
+                  1e-6 * field.reach_m(returned))
+          << preset;
+    }
+  }
+}
+
+// At a visibility of 100 m light falls by 50 within it, whatever its colour. A beam that reports
+// two returns is not hidden by the fog's own.
+TEST(LidarView, ReachInFogFallsByKoschmieder) {
+  LidarModel model = EvenBeams(1, 0, 0, 360);
+  model.range_at_10_percent_m = 60;
+  model.max_range_m = 200;
+  model.beam = LidarBeam{.divergence_rad = 0.003, .aperture_m = 1e-6, .returns = 2};
+  for (const double returned : {0.05, 0.1, 0.5}) {
+    const double reach_m = ReachInAir_m(model, {.visibility_m = 100}, returned);
+    // returned 50^(-2 r / V) / r^2 is that of a tenth at 60 m.
+    EXPECT_NEAR(returned * std::pow(50, -2 * reach_m / 100) / (reach_m * reach_m), 0.1 / 3600,
+                2e-4 * 0.1 / 3600);
+  }
+  model.beam->returns = 1;
+  model.beam->pick = "last";
+  const double last_m = ReachInAir_m(model, {.visibility_m = 20}, 0.2);
+  model.beam->pick = "strongest";
+  const double strongest_m = ReachInAir_m(model, {.visibility_m = 20}, 0.2);
+  model.beam->pick = "first";
+  EXPECT_GT(last_m, strongest_m);
+  EXPECT_GT(strongest_m, 0.5);
+  EXPECT_LT(ReachInAir_m(model, {.visibility_m = 20}, 0.2), 1e-6);
+}
+
+// The fog's echo begins at a random place of a pulse's length and has noise, so that pulses part
+// over some tenths of the range.
+TEST(LidarView, ReachInFogIsWhereTheLidarsReturnsChangeFromWallToFog) {
+  for (const char* preset : {"os1_64", "os1_32", "vlp16"}) {
+    const LidarModel model = ViewPreset(preset);
+    for (const double visibility_m : {50.0, 25.0}) {
+      const SensedAir air{.visibility_m = visibility_m};
+      const double reach_m = ReachInAir_m(model, air, 0.2);
+      const auto seen = [&](double range_m) {
+        RayScene scene(OneBodyEach({WallMesh(0.1 * range_m, 0.2)}));
+        scene.Update({{MakePose({range_m, 0, 0})}}, NoGround());
+        PoseTrack track;
+        track.Append(0, Pose::Identity());
+        const LidarScan scan =
+            Lidar(model, {.rate_hz = 10}, 0, 1, "m/lidar").Measure(0, track, scene, 1, air);
+        const LidarScan clear =
+            Lidar(model, {.rate_hz = 10}, 0, 1, "m/lidar").Measure(0, track, scene, 1);
+        const auto walls =
+            std::count_if(scan.points.begin(), scan.points.end(), [](const LidarPoint& p) {
+              return p.label == static_cast<std::uint8_t>(SemanticClass::kStructure);
+            });
+        return static_cast<double>(walls) / static_cast<double>(clear.points.size());
+      };
+      EXPECT_GT(seen(0.75 * reach_m), 0.9) << preset << " " << visibility_m << " " << reach_m;
+      EXPECT_LT(seen(1.25 * reach_m), 0.1) << preset << " " << visibility_m << " " << reach_m;
+    }
+  }
 }
 
 }  // namespace
