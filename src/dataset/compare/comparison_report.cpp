@@ -10,6 +10,7 @@
 #include "dataset/format/png.h"
 #include "dataset/format/recording.h"
 #include "dataset/overview/scan_picture.h"
+#include "dataset/realism/realism.h"
 
 namespace tera {
 namespace fs = std::filesystem;

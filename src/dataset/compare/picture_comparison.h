@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "dataset/compare/frame_pairs.h"
-#include "dataset/realism/realism.h"
+#include "dataset/realism/realism_figures.h"
 
 namespace tera {
 

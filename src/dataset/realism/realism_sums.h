@@ -5,7 +5,7 @@
 
 #include "core/types/measurement.h"
 #include "dataset/realism/picture_statistics.h"
-#include "dataset/realism/realism.h"
+#include "dataset/realism/realism_figures.h"
 
 namespace tera {
 
