@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "diagnose/search/fit/flexible_regressor.h"
@@ -458,6 +459,24 @@ TEST(BlockDiagnosis, WhatActsNowAndThenIsToldFromSlowNoiseByAllManoeuvres) {
   EXPECT_LT(diagnosis.unexplained[0].p.value_or(1), 0.01);
   ASSERT_FALSE(diagnosis.unexplained[0].location.regimes.empty());
   EXPECT_EQ(diagnosis.unexplained[0].location.regimes[0].variable, "temperature");
+}
+
+TEST(BlockDiagnosis, AnErrorThatHappensOnceIsNoStructureOverAVariable) {
+  const std::vector<double> lever = ToyLever(kSamples, 36);
+  ReplayBlock block = ToyBlock(lever, ToyMeasured(lever, kNoise, 36), {0, 2, 3});
+  const Stream stream(36, "diagnose");
+  const std::vector<Manoeuvre> manoeuvres = ManoeuvresOf(block, stream);
+  const auto seen = std::find_if(manoeuvres.begin(), manoeuvres.end(), [](const Manoeuvre& one) {
+    return one.axes > 0 && one.part == Part::kTrain && one.samples.size() > 60;
+  });
+  ASSERT_NE(seen, manoeuvres.end());
+  Series& measured = block.channels[0].measured;
+  for (std::size_t k = seen->samples.begin + 20; k < seen->samples.begin + 50; ++k) {
+    measured.value[k] += 1;
+  }
+  const BlockDiagnosis diagnosis = DiagnoseBlock(block, {}, stream);
+  EXPECT_THAT(diagnosis.findings, IsEmpty());
+  EXPECT_THAT(diagnosis.unexplained, IsEmpty());
 }
 
 TEST(BlockDiagnosis, SlowNoiseWithoutRestIsNoErrorOfAnything) {
