@@ -29,6 +29,7 @@ void AddServeCommand(CLI::App* app);
 void AddCompletionCommand(CLI::App* app);
 void AddManualCommand(CLI::App* app);
 void AddSiteCommand(CLI::App* app);
+void AddSweepCommand(CLI::App* app);
 void AddViewCommand(CLI::App* app);
 
 }  // namespace tera

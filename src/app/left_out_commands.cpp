@@ -36,5 +36,8 @@ void AddServeCommand(CLI::App* app) {
   AddLeftOut("serve", "Let a program step a scenario over a socket", app);
 }
 void AddSiteCommand(CLI::App* app) { AddLeftOut("site", "Make a site of a survey", app); }
+void AddSweepCommand(CLI::App* app) {
+  AddLeftOut("sweep", "What factors of a scenario do to a figure of a report", app);
+}
 
 }  // namespace tera

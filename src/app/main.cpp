@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
   tera::AddCompletionCommand(&app);
   tera::AddManualCommand(&app);
   tera::AddSiteCommand(&app);
+  tera::AddSweepCommand(&app);
   tera::AddViewCommand(&app);
   return tera::RunProgram(&app, argc, argv);
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <sstream>
 
 #include "core/config/fault_text.h"
 #include "core/config/plain_name.h"
@@ -131,6 +132,26 @@ CampaignOutputs ReadOutputs(const ConfigMap& entry) {
   return outputs;
 }
 
+SweepOutcome ReadOutcome(const ConfigMap& entry) {
+  SweepOutcome outcome{.run = {},
+                       .report = entry.Text("report"),
+                       .figure = entry.Text("figure"),
+                       .place = entry.Place("run"),
+                       .report_place = entry.Place("report"),
+                       .figure_place = entry.Place("figure")};
+  const std::string command = entry.Text("run");
+  std::istringstream words(command);
+  for (std::string word; words >> word;) outcome.run.push_back(word);
+  for (const char* folder : {"{episode}", "{out}"}) {
+    if (command.find(folder) != std::string::npos) continue;
+    entry.Fault("run", {FaultKind::kMissing,
+                        fmt::format("has no {}; need a command of tera on {{episode}} that writes "
+                                    "below {{out}}",
+                                    folder)});
+  }
+  return outcome;
+}
+
 /// Number of combinations of levels.
 double CellsOf(const Campaign& campaign) {
   double cells = 1;
@@ -190,6 +211,7 @@ Campaign ReadCampaign(const ConfigMap& config) {
   if (const auto splits = config.OptionalMap("splits")) campaign.splits = ReadSplits(*splits);
   campaign.outputs.shard_bytes = std::llround(kMostShardMb * kBytesPerMb);
   if (const auto outputs = config.OptionalMap("outputs")) campaign.outputs = ReadOutputs(*outputs);
+  if (const auto outcome = config.OptionalMap("outcome")) campaign.outcome = ReadOutcome(*outcome);
   return campaign;
 }
 

@@ -68,6 +68,16 @@ struct CampaignOutputs {
   bool keep_state = false;
 };
 
+/// What `tera sweep` takes of each episode: a figure of a report that a command of TERA makes of
+/// it.
+struct SweepOutcome {
+  std::vector<std::string> run;  ///< words of the command; {episode}, {out} and {KEY} stand for
+                                 ///< folders and the factor's value
+  std::string report;            ///< the JSON file that it writes, below {out}
+  std::string figure;            ///< path to a number in it (ReportFigure)
+  std::string place, report_place, figure_place;  ///< in the campaign's file, for messages
+};
+
 /// Many episodes of one scenario.
 ///
 /// Model   episode N is the scenario under the design's N-th point, with the draws of `randomise:`
@@ -87,6 +97,7 @@ struct Campaign {
   int redraws = 0;
   Splits splits;
   CampaignOutputs outputs;
+  std::optional<SweepOutcome> outcome;
 };
 
 /// Reads a campaign. Faults go to `config`; call Config::Finish before use.

@@ -127,13 +127,6 @@ std::string Fingerprint(const Campaign& campaign, std::string text,
   return Sha256Of(text);
 }
 
-std::string CsvField(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string field = "\"";
-  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
-  return field + '"';
-}
-
 std::string EpisodesCsv(const Campaign& campaign) {
   std::string text = "number,seed";
   for (const DesignFactor& factor : campaign.factors) text += "," + CsvField(factor.key);
@@ -210,6 +203,13 @@ Campaign ReadFrom(const Config& config, const fs::path& folder) {
 }
 
 }  // namespace
+
+std::string CsvField(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string field = "\"";
+  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
+  return field + '"';
+}
 
 std::string EpisodeName(int number) { return fmt::format("{:06}", number); }
 

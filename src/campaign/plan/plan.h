@@ -31,6 +31,9 @@ struct Plan {
   std::filesystem::path LogFile(int number) const;
 };
 
+/// A field of a table, quoted where it must be.
+std::string CsvField(const std::string& text);
+
 /// "000012".
 std::string EpisodeName(int number);
 
