@@ -25,10 +25,10 @@ set terminal pngcairo size 1100,620 font "sans,11"
 set output "$out"
 set multiplot layout 2,1
 set size ratio -1
-set lmargin at screen 0.08; set rmargin at screen 0.88
+set lmargin at screen 0.08; set rmargin at screen 0.84
 set palette defined (-3 "#2166ac", -1 "#d1e5f0", 0 "#f7f7f7", 1 "#fddbc7", 3 "#b2182b")
 set cbrange [-3 * $tolerance : 3 * $tolerance]
-set cblabel "ground minus design, m"
+set cblabel "ground minus design, m" offset 1,0
 set xlabel "x, m"; set ylabel "y, m"
 set xrange [$x0 : $x1]; set yrange [$y0 : $y1]
 plot "$work/map.xyz" using 1:2:3 with image notitle
