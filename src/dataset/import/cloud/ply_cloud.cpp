@@ -13,7 +13,7 @@ namespace {
 double ValueAt(const PlyProperty& property, const char* bytes, bool swapped) {
   const bool is_signed = property.type == 'I';
   if (property.type == 'F') {
-    return property.bytes == sizeof(float) ? double{NumberAt<float>(bytes, swapped)}
+    return property.bytes == sizeof(float) ? static_cast<double>(NumberAt<float>(bytes, swapped))
                                            : NumberAt<double>(bytes, swapped);
   }
   if (property.bytes == 1) {
@@ -23,8 +23,8 @@ double ValueAt(const PlyProperty& property, const char* bytes, bool swapped) {
     return is_signed ? NumberAt<std::int16_t>(bytes, swapped)
                      : NumberAt<std::uint16_t>(bytes, swapped);
   }
-  return is_signed ? double{NumberAt<std::int32_t>(bytes, swapped)}
-                   : double{NumberAt<std::uint32_t>(bytes, swapped)};
+  return is_signed ? static_cast<double>(NumberAt<std::int32_t>(bytes, swapped))
+                   : static_cast<double>(NumberAt<std::uint32_t>(bytes, swapped));
 }
 
 /// The last properties x, y and z.
