@@ -421,7 +421,7 @@ Scenario ReadScenario(const ConfigMap& config) {
   }
   for (std::size_t m = 0; m < scenario.machines.size(); ++m) {
     GiveTask(config.OptionalMap("task"), machines[m], scenario.task, scenario.site->surface(),
-             &scenario.machines[m]);
+             scenario.machines[m].placement, &scenario.machines[m].driver);
   }
   for (const ConfigMap& obstacle : config.List("obstacles")) {
     scenario.obstacles.push_back(ReadObstacle(obstacle, wear));

@@ -36,35 +36,34 @@ bool StandsOnLine(const MachinePlacement& placement, const TrenchWork& trench) {
 
 void GiveTask(const std::optional<ConfigMap>& task_config, const ConfigMap& machine_config,
               const std::optional<Task>& task, const TerrainSurface& ground,
-              ScenarioMachine* machine) {
-  DigPlan* plan = std::get_if<DigPlan>(&machine->driver);
+              const MachinePlacement& placement, OperatorPlan* driver) {
+  DigPlan* plan = std::get_if<DigPlan>(driver);
   if (plan == nullptr || !plan->to_design) return;
-  const ConfigMap driver = machine_config.Map("operator");
+  const ConfigMap config = machine_config.Map("operator");
   if (!task_config) {
-    driver.Fault("type", {FaultKind::kMissing,
+    config.Fault("type", {FaultKind::kMissing,
                           "digs to a design, but the scenario has no task; need a task with a "
                           "trench, or type: dig_cycle"});
     return;
   }
   if (!task) return;  // its faults are reported
   if (!task->trench) {
-    driver.Fault("type", {FaultKind::kUnsupported,
+    config.Fault("type", {FaultKind::kUnsupported,
                           "digs trenches alone; need a task with a trench, or another operator"});
     return;
   }
-  const MachineModel& model = machine->placement.model;
+  const MachineModel& model = placement.model;
   const Shovel& bucket = model.ground_tools.shovels[plan->shovel];
   const ConfigMap shape = task_config->Map("trench");
   if (task->trench->width_m < bucket.width_m - kWidthRounding_m) {
-    shape.Fault("width_m",
-                {FaultKind::kOutOfRange,
-                 fmt::format("{:g} m is narrower than the bucket of '{}'; need {:g} m "
-                             "or more, or another machine",
-                             task->trench->width_m, machine->placement.name, bucket.width_m)});
+    shape.Fault("width_m", {FaultKind::kOutOfRange,
+                            fmt::format("{:g} m is narrower than the bucket of '{}'; need {:g} m "
+                                        "or more, or another machine",
+                                        task->trench->width_m, placement.name, bucket.width_m)});
     return;
   }
   const PlanarArm arm(model, plan->joints, plan->tip_frame);
-  const double slew_m = SlewHeight_m(machine->placement, plan->joints.slew, ground);
+  const double slew_m = SlewHeight_m(placement, plan->joints.slew, ground);
   const auto radii = [&](double depth_m) -> std::optional<WorkingRadii> {
     const auto found = RadiiOfWork(model, arm, plan->joints, -slew_m, -slew_m - depth_m);
     const bool wide = found && found->far_m - found->near_m >= kLeastWindow * arm.bucket_length_m();
@@ -78,7 +77,7 @@ void GiveTask(const std::optional<ConfigMap>& task_config, const ConfigMap& mach
                 {FaultKind::kOutOfRange,
                  fmt::format("{:g} m is deeper than '{}' digs a level floor; need at most {:.2f} "
                              "m, or a larger machine",
-                             task->trench->depth_m, machine->placement.name, deepest_m)});
+                             task->trench->depth_m, placement.name, deepest_m)});
     return;
   }
   TrenchPlan trench{.task = *task,
@@ -86,7 +85,7 @@ void GiveTask(const std::optional<ConfigMap>& task_config, const ConfigMap& mach
                     .bucket_m = bucket.width_m,
                     .near_m = window->near_m,
                     .far_m = window->far_m};
-  if (!StandsOnLine(machine->placement, TrenchWork(trench))) {
+  if (!StandsOnLine(placement, TrenchWork(trench))) {
     machine_config.Fault("start",
                          fmt::format("does not stand on the trench's line; need a place within "
                                      "{:g} m of it, from {:.1f} m on from its first end, facing "

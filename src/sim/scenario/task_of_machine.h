@@ -3,7 +3,10 @@
 #include <optional>
 
 #include "core/config/config_map.h"
-#include "sim/scenario/scenario.h"
+#include "core/types/terrain_surface.h"
+#include "physics/description/machine_placement.h"
+#include "sim/operators/operator_plan.h"
+#include "sim/task/task.h"
 
 namespace tera {
 
@@ -12,6 +15,6 @@ namespace tera {
 /// narrower than its bucket or beyond its reach, a start off the trench's line.
 void GiveTask(const std::optional<ConfigMap>& task_config, const ConfigMap& machine_config,
               const std::optional<Task>& task, const TerrainSurface& ground,
-              ScenarioMachine* machine);
+              const MachinePlacement& placement, OperatorPlan* driver);
 
 }  // namespace tera

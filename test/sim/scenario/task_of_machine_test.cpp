@@ -5,6 +5,7 @@
 
 #include "core/config/config.h"
 #include "core/faults.h"
+#include "sim/scenario/scenario.h"
 #include "sim/scenario/scenario_text.h"
 
 namespace tera {
