@@ -195,8 +195,9 @@ bool MayInclude(const std::string& folder, const std::string& library) {
 }
 
 /// Headers of the operating system.
-const std::set<std::string> kPosix = {"fcntl.h",     "poll.h",         "sys/file.h", "sys/ioctl.h",
-                                      "sys/prctl.h", "sys/resource.h", "sys/wait.h", "unistd.h"};
+const std::set<std::string> kPosix = {"fcntl.h",        "poll.h",      "spawn.h",
+                                      "sys/file.h",     "sys/ioctl.h", "sys/prctl.h",
+                                      "sys/resource.h", "sys/wait.h",  "unistd.h"};
 
 bool IsStandard(const std::string& header) {
   return header.find_first_of("/.") == std::string::npos;
