@@ -100,9 +100,10 @@ LinearisedSegment LineariseSegment(const MotionProblem& problem, std::size_t s,
   equations = NormalEquations(segment.spline.coefficients, problem.numbers(), problem.parameters);
   AddMotionPriors(segment, motion.coefficients, &equations);
   linear.residuals.resize(problem.noise.size());
+  const SegmentLinearisation linearisation(problem, segment.spline, motion, parameters);
   LinearisedObservation rows;
   for (const Observation& observation : segment.observations) {
-    if (!Linearise(problem, segment.spline, motion, parameters, observation, &rows)) continue;
+    if (!linearisation.Of(observation, &rows)) continue;
     for (int i = 0; rows.noise >= 0 && i < rows.rows; ++i) {
       const auto c = static_cast<std::size_t>(rows.noise + i);
       const double sigma = at.noise[c].sigma;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,7 @@ namespace tera {
 
 /// The place of parameters that a channel does not have.
 inline constexpr int kNoParameter = -1;
+inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 struct UnitChannel {
   KinematicChain chain;
@@ -23,7 +26,11 @@ struct UnitChannel {
   int bias = kNoParameter, scale = kNoParameter;   ///< the first of six each: rates, then forces
   int mount = kNoParameter, place = kNoParameter;  ///< of three each
   int late = kNoParameter;
-  int noise = 0;  ///< the first of its noise channels
+  int low_pass = kNoParameter;  ///< the time constant of its filter
+  int noise = 0;                ///< the first of its noise channels
+  /// The first of two: the share of rates, then of forces, beyond `limit` that does not show.
+  int clipped = kNoParameter;
+  std::array<double, 2> limit = {kNoLimit, kNoLimit};
 };
 
 /// An antenna; the two of a pair may be turned about the vertical through the middle between them.

@@ -45,10 +45,8 @@ std::array<BesideMotion, 6> Compared(const MotionProblem& problem, const MotionE
   std::array<BesideMotion, 6> compared;
   LinearisedObservation linear;
   for (const auto& [s, observation] : rows.rows) {
-    if (!Linearise(problem, problem.segments[s].spline, at.motion[s], parameters, *observation,
-                   &linear)) {
-      continue;
-    }
+    const SegmentLinearisation about(problem, problem.segments[s].spline, at.motion[s], parameters);
+    if (!about.Of(*observation, &linear)) continue;
     for (int i = 0; i < 6; ++i) {
       BesideMotion& row = compared[static_cast<std::size_t>(i)];
       row.measured.push_back(observation->value[i]);

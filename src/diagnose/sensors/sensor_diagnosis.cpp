@@ -9,6 +9,7 @@
 #include "core/units.h"
 #include "diagnose/motion/starting_delays.h"
 #include "diagnose/sensors/reflection.h"
+#include "diagnose/sensors/unit_signal.h"
 #include "diagnose/statistics/series/robust.h"
 #include "sensors/sensor_mechanisms.h"
 
@@ -50,6 +51,13 @@ SensorFinding FindingOf(const ParameterTable& table, int g,
   SensorFinding finding{group, {}, 0, 1, {}};
   for (std::size_t i = 0; i < judged.size(); ++i) {
     const SensorParameter& one = table.parameters[static_cast<std::size_t>(group.first) + i];
+    if (one.of_share) {
+      const auto& [value, sigma, documented] = *one.of_share;
+      const bool is_clipped = judged[i].is_beyond;
+      finding.numbers.push_back(
+          {one.name, one.unit, is_clipped ? value : documented, sigma, documented, 0, is_clipped});
+      continue;
+    }
     finding.numbers.push_back({one.name, one.unit, judged[i].value / one.si_per_unit,
                                judged[i].sigma / one.si_per_unit, one.documented / one.si_per_unit,
                                one.tolerance / one.si_per_unit, judged[i].is_beyond});
@@ -76,18 +84,6 @@ double RmsOf(const ChannelResiduals& residuals) {
                    squares.end());
   return std::sqrt(std::accumulate(squares.begin(), most, 0.0) /
                    static_cast<double>(most - squares.begin()));
-}
-
-/// The sum of logarithms of the scales of all residuals: the likelihood's, but for what is the same
-/// of all estimates.
-double LogScale(const MotionEstimate& estimate) {
-  double sum = 0;
-  for (std::size_t c = 0; c < estimate.noise.size(); ++c) {
-    std::size_t count = 0;
-    for (const auto& segment : estimate.residuals[c].by_segment) count += segment.size();
-    sum += static_cast<double>(count) * std::log(estimate.noise[c].sigma);
-  }
-  return sum;
 }
 
 /// Turns about the axes that go against a motion; whether there are any.
@@ -149,10 +145,7 @@ std::vector<SensorFinding> ReversedOf(const SensorProblem& problem, const Motion
           {both ? axis : (row < 3 ? "gyro_" : "accel_") + axis, "1", 1, 0, 0, 0, true});
     }
     if (finding.numbers.empty()) continue;
-    const auto own =
-        std::find_if(problem.table.groups.begin(), problem.table.groups.end(),
-                     [&](const ParameterGroup& one) { return one.first == unit.bias; });
-    finding.target = own->target;
+    finding.target = UnitOf(problem, u);
     reversed.push_back(std::move(finding));
   }
   return reversed;
@@ -253,7 +246,6 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
                                 const SensorDiagnosisOptions& options, StageClock* clock) {
   SensorProblem problem = clock->Time(
       "sensors: problem", [&] { return MakeSensorProblem(input, measured, options.place); });
-  if (options.library) problem.table.LimitTo(*options.library);
   SensorDiagnosis diagnosis;
   diagnosis.not_compared = problem.not_compared;
   const MotionProblem& motion = problem.motion;
@@ -262,18 +254,21 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
   if ((motion.imus.empty() && motion.receivers.empty()) || is_alone) return diagnosis;
   diagnosis.knows_base =
       motion.receivers.size() >= 2 || (!motion.receivers.empty() && !motion.imus.empty());
+  EstimateOptions estimate_options{.threads = options.threads};
+  const ParameterPrior wide = problem.table.FlexiblePrior();
+  std::vector<OpposedAxis> opposed;
+  const MotionEstimate flexible = clock->Time("sensors: motion", [&] {
+    MotionEstimate first = FlexibleEstimate(wide, estimate_options, &problem.motion, &opposed);
+    first = WithLowPasses(input, estimate_options, std::move(first), &problem);
+    return WithClipping(input, estimate_options, std::move(first), &problem);
+  });
+  if (options.library) problem.table.LimitTo(*options.library);
   const std::vector<ParameterGroup>& groups = problem.table.groups;
   std::copy_if(groups.begin(), groups.end(), std::back_inserter(diagnosis.estimated),
                [](const ParameterGroup& group) { return group.mechanism != nullptr; });
   diagnosis.candidates = static_cast<std::size_t>(
       std::count_if(problem.table.groups.begin(), problem.table.groups.end(),
                     [](const ParameterGroup& group) { return group.may_be_named; }));
-  EstimateOptions estimate_options{.threads = options.threads};
-  const ParameterPrior wide = problem.table.FlexiblePrior();
-  std::vector<OpposedAxis> opposed;
-  const MotionEstimate flexible = clock->Time("sensors: motion", [&] {
-    return FlexibleEstimate(wide, estimate_options, &problem.motion, &opposed);
-  });
   diagnosis.iterations = flexible.iterations;
   GroupJudgement judgement = clock->Time("sensors: judging", [&] {
     return JudgeGroups(problem.table, flexible.quadratics, options.judge);

@@ -32,7 +32,10 @@ constexpr double kMostDelay_s = 3;
 constexpr double kAccelerationGain = 0.1;
 /// Poses and the ground have numbers of mechanisms of these.
 constexpr EffectTarget kImu = EffectTarget::kImu, kGnss = EffectTarget::kGnss;
+/// A unit loses at least so much of what is beyond its range.
+constexpr double kClippedShare = 0.5;
 constexpr const char* kDelay = "clock_offset";  ///< stands for latency and filter as well
+constexpr const char* kLowPass = "filter_delay";
 
 double UsualHalfWidth(const std::string& target, const std::string& mechanism,
                       const std::string& parameter) {
@@ -127,8 +130,8 @@ ParameterPrior ParameterTable::PriorWith(const std::vector<int>& free_groups) co
       const double held = one.tolerance - one.taken;
       prior.sigma[i] = is_free ? one.free_sigma : kPriorShare * held;
       prior.small[i] = one.tolerance;
-      prior.lower[i] = is_free ? one.lower : one.documented - held;
-      prior.upper[i] = is_free ? one.upper : one.documented + held;
+      prior.lower[i] = is_free ? one.lower : std::max(one.lower, one.documented - held);
+      prior.upper[i] = is_free ? one.upper : std::min(one.upper, one.documented + held);
     }
   }
   return prior;
@@ -136,8 +139,14 @@ ParameterPrior ParameterTable::PriorWith(const std::vector<int>& free_groups) co
 
 ParameterPrior ParameterTable::FlexiblePrior() const {
   ParameterPrior prior = PriorWith({});
-  prior.sigma *= kFlexibleShare / kPriorShare;
-  for (const int delay : Delays()) prior.sigma[delay] *= kFlexibleDelays;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    prior.sigma[static_cast<Eigen::Index>(i)] = kFlexibleShare * parameters[i].tolerance;
+  }
+  for (const ParameterGroup& group : groups) {
+    if (group.mechanism && group.mechanism->slot == Slot::kSensorTiming) {
+      prior.sigma.segment(group.first, group.count) *= kFlexibleDelays;
+    }
+  }
   prior.lower.setConstant(-std::numeric_limits<double>::infinity());
   prior.upper.setConstant(std::numeric_limits<double>::infinity());
   return prior;
@@ -213,6 +222,37 @@ void AddImuParameters(const SensorDescription& unit, const Vec3& part_m, Paramet
   }
   channel->place = AddShift(unit.name, kImu, "imu_lever_arm", effects, part_m, table);
   channel->late = AddDelay(unit.name, kImu, effects, table);
+}
+
+void AddLowPass(const SensorDescription& unit, ParameterTable* table, UnitChannel* channel) {
+  const double documented_s = NumberOf(unit.effects, kLowPass, "time_constant_s", 0);
+  table->parameters[static_cast<std::size_t>(channel->late)].documented -= documented_s;
+  channel->low_pass = GroupOf(table, unit.name, kImu, kLowPass)
+                          .Number("time_constant_s", "s", 1, documented_s, kMostDelay_s, kWander)
+                          .first();
+  SensorParameter& one = table->parameters.back();
+  one.lower = 0;
+  one.taken = (1 - kLeastShare) * one.tolerance;  // by the unit's delay
+}
+
+void AddClipping(const SensorDescription& unit, const std::array<double, 2>& sigma,
+                 ParameterTable* table, UnitChannel* channel) {
+  const Mechanism& mechanism = SensorMechanism("saturation", kImu);
+  channel->clipped = static_cast<int>(table->parameters.size());
+  table->groups.push_back({{unit.name, &mechanism}, channel->clipped, 2});
+  for (std::size_t i = 0; i < 2; ++i) {
+    const EffectParameter& number = mechanism.parameters[i];
+    const double si_per_unit = i == 0 ? kDeg : 1;
+    SensorParameter share{std::string(number.name), std::string(number.unit), si_per_unit};
+    share.tolerance = kClippedShare;
+    share.taken = (1 - kLeastShare) * kClippedShare;
+    share.free_sigma = 1;
+    share.lower = -1;
+    share.upper = 2;
+    share.of_share = {channel->limit[i] / si_per_unit, sigma[i] / si_per_unit,
+                      NumberOf(unit.effects, "saturation", number.name, *number.otherwise)};
+    table->parameters.push_back(std::move(share));
+  }
 }
 
 void AddReceiverParameters(const SensorDescription& receiver, const Vec3& part_m, double segment_s,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,11 @@ struct SensorParameter {
   double wander = 0;      ///< 1 sigma of the difference between segments
   double lower = 0, upper = 0;
   double taken = 0;  ///< of its tolerance, by numbers with the same effect
+  /// Of a share: the number, in `unit`, that is told of a share of one.
+  struct Told {
+    double value = 0, sigma = 0, documented = 0;
+  };
+  std::optional<Told> of_share;
 };
 
 /// A mechanism, one of the table of all, and its target. Numbers of the motion's own model have
@@ -66,6 +73,12 @@ double DocumentedDelay_s(const Effects& effects);
 /// no more than the extent of the part that it is bolted to.
 void AddImuParameters(const SensorDescription& unit, const Vec3& part_m, ParameterTable* table,
                       UnitChannel* channel);
+/// The time constant of a unit's low pass, which its documented delay no longer stands for.
+void AddLowPass(const SensorDescription& unit, ParameterTable* table, UnitChannel* channel);
+/// The shares of a unit's rates and forces beyond its channel's limits that do not show. `sigma` is
+/// that of the limits, SI.
+void AddClipping(const SensorDescription& unit, const std::array<double, 2>& sigma,
+                 ParameterTable* table, UnitChannel* channel);
 void AddReceiverParameters(const SensorDescription& receiver, const Vec3& part_m, double segment_s,
                            ParameterTable* table, ReceiverChannel* channel);
 /// The numbers of a part's reflection beside a receiver that has such a part.

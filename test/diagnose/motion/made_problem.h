@@ -53,6 +53,8 @@ struct MadeProblem {
     for (const int number : {int{kYaw}, kBaseNumbers, kBaseNumbers + 1}) {
       problem.acceleration_gains[number] = take(1);
     }
+    problem.imus[0].clipped = take(2);
+    problem.imus[0].limit = {0.4, 9};
     problem.noise.resize(16);
     problem.parameters = next;
     problem.wander = Eigen::VectorXd::Zero(next);
@@ -84,7 +86,8 @@ struct MadeProblem {
     return all;
   }
   bool Of(const Observation& seen, LinearisedObservation* out) const {
-    return Linearise(problem, spline, {coefficients, moving, {}}, parameters, seen, out);
+    const SegmentMotion motion{coefficients, moving, {}};
+    return SegmentLinearisation(problem, spline, motion, parameters).Of(seen, out);
   }
   /// The residual's derivative by each motion coefficient, numbers running fastest, by `by_state`
   /// and the spline's weights.

@@ -21,6 +21,8 @@ struct Wrong {
   Vec3 mount_rad = Vec3::Zero(), place_m = Vec3::Zero();                ///< of the boom's unit
   Vec3 accel_scale = Vec3::Ones();                                      ///< of the boom's unit
   double unit_late_s = 0;               ///< stamps of the boom's unit
+  double unit_low_pass_s = 0;           ///< time constant of the boom's unit
+  double gyro_limit_radps = 1e9;        ///< of the boom's unit
   bool gyro_x_reversed = false;         ///< of the boom's unit, its accelerometer not
   Vec3 antenna_place_m = Vec3::Zero();  ///< of the left antenna
   double reflected_m = 0;               ///< pulls the left antenna towards a boom that is raised
@@ -162,19 +164,27 @@ class MadeRecording {
       const Vec3& turn = how_.wrong.mount_rad;
       X_LS.linear() = X_LS.linear() * RotationFromRpy(turn[0], turn[1], turn[2]);
     }
+    std::pair<Vec3, Vec3> filtered = MeanOver(Link(s), X_LS, 0, 0.02);
+    const double new_share = !is_wrong || how_.wrong.unit_low_pass_s == 0
+                                 ? 1
+                                 : 1 - std::exp(-0.02 / how_.wrong.unit_low_pass_s);
     for (int k = 1; k <= how_.duration_s * 50; ++k) {
+      const auto now = MeanOver(Link(s), X_LS, 0.02 * k - 0.02, 0.02);
+      filtered.first += new_share * (now.first - filtered.first);
+      filtered.second += new_share * (now.second - filtered.second);
       if (!IsKept(unit.name, k)) continue;
-      const auto [w_S_radps, f_S_mps2] = MeanOver(Link(s), X_LS, 0.02 * k - 0.02, 0.02);
       ImuSample sample;
       sample.t_ns = Stamp(unit.name, k, 0.02 * k + (is_wrong ? how_.wrong.unit_late_s : 0));
       sample.t_available_ns = sample.t_ns;
-      sample.w_WS_S_radps = w_S_radps + 0.002 * how_.noise * noise.Gaussian3(k, 0);
-      sample.f_S_mps2 = f_S_mps2 + 0.03 * how_.noise * noise.Gaussian3(k, 1);
+      sample.w_WS_S_radps = filtered.first + 0.002 * how_.noise * noise.Gaussian3(k, 0);
+      sample.f_S_mps2 = filtered.second + 0.03 * how_.noise * noise.Gaussian3(k, 1);
       if (is_wrong) {
         if (how_.wrong.gyro_x_reversed) sample.w_WS_S_radps.x() *= -1;
         sample.w_WS_S_radps += how_.wrong.gyro_bias_radps;
         sample.f_S_mps2 = sample.f_S_mps2.cwiseProduct(how_.wrong.accel_scale);
         sample.f_S_mps2 += how_.wrong.accel_bias_mps2;
+        const Vec3 limit_radps = Vec3::Constant(how_.wrong.gyro_limit_radps);
+        sample.w_WS_S_radps = sample.w_WS_S_radps.cwiseMin(limit_radps).cwiseMax(-limit_radps);
       }
       measured.imus[s].push_back(sample);
     }

@@ -153,6 +153,27 @@ TEST(SensorDiagnosis, NamesAClockThatIsElevenHundredthsLate) {
   ExpectNamed({{}, "imu_boom/clock_offset", "offset_s", 0.11}, Diagnosed(&made));
 }
 
+// A filter weakens what it delays: neither a clock nor scales are at fault.
+TEST(SensorDiagnosis, NamesALowPassAndNoClockOrScale) {
+  MadeRecording made({.wrong = {.unit_low_pass_s = 0.2}, .seed = 18});
+  const SensorDiagnosis told = Diagnosed(&made);
+  ASSERT_THAT(NamesOf(told.findings), ElementsAre("imu_boom/filter_delay")) << Told(told);
+  // Samples are filtered one by one, and so lag by half a sample less than a continuous filter's. A
+  // scale within its tolerance weakens as some of the filter does.
+  EXPECT_NEAR(told.findings[0].numbers[0].value, 0.19, 0.02);
+}
+
+TEST(SensorDiagnosis, NamesTheRangeOfAGyroThatTheMotionExceeds) {
+  MadeRecording made({.wrong = {.gyro_limit_radps = 0.35}, .seed = 20});
+  ExpectNamed({{}, "imu_boom/saturation", "gyro_limit_degps", 0.35 / kDeg}, Diagnosed(&made));
+}
+
+TEST(SensorDiagnosis, TakesADocumentedLowPassIntoAccount) {
+  MadeRecording made({.wrong = {.unit_low_pass_s = 0.2}, .seed = 19});
+  made.input.sensors[1].effects = {OfUnit("filter_delay", {0.2})};
+  EXPECT_THAT(NamesOf(Diagnosed(&made).findings), IsEmpty());
+}
+
 TEST(SensorDiagnosis, NamesAGyroAxisThatIsReversedAlone) {
   MadeRecording made({.wrong = {.gyro_x_reversed = true}, .seed = 17});
   const SensorDiagnosis told = Diagnosed(&made);
