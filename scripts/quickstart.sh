@@ -40,8 +40,8 @@ TXT
 if grep -q '^TERA_WHOLE_PROGRAM:BOOL=OFF' build/release/CMakeCache.txt; then
   cat <<TXT
 
-build/release/tera has the commands of the quickstart alone. The rest (campaign, diagnose, layout, prove, register, resense, ros2, serve,
-site):
+build/release/tera has the commands of the quickstart alone. The rest (campaign, diagnose, layout, register, resense, ros2, serve, site,
+sweep):
   scripts/build.sh
 TXT
 fi
