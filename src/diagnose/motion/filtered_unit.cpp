@@ -27,7 +27,8 @@ FilteredUnit::FilteredUnit(double every_s, double time_constant_s, const Rows& m
   value = LowPassOf(moved, steps);
   resting = LowPassOf(rests, steps);
   // The derivative s of y by T follows T s' = -y' - s.
-  by_time_constant = LowPassOf((resting - rests) / time_constant_s, steps);
+  by_delay = (resting - rests) / time_constant_s;
+  by_time_constant = LowPassOf(by_delay, steps);
 }
 
 Eigen::Matrix<double, 6, 1> FilteredUnit::MeanOver(const Rows& rows, double from_s,

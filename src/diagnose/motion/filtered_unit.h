@@ -14,6 +14,7 @@ struct FilteredUnit {
   double step_s = 0;
   Rows value;             ///< y of the motion
   Rows resting;           ///< y of a motion that rests where it is noise
+  Rows by_delay;          ///< derivative of `resting` by a delay, -y'
   Rows by_time_constant;  ///< derivative of `resting` by T
 
   /// Filters measurements of the motion and of the motion that rests. T is positive.

@@ -18,7 +18,7 @@ namespace tera {
 ///         noise. Otherwise a motion that follows a sensor's noise would seem to excite its scale,
 ///         place and delay, and the noise would bias these (errors in variables). A filtered unit
 ///         says nothing of the motion, nor of gains of accelerations, which reach it from before
-///         the observation.
+///         the observation. Its derivatives by mount and place are unfiltered, and late instead.
 /// Omits   products of motions that change within an observation; filters of receivers and
 ///         encoders, which count as delays.
 class SegmentLinearisation {

@@ -120,7 +120,7 @@ void LineariseImu(const UnitChannel& unit, const MotionAt& at) {
   using T = ceres::Jet<double, kImuJoints + 3 * kJoints>;
   const Inertial<T> there = InertialBeside<T, double>(InLink<T>(unit, at, at.numbers), R_LT, r_L);
   AtRest rest = AtRestOf(unit, at, turn, R_LT, r_L);
-  Eigen::Matrix<double, 6, 1> ideal, by_time_constant;
+  Eigen::Matrix<double, 6, 1> ideal, by_delay, by_time_constant;
   for (int row = 0; row < 6; ++row) ideal[row] = row < 3 ? there.w[row].a : there.f[row - 3].a;
   if (at.filtered) {
     const auto mean = [&](const FilteredUnit::Rows& rows) {
@@ -128,6 +128,7 @@ void LineariseImu(const UnitChannel& unit, const MotionAt& at) {
     };
     ideal = mean(at.filtered->value);
     rest.value = mean(at.filtered->resting);
+    by_delay = mean(at.filtered->by_delay);
     by_time_constant = mean(at.filtered->by_time_constant);
   }
   const int mount = unit.mount < 0 ? -1 : out.parameters;
@@ -159,12 +160,14 @@ void LineariseImu(const UnitChannel& unit, const MotionAt& at) {
     if (unit.bias >= 0) out.by_parameter(row, at.AddParameter(unit.bias + row)) = 1;
   }
   if (!at.filtered) AddAccelerationGains(unit, at);
+  const int late = unit.late < 0 ? -1 : out.parameters;
   at.AddDelay(unit.late);
   Eigen::Matrix<double, 6, 1> resting;
-  const int column = at.filtered ? at.AddParameter(unit.low_pass) : -1;
+  const int low_pass = at.filtered ? at.AddParameter(unit.low_pass) : -1;
   for (int row = 0; row < 6; ++row) {
     const double factor = unit.signs[row] * (unit.scale < 0 ? 1 : at.parameters[unit.scale + row]);
-    if (at.filtered) out.by_parameter(row, column) = factor * by_time_constant[row];
+    if (at.filtered) out.by_parameter(row, low_pass) = factor * by_time_constant[row];
+    if (at.filtered && late >= 0) out.by_parameter(row, late) = factor * by_delay[row];
     resting[row] = factor * rest.value[row] + (unit.bias < 0 ? 0 : at.parameters[unit.bias + row]);
   }
   Clip(unit, at, resting);

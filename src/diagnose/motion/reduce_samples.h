@@ -36,7 +36,8 @@ std::vector<ImuWindow> WindowsOf(const std::vector<ImuSample>& samples, double l
 /// unit's samples (WhiteNoise).
 Eigen::Matrix<double, 6, 1> WhiteNoiseOf(const std::vector<ImuSample>& samples, double over_s);
 
-/// Sets the motion of the noise channels of inertial units.
+/// Sets `motion` of each inertial unit's noise channels: the deviation of their observations over
+/// all segments.
 void SetMotionOfUnits(MotionProblem* problem);
 
 /// One running gear's angle over time, and how far it moves the machine for one radian.

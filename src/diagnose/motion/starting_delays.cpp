@@ -44,9 +44,12 @@ std::array<BesideMotion, 6> Compared(const MotionProblem& problem, const MotionE
                                      const UnitRows& rows, const Eigen::VectorXd& parameters) {
   std::array<BesideMotion, 6> compared;
   LinearisedObservation linear;
+  std::vector<SegmentLinearisation> about;
+  for (std::size_t s = 0; s < problem.segments.size(); ++s) {
+    about.emplace_back(problem, problem.segments[s].spline, at.motion[s], parameters);
+  }
   for (const auto& [s, observation] : rows.rows) {
-    const SegmentLinearisation about(problem, problem.segments[s].spline, at.motion[s], parameters);
-    if (!about.Of(*observation, &linear)) continue;
+    if (!about[s].Of(*observation, &linear)) continue;
     for (int i = 0; i < 6; ++i) {
       BesideMotion& row = compared[static_cast<std::size_t>(i)];
       row.measured.push_back(observation->value[i]);

@@ -259,8 +259,14 @@ SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements&
   std::vector<OpposedAxis> opposed;
   const MotionEstimate flexible = clock->Time("sensors: motion", [&] {
     MotionEstimate first = FlexibleEstimate(wide, estimate_options, &problem.motion, &opposed);
-    first = WithLowPasses(input, estimate_options, std::move(first), &problem);
-    return WithClipping(input, estimate_options, std::move(first), &problem);
+    const auto admits = [&](const char* id) {
+      return !options.library || Admits(*options.library, id);
+    };
+    if (admits("filter_delay")) {
+      first = WithLowPasses(input, estimate_options, std::move(first), &problem);
+    }
+    return admits("saturation") ? WithClipping(input, estimate_options, std::move(first), &problem)
+                                : first;
   });
   if (options.library) problem.table.LimitTo(*options.library);
   const std::vector<ParameterGroup>& groups = problem.table.groups;

@@ -130,8 +130,8 @@ ParameterPrior ParameterTable::PriorWith(const std::vector<int>& free_groups) co
       const double held = one.tolerance - one.taken;
       prior.sigma[i] = is_free ? one.free_sigma : kPriorShare * held;
       prior.small[i] = one.tolerance;
-      prior.lower[i] = is_free ? one.lower : std::max(one.lower, one.documented - held);
-      prior.upper[i] = is_free ? one.upper : std::min(one.upper, one.documented + held);
+      prior.lower[i] = is_free ? one.lower : std::max(one.least, one.documented - held);
+      prior.upper[i] = is_free ? one.upper : one.documented + held;
     }
   }
   return prior;
@@ -176,7 +176,7 @@ void ParameterTable::LimitTo(const CandidateLibrary& library) {
       for (const NumberRange& range : ranges) {
         for (int i = group.first; i < group.first + group.count; ++i) {
           SensorParameter& one = parameters[static_cast<std::size_t>(i)];
-          if (mechanism->parameters[range.index].name != one.name) continue;
+          if (mechanism->parameters[range.index].name != one.name || one.of_share) continue;
           one.lower = one.si_per_unit * range.lower;
           one.upper = one.si_per_unit * range.upper;
           // The linear numbers of a reflection have either sign, whatever its azimuth.
@@ -231,19 +231,26 @@ void AddLowPass(const SensorDescription& unit, ParameterTable* table, UnitChanne
                           .Number("time_constant_s", "s", 1, documented_s, kMostDelay_s, kWander)
                           .first();
   SensorParameter& one = table->parameters.back();
-  one.lower = 0;
+  one.lower = one.least = 0;
   one.taken = (1 - kLeastShare) * one.tolerance;  // by the unit's delay
+}
+
+std::array<double, 2> DocumentedLimits(const SensorDescription& unit) {
+  return {NumberOf(unit.effects, "saturation", "gyro_limit_degps", kNoLimit) * kDeg,
+          NumberOf(unit.effects, "saturation", "accel_limit_mps2", kNoLimit)};
 }
 
 void AddClipping(const SensorDescription& unit, const std::array<double, 2>& sigma,
                  ParameterTable* table, UnitChannel* channel) {
   const Mechanism& mechanism = SensorMechanism("saturation", kImu);
   channel->clipped = static_cast<int>(table->parameters.size());
-  table->groups.push_back({{unit.name, &mechanism}, channel->clipped, 2});
+  const bool is_documented = std::isfinite(DocumentedLimits(unit)[0]);
+  table->groups.push_back({{unit.name, &mechanism}, channel->clipped, 2, !is_documented});
   for (std::size_t i = 0; i < 2; ++i) {
     const EffectParameter& number = mechanism.parameters[i];
     const double si_per_unit = i == 0 ? kDeg : 1;
     SensorParameter share{std::string(number.name), std::string(number.unit), si_per_unit};
+    share.documented = is_documented ? 1 : 0;
     share.tolerance = kClippedShare;
     share.taken = (1 - kLeastShare) * kClippedShare;
     share.free_sigma = 1;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct SensorParameter {
   double free_sigma = 0;  ///< of its prior where it is free
   double wander = 0;      ///< 1 sigma of the difference between segments
   double lower = 0, upper = 0;
+  double least = -std::numeric_limits<double>::infinity();  ///< of any physical value
   double taken = 0;  ///< of its tolerance, by numbers with the same effect
   /// Of a share: the number, in `unit`, that is told of a share of one.
   struct Told {
@@ -75,8 +77,10 @@ void AddImuParameters(const SensorDescription& unit, const Vec3& part_m, Paramet
                       UnitChannel* channel);
 /// The time constant of a unit's low pass, which its documented delay no longer stands for.
 void AddLowPass(const SensorDescription& unit, ParameterTable* table, UnitChannel* channel);
+/// The range of a unit's rates and forces by its effects; infinite where it is not documented.
+std::array<double, 2> DocumentedLimits(const SensorDescription& unit);
 /// The shares of a unit's rates and forces beyond its channel's limits that do not show. `sigma` is
-/// that of the limits, SI.
+/// that of the limits, SI. Documented limits clip all, and are not named.
 void AddClipping(const SensorDescription& unit, const std::array<double, 2>& sigma,
                  ParameterTable* table, UnitChannel* channel);
 void AddReceiverParameters(const SensorDescription& receiver, const Vec3& part_m, double segment_s,

@@ -47,7 +47,8 @@ std::array<BesideMotion, 2> BesideMotionOf(const MotionProblem& problem, std::si
         BesideMotion& triad = triads[static_cast<std::size_t>(i / 3)];
         triad.largest = std::max(triad.largest, std::abs(seen.value[i]));
         triad.rows.push_back({seen.value[i], seen.value[i] - linear.residual[i],
-                              noise.inflation * noise.sigma * noise.sigma / seen.share});
+                              noise.inflation * noise.sigma * noise.sigma / seen.share +
+                                  seen.model_error[i] * seen.model_error[i]});
       }
     }
   }
@@ -62,16 +63,16 @@ struct Limit {
 Limit LimitOf(const BesideMotion& triad) {
   double gain = 0, variance = 0;
   std::vector<double> there;
-  for (const auto& [measured, implied, of_noise] : triad.rows) {
+  for (const auto& [measured, implied, of_error] : triad.rows) {
     if (std::abs(implied) <= triad.largest) continue;
     const double clipped = std::copysign(triad.largest, implied);
-    gain += (std::pow(measured - implied, 2) - std::pow(measured - clipped, 2)) / (2 * of_noise);
+    gain += (std::pow(measured - implied, 2) - std::pow(measured - clipped, 2)) / (2 * of_error);
     there.push_back(std::abs(measured));
-    variance = of_noise;
+    variance += of_error;
   }
   if (gain < kLikelier) return {};
   const auto count = static_cast<double>(there.size());
-  return {Median(std::move(there)), std::sqrt(variance / count)};
+  return {Median(std::move(there)), std::sqrt(variance) / count};
 }
 
 /// Makes room for parameters that were added to the table.
@@ -88,12 +89,14 @@ void Grow(SensorProblem* problem, MotionEstimate* start) {
   for (SegmentMotion& motion : start->motion) grow(&motion.wandered);
 }
 
-/// The problem with a low pass in a unit; `start` becomes one that is not late but filtered.
-SensorProblem WithLowPass(const SensorDescription& unit, std::size_t u, double time_constant_s,
+/// The problem with a low pass in a unit; `start` becomes one that is not late but filtered, for
+/// `excess_s` longer than documented.
+SensorProblem WithLowPass(const SensorDescription& unit, std::size_t u, double excess_s,
                           SensorProblem problem, MotionEstimate* start) {
   UnitChannel& channel = problem.motion.imus[u];
   AddLowPass(unit, &problem.table, &channel);
   Grow(&problem, start);
+  const double time_constant_s = problem.table.parameters.back().documented + excess_s;
   start->parameters[channel.low_pass] = time_constant_s;
   start->parameters[channel.late] -= time_constant_s;
   return problem;
@@ -154,16 +157,23 @@ MotionEstimate WithLowPasses(const DiagnosisInput& input, const EstimateOptions&
 MotionEstimate WithClipping(const DiagnosisInput& input, const EstimateOptions& options,
                             MotionEstimate best, SensorProblem* problem) {
   for (std::size_t u = 0; u < problem->motion.imus.size(); ++u) {
+    const SensorDescription& unit = SensorOf(input, UnitOf(*problem, u));
     const auto triads = BesideMotionOf(problem->motion, u, best);
-    const std::array<Limit, 2> limits = {LimitOf(triads[0]), LimitOf(triads[1])};
-    if (limits[0].value == kNoLimit && limits[1].value == kNoLimit) continue;
+    const std::array<double, 2> documented = DocumentedLimits(unit);
+    std::array<Limit, 2> limits;
+    bool is_exceeded = false;
+    for (std::size_t i = 0; i < 2; ++i) {
+      limits[i] = LimitOf(triads[i]);
+      is_exceeded = is_exceeded || limits[i].value != kNoLimit;
+      if (documented[i] != kNoLimit) limits[i] = {documented[i], 0};
+    }
+    if (!is_exceeded) continue;
     const MotionEstimate without =
         EstimateMotion(problem->motion, problem->table.FlexiblePrior(), best, options);
     SensorProblem tried = *problem;
     UnitChannel& channel = tried.motion.imus[u];
     channel.limit = {limits[0].value, limits[1].value};
-    AddClipping(SensorOf(input, UnitOf(*problem, u)), {limits[0].sigma, limits[1].sigma},
-                &tried.table, &channel);
+    AddClipping(unit, {limits[0].sigma, limits[1].sigma}, &tried.table, &channel);
     MotionEstimate start = best;
     Grow(&tried, &start);
     for (int i = 0; i < 2; ++i) {

@@ -77,6 +77,36 @@ TEST(Linearise, HasTheDerivativesByTheParametersOfEveryKindOfObservation) {
   }
 }
 
+// The derivatives by the motion, mount, place and gains of a filtered unit are others.
+TEST(Linearise, HasTheDerivativesByTheNumbersOfAFilteredUnit) {
+  MadeProblem made(7);
+  UnitChannel& unit = made.problem.imus[0];
+  unit.low_pass = made.problem.parameters++;
+  made.parameters.conservativeResize(made.problem.parameters);
+  made.parameters[unit.low_pass] = 0.12;
+  for (const Observation& seen : made.Observations()) {
+    if (seen.kind != kImu) continue;
+    LinearisedObservation rows;
+    ASSERT_TRUE(made.Of(seen, &rows));
+    EXPECT_TRUE(rows.by_state.isZero());
+    const Eigen::MatrixXd by = made.ByParameters(rows);
+    std::vector<int> numbers = {unit.low_pass, unit.late, unit.clipped, unit.clipped + 1};
+    for (int i = 0; i < 6; ++i) {
+      numbers.push_back(unit.bias + i);
+      numbers.push_back(unit.scale + i);
+    }
+    for (const int i : numbers) {
+      const Eigen::VectorXd expected =
+          -Difference(made, seen, [&](MadeProblem* copy) { return &copy->parameters[i]; });
+      // Between instants the filtered measurement is linear, its derivative by time a step.
+      const double share = i == unit.late ? 0.4 : 0.03;
+      EXPECT_LT((by.col(i) - expected).norm(), share * (0.01 + expected.norm()))
+          << Told(seen) << ", parameter " << i << ": " << by.col(i).transpose() << " instead of "
+          << expected.transpose();
+    }
+  }
+}
+
 // Forward motion of a gear is no sideways motion: the latter has its own row.
 TEST(Linearise, HasAsManyRowsAsWasMeasured) {
   const MadeProblem made(7);

@@ -168,6 +168,29 @@ TEST(SensorDiagnosis, NamesTheRangeOfAGyroThatTheMotionExceeds) {
   ExpectNamed({{}, "imu_boom/saturation", "gyro_limit_degps", 0.35 / kDeg}, Diagnosed(&made));
 }
 
+TEST(SensorDiagnosis, TakesADocumentedRangeIntoAccount) {
+  MadeRecording made({.wrong = {.gyro_limit_radps = 0.35}, .seed = 20});
+  made.input.sensors[1].effects = {OfUnit("saturation", {0.35 / kDeg, 100})};
+  EXPECT_THAT(NamesOf(Diagnosed(&made).findings), IsEmpty());
+}
+
+TEST(SensorDiagnosis, NamesALowPassThatIsLongerThanDocumented) {
+  MadeRecording made({.wrong = {.unit_low_pass_s = 0.3}, .seed = 21});
+  made.input.sensors[1].effects = {OfUnit("filter_delay", {0.1})};
+  const SensorDiagnosis told = Diagnosed(&made);
+  ASSERT_THAT(NamesOf(told.findings), ElementsAre("imu_boom/filter_delay")) << Told(told);
+  EXPECT_NEAR(told.findings[0].numbers[0].value, 0.29, 0.03);
+}
+
+// A mechanism that a library leaves out takes nothing from the others.
+TEST(SensorDiagnosis, TriesOnlyMechanismsOfTheLibrary) {
+  MadeRecording made({.wrong = {.unit_low_pass_s = 0.2}, .seed = 18});
+  StageClock clock;
+  const SensorDiagnosis told = DiagnoseSensors(
+      made.Input(), made.measured, {.library = CandidateLibrary{.only = {"clock_offset"}}}, &clock);
+  EXPECT_THAT(NamesOf(told.findings), ElementsAre("imu_boom/clock_offset"));
+}
+
 TEST(SensorDiagnosis, TakesADocumentedLowPassIntoAccount) {
   MadeRecording made({.wrong = {.unit_low_pass_s = 0.2}, .seed = 19});
   made.input.sensors[1].effects = {OfUnit("filter_delay", {0.2})};

@@ -189,5 +189,22 @@ TEST(SensorParameters, OfAPriorAreHeldWithinTheirTolerancesButForFreeGroups) {
   }
 }
 
+// A range that leaves out the documented number does not hold what is not free.
+TEST(SensorParameters, HoldsWithinTolerancesWhateverALibrarysRanges) {
+  ParameterTable table;
+  UnitChannel channel;
+  SensorDescription unit;
+  unit.name = "imu";
+  unit.model = ImuModel{};
+  AddImuParameters(unit, Vec3::Ones(), &table, &channel);
+  const CandidateLibrary library{
+      .ranges = {{&SensorMechanism("clock_offset", EffectTarget::kImu), {{0, 0.1, 0.3}}}}};
+  table.LimitTo(library);
+  const ParameterPrior prior = table.PriorWith({});
+  EXPECT_LT(prior.lower[channel.late], 0);
+  EXPECT_GT(prior.upper[channel.late], 0);
+  EXPECT_LT(prior.upper[channel.late], 0.1);
+}
+
 }  // namespace
 }  // namespace tera

@@ -18,7 +18,7 @@ namespace tera {
 Misfit MisfitOfExpectedInstead(const ReplayBlock& block, const StructureFitter& fitter,
                                const Structure& found, std::size_t term);
 
-/// The same beside all terms of a structure, of the mechanisms of all targets.
+/// MisfitOfExpectedInstead with all terms kept. Candidates are the mechanisms of every target.
 Misfit MisfitOfExpectedBeside(const ReplayBlock& block, const StructureFitter& fitter,
                               const FittedStructure& found);
 

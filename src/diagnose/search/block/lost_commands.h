@@ -48,15 +48,15 @@ struct LostCommands {
   double rmse_before = 0, rmse_after = 0;  ///< over all samples, without and with the holds
 };
 
-/// Commands that a drive with a lever lost, beyond all other findings. None if the rate shows no
-/// loss.
+/// Commands that a drive lost and that no other finding explains. Returns nullopt if the rate shows
+/// no loss.
 ///
 /// Model   at least three holds of the residual (HoldsOf). They must gain twice as much as `early`
 ///         holds, and reduce the mean square by at least the square of `tolerated`.
 ///         Play and dead bands also hold, but repeat with the lever's motion. Hence at most nine of
 ///         ten holds may begin at a reversal. The cross-fitted flexible regressor must explain none
-///         of the error in the holds, or leave at least half of their gain. So must each single
-///         mechanism of the library, added as it was fitted alone.
+///         of the error in the holds, or leave at least half of their gain. Each single mechanism
+///         that gains on TRAIN and SELECT, added as fitted alone, must leave at least half of it.
 /// Omits   losses while the lever rests.
 std::optional<LostCommands> LostCommandsOf(const EvaluationContext& context,
                                            const SearchResult& search, double noise_rms,

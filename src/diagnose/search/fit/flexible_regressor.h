@@ -28,8 +28,8 @@ Misfit ResidualBeyondFlexible(const ReplayBlock& block, const Likelihood& likeli
 Misfit CrossFittedResidual(const ReplayBlock& block, const Likelihood& likelihood,
                            const Misfit& misfit, const std::vector<Manoeuvre>& manoeuvres);
 
-/// The same for one channel and other columns, with a row for each sample. Other channels are
-/// unchanged.
+/// CrossFittedResidual of one channel, with `columns` in place of the flexible regressor, a row for
+/// each sample. Other channels are unchanged.
 Misfit CrossFittedOver(const Eigen::MatrixXd& columns, std::size_t channel,
                        const Likelihood& likelihood, const Misfit& misfit,
                        const std::vector<Manoeuvre>& manoeuvres);
