@@ -81,7 +81,7 @@ SensedAir RigScene::air() const {
 
 /// Copied once per step, and only if pictures are taken in parallel.
 KeptScene RigScene::Keep() const {
-  if (!rasterizers_->work_beside()) return SensedScene::Keep();
+  if (!rasterizers_ || !rasterizers_->work_beside()) return SensedScene::Keep();
   if (kept_) return *kept_;
   const DustVolume* dust = air().dust;
   const bool is_new = dust != nullptr && (!dust_copy_ || dust_copy_->version != dust->version);

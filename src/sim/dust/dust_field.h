@@ -79,7 +79,7 @@ class DustField {
   const Reach& reach() const { return reach_; }
 
  private:
-  /// Transport across a row of cells along one axis.
+  /// A row of cells along one axis, with the speed and diffusivity of its transport.
   struct Row {
     std::size_t first, stride;
     int from, to;  ///< range of cells

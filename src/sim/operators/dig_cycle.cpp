@@ -72,7 +72,10 @@ std::vector<double> DigCycle::Levers(const OperatorView& view) {
     started_ = true;
     X_WJ_start_ = SlewFrame(view);
     last_ns_ = view.t_ns;
-    if (trench_) stand_m_ = trench_->first_stand_m();
+    if (trench_) {
+      stand_m_ = trench_->first_stand_m();
+      rim_m_ = trench_->Rim_m(view.ground, AxisStation(view));
+    }
     Enter(trench_ ? Phase::kMove : Phase::kApproach, view);
   }
   Advance(view);
@@ -147,23 +150,18 @@ void DigCycle::Enter(Phase phase, const OperatorView& view) {
   if (trench_ && phase == Phase::kApproach) ChooseCut(view);
   if (trench_ && phase == Phase::kLift) ChooseDump(view);
   drives_ = false;
-  if (trench_ && phase == Phase::kCut) {
-    cut_s_m_ = -kPlunge_m;
-    cut_raised_m_ = 0;
-    cut_ground_m_.clear();
-    for (int k = 0; k <= kGroundSamples; ++k) {
-      const double r_m = cut_.reach_m - cut_.length_m * k / kGroundSamples;
-      cut_ground_m_.push_back(
-          trench_->GroundAt(view.ground, AxisStation(view) - r_m, cut_.offset_m));
-    }
-  } else if (phase == Phase::kCut) {
-    cut_s_m_ = 0;
-    cut_raised_m_ = 0;
-    cut_ground_m_.clear();
-    for (int k = 0; k <= kGroundSamples; ++k) {
-      const double r_m = plan_.reach_m - plan_.cut_length_m * k / kGroundSamples;
-      cut_ground_m_.push_back(GroundInPlane(view, DigPlace(view).slew_rad, r_m));
-    }
+  if (phase == Phase::kCut) StartCut(view);
+}
+
+void DigCycle::StartCut(const OperatorView& view) {
+  cut_s_m_ = trench_ ? -kPlunge_m : 0;
+  cut_raised_m_ = 0;
+  cut_ground_m_.clear();
+  for (int k = 0; k <= kGroundSamples; ++k) {
+    const double r_m = cut_.reach_m - cut_.length_m * k / kGroundSamples;
+    cut_ground_m_.push_back(
+        trench_ ? trench_->GroundAt(view.ground, AxisStation(view) - r_m, cut_.offset_m)
+                : GroundInPlane(view, DigPlace(view).slew_rad, r_m));
   }
 }
 
@@ -206,10 +204,9 @@ void DigCycle::Advance(const OperatorView& view) {
       if (time_s > kCurl_s && (placed || late)) Enter(Phase::kLift, view);
       break;
     case Phase::kLift:
-      if (trench_ ? IsOverRim(view, tip)
-                  : tip.z_m - GroundInPlane(view, slew_rad, tip.r_m) >
-                            kSwingHeight * plan_.dump_height_m ||
-                        late) {
+      if (trench_ ? IsLifted(view, tip)
+                  : (late || tip.z_m - GroundInPlane(view, slew_rad, tip.r_m) >
+                                 kSwingHeight * plan_.dump_height_m)) {
         Enter(Phase::kSwing, view);
       }
       break;

@@ -89,7 +89,10 @@ class DigCycle : public Operator {
   Target CutTarget(const OperatorView& view) const;
   Target LiftTarget(const OperatorView& view) const;
   PlanarArm::Tip TrenchCarry(const OperatorView& view) const;
-  bool IsOverRim(const OperatorView& view, const PlanarArm::Tip& tip) const;
+  /// Height above the slewing frame at which the lift out of a trench ends.
+  double LiftEnd_m(const OperatorView& view) const;
+  /// Whether the bucket is over the trench's rim, or as high as it gets.
+  bool IsLifted(const OperatorView& view, const PlanarArm::Tip& tip) const;
   void ChooseCut(const OperatorView& view);
   void ChooseDump(const OperatorView& view);
   void AdvanceMove(const OperatorView& view, bool posed);
@@ -108,6 +111,7 @@ class DigCycle : public Operator {
   Place DumpPlace(const OperatorView& view) const;
   Place DigPlace(const OperatorView& view) const;
   void Enter(Phase phase, const OperatorView& view);
+  void StartCut(const OperatorView& view);
   void Advance(const OperatorView& view);
   Target TargetNow(const OperatorView& view) const;
   PlanarArm::Tip CutPoint(double s_m) const;
@@ -145,7 +149,7 @@ class DigCycle : public Operator {
   TrenchCut cut_;
   int empty_pulls_ = 0;        ///< in a row
   Vec3 up_W_ = Vec3::UnitZ();  ///< the undercarriage's z before the cut
-  double rim_m_ = 0;           ///< highest ground at the trench, when the cut was chosen
+  double rim_m_ = 0;           ///< highest ground at the trench at the start, then at each choice
   double stand_m_ = 0;         ///< station of the slew axis where it works, or to which it drives
   bool drives_ = false;        ///< arm and blade are in their places for driving
   BladePlaces blade_;

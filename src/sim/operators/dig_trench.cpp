@@ -123,18 +123,24 @@ DigCycle::Target DigCycle::CutTarget(const OperatorView& view) const {
                  Mix(kEntryPitch_rad, kCutEndPitch_rad, inwards));
 }
 
+double DigCycle::LiftEnd_m(const OperatorView& view) const {
+  return InPlane(view, OnLine(view, phase_tip_.r_m, rim_m_), 0).tip.z_m +
+         (kOverRim + kClearance) * arm_.bucket_length_m();
+}
+
 DigCycle::Target DigCycle::LiftTarget(const OperatorView& view) const {
-  const double over_m = InPlane(view, OnLine(view, phase_tip_.r_m, rim_m_), 0).tip.z_m +
-                        (kOverRim + kClearance) * arm_.bucket_length_m();
-  const double z_m = std::min(phase_tip_.z_m + kLift_mps * PhaseTime_s(view), over_m);
+  const double z_m = std::min(phase_tip_.z_m + kLift_mps * PhaseTime_s(view), LiftEnd_m(view));
   const PlanarArm::Tip lift{phase_tip_.r_m, z_m, kCarryPitch_rad};
   return {WithinLimits(view.model, arm_, plan_.joints, lift).value_or(lift),
           InPlane(view, OnLine(view, phase_tip_.r_m, rim_m_), 0).slew_rad};
 }
 
-bool DigCycle::IsOverRim(const OperatorView& view, const PlanarArm::Tip& tip) const {
-  return tip.z_m > InPlane(view, OnLine(view, tip.r_m, rim_m_), 0).tip.z_m +
-                       kOverRim * arm_.bucket_length_m();
+bool DigCycle::IsLifted(const OperatorView& view, const PlanarArm::Tip& tip) const {
+  const double over_rim_m =
+      InPlane(view, OnLine(view, tip.r_m, rim_m_), 0).tip.z_m + kOverRim * arm_.bucket_length_m();
+  // Patience begins where the target's rise ends: a slew from below would press on the walls.
+  const double rise_s = (LiftEnd_m(view) - phase_tip_.z_m) / kLift_mps;
+  return tip.z_m > over_rim_m || PhaseTime_s(view) > std::max(rise_s, 0.0) + plan_.patience_s;
 }
 
 void DigCycle::ChooseCut(const OperatorView& view) {

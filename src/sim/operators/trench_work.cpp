@@ -18,8 +18,7 @@ constexpr double kReachedStand_m = 0.1;
 constexpr double kSpare_m = 0.15;  // pulls move the machine by as much from its stand
 constexpr double kBeside_m = 0.3;  // ground beside the trench that the bucket may pass over
 constexpr double kLeastCut_m = 0.5;
-constexpr double kClimb_m =
-    0.25;  // a pull ends before a step of this height, which would tip the machine
+constexpr double kClimb_m = 0.25;    // a pull ends before such a step, which would tip the machine
 constexpr double kLeftShare = 0.6;   // of the tolerance; less soil above the design may stay
 constexpr double kEqualShare = 0.9;  // of the most soil; of equal cuts it takes the farthest
 constexpr double kPitchStep_rad = 2 * kDeg, kMostTurn_rad = 70 * kDeg;
@@ -38,6 +37,27 @@ bool Reaches(const MachineModel& model, const PlanarArm& arm, const PlanarArm::J
   return angles && IsWithin(model, joints.boom, angles->boom_rad) &&
          IsWithin(model, joints.arm, angles->arm_rad) &&
          IsWithin(model, joints.bucket, angles->bucket_rad);
+}
+
+/// The samples of a profile under one pull, from its start up to `end`, and what it takes.
+struct Pull {
+  std::size_t end = 0;
+  double soil_m3 = 0;
+};
+
+/// A pull from `start` until the bucket is full or meets a step. `above_m` is the ground above the
+/// design, from the farthest radius inwards.
+Pull PullFrom(std::size_t start, const std::vector<double>& above_m, double layer_m,
+              double bucket_m, double load_m3) {
+  Pull pull{.end = start};
+  double lowest_m = above_m[start];
+  for (; pull.end < above_m.size() && pull.soil_m3 < load_m3; ++pull.end) {
+    const double path_m = std::max(above_m[pull.end] - layer_m, 0.0);
+    lowest_m = std::min(lowest_m, path_m);
+    if (path_m > lowest_m + kClimb_m) break;
+    pull.soil_m3 += std::clamp(above_m[pull.end], 0.0, layer_m) * bucket_m * kStep_m;
+  }
+  return pull;
 }
 
 }  // namespace
@@ -127,7 +147,7 @@ std::optional<TrenchCut> TrenchWork::NextCut(const TerrainSurface& ground, doubl
   std::optional<TrenchCut> best;
   double best_m3 = 0;
   for (const double offset_m : offsets_m_) {
-    std::vector<double> above_m;  // the design, from the farthest radius inwards
+    std::vector<double> above_m;  // as PullFrom takes it
     for (double r_m = to_m; r_m >= from_m - 1e-9; r_m -= kStep_m) {
       const double station_m = axis_station_m - r_m;
       above_m.push_back(GroundAt(ground, station_m, offset_m) - DesignAt(station_m, offset_m));
@@ -138,14 +158,7 @@ std::optional<TrenchCut> TrenchWork::NextCut(const TerrainSurface& ground, doubl
     const std::size_t ends = NextStand(axis_station_m) ? nearest : above_m.size();
     for (std::size_t start = 0; start < ends; ++start) {
       if (above_m[start] < left_m) continue;
-      double soil_m3 = 0, lowest_m = above_m[start];
-      std::size_t end = start;
-      for (; end < above_m.size() && soil_m3 < load_m3; ++end) {
-        const double path_m = std::max(above_m[end] - layer_m, 0.0);
-        lowest_m = std::min(lowest_m, path_m);
-        if (path_m > lowest_m + kClimb_m) break;
-        soil_m3 += std::clamp(above_m[end], 0.0, layer_m) * plan_.bucket_m * kStep_m;
-      }
+      const auto [end, soil_m3] = PullFrom(start, above_m, layer_m, plan_.bucket_m, load_m3);
       if (soil_m3 * kEqualShare <= best_m3) continue;
       best_m3 = soil_m3;
       const std::size_t first = std::min(start, end - std::min(end, least));

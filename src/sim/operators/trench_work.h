@@ -28,13 +28,12 @@ struct TrenchCut {
 ///
 /// Frames  stations are along the trench's line from its first end. The machine stands on the line
 ///         and faces that end, so that radius r is at its own station minus r.
-/// Model   The machine backs away: at the first stand its farthest radius is a little beyond the
-/// first end, at
-///         the last its nearest radius at the other end. Stands between are at equal distances, of
-///         at most kShareOfWindow of the radii. The next cut is the one of most soil above the
-///         design, no deeper than one layer, in a length that fills the bucket. Soil at the nearest
-///         radii is left to the next stand, if there is one. A trench wider than
-///         the bucket is cut in strips side by side.
+/// Model   The machine backs away. At the first stand its farthest radius is a little beyond the
+///         first end, at the last its nearest radius is as much beyond the other end. Stands
+///         between are at equal distances, of at most kShareOfWindow of the radii. The next cut is
+///         the one of most soil above the design, no deeper than one layer, in a length that fills
+///         the bucket. Soil at the nearest radii is left to the next stand, if there is one. A
+///         trench wider than the bucket is cut in strips side by side.
 class TrenchWork {
  public:
   explicit TrenchWork(TrenchPlan plan);

@@ -18,6 +18,7 @@ constexpr double kUpright_deg = 90;
 constexpr double kFinest_m = 0.005, kCoarsest_m = 1;  ///< tolerances
 constexpr double kLeastArea_m2 = 0.01;
 constexpr double kRounding_m = 1e-6;  ///< of places of columns
+constexpr double kNarrowest = 3;      ///< cells; a wider floor has columns, however it lies
 constexpr double kRise = 2;  ///< depth below the highest ground over that at the floor's edge
 
 /// Reports a design of which a part is beyond the site, at `key`.
@@ -115,6 +116,19 @@ bool ReadPit(const ConfigMap& config, const TerrainSurface& ground, Task* task) 
   return true;
 }
 
+/// Reports a floor without columns at `key`.
+bool HasFloor(const ConfigMap& config, std::string_view key, const Task& task,
+              const TerrainSurface& ground) {
+  if (TaskColumns(task, ground).HasFloor()) return true;
+  config.Fault(
+      key, {FaultKind::kOutOfRange,
+            fmt::format("no column of the terrain is on the floor, below the ground and half a "
+                        "cell within its edge; need a floor of {:g} m or more in width and length, "
+                        "or a terrain of smaller cells",
+                        kNarrowest * ground.cell_m)});
+  return false;
+}
+
 }  // namespace
 
 std::optional<Task> ReadTask(const ConfigMap& config, const TerrainSurface& ground) {
@@ -127,7 +141,9 @@ std::optional<Task> ReadTask(const ConfigMap& config, const TerrainSurface& grou
         "", {trench ? FaultKind::kRepeated : FaultKind::kMissing, "need either a trench or a pit"});
     return std::nullopt;
   }
-  const bool good = trench ? ReadTrench(*trench, ground, &task) : ReadPit(*pit, ground, &task);
+  const bool good =
+      trench ? ReadTrench(*trench, ground, &task) && HasFloor(*trench, "width_m", task, ground)
+             : ReadPit(*pit, ground, &task) && HasFloor(*pit, "corners_m", task, ground);
   if (!good) return std::nullopt;
   return task;
 }
@@ -159,6 +175,8 @@ TaskColumns::TaskColumns(const Task& task, const TerrainSurface& before)
   }
 }
 
+bool TaskColumns::HasFloor() const { return std::ranges::any_of(columns_, &Column::floor); }
+
 TaskDeviation TaskColumns::Compare(const TerrainSurface& ground) const {
   TaskDeviation deviation;
   double squares_m2 = 0;
@@ -174,7 +192,6 @@ TaskDeviation TaskColumns::Compare(const TerrainSurface& ground) const {
     if (std::abs(above_m) <= tolerance_m_) ++within;
     squares_m2 += above_m * above_m;
   }
-  if (floor == 0) return deviation;
   deviation.within = static_cast<double>(within) / floor;
   deviation.rms_m = std::sqrt(squares_m2 / floor);
   return deviation;

@@ -30,8 +30,8 @@ struct Task {
   double side_m = 0;                 ///< width of the sides at most, beyond the floor
 };
 
-/// Reads a scenario's `task:` on the ground as it is before the work. Faults go to `config`;
-/// nothing if the design has any.
+/// Reads a scenario's `task:` on the ground as it is before the work. Its floor has columns. Faults
+/// go to `config`; nothing if the design has any.
 std::optional<Task> ReadTask(const ConfigMap& config, const TerrainSurface& ground);
 
 /// A ground compared with a task's design.
@@ -45,11 +45,13 @@ struct TaskDeviation {
 /// The columns of a ground that a design concerns.
 ///
 /// Model   a column belongs to the design where that is below the ground as it was. It belongs to
-///         the floor if its whole square does. Volumes are over all columns of the design, heights
-///         over those of the floor.
+///         the floor if it is also half a cell or more within the floor's edge. Volumes are over
+///         all columns of the design, heights over those of the floor.
 class TaskColumns {
  public:
   TaskColumns(const Task& task, const TerrainSurface& before);
+  /// Whether any column belongs to the floor, as ReadTask requires.
+  bool HasFloor() const;
   TaskDeviation Compare(const TerrainSurface& ground) const;
   /// Calls visit(i, j, design_m) for all columns of the design.
   template <typename Visit>

@@ -1,5 +1,6 @@
 #include "sim/task/task.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -81,6 +82,33 @@ TEST(ReadTask, RefusesAPitWhoseSidesCross) {
               HasOnlyFault(kInconsistent, "pit.corners_m"));
 }
 
+TEST(ReadTask, RefusesAFloorWithoutColumns) {
+  // Columns are at multiples of 0.1 m, and the floor's are half a cell within its edge.
+  const auto trench = [](double y_m, double width_m) {
+    return fmt::format(
+        "{{trench: {{from_m: [-3, {0}], to_m: [-1, {0}], width_m: {1}, depth_m: 1}}}}", y_m,
+        width_m);
+  };
+  EXPECT_THAT(Faults(trench(1, 0.09)), HasOnlyFault(kOutOfRange, "trench.width_m"));
+  EXPECT_THAT(Faults(trench(1, 0.11)), testing::IsEmpty());
+  EXPECT_THAT(Faults(trench(1.05, 0.19)), HasOnlyFault(kOutOfRange, "trench.width_m"));
+  EXPECT_THAT(Faults(trench(1.05, 0.21)), testing::IsEmpty());
+  EXPECT_THAT(Faults("{pit: {corners_m: [[-2.98, 1.01], [-2.7, 1.01], [-2.98, 1.2]], depth_m: 1}}"),
+              HasOnlyFault(kOutOfRange, "pit.corners_m"));
+}
+
+TEST(ReadTask, RefusesAFloorAboveTheGround) {
+  // A basin of 2 m around which the pit's corners stand.
+  TerrainSurface ground = SteppedGround();
+  for (int j = 41; j < 80; ++j) {
+    for (int i = 11; i < 50; ++i) ground.Set(i, j, {.height_m = -2, .cover = {}});
+  }
+  const auto faults = FaultsIn([&] {
+    Read("{pit: {corners_m: [[-5, -2], [-1, -2], [-1, 2], [-5, 2]], depth_m: 1}}", ground);
+  });
+  EXPECT_THAT(faults, HasOnlyFault(kOutOfRange, "pit.corners_m"));
+}
+
 TEST(ReadTask, RefusesNoDesignAndTwo) {
   EXPECT_THAT(Faults("{tolerance_m: 0.05}"), HasFault(kMissing));
   EXPECT_THAT(Faults("{pit: {corners_m: [[0, 0], [1, 0], [0, 1]], depth_m: 1}, "
@@ -127,6 +155,26 @@ TEST_F(TrenchOfOneMetre, HasItsWholeVolumeToCutAtFirst) {
   EXPECT_EQ(start.cut_beyond_m3, 0);
   EXPECT_EQ(start.within, 0);
   EXPECT_NEAR(start.highest_m, 1, 1e-6);
+}
+
+TEST(TaskColumns, BelongToTheFloorFromHalfACellWithinASlantedEdgeOn) {
+  // Across the diagonal, columns are on lines 0.0707 m apart. The seventh from the middle is
+  // 0.055 m within the edge at 0.55 m: a corner of its squares is beyond it.
+  const TerrainSurface ground = SteppedGround();
+  const auto task =
+      Read("{trench: {from_m: [-4, -4], to_m: [-2, -2], width_m: 1.1, depth_m: 1}}", ground);
+  const TaskColumns columns(*task, ground);
+  const auto dug_lines = [&](double lines) {
+    TerrainSurface dug = ground;
+    columns.ForEach([&](int i, int j, double design_m) {
+      const double offset_m = std::sqrt(0.5) * std::abs(ground.x_m(i) - ground.y_m(j));
+      if (offset_m > lines * std::sqrt(0.5) * ground.cell_m) return;
+      dug.Set(i, j, {.height_m = static_cast<float>(design_m), .cover = {}});
+    });
+    return columns.Compare(dug);
+  };
+  EXPECT_LT(dug_lines(6.5).within, 1);
+  EXPECT_EQ(dug_lines(7.5).within, 1);
 }
 
 TEST_F(TrenchOfOneMetre, CountsWhatIsLeftAndWhatIsCutBeyond) {
