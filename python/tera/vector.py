@@ -71,8 +71,9 @@ class VectorEnv(VectorBase):
         if len(actions) != self.num_envs:
             raise ValueError(f"{len(actions)} actions; need {self.num_envs}, one for each environment")
         begins = self._over
-        told = self._ask([self._reset(k, None) if begins[k] else self._step(k, actions[k])
-                          for k in range(self.num_envs)])
+        # Steps before resets: a faulty action is refused before any seed is taken.
+        steps = [None if begins[k] else self._step(k, actions[k]) for k in range(self.num_envs)]
+        told = self._ask([self._reset(k, None) if begins[k] else steps[k] for k in range(self.num_envs)])
         rewards = np.zeros(self.num_envs)
         terminations, truncations = np.zeros(self.num_envs, bool), np.zeros(self.num_envs, bool)
         for k, (observation, info, truncated) in enumerate(told):

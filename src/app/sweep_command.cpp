@@ -23,6 +23,17 @@ struct SweepArguments {
   int processes = HostOptions().threads;
 };
 
+/// Returns false if the first episode fails, which is counted as for any other, or if another
+/// worker is making it. Throws InputError for what would fail all.
+bool MakeFirst(const Plan& plan) {
+  try {
+    return RunEpisode(plan, 0, {.threads = 1});
+  } catch (const InputError&) {
+    if (!std::filesystem::exists(plan.FailureFile(0))) throw;
+    return false;
+  }
+}
+
 /// The first outcome is taken before the other episodes are made: a faulty command or figure costs
 /// one episode.
 void RunSweep(const SweepArguments& arguments) {
@@ -36,9 +47,7 @@ void RunSweep(const SweepArguments& arguments) {
   const SweepOptions options{.worker = {std::filesystem::read_symlink("/proc/self/exe"), {}},
                              .processes = arguments.processes};
   const CampaignState before = RefreshIndex(plan);
-  if (before.done.empty() && before.failed.empty() && RunEpisode(plan, 0, {.threads = 1})) {
-    OutcomeOf(plan, 0, options);
-  }
+  if (before.done.empty() && before.failed.empty() && MakeFirst(plan)) OutcomeOf(plan, 0, options);
   const CampaignState state = RunPool(
       plan,
       {.worker = options.worker, .processes = arguments.processes, .progress = [](const auto& now) {

@@ -53,17 +53,19 @@ std::int64_t StepsOf(const v1::Step& step, double rate_hz) {
   return static_cast<std::int64_t>(steps);
 }
 
-/// The episode folder after the highest existing number.
-fs::path NextEpisode(const fs::path& folder) {
+/// The episode folder `ahead` places after that of the highest existing number, if episodes are
+/// recorded.
+std::optional<fs::path> NextEpisode(const std::optional<fs::path>& folder, int ahead = 1) {
+  if (!folder) return std::nullopt;
   int last = 0;
   std::error_code none_there;
-  for (const auto& entry : fs::directory_iterator(folder, none_there)) {
+  for (const auto& entry : fs::directory_iterator(*folder, none_there)) {
     int number = 0;
     if (std::sscanf(entry.path().filename().c_str(), "episode_%d", &number) == 1) {
       last = std::max(last, number);
     }
   }
-  return folder / fmt::format("episode_{:04}", last + 1);
+  return *folder / fmt::format("episode_{:04}", last + ahead);
 }
 
 /// Power of the joints and gears that drive; those that brake take nothing back.
@@ -83,6 +85,23 @@ struct Episode {
   std::unique_ptr<SampleKeeper> keeper;  ///< must outlive the run
   std::unique_ptr<LiveRun> run;
 };
+
+/// The episode that a Reset asks for.
+struct ResetPlan {
+  SeededScenario seeded;
+  ObservationPlan observation;
+};
+
+/// Refuses observations of a batch that would not fit into one message.
+void RequireFits(double bytes) {
+  if (bytes <= static_cast<double>(kLargestBatch_bytes)) return;
+  throw InputError(
+      "", {FaultKind::kOutOfRange,
+           fmt::format("samples and terrain of a batch may take {:.0f} MB, need at most {:.0f} MB; "
+                       "ask for the latest pictures and scans alone, fewer patches, shorter steps, "
+                       "or fewer environments in a batch",
+                       1e-6 * bytes, 1e-6 * static_cast<double>(kLargestBatch_bytes))});
+}
 
 /// What all environments of a session share.
 struct Shared {
@@ -108,18 +127,32 @@ class Environment {
 
   const v1::Description& description() const { return description_; }
 
-  v1::Observation Reset(const v1::Reset& request) {
-    const SeededScenario seeded = SeededBy(request);
-    const ObservationPlan plan = PlanObservation(request.observe(), *seeded.scenario, 0);
+  ResetPlan Plan(const v1::Reset& request) const {
+    SeededScenario seeded =
+        shared_.source(request.has_seed() ? std::optional(request.seed()) : std::nullopt);
+    ObservationPlan observation = PlanObservation(request.observe(), *seeded.scenario, 0);
+    return {std::move(seeded), std::move(observation)};
+  }
+
+  ObservationPlan Plan(const v1::Step& request) const {
+    if (!run_) throw InputError("there is no episode, or a fault has ended it; need Reset");
+    const double rate_hz = run_->scenario().physics_rate_hz;
+    return PlanObservation(request.observe(), run_->scenario(),
+                           static_cast<double>(StepsOf(request, rate_hz)) / rate_hz);
+  }
+
+  /// Records the episode in the folder `record`, if one is given.
+  v1::Observation Reset(const v1::Reset& request, const ResetPlan& plan,
+                        const std::optional<fs::path>& record) {
     FinishEpisode();
     Episode episode = TakePrepared(request);
-    if (!episode.run) episode = Begin(shared_, seeded, plan);
+    if (!episode.run) episode = Begin(shared_.options, plan, record);
     keeper_ = std::move(episode.keeper);
     run_ = std::move(episode.run);
     steps_ = 0;
     driven_.clear();
     work_j_.assign(run_->scenario().machines.size(), 0);
-    v1::Observation observation = Observe(plan);
+    v1::Observation observation = Observe(plan.observation);
     observation.set_described_anew(DescribeAnew());
     PrepareNext(request);
     return observation;
@@ -127,12 +160,10 @@ class Environment {
 
   /// Returns nullopt if the session ends during the steps.
   std::optional<v1::Observation> Step(const v1::Step& request) {
-    if (!run_) throw InputError("there is no episode, or a fault has ended it; need Reset");
+    const ObservationPlan plan = Plan(request);
     const double rate_hz = run_->scenario().physics_rate_hz;
     const std::int64_t steps = StepsOf(request, rate_hz);
     const Commands commands = CommandsOf(request, run_->scenario());
-    const ObservationPlan plan =
-        PlanObservation(request.observe(), run_->scenario(), static_cast<double>(steps) / rate_hz);
     keeper_->Keep(plan.sensors, SampleClock{.rate_hz = rate_hz}.Due(steps_ + steps));
     try {
       if (!Run(commands, steps)) return std::nullopt;
@@ -155,19 +186,14 @@ class Environment {
     std::future<Episode> episode;
   };
 
-  SeededScenario SeededBy(const v1::Reset& request) const {
-    return shared_.source(request.has_seed() ? std::optional(request.seed()) : std::nullopt);
-  }
-
-  static Episode Begin(const Shared& shared, const SeededScenario& seeded,
-                       const ObservationPlan& plan) {
-    LiveOptions options{
-        .threads = shared.options.threads, .egl = shared.options.egl, .record = std::nullopt};
-    if (shared.options.record) options.record = NextEpisode(*shared.options.record);
+  static Episode Begin(const StageOptions& options, const ResetPlan& plan,
+                       const std::optional<fs::path>& record) {
     Episode episode{std::make_unique<SampleKeeper>(), nullptr};
-    episode.keeper->Keep(plan.sensors, 0);
-    episode.run = std::make_unique<LiveRun>(seeded.scenario, seeded.resolved_yaml, options,
-                                            std::vector<MeasurementSink*>{episode.keeper.get()});
+    episode.keeper->Keep(plan.observation.sensors, 0);
+    episode.run = std::make_unique<LiveRun>(
+        plan.seeded.scenario, plan.seeded.resolved_yaml,
+        LiveOptions{.threads = options.threads, .egl = options.egl, .record = record},
+        std::vector<MeasurementSink*>{episode.keeper.get()});
     return episode;
   }
 
@@ -191,11 +217,9 @@ class Environment {
     if (!request.has_next_seed() || shared_.options.record) return;
     v1::Reset next = request;
     next.set_seed(request.next_seed());
-    prepared_ = Prepared{next.seed(), next.observe().SerializeAsString(), Beside([this, next] {
-                           const SeededScenario seeded = SeededBy(next);
-                           return Begin(shared_, seeded,
-                                        PlanObservation(next.observe(), *seeded.scenario, 0));
-                         })};
+    prepared_ =
+        Prepared{next.seed(), next.observe().SerializeAsString(),
+                 Beside([this, next] { return Begin(shared_.options, Plan(next), std::nullopt); })};
   }
 
   /// Returns false if the session ends during the steps.
@@ -279,7 +303,8 @@ class LiveStage : public Stage {
   }
 
   std::optional<v1::Observation> Reset(const v1::Reset& request) override {
-    return environments_[0]->Reset(request);
+    return environments_[0]->Reset(request, environments_[0]->Plan(request),
+                                   NextEpisode(shared_.options.record));
   }
 
   std::optional<v1::Observation> Step(const v1::Step& request) override {
@@ -297,13 +322,12 @@ class LiveStage : public Stage {
       }
     }
     if (!named.empty()) Grow(*named.rbegin() + 1);
+    const std::vector<TurnPlan> plans = PlanTurns(request);
     v1::Outcomes outcomes;
     for (int k = 0; k < request.turns_size(); ++k) outcomes.add_outcomes();
     std::atomic<bool> ended = false;
-    workers_.ForRanges(request.turns_size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (auto k = static_cast<int>(begin); k < static_cast<int>(end); ++k) {
-        if (!Take(request.turns(k), outcomes.mutable_outcomes(k))) ended = true;
-      }
+    ForTurns(request, [&](int k) {
+      if (!Take(request.turns(k), plans[k], outcomes.mutable_outcomes(k))) ended = true;
     });
     if (ended) return std::nullopt;
     return outcomes;
@@ -312,6 +336,14 @@ class LiveStage : public Stage {
   bool InEpisode() const override { return environments_[0]->InEpisode(); }
 
  private:
+  /// What is known of a turn before any of its batch is done.
+  struct TurnPlan {
+    std::exception_ptr fault;  ///< an InputError, which is to be the turn's answer
+    std::optional<ResetPlan> reset;
+    std::optional<fs::path> record;
+    double bytes = 0;  ///< upper bound of the observation
+  };
+
   static void RequireEnvironment(std::uint32_t environment) {
     if (environment < kMostEnvironments) return;
     throw InputError("", {FaultKind::kOutOfRange, fmt::format("environment {}; need 0 to {}",
@@ -324,13 +356,45 @@ class LiveStage : public Stage {
     }
   }
 
+  void ForTurns(const v1::Batch& request, const std::function<void(int)>& work) {
+    workers_.ForRanges(request.turns_size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) work(static_cast<int>(k));
+    });
+  }
+
+  /// Numbers recordings in the order of turns. Throws InputError if the observations are too large.
+  std::vector<TurnPlan> PlanTurns(const v1::Batch& request) {
+    std::vector<TurnPlan> plans(request.turns_size());
+    ForTurns(request, [&](int k) {
+      const v1::Turn& turn = request.turns(k);
+      const Environment& environment = *environments_[turn.environment()];
+      try {
+        if (turn.has_reset()) plans[k].reset = environment.Plan(turn.reset());
+        plans[k].bytes = plans[k].reset    ? plans[k].reset->observation.bytes
+                         : turn.has_step() ? environment.Plan(turn.step()).bytes
+                                           : 0;
+      } catch (const InputError&) {
+        plans[k].fault = std::current_exception();
+      }
+    });
+    int resets = 0;
+    double bytes = 0;
+    for (int k = 0; k < request.turns_size(); ++k) {
+      if (plans[k].reset) plans[k].record = NextEpisode(shared_.options.record, ++resets);
+      bytes += plans[k].bytes;
+    }
+    RequireFits(bytes);
+    return plans;
+  }
+
   /// Returns false if the session ends during the turn.
-  bool Take(const v1::Turn& turn, v1::Outcome* outcome) {
+  bool Take(const v1::Turn& turn, const TurnPlan& plan, v1::Outcome* outcome) {
     Environment& environment = *environments_[turn.environment()];
     const bool was_in_episode = environment.InEpisode();
     try {
+      if (plan.fault) std::rethrow_exception(plan.fault);
       if (turn.has_reset()) {
-        *outcome->mutable_observation() = environment.Reset(turn.reset());
+        *outcome->mutable_observation() = environment.Reset(turn.reset(), *plan.reset, plan.record);
         return true;
       }
       if (!turn.has_step()) throw InputError("a turn of no kind; need Reset or Step");

@@ -254,10 +254,9 @@ std::size_t MachineIndex(const Scenario& scenario, const std::string& name) {
 ObservationPlan PlanObservation(const v1::Observe& observe, const Scenario& scenario,
                                 double duration_s) {
   ObservationPlan plan;
-  double bytes = 0;
   for (const v1::PatchSelection& patch : observe.patches()) {
     plan.patches.push_back(PlanPatch(patch, scenario));
-    bytes += PatchBytes(plan.patches.back());
+    plan.bytes += PatchBytes(plan.patches.back());
   }
   std::set<std::string> named;
   for (const v1::SensorSelection& selection : observe.sensors()) {
@@ -273,11 +272,11 @@ ObservationPlan PlanObservation(const v1::Observe& observe, const Scenario& scen
                         fmt::format("sensor '{}' is asked for twice; need each once", whole_name)});
     }
     const bool latest_only = selection.latest_only() && IsFrame(sensor);
-    bytes += SampleBytes(sensor, machine.placement.model) *
-             (latest_only ? 1 : 2 + std::floor(duration_s * sensor.clock.rate_hz));
+    plan.bytes += SampleBytes(sensor, machine.placement.model) *
+                  (latest_only ? 1 : 2 + std::floor(duration_s * sensor.clock.rate_hz));
     plan.sensors.push_back({selection.machine(), selection.sensor(), latest_only});
   }
-  CheckSize(bytes, duration_s);
+  CheckSize(plan.bytes, duration_s);
   return plan;
 }
 

@@ -29,6 +29,7 @@ struct SensorPlan {
 struct ObservationPlan {
   std::vector<PatchPlan> patches;
   std::vector<SensorPlan> sensors;
+  double bytes = 0;  ///< upper bound of samples and patches in a message
 };
 
 /// Throws InputError for absent or repeated machines, shovels and sensors, and for a patch of

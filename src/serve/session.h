@@ -15,12 +15,13 @@ namespace tera {
 inline constexpr std::uint32_t kServeProtocol = 1;
 inline constexpr std::uint64_t kLargestRequest_bytes = 1 << 20;
 inline constexpr std::uint64_t kLargestSamples_bytes = 256 << 20;
+/// Protobuf ends at 2 GiB; machine states take little beside samples and terrain.
+inline constexpr std::uint64_t kLargestBatch_bytes = 1 << 30;
 inline constexpr std::size_t kLongestClientName = 128;
 inline constexpr std::uint32_t kMostEnvironments = 64;
 
 /// Simulation behind a session: consecutive episodes of a scenario, in environment 0 unless a Batch
-/// names others. Throws InputError if a request
-/// cannot be fulfilled.
+/// names others. Throws InputError if a request cannot be fulfilled.
 class Stage {
  public:
   virtual ~Stage() = default;
@@ -28,8 +29,8 @@ class Stage {
   /// Returns nullopt if the session has ended during the call, as does Step.
   virtual std::optional<v1::Observation> Reset(const v1::Reset& request) = 0;
   virtual std::optional<v1::Observation> Step(const v1::Step& request) = 0;
-  /// Does all turns. Throws InputError, before any is done, if there are too many environments, or
-  /// two turns of one.
+  /// Does all turns. Throws InputError, before any is done, if there are too many environments, two
+  /// turns of one, or more samples than kLargestBatch_bytes.
   virtual std::optional<v1::Outcomes> Do(const v1::Batch& request) = 0;
   /// True from a successful Reset until a fault ends the episode.
   virtual bool InEpisode() const = 0;

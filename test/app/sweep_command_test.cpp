@@ -75,6 +75,18 @@ TEST_F(SweepCommand, ASlopeIsThatOfTheGeometryAndASweepGoesOnWhereItWas) {
   EXPECT_EQ(ReadWholeFile(scratch_.path() / "swept/runs.csv"), runs);
 }
 
+// The first episode is refused: the rover starts at x = 0.5, 1.5 and 2.5 m, the rule needs 1 m.
+TEST_F(SweepCommand, AFirstEpisodeThatFailsIsCountedAndTheOthersAreMade) {
+  Write(
+      SweepOf("machines[0].start.xy_m[0]", "machines[0].tracks[0].ape.translation_m.mean") +
+      "accept: [{name: far, table: truth/rover1/pose.csv, column: x_m, of: last, at_least: 1}]\n");
+  const Outcome outcome = Sweep();
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(scratch_.path() / "swept/episodes/000000"));
+  const std::string runs = ReadWholeFile(scratch_.path() / "swept/runs.csv");
+  EXPECT_EQ(std::count(runs.begin(), runs.end(), '\n'), 5);
+}
+
 TEST_F(SweepCommand, ACampaignWithoutAnOutcomeIsNoSweep) {
   Write("name: none\nscenario: resting.yaml\nepisodes: 1\n");
   const Outcome outcome = Sweep();

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/faults.h"
 #include "serve/live_stage_fixture.h"
 
 // Several environments of one session, episodes that are prepared, and truth for rewards.
@@ -85,6 +86,41 @@ TEST_F(EnvironmentsTest, RefusesTurnsByThemselvesAndFaultyBatchesAsAWhole) {
   EXPECT_THROW(stage_->Do(BatchOf({ResetTurn(1, 1), ResetTurn(1, 2)})), InputError);
   EXPECT_THROW(stage_->Do(BatchOf({ResetTurn(kMostEnvironments, 1)})), InputError);
   EXPECT_THROW(stage_->Describe(kMostEnvironments), InputError);
+}
+
+TEST_F(EnvironmentsTest, RefusesABatchWhoseObservationsAreTooLargeForAMessageBeforeAnyTurn) {
+  v1::Batch batch = BatchOf({});
+  for (std::uint32_t environment = 0; environment < 5; ++environment) {
+    v1::Turn turn = ResetTurn(environment, 5);
+    for (int k = 0; k < 60; ++k) {  // 4 MB each: 240 MB a turn, less than its own limit
+      v1::PatchSelection& patch = *turn.mutable_reset()->mutable_observe()->add_patches();
+      patch.set_machine("digger");
+      patch.set_size_m(100);
+      patch.set_resolution_m(0.1);
+    }
+    *batch.add_turns() = turn;
+  }
+  EXPECT_THAT([&] { stage_->Do(batch); }, ThrowsFault(FaultKind::kOutOfRange));
+  EXPECT_FALSE(stage_->InEpisode());
+}
+
+TEST_F(EnvironmentsTest, EpisodesOfABatchAreRecordedInTheOrderOfItsTurns) {
+  const std::filesystem::path folder = OwnFolder() / "recorded";
+  {
+    const std::unique_ptr<Stage> stage = NewStage({.threads = 4, .record = folder});
+    for (const std::uint64_t seed : {10U, 20U}) {
+      std::vector<v1::Turn> turns;
+      for (std::uint32_t k = 0; k < 4; ++k) turns.push_back(ResetTurn(k, seed + k));
+      const v1::Outcomes outcomes = stage->Do(BatchOf(turns)).value();
+      for (const v1::Outcome& outcome : outcomes.outcomes()) EXPECT_TRUE(outcome.has_observation());
+    }
+  }
+  for (std::uint64_t k = 0; k < 8; ++k) {
+    const std::filesystem::path scenario =
+        folder / fmt::format("episode_{:04}", k + 1) / "scenario.yaml";
+    ASSERT_TRUE(std::filesystem::exists(scenario)) << k;
+    EXPECT_EQ(LoadScenario(scenario, {}).scenario.seed, 10 * (k / 4 + 1) + k % 4) << k;
+  }
 }
 
 TEST_F(EnvironmentsTest, APreparedEpisodeIsTheOneThatTheResetWouldMake) {

@@ -451,6 +451,17 @@ class VectorEnvTest(unittest.TestCase):
         again.begin(3)
         self.assertEqual(again.begin()[0], after["seed"][0])  # that of Env.reset()
 
+    def test_a_faulty_action_takes_no_seed(self):
+        envs = self.envs(2, step_s=0.1, terminated=lambda observation, info: info["seed"] == 3)
+        envs.reset(seed=[3, 30])
+        still = np.zeros(envs.action_space.shape)
+        envs.step(still)
+        with self.assertRaisesRegex(ValueError, "action of shape"):
+            envs.step([still[0], still[1][:-1]])
+        seeds = tera.vector.Seeds(0)
+        seeds.begin(3)
+        np.testing.assert_array_equal(envs.step(still)[4]["seed"], [seeds.begin()[0], 30])
+
     def test_spaces_hold_what_is_stacked(self):
         envs = self.envs(2, sensors=["imu", "gnss", "camera"], patch=tera.Patch(2.0, 0.25))
         observation, _ = envs.reset(seed=1)

@@ -84,13 +84,15 @@ double OutcomeOf(const Plan& plan, int number, const SweepOptions& options) {
   const fs::path folder = plan.folder / "outcomes" / EpisodeName(number);
   fs::path report = ReportIn(folder, outcome.report);
   if (!fs::exists(report)) {
+    const fs::path part = folder.string() + ".part";
     std::error_code nothing_there;
-    fs::remove_all(folder, nothing_there);  // of a command that was killed
-    MakeFolder(folder);
+    fs::remove_all(part, nothing_there);  // of a command that failed or was killed
+    fs::remove_all(folder, nothing_there);
+    MakeFolder(part);
     std::vector<std::string> words = {options.worker.program.string()};
     std::vector<SetValue> named = DesignPoint(plan.campaign, number);
     named.push_back({"episode", (plan.EpisodeFolder(number) / "data").string()});
-    named.push_back({"out", folder.string()});
+    named.push_back({"out", part.string()});
     for (std::string word : outcome.run) {
       for (const SetValue& value : named) word = Replaced(word, "{" + value.key + "}", value.yaml);
       words.push_back(std::move(word));
@@ -103,7 +105,7 @@ double OutcomeOf(const Plan& plan, int number, const SweepOptions& options) {
                                                    "{}; correct what it says:\n{}",
                                                    status, number, EndOf(log))});
     }
-    report = ReportIn(folder, outcome.report);
+    report = ReportIn(part, outcome.report);
     if (!fs::exists(report)) {
       throw InputError(outcome.report_place,
                        {FaultKind::kUnreadable,
@@ -111,6 +113,8 @@ double OutcomeOf(const Plan& plan, int number, const SweepOptions& options) {
                                     "{{out}}",
                                     report.string())});
     }
+    fs::rename(part, folder);
+    report = ReportIn(folder, outcome.report);
   }
   return ReportFigure(report, outcome.figure, outcome.figure_place);
 }

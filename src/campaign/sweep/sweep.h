@@ -21,8 +21,9 @@ struct SweepResult {
   std::vector<FactorEffect> effects;
 };
 
-/// Takes the outcome of an episode: runs the campaign's `outcome.run` on it in
-/// `outcomes/NUMBER/`, unless that holds the report already, and reads the figure.
+/// Takes the outcome of an episode: runs the campaign's `outcome.run` on it, unless
+/// `outcomes/NUMBER/` holds the report already, and reads the figure. A command writes in
+/// `outcomes/NUMBER.part/`, which is renamed when it has ended well.
 ///
 /// Throws  InputError: a command that fails, with the end of its output; a figure that is not
 /// there.

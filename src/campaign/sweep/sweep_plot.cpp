@@ -84,12 +84,17 @@ class Panel {
           "text-anchor=\"end\">{:.4g}</text>\n",
           x_.from, y_.At(value), x_.to, x_.from - 6, y_.At(value) + 4, value);
     }
-    if (effect_.levels.size() <= kMostLabels) {
-      for (const LevelMean& level : effect_.levels) svg += Label(PlaceOf(level.level), level.level);
-    } else {
+    const std::size_t levels = effect_.levels.size();
+    if (effect_.is_numeric && levels > kMostLabels) {
       for (int k = 0; k <= kTicks; ++k) {
         const double value = x_.least + (x_.most - x_.least) * k / kTicks;
         svg += Label(value, fmt::format("{:.4g}", value));
+      }
+    } else {
+      const std::size_t each = (levels + kMostLabels - 1) / kMostLabels;
+      for (std::size_t k = 0; k < levels; k += each) {
+        const std::string& level = effect_.levels[k].level;
+        svg += Label(PlaceOf(level), level);
       }
     }
     return svg + fmt::format(

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <iterator>
+
 #include "campaign/campaign_files.h"
 #include "campaign/sweep/report_figure.h"
 #include "campaign/sweep/sweep_plot.h"
@@ -98,6 +101,37 @@ TEST(Effects, APlotHasAPanelForEachFactorAndAPointForEachRun) {
   EXPECT_EQ(count(">h_m<"), 1);
   EXPECT_EQ(count("&lt;dirt&gt;"), 1);
   EXPECT_EQ(count("nan"), 0);
+}
+
+TEST(Effects, APlotOfManyNamesLabelsSomeOfThem) {
+  std::vector<std::pair<std::string, double>> of;
+  for (int k = 0; k < 12; ++k) of.emplace_back("soil" + std::to_string(k), k);
+  const std::vector<SweptRun> runs = Runs(of);
+  const std::string svg = SweepPlot(EffectsOf({"soil"}, runs), runs, "seen");
+  for (int k = 0; k < 12; ++k) {
+    const std::string label = "middle\">soil" + std::to_string(k) + "<";
+    EXPECT_EQ(svg.find(label) != std::string::npos, k % 2 == 0) << k;
+  }
+}
+
+// The shell stands for a command of TERA.
+TEST(SweepOutcome, AReportOfACommandThatFailedIsNotTakenLater) {
+  const std::string lines =
+      "outcome: {run: 'write.sh {episode} {out}', report: r.json, figure: a}\n";
+  const Plan plan = MakePlan(WriteCampaign(std::string(kSoils) + lines), OwnFolder() / "out");
+  WriteWholeFile(OwnFolder() / "write.sh",
+                 "echo \"{\\\"a\\\": $(cat value)}\" > \"$2/r.json\"; test $(cat value) != 1\n");
+  const SweepOptions options{.worker = {"/bin/sh", {}}};
+  const auto with_value = [&](const std::string& value) {
+    WriteWholeFile(OwnFolder() / "value", value);
+    return OutcomeOf(plan, 0, options);
+  };
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_THAT([&] { with_value("1"); }, ThrowsFault(FaultKind::kInconsistent, "run")) << k;
+  }
+  EXPECT_EQ(with_value("2"), 2);
+  EXPECT_EQ(with_value("3"), 2);  // the report is there
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(plan.folder / "outcomes"), {}), 1);
 }
 
 TEST(SweepOutcome, NeedsAnEpisodeAndAPlaceToWrite) {

@@ -93,12 +93,8 @@ PointCloud ParsePly(const std::filesystem::path& file, std::string_view bytes) {
   PointCloud cloud;
   if (vertices.form == "ascii") {
     ReadAscii(file, vertices, body, &cloud);
-  } else if (vertices.form == "binary_little_endian" || vertices.form == "binary_big_endian") {
-    ReadBinary(file, vertices, body, &cloud);
   } else {
-    RefuseCloud(file, fmt::format("its format is '{}', need ascii, binary_little_endian or "
-                                  "binary_big_endian",
-                                  vertices.form));
+    ReadBinary(file, vertices, body, &cloud);
   }
   return cloud;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <sstream>
 
+#include "core/error.h"
 #include "core/parse_number.h"
 #include "dataset/import/cloud/cloud_bytes.h"
 
@@ -42,6 +43,12 @@ class PlyHeaderReader {
     if (NextLine() != "ply") Refuse("does not begin as a PLY file does; need 'ply'");
     for (std::string line = NextLine(); line != "end_header"; line = NextLine()) Take(line);
     vertices_.body = at_;
+    if (std::ranges::find(kForms, vertices_.form) == kForms.end()) {
+      Refuse(
+          fmt::format("its format is '{}', need ascii, binary_little_endian or "
+                      "binary_big_endian",
+                      vertices_.form));
+    }
     if (element_ == 0) Refuse("has no element vertex");
     for (const char* axis : {"x", "y", "z"}) {
       if (std::none_of(vertices_.properties.begin(), vertices_.properties.end(),
@@ -54,8 +61,12 @@ class PlyHeaderReader {
 
  private:
   static constexpr std::size_t kLongestHeader = 1 << 16;
+  static constexpr std::array<std::string_view, 3> kForms = {"ascii", "binary_little_endian",
+                                                             "binary_big_endian"};
 
-  [[noreturn]] void Refuse(const std::string& finding) const { RefuseCloud(file_, finding); }
+  [[noreturn]] void Refuse(const std::string& finding) const {
+    throw InputError(file_.string(), {FaultKind::kMalformed, finding});
+  }
 
   std::string NextLine() {
     const std::size_t end = bytes_.find('\n', at_);

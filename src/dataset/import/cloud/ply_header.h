@@ -24,8 +24,8 @@ struct PlyVertices {
   std::size_t body = 0;  ///< offset in the file
 };
 
-/// Reads a PLY file's header. Throws InputError if it has none, or if its vertices do not come
-/// first, have other than numbers, or lack x, y or z.
+/// Reads a PLY file's header. Throws InputError if it has none, if its format is another, or if its
+/// vertices do not come first, have other than numbers, or lack x, y or z.
 PlyVertices ReadPlyHeader(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace tera

@@ -270,6 +270,8 @@ TEST(PointCloudFile, HeadersThatContradictThemselvesAreRefused) {
   EXPECT_THAT(FaultOf("p.pcd", edited("SIZE 1", "SIZE 99")), HasSubstr("field 'rgb'"));
   EXPECT_THAT(FaultOf("p.pcd", edited("8\n1 2", "8 9\n1 2")), HasSubstr("point 1 has 9 numbers"));
   EXPECT_THAT(FaultOf("p.pcd", edited("ascii", "binary_packed")), HasSubstr("DATA is"));
+  EXPECT_THAT(FaultOf("p.ply", PlyHeader("binary_middle_endian", "float") + std::string(26, 'x')),
+              HasSubstr("its format is 'binary_middle_endian'"));
   EXPECT_THAT(FaultOf("p.ply", "ply\nformat ascii 1.0\nelement face 1\n"),
               HasSubstr("element 'face' comes before its vertices"));
   EXPECT_THAT(

@@ -219,6 +219,18 @@ TEST_F(LidarImportTest, PlyScansComeInByTheirVertices) {
   ExpectFault("files: scans, stamp: first", FaultKind::kMalformed, "scans/1700000000.2.ply");
 }
 
+TEST_F(LidarImportTest, PlyScansOfNoKnownFormatAreRefused) {
+  MakeFolder(scratch_.path() / "scans");
+  const std::string vertex = PlaceBytes(1, 2, 3);
+  for (const char* line : {"format binary_middle_endian 1.0\n", "format\n", ""}) {
+    File("scans/1700000000.1.ply", std::string("ply\n") + line +
+                                       "element vertex 1\nproperty float x\nproperty float y\n"
+                                       "property float z\nend_header\n" +
+                                       vertex);
+    ExpectFault("files: scans, stamp: first", FaultKind::kMalformed, "scans/1700000000.1.ply");
+  }
+}
+
 TEST_F(LidarImportTest, OurOwnScansInAFolderComeBack) {
   MakeFolder(scratch_.path() / "scans");
   const LidarPoint point{
