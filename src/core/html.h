@@ -5,7 +5,7 @@
 
 namespace tera {
 
-/// Replaces the characters that HTML and SVG reserve by entities.
+/// Escapes the reserved characters of HTML and SVG as entities.
 inline std::string Escaped(std::string_view text) {
   std::string html;
   for (const char c : text) {

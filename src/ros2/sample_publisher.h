@@ -16,8 +16,8 @@ namespace tera::ros {
 ///
 /// Model   a message is sent in the step in which its measurement becomes available (t_available).
 ///         Its stamp is the measurement's time of validity. Images and scans without a subscriber
-///         are neither measured nor sent. A row sensor kind without its own message type uses a
-///         JointState of its columns (JointStateOfRow).
+///         are neither measured nor sent. A sensor that gives rows and has no message type of its
+///         own is sent as JointState (JointStateOfRow).
 /// Omits   truth tables and poses: StatePublisher covers them as far as ROS has messages.
 class SamplePublisher : public MeasurementSink {
  public:

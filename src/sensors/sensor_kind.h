@@ -61,8 +61,8 @@ struct SensorKind {
 
   /// Mechanisms in addition to the common ones (sensor_mechanisms.h). May be null.
   std::vector<Mechanism> (*mechanisms)() = nullptr;
-  /// Reports effects without influence on the sensor's measurements. `effects` is the machine's
-  /// mapping of targets. May be null.
+  /// Reports effects that cannot change the sensor's measurements. `effects` has the machine's
+  /// targets with their effects. May be null.
   void (*check_effects)(const ConfigMap& effects, const MachineModel& machine,
                         const SensorDescription& sensor, const SensorList& rig) = nullptr;
   /// True mounting by its effects, if TrueMount does not suffice. May be null.

@@ -30,7 +30,7 @@ CLI::Validator OneOf(const std::map<std::string, Enum>& words) {
   return CLI::Validator(to_value, "one of " + all);
 }
 
-/// Adds the option --moved, whose description begins with `of`.
+/// Adds the option --moved. `of` is a prefix of its description.
 void AddMovedOption(CLI::App* command, std::vector<std::string>* moved, const std::string& of = "");
 
 }  // namespace tera

@@ -14,7 +14,7 @@ class ProgressBar {
   /// `line_s` is the minimum time between lines without a terminal; 0: no lines.
   explicit ProgressBar(double line_s = 0);
   ~ProgressBar();  ///< moves the cursor to a new line
-  /// `counted` names the counted frames.
+  /// `counted` is the word after the count: "frames" or "records".
   void Show(const GenerateProgress& progress, std::string_view counted = "frames");
 
  private:

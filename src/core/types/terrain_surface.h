@@ -60,7 +60,7 @@ class TerrainSurface : public TerrainGrid {
     bool operator==(const Vertex&) const = default;
   };
 
-  /// Least and greatest moisture that weather has left on the surface of a soil, as in Cover.
+  /// Bounds that weather sets on the surface moisture of a soil. The scale is Cover::moisture's.
   struct Wetness {
     std::uint8_t least = 0, most = 255;
     bool operator==(const Wetness&) const = default;

@@ -20,10 +20,10 @@ namespace tera {
 ///         van der Schaaf and van Hateren 1996 for the window.
 double AmplitudeSlope(const Image<float>& luminance);
 
-/// Shape of a generalised Gaussian, p(x) ~ exp(-|x / scale|^shape), from moments: 2 is Gaussian, 1
-/// Laplacian; within 0.2 and 10.
+/// Shape of a generalised Gaussian, p(x) ~ exp(-|x / scale|^shape), from moments. A Gaussian has 2,
+/// a Laplacian 1. The result lies in [0.2, 10].
 ///
-/// Model   E[x^2] / E[|x|]^2 = G(1/shape) G(3/shape) / G(2/shape)^2, G the gamma function.
+/// Model   E[x^2] / E[|x|]^2 = G(1/shape) G(3/shape) / G(2/shape)^2, where G is the gamma function.
 /// Source  Sharifi and Leon-Garcia 1995.
 double GeneralisedGaussianShape(double mean_square, double mean_absolute);
 

@@ -36,9 +36,9 @@ class PixelDensity {
   /// (LeaveOutHull).
   void Add(const PolarPlaces& places, const Layout& layout, const Sighting& sighting);
 
-  /// "pixels/PURPOSE/share_to_12m": share of the area within 12 m.
-  /// "pixels/PURPOSE/mean_to_m_ahead", "_left", "_behind", "_right": means over the directions of
-  /// that quarter.
+  /// "pixels/PURPOSE/share_to_12m": area within 12 m with the density of the purpose, over all area
+  /// there. "pixels/PURPOSE/mean_to_m_ahead", "_left", "_behind", "_right": mean of that quarter's
+  /// farthest distances with that density.
   std::vector<Figure> Figures() const;
   /// "pixels/1.5 m": the mean density over the moments.
   PolarMap Map() const;

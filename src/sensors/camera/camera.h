@@ -102,7 +102,8 @@ class Camera {
                     const Image<float>& depth_m);
   /// Optical depth of all that is in the air in front of each pixel's surface; empty in clear air.
   Image<float> Air(const Rasterizer& rasterizer, Image<float> dust, const Image<float>& depth_m);
-  /// Depth sensor output of image k from exact depth, through `air`.
+  /// Depth image k as the sensor measures it, from the exact `depth_m`. `air` is the optical depth
+  /// by Air.
   Image<float> Range(std::int64_t k, const SceneAt& scene_at, const Image<float>& air,
                      Image<float> depth_m, Rasterizer* rasterizer) const;
   /// sRGB of image k; the exposure control meters the image.

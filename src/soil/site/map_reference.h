@@ -29,8 +29,8 @@ std::optional<MapReference> ReadMapReference(const std::string& place,
 /// have it (ground_raster.h).
 MapReference LocalMapReference(const SiteOrigin& origin);
 
-/// Throws InputError for a place of the map far from where its plane is meant for. `place` is who
-/// has it, for messages.
+/// Throws InputError if `at_m` lies over 6 degrees outside the area of use of `map`. Maps without a
+/// known area pass. `place` names the input in messages.
 void RequireOnMap(const std::string& place, const MapReference& map, const Vec2& at_m);
 
 /// Where places of a map lie in W of a site with that origin: east and north, in metres (the plane

@@ -8,7 +8,7 @@
 
 namespace tera {
 
-/// Quality of service of a topic: history, reliability and durability in ROS 2's numbers.
+/// Quality of service of a topic. The history keeps the last `depth` messages.
 struct TopicQuality {
   int depth = 10;
   bool reliable = true;
@@ -28,7 +28,7 @@ class BagWriter {
   virtual ~BagWriter() = default;
 
   virtual ros::WireForm form() const = 0;
-  /// Returns the number for Write.
+  /// Returns the topic's number, the first argument of Write.
   virtual std::size_t AddTopic(const Topic& topic) = 0;
   /// `t_ns` is at least 0.
   virtual void Write(std::size_t topic, TimeNs t_ns, std::string_view message) = 0;

@@ -11,7 +11,7 @@ int CategoryOf(SemanticClass label);
 /// "vehicle", "machine_part", ...
 const char* SupercategoryOf(SemanticClass label);
 
-/// Whether the class is one of countable things, not of stuff.
+/// Whether the class is a thing in COCO's sense. Sky, terrain, dust and rain are stuff.
 bool IsThing(SemanticClass label);
 
 /// The list `categories`: things only, or all classes for panoptic labels.
