@@ -103,7 +103,7 @@ void RequireFits(double bytes) {
                        1e-6 * bytes, 1e-6 * static_cast<double>(kLargestBatch_bytes))});
 }
 
-/// What all environments of a session share.
+/// State that all environments of a session share.
 struct Shared {
   ScenarioSource source;
   StageOptions options;
@@ -336,7 +336,7 @@ class LiveStage : public Stage {
   bool InEpisode() const override { return environments_[0]->InEpisode(); }
 
  private:
-  /// What is known of a turn before any of its batch is done.
+  /// A turn as planned, before any of its batch is done.
   struct TurnPlan {
     std::exception_ptr fault;  ///< an InputError, which is to be the turn's answer
     std::optional<ResetPlan> reset;

@@ -68,7 +68,7 @@ struct CampaignOutputs {
   bool keep_state = false;
 };
 
-/// What `tera sweep` takes of each episode: a figure of a report that a command of TERA makes of
+/// The outcome of an episode for `tera sweep`: a figure of a report that a command of TERA makes of
 /// it.
 struct SweepOutcome {
   std::vector<std::string> run;  ///< words of the command; {episode}, {out} and {KEY} stand for

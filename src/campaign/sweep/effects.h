@@ -27,7 +27,7 @@ struct Slope {
   double per_unit = 0, low = 0, high = 0;  ///< with the bounds of its 95 % interval
 };
 
-/// What a factor does, over all values of the others.
+/// The effect of a factor, over all values of the others.
 struct FactorEffect {
   std::string key;
   std::vector<LevelMean> levels;  ///< in the order of numbers, or of their first run

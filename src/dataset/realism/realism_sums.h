@@ -18,7 +18,7 @@ class RealismSums {
   /// `folder`, for a picture smaller than 64 px and for labels of another size.
   void Add(const std::filesystem::path& folder, const CameraFrame& frame);
   int pictures() const { return told_.pictures; }
-  /// Of at least one picture.
+  /// Needs at least one picture.
   Realism Told() const;
 
  private:

@@ -23,7 +23,7 @@ struct SensorParameter {
   double lower = 0, upper = 0;
   double least = -std::numeric_limits<double>::infinity();  ///< of any physical value
   double taken = 0;  ///< of its tolerance, by numbers with the same effect
-  /// Of a share: the number, in `unit`, that is told of a share of one.
+  /// The number, in `unit`, that a share of one stands for. Only shares have it.
   struct Told {
     double value = 0, sigma = 0, documented = 0;
   };

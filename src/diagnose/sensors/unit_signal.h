@@ -25,7 +25,8 @@ MotionEstimate WithLowPasses(const DiagnosisInput& input, const EstimateOptions&
 /// Model   a triad's limit is the median of its measurements where the motion is beyond all of
 ///         them. It is tried where it makes the recording twenty times as likely.
 ///         A documented range holds in its place, and is not named.
-/// Omits   limits of single axes or directions; ranges that the motion hardly exceeds.
+/// Omits   limits of single axes or directions; ranges that the motion hardly exceeds; spikes
+///         beyond a range, which hide it.
 MotionEstimate WithClipping(const DiagnosisInput& input, const EstimateOptions& options,
                             MotionEstimate best, SensorProblem* problem);
 

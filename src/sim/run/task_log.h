@@ -26,7 +26,7 @@ class TaskLog {
   /// Call after each step; `t_ns` is its end.
   void Write(TimeNs t_ns);
   bool IsDone() const { return done_; }
-  /// Of the last row; nothing without a task.
+  /// Deviation of the last row; nothing without a task.
   const std::optional<TaskDeviation>& deviation() const { return deviation_; }
   /// The ground minus the design, as GeoTIFF like the other rasters of the ground.
   void WriteMap(const std::filesystem::path& file) const;

@@ -29,7 +29,7 @@ struct ResidualVerdict {
   } kind = Kind::kNoise;
 };
 
-/// What mechanisms at the ends of their tolerances change.
+/// Changes of the prediction by mechanisms at the ends of their tolerances.
 struct Tolerated {
   /// Change of each channel's prediction by each mechanism.
   std::vector<std::vector<std::vector<double>>> changes;
@@ -71,9 +71,8 @@ std::vector<ResidualVerdict> ResidualVerdictsOf(const EvaluationContext& context
 ///         acts. Each sample weighs there by the square of what the curve changes. Under these
 ///         weights, the energy that the curve removes must exceed the change by any mechanism at
 ///         the end of its tolerance, and what nominal numbers and forms may leave, by 1.6 standard
-///         deviations over manoeuvres. Both must
-///         hold again beside the mechanisms within tolerance that explain most
-///         (MisfitOfExpectedBeside). The variable with the largest gain leads the location.
+///         deviations over manoeuvres. Both must hold again beside the mechanisms within tolerance
+///         that explain most (MisfitOfExpectedBeside). The variable with the largest gain leads the location.
 ///         The flexible regressor predicts a channel if its gain is steady over SELECT (Bonferroni
 ///         over the diagnosis's channels) and FINAL. All manoeuvres are tested too, each by a fit
 ///         to the others, if few are loud or the residual may be slow noise. The latter test is at
