@@ -72,12 +72,12 @@ std::vector<ResidualVerdict> ResidualVerdictsOf(const EvaluationContext& context
 ///         weights, the energy that the curve removes must exceed the change by any mechanism at
 ///         the end of its tolerance, and what nominal numbers and forms may leave, by 1.6 standard
 ///         deviations over manoeuvres. Both must hold again beside the mechanisms within tolerance
-///         that explain most (MisfitOfExpectedBeside). The variable with the largest gain leads the location.
-///         The flexible regressor predicts a channel if its gain is steady over SELECT (Bonferroni
-///         over the diagnosis's channels) and FINAL. All manoeuvres are tested too, each by a fit
-///         to the others, if few are loud or the residual may be slow noise. The latter test is at
-///         half the level. A predicted error is reported only if it reduces FINAL's error by at
-///         least what is tolerated.
+///         that explain most (MisfitOfExpectedBeside). The variable with the largest gain leads the
+///         location. The flexible regressor predicts a channel if its gain is steady over SELECT
+///         (Bonferroni over the diagnosis's channels) and FINAL. All manoeuvres are tested too,
+///         each by a fit to the others, if few are loud or the residual may be slow noise. The
+///         latter test is at half the level. A predicted error is reported only if it reduces
+///         FINAL's error by at least what is tolerated.
 std::vector<Unexplained> UnexplainedOf(const EvaluationContext& context,
                                        const StructureFitter& fitter, const SearchResult& search,
                                        const std::vector<ResidualVerdict>& verdicts,
