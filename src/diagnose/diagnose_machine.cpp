@@ -160,8 +160,8 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
   diagnosis.levers_are_the_scenarios = input.commands_are_the_scenarios;
   diagnosis.sensors = DiagnosedOf(
       DiagnoseSensors(input, measured, SensorOptionsOf(asked, options), clock), input.machine);
-  TellReversed(measured.reversed, &diagnosis.sensors);
-  TellOffset(measured.offset_receivers, input.machine, &diagnosis.sensors);
+  AddReversed(measured.reversed, &diagnosis.sensors);
+  AddOffsetReceivers(measured.offset_receivers, input.machine, &diagnosis.sensors);
   options.blocks.needs_any =
       options.blocks.needs_any && diagnosis.sensors.estimate.channels.empty();
   Measurements left = WithoutExplained(input, diagnosis.sensors.estimate, measured);

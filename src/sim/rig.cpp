@@ -26,7 +26,7 @@ Rig::Rig(const Scenario& scenario, const SceneAssembly& assembly, const EglOptio
     }
   }
   if (Has(ChannelForm::kPictures) || Has(ChannelForm::kScans)) scene_.FollowAir(scenario);
-  if (Has(ChannelForm::kPictures)) scene_.OpenRasterizers(egl, sink->TakesFramesLate());
+  if (Has(ChannelForm::kPictures)) scene_.OpenRasterizers(egl, sink->AcceptsOutOfOrderFrames());
   if (std::any_of(units_.begin(), units_.end(),
                   [](const Unit& unit) { return unit.sampler->LooksBack(); })) {
     scene_.KeepPast();

@@ -27,7 +27,7 @@ class MeasurementSink {
 
   /// Whether a frame may come after other channels' later measurements, so that it can be measured
   /// in parallel with the run.
-  virtual bool TakesFramesLate() const { return false; }
+  virtual bool AcceptsOutOfOrderFrames() const { return false; }
 };
 
 }  // namespace tera

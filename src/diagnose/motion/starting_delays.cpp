@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "diagnose/motion/linearise.h"
-#include "diagnose/statistics/tests/opposition.h"
+#include "diagnose/statistics/hypothesis_tests/anti_correlation.h"
 
 namespace tera {
 namespace {
@@ -97,7 +97,9 @@ std::vector<OpposedAxis> OpposedOf(const MotionProblem& problem, const MotionEst
       const double here = Correlation(compared[i]);
       if (std::abs(here) <= std::abs(most[i])) continue;
       most[i] = here;
-      p[i] = here < -kLeastCorrelation ? OppositionP(compared[i].measured, compared[i].implied) : 1;
+      p[i] = here < -kLeastCorrelation
+                 ? AntiCorrelationPValue(compared[i].measured, compared[i].implied)
+                 : 1;
     }
   }
   const double tries = 6.0 * (2 * kSteps + 1) * static_cast<double>(problem.imus.size());

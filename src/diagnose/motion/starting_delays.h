@@ -18,9 +18,9 @@ struct OpposedAxis {
 ///
 /// Model   among delays up to half a second about the unit's own, the one at which an axis
 ///         correlates most with the motion, about zero. The axis is opposed where that correlation
-///         is below -0.7 and OppositionP below 0.01, over as many tries as there are delays and
-///         axes. Two axes of both triads alike are no reversed ones but a unit turned by half a
-///         turn.
+///         is below -0.7 and AntiCorrelationPValue below 0.01, over as many tries as there are
+///         delays and axes. Two axes of both triads alike are no reversed ones but a unit turned by
+///         half a turn.
 /// Omits   axes that the motion hardly excites, as across a link that nothing shakes.
 std::vector<OpposedAxis> OpposedAxes(const MotionProblem& problem, const MotionEstimate& motion);
 

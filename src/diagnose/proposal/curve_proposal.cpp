@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "diagnose/search/fit/steady_gain.h"
+#include "diagnose/statistics/hypothesis_tests/block_bootstrap.h"
 #include "diagnose/statistics/regime/regime_axis.h"
 #include "diagnose/statistics/series/robust.h"
-#include "diagnose/statistics/tests/block_bootstrap.h"
 
 namespace tera {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "diagnose/diagnosis.h"
-#include "diagnose/statistics/tests/multiple_testing.h"
+#include "diagnose/statistics/hypothesis_tests/multiple_testing.h"
 
 namespace tera {
 namespace {

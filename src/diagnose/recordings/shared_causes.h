@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "diagnose/diagnosis.h"
-#include "diagnose/statistics/tests/heterogeneity.h"
+#include "diagnose/statistics/hypothesis_tests/heterogeneity.h"
 
 namespace tera {
 

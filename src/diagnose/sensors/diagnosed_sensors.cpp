@@ -58,11 +58,12 @@ double ExcessRemoved(const ChannelError& channel) {
   return excess > 0 ? std::clamp(removed / excess, -1.0, 1.0) : 0;
 }
 
-class Teller {
+class FindingBuilder {
  public:
-  Teller(const std::string& machine, DiagnosedSensors* out) : machine_(machine), out_(out) {}
+  FindingBuilder(const std::string& machine, DiagnosedSensors* out)
+      : machine_(machine), out_(out) {}
 
-  SensorFound Tell(const SensorFinding& found) {
+  SensorFound Build(const SensorFinding& found) {
     SensorFound told;
     const Mechanism& mechanism = *found.mechanism;
     Finding& finding = told.finding;
@@ -142,26 +143,26 @@ FoundNumber TakeRest(const OffsetReceiver& offset, DiagnosedSensors* sensors) {
 DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machine) {
   DiagnosedSensors out;
   out.estimate = std::move(estimate);
-  Teller teller(machine, &out);
+  FindingBuilder builder(machine, &out);
   const double left = out.estimate.left_to_gain;
   const auto is_cause = [&](const SensorFinding& found) {
     return found.gain >= kLeastExcessOfCause * (found.gain + left);
   };
   for (const SensorFinding& found : out.estimate.findings) {
-    (is_cause(found) ? out.findings : out.unconfirmed).push_back(teller.Tell(found));
+    (is_cause(found) ? out.findings : out.unconfirmed).push_back(builder.Build(found));
   }
   std::erase_if(out.estimate.findings, [&](const SensorFinding& one) { return !is_cause(one); });
   for (const SensorFinding& found : out.estimate.unproven) {
-    out.unconfirmed.push_back(teller.Tell(found));
+    out.unconfirmed.push_back(builder.Build(found));
     out.unconfirmed.back().finding.is_confirmed = false;
   }
   for (const SensorFinding& found : out.estimate.within_tolerance) {
-    out.within_tolerance.push_back(teller.Tell(found));
+    out.within_tolerance.push_back(builder.Build(found));
   }
   return out;
 }
 
-void TellReversed(const std::vector<ReversedAxis>& reversed, DiagnosedSensors* sensors) {
+void AddReversed(const std::vector<ReversedAxis>& reversed, DiagnosedSensors* sensors) {
   const Mechanism& flip = SensorMechanism("axis_flip", EffectTarget::kEncoderAxis);
   for (const ReversedAxis& axis : reversed) {
     if (axis.is_documented) continue;
@@ -182,16 +183,16 @@ void TellReversed(const std::vector<ReversedAxis>& reversed, DiagnosedSensors* s
   }
 }
 
-void TellOffset(const std::vector<OffsetReceiver>& offset, const std::string& machine,
-                DiagnosedSensors* sensors) {
-  Teller teller(machine, sensors);
+void AddOffsetReceivers(const std::vector<OffsetReceiver>& offset, const std::string& machine,
+                        DiagnosedSensors* sensors) {
+  FindingBuilder builder(machine, sensors);
   for (const OffsetReceiver& one : offset) {
     const FoundNumber rest = TakeRest(one, sensors);
     SensorFinding found{{one.target, &SensorMechanism(kClockMechanism, EffectTarget::kGnss)}};
     found.numbers = {{"offset_s", "s", one.shift_s + rest.value, rest.sigma, one.documented_s,
                       one.tolerance_s, true}};
     found.p = one.p;
-    SensorFound told = teller.Tell(found);
+    SensorFound told = builder.Build(found);
     told.channel = machine + "/" + one.target + "/east_m";
     told.unit = "m";
     HeldOutError& error = told.finding.held_out;

@@ -34,12 +34,12 @@ struct DiagnosedSensors {
 DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machine);
 
 /// Adds the axes that counted backwards, as findings, but those of which the scenario says so.
-void TellReversed(const std::vector<ReversedAxis>& reversed, DiagnosedSensors* sensors);
+void AddReversed(const std::vector<ReversedAxis>& reversed, DiagnosedSensors* sensors);
 
 /// Adds the receivers whose samples were stamped anew, as findings: the offsets of their clocks,
 /// including the rest that the estimate finds.
-void TellOffset(const std::vector<OffsetReceiver>& offset, const std::string& machine,
-                DiagnosedSensors* sensors);
+void AddOffsetReceivers(const std::vector<OffsetReceiver>& offset, const std::string& machine,
+                        DiagnosedSensors* sensors);
 
 /// Whether a channel's residual is no louder than twice its differences from one sample to the
 /// next: lasting error would be. Error that changes as fast as noise is not seen.

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "diagnose/motion/starting_motion.h"
-#include "diagnose/statistics/tests/opposition.h"
+#include "diagnose/statistics/hypothesis_tests/anti_correlation.h"
 #include "sensors/encoder/encoder_errors.h"
 
 namespace tera {
@@ -119,7 +119,7 @@ Likeness MostAlike(const TimeSeries& rates, const TimeSeries& other) {
   }
   std::vector<double> beside;
   for (const double t_s : rates.t_s) beside.push_back(other.At(t_s - late_s));
-  most.p = std::min(1.0, (2 * lags + 1) * OppositionP(rates.value, beside));
+  most.p = std::min(1.0, (2 * lags + 1) * AntiCorrelationPValue(rates.value, beside));
   return most;
 }
 

@@ -15,7 +15,7 @@ namespace tera {
 ///         half a second. An axis counts backwards about zero or about the middle of the joint's
 ///         travel, whichever brings the first reading nearer to the scenario's position.
 ///         p is that of opposing the units, or the lever if that is larger, as steadily by chance
-///         (OppositionP), over as many tries as there are delays.
+///         (AntiCorrelationPValue), over as many tries as there are delays.
 /// Omits   joints that slide, running gear, hinges without units on both sides.
 std::vector<ReversedAxis> ReversedAxesOf(const DiagnosisInput& input, const Measurements& measured);
 

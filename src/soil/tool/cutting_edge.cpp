@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "soil/tool/contact_probe.h"
 #include "soil/tool/layered_cut.h"
-#include "soil/tool/look_beside.h"
 #include "soil/tool/slip_ahead.h"
 
 namespace tera {
@@ -63,7 +63,7 @@ std::array<CuttingEdge::Strip, CuttingEdge::kStrips> CuttingEdge::Strips(
   // Under a top edge that hangs over, the ground stands as far as the shovel leaves it.
   const Vec3 mouth_W = body.X_WB.linear() * (shape.top_edge_B() - shape.edge_B());
   const double near_m =
-      std::max(0.0, mouth_W.dot(travel_W)) + LookBeside_m(kNearAhead_m, ground->cell_m());
+      std::max(0.0, mouth_W.dot(travel_W)) + ContactProbeDistance_m(kNearAhead_m, ground->cell_m());
   for (int s = 0; s < kStrips; ++s) {
     Strip& strip = strips[s];
     strip.p_B = shape.edge_B() + ((s + 0.5) / kStrips - 0.5) * shovel_.width_m * Vec3::UnitY();

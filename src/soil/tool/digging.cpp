@@ -8,7 +8,7 @@
 
 #include "core/units.h"
 #include "soil/columns/soil_type.h"
-#include "soil/tool/look_beside.h"
+#include "soil/tool/contact_probe.h"
 
 namespace tera {
 namespace {
@@ -157,7 +157,7 @@ double Digging::LowestBeside_m(const BodyState& body, const Columns& ground) con
   constexpr std::array<double, 3> kAt = {-0.4, 0.0, 0.4};  // along a side, of its length
   const Vec3 up_B = body.X_WB.linear().transpose() * Vec3::UnitZ();
   const ShovelShape::LevelExtent extent = shape_.ExtentAcross(up_B);
-  const double off_m = LookBeside_m(kBeside_m, ground.cell_m());
+  const double off_m = ContactProbeDistance_m(kBeside_m, ground.cell_m());
   const double half_x = 0.5 * (extent.to_m - extent.from_m), half_y = 0.5 * shovel_.width_m;
   const auto surface_m = [&](double x, double y) {  // from the shovel's middle
     const Vec2 p = (extent.from_m + half_x + x) * extent.right;
@@ -263,7 +263,7 @@ bool Digging::IsShut(const BodyState& body, const Columns& ground) const {
   }
   const Vec3& lip_W = edge_W.z() < top_W.z() ? edge_W : top_W;
   const Vec2 before_lip =
-      lip_W.head<2>() + LookBeside_m(kBeforeLip_m, ground.cell_m()) * Level(mouth_W);
+      lip_W.head<2>() + ContactProbeDistance_m(kBeforeLip_m, ground.cell_m()) * Level(mouth_W);
   return ground.HeightAt(before_lip.x(), before_lip.y()) > lip_W.z() + kShut_m;
 }
 

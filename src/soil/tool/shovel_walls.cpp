@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "core/units.h"
+#include "soil/tool/contact_probe.h"
 #include "soil/tool/cut_soil.h"
 #include "soil/tool/layered_cut.h"
-#include "soil/tool/look_beside.h"
 
 namespace tera {
 namespace {
@@ -33,8 +33,8 @@ struct Beside {
   double x_m, y_m;
 
   Beside(const Vec3& p_W, const Vec3& outward_W, const Columns& ground)
-      : x_m(p_W.x() + LookBeside_m(kBesideWall_m, ground.cell_m()) * outward_W.x()),
-        y_m(p_W.y() + LookBeside_m(kBesideWall_m, ground.cell_m()) * outward_W.y()) {
+      : x_m(p_W.x() + ContactProbeDistance_m(kBesideWall_m, ground.cell_m()) * outward_W.x()),
+        y_m(p_W.y() + ContactProbeDistance_m(kBesideWall_m, ground.cell_m()) * outward_W.y()) {
     depth_m = ground.HeightAt(x_m, y_m) - p_W.z();
   }
   CutSoil SoilAbove(double z_m, const std::vector<SoilType>& soils, Columns* ground) const {
@@ -143,7 +143,7 @@ void ShovelWalls::Push(const std::vector<Strip>& strips, const Vec3& normal_B,
         strip.low_B + std::min(1.0, beside.depth_m / height_m) / 3 * (strip.high_B - strip.low_B);
     const Vec3 v_strip_W = PointVelocity(body, p_B);
     const CuttingInput plate = PlateOf(strip.width_m, rake_rad, v_strip_W.dot(out_W));
-    const double beside_m = LookBeside_m(kBesideWall_m, ground->cell_m());
+    const double beside_m = ContactProbeDistance_m(kBesideWall_m, ground->cell_m());
     const auto push_down_to = [&](double up_m) {
       const Vec3 p_W = low_W + up_m * Vec3::UnitZ();
       const GroundAhead ahead = LookAhead(p_W, beside_m, out_W, *ground);

@@ -183,7 +183,7 @@ TEST(OffsetReceivers, AreToldByTheWholeOffsetOfTheirClocks) {
   const auto offset = OffsetReceiversOf(recorded.Input(), recorded.measured);
   ExpectLeft(offset, 13);
   DiagnosedSensors told;
-  TellOffset(offset, "m", &told);
+  AddOffsetReceivers(offset, "m", &told);
   ASSERT_THAT(told.findings, SizeIs(1));
   const Finding& finding = told.findings[0].finding;
   EXPECT_EQ(finding.term.candidate->mechanism->id, "clock_offset");
@@ -205,7 +205,7 @@ TEST(OffsetReceivers, ThatStampAnewLeaveNothingWrong) {
   DiagnosedSensors told =
       DiagnosedOf(DiagnoseSensors(made.Input(), made.measured, {}, &clock), "m");
   EXPECT_THAT(told.findings, IsEmpty());
-  TellOffset(offset, "m", &told);
+  AddOffsetReceivers(offset, "m", &told);
   ASSERT_THAT(told.findings, SizeIs(1));
   EXPECT_NEAR(told.findings[0].finding.parameters[0].value, 18, 0.03);
 }

@@ -110,7 +110,7 @@ TEST(ReversedAxes, OfWhichTheScenarioSaysSoCountForwardsAndAreNoFinding) {
     ASSERT_THAT(reversed, SizeIs(1));
     EXPECT_EQ(reversed[0].is_documented, is_documented);
     DiagnosedSensors told;
-    TellReversed(reversed, &told);
+    AddReversed(reversed, &told);
     ASSERT_THAT(told.findings, SizeIs(is_documented ? 0 : 1));
     if (is_documented) continue;
     EXPECT_EQ(told.findings[0].finding.term.candidate->mechanism->id, "axis_flip");

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "diagnose/statistics/hypothesis_tests/change_points.h"
 #include "diagnose/statistics/regime/partialling.h"
 #include "diagnose/statistics/series/robust.h"
 #include "diagnose/statistics/series/whitening.h"
-#include "diagnose/statistics/tests/change_points.h"
 
 namespace tera {
 namespace {

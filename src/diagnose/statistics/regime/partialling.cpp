@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/in_parallel.h"
-#include "diagnose/statistics/tests/multiple_testing.h"
+#include "diagnose/statistics/hypothesis_tests/multiple_testing.h"
 
 namespace tera {
 namespace {

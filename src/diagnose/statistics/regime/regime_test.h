@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/random.h"
+#include "diagnose/statistics/hypothesis_tests/circular_shifts.h"
 #include "diagnose/statistics/regime/regime_design.h"
-#include "diagnose/statistics/tests/circular_shifts.h"
 
 namespace tera {
 

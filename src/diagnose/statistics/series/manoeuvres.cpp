@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/check.h"
+#include "diagnose/statistics/hypothesis_tests/block_bootstrap.h"
 #include "diagnose/statistics/series/robust.h"
-#include "diagnose/statistics/tests/block_bootstrap.h"
 
 namespace tera {
 namespace {

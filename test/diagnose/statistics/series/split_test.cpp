@@ -3,10 +3,10 @@
 #include <cmath>
 #include <map>
 
+#include "diagnose/statistics/hypothesis_tests/change_points.h"
 #include "diagnose/statistics/series/manoeuvres.h"
 #include "diagnose/statistics/series/simulated.h"
 #include "diagnose/statistics/series/whitening.h"
-#include "diagnose/statistics/tests/change_points.h"
 
 namespace tera {
 namespace {

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+
+namespace tera {
+
+/// p-value of persistent anticorrelation between two zero-mean series.
+///
+/// Model   blocks twice as long as the longer of the two correlation lengths, and at least ten
+///         samples. Each block gives its correlation about zero. Blocks in which either series has
+///         less than a tenth of its mean power are ignored. One-sided Student's t; with fewer than
+///         three blocks p is 1. For independent zero-mean series the correlations are symmetric and
+///         nearly independent between blocks. Their variances may differ, for which the test is
+///         conservative at p below 0.08.
+/// Omits   dependence that outlasts a block; a choice among delays, for which the caller multiplies
+///         p.
+/// Source  Ibragimov and Mueller 2010, "t-statistic based correlation and heterogeneity robust
+///         inference"; Bakirov and Szekely 2006.
+double AntiCorrelationPValue(std::span<const double> a, std::span<const double> b);
+
+}  // namespace tera
