@@ -10,8 +10,6 @@
 namespace tera {
 namespace {
 
-/// Standard deviations that leave 5 % of a normal distribution on one side.
-
 /// Expected deviation of a candidate's parameter; none if not stated.
 std::optional<Expected> ExpectedOf(const Tolerances& stated, const Candidate& candidate,
                                    const FreeParameter& free) {
@@ -67,7 +65,9 @@ void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks,
       for (FreeParameter& free : candidate.free) {
         free.expected = ExpectedOf(stated, candidate, free);
         if (!free.expected) continue;
-        free.expected->half_width += LateByLever(candidate, free) * lever_interval_s;
+        const double intervals = LateByLever(candidate, free);
+        free.expected->half_width += intervals * lever_interval_s;
+        free.expected->delays_command = intervals > 0;
       }
     }
   }

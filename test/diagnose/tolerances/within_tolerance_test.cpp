@@ -5,6 +5,7 @@
 #include <array>
 #include <set>
 
+#include "diagnose/search/structure/expected_beside.h"
 #include "diagnose/tolerances/default_tolerances.h"
 #include "physics/actuation/actuation_mechanisms.h"
 #include "physics/traction/ground_mechanisms.h"
@@ -246,6 +247,33 @@ TEST(Tolerance, OfADelayHoldsBesideWhatTheLogOfALeverTells) {
   auto gain = BlockOf(MechanismOf("rate_gain", EffectTarget::kJoint), "arm");
   StateTolerances({}, &gain, 0.1);
   EXPECT_TRUE(IsBeyondTolerance(FindingOf(gain[0], {1.08}, {0.001})));
+}
+
+// The owner's tolerance of 0.04 s is of the sum of delays and lags from a lever to its joint. A lag
+// of 0.03 s uses it, so a delay of as much beside it is no expected deviation; beside a lag of
+// 0.15 s, a finding, it is.
+TEST(Tolerance, OfDelaysIsOneForAllDelaysOfACommand) {
+  const Mechanism& lag = MechanismOf("actuator_lag", EffectTarget::kJoint);
+  const Mechanism& delay = MechanismOf("command_delay", EffectTarget::kJoint);
+  const Mechanism& band = MechanismOf("dead_band", EffectTarget::kJoint);
+  std::vector<ReplayBlock> blocks(1);
+  for (const Mechanism* one : {&lag, &delay, &band}) {
+    Candidate candidate = BlockOf(*one, "boom")[0].candidates[0];
+    for (FreeParameter& free : candidate.free) free.upper = 0.5;
+    candidate.starts = {std::vector<double>(one->parameters.size(), 0.01)};
+    blocks[0].candidates.push_back(candidate);
+  }
+  StateTolerances({}, &blocks);
+  const auto offered = [&](double lag_s) {
+    const Term present{&blocks[0].candidates[0], {lag_s}};
+    std::set<std::string_view> ids;
+    for (const Candidate& one : ExpectedBeside(blocks[0], {present}, "boom")) {
+      ids.insert(one.mechanism->id);
+    }
+    return ids;
+  };
+  EXPECT_EQ(offered(0.03), (std::set<std::string_view>{"dead_band"}));
+  EXPECT_EQ(offered(0.15), (std::set<std::string_view>{"command_delay", "dead_band"}));
 }
 
 TEST(DefaultTolerances, AreOfParametersThatTheLibraryHas) {

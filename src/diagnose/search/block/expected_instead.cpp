@@ -21,7 +21,7 @@ Misfit MisfitWith(const std::vector<Candidate>& expected, const StructureFitter&
     const double likelihood = best.log_likelihood;
     double most = 0;
     for (const Candidate& one : expected) {
-      if (ActsIn(beside, one)) continue;
+      if (!MayJoin(beside, one)) continue;
       Structure with = beside;
       with.push_back({&one, one.starts.front()});
       FittedStructure fitted = fitter.FitNear(with);

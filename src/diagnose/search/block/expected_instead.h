@@ -13,8 +13,9 @@ namespace tera {
 ///         stated tolerance. Their parameters stay within tolerance, or at their defaults where
 ///         none is stated. The rest of the structure is fitted anew. A mechanism is added while the
 ///         log-likelihood rises by more than one for each parameter.
-/// Omits   that several parameters at the ends of their tolerances are less likely together than
-///         one.
+///         Delays of a target's commands share one tolerance (MayJoin).
+/// Omits   that several other parameters at the ends of their tolerances are less likely together
+///         than one.
 Misfit MisfitOfExpectedInstead(const ReplayBlock& block, const StructureFitter& fitter,
                                const Structure& found, std::size_t term);
 

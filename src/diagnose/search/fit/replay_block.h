@@ -28,7 +28,8 @@ namespace tera {
 /// Expected deviation of a parameter: 95 % of it lies within `half_width` of `value`.
 struct Expected {
   double value = 0, half_width = 0;
-  double neutral = 0;  ///< value at which the mechanism has no effect
+  double neutral = 0;           ///< value at which the mechanism has no effect
+  bool delays_command = false;  ///< the tolerance is of the sum of all such delays of a target
 };
 
 /// A parameter of a mechanism that a fit may change.

@@ -20,6 +20,12 @@ std::optional<FreeParameter> WithinExpected(FreeParameter free) {
   return free;
 }
 
+bool DelaysCommand(const Candidate& candidate) {
+  return std::any_of(candidate.free.begin(), candidate.free.end(), [](const FreeParameter& free) {
+    return free.expected && free.expected->delays_command;
+  });
+}
+
 }  // namespace
 
 bool IsAsExpected(const Term& term) {
@@ -58,11 +64,20 @@ bool ActsIn(const Structure& terms, const Candidate& candidate) {
   });
 }
 
+bool MayJoin(const Structure& terms, const Candidate& candidate) {
+  const bool delays = DelaysCommand(candidate);
+  return !ActsIn(terms, candidate) &&
+         std::none_of(terms.begin(), terms.end(), [&](const Term& one) {
+           return delays && one.candidate->target == candidate.target &&
+                  DelaysCommand(*one.candidate) && IsAsExpected(one);
+         });
+}
+
 std::vector<Candidate> ExpectedBeside(const ReplayBlock& block, const Structure& terms,
                                       const std::string& target) {
   std::vector<Candidate> expected;
   for (const Candidate& candidate : block.candidates) {
-    if (candidate.target != target || ActsIn(terms, candidate)) continue;
+    if (candidate.target != target || !MayJoin(terms, candidate)) continue;
     Candidate held = HeldToExpected(candidate);
     if (!held.free.empty()) expected.push_back(std::move(held));
   }

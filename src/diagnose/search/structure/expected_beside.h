@@ -18,8 +18,12 @@ Candidate HeldToExpected(Candidate candidate);
 /// Whether a mechanism acts on a target in a structure, whichever candidate represents it.
 bool ActsIn(const Structure& terms, const Candidate& candidate);
 
-/// Mechanisms of a target that have a stated tolerance and do not act in a structure, each confined
-/// to its tolerances.
+/// Whether a mechanism within tolerance may join a structure in which it does not act. Delays of a
+/// target's commands share one tolerance, so at most one term within tolerance delays them.
+bool MayJoin(const Structure& terms, const Candidate& candidate);
+
+/// Mechanisms of a target that have a stated tolerance and may join a structure, each confined to
+/// its tolerances.
 std::vector<Candidate> ExpectedBeside(const ReplayBlock& block, const Structure& terms,
                                       const std::string& target);
 
