@@ -18,9 +18,9 @@ struct OpposedAxis {
 ///
 /// Model   delays within 0.5 s of the unit's own delay are tried. At the delay with the largest
 ///         magnitude of the uncentred correlation, an axis is opposed where this correlation is
-///         below -0.7 and OppositionP below 0.01. The p-value is corrected for all tried delays and
-///         axes. A unit whose same two axes oppose in both triads is rotated by half a turn and is
-///         not reported.
+///         below -0.7 and AntiCorrelationPValue below 0.01. The p-value is corrected for all tried
+///         delays and axes. A unit whose same two axes oppose in both triads is rotated by half a
+///         turn and is not reported.
 /// Omits   axes that the motion hardly excites, such as the axis across a link that does not shake.
 std::vector<OpposedAxis> OpposedAxes(const MotionProblem& problem, const MotionEstimate& motion);
 

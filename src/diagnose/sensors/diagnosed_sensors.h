@@ -34,12 +34,12 @@ struct DiagnosedSensors {
 DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machine);
 
 /// Adds a finding for each reversed axis that the scenario does not document.
-void TellReversed(const std::vector<ReversedAxis>& reversed, DiagnosedSensors* sensors);
+void AddReversed(const std::vector<ReversedAxis>& reversed, DiagnosedSensors* sensors);
 
 /// Adds a finding for each receiver with corrected stamps. Its clock offset is the correction plus
 /// the remaining offset that the estimate found.
-void TellOffset(const std::vector<OffsetReceiver>& offset, const std::string& machine,
-                DiagnosedSensors* sensors);
+void AddOffsetReceivers(const std::vector<OffsetReceiver>& offset, const std::string& machine,
+                        DiagnosedSensors* sensors);
 
 /// True if the residual is at most twice the noise that its successive differences show. A larger
 /// residual contains slow errors. Errors that change as fast as noise are not detected.

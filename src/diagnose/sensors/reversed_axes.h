@@ -15,7 +15,7 @@ namespace tera {
 ///         largest magnitude. The corrected angle is mirrored about zero or about the middle of the
 ///         joint's travel, whichever brings the first reading nearer to the scenario's initial
 ///         position. p is the larger of the p-values against units and against the lever
-///         (OppositionP), corrected for the number of delays.
+///         (AntiCorrelationPValue), corrected for the number of delays.
 /// Omits   sliding joints, running gear, hinges without units on both sides.
 std::vector<ReversedAxis> ReversedAxesOf(const DiagnosisInput& input, const Measurements& measured);
 

@@ -12,8 +12,9 @@ namespace tera {
 ///         stated tolerance. Parameters with a stated tolerance stay within it; the others keep
 ///         their defaults. The rest of the structure is refitted. A mechanism is added while the
 ///         log-likelihood rises by more than 1 per parameter.
-/// Omits   that several parameters at the ends of their tolerances are less likely together than
-///         one.
+///         Delays of one target's commands share one tolerance (MayJoin).
+/// Omits   that several other parameters at the ends of their tolerances are less likely together
+///         than one.
 Misfit MisfitOfExpectedInstead(const ReplayBlock& block, const StructureFitter& fitter,
                                const Structure& found, std::size_t term);
 

@@ -29,6 +29,8 @@ namespace tera {
 struct Expected {
   double value = 0, half_width = 0;
   double neutral = 0;  ///< value without effect
+  bool delays_command =
+      false;  ///< true if the tolerance is of the sum of all such delays of a target
 };
 
 /// A parameter of a mechanism that fits may change.

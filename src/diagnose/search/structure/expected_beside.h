@@ -19,8 +19,13 @@ Candidate HeldToExpected(Candidate candidate);
 /// True if a structure contains the candidate's mechanism on the candidate's target.
 bool ActsIn(const Structure& terms, const Candidate& candidate);
 
-/// Candidates of a target that have a stated tolerance and do not act in the structure, each
-/// restricted to its tolerances.
+/// True if a candidate within tolerance may join a structure. Its mechanism must not act there
+/// already. Delays of one target's commands share one tolerance, so at most one term within
+/// tolerance may delay them.
+bool MayJoin(const Structure& terms, const Candidate& candidate);
+
+/// Candidates of a target that have a stated tolerance and may join the structure, each restricted
+/// to its tolerances.
 std::vector<Candidate> ExpectedBeside(const ReplayBlock& block, const Structure& terms,
                                       const std::string& target);
 
