@@ -68,9 +68,9 @@ Answer ReadAnswer(const std::filesystem::path& diagnosis_json) {
     }
     for (const Json& finding : json.at("findings")) {
       answer.findings.push_back(FindingOf(finding));
-      const auto proposal = finding.find("proposal");
-      if (proposal == finding.end() || !proposal->is_object()) continue;
-      answer.rmse_after[Text(finding.at("channel"))] = Number(proposal->at("rmse_after"));
+      const auto learned = finding.find("learned");
+      if (learned == finding.end() || !learned->is_object()) continue;
+      answer.rmse_after[Text(finding.at("channel"))] = Number(learned->at("rmse_after"));
     }
     return answer;
   } catch (const Json::exception& e) {

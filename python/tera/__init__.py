@@ -12,15 +12,15 @@ are first used: reading datasets needs NumPy and PyYAML, and OpenCV for pictures
 
 from importlib import import_module
 
-from tera.data import (Box, Camera, Dataset, Diagnosis, Flow, Frame, Keypoint, Lens, Lidar, PoseTrack, Scan, Table, diagnosis, pose_matrix,
-                       transformed)
+from tera.data import (Box, Camera, Dataset, Diagnosis, Event, Events, Flow, Frame, Keypoint, Lens, Lidar, PoseTrack, Scan, Table, diagnosis,
+                       pose_matrix, transformed)
 
 _CLIENT = {"Env": "tera.env", "Patch": "tera.machine_io", "make": "tera.env", "VectorEnv": "tera.vector",
            "make_vector": "tera.vector", "Server": "tera.server", "Refused": "tera.session", "Session": "tera.session",
            "SessionEnded": "tera.session", "messages": "tera.v1.simulation_pb2"}
 
-__all__ = ["Box", "Camera", "Dataset", "Diagnosis", "Env", "Flow", "Frame", "Keypoint", "Lens", "Lidar", "Patch", "PoseTrack", "Refused", "Scan",
-           "Server", "Session", "SessionEnded", "Table", "VectorEnv", "diagnosis", "make", "make_vector", "messages", "pose_matrix",
+__all__ = ["Box", "Camera", "Dataset", "Diagnosis", "Env", "Event", "Events", "Flow", "Frame", "Keypoint", "Lens", "Lidar", "Patch", "PoseTrack", "Refused",
+           "Scan", "Server", "Session", "SessionEnded", "Table", "VectorEnv", "diagnosis", "make", "make_vector", "messages", "pose_matrix",
            "transformed"]
 
 

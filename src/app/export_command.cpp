@@ -130,7 +130,7 @@ void AddKittiOptions(CLI::App* command, ExportArguments* arguments) {
   ExportOptions* const options = &arguments->options;
   command->add_option("--camera", options->camera, "Of kitti: MACHINE/CAMERA; the first");
   command->add_option("--lidar", options->lidar,
-                      "Of kitti and semantickitti: MACHINE/LIDAR; the first");
+                      "Of kitti and semantickitti: MACHINE/LIDAR, the first; of pcap: one alone");
   command
       ->add_option("--layout", options->kitti_layouts,
                    "Of kitti: raw, object, tracking, odometry and depth, or some of them; all")
@@ -172,7 +172,7 @@ void RequireNoIdleOption(const CLI::App& command, const ExportOptions& options) 
           "--to rosbag2 --storage mcap");
   require("--moved", UsesJointTrees(options.format),
           "bags, clouds, nuscenes and formats of one lidar");
-  require("--lidar", IsOfOneLidar(options.format), "--to kitti and --to semantickitti");
+  require("--lidar", ChoosesLidar(options.format), "--to kitti, semantickitti and pcap");
   require("--camera", IsOfOneCamera(options.format), "--to kitti");
   require("--card", options.format == ExportFormat::kWebdataset, "--to webdataset");
   require("--shard-mb", options.format == ExportFormat::kWebdataset, "--to webdataset");

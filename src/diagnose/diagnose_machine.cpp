@@ -8,7 +8,6 @@
 #include "core/in_parallel.h"
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/encoder_clocks.h"
-#include "diagnose/proposal/propose.h"
 #include "diagnose/search/fit/excluded_samples.h"
 #include "diagnose/sensors/estimated_poses.h"
 #include "diagnose/sensors/late_poses.h"
@@ -18,16 +17,16 @@
 namespace tera {
 namespace {
 
-std::vector<Proposal> ProposalsFor(const DiagnosedBlock& diagnosed, std::uint64_t seed) {
-  std::vector<Proposal> proposals;
+std::vector<Learned> LearnAll(const DiagnosedBlock& diagnosed, std::uint64_t seed) {
+  std::vector<Learned> all;
   for (const Unexplained& left : diagnosed.diagnosis.unexplained) {
     const std::size_t channel = left.location.channel;
-    const Stream stream(seed, "diagnose/proposal/" + diagnosed.block.channels[channel].name);
-    if (auto proposal = Propose(diagnosed.block, diagnosed.diagnosis, channel, stream)) {
-      proposals.push_back(std::move(*proposal));
+    const Stream stream(seed, "diagnose/learned/" + diagnosed.block.channels[channel].name);
+    if (auto learned = Learn(diagnosed.block, diagnosed.diagnosis, channel, stream)) {
+      all.push_back(std::move(*learned));
     }
   }
-  return proposals;
+  return all;
 }
 
 std::optional<NextManoeuvre> NextManoeuvreOf(const MachineModel& model,
@@ -194,11 +193,11 @@ Diagnosis Diagnose(DiagnosisCase asked, DiagnosisOptions options, const FollowPr
   diagnosis.encoder_lead_s = EncoderLead_s(blocks);
   diagnosis.blocks = DiagnoseInTurn(input, diagnosis.sensors.estimate, left, std::move(blocks),
                                     options, progress, &diagnosis.not_compared);
-  std::vector<std::vector<Proposal>> proposals = InParallel<std::vector<Proposal>>(
+  std::vector<std::vector<Learned>> learned = InParallel<std::vector<Learned>>(
       diagnosis.blocks.size(), options.search.threads,
-      [&](std::size_t b) { return ProposalsFor(diagnosis.blocks[b], options.seed); });
-  for (std::size_t b = 0; b < proposals.size(); ++b) {
-    diagnosis.blocks[b].proposals = std::move(proposals[b]);
+      [&](std::size_t b) { return LearnAll(diagnosis.blocks[b], options.seed); });
+  for (std::size_t b = 0; b < learned.size(); ++b) {
+    diagnosis.blocks[b].learned = std::move(learned[b]);
   }
   diagnosis.next = NextManoeuvreOf(*input.model, diagnosis.blocks, options);
   for (HeldOutBlocks& one : held_out) {

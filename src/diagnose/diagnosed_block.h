@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "diagnose/proposal/proposal.h"
+#include "diagnose/learned/learn.h"
 #include "diagnose/search/block/block_diagnosis.h"
 
 namespace tera {
@@ -16,7 +16,7 @@ struct DiagnosedBlock {
 
   ReplayBlock block;
   BlockDiagnosis diagnosis;
-  std::vector<Proposal> proposals;  ///< of channels with unexplained errors
+  std::vector<Learned> learned;  ///< of unexplained errors
 };
 
 }  // namespace tera

@@ -115,6 +115,13 @@ bool IsLeft(const DiagnosedBlock& diagnosed, std::size_t channel) {
   });
 }
 
+const Learned* LearnedOf(const DiagnosedBlock& diagnosed, std::size_t channel) {
+  for (const Learned& learned : diagnosed.learned) {
+    if (learned.channel == channel) return &learned;
+  }
+  return nullptr;
+}
+
 std::string Cause::ErrorUnit() const {
   if (block != nullptr) return block->block.channels[finding->held_out.channel].unit;
   return sensor != nullptr ? sensor->unit : seen_by->unit;

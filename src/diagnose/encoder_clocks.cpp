@@ -76,16 +76,8 @@ double LikelihoodByLevers(const std::vector<ReplayBlock>& blocks) {
     if (!HasLever(block)) continue;
     const Series& rate = block.channels.front().measured;
     const std::vector<double> predicted = block.predict({}).front();
-    double both = 0, measured = 0, expected = 0, count = 0;
-    for (std::size_t k = 0; k < rate.size(); ++k) {
-      if (!rate.valid[k]) continue;
-      both += rate.value[k] * predicted[k];
-      measured += rate.value[k] * rate.value[k];
-      expected += predicted[k] * predicted[k];
-      ++count;
-    }
-    if (both <= 0) continue;
-    sum -= 0.5 * count * std::log(1 - both * both / (measured * expected));
+    sum -= 0.5 * static_cast<double>(CountValid(rate.valid)) *
+           std::log(1 - ExplainedShare(rate, predicted, 0));
   }
   return sum;
 }

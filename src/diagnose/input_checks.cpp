@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "core/units.h"
 #include "diagnose/statistics/series/robust.h"
+#include "physics/actuation/axes.h"
 
 namespace tera {
 namespace {
@@ -90,10 +91,7 @@ bool LeverMoves(const TableRecording& commands, const MachineModel& model,
     const int index = model.LeverIndex(commands.columns[c]);
     if (index < 0) continue;
     const Lever& lever = model.levers[static_cast<std::size_t>(index)];
-    const std::string& name =
-        lever.joint >= 0 ? model.joints[static_cast<std::size_t>(lever.joint)].name
-                         : model.ground_tools.gears[static_cast<std::size_t>(lever.gear)].name;
-    if (name != axis) continue;
+    if (NameOfAxis(model, AxisOf(model, lever)) != axis) continue;
     Ends ends;
     for (const auto& row : commands.rows) ends.Add(row[c]);
     return ends.Span() > kLeastLeverRange;
@@ -104,7 +102,8 @@ bool LeverMoves(const TableRecording& commands, const MachineModel& model,
 /// One joint or gear of an encoder channel.
 struct AxisColumns {
   std::string file, position, rate, position_unit, rate_unit;
-  std::vector<double> t_s, q, qd;
+  std::vector<TimeNs> t_ns;
+  std::vector<double> q, qd;
 };
 
 AxisColumns ColumnsOf(const RecordedPlace& place, const NamedEncoders& encoders, std::size_t axis) {
@@ -115,11 +114,10 @@ AxisColumns ColumnsOf(const RecordedPlace& place, const NamedEncoders& encoders,
   columns.rate_unit = columns.position_unit + "/s";
   columns.position = named.name + (named.linear ? "_m" : "_rad");
   columns.rate = named.name + (named.linear ? "_mps" : "_radps");
-  for (const EncoderSample& sample : encoders.recording.samples) {
-    columns.t_s.push_back(ToSeconds(sample.t_ns));
-    columns.q.push_back(sample.q_rad[axis]);
-    columns.qd.push_back(sample.qd_radps[axis]);
-  }
+  AxisSamples samples = SamplesOf(encoders.recording, axis);
+  columns.t_ns = std::move(samples.t_ns);
+  columns.q = std::move(samples.position_rad);
+  columns.qd = std::move(samples.rate_radps);
   return columns;
 }
 
@@ -156,7 +154,7 @@ void RequireRatesOfPositions(const AxisColumns& axis) {
   double sum = 0;
   for (std::size_t k = 1; k < axis.q.size(); ++k) {
     sum += axis.qd[k];
-    const double span_s = axis.t_s[k] - axis.t_s[from];
+    const double span_s = ToSeconds(axis.t_ns[k] - axis.t_ns[from]);
     if (span_s < kPair_s) continue;
     change.push_back((axis.q[k] - axis.q[from]) / span_s);
     rate.push_back(sum / static_cast<double>(k - from));

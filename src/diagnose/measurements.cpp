@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "core/error.h"
 #include "diagnose/input_checks.h"
@@ -42,33 +43,20 @@ void Trim(TimeNs from_ns, TimeNs to_ns, TableRecording* table) {
   table->t_ns = {first, end};
 }
 
-TimeNs StartOf(const Measurements& measured) {
-  TimeNs start_ns = std::numeric_limits<TimeNs>::max();
-  for (const NamedEncoders& named : measured.encoders) {
-    start_ns = std::min(start_ns, named.recording.samples.front().t_ns);
-  }
-  for (const auto& samples : measured.imus) {
-    if (!samples.empty()) start_ns = std::min(start_ns, samples.front().t_ns);
-  }
-  if (start_ns < std::numeric_limits<TimeNs>::max()) return start_ns;
-  // Receivers count only without other measurements, since their clocks are not the machine's.
-  for (const auto& samples : measured.gnss) {
-    if (!samples.empty()) start_ns = std::min(start_ns, samples.front().t_ns);
-  }
-  return start_ns;
-}
-
-/// Time of the last measurement; receivers count only without others, as in StartOf.
-TimeNs EndOf(const Measurements& measured) {
-  TimeNs end_ns = measured.start_ns;
-  const auto last = [&](const auto& samples) {
-    if (!samples.empty()) end_ns = std::max(end_ns, samples.back().t_ns);
+/// First and last time of measurement. Receivers count only without other measurements, since their
+/// clocks are not the machine's.
+std::pair<TimeNs, TimeNs> SpanOf(const Measurements& measured) {
+  TimeNs start_ns = std::numeric_limits<TimeNs>::max(), end_ns = 0;
+  const auto add = [&](const auto& samples) {
+    if (samples.empty()) return;
+    start_ns = std::min(start_ns, samples.front().t_ns);
+    end_ns = std::max(end_ns, samples.back().t_ns);
   };
-  for (const NamedEncoders& named : measured.encoders) last(named.recording.samples);
-  for (const auto& samples : measured.imus) last(samples);
-  if (end_ns > measured.start_ns) return end_ns;
-  for (const auto& samples : measured.gnss) last(samples);
-  return end_ns;
+  for (const NamedEncoders& named : measured.encoders) add(named.recording.samples);
+  for (const auto& samples : measured.imus) add(samples);
+  if (start_ns < std::numeric_limits<TimeNs>::max()) return {start_ns, end_ns};
+  for (const auto& samples : measured.gnss) add(samples);
+  return {start_ns, end_ns};
 }
 
 /// A hint at a wrong time unit, if samples are denser than any sensor's.
@@ -83,7 +71,7 @@ std::string UnitOfTimeText(const Measurements& measured, double length_s) {
 
 /// Throws where the part that is diagnosed is too short.
 void RequireLongEnough(const Measurements& measured, const MeasurementOptions& options) {
-  const double length_s = ToSeconds(EndOf(measured) - measured.start_ns);
+  const double length_s = ToSeconds(SpanOf(measured).second - measured.start_ns);
   const double left_s = std::min(options.to_s, length_s) - options.from_s;
   if (left_s >= kShortestRecording_s - kRounding_s) return;
   const bool is_whole = options.from_s == 0 && options.to_s >= length_s;
@@ -162,7 +150,7 @@ Measurements MeasurementsOf(const DiagnosisInput& input, const Recording& record
   CountForwards(measured.reversed, &measured);
   measured.offset_receivers = OffsetReceiversOf(input, measured);
   StampAnew(measured.offset_receivers, &measured);
-  measured.start_ns = StartOf(measured);
+  measured.start_ns = SpanOf(measured).first;
   if (options.needs_any) RequireLongEnough(measured, options);
   const TimeNs from_ns = measured.start_ns + FromSeconds(options.from_s);
   const TimeNs to_ns = measured.start_ns + FromSeconds(options.to_s);

@@ -5,7 +5,6 @@
 
 #include "core/units.h"
 #include "diagnose/blocks/base_block.h"
-#include "diagnose/blocks/measured_heading.h"
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/discrepancy/discrepancy_correction.h"
 #include "diagnose/sensors/sensor_parameters.h"
@@ -13,19 +12,10 @@
 namespace tera {
 namespace {
 
-bool Measures(const std::vector<NamedEncoders>& encoders, const std::string& axis) {
-  for (const NamedEncoders& named : encoders) {
-    for (const EncoderAxis& measured : named.recording.axes) {
-      if (measured.name == axis) return true;
-    }
-  }
-  return false;
-}
-
 bool MeasuresGears(const DiagnosisInput& input, const Measurements& measured) {
   const auto& gears = input.model->ground_tools.gears;
   const bool all = std::all_of(gears.begin(), gears.end(), [&](const RunningGear& gear) {
-    return Measures(measured.encoders, gear.name);
+    return SamplesOf(gear.name, measured.encoders).has_value();
   });
   return !gears.empty() && all;
 }

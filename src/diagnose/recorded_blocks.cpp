@@ -78,24 +78,16 @@ Made MakeAll(std::size_t makers, int threads, const std::function<void(std::size
   return all;
 }
 
-/// The lever of a joint or gear, if it has one.
-std::optional<std::string> LeverOf(const MachineModel& model, std::size_t axis) {
-  const auto joints = static_cast<int>(model.joints.size());
-  for (const Lever& lever : model.levers) {
-    const int moves = lever.joint >= 0 ? lever.joint : joints + lever.gear;
-    if (moves == static_cast<int>(axis)) return lever.name;
-  }
-  return std::nullopt;
-}
-
 /// Throws where the recording lacks the lever of an axis that it measured.
 void RequireLever(const DiagnosisInput& input, std::size_t axis) {
-  const std::optional<std::string> lever = LeverOf(*input.model, axis);
   const std::vector<std::string>& columns = input.commands.columns;
-  if (!lever || std::find(columns.begin(), columns.end(), *lever) != columns.end()) return;
-  throw InputError(
-      "", {FaultKind::kMistyped, fmt::format("commands have no column '{}', but {}; need its lever",
-                                             *lever, fmt::join(columns, ", "))});
+  for (const Lever& lever : input.model->levers) {
+    if (AxisOf(*input.model, lever) != axis) continue;
+    if (std::find(columns.begin(), columns.end(), lever.name) != columns.end()) return;
+    throw InputError("", {FaultKind::kMistyped,
+                          fmt::format("commands have no column '{}', but {}; need its lever",
+                                      lever.name, fmt::join(columns, ", "))});
+  }
 }
 
 /// Adds a block for each joint and gear with an encoder and a lever.

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/stopwatch.h"
 #include "dataset/files/checked_file.h"
+#include "dataset/format/events_table.h"
 #include "dataset/format/recording.h"
 #include "dataset/format/writer.h"
 #include "layout/study/cycle.h"
@@ -105,6 +106,9 @@ GenerateReport Resense(const fs::path& dataset, const ResenseRig& rig,
     try {
       TakeOverTruth(dataset, scenario, &writer);
       MeasureAgain(scenario, assembly, options, &playback, &writer, &report);
+      if (Recording(dataset).Has(kEventsFile)) {
+        writer.AddWholeTable(EventsChannel(), dataset / kEventsFile);
+      }
       writer.Finish();
     } catch (const InputError&) {
       if (!writer.resumed()) writer.Discard();

@@ -268,7 +268,9 @@ class Environment {
     const Simulation& simulation = run_->simulation();
     PutState(simulation.state(), run_->scenario(), plan.patches, &observation);
     for (std::size_t m = 0; m < work_j_.size(); ++m) {
-      observation.mutable_machines(static_cast<int>(m))->set_work_j(work_j_[m]);
+      v1::MachineState& machine = *observation.mutable_machines(static_cast<int>(m));
+      machine.set_work_j(work_j_[m]);
+      for (const std::string& name : run_->events().Touched(m)) machine.add_touches(name);
     }
     keeper_->Take(&observation);
     return observation;

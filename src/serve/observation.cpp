@@ -175,74 +175,6 @@ void PutMachine(const MachinePlacement& machine, const MachineState& state,
   }
 }
 
-/// A box in W.
-struct PlacedBox {
-  Pose X_WG;
-  Vec3 half_m;
-};
-
-void PlaceBoxes(const std::vector<CollisionBox>& boxes, const Pose& X_WB,
-                std::vector<PlacedBox>* placed) {
-  for (const CollisionBox& box : boxes) placed->push_back({X_WB * box.X_BG, 0.5 * box.size_m});
-}
-
-/// True if no plane lies more than `gap_m` between both boxes. By the separating axes: the normals
-/// of their faces and the cross products of their edges.
-/// Source  Gottschalk, Lin, Manocha 1996, "OBBTree", section 5.
-bool Touch(const PlacedBox& a, const PlacedBox& b, double gap_m) {
-  constexpr double kParallel = 1e-6;  // edges whose cross product is no direction
-  const Vec3 apart_m = b.X_WG.translation() - a.X_WG.translation();
-  const auto separates = [&](const Vec3& axis_W) {
-    const double norm = axis_W.norm();
-    if (norm < kParallel) return false;
-    const auto reach_m = [&](const PlacedBox& box) {
-      return (box.X_WG.linear().transpose() * axis_W).cwiseAbs().dot(box.half_m);
-    };
-    return std::abs(apart_m.dot(axis_W)) > reach_m(a) + reach_m(b) + gap_m * norm;
-  };
-  for (int i = 0; i < 3; ++i) {
-    const Vec3 edge_W = a.X_WG.linear().col(i);
-    if (separates(edge_W) || separates(b.X_WG.linear().col(i))) return false;
-    for (int j = 0; j < 3; ++j) {
-      if (separates(edge_W.cross(Vec3(b.X_WG.linear().col(j))))) return false;
-    }
-  }
-  return true;
-}
-
-/// Names each machine and obstacle of which a box touches one of another machine's.
-void PutTouches(const WorldState& state, const Scenario& scenario, v1::Observation* observation) {
-  constexpr double kTouch_m = 0.02;  // boxes in contact are kept apart by Bullet's margin
-  struct Thing {
-    std::string name;
-    std::vector<PlacedBox> boxes;
-  };
-  std::vector<Thing> things;
-  for (std::size_t m = 0; m < state.machines.size(); ++m) {
-    const MachinePlacement& machine = scenario.machines[m].placement;
-    Thing& thing = things.emplace_back(Thing{machine.name, {}});
-    for (std::size_t i = 0; i < machine.model.links.size(); ++i) {
-      PlaceBoxes(machine.model.links[i].collision, state.machines[m].links[i].X_WB, &thing.boxes);
-    }
-  }
-  for (std::size_t o = 0; o < state.obstacles.size(); ++o) {
-    Thing& thing = things.emplace_back(Thing{scenario.obstacles[o].name, {}});
-    PlaceBoxes(scenario.obstacles[o].collision, state.obstacles[o].X_WB, &thing.boxes);
-  }
-  for (std::size_t m = 0; m < state.machines.size(); ++m) {
-    for (std::size_t other = 0; other < things.size(); ++other) {
-      const bool touch =
-          other != m && std::ranges::any_of(things[m].boxes, [&](const PlacedBox& a) {
-            return std::ranges::any_of(things[other].boxes,
-                                       [&](const PlacedBox& b) { return Touch(a, b, kTouch_m); });
-          });
-      if (touch) {
-        observation->mutable_machines(static_cast<int>(m))->add_touches(things[other].name);
-      }
-    }
-  }
-}
-
 }  // namespace
 
 std::size_t MachineIndex(const Scenario& scenario, const std::string& name) {
@@ -286,7 +218,6 @@ void PutState(const WorldState& state, const Scenario& scenario,
   for (std::size_t m = 0; m < state.machines.size(); ++m) {
     PutMachine(scenario.machines[m].placement, state.machines[m], observation->add_machines());
   }
-  PutTouches(state, scenario, observation);
   for (const PatchPlan& patch : patches) {
     PutPatch(patch, scenario.machines[patch.machine].placement.model, state.machines[patch.machine],
              state.ground().surface(), observation->add_patches());

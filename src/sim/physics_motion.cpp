@@ -94,6 +94,31 @@ void PhysicsMotion::ReadBodies(WorldState* world) const {
   for (std::size_t k = 0; k < things_.size(); ++k) {
     world->obstacles[things_[k].obstacle] = first_thing[static_cast<std::ptrdiff_t>(k)].links[0];
   }
+  ReadContacts(world);
+}
+
+BodyContact::Side PhysicsMotion::OfScenario(BodyContact::Side side) const {
+  const std::size_t machines = scenario_.machines.size();
+  if (side.kind == BodyContact::Kind::kObstacle) {
+    side.index = guided_[side.index];
+  } else if (side.kind == BodyContact::Kind::kMachine && side.index >= machines) {
+    return {BodyContact::Kind::kObstacle, things_[side.index - machines].obstacle, 0};
+  }
+  return side;
+}
+
+void PhysicsMotion::ReadContacts(WorldState* world) const {
+  world->contacts.clear();
+  for (const BodyContact& contact : physics_->contacts()) {
+    const BodyContact::Side a = OfScenario(contact.a), b = OfScenario(contact.b);
+    const Vec3& force_W_n = contact.force_W_n;
+    if (a.kind == BodyContact::Kind::kMachine) {
+      world->contacts.push_back({a, b, contact.p_W_m, force_W_n});
+    }
+    if (b.kind == BodyContact::Kind::kMachine) {
+      world->contacts.push_back({b, a, contact.p_W_m, -force_W_n});
+    }
+  }
 }
 
 void PhysicsMotion::Move(const Step& step, WorldState* world) {

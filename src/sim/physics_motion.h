@@ -41,8 +41,12 @@ class PhysicsMotion : public MotionSource {
   std::vector<double> LeversOf(std::size_t machine, const WorldState& world);
   /// Adds the forces of the slings that are attached now.
   void PullSlings(const WorldState& world, std::vector<MachineInput>* inputs) const;
-  /// Copies the bodies of the physics into `world`.
+  /// Copies the bodies of the physics and their contacts into `world`.
   void ReadBodies(WorldState* world) const;
+
+  /// A side with the scenario's index; the physics counts things among its machines.
+  BodyContact::Side OfScenario(BodyContact::Side side) const;
+  void ReadContacts(WorldState* world) const;
 
   const Scenario& scenario_;
   Operators operators_;

@@ -7,6 +7,7 @@
 #include "core/motion.h"
 #include "core/time.h"
 #include "physics/description/machine.h"
+#include "physics/dynamics/body_contact.h"
 #include "soil/soil.h"
 
 namespace tera {
@@ -17,6 +18,9 @@ struct Instant {
   std::vector<MachineState> machines;
   std::vector<BodyState> obstacles;
   std::vector<BedLoad> beds;  ///< one for each obstacle; nothing without a bed
+  /// Contacts of machines in the last step, with indices of the scenario; `a` is a machine. Two
+  /// machines have one for each. Only physics knows them, not recordings.
+  std::vector<BodyContact> contacts;
 };
 
 /// One step of a world as sensors see it: the moving bodies at both ends, the ground at the later

@@ -4,6 +4,7 @@
 #include "core/error.h"
 #include "core/types/label_channels.h"
 #include "core/types/labels.h"
+#include "dataset/format/events_table.h"
 #include "dataset/format/recording.h"
 #include "dataset/format/sensor_sheet.h"
 #include "view/viewed_index.h"
@@ -111,6 +112,25 @@ Json InstancesJson(const DatasetInfo& info) {
   return list;
 }
 
+/// Events in order of their beginning.
+Json EventsJson(const Recording& recording) {
+  Json list = Json::array();
+  for (const std::string& file : recording.ChannelsOf(kEventsChannel)) {
+    for (const RecordedEvent& event : ReadEvents(recording.directory() / file)) {
+      const EventKindInfo& kind = kEventKinds[static_cast<std::size_t>(event.kind)];
+      list.push_back({{"kind", kind.name},
+                      {"from_s", ToSeconds(event.begin_ns)},
+                      {"to_s", ToSeconds(event.end_ns)},
+                      {"machine", event.machine},
+                      {"part", event.part},
+                      {"other", event.other},
+                      {"value", event.value},
+                      {"unit", kind.unit}});
+    }
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string DatasetIndexJson(const std::filesystem::path& dataset) {
@@ -129,8 +149,10 @@ std::string DatasetIndexJson(const std::filesystem::path& dataset) {
                {"classes", ClassesJson()},
                {"instances", InstancesJson(info)},
                {"terrain", TerrainJson(dataset)},
+               {"events", EventsJson(recording)},
                {"channels", Json::array()}};
   for (const ChannelDescription& channel : recording.channels()) {
+    if (channel.type == kEventsChannel) continue;
     json["channels"].push_back(ChannelJson(dataset, channel));
   }
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -87,7 +87,7 @@ TEST_F(DiagnoseWhatHasNoName, PutsItIntoTheOverlayWithWhichTheNextSimulationHasI
   EXPECT_EQ(Diagnose("real", "why"), Names{"unexplained"});
   const Json found = Report("why")["findings"][0];
   EXPECT_EQ(found["mechanism"], "unexplained");
-  const Json& learned = found["proposal"]["learned"];
+  const Json& learned = found["learned"];
   EXPECT_EQ(learned["variable"], "position/arm");
   EXPECT_EQ(learned["unit"], "rad");
   EXPECT_EQ(learned["as"], "share");

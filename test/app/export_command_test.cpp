@@ -85,6 +85,9 @@ TEST_F(ExportCommand, WhatCannotBeExportedIsRefused) {
   refused({"run", "--to", "tum", "--out", "x", "--storage", "mcap"}, TellsOf("--storage"));
   refused({"run", "--to", "rosbag2", "--storage", "sqlite3", "--compression", "lz4", "--out", "x"},
           TellsOf("--compression"));
+  // A VLP-16 of 128 columns, and no unit.
+  refused({"run", "--to", "pcap", "--out", "x"},
+          AllOf(HasSubstr("sensor.yaml: model"), HasSubstr("need 1808 at 10 Hz")));
   const Outcome format = RunTera({"export", "run", "--to", "bagel", "--out", "x"}, {Path("")});
   EXPECT_EQ(format.status, 2);
   EXPECT_THAT(format.err, AllOf(TellsOf("--to"), HasSubstr("rosbag2")));

@@ -57,7 +57,6 @@ TEST_F(PerceivedSite, APitThatTheScenarioHasNotIsOnTheMap) {
   EXPECT_NEAR(finding["place"]["centre_m"][1].get<double>(), -5.25, 0.4);
   EXPECT_NEAR(finding["parameters"]["lowest_m"]["value"].get<double>(), -0.5, 0.1);
   EXPECT_THAT(Read("why/report.html"), HasSubstr("Measured ground over simulated ground"));
-  EXPECT_THAT(Read("why/ground_lidar.csv"), HasSubstr("x_m,y_m,above_m"));
   EXPECT_NEAR(ValueAt(scratch_.path() / "why/ground_lidar.tif", 3.4, -5.3), -0.5, 0.1);
   EXPECT_NEAR(ValueAt(scratch_.path() / "why/ground_lidar.tif", 3.4, -3.4), 0, 0.03);
 }

@@ -147,7 +147,18 @@ TEST_F(ResenseScene, AnotherRigGivesWhatADirectRunWithItGives) {
 TEST_F(ResenseScene, TheSameRigGivesTheSameDatasetAgain) {
   Files base = Generated("base", true);
   EXPECT_EQ(base.erase(kStateFile), 1u);
+  EXPECT_THAT(base.at("truth/events.csv"), HasSubstr("person_near,excavator1,,person1,"));
   ExpectSame(base, Resensed({.file = path() / "excavator_rig.yaml", .machine = "excavator1"}));
+}
+
+TEST_F(ResenseScene, ADatasetWithoutEventsGetsNone) {
+  Generated("base", true);
+  fs::remove(path() / "base/truth/events.csv");
+  std::string text = ReadWholeFile(path() / "base/dataset.yaml");
+  const std::string line = "  - {path: \"truth/events.csv\", type: events}\n";
+  ASSERT_THAT(text, HasSubstr(line));
+  WriteWholeFile(path() / "base/dataset.yaml", text.erase(text.find(line), line.size()));
+  EXPECT_FALSE(Resensed(Other()).contains("truth/events.csv"));
 }
 
 TEST_F(ResenseScene, AnotherMachineCarriesTheRigWhereItIsNamed) {

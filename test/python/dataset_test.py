@@ -46,6 +46,26 @@ class Tables(unittest.TestCase):
         for name in imu.columns:
             np.testing.assert_array_equal(imu[name], [float(row[name]) for row in rows])
 
+    def test_events_are_rows_of_words_and_numbers(self):
+        dataset = tera.Dataset(RUN)
+        with (RUN / "truth/events.csv").open() as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([tuple(map(str, event[:6])) for event in dataset["truth/events"]], [tuple(row.values())[:6] for row in rows])
+        file = Path(_folder.name) / "events.csv"
+        header = "t_ns,end_ns,kind,machine,part,other,value,unit\n"
+        file.write_text(header + "10,30,contact,m,blade,cone,812.5,N\n20,25,drop,,,box,1.5,m\n")
+        events = tera.Events(file)
+        self.assertEqual(events.of("contact"), [tera.Event(10, 30, "contact", "m", "blade", "cone", 812.5, "N")])
+        self.assertEqual([event.kind for event in events.at(22)], ["contact", "drop"])
+        self.assertEqual([event.kind for event in events.at(30)], ["contact"])
+        self.assertEqual(list(events.t_ns), [10, 20])
+        file.write_text(header + "10,30,contact\n")
+        with self.assertRaisesRegex(ValueError, "events.csv:2: "):
+            tera.Events(file)
+        file.write_text("t_ns,kind\n")
+        with self.assertRaisesRegex(ValueError, "events.csv:1: found"):
+            tera.Events(file)
+
     def test_the_last_row_that_is_not_later_holds(self):
         levers = tera.Dataset(RUN)["excavator1/commands"]
         second = int(levers.t_ns[1])

@@ -36,6 +36,7 @@ machines:
       {name: lidar, preset: tera:config/sensors/vlp16.yaml, link: upper, xyz_m: [0, 0, 2], columns: 256}]}
 obstacles:
   - {name: cone1, preset: tera:config/obstacles/cone.yaml, xy_m: [4, 2]}
+  - {name: worker, preset: tera:config/obstacles/person.yaml, xy_m: [-3, 2]}
 """
 FROM_S, TO_S, FOUND = 0.3, 0.6, "dead_band"
 DIAGNOSIS = {"format": 2, "verdict": ["named"], "channels": [], "findings": [{
@@ -133,6 +134,7 @@ class ViewInBrowser(unittest.TestCase):
         self.check_pixels()
         self.check_pixel_and_point()
         self.check_finding()
+        self.check_events()
         self.check_keys()
         self.check_long_table()
         self.check_phone()
@@ -145,6 +147,24 @@ class ViewInBrowser(unittest.TestCase):
             now = [row for row in rows if row[0] <= round(1e9 * t_s)] or rows[:1]
             for column, value in self.values("digger/joints").items():
                 self.assertEqual(value, now[-1][names.index(column)], (t_s, column))
+
+    def check_events(self):
+        """The timeline has a row for each kind, with each event where its times are."""
+        head, *rows = (self.a / "truth/events.csv").read_text(encoding="ascii").splitlines()
+        first = dict(zip(head.split(","), rows[0].split(",")))
+        self.assertEqual((first["kind"], first["other"]), ("person_near", "worker"))
+        events = self.browser.run("tera.timeline.events.map((e) => [e.kind, e.from_s, e.to_s, e.text])")
+        self.assertEqual(len(events), len(rows))
+        kind, from_s, to_s, text = events[0]
+        self.assertEqual(kind, "person_near")
+        self.assertAlmostEqual(from_s, 1e-9 * int(first["t_ns"]))
+        self.assertAlmostEqual(to_s, 1e-9 * int(first["end_ns"]))
+        self.assertIn("digger – worker", text)
+        under = self.browser.run("""(() => {
+          const t = tera.timeline, width = t.canvas.getBoundingClientRect().width;
+          return t.eventsAt(t.xOf(0.5, width), 4).map((e) => e.kind);
+        })()""")
+        self.assertEqual(under, ["person_near"])
 
     def check_links_stand_where_the_truth_has_them(self):
         links = self.browser.run("tera.state.datasets[0].stage.machines[0].links")

@@ -171,6 +171,7 @@ async function start() {
   const timeline = new Timeline(), plots = new Plots(), cameras = new Cameras(), view = new View3d(), map = new SiteMap(), channels = new Channels(plots);
   const findings = state.diagnoses.flatMap((diagnosis) => diagnosis.findings);
   timeline.findings = plots.findings = findings;
+  state.datasets.forEach((dataset) => timeline.addEvents(dataset));
   const help = helpDialog();
   const root = h("main.grid");
   root.append(sidePanel(channels, state.diagnoses), view.element, cameras.element, plots.element, map.element,

@@ -15,10 +15,11 @@ Arrays are NumPy's. Times are whole nanoseconds since the recording's zero, angl
 from tera.data.camera import Box, Camera, Flow, Frame, Keypoint
 from tera.data.dataset import Dataset, Epoch
 from tera.data.diagnosis import Diagnosis, diagnosis
+from tera.data.events import Event, Events
 from tera.data.lens import Lens
 from tera.data.lidar import Lidar, Scan
 from tera.data.pose import PoseTrack, pose_matrix, transformed
 from tera.data.table import Table
 
-__all__ = ["Box", "Camera", "Dataset", "Diagnosis", "Epoch", "Flow", "Frame", "Keypoint", "Lens", "Lidar", "PoseTrack", "Scan", "Table", "diagnosis",
+__all__ = ["Box", "Camera", "Dataset", "Diagnosis", "Epoch", "Event", "Events", "Flow", "Frame", "Keypoint", "Lens", "Lidar", "PoseTrack", "Scan", "Table", "diagnosis",
            "pose_matrix", "transformed"]

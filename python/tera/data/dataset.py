@@ -10,11 +10,12 @@ import numpy as np
 import yaml
 
 from tera.data.camera import Camera
+from tera.data.events import Events
 from tera.data.lidar import Lidar
 from tera.data.pose import PoseTrack, inverse
 from tera.data.table import Table
 
-Channel = Table | Camera | Lidar | PoseTrack
+Channel = Table | Camera | Lidar | PoseTrack | Events
 
 
 class Epoch(NamedTuple):
@@ -70,7 +71,7 @@ class Dataset:
         return path in self.types or f"{path}.csv" in self.types
 
     def __getitem__(self, path: str) -> Channel:
-        """A channel; one of kind `pose` is a PoseTrack. Raises KeyError with the paths that there are."""
+        """A channel; one of kind `pose` is a PoseTrack, one of kind `events` Events. Raises KeyError with the paths that there are."""
         known = path if path in self.types else f"{path}.csv"
         if known not in self.types:
             raise KeyError(f"{self.path} has no channel {path!r}; it has {', '.join(self.types)}")
@@ -86,6 +87,8 @@ class Dataset:
             return Lidar(place, self.sensor(path))
         if kind == "pose":
             return PoseTrack(place)
+        if kind == "events":
+            return Events(place)
         return Table(place if place.suffix == ".csv" else place / "data.csv")
 
     def sensor(self, path: str) -> dict:

@@ -62,6 +62,14 @@ void ModelArchive::Visit(std::string_view key, std::string* choice,
   *choice = source().Choice(key, allowed, *choice);
 }
 
+void ModelArchive::Visit(std::string_view key, std::optional<std::filesystem::path>* file) {
+  if (reads()) {
+    *file = source().OptionalFile(key);
+  } else if (*file) {
+    Write(key, "'" + (*file)->string() + "'");
+  }
+}
+
 void ModelArchive::Visit(std::string_view key, std::optional<double>* value, const Range& range) {
   if (reads()) {
     *value = source().OptionalNumber(key, range);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -35,6 +36,8 @@ class ModelArchive {
   /// One of `allowed`.
   void Visit(std::string_view key, std::string* choice,
              std::initializer_list<std::string_view> allowed);
+  /// An optional file, present if its key exists. A missing file is a fault, and an empty path.
+  void Visit(std::string_view key, std::optional<std::filesystem::path>* file);
   /// An optional number, present if its key exists.
   void Visit(std::string_view key, std::optional<double>* value, const Range& range);
 

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "dataset/format/events_table.h"
+
 namespace tera {
 namespace fs = std::filesystem;
 namespace {
@@ -75,6 +77,7 @@ std::optional<RecordedSpan> Overlap(const Recording& one, const Recording& other
 std::optional<RecordedSpan> SpanOf(const Recording& recording) {
   std::optional<RecordedSpan> all;
   for (const ChannelDescription& channel : recording.channels()) {
+    if (channel.type == kEventsChannel) continue;
     const bool is_file = channel.type == kTableChannel || channel.type == kPoseChannel;
     const fs::path path = recording.directory() / channel.path;
     const auto span = SpanOfTable(is_file ? path : path / "data.csv");

@@ -50,6 +50,8 @@ WriteFormat WriterOf(ExportFormat format) {
       return ExportWebdataset;
     case ExportFormat::kNuscenes:
       return ExportNuscenes;
+    case ExportFormat::kPcap:
+      return ExportPackets;
   }
   TERA_CHECK(false, static_cast<int>(format));
   return nullptr;

@@ -65,5 +65,6 @@ void ExportKitti(ExportJob* job);
 void ExportSemanticKitti(ExportJob* job);
 void ExportWebdataset(ExportJob* job);
 void ExportNuscenes(ExportJob* job);
+void ExportPackets(ExportJob* job);
 
 }  // namespace tera

@@ -32,7 +32,8 @@ enum class ExportFormat {
   kKitti,
   kSemanticKitti,
   kWebdataset,
-  kNuscenes
+  kNuscenes,
+  kPcap
 };
 
 struct ExportFormatName {
@@ -41,7 +42,7 @@ struct ExportFormatName {
 };
 
 /// All formats in order of value.
-inline constexpr std::array<ExportFormatName, 14> kExportFormats = {
+inline constexpr std::array<ExportFormatName, 15> kExportFormats = {
     {{ExportFormat::kTum, "tum"},
      {ExportFormat::kEuroc, "euroc"},
      {ExportFormat::kNmea, "nmea"},
@@ -55,7 +56,8 @@ inline constexpr std::array<ExportFormatName, 14> kExportFormats = {
      {ExportFormat::kKitti, "kitti"},
      {ExportFormat::kSemanticKitti, "semantickitti"},
      {ExportFormat::kWebdataset, "webdataset"},
-     {ExportFormat::kNuscenes, "nuscenes"}}};
+     {ExportFormat::kNuscenes, "nuscenes"},
+     {ExportFormat::kPcap, "pcap"}}};
 
 /// Whether a format is a bag of ROS messages. Only bags use `images`; ROS 2 bags also use `storage`
 /// and `compression`.
@@ -73,6 +75,10 @@ constexpr bool GoesOnByFrames(ExportFormat format) {
 constexpr bool IsOfOneCamera(ExportFormat format) { return format == ExportFormat::kKitti; }
 constexpr bool IsOfOneLidar(ExportFormat format) {
   return IsOfOneCamera(format) || format == ExportFormat::kSemanticKitti;
+}
+/// Whether a format takes the choice of a lidar.
+constexpr bool ChoosesLidar(ExportFormat format) {
+  return IsOfOneLidar(format) || format == ExportFormat::kPcap;
 }
 /// Whether a format may need joint trees.
 constexpr bool UsesJointTrees(ExportFormat format) {
@@ -132,7 +138,7 @@ struct ExportOptions {
   BagCompression compression = BagCompression::kZstd;  ///< compression of MCAP's chunks
   BagImages images = BagImages::kRaw;
   std::vector<KittiLayout> kitti_layouts;         ///< empty: all
-  std::string camera, lidar;                      ///< paths, for formats with one; empty: the first
+  std::string camera, lidar;                      ///< paths; empty: the first, or all of `pcap`
   double key_frames_hz = kDefaultKeyFrames_hz;    ///< rate of fully annotated frames in nuScenes
   std::int64_t shard_bytes = kDefaultShardBytes;  ///< approximate archive size in WebDataset
   std::filesystem::path card;  ///< publisher's facts for the WebDataset card; empty: no card

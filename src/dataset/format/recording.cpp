@@ -20,6 +20,7 @@
 #include "dataset/files/checked_file.h"
 #include "dataset/format/channel.h"
 #include "dataset/format/csv_rows.h"
+#include "dataset/format/events_table.h"
 #include "dataset/format/object_boxes.h"
 #include "dataset/format/pcd.h"
 #include "dataset/format/png.h"
@@ -36,14 +37,15 @@ struct ChannelType {
   bool is_sensor;
 };
 
-constexpr std::array<ChannelType, 7> kChannelTypes = {
+constexpr std::array<ChannelType, 8> kChannelTypes = {
     {{kImuChannel, ChannelForm::kRows, true},
      {kGnssChannel, ChannelForm::kRows, true},
      {kEncoderChannel, ChannelForm::kRows, true},
      {kCameraChannel, ChannelForm::kPictures, true},
      {kLidarChannel, ChannelForm::kScans, true},
      {kTableChannel, ChannelForm::kRows, false},
-     {kPoseChannel, ChannelForm::kRows, false}}};
+     {kPoseChannel, ChannelForm::kRows, false},
+     {kEventsChannel, ChannelForm::kRows, false}}};
 
 }  // namespace
 namespace fs = std::filesystem;

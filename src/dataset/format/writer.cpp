@@ -338,6 +338,11 @@ void DatasetWriter::AddWholeTable(const ChannelInfo& info, const fs::path& file)
                                      fmt::format("has other columns than the scenario; need '{}'",
                                                  HeaderOf(info))});
   }
+  AddWholeText(info, text);
+}
+
+void DatasetWriter::AddWholeText(const ChannelInfo& info, const std::string& text) {
+  TERA_CHECK(text.starts_with(HeaderOf(info) + "\n"), info.path);
   impl_->Add(info, text);
   impl_->row_bytes += static_cast<std::int64_t>(text.size());
 }

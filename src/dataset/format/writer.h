@@ -41,11 +41,13 @@ class DatasetWriter : public MeasurementSink {
   /// Adds a channel of rows by copying the complete file of another recording. The channel accepts
   /// no further rows. Throws InputError if the file is missing or has other columns.
   void AddWholeTable(const ChannelInfo& info, const std::filesystem::path& file);
+  /// Adds a table with its whole text, header included. The channel accepts no further rows.
+  void AddWholeText(const ChannelInfo& info, const std::string& text);
   void Write(ChannelId channel, Measurement measurement) override;
   /// False when resuming and the files of this channel's frame at `t_ns` are complete.
   bool NeedsFrame(ChannelId channel, TimeNs t_ns, TimeNs next_ns) const override;
   void MarkPresent(ChannelId channel, TimeNs t_ns) override;
-  bool TakesFramesLate() const override { return true; }
+  bool AcceptsOutOfOrderFrames() const override { return true; }
 
   /// Path for a file of another kind (truth/terrain/*.tif); its folder exists.
   std::filesystem::path PathFor(const std::string& relative);

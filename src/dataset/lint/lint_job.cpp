@@ -7,6 +7,7 @@
 
 #include "core/config/config.h"
 #include "core/error.h"
+#include "dataset/format/events_table.h"
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -65,7 +66,8 @@ std::optional<SensorSheet> LintJob::SheetOf(const std::string& channel) const {
 
 std::string LintJob::RowsOf(const std::string& channel) const {
   const std::string_view type = recording_.TypeOf(channel);
-  return type == kTableChannel || type == kPoseChannel ? channel : channel + "/data.csv";
+  const bool is_file = type == kTableChannel || type == kPoseChannel || type == kEventsChannel;
+  return is_file ? channel : channel + "/data.csv";
 }
 
 std::string LintJob::ClassName(int id) const {

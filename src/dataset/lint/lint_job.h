@@ -73,6 +73,7 @@ void CheckCommands(LintJob* job);
 void CheckEncoders(LintJob* job);
 void CheckInertialUnits(LintJob* job);
 void CheckReceivers(LintJob* job);
+void CheckEvents(LintJob* job);
 void CheckCameras(LintJob* job);  ///< pictures.*, boxes.*
 void CheckLidars(LintJob* job);   ///< scans.* except depth
 void CheckScansByDepth(LintJob* job);

@@ -113,6 +113,11 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
      "Encoders read the joints that truth/<machine>/joints.csv tells.",
      "Check names, units and zero positions of the joints."},
 
+    {"events.rows", Severity::kError,
+     "Events are whole rows of a known kind and unit, in order of their beginning, within the "
+     "recording and of its machines.",
+     "Copy the file again, or generate the recording again."},
+
     {"imu.gravity", Severity::kError,
      "An inertial unit's specific force has about the size of gravity.",
      "Convert to m/s2; 1 g is 9.80665. Where gravity was taken away, record it with it."},

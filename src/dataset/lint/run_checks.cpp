@@ -11,9 +11,9 @@ namespace {
 
 /// Earlier checks find unreadable channels, which later ones may skip.
 constexpr std::array kChecks = {
-    CheckDescription,  CheckFiles,         CheckRows,      CheckPoses,   CheckCommands,
-    CheckEncoders,     CheckInertialUnits, CheckReceivers, CheckCameras, CheckLidars,
-    CheckScansByDepth, CheckFlowByPoses,   CheckHashes};
+    CheckDescription, CheckFiles,         CheckRows,        CheckPoses,  CheckCommands,
+    CheckEncoders,    CheckInertialUnits, CheckReceivers,   CheckEvents, CheckCameras,
+    CheckLidars,      CheckScansByDepth,  CheckFlowByPoses, CheckHashes};
 
 }  // namespace
 

@@ -78,7 +78,7 @@ MeasuredRate Fresh(const MeasuredRate& measured, const AxisLog& log) {
 /// Excludes samples at which the drive's effort is exhausted. The rate then depends on other
 /// joints, which yield, and on the cylinder's position, both unknown to the replay of one axis.
 /// Keeps all samples if the effort is exhausted most of the time.
-MeasuredRate WithinItsEffort(const LoneAxisReplay& replay, MeasuredRate measured) {
+MeasuredRate WithinItsEffort(const AxisReplay& replay, MeasuredRate measured) {
   const std::vector<bool> falls_short =
       replay.FallsShort(replay.effects(), {.effort = kSureEffortShare});
   double moves = 0, lost = 0;
@@ -166,7 +166,7 @@ Eigen::MatrixXd ByLagAndPlace(const Series& lever, const Series& position, const
 
 /// Changes of the prediction without candidates by the rate at full lever and by effort over
 /// inertia, to second order. Where effort limits the rate, a larger rate is reached later.
-Eigen::MatrixXd NominalColumns(const LoneAxisReplay& replay, const SampleGrid& grid) {
+Eigen::MatrixXd NominalColumns(const AxisReplay& replay, const SampleGrid& grid) {
   const auto predict = [&](double rate, double effort) -> Eigen::VectorXd {
     const std::vector<double> y =
         grid.Spread(replay.Predict(replay.effects(), {.rate = 1 + rate * kNominalRate,
@@ -287,7 +287,7 @@ std::optional<ReplayBlock> MakeAxisBlock(const MachineModel& model, const AxisLo
   const MeasuredRate fresh = Fresh(log.measured[measured_index], log);
   const std::size_t axis = fresh.axis;
   if (!HasLever(model, axis) || fresh.t_ns.empty()) return std::nullopt;
-  const LoneAxisReplay replay(model, log, fresh);
+  const AxisReplay replay(model, log, fresh);
   const MeasuredRate measured = WithinItsEffort(replay, fresh);
   if (std::count(measured.is_free.begin(), measured.is_free.end(), true) < kFewestSamples) {
     return std::nullopt;
@@ -352,7 +352,7 @@ std::vector<double> RateDiscrepancy(const MachineModel& model, const AxisLog& lo
     same.rate_radps.push_back(rates.rate_radps[s]);
     same.is_free.push_back(rates.is_free[s]);
   }
-  const LoneAxisReplay replay(model, simulated, same);
+  const AxisReplay replay(model, simulated, same);
   const std::vector<double> replayed = replay.Predict(replay.effects());
   std::vector<double> left(fresh.t_ns.size(), 0.0);
   for (std::size_t i = 0; i < replayed.size(); ++i) left[i] = same.rate_radps[i] - replayed[i];

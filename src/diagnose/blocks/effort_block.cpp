@@ -6,7 +6,8 @@
 #include <memory>
 
 #include "diagnose/blocks/candidate_list.h"
-#include "diagnose/replay/effort_replay.h"
+#include "diagnose/blocks/sample_grid.h"
+#include "diagnose/replay/effort_log.h"
 #include "diagnose/statistics/series/robust.h"
 #include "physics/actuation/actuation_mechanisms.h"
 
@@ -87,8 +88,7 @@ std::vector<RegimeVariable> VariablesOf(const std::string& joint, const EffortLo
   const double period_s = log.measured.period_s;
   std::vector<RegimeVariable> variables;
   const auto add = [&](const std::string& name, std::vector<double> values) {
-    Mask all(values.size(), 1);
-    variables.push_back({name, {period_s, std::move(values), std::move(all)}});
+    variables.push_back({name, WholeSeries(period_s, std::move(values))});
   };
   add("rate/" + joint, log.rate_radps);
   add("position/" + joint, log.position_rad);
@@ -104,7 +104,7 @@ std::vector<RegimeVariable> VariablesOf(const std::string& joint, const EffortLo
 
 /// The rate over its maximum, as the command that separates manoeuvres.
 Series CommandOf(const EffortLog& log, double largest_radps) {
-  Series command{log.measured.period_s, log.rate_radps, Mask(log.rate_radps.size(), 1)};
+  Series command = WholeSeries(log.measured.period_s, log.rate_radps);
   for (double& share : command.value) share /= largest_radps;
   return command;
 }

@@ -186,20 +186,16 @@ Eigen::MatrixXd PlacementColumns(const ReceiverCourse& course, std::size_t axis)
   return columns;
 }
 
-Series Whole(std::vector<double> values, double period_s) {
-  Mask all(values.size(), 1);
-  return {period_s, std::move(values), std::move(all)};
-}
-
 std::vector<RegimeVariable> VariablesOf(const ReceiverCourse& course, bool has_boom,
                                         double period_s) {
-  std::vector<RegimeVariable> variables = {{"yaw", Whole(course.yaw_rad, period_s), true},
-                                           {"speed", Whole(course.forward_mps, period_s)},
-                                           {"yaw_rate", Whole(course.turning_radps, period_s)},
-                                           {"pitch", Whole(course.pitch_rad, period_s)},
-                                           {"roll", Whole(course.roll_rad, period_s)},
-                                           {"time", Whole(course.time_s, period_s)}};
-  if (has_boom) variables.push_back({"raised_part", Whole(course.raised, period_s)});
+  std::vector<RegimeVariable> variables = {
+      {"yaw", WholeSeries(period_s, course.yaw_rad), true},
+      {"speed", WholeSeries(period_s, course.forward_mps)},
+      {"yaw_rate", WholeSeries(period_s, course.turning_radps)},
+      {"pitch", WholeSeries(period_s, course.pitch_rad)},
+      {"roll", WholeSeries(period_s, course.roll_rad)},
+      {"time", WholeSeries(period_s, course.time_s)}};
+  if (has_boom) variables.push_back({"raised_part", WholeSeries(period_s, course.raised)});
   return variables;
 }
 
@@ -208,7 +204,7 @@ Series CommandOf(std::vector<double> values, double least, double period_s) {
   double largest = least;
   for (const double x : values) largest = std::max(largest, std::abs(x));
   for (double& x : values) x = std::abs(x) < least ? 0 : x / largest;
-  return Whole(std::move(values), period_s);
+  return WholeSeries(period_s, std::move(values));
 }
 
 bool Has(const SensorDescription& receiver, std::string_view id) {

@@ -7,6 +7,7 @@
 
 #include "diagnose/blocks/candidate_list.h"
 #include "diagnose/blocks/measured_poses.h"
+#include "diagnose/blocks/sample_grid.h"
 #include "sensors/sensor_mechanisms.h"
 
 namespace tera {
@@ -201,8 +202,7 @@ std::vector<RegimeVariable> VariablesOf(const Quantities& predicted, const ImuLo
                                         double period_s) {
   std::vector<RegimeVariable> variables;
   const auto add = [&](const std::string& name, std::vector<double> values) {
-    Mask all(values.size(), 1);
-    variables.push_back({name, {period_s, std::move(values), std::move(all)}});
+    variables.push_back({name, WholeSeries(period_s, std::move(values))});
   };
   for (std::size_t i = 0; i < kQuantities; ++i) {
     add((i < 3 ? "rate/" : "force/") + std::string(1, "xyz"[i % 3]), predicted[i]);
@@ -215,7 +215,7 @@ std::vector<RegimeVariable> VariablesOf(const Quantities& predicted, const ImuLo
     yaw_rad.push_back(rpy_rad.z());
     time_s.push_back(static_cast<double>(k) * period_s);
   }
-  variables.push_back({"yaw", {period_s, yaw_rad, Mask(yaw_rad.size(), 1)}, true});
+  variables.push_back({"yaw", WholeSeries(period_s, std::move(yaw_rad)), true});
   add("roll", std::move(roll_rad));
   add("pitch", std::move(pitch_rad));
   add("time", std::move(time_s));
@@ -226,8 +226,7 @@ std::vector<RegimeVariable> VariablesOf(const Quantities& predicted, const ImuLo
 /// rest, a single command covers the recording.
 std::vector<Series> CommandsOf(const Quantities& predicted, double period_s) {
   if (IsAtRest(predicted)) {
-    const std::size_t size = predicted[0].size();
-    return {{period_s, std::vector<double>(size, 1.0), Mask(size, 1)}};
+    return {WholeSeries(period_s, std::vector<double>(predicted[0].size(), 1.0))};
   }
   std::vector<Series> commands;
   for (std::size_t a = 0; a < 3; ++a) {
@@ -235,8 +234,7 @@ std::vector<Series> CommandsOf(const Quantities& predicted, double period_s) {
     for (const double w : predicted[a]) largest = std::max(largest, std::abs(w));
     std::vector<double> share;
     for (const double w : predicted[a]) share.push_back(w / largest);
-    Mask all(share.size(), 1);
-    commands.push_back({period_s, std::move(share), std::move(all)});
+    commands.push_back(WholeSeries(period_s, std::move(share)));
   }
   return commands;
 }

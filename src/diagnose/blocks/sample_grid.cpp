@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/check.h"
 #include "core/error.h"
@@ -25,6 +26,11 @@ double MedianStep_s(const std::vector<TimeNs>& t_ns) {
 bool ComeEvenly(const std::vector<TimeNs>& t_ns) {
   return ToSeconds(t_ns.back() - t_ns.front()) <=
          kMostPlacesPerSample * MedianStep_s(t_ns) * static_cast<double>(t_ns.size());
+}
+
+Series WholeSeries(double period_s, std::vector<double> values) {
+  Mask all(values.size(), 1);
+  return {period_s, std::move(values), std::move(all)};
 }
 
 SampleGrid SampleGrid::Under(const std::vector<TimeNs>& t_ns) {

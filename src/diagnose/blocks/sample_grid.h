@@ -12,6 +12,9 @@ namespace tera {
 /// measured time.
 bool ComeEvenly(const std::vector<TimeNs>& t_ns);
 
+/// A series without gaps.
+Series WholeSeries(double period_s, std::vector<double> values);
+
 /// Uniform time grid for nearly even samples.
 ///
 /// Model   the period is the median step of the samples. A sample is at the nearest grid point; of

@@ -178,9 +178,9 @@ void Comparison::AddBlock(const DiagnosedBlock& diagnosed, const SimulatedCourse
   const auto was = Simulated(diagnosed, before), is = Simulated(diagnosed, after);
   for (std::size_t c = 0; c < diagnosed.block.channels.size(); ++c) {
     const Channel& channel = diagnosed.block.channels[c];
-    const bool is_learned = std::any_of(
-        diagnosed.proposals.begin(), diagnosed.proposals.end(),
-        [&](const Proposal& proposal) { return proposal.channel == c && proposal.learned; });
+    const bool is_learned =
+        std::any_of(diagnosed.learned.begin(), diagnosed.learned.end(),
+                    [&](const Learned& learned) { return learned.channel == c; });
     const bool is_named = std::any_of(
         diagnosed.diagnosis.findings.begin(), diagnosed.diagnosis.findings.end(),
         [&](const Finding& finding) {
@@ -233,9 +233,8 @@ SimulatedFindings FindingsToSimulate(const std::vector<DiagnosedBlock>& blocks) 
     for (const Finding& finding : diagnosed.diagnosis.findings) {
       if (finding.term.candidate->target != kPoses) found.terms.push_back(finding.term);
     }
-    for (const Proposal& proposal : diagnosed.proposals) {
-      if (!proposal.learned) continue;
-      found.learned.push_back({diagnosed.block.name, proposal.learned->effect});
+    for (const Learned& learned : diagnosed.learned) {
+      found.learned.push_back({diagnosed.block.name, learned.effect});
     }
   }
   return found;

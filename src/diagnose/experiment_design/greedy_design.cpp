@@ -24,6 +24,16 @@ Structure Without(Structure terms, const Candidate* candidate) {
   return terms;
 }
 
+/// The mask of some segments.
+Mask Within(const std::vector<Segment>& segments, std::size_t size) {
+  Mask mask(size, 0);
+  for (const Segment& samples : segments) {
+    std::fill(mask.begin() + static_cast<std::ptrdiff_t>(samples.begin),
+              mask.begin() + static_cast<std::ptrdiff_t>(samples.end), 1);
+  }
+  return mask;
+}
+
 /// The class of a finding: itself and its rivals, each fitted in its place.
 AmbiguitySet ClassOf(const Finding& finding, const Structure& found,
                      const StructureFitter& fitter) {
@@ -54,11 +64,7 @@ std::vector<AmbiguitySet> AmbiguitySetsOf(const ReplayBlock& block,
   std::vector<AmbiguitySet> sets;
   const Structure& found = diagnosis.search.found.terms;
   const std::vector<Segment> seen = SeenSegmentsOf(diagnosis.manoeuvres);
-  Mask mask(block.samples(), 0);
-  for (const Segment& samples : seen) {
-    for (std::size_t k = samples.begin; k < samples.end; ++k) mask[k] = 1;
-  }
-  const Likelihood likelihood(block, diagnosis.noise, mask);
+  const Likelihood likelihood(block, diagnosis.noise, Within(seen, block.samples()));
   const StructureFitter fitter(block, likelihood, seen);
   for (const Finding& finding : diagnosis.findings) {
     if (finding.evidence.rivals.size() > 1) sets.push_back(ClassOf(finding, found, fitter));
@@ -95,11 +101,7 @@ double PowerOf(const RivalPair& pair, bool is_class, ReplayBlock run,
     if (run.channels[0].measured.valid[k]) run.channels[0].measured.value[k] = truth[0][k];
   }
   const std::vector<Segment> whole = SeenSegmentsOf(manoeuvres);
-  Mask mask(run.samples(), 0);
-  for (const Segment& samples : whole) {
-    for (std::size_t k = samples.begin; k < samples.end; ++k) mask[k] = 1;
-  }
-  const Likelihood likelihood(run, {noise}, mask);
+  const Likelihood likelihood(run, {noise}, Within(whole, run.samples()));
   const StructureFitter fitter(run, likelihood, whole);
   const Misfit wrong = fitter.FitValues(pair.alternative).misfit;
   Misfit right = wrong;

@@ -19,11 +19,6 @@ std::size_t AxesOf(const MachineModel& model) {
   return model.joints.size() + model.gear_drives.size();
 }
 
-std::size_t AxisOf(const MachineModel& model, const Lever& lever) {
-  return static_cast<std::size_t>(
-      lever.joint >= 0 ? lever.joint : static_cast<int>(model.joints.size()) + lever.gear);
-}
-
 /// The levers of all axes as moves set them, read with rising time.
 class LeversOverTime {
  public:

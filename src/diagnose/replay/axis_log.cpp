@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/check.h"
 #include "core/error.h"
-#include "diagnose/replay/between_samples.h"
 #include "physics/actuation/axes.h"
 #include "physics/dynamics/gravity_load.h"
 #include "physics/dynamics/joint_inertia.h"
@@ -22,16 +22,6 @@ constexpr double kAtStop_rad = 0.01;    ///< distance from an end stop at which 
                                         ///< joint
 constexpr double kPush = 0.02;        ///< least lever that counts as pushed: the expected dead band
 constexpr double kLongestPush_s = 2;  ///< a released lever may still act for so long
-
-/// Position and rate of one axis over time.
-struct AxisSamples {
-  std::vector<TimeNs> t_ns;
-  std::vector<double> position_rad, rate_radps;
-};
-
-int AxisOf(const MachineModel& model, const Lever& lever) {
-  return lever.joint >= 0 ? lever.joint : static_cast<int>(model.joints.size()) + lever.gear;
-}
 
 /// Whether each sample of an axis is clear of its end stops.
 std::vector<bool> BetweenStops(const MachineModel& model, std::size_t axis,
@@ -55,12 +45,7 @@ std::vector<AxisSamples> SamplesByAxis(const MachineModel& model,
       const EncoderAxis& named = recording.axes[i];
       const int axis = AxisNamed(model, named.name);
       if (axis < 0) continue;
-      AxisSamples own;
-      for (const EncoderSample& sample : recording.samples) {
-        own.t_ns.push_back(sample.t_ns);
-        own.position_rad.push_back(sample.q_rad[i]);
-        own.rate_radps.push_back(sample.qd_radps[i]);
-      }
+      AxisSamples own = SamplesOf(recording, i);
       log->measured.push_back(
           {.channel = fmt::format("{}/{}{}", channel, named.name, named.linear ? "_mps" : "_radps"),
            .axis = static_cast<std::size_t>(axis),
@@ -236,6 +221,46 @@ void SetWeights(const MachineModel& model, AxisLog* log) {
 }
 
 }  // namespace
+
+AxisSamples SamplesOf(const EncoderRecording& recording, std::size_t axis) {
+  AxisSamples samples;
+  for (const EncoderSample& sample : recording.samples) {
+    samples.t_ns.push_back(sample.t_ns);
+    samples.position_rad.push_back(sample.q_rad[axis]);
+    samples.rate_radps.push_back(sample.qd_radps[axis]);
+  }
+  return samples;
+}
+
+std::optional<AxisSamples> SamplesOf(const std::string& axis,
+                                     const std::vector<NamedEncoders>& encoders) {
+  for (const auto& [channel, recording] : encoders) {
+    for (std::size_t i = 0; i < recording.axes.size(); ++i) {
+      if (recording.axes[i].name == axis && !recording.samples.empty()) {
+        return SamplesOf(recording, i);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+BetweenSamples::BetweenSamples(const std::vector<TimeNs>& t_ns, TimeNs at_ns) {
+  TERA_CHECK(!t_ns.empty(), at_ns);
+  const auto next = std::lower_bound(t_ns.begin(), t_ns.end(), at_ns);
+  if (next == t_ns.begin()) return;
+  a = static_cast<std::size_t>(next - t_ns.begin()) - 1;
+  b = next == t_ns.end() ? a : a + 1;
+  if (b > a) s = static_cast<double>(at_ns - t_ns[a]) / static_cast<double>(t_ns[b] - t_ns[a]);
+}
+
+double BetweenSamples::Of(const std::vector<double>& values) const {
+  return std::lerp(values[a], values[b], s);
+}
+
+std::size_t AxisOf(const MachineModel& model, const Lever& lever) {
+  return lever.joint >= 0 ? static_cast<std::size_t>(lever.joint)
+                          : model.joints.size() + static_cast<std::size_t>(lever.gear);
+}
 
 AxisLog MakeAxisLog(const MachineModel& model, const TableRecording& commands,
                     const std::vector<NamedEncoders>& encoders, double step_s) {

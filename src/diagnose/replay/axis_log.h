@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -56,6 +57,31 @@ struct NamedEncoders {
   std::string channel;
   EncoderRecording recording;
 };
+
+/// Position and rate of one joint or gear over time, as an encoder measured them.
+struct AxisSamples {
+  std::vector<TimeNs> t_ns;
+  std::vector<double> position_rad, rate_radps;
+};
+
+AxisSamples SamplesOf(const EncoderRecording& recording, std::size_t axis);
+/// Those of the first encoder that measured the joint or gear of that name; none without samples.
+std::optional<AxisSamples> SamplesOf(const std::string& axis,
+                                     const std::vector<NamedEncoders>& encoders);
+
+/// Linear interpolation at a time: the two neighbouring samples and the share of the way between
+/// them. Outside the samples, the nearest one holds (a is b there).
+struct BetweenSamples {
+  std::size_t a = 0, b = 0;
+  double s = 0;
+
+  /// The times must ascend, with at least one.
+  BetweenSamples(const std::vector<TimeNs>& t_ns, TimeNs at_ns);
+  double Of(const std::vector<double>& values) const;
+};
+
+/// The axis that a lever moves.
+std::size_t AxisOf(const MachineModel& model, const Lever& lever);
 
 /// Log of a machine from its commands (columns named by levers) and encoders (axes named by joints
 /// and gears; others are ignored). Throws InputError where commands and encoders have no time in

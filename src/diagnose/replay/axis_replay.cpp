@@ -55,34 +55,7 @@ double Accelerated(double from_radps, double asked_radps, double full_nm, double
 
 }  // namespace
 
-std::vector<std::vector<double>> AxisReplay::Predict(const MachineEffects& effects) const {
-  MachineModel model = model_;
-  model.effects = effects;
-  Actuation actuation(model, {.machine = model.kind});
-  std::vector<double> rate_radps(log_.axes, 0.0);
-  std::vector<SampledRate> sampled;
-  for (const MeasuredRate& measured : log_.measured) {
-    sampled.emplace_back(measured.at_step, measured.at_step.size());
-  }
-  for (std::size_t k = 0; k < log_.steps; ++k) {
-    actuation.Step(log_.levers_at(k), log_.motions_at(k), log_.step_s);
-    for (std::size_t axis = 0; axis < log_.axes; ++axis) {
-      rate_radps[axis] =
-          Accelerated(rate_radps[axis], actuation.drives()[axis].rate_radps,
-                      FullEffort_nm(model_, axis), log_.motions_at(k)[axis].load_nm,
-                      ChangePerEffort_radpspnm(log_.inertias_at(k)[axis], log_.step_s));
-    }
-    for (std::size_t m = 0; m < sampled.size(); ++m) {
-      sampled[m].Add(k, rate_radps[log_.measured[m].axis]);
-    }
-  }
-  std::vector<std::vector<double>> rates;
-  for (SampledRate& rate : sampled) rates.push_back(rate.Take());
-  return rates;
-}
-
-LoneAxisReplay::LoneAxisReplay(const MachineModel& model, const AxisLog& log,
-                               const MeasuredRate& measured)
+AxisReplay::AxisReplay(const MachineModel& model, const AxisLog& log, const MeasuredRate& measured)
     : model_(model),
       axis_(measured.axis),
       axes_(log.axes),
@@ -107,22 +80,22 @@ LoneAxisReplay::LoneAxisReplay(const MachineModel& model, const AxisLog& log,
   model_.effects.pumps.resize(model.pumps.size());
 }
 
-LoneAxisReplay LoneAxisReplay::With(const LearnedEffect& learned) const {
-  LoneAxisReplay with = *this;
+AxisReplay AxisReplay::With(const LearnedEffect& learned) const {
+  AxisReplay with = *this;
   with.model_.effects.learned.resize(axes_);
   with.model_.effects.learned[axis_] = learned;
   return with;
 }
 
-AxisEffects LoneAxisReplay::effects() const {
+AxisEffects AxisReplay::effects() const {
   const std::size_t joints = model_.joints.size();
   return {axis_ < joints ? model_.effects.joints[axis_] : model_.effects.gears[axis_ - joints],
           pump_ ? model_.effects.pumps[pump_->pump] : Effects()};
 }
 
 template <typename Take>
-void LoneAxisReplay::Run(const AxisEffects& effects, const Nominal& nominal, std::size_t steps,
-                         const Take& take) const {
+void AxisReplay::Run(const AxisEffects& effects, const Nominal& nominal, std::size_t steps,
+                     const Take& take) const {
   const std::size_t joints = model_.joints.size();
   MachineModel model = model_;
   (axis_ < joints ? model.effects.joints[axis_] : model.effects.gears[axis_ - joints]) =
@@ -154,8 +127,8 @@ void LoneAxisReplay::Run(const AxisEffects& effects, const Nominal& nominal, std
   }
 }
 
-std::vector<double> LoneAxisReplay::Predict(const AxisEffects& effects, const Nominal& nominal,
-                                            std::size_t most) const {
+std::vector<double> AxisReplay::Predict(const AxisEffects& effects, const Nominal& nominal,
+                                        std::size_t most) const {
   const std::size_t wanted = std::min(most, at_step_.size());
   SampledRate sampled(at_step_, wanted);
   Run(effects, nominal, StepsTo(wanted),
@@ -164,14 +137,13 @@ std::vector<double> LoneAxisReplay::Predict(const AxisEffects& effects, const No
 }
 
 /// Number of steps up to the end of the step that contains the last of the first `samples`.
-std::size_t LoneAxisReplay::StepsTo(std::size_t samples) const {
+std::size_t AxisReplay::StepsTo(std::size_t samples) const {
   if (samples == at_step_.size()) return lever_.size();
   const double last = samples == 0 ? 0 : at_step_[samples - 1];
   return std::min(lever_.size(), static_cast<std::size_t>(std::max(0.0, last)) + 1);
 }
 
-std::vector<bool> LoneAxisReplay::FallsShort(const AxisEffects& effects,
-                                             const Nominal& nominal) const {
+std::vector<bool> AxisReplay::FallsShort(const AxisEffects& effects, const Nominal& nominal) const {
   std::vector<bool> falls_short(at_step_.size(), false);
   std::size_t next = 0;
   Run(effects, nominal, lever_.size(), [&](std::size_t k, const Rates& at_end) {

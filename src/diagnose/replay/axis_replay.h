@@ -10,42 +10,28 @@
 
 namespace tera {
 
-/// The actuation chain alone, driven by recorded levers at measured positions and loads. Gives the
-/// rates that a machine's joints and gears with other effects would have had at these positions.
-/// Errors stay where they arise and do not drift.
+/// Effects of an axis, and of the pump that feeds it.
+struct AxisEffects {
+  Effects axis, pump;
+};
+
+/// The actuation chain of one axis alone, driven by recorded levers at measured positions and
+/// loads. Gives the rates that a joint or gear with other effects would have had at these
+/// positions. Errors stay where they arise and do not drift.
 ///
 /// Model   Actuation over the steps of the log. A joint follows its drive's demand, limited by the
-///         acceleration of the links beyond it under full effort minus load.
+///         acceleration of the links beyond it under full effort minus load. The demand of the
+///         pump's other functions is fixed (pump_demand.h). An axis fed by several pumps gets its
+///         full demand.
 /// Omits   joints that the ground or their end stops support; the inertia of other joints that move
 ///         or yield and of the gears; limits of effort by position and direction; `payload`, whose
 ///         weight is not in the log's loads; the messages lost by `command_drops`, which draws its
 ///         own.
 class AxisReplay {
  public:
-  /// Both must outlive it.
-  AxisReplay(const MachineModel& model, const AxisLog& log) : model_(model), log_(log) {}
-
-  /// Rates with `effects` in place of the model's own, one list for each of the log's measured
-  /// rates, at their times.
-  std::vector<std::vector<double>> Predict(const MachineEffects& effects) const;
-
- private:
-  const MachineModel& model_;
-  const AxisLog& log_;
-};
-
-/// Effects of an axis, and of the pump that feeds it.
-struct AxisEffects {
-  Effects axis, pump;
-};
-
-/// The chain of one axis, for the thousands of evaluations of a search. The demand of the pump's
-/// other functions is fixed (pump_demand.h). An axis fed by several pumps gets its full demand.
-class LoneAxisReplay {
- public:
   /// The chain of the axis of one of the log's measured rates, or of some of its samples. Copies
   /// what it needs of all arguments.
-  LoneAxisReplay(const MachineModel& model, const AxisLog& log, const MeasuredRate& measured);
+  AxisReplay(const MachineModel& model, const AxisLog& log, const MeasuredRate& measured);
 
   /// Nominal numbers of the axis, as factors on those of its model.
   struct Nominal {
@@ -65,7 +51,7 @@ class LoneAxisReplay {
   std::vector<bool> FallsShort(const AxisEffects& effects, const Nominal& nominal) const;
 
   /// The same, with `learned` in place of the model's learned effect.
-  LoneAxisReplay With(const LearnedEffect& learned) const;
+  AxisReplay With(const LearnedEffect& learned) const;
 
   /// The model's effects.
   AxisEffects effects() const;

@@ -7,7 +7,6 @@
 
 #include "core/error.h"
 #include "core/units.h"
-#include "diagnose/replay/between_samples.h"
 #include "physics/traction/track_drive.h"
 #include "physics/traction/turning_centre.h"
 
@@ -21,9 +20,7 @@ constexpr double kLongestInterval_s = 1;  ///< between poses whose path is known
 constexpr double kAngleWindow_s = 1, kMostAngleError = 0.1;
 
 /// The rate and angle of one gear over time.
-struct GearSamples {
-  std::vector<TimeNs> t_ns;
-  std::vector<double> rate_radps, angle_rad;
+struct GearSamples : AxisSamples {
   bool angle_is_of_rate = false;
 
   /// Mean rate of a step about a time. By the angle at its ends, if that is the rate's integral,
@@ -34,8 +31,8 @@ struct GearSamples {
     if (!angle_is_of_rate || to_ns <= from_ns) {
       return BetweenSamples(t_ns, middle_ns).Of(rate_radps);
     }
-    const double turned_rad =
-        BetweenSamples(t_ns, to_ns).Of(angle_rad) - BetweenSamples(t_ns, from_ns).Of(angle_rad);
+    const double turned_rad = BetweenSamples(t_ns, to_ns).Of(position_rad) -
+                              BetweenSamples(t_ns, from_ns).Of(position_rad);
     return turned_rad / ToSeconds(to_ns - from_ns);
   }
 };
@@ -47,7 +44,7 @@ bool AngleIsOfRate(const GearSamples& gear) {
   for (std::size_t k = 1; k < gear.t_ns.size(); ++k) {
     const double dt_s = ToSeconds(gear.t_ns[k] - gear.t_ns[k - 1]);
     const double mean_radps = 0.5 * (gear.rate_radps[k] + gear.rate_radps[k - 1]);
-    apart_rad += gear.angle_rad[k] - gear.angle_rad[k - 1] - dt_s * mean_radps;
+    apart_rad += gear.position_rad[k] - gear.position_rad[k - 1] - dt_s * mean_radps;
     rates += dt_s * mean_radps * mean_radps;
     since_s += dt_s;
     if (since_s < kAngleWindow_s) continue;
@@ -56,24 +53,6 @@ bool AngleIsOfRate(const GearSamples& gear) {
     since_s = apart_rad = 0;
   }
   return windows > 0 && squares <= kMostAngleError * kMostAngleError * rates;
-}
-
-GearSamples SamplesOf(const std::string& gear, const std::vector<NamedEncoders>& encoders) {
-  GearSamples samples;
-  for (const auto& [channel, recording] : encoders) {
-    for (std::size_t i = 0; i < recording.axes.size(); ++i) {
-      if (recording.axes[i].name != gear) continue;
-      for (const EncoderSample& sample : recording.samples) {
-        samples.t_ns.push_back(sample.t_ns);
-        samples.rate_radps.push_back(sample.qd_radps[i]);
-        samples.angle_rad.push_back(sample.q_rad[i]);
-      }
-      samples.angle_is_of_rate = AngleIsOfRate(samples);
-      return samples;
-    }
-  }
-  throw InputError(
-      fmt::format("no encoder measures {}; a replay of the base needs every gear", gear));
 }
 
 /// Common time of all gears and poses; the end precedes the start if there is none.
@@ -86,7 +65,6 @@ CommonTime CommonTimeOf(const std::vector<GearSamples>& gears,
   if (poses.empty()) return {};
   CommonTime common{poses.front().t_ns, poses.back().t_ns};
   for (const GearSamples& gear : gears) {
-    if (gear.t_ns.empty()) return {};
     common.first_ns = std::max(common.first_ns, gear.t_ns.front());
     common.last_ns = std::min(common.last_ns, gear.t_ns.back());
   }
@@ -97,7 +75,13 @@ std::vector<GearSamples> GearsOf(const MachineModel& model,
                                  const std::vector<NamedEncoders>& encoders) {
   std::vector<GearSamples> gears;
   for (const RunningGear& gear : model.ground_tools.gears) {
-    gears.push_back(SamplesOf(gear.name, encoders));
+    auto found = SamplesOf(gear.name, encoders);
+    if (!found) {
+      throw InputError(
+          fmt::format("no encoder measures {}; a replay of the base needs every gear", gear.name));
+    }
+    gears.push_back({std::move(*found)});
+    gears.back().angle_is_of_rate = AngleIsOfRate(gears.back());
   }
   return gears;
 }
@@ -129,32 +113,22 @@ class JointPositions {
       for (std::size_t i = 0; i < recording.axes.size(); ++i) {
         const int j = model.JointIndex(recording.axes[i].name);
         if (j < 0 || recording.samples.empty()) continue;
-        Measured one{static_cast<std::size_t>(j), {}, {}};
-        for (const EncoderSample& sample : recording.samples) {
-          one.t_ns.push_back(sample.t_ns);
-          one.q_rad.push_back(sample.q_rad[i]);
-        }
-        measured_.push_back(std::move(one));
+        measured_.emplace_back(static_cast<std::size_t>(j), SamplesOf(recording, i));
       }
     }
   }
   std::vector<double> At(TimeNs t_ns) const {
     std::vector<double> q_rad = at_first_rad_;
-    for (const Measured& one : measured_) {
-      const double q = BetweenSamples(one.t_ns, t_ns).Of(one.q_rad);
-      if (std::isfinite(q)) q_rad[one.joint] = q;
+    for (const auto& [joint, samples] : measured_) {
+      const double q = BetweenSamples(samples.t_ns, t_ns).Of(samples.position_rad);
+      if (std::isfinite(q)) q_rad[joint] = q;
     }
     return q_rad;
   }
 
  private:
-  struct Measured {
-    std::size_t joint;
-    std::vector<TimeNs> t_ns;
-    std::vector<double> q_rad;
-  };
   std::vector<double> at_first_rad_;
-  std::vector<Measured> measured_;
+  std::vector<std::pair<std::size_t, AxisSamples>> measured_;  ///< by joint
 };
 
 /// Adds the gears' rates, the attitudes and the postures from `first_ns` to `last_ns`.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "diagnose/replay/between_samples.h"
+#include "diagnose/statistics/series/robust.h"
 #include "physics/actuation/axes.h"
 
 namespace tera {
@@ -13,45 +13,22 @@ namespace {
 constexpr double kLeastTurning_radps = 1e-3;  ///< of a wheel: less is rest
 constexpr TimeNs kNear_ns = 300'000'000;  ///< distance to a measurement at which motion is known
 
-/// The position of one joint, or of the base, over time.
-template <typename Value>
-struct Measured {
-  std::vector<TimeNs> t_ns;
-  std::vector<Value> value;
-
-  bool KnownAt(TimeNs t) const {
-    const auto next = std::lower_bound(t_ns.begin(), t_ns.end(), t);
-    if (next == t_ns.end()) return false;
-    if (*next == t) return true;
-    return next != t_ns.begin() && *next - *(next - 1) <= kNear_ns;
-  }
-};
-
-std::optional<Measured<double>> PositionOf(const std::string& joint,
-                                           const std::vector<NamedEncoders>& encoders) {
-  for (const auto& [channel, recording] : encoders) {
-    for (std::size_t i = 0; i < recording.axes.size(); ++i) {
-      if (recording.axes[i].name != joint || recording.samples.empty()) continue;
-      Measured<double> measured;
-      for (const EncoderSample& sample : recording.samples) {
-        measured.t_ns.push_back(sample.t_ns);
-        measured.value.push_back(sample.q_rad[i]);
-      }
-      return measured;
-    }
-  }
-  return std::nullopt;
+/// Whether a measurement is near enough to a time.
+bool KnownAt(const std::vector<TimeNs>& t_ns, TimeNs at_ns) {
+  const auto next = std::lower_bound(t_ns.begin(), t_ns.end(), at_ns);
+  if (next == t_ns.end()) return false;
+  if (*next == at_ns) return true;
+  return next != t_ns.begin() && *next - *(next - 1) <= kNear_ns;
 }
 
-/// Position of a joint, derived from its leading joint if it follows one.
-std::optional<Measured<double>> PositionOf(const MachineModel& model, const Joint& joint,
-                                           const std::vector<NamedEncoders>& encoders) {
-  std::optional<Measured<double>> own = PositionOf(joint.name, encoders);
+/// Samples of a joint, with positions derived from its leading joint if it follows one.
+std::optional<AxisSamples> SamplesOf(const MachineModel& model, const Joint& joint,
+                                     const std::vector<NamedEncoders>& encoders) {
+  std::optional<AxisSamples> own = SamplesOf(joint.name, encoders);
   if (own || !joint.following) return own;
-  std::optional<Measured<double>> led =
-      PositionOf(model.joints[joint.following->leader].name, encoders);
+  std::optional<AxisSamples> led = SamplesOf(model.joints[joint.following->leader].name, encoders);
   if (!led) return led;
-  for (double& position : led->value) position = joint.following->At(position);
+  for (double& position : led->position_rad) position = joint.following->At(position);
   return led;
 }
 
@@ -67,12 +44,12 @@ std::vector<std::size_t> WayTo(const MachineModel& model, int link) {
 }
 
 /// Positions of the joints between base and link, by joint; none if a moving joint has no encoder.
-std::optional<std::vector<std::optional<Measured<double>>>> JointsTo(
+std::optional<std::vector<std::optional<AxisSamples>>> JointsTo(
     const MachineModel& model, const std::vector<NamedEncoders>& encoders, int link) {
-  std::vector<std::optional<Measured<double>>> joints(model.joints.size());
+  std::vector<std::optional<AxisSamples>> joints(model.joints.size());
   for (const std::size_t j : WayTo(model, link)) {
     if (model.joints[j].type == JointType::kFixed) continue;
-    joints[j] = PositionOf(model, model.joints[j], encoders);
+    joints[j] = SamplesOf(model, model.joints[j], encoders);
     if (!joints[j] && HasLever(model, LeaderOf(model, static_cast<int>(j)))) return std::nullopt;
   }
   return joints;
@@ -81,21 +58,11 @@ std::optional<std::vector<std::optional<Measured<double>>>> JointsTo(
 /// Whether tracks or wheels were measured, and none turned.
 bool StoodStill(const MachineModel& model, const std::vector<NamedEncoders>& encoders) {
   if (model.fixed_base) return true;
-  std::size_t measured = 0;
-  for (const auto& [channel, recording] : encoders) {
-    for (std::size_t i = 0; i < recording.axes.size(); ++i) {
-      const auto& gears = model.ground_tools.gears;
-      const bool is_gear = std::any_of(gears.begin(), gears.end(), [&](const RunningGear& gear) {
-        return gear.name == recording.axes[i].name;
-      });
-      if (!is_gear) continue;
-      ++measured;
-      for (const EncoderSample& sample : recording.samples) {
-        if (std::abs(sample.qd_radps[i]) > kLeastTurning_radps) return false;
-      }
-    }
-  }
-  return measured > 0 && measured == model.ground_tools.gears.size();
+  const auto& gears = model.ground_tools.gears;
+  return !gears.empty() && std::all_of(gears.begin(), gears.end(), [&](const RunningGear& gear) {
+    const auto samples = SamplesOf(gear.name, encoders);
+    return samples && LargestMagnitude(samples->rate_radps) <= kLeastTurning_radps;
+  });
 }
 
 }  // namespace
@@ -122,24 +89,21 @@ LinkTrack TrackOfLink(const MachineModel& model, const std::vector<NamedEncoders
   LinkTrack track{from_ns, step_ns, {}, {}};
   const auto joints = JointsTo(model, encoders, link);
   if (!joints || (poses.empty() && !StoodStill(model, encoders))) return track;
-  Measured<Pose> base;
-  for (const TruthPose& pose : poses) {
-    base.t_ns.push_back(pose.t_ns);
-    base.value.push_back(pose.X_WB);
-  }
+  std::vector<TimeNs> base_ns;
+  for (const TruthPose& pose : poses) base_ns.push_back(pose.t_ns);
   std::vector<double> q_rad(model.joints.size());
   for (TimeNs t = from_ns; t <= to_ns; t += step_ns) {
-    bool known = base.t_ns.empty() || base.KnownAt(t);
+    bool known = poses.empty() || KnownAt(base_ns, t);
     Pose X_WB = Pose::Identity();
-    if (!base.t_ns.empty()) {
-      const BetweenSamples at(base.t_ns, t);
-      X_WB = Interpolate(base.value[at.a], base.value[at.b], at.s);
+    if (!poses.empty()) {
+      const BetweenSamples at(base_ns, t);
+      X_WB = Interpolate(poses[at.a].X_WB, poses[at.b].X_WB, at.s);
     }
     for (std::size_t j = 0; j < q_rad.size(); ++j) {
       q_rad[j] = model.joints[j].initial_rad;
       if (const auto& joint = (*joints)[j]) {
-        q_rad[j] = BetweenSamples(joint->t_ns, t).Of(joint->value);
-        known = known && joint->KnownAt(t);
+        q_rad[j] = BetweenSamples(joint->t_ns, t).Of(joint->position_rad);
+        known = known && KnownAt(joint->t_ns, t);
       }
     }
     track.X_WL.push_back(ForwardKinematics(model, X_WB, q_rad)[static_cast<std::size_t>(link)]);

@@ -13,8 +13,10 @@
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 #include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "core/check.h"
 #include "physics/dynamics/bullet_types.h"
@@ -161,6 +163,39 @@ class OtherBodiesOnly : public btOverlapFilterCallback {
   }
 };
 
+BodyContact::Side SideOf(const btCollisionObject& object) {
+  if (const auto* link = btMultiBodyLinkCollider::upcast(&object)) {
+    return {BodyContact::Kind::kMachine,
+            static_cast<std::size_t>(link->m_multiBody->getUserIndex()), link->m_link + 1};
+  }
+  if (object.getUserIndex() < 0) return {BodyContact::Kind::kWall, 0, 0};
+  return {BodyContact::Kind::kObstacle, static_cast<std::size_t>(object.getUserIndex()), 0};
+}
+
+/// Pairs of bodies with an impulse between them in the last step of `dt_s`.
+std::vector<BodyContact> ContactsOf(btDispatcher* dispatcher, double dt_s) {
+  std::map<std::pair<BodyContact::Side, BodyContact::Side>, std::pair<BodyContact, double>> found;
+  for (int k = 0; k < dispatcher->getNumManifolds(); ++k) {
+    const btPersistentManifold& manifold = *dispatcher->getManifoldByIndexInternal(k);
+    const BodyContact::Side a = SideOf(*manifold.getBody0()), b = SideOf(*manifold.getBody1());
+    for (int p = 0; p < manifold.getNumContacts(); ++p) {
+      const btManifoldPoint& point = manifold.getContactPoint(p);
+      const double force_n = point.m_appliedImpulse / dt_s;
+      if (force_n <= 0) continue;
+      auto& [contact, sum_n] = found[{a, b}];
+      contact.force_W_n += force_n * FromBullet(point.m_normalWorldOnB);
+      contact.p_W_m += force_n * FromBullet(point.getPositionWorldOnB());
+      sum_n += force_n;
+    }
+  }
+  std::vector<BodyContact> contacts;
+  for (const auto& [sides, summed] : found) {
+    contacts.push_back(
+        {sides.first, sides.second, summed.first.p_W_m / summed.second, summed.first.force_W_n});
+  }
+  return contacts;
+}
+
 }  // namespace
 
 struct PhysicsWorld::Impl {
@@ -185,6 +220,7 @@ struct PhysicsWorld::Impl {
   std::optional<StaticWalls> walls;
   std::vector<std::unique_ptr<MachineDynamics>> machines;
   std::vector<MachineState> states;
+  std::vector<BodyContact> contacts;
 };
 
 PhysicsWorld::PhysicsWorld(const std::vector<MachinePlacement>& machines,
@@ -193,6 +229,7 @@ PhysicsWorld::PhysicsWorld(const std::vector<MachinePlacement>& machines,
     : impl_(std::make_unique<Impl>(gravity_mps2)) {
   for (const ObstacleBody& obstacle : obstacles) {
     impl_->obstacles.push_back(std::make_unique<KinematicObstacle>(obstacle, &impl_->world));
+    impl_->obstacles.back()->body->setUserIndex(static_cast<int>(impl_->obstacles.size()) - 1);
   }
   if (!walls.empty()) impl_->walls.emplace(walls, kObstacleFriction, &impl_->world);
   const bool meets_others = machines.size() > 1 || !obstacles.empty() || !walls.empty();
@@ -200,6 +237,8 @@ PhysicsWorld::PhysicsWorld(const std::vector<MachinePlacement>& machines,
     impl_->states.push_back(InitialState(placement));
     impl_->machines.push_back(
         std::make_unique<MachineDynamics>(placement, start, meets_others, &impl_->world));
+    const int m = static_cast<int>(impl_->machines.size()) - 1;
+    impl_->world.getMultiBody(m)->setUserIndex(m);
     impl_->machines.back()->Read(0.0, &impl_->states.back());
   }
 }
@@ -222,7 +261,10 @@ void PhysicsWorld::Step(const std::vector<MachineInput>& inputs,
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     impl_->machines[i]->Read(dt_s, &impl_->states[i]);
   }
+  impl_->contacts = ContactsOf(&impl_->dispatcher, dt_s);
 }
+
+const std::vector<BodyContact>& PhysicsWorld::contacts() const { return impl_->contacts; }
 
 const std::vector<MachineState>& PhysicsWorld::machines() const { return impl_->states; }
 

@@ -7,6 +7,7 @@
 
 #include "core/motion.h"
 #include "physics/description/machine_placement.h"
+#include "physics/dynamics/body_contact.h"
 #include "physics/dynamics/site_walls.h"
 
 namespace tera {
@@ -48,6 +49,10 @@ class PhysicsWorld {
             double dt_s);
 
   const std::vector<MachineState>& machines() const;
+
+  /// Contacts of the last step, each pair of bodies once. Gear that drives over an obstacle has
+  /// none with it.
+  const std::vector<BodyContact>& contacts() const;
 
  private:
   struct Impl;

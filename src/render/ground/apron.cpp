@@ -8,7 +8,8 @@ namespace tera {
 
 Apron::Apron(Surroundings surroundings) : land_(std::move(surroundings)) {
   using Vertex = Surroundings::Vertex;
-  static_assert(sizeof(Vertex) == 3 * sizeof(Eigen::Vector3f));
+  // Three attributes of three floats, then what only rays read.
+  static_assert(sizeof(Vertex) == 3 * sizeof(Eigen::Vector3f) + sizeof(float));
   const auto& indices = land_.indices();
   indices_ = MakeBuffer(indices.size() * sizeof(indices[0]), indices.data());
   vertex_buffer_ = MakeBuffer(land_.vertices().size() * sizeof(Vertex), land_.vertices().data());

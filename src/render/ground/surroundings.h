@@ -23,6 +23,7 @@ class Surroundings {
     Eigen::Vector3f position_W_m = Eigen::Vector3f::Zero();
     Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();
     Eigen::Vector3f albedo_root = Eigen::Vector3f::Zero();  ///< square roots of the albedo
+    float near_infrared = 0;                                ///< reflectance at 905 nm
   };
 
   Surroundings() = default;

@@ -44,7 +44,7 @@ struct Material {
   Vec3 emission = Vec3::Zero();  ///< radiance relative to a white sheet in full sun
   MaterialTextures textures;
   double opacity = 1.0;             ///< below 1: glass; the rasterizer blends it
-  double lidar_reflectance = -1.0;  ///< at 905 nm; negative: mean albedo
+  double lidar_reflectance = -1.0;  ///< at 905 nm; negative: not stated (near_infrared.h)
 };
 
 /// Triangles of one material in a body frame.

@@ -62,10 +62,6 @@ Material ReadMaterial(const std::filesystem::path& file, const aiMaterial& sourc
   }
   float opacity = 1.0f;
   if (source.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS) material.opacity = opacity;
-  if (material.textures.base_colour) {
-    const Vec3 mean = MeanAlbedo(*material.textures.base_colour);
-    material.lidar_reflectance = material.albedo.cwiseProduct(mean).mean();
-  }
   return material;
 }
 

@@ -161,9 +161,6 @@ Material ReadMaterial(const std::filesystem::path& file, const tinygltf::Model& 
   if (extras.IsObject() && extras.Has("lidar_reflectance") &&
       extras.Get("lidar_reflectance").IsNumber()) {
     material.lidar_reflectance = extras.Get("lidar_reflectance").GetNumberAsDouble();
-  } else if (material.textures.base_colour) {
-    const Vec3 mean = MeanAlbedo(*material.textures.base_colour);
-    material.lidar_reflectance = material.albedo.cwiseProduct(mean).mean();
   }
   return material;
 }

@@ -4,14 +4,14 @@
 #include <cstdint>
 
 #include "render/air/wet_surface.h"
+#include "render/meshes/near_infrared.h"
 
 namespace tera {
 namespace {
 
 /// A water film does not change the reflectance of glass and bare metal.
-double ReflectanceOf(const Material& material, bool is_wet) {
-  const double dry =
-      material.lidar_reflectance >= 0 ? material.lidar_reflectance : material.albedo.mean();
+double ReflectanceOf(const Material& material, SemanticClass label, bool is_wet) {
+  const double dry = NearInfrared(material, label);
   const bool is_diffuse = material.opacity >= 1 && material.metallic < 0.5;
   return is_wet && is_diffuse ? WetReflectance(dry) : dry;
 }
@@ -37,7 +37,7 @@ void AttachPart(RTCDevice device, const MeshPart& part, const Pose& X_BG, double
 }  // namespace
 
 bool BodyShape::Alike(const BodyShape& o) const {
-  if (meshes != o.meshes || scale != o.scale) return false;
+  if (meshes != o.meshes || labels != o.labels || scale != o.scale) return false;
   for (std::size_t i = 0; i < X_BG.size(); ++i) {
     if (X_BG[i].matrix() != o.X_BG[i].matrix()) return false;
   }
@@ -55,8 +55,9 @@ void AttachParts(RTCDevice device, const std::vector<MeshPart>& parts, int node,
   for (const MeshPart& part : parts) {
     if (part.material.opacity <= 0 || part.indices.empty()) continue;
     AttachPart(device, part, shape->X_BG[node], shape->scale[node], shape->scene.get());
-    shape->parts.push_back({node, static_cast<float>(ReflectanceOf(part.material, is_wet)),
-                            static_cast<float>(part.material.opacity)});
+    shape->parts.push_back(
+        {node, static_cast<float>(ReflectanceOf(part.material, shape->labels[node], is_wet)),
+         static_cast<float>(part.material.opacity)});
   }
 }
 

@@ -10,7 +10,8 @@ namespace tera {
 /// Meshes of one body B, or of several bodies that share one scene. A node places the geometry G of
 /// one mesh in B.
 struct BodyShape {
-  std::vector<int> meshes;  ///< one per node, as X_BG and scale
+  std::vector<int> meshes;  ///< one per node, as labels, X_BG and scale
+  std::vector<SemanticClass> labels;
   std::vector<Pose> X_BG;
   std::vector<double> scale;
   EmbreeScene scene;  ///< vertices in B, m
@@ -20,7 +21,7 @@ struct BodyShape {
   };
   std::vector<Part> parts;  ///< indexed by geometry id within `scene`
 
-  /// Whether meshes, X_BG and scale are equal, so that one scene serves both bodies.
+  /// Whether meshes, labels, X_BG and scale are equal, so that one scene serves both bodies.
   bool Alike(const BodyShape& o) const;
 };
 

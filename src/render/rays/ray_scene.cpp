@@ -112,6 +112,7 @@ void RayScene::Impl::FindShapes() {
     }
     for (const int n : body.nodes) {
       shape.meshes.push_back(model.nodes[n].mesh);
+      shape.labels.push_back(model.nodes[n].label);
       shape.X_BG.push_back(model.nodes[n].X_BG);
       shape.scale.push_back(model.nodes[n].scale);
     }
@@ -157,6 +158,7 @@ void RayScene::Impl::UpdateShape(Body* body, const Shapes& now) {
   body->shown = now[body->changing];
   const SceneNode& node = model.nodes[body->nodes.front()];
   BodyShape shape;
+  shape.labels = {node.label};
   shape.X_BG = {node.X_BG};
   shape.scale = {node.scale};
   shape.scene = NewScene(device.get());

@@ -4,6 +4,7 @@
 
 #include "render/ground/ground_cover.h"
 #include "render/meshes/grain_shape.h"
+#include "render/meshes/near_infrared.h"
 
 namespace tera {
 namespace {
@@ -67,7 +68,7 @@ void RayTerrain::NewTile(Patch* tile, int squares_x, int squares_y) {
 }
 
 float RayTerrain::Reflectance(std::uint8_t soil, double saturation) const {
-  const double dry = soils_.at(soil).albedo.mean();
+  const double dry = SoilNearInfrared(soils_.at(soil).albedo);
   return static_cast<float>(dry * (1.0 - (1.0 - kSaturatedReflectance) * saturation / 255.0));
 }
 
@@ -125,7 +126,7 @@ void RayTerrain::RebuildLand(const TerrainSurface& terrain) {
                                 3 * sizeof(std::uint32_t), indices.size() / 3));
     std::copy(indices.begin(), indices.end(), corners);
     for (std::size_t t = 0; t < indices.size(); t += 3) {
-      land_.reflectance.push_back(vertices[indices[t]].albedo_root.cwiseAbs2().mean());
+      land_.reflectance.push_back(vertices[indices[t]].near_infrared);
     }
   }
   float* at = Vertices(land_.geometry.get());

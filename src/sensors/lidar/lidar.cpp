@@ -20,7 +20,7 @@ constexpr int kColumnsPerBlock = 16;
 /// Rotation angle of the head per revolution.
 double Spin(const LidarModel& model) { return (model.clockwise ? -2.0 : 2.0) * kPi; }
 
-/// Time and azimuth of the columns of one revolution. Column c begins at the fraction c / columns.
+/// Times of the columns of one revolution. Column c begins at the fraction c / columns.
 struct SweptScan {
   const LidarModel& model;
   TimeNs start_ns, end_ns;
@@ -30,8 +30,6 @@ struct SweptScan {
     return start_ns +
            static_cast<TimeNs>(std::llround(part * static_cast<double>(end_ns - start_ns)));
   }
-  /// The head starts at -x, so that the seam of a revolution lies behind the sensor.
-  double Azimuth(int column) const { return kPi + Spin(model) * column / model.columns; }
 };
 
 /// Beam of a lidar without a stated one: Velodyne VLP-16 user manual, section 4.2 and appendix.
@@ -62,13 +60,19 @@ Vec3 Direction(double elevation_rad, double azimuth_rad) {
 
 void Serialize(ModelArchive* archive, LidarModel* m) {
   constexpr double kSecondsPerMicrosecond = 1e-6;
-  archive->Need("elevation_deg", &m->elevation_rad, Between(-90, 90, "deg"), kMaxBeams, kDeg);
-  m->azimuth_offset_rad.resize(m->elevation_rad.size());
-  archive->Visit("azimuth_offset_deg", &m->azimuth_offset_rad, Between(-180, 180, "deg"), kDeg);
-  m->firing_offset_s.resize(m->elevation_rad.size());
-  archive->Visit("firing_offset_us", &m->firing_offset_s, AtLeast(0, "us"), kSecondsPerMicrosecond);
-  archive->Need("columns", &m->columns, Between(1, kMaxColumns, ""));
-  archive->Visit("clockwise", &m->clockwise);
+  archive->Visit("pattern", &m->pattern);
+  if (m->pattern) {
+    m->elevation_rad = m->azimuth_offset_rad = m->firing_offset_s = {0};
+  } else {
+    archive->Need("elevation_deg", &m->elevation_rad, Between(-90, 90, "deg"), kMaxBeams, kDeg);
+    m->azimuth_offset_rad.resize(m->elevation_rad.size());
+    archive->Visit("azimuth_offset_deg", &m->azimuth_offset_rad, Between(-180, 180, "deg"), kDeg);
+    m->firing_offset_s.resize(m->elevation_rad.size());
+    archive->Visit("firing_offset_us", &m->firing_offset_s, AtLeast(0, "us"),
+                   kSecondsPerMicrosecond);
+    archive->Need("columns", &m->columns, Between(1, kMaxColumns, ""));
+    archive->Visit("clockwise", &m->clockwise);
+  }
   archive->Visit("min_range_m", &m->min_range_m, AtLeast(0, "m"));
   archive->Visit("max_range_m", &m->max_range_m, Positive("m"));
   archive->Check(m->max_range_m > m->min_range_m, "max_range_m",
@@ -118,7 +122,7 @@ Lidar::Lidar(const LidarModel& model, const SampleClock& clock, TimeNs latency_n
   for (std::size_t b = 0; b < beams; ++b) {
     const double offset_s = model_.firing_offset_s[b];
     TERA_CHECK(offset_s >= 0 && offset_s < column_s, offset_s, column_s);
-    const double turned_rad = Spin(model_) * clock_.rate_hz * offset_s;
+    const double turned_rad = model_.pattern ? 0 : Spin(model_) * clock_.rate_hz * offset_s;
     const Vec3 axis_H =
         Direction(model_.elevation_rad[b], model_.azimuth_offset_rad[b] + turned_rad);
     beams_.push_back({.d_H = model_.beam ? SubRays(axis_H, *model_.beam) : std::vector{axis_H},
@@ -156,6 +160,17 @@ struct Lidar::Block {
   std::vector<Return> returns;
 };
 
+/// Rotation of the head at the start of a column. A pattern's only beam is the axis x of the head.
+Mat3 Lidar::HeadAt(std::int64_t k, int column) const {
+  if (model_.pattern) {
+    const auto pulse = static_cast<std::uint64_t>(k) * model_.columns + column;
+    return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitX(), model_.pattern->Direction(pulse))
+        .toRotationMatrix();
+  }
+  const double azimuth_rad = kPi + Spin(model_) * column / model_.columns;
+  return Eigen::AngleAxisd(azimuth_rad, Vec3::UnitZ()).toRotationMatrix();
+}
+
 void Lidar::Aim(std::int64_t k, int begin, int end, const PoseTrack& X_WS, Block* block) const {
   const SweptScan sweep{model_, clock_.Due(k), clock_.Due(k + 1)};
   const double span_ns = static_cast<double>(sweep.end_ns - sweep.start_ns);
@@ -169,7 +184,7 @@ void Lidar::Aim(std::int64_t k, int begin, int end, const PoseTrack& X_WS, Block
     const Mat3 turn = X_end.linear() - X_begin.linear();
     const Vec3 shift = X_end.translation() - X_begin.translation();
     // Motion within a column of some tens of microseconds is linear.
-    const Mat3 R_SH = Eigen::AngleAxisd(sweep.Azimuth(column), Vec3::UnitZ()).toRotationMatrix();
+    const Mat3 R_SH = HeadAt(k, column);
     const double per_ns = 1.0 / static_cast<double>(next_ns - column_ns);
     for (const Beam& beam : beams_) {
       const double s = per_ns * static_cast<double>(beam.offset_ns);

@@ -10,18 +10,21 @@
 #include "render/rays/ray_scene.h"
 #include "sensors/lidar/pulse_train.h"
 #include "sensors/lidar/range_equation.h"
+#include "sensors/lidar/scan_pattern.h"
 #include "sensors/sampling.h"
 
 namespace tera {
 
 class AirEchoes;
 
-/// Data-sheet parameters of a spinning multi-beam lidar.
+/// Data-sheet parameters of a lidar with a spinning head of several beams, or of one beam with a
+/// pattern of its own.
 struct LidarModel {
   std::vector<double> elevation_rad;       ///< one per beam (ring), top to bottom
   std::vector<double> azimuth_offset_rad;  ///< one per beam, counter-clockwise from above
   std::vector<double> firing_offset_s;     ///< one per beam, less than a column's duration
-  int columns = 1024;                      ///< firings per revolution
+  int columns = 1024;                      ///< firings per revolution, or pulses per scan
+  std::optional<ScanPattern> pattern;      ///< none: a spinning head
   bool clockwise = true;                   ///< seen from above
   double min_range_m = 0.3, max_range_m = 120;
   double range_noise_m = 0;          ///< 1 sigma at strong return
@@ -33,10 +36,11 @@ struct LidarModel {
 
 void Serialize(ModelArchive* archive, LidarModel* model);
 
-/// Spinning multi-beam lidar.
+/// Pulsed lidar, with a spinning head or a pattern.
 ///
 /// Frames  W world; S sensor, x forward, y left, z up. Ray k leaves p_WS(t_k) along R_WS(t_k)
-///         d_S,k. A revolution starts at -x, so that its seam lies behind.
+///         d_S,k. A revolution starts at -x, so that its seam lies behind. A pattern goes on from
+///         scan to scan; a scan is as long as a revolution.
 /// Model   each pulse has its own time and pose. Power and threshold are RangeEquation's, and
 ///         the air is that of AirEchoes. A thin ray reports its strongest echo. A beam has a
 ///         Gaussian profile and is sampled by seven rays. Its axis has half of the energy, six
@@ -71,6 +75,7 @@ class Lidar {
  private:
   struct Return;
   struct Block;
+  Mat3 HeadAt(std::int64_t k, int column) const;
   void Aim(std::int64_t k, int begin, int end, const PoseTrack& X_WS, Block* block) const;
   /// Returns of pulse i of a block, of the number `number`, in the order in which they are
   /// reported.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "sensors/lidar/lidar_view.h"
@@ -79,6 +80,8 @@ std::vector<Mechanism> LidarMechanisms() {
   };
 }
 
+constexpr int kMostPulsesPerScan = 1'000'000;
+
 void CheckFirings(const ConfigMap& config, const LidarModel& lidar, const SampleClock& clock) {
   const double column_s = 1.0 / (clock.rate_hz * lidar.columns);
   const double last_s =
@@ -91,7 +94,15 @@ void CheckFirings(const ConfigMap& config, const LidarModel& lidar, const Sample
 }
 
 void ReadLidar(const ConfigMap& config, SensorDescription* sensor) {
-  const auto model = ReadModel<LidarModel>(config);
+  auto model = ReadModel<LidarModel>(config);
+  if (model.pattern) {
+    const double pulses = std::round(model.pattern->pulses_per_s / sensor->clock.rate_hz);
+    if (pulses < 1 || pulses > kMostPulsesPerScan) {
+      config.Fault("pattern", fmt::format("{} pulses a scan at rate_hz {}; need 1 to {}", pulses,
+                                          sensor->clock.rate_hz, kMostPulsesPerScan));
+    }
+    model.columns = static_cast<int>(std::clamp<double>(pulses, 1, kMostPulsesPerScan));
+  }
   CheckFirings(config, model, sensor->clock);
   sensor->model = model;
 }

@@ -41,6 +41,33 @@ double PowerOfFog(const LidarModel& model, const RangeEquation& equation, double
   return is_first ? std::numeric_limits<double>::infinity() : equation.Power(reflectance, range_m);
 }
 
+/// Pulses of a pattern per steradian, by cells of equal solid angle.
+class PatternDensity {
+ public:
+  PatternDensity(const ScanPattern& pattern, int pulses_per_scan) : counts_(kRows * kTurns) {
+    for (int pulse = 0; pulse < kPulses; ++pulse) {
+      ++counts_[CellOf(pattern.Direction(static_cast<std::uint64_t>(pulse)))];
+    }
+    constexpr double kCell_sr = 4 * kPi / (kRows * kTurns);
+    per_count_ = static_cast<double>(pulses_per_scan) / kPulses / kCell_sr;
+  }
+  double operator()(const Vec3& d_S) const { return per_count_ * counts_[CellOf(d_S)]; }
+
+ private:
+  static constexpr int kRows = 90, kTurns = 180;  ///< 2 deg about the horizon
+  static constexpr int kPulses = 1 << 20;         ///< 65 a cell, if spread over the sphere
+
+  static std::size_t CellOf(const Vec3& d_S) {
+    const double row = 0.5 * (1 + d_S.z()) * kRows;
+    const double turn = (std::atan2(d_S.y(), d_S.x()) / (2 * kPi) + 0.5) * kTurns;
+    return std::clamp(static_cast<int>(row), 0, kRows - 1) * kTurns +
+           std::clamp(static_cast<int>(turn), 0, kTurns - 1);
+  }
+
+  std::vector<int> counts_;
+  double per_count_ = 0;
+};
+
 }  // namespace
 
 ViewField ViewOf(const LidarModel& model, double rate_hz) {
@@ -56,6 +83,10 @@ ViewField ViewOf(const LidarModel& model, double rate_hz) {
     return 1.0 / (column_rad * (std::sin(*above) - std::sin(*(above - 1))));
   };
   view.is_flat = borders_rad.empty() || borders_rad.back() <= borders_rad.front();
+  if (model.pattern) {
+    view.per_steradian = PatternDensity(*model.pattern, model.columns);
+    view.is_flat = false;
+  }
   view.reach_m = [equation = RangeEquation(model), most_m = model.max_range_m](double returned) {
     return std::min(most_m, equation.Reach_m(returned));
   };

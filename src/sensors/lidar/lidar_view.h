@@ -12,7 +12,8 @@ namespace tera {
 ///         surface that returns the fraction q of the light is visible up to
 ///         RangeEquation::Reach_m(q), r10 sqrt(q / 0.1) of a thin ray, in clear air. Glass returns
 ///         points and hides the surfaces behind it (RayScene). Beams of a single elevation span no
-///         solid angle: such a field is flat.
+///         solid angle: such a field is flat. A pattern's density is the mean over its first
+///         million pulses, in cells of 2 deg.
 /// Omits   azimuth offsets of single beams, which shift points without a change in density.
 /// Source  radar equation as in Lidar.
 ViewField ViewOf(const LidarModel& model, double rate_hz);

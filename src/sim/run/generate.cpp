@@ -47,6 +47,7 @@ void RunToEnd(const Scenario& scenario, const std::string& resolved_yaml,
   }
   terrain.Finish();
   if (run.task().HasTask()) run.task().WriteMap(writer->PathFor(kDeviationMap));
+  run.WriteEvents(writer);
   run.Finish();
   if (states) {
     states->Add(run.simulation().state());

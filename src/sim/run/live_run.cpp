@@ -130,6 +130,7 @@ struct LiveRun::Impl {
     if (recorder && run->task().HasTask()) {
       run->task().WriteMap(recorder->PathFor(kDeviationMap));
     }
+    if (recorder) run->WriteEvents(recorder.get());
     run->Finish();
     if (!recorder) return;
     recorder->SetDuration(duration_s);
@@ -185,5 +186,7 @@ void LiveRun::Finish() {
 const Scenario& LiveRun::scenario() const { return *impl_->scenario; }
 
 const Simulation& LiveRun::simulation() const { return impl_->run->simulation(); }
+
+const EventLog& LiveRun::events() const { return impl_->run->events(); }
 
 }  // namespace tera

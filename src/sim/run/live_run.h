@@ -9,6 +9,7 @@
 
 #include "dataset/format/measurement_sink.h"
 #include "render/gl/rasterizer.h"
+#include "sim/events/event_log.h"
 #include "sim/operators/remote_operator.h"
 #include "sim/scenario/scenario.h"
 #include "sim/simulation.h"
@@ -47,6 +48,7 @@ class LiveRun {
 
   const Scenario& scenario() const;
   const Simulation& simulation() const;
+  const EventLog& events() const;
 
  private:
   struct Impl;

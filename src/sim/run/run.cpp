@@ -54,6 +54,7 @@ Run::Run(const Scenario& scenario, Operators operators, const SceneAssembly& ass
       truth_(scenario, sink),
       poses_(scenario, sink),
       task_(scenario, simulation_.ground(), sink),
+      events_(scenario, simulation_.state()),
       rig_(scenario, assembly, egl, threads, sink) {
   poses_.WriteStart(simulation_.state());
   rig_.SampleStart(simulation_.state(), simulation_.ground());
@@ -64,7 +65,12 @@ void Run::Step() {
   truth_.Write(simulation_.previous(), simulation_.state());
   poses_.Write(simulation_.previous(), simulation_.state());
   task_.Write(simulation_.state().t_ns);
+  events_.Observe(simulation_.last_step());
   rig_.Sample(simulation_.last_step());
+}
+
+void Run::WriteEvents(DatasetWriter* writer) const {
+  writer->AddWholeText(EventsChannel(), EventsText(events_.All()));
 }
 
 void Run::Finish() {

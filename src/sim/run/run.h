@@ -3,6 +3,7 @@
 #include <string>
 
 #include "dataset/format/writer.h"
+#include "sim/events/event_log.h"
 #include "sim/physics_motion.h"
 #include "sim/rig.h"
 #include "sim/run/pose_log.h"
@@ -26,6 +27,8 @@ class Run {
       const EglOptions& egl, int threads, MeasurementSink* sink);
 
   void Step();
+  /// Writes the events until now as a channel of the recording. Call before Finish.
+  void WriteEvents(DatasetWriter* writer) const;
   /// Takes one more step but writes only the data at its start: the final state, the levers in
   /// force, inertial samples, and unfinished pictures. The final state's rates average those before
   /// and after it. A run's output is thus a prefix of a longer run's. No step may follow.
@@ -34,12 +37,14 @@ class Run {
   const Simulation& simulation() const { return simulation_; }
   const Rig& rig() const { return rig_; }
   const TaskLog& task() const { return task_; }
+  const EventLog& events() const { return events_; }
 
  private:
   Simulation simulation_;
   TruthLog truth_;
   PoseLog poses_;
   TaskLog task_;
+  EventLog events_;
   Rig rig_;
 };
 

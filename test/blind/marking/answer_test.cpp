@@ -33,7 +33,7 @@ constexpr const char* kRest = R"(
     }
   ],
   "held_out": [{"channel": "digger/encoders/boom_radps", "rmse_before": 0.05, "rmse_after": 0.01}],
-  "untestable": [{"mechanism": "backlash", "target": "boom", "smallest_detectable": null}]
+  "untestable": [{"mechanism": "backlash", "target": "boom"}]
 })";
 
 Answer ReadText(const std::string& text) {

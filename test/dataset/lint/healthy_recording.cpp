@@ -6,6 +6,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "dataset/format/events_table.h"
+
 namespace tera {
 namespace {
 
@@ -229,6 +231,8 @@ void WriteHealthyRecording(const std::filesystem::path& directory) {
       writer.AddChannel(LidarChannel("digger/lidar", Sheet("lidar", kLidarPlace_m, 0, 10)));
   Every(10, 0, [&](TimeNs t) { writer.Write(lidar, ScanAt(t)); });
   WriteWholeFile(writer.PathFor("truth/terrain/height_start.tif"), "heights");
+  writer.AddWholeText(EventsChannel(), EventsText({{500'000'000, 700'000'000, EventKind::kContact,
+                                                    "digger", "boom", "truck", 812.5}}));
   writer.Finish();
 }
 

@@ -1,9 +1,8 @@
-#include "diagnose/blocks/measured_heading.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "diagnose/blocks/base_block.h"
 #include "diagnose/statistics/series/simulated.h"
 
 namespace tera {

@@ -84,11 +84,13 @@ double Rms(const std::vector<double>& predicted, const MeasuredRate& measured) {
 /// RMS residual of a replay for a joint's measured rate.
 double Residual_radps(const AxisLog& log, const MachineModel& model, const MachineEffects& effects,
                       const std::string& joint) {
-  const auto predicted = AxisReplay(model, log).Predict(effects);
-  for (std::size_t m = 0; m < log.measured.size(); ++m) {
-    if (log.measured[m].axis != static_cast<std::size_t>(model.JointIndex(joint))) continue;
-    EXPECT_EQ(predicted[m].size(), log.measured[m].rate_radps.size());
-    return Rms(predicted[m], log.measured[m]);
+  const auto axis = static_cast<std::size_t>(model.JointIndex(joint));
+  for (const MeasuredRate& measured : log.measured) {
+    if (measured.axis != axis) continue;
+    const auto predicted =
+        AxisReplay(model, log, measured).Predict({EffectsAt(effects.joints, axis), {}});
+    EXPECT_EQ(predicted.size(), measured.rate_radps.size());
+    return Rms(predicted, measured);
   }
   ADD_FAILURE() << "no rate of " << joint;
   return 0;
@@ -128,7 +130,7 @@ INSTANTIATE_TEST_SUITE_P(
                            "compliance_radpnm: 2e-5}"},
                       Case{"arm", "backlash: {gap_rad: 0.02}"}));
 
-TEST(LoneAxisReplay, KnowsWhatItsPumpGivesToOthers) {
+TEST(AxisReplay, KnowsWhatItsPumpGivesToOthers) {
   for (const std::string effect :
        {"flow_sharing: {capacity: 0.35}", "power_limit: {power_w: 1200, regulator_s: 0.2}"}) {
     Drive drive = Swaying("effects: {m: {pump_1: {" + effect + "}}}");
@@ -140,7 +142,7 @@ TEST(LoneAxisReplay, KnowsWhatItsPumpGivesToOthers) {
           return measured.axis == static_cast<std::size_t>(model.JointIndex("boom"));
         });
     ASSERT_NE(boom, log.measured.end());
-    const LoneAxisReplay replay(model, log, *boom);
+    const AxisReplay replay(model, log, *boom);
     const double with = Rms(replay.Predict(replay.effects()), *boom);
     const double without = Rms(replay.Predict({.axis = replay.effects().axis, .pump = {}}), *boom);
     EXPECT_LT(with, 2e-3) << effect;
@@ -148,7 +150,7 @@ TEST(LoneAxisReplay, KnowsWhatItsPumpGivesToOthers) {
   }
 }
 
-TEST(LoneAxisReplay, FallsShortAfterAStepThatAsksForMoreThanTheEffortAndNotInBetween) {
+TEST(AxisReplay, FallsShortAfterAStepThatAsksForMoreThanTheEffortAndNotInBetween) {
   Drive drive("tb235.yaml", kRaised, "soil: dirt", 0, 0);
   drive.Operate([](double t_s) { return NamedLevers{{"arm", t_s < 1 ? 0.0 : 1.0}}; });
   const MachineModel& model = drive.scenario.machines[0].placement.model;
@@ -159,7 +161,7 @@ TEST(LoneAxisReplay, FallsShortAfterAStepThatAsksForMoreThanTheEffortAndNotInBet
         return measured.axis == static_cast<std::size_t>(model.JointIndex("arm"));
       });
   ASSERT_NE(arm, log.measured.end());
-  const LoneAxisReplay replay(model, log, *arm);
+  const AxisReplay replay(model, log, *arm);
   const std::vector<bool> weak = replay.FallsShort(replay.effects(), {.effort = 0.5});
   const std::vector<bool> strong = replay.FallsShort(replay.effects(), {.effort = 1000});
   ASSERT_EQ(weak.size(), arm->at_step.size());
@@ -170,7 +172,7 @@ TEST(LoneAxisReplay, FallsShortAfterAStepThatAsksForMoreThanTheEffortAndNotInBet
   EXPECT_EQ(std::count(strong.begin(), strong.end(), true), 0);
 }
 
-TEST(LoneAxisReplay, FallsShortAtEverySampleThatAWeakDriveChanges) {
+TEST(AxisReplay, FallsShortAtEverySampleThatAWeakDriveChanges) {
   Drive drive("tb235.yaml", kRaised, "soil: dirt", 0, 0);
   drive.Operate([](double t_s) { return NamedLevers{{"arm", t_s < 1 ? 0.0 : 1.0}}; });
   const MachineModel& model = drive.scenario.machines[0].placement.model;
@@ -182,8 +184,8 @@ TEST(LoneAxisReplay, FallsShortAtEverySampleThatAWeakDriveChanges) {
           return measured.axis == static_cast<std::size_t>(model.JointIndex("arm"));
         });
     ASSERT_NE(arm, log.measured.end());
-    const LoneAxisReplay replay(model, log, *arm);
-    const LoneAxisReplay::Nominal weak = {.effort = 0.05}, strong = {.effort = 1e6};
+    const AxisReplay replay(model, log, *arm);
+    const AxisReplay::Nominal weak = {.effort = 0.05}, strong = {.effort = 1e6};
     const std::vector<bool> marked = replay.FallsShort(replay.effects(), weak);
     const std::vector<double> slow = replay.Predict(replay.effects(), weak);
     const std::vector<double> fast = replay.Predict(replay.effects(), strong);

@@ -1,6 +1,6 @@
-#include "diagnose/replay/between_samples.h"
-
 #include <gtest/gtest.h>
+
+#include "diagnose/replay/axis_log.h"
 
 namespace tera {
 namespace {

@@ -1,11 +1,10 @@
-#include "diagnose/replay/effort_replay.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "core/error.h"
+#include "diagnose/replay/effort_log.h"
 #include "diagnose/replay/sled.h"
 
 namespace tera {

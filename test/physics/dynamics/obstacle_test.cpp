@@ -48,6 +48,25 @@ TEST(Obstacles, AWallStopsAMachine) {
   EXPECT_NEAR(world.machines()[0].links[0].v_WB_mps.x(), 0, 0.01);
 }
 
+TEST(Obstacles, AContactHasTheForceThatHoldsTheMachine) {
+  const MachineModel model = MachineFromText(kCart);
+  const ObstacleBody wall = Wall(Vec3(3, 0, 0));
+  PhysicsWorld world({PlaceAtStart(model, MakePose(Vec3(1.5, 0.3, 0.2)))}, {wall}, 0.0);
+  for (int i = 0; i < 3000; ++i) {
+    world.Step({Push(model, world.machines()[0].links[0], Vec3(60, 0, 0))}, {wall.state}, kStep_s);
+    if (i == 0) {
+      EXPECT_TRUE(world.contacts().empty());
+    }
+  }
+  ASSERT_EQ(world.contacts().size(), 1u);
+  const BodyContact& contact = world.contacts()[0];
+  const bool is_a = contact.a.kind == BodyContact::Kind::kMachine;
+  EXPECT_EQ((is_a ? contact.b : contact.a).kind, BodyContact::Kind::kObstacle);
+  const Vec3 on_cart_n = is_a ? contact.force_W_n : Vec3(-contact.force_W_n);
+  EXPECT_LT((on_cart_n - Vec3(-60, 0, 0)).norm(), 1.0);
+  EXPECT_NEAR(contact.p_W_m.x(), 2.8, 0.03);  // the wall's face
+}
+
 TEST(Obstacles, AMovingObstaclePushesAMachine) {
   const MachineModel model = MachineFromText(kCart);
   ObstacleBody wall = Wall(Vec3(-1, 0, 0));

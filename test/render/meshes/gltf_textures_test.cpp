@@ -7,6 +7,7 @@
 #include "core/faults.h"
 #include "own_folder.h"
 #include "render/meshes/load_mesh.h"
+#include "render/meshes/near_infrared.h"
 #include "render/meshes/png_bytes.h"
 #include "render/meshes/textured_gltf.h"
 #include "render/scene.h"
@@ -54,7 +55,8 @@ TEST_F(GltfTextures, APictureBesideTheFileIsReadRowByRowFromTheTop) {
   EXPECT_TRUE(part.positions_m[3].isApprox(Eigen::Vector3f(-1, 0, 1)));  // upper left
   // sRGB 128 is 0.2159 linear. The factor halves red.
   const double grey = 0.2158605;
-  EXPECT_NEAR(part.material.lidar_reflectance, (1 + grey) / 4 * (0.5 + 1 + 1) / 3, 1e-6);
+  EXPECT_NEAR(NearInfrared(part.material, SemanticClass::kCone), (1 + grey) / 4 * (0.5 + 1 + 1) / 3,
+              1e-6);
   // The picture is one of the mesh's files.
   EXPECT_THAT(mesh.files, ::testing::Contains(folder_ / "paint.png"));
 }

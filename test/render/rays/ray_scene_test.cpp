@@ -177,12 +177,12 @@ TEST(RayScene, WetSoilIsDarkerToTheLidar) {
   TerrainSurface ground = Ground(51, 51, 0.05, 0.0, [](double, double) { return 0.0; });
   scene.Update({{}}, ground);
   const Ray down = RayFrom({1.01, 1.02, 2}, -Vec3::UnitZ());
-  EXPECT_NEAR(TraceOne(scene, down).reflectance, 0.4, 1e-6);
+  EXPECT_NEAR(TraceOne(scene, down).reflectance, 1.2 * 0.5 + 0.04, 1e-6);  // the soil line
   for (int j = 0; j < ground.ny; ++j) {
     for (int i = 0; i < ground.nx; ++i) ground.Set(i, j, {0, {.moisture = 255}});
   }
   scene.Update({{}}, ground);
-  EXPECT_NEAR(TraceOne(scene, down).reflectance, 0.2, 1e-6);
+  EXPECT_NEAR(TraceOne(scene, down).reflectance, 0.32, 1e-6);
 }
 
 TEST(RayScene, WithoutALidarReflectanceTheMeanAlbedoCounts) {
@@ -191,6 +191,20 @@ TEST(RayScene, WithoutALidarReflectanceTheMeanAlbedoCounts) {
   RayScene scene(model);
   scene.Update({{MakePose({6, 0, 0})}}, NoGround());
   EXPECT_NEAR(TraceOne(scene, RayFrom({1, 0, 0.1}, Vec3::UnitX())).reflectance, 0.6, 1e-6);
+}
+
+// Green leaves absorb four fifths of visible light and return half of the near infrared.
+TEST(RayScene, LeavesAreBrightToTheLidar) {
+  SceneModel model = OneBodyEach({WallMesh(5, -1)});
+  model.meshes[0].parts[0].material.albedo = Vec3(0.05, 0.1, 0.03);
+  model.nodes[0].label = SemanticClass::kVegetation;
+  const Ray ahead = RayFrom({1, 0, 0.1}, Vec3::UnitX());
+  for (const auto& [stated, expected] : {std::pair(-1.0, 0.45), {0.3, 0.3}}) {
+    model.meshes[0].parts[0].material.lidar_reflectance = stated;
+    RayScene scene(model);
+    scene.Update({{MakePose({6, 0, 0})}}, NoGround());
+    EXPECT_NEAR(TraceOne(scene, ahead).reflectance, expected, 1e-6);
+  }
 }
 
 TEST(RayScene, RainWetsWhatStandsInItButNotMetal) {

@@ -223,6 +223,40 @@ TEST(Generate, AKilledRunIsFinishedWithTheSameBytes) {
   ExpectSame(whole, ReadAll(out));
 }
 
+/// The scenario above with a worker in the machine's reach.
+std::string WithWorker(const std::string& driver = kDigging) {
+  std::string text = ScenarioText(driver);
+  const std::string cone = "{name: cone1, preset: tera:config/obstacles/cone.yaml, xy_m: [5, 1]}";
+  return text.replace(text.find(cone), cone.size(),
+                      "{name: worker, preset: tera:config/obstacles/person.yaml, xy_m: [3, 3]}");
+}
+
+TEST(Generate, EventsAreTheSameOnOtherThreadsAfterAKillAndInAReplay) {
+  struct Killed {};
+  const std::string file = "truth/events.csv";
+  const Files one = Generated("events_one", WithWorker(), 1);
+  const std::string begin =
+      "t_ns,end_ns,kind,machine,part,other,value,unit\n0,1200000000,person_near,excavator1,,"
+      "worker,";
+  EXPECT_THAT(one.at(file), ::testing::StartsWith(begin));
+  EXPECT_THAT(one.at("dataset.yaml"),
+              ::testing::HasSubstr("path: \"truth/events.csv\", type: events"));
+  EXPECT_EQ(Generated("events_two", WithWorker(), 2).at(file), one.at(file));
+  const fs::path out = Fresh("events_killed");
+  GenerateOptions until_half;
+  until_half.progress = [](const GenerateProgress& progress) {
+    if (progress.simulated_s > 0.6) throw Killed();
+  };
+  EXPECT_THROW(Simulate(out, WithWorker(), until_half), Killed);
+  EXPECT_FALSE(fs::exists(out.string() + ".incomplete/" + file));
+  Simulate(out, WithWorker(), Resume());
+  ExpectSame(one, ReadAll(out));
+  const fs::path csv = OwnFolder() / "events_commands.csv";
+  std::ofstream(csv, std::ios::binary) << one.at("excavator1/commands.csv");
+  const std::string replay = "{type: lever_replay, csv: " + csv.string() + "}";
+  EXPECT_EQ(Generated("events_replayed", WithWorker(replay)).at(file), one.at(file));
+}
+
 TEST(Generate, ARunThatLacksOnlyItsNameGetsItWithoutAnotherSimulation) {
   const Files whole = Generated("named");
   const fs::path out = OwnFolder() / "named";

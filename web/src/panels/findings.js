@@ -29,7 +29,7 @@ function regimeText(regime) {
     h("b", {}, words(regime.variable)), `${range}: ${regime.shape}`, regime.p === null ? "" : ` (p ${number(regime.p, 2)})`);
 }
 
-/** A function with its band: the regime's, or what is proposed or learned. */
+/** A regime's function with its band. */
 function curveChart(curve, element) {
   const colour = lineColour(1), axis = { stroke: themeColour("muted"), grid: { stroke: themeColour("line"), width: 1 }, ticks: { show: false }, font: "10px system-ui, sans-serif" };
   return new uPlot({
@@ -69,13 +69,13 @@ export class Findings {
     }, `${number(from, 4)}–${number(to, 4)} s`));
     const more = finding.intervals_s.length - chips.length;
     const chart = h("div.curve");
-    const curve = finding.regime?.curve ?? finding.proposal?.curve ?? null;
+    const curve = finding.regime?.curve ?? null;
     finding.card = h("article.finding", { tabIndex: 0, onclick: () => this.choose(finding), onkeydown: (event) => event.key === "Enter" && this.choose(finding) },
       h("div.title", {}, finding.mark = h("i", { style: { background: finding.colour } }), h("b", {}, finding.title), h("span.hint", {}, words(finding.target ?? finding.channel))),
       finding.target && finding.channel !== finding.target ? h("p.hint", {}, `seen in ${words(nameAndUnit(finding.channel, "")[0])}`) : null,
       h("table", {}, parameterRows(finding.parameters)), errorBars(finding.held_out), regimeText(finding.regime),
       curve ? chart : null,
-      finding.proposal?.formula ? h("p", {}, "proposed: ", h("code", {}, finding.proposal.formula)) : null,
+      finding.learned ? h("p", {}, `learned over ${words(finding.learned.variable)}: ${number(finding.learned.rmse_before, 2)} → ${number(finding.learned.rmse_after, 2)} ${finding.held_out.unit}`) : null,
       finding.class.length > 1 ? h("p", {}, `Not told apart from ${finding.class.filter((c) => c !== finding.mechanism).map(words).join(", ")}.`) : null,
       finding.evidence.p_confirmed !== null ? h("p.hint", {}, `chosen with p ${number(finding.evidence.p_chosen, 2)}, confirmed with p ${number(finding.evidence.p_confirmed, 2)}`) : null,
       chips.length ? h("div.chips", {}, chips, more > 0 ? h("span.hint", {}, `and ${more} more`) : null) : null);

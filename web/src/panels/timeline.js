@@ -1,9 +1,11 @@
-// The timeline: play, scrub, what is where. Findings of a diagnosis lie above the axis, frames below it.
+// The timeline: play, scrub, what is where. Events of datasets have a row for each kind at the top, then come findings of a diagnosis, then frames.
 
-import { fitCanvas, h, select, themeColour } from "../dom.js";
+import { datasetColour, lineColour } from "../colours.js";
+import { fitCanvas, h, number, select, themeColour } from "../dom.js";
 import { on, set, setTime, setWindow, state } from "../state.js";
 
-const FINDING_ROW = 7, EDGE = 10;
+const FINDING_ROW = 7, EDGE = 10, EVENT_ROW = 11, EVENT_NAMES = 76;
+const EVENT_KINDS = ["contact", "strike", "spill", "tip", "drop", "person_near"];
 
 /** Steps of a readable axis over a span: 1, 2 or 5 times a power of ten, at least `least` apart. */
 export function axisStep(least) {
@@ -23,6 +25,8 @@ export class Timeline {
       this.readout, this.canvas);
     this.findings = [];
     this.frames = [];
+    this.events = [];
+    this.event_rows = [];
     for (const event of ["time", "window", "theme", "playing", "findings"]) on(event, () => this.draw());
     new ResizeObserver(() => this.draw()).observe(this.canvas);
     this.#listen();
@@ -31,14 +35,18 @@ export class Timeline {
   #listen() {
     const at = (event) => {
       const box = this.canvas.getBoundingClientRect(), [from, to] = state.window;
-      return from + ((event.clientX - box.left - EDGE) / (box.width - 2 * EDGE)) * (to - from);
+      return from + ((event.clientX - box.left - this.left) / (box.width - this.left - EDGE)) * (to - from);
     };
     this.canvas.addEventListener("pointerdown", (event) => {
       this.canvas.setPointerCapture(event.pointerId);
       this.pause();
       setTime(at(event));
     });
-    this.canvas.addEventListener("pointermove", (event) => event.buttons && setTime(at(event)));
+    this.canvas.addEventListener("pointermove", (event) => {
+      if (event.buttons) return setTime(at(event));
+      const box = this.canvas.getBoundingClientRect();
+      this.canvas.title = this.eventsAt(event.clientX - box.left, event.clientY - box.top).map((one) => one.text).join("\n");
+    });
     this.canvas.addEventListener("wheel", (event) => {
       event.preventDefault();
       const t = at(event), [from, to] = state.window, factor = Math.exp(0.002 * event.deltaY);
@@ -82,7 +90,32 @@ export class Timeline {
   /** Where a time is drawn, in pixels from the left. */
   xOf(t_s, width) {
     const [from, to] = state.window;
-    return EDGE + ((t_s - from) / (to - from)) * (width - 2 * EDGE);
+    return this.left + ((t_s - from) / (to - from)) * (width - this.left - EDGE);
+  }
+
+  /** Where the axis begins: right of the names of events. */
+  get left() {
+    return this.events.length ? EVENT_NAMES : EDGE;
+  }
+
+  /** Events of a dataset, on the common axis of time. */
+  addEvents(dataset) {
+    const shift_s = 1e-9 * (dataset.index.shift_ns ?? 0);
+    for (const event of dataset.index.events ?? []) {
+      const from_s = event.from_s + shift_s, to_s = event.to_s + shift_s;
+      const what = [[event.machine, event.part].filter(Boolean).join("/"), event.other].filter(Boolean).join(" – ");
+      const text = `${event.kind.replace("_", " ")}: ${what}, ${number(event.value, 3)} ${event.unit}, ${from_s.toFixed(3)} to ${to_s.toFixed(3)} s`;
+      this.events.push({ kind: event.kind, from_s, to_s, text, letter: dataset.letter });
+    }
+    this.event_rows = EVENT_KINDS.filter((kind) => this.events.some((event) => event.kind === kind));
+    document.documentElement.style.setProperty("--events", `${EVENT_ROW * this.event_rows.length}px`);
+    this.draw();
+  }
+
+  /** Events drawn at a place of the canvas. */
+  eventsAt(x, y) {
+    const kind = this.event_rows[Math.floor(y / EVENT_ROW)], width = this.canvas.getBoundingClientRect().width;
+    return this.events.filter((event) => event.kind === kind && x >= this.xOf(event.from_s, width) - 3 && x <= this.xOf(event.to_s, width) + 3);
   }
 
   draw() {
@@ -94,6 +127,7 @@ export class Timeline {
     this.#drawAxis(c, width, height);
     this.#drawFrames(c, width, height);
     this.#drawFindings(c, width);
+    this.#drawEvents(c, width);
     const x = this.xOf(state.t_s, width);
     c.fillStyle = themeColour("cursor");
     c.fillRect(x - 0.75, 0, 1.5, height);
@@ -108,6 +142,7 @@ export class Timeline {
     const [from, to] = state.window, step = axisStep(((to - from) * 70) / width);
     c.font = "11px system-ui, sans-serif";
     c.textAlign = "center";
+    c.textBaseline = "alphabetic";
     for (let k = Math.ceil(from / step); k * step <= to; ++k) {
       const x = this.xOf(k * step, width);
       c.fillStyle = themeColour("line");
@@ -124,11 +159,31 @@ export class Timeline {
       let last = -10;
       for (const t of times) {
         const x = this.xOf(t, width);
-        if (x < EDGE || x > width - EDGE || x - last < 1.5) continue;
+        if (x < this.left || x > width - EDGE || x - last < 1.5) continue;
         last = x;
         c.fillRect(x, height - 20 - 4 * row, 1, 3);
       }
     });
+  }
+
+  #drawEvents(c, width) {
+    const two = state.datasets.length > 1;
+    c.font = "10px system-ui, sans-serif";
+    c.textAlign = "right";
+    c.textBaseline = "middle";
+    this.event_rows.forEach((kind, row) => {
+      c.fillStyle = themeColour("muted");
+      c.fillText(kind.replace("_", " "), EVENT_NAMES - 8, EVENT_ROW * (row + 0.5) + 0.5);
+      c.fillStyle = themeColour("raised");
+      c.fillRect(EVENT_NAMES, EVENT_ROW * row + 1, width - EVENT_NAMES - EDGE, EVENT_ROW - 2);
+    });
+    for (const event of this.events) {
+      const from = Math.max(this.left, this.xOf(event.from_s, width)), to = Math.min(width - EDGE, this.xOf(event.to_s, width));
+      if (to < from) continue;
+      const row = this.event_rows.indexOf(event.kind), lower = two && event.letter === "B" ? 0.5 * EVENT_ROW : 0;
+      c.fillStyle = two ? datasetColour(event.letter) : lineColour(EVENT_KINDS.indexOf(event.kind));
+      c.fillRect(from, EVENT_ROW * row + 2 + lower, Math.max(3, to - from), two ? 0.5 * EVENT_ROW - 2 : EVENT_ROW - 4);
+    }
   }
 
   #drawFindings(c, width) {
@@ -136,9 +191,9 @@ export class Timeline {
     this.findings.forEach((finding, row) => {
       c.fillStyle = finding.colour;
       for (const [from, to] of finding.intervals_s) {
-        const x = Math.max(EDGE, this.xOf(from, width)), end = Math.min(width - EDGE, this.xOf(to, width));
+        const x = Math.max(this.left, this.xOf(from, width)), end = Math.min(width - EDGE, this.xOf(to, width));
         if (end < x) continue;
-        const y = 2 + FINDING_ROW * (row % 5);
+        const y = 2 + EVENT_ROW * this.event_rows.length + FINDING_ROW * (row % 5);
         c.globalAlpha = finding.is_chosen ? 1 : 0.6;
         c.fillRect(x, y, Math.max(2, end - x), FINDING_ROW - 2);
         this.bars.push({ finding, from, to, x, width: end - x });

@@ -14,6 +14,7 @@
 #include "dataset/export/record_views.h"
 #include "dataset/export/ros/joint_table.h"
 #include "dataset/export/ros/static_transforms.h"
+#include "dataset/format/events_table.h"
 #include "dataset/format/sensor_sheet.h"
 #include "dataset/ros/from_samples.h"
 #include "dataset/ros/names.h"
@@ -57,7 +58,7 @@ void RosTopics::AddChannels() {
       AddPose(channel.path);
     } else if (channel.type == kTableChannel) {
       AddTable(channel.path);
-    } else {
+    } else if (channel.type != kEventsChannel) {
       AddSensor(channel.path);
     }
   }

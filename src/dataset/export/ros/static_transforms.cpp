@@ -6,6 +6,7 @@
 
 #include "core/units.h"
 #include "dataset/export/record_views.h"
+#include "dataset/format/events_table.h"
 #include "dataset/format/sensor_sheet.h"
 #include "dataset/ros/names.h"
 
@@ -41,6 +42,7 @@ std::vector<ros::TransformStamped> StaticTransforms(ExportJob* job) {
   const std::vector<std::string> cameras = job->recording.SensorsOf(ChannelForm::kPictures);
   for (const ChannelDescription& channel : job->recording.channels()) {
     if (channel.type == kPoseChannel || channel.type == kTableChannel) continue;
+    if (channel.type == kEventsChannel) continue;
     const SensorSheet sheet = ReadSensorSheet(job->recording.directory() / channel.path);
     const std::string machine = MachineOf(channel.path);
     const std::string name = fs::path(channel.path).filename();

@@ -206,15 +206,15 @@ class LidarKeys {
   void ReadTopic() {
     const auto topic = ReadNamedTopic(channel_, "topic", source_.file, unpacked_);
     if (!topic) return;
-    if (topic->type == kPointCloudType) {
+    if (HoldsPoints(topic->type)) {
       ReadPoints(*topic);
       return;
     }
     if (!HoldsPackets(topic->type)) {
-      channel_.Fault("topic",
-                     {FaultKind::kUnsupported,
-                      fmt::format("is of {}; need {}, {}, {} or {}", topic->type, kPointCloudType,
-                                  kVelodyneType, kPandarType, kOusterSensorType)});
+      channel_.Fault(
+          "topic", {FaultKind::kUnsupported,
+                    fmt::format("is of {}; need {}, CustomMsg of Livox, {}, {} or {}", topic->type,
+                                kPointCloudType, kVelodyneType, kPandarType, kOusterSensorType)});
       return;
     }
     const bool is_velodyne = topic->type == kVelodyneType, is_pandar = topic->type == kPandarType;
@@ -260,7 +260,7 @@ class LidarKeys {
       ReadMessages(file, topic, unpacked, reading->skips_bad, reading->leave_out,
                    [&](const BagMessage& message, const std::string& place) {
                      ++reading->pieces;
-                     reading->take(ReadPointCloudMessage(topic, message, place, form, by_log_time));
+                     reading->take(ReadPointMessage(topic, message, place, form, by_log_time));
                    });
     };
   }

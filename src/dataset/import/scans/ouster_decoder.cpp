@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kPacketHead = 32, kColumnHead = 12, kLegacyColumnHead = 16;
+constexpr std::size_t kLegacyColumnHead = 16;
 
 class OusterDecoder : public PacketDecoder {
  public:
@@ -93,7 +93,7 @@ class OusterDecoder : public PacketDecoder {
   }
 
   std::string_view ColumnOf(std::string_view packet, int column) const {
-    const std::size_t head = sheet_.is_legacy ? 0 : kPacketHead;
+    const std::size_t head = sheet_.is_legacy ? 0 : kOusterPacketHead;
     return packet.substr(head + static_cast<std::size_t>(column) * sheet_.column_bytes(),
                          sheet_.column_bytes());
   }
@@ -129,7 +129,7 @@ class OusterDecoder : public PacketDecoder {
     const TimeNs t_ns = clock_.Of(unit_ns);
     const double theta =
         2 * std::numbers::pi * (1 - number / static_cast<double>(sheet_.columns_per_frame));
-    std::size_t at = sheet_.is_legacy ? kLegacyColumnHead : kColumnHead;
+    std::size_t at = sheet_.is_legacy ? kLegacyColumnHead : kOusterColumnHead;
     for (std::size_t beam = 0; beam < rings_.size(); ++beam, at += sheet_.pixel.bytes) {
       revolution_.AddRay(t_ns);
       TakePixel(column.substr(at, sheet_.pixel.bytes), beam, theta, t_ns);

@@ -125,14 +125,14 @@ void ReadMode(const SheetReader& reader, OusterSheet* sheet) {
 void ReadFormat(const SheetReader& reader, OusterSheet* sheet) {
   constexpr int kMostColumns = 4096, kMostBeams = 256, kMostInPacket = 64;
   sheet->profile = reader.Text(reader.Format("udp_profile_lidar"), "LEGACY");
-  const auto profile = Profiles().find(sheet->profile);
-  if (profile == Profiles().end()) {
+  const OusterPixel* const pixel = OusterPixelOf(sheet->profile);
+  if (pixel == nullptr) {
     std::string known;
-    for (const auto& [name, pixel] : Profiles()) known += (known.empty() ? "" : ", ") + name;
+    for (const auto& [name, _] : Profiles()) known += (known.empty() ? "" : ", ") + name;
     reader.Fail("udp_profile_lidar", FaultKind::kUnsupported,
                 fmt::format("'{}' is not known; known are {}", sheet->profile, known));
   }
-  sheet->pixel = profile->second;
+  sheet->pixel = *pixel;
   sheet->is_legacy = sheet->profile == "LEGACY";
   sheet->is_fusa = sheet->profile.starts_with("FUSA");
   if (const Json* columns = reader.Format("columns_per_frame")) {
@@ -180,6 +180,11 @@ void ReadBeams(const SheetReader& reader, OusterSheet* sheet) {
 }
 
 }  // namespace
+
+const OusterPixel* OusterPixelOf(const std::string& profile) {
+  const auto found = Profiles().find(profile);
+  return found == Profiles().end() ? nullptr : &found->second;
+}
 
 std::size_t OusterSheet::column_bytes() const {
   const std::size_t around = is_legacy ? 20 : 12;

@@ -21,6 +21,12 @@ struct OusterPixel {
   std::vector<Return> returns;  ///< the stronger first
 };
 
+/// The pixel of a profile, "RNG15_RFL8_NIR8"; null for an unknown profile.
+const OusterPixel* OusterPixelOf(const std::string& profile);
+
+/// Bytes before the columns of a packet and before the pixels of a column, other than LEGACY.
+inline constexpr std::size_t kOusterPacketHead = 32, kOusterColumnHead = 12;
+
 /// Metadata of an Ouster.
 ///
 /// Source  Ouster Firmware User Manual, "Sensor metadata", "Lidar data" and "Coordinate frames".

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <string>
 #include <string_view>
 
 #include "core/check.h"
@@ -18,6 +19,13 @@ T PacketNumber(std::string_view bytes, std::size_t at) {
   T value;
   std::memcpy(&value, bytes.data() + at, sizeof(T));
   return value;
+}
+
+/// Writes a number in the same way.
+template <typename T>
+void PutPacketNumber(T value, std::size_t at, std::string* bytes) {
+  TERA_CHECK(at + sizeof(T) <= bytes->size(), at, bytes->size());
+  std::memcpy(bytes->data() + at, &value, sizeof(T));
 }
 
 /// Full scale of calibrated reflectivities in 8 bits.

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "dataset/import/scans/message_cursor.h"
 
 namespace tera {
@@ -22,15 +25,41 @@ RecordField FieldOfDatatype(std::string_view name, std::uint8_t datatype, std::u
   return {std::string(name), kind.type, kind.bytes, offset};
 }
 
-}  // namespace
+constexpr std::string_view kLivoxTypes[] = {"livox_ros_driver/CustomMsg",
+                                            "livox_ros_driver2/CustomMsg"};
 
-UnitScan ReadPointCloudMessage(const BagTopic& topic, const BagMessage& message,
-                               const std::string& place, const PointForm& form, bool by_log_time) {
-  MessageCursor cursor(topic.message_encoding, message.bytes);
-  const TimeNs stamp_ns = cursor.HeaderStamp();
+bool IsLivox(std::string_view type) {
+  return std::find(std::begin(kLivoxTypes), std::end(kLivoxTypes), type) != std::end(kLivoxTypes);
+}
+
+/// Points of a CustomMsg behind its header. CDR aligns each point to four bytes, and leaves out the
+/// padding after the last, which is added here.
+PointRecords LivoxRecords(MessageCursor* cursor, bool is_cdr, std::string* padded) {
+  constexpr std::size_t kPoint_bytes = 19;
+  cursor->Number<std::uint64_t>();  // timebase, the header's stamp once more
+  cursor->Number<std::uint32_t>();  // number of points, declared again before them
+  cursor->Number<std::uint8_t>();   // number of the lidar
+  for (int k = 0; k < 3; ++k) cursor->Number<std::uint8_t>();
+  PointRecords records{.fields = {{"offset_time", 'U', 4, 0},
+                                  {"x", 'F', 4, 4},
+                                  {"y", 'F', 4, 8},
+                                  {"z", 'F', 4, 12},
+                                  {"reflectivity", 'U', 1, 16},
+                                  {"line", 'U', 1, 18}},
+                       .step = is_cdr ? kPoint_bytes + 1 : kPoint_bytes,
+                       .count = cursor->Number<std::uint32_t>()};
+  const std::size_t padding = records.step - kPoint_bytes;
+  if (records.count > 0) *padded = cursor->Bytes(records.count * records.step - padding);
+  padded->append(padding, '\0');
+  records.bytes = *padded;
+  return records;
+}
+
+PointRecords PointCloudRecords(MessageCursor* cursor_of_message) {
+  MessageCursor& cursor = *cursor_of_message;
   const auto height = cursor.Number<std::uint32_t>();
   const auto width = cursor.Number<std::uint32_t>();
-  PointRecords records{.place = place};
+  PointRecords records;
   const auto fields = cursor.Number<std::uint32_t>();
   for (std::uint32_t k = 0; k < fields; ++k) {
     const std::string_view name = cursor.Text();
@@ -50,6 +79,22 @@ UnitScan ReadPointCloudMessage(const BagTopic& topic, const BagMessage& message,
                                row_step, std::uint64_t{width} * records.step)};
   }
   records.count = std::size_t{height} * width;
+  return records;
+}
+
+}  // namespace
+
+bool HoldsPoints(std::string_view type) { return type == kPointCloudType || IsLivox(type); }
+
+UnitScan ReadPointMessage(const BagTopic& topic, const BagMessage& message,
+                          const std::string& place, const PointForm& form, bool by_log_time) {
+  MessageCursor cursor(topic.message_encoding, message.bytes);
+  const TimeNs stamp_ns = cursor.HeaderStamp();
+  std::string padded;
+  PointRecords records = IsLivox(topic.type)
+                             ? LivoxRecords(&cursor, topic.message_encoding != "ros1", &padded)
+                             : PointCloudRecords(&cursor);
+  records.place = place;
   return RecordReader(records, form).Read(by_log_time ? message.log_ns : stamp_ns);
 }
 

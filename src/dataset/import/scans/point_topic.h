@@ -9,9 +9,13 @@ namespace tera {
 
 inline constexpr std::string_view kPointCloudType = "sensor_msgs/PointCloud2";
 
-/// The scan of one sensor_msgs/PointCloud2. Its stamp is the header's, or `log_ns` with
+/// Whether the messages of a type hold points: sensor_msgs/PointCloud2, and CustomMsg of
+/// livox_ros_driver and livox_ros_driver2.
+bool HoldsPoints(std::string_view type);
+
+/// The scan of one message that holds points. Its stamp is the header's, or `log_ns` with
 /// `by_log_time`. Throws BadBytes where the message violates its type.
-UnitScan ReadPointCloudMessage(const BagTopic& topic, const BagMessage& message,
-                               const std::string& place, const PointForm& form, bool by_log_time);
+UnitScan ReadPointMessage(const BagTopic& topic, const BagMessage& message,
+                          const std::string& place, const PointForm& form, bool by_log_time);
 
 }  // namespace tera

@@ -12,11 +12,8 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kBlocks = 12, kBlockBytes = 100, kBlockHead = 4, kReturnBytes = 3;
-constexpr std::size_t kStampAt = 1200, kModeAt = 1204, kFactoryAt = 1205, kVelodynePacket = 1206;
-constexpr std::uint16_t kBlockFlag = 0xeeff;
-constexpr std::uint8_t kDual = 0x39;
-constexpr double kSequence_us = 55.296;
+using Layout = VelodyneLayout;
+
 constexpr TimeNs kHour_ns = 3600 * kNsPerSecond, kMicrosecond_ns = 1000;
 constexpr double kTurn_deg = 360;
 /// At 1200 turns per minute, a VLP-16 turns 0.8 degrees in two sequences. A larger step is a gap.
@@ -62,13 +59,13 @@ class VelodyneDecoder : public PacketDecoder {
   void Take(const UnitPacket& packet) override {
     RequireOwn(packet);
     const TimeNs unit_ns = TimeOf(packet);
-    const bool is_dual = PacketNumber<std::uint8_t>(packet.bytes, kModeAt) == kDual;
+    const bool is_dual = PacketNumber<std::uint8_t>(packet.bytes, Layout::kModeAt) == Layout::kDual;
     const std::size_t step = is_dual ? 2 : 1;
-    const double block_us = kSequence_us * unit_.sequences_per_block;
+    const double block_us = Layout::kSequence_us * unit_.sequences_per_block;
     double gap_deg = 0;
-    for (std::size_t b = 0; b < kBlocks; b += step) {
+    for (std::size_t b = 0; b < Layout::kBlocks; b += step) {
       const double azimuth_deg = AzimuthOf(packet, b);
-      const std::size_t from = b + step < kBlocks ? b : b - step;
+      const std::size_t from = b + step < Layout::kBlocks ? b : b - step;
       const double next_deg = TurnFrom(AzimuthOf(packet, from), AzimuthOf(packet, from + step));
       if (next_deg <= kMostGap_deg) gap_deg = next_deg;
       if (!last_deg_ || azimuth_deg + kTurn_deg / 2 < *last_deg_) Begin(packet, unit_ns);
@@ -97,13 +94,14 @@ class VelodyneDecoder : public PacketDecoder {
   };
 
   void RequireOwn(const UnitPacket& packet) const {
-    if (packet.bytes.size() != kVelodynePacket) {
+    if (packet.bytes.size() != Layout::kPacketBytes) {
       RefusePacket(packet,
                    fmt::format("has {} bytes, need {} of a {}; is the port the lidar's?{}",
-                               packet.bytes.size(), kVelodynePacket, unit_.name, kOrLeaveOut));
+                               packet.bytes.size(), Layout::kPacketBytes, unit_.name, kOrLeaveOut));
     }
-    for (std::size_t b = 0; b < kBlocks; ++b) {
-      if (PacketNumber<std::uint16_t>(packet.bytes, b * kBlockBytes) != kBlockFlag) {
+    for (std::size_t b = 0; b < Layout::kBlocks; ++b) {
+      if (PacketNumber<std::uint16_t>(packet.bytes, b * Layout::kBlockBytes) !=
+          Layout::kBlockFlag) {
         RefusePacket(packet, fmt::format("its block {} does not begin with ff ee as those of a {} "
                                          "do{}",
                                          b + 1, unit_.name, kOrLeaveOut));
@@ -114,7 +112,7 @@ class VelodyneDecoder : public PacketDecoder {
                                          b + 1, AzimuthOf(packet, b), kOrLeaveOut));
       }
     }
-    const auto factory = PacketNumber<std::uint8_t>(packet.bytes, kFactoryAt);
+    const auto factory = PacketNumber<std::uint8_t>(packet.bytes, Layout::kFactoryAt);
     if (factory == unit_.factory_byte) return;
     RefusePacket(packet,
                  fmt::format("is of {} by its factory byte, the mapping's unit is a {}; name the "
@@ -125,12 +123,13 @@ class VelodyneDecoder : public PacketDecoder {
 
   static double AzimuthOf(const UnitPacket& packet, std::size_t block) {
     constexpr double kStep_deg = 0.01;
-    return kStep_deg * PacketNumber<std::uint16_t>(packet.bytes, block * kBlockBytes + 2);
+    return kStep_deg * PacketNumber<std::uint16_t>(packet.bytes, block * Layout::kBlockBytes + 2);
   }
 
   /// The unit counts from the top of the hour; the receiver's clock supplies the hour.
   TimeNs TimeOf(const UnitPacket& packet) {
-    const TimeNs in_hour_ns = kMicrosecond_ns * PacketNumber<std::uint32_t>(packet.bytes, kStampAt);
+    const TimeNs in_hour_ns =
+        kMicrosecond_ns * PacketNumber<std::uint32_t>(packet.bytes, Layout::kStampAt);
     if (!last_ns_ && clock_.is_unit()) {
       hour_ns_ = (packet.received_ns - in_hour_ns + kHour_ns / 2) / kHour_ns * kHour_ns;
     }
@@ -156,18 +155,19 @@ class VelodyneDecoder : public PacketDecoder {
   }
 
   UnitReturn ReturnOf(std::string_view packet, std::size_t block, std::size_t k) const {
-    const std::size_t at = block * kBlockBytes + kBlockHead + k * kReturnBytes;
+    const std::size_t at =
+        block * Layout::kBlockBytes + Layout::kBlockHead + k * Layout::kReturnBytes;
     return {unit_.range_step_m * PacketNumber<std::uint16_t>(packet, at),
             PacketNumber<std::uint8_t>(packet, at + 2)};
   }
 
   void TakeBlock(const Block& block, const BlockTurn& turn) {
     const std::size_t lasers = rings_.size();
-    const double block_us = kSequence_us * unit_.sequences_per_block;
+    const double block_us = Layout::kSequence_us * unit_.sequences_per_block;
     for (std::size_t k = 0; k < lasers * static_cast<std::size_t>(unit_.sequences_per_block); ++k) {
       const std::size_t laser = k % lasers;
       const double since_us =
-          kSequence_us * static_cast<double>(k / lasers) + unit_.firing_us[laser];
+          Layout::kSequence_us * static_cast<double>(k / lasers) + unit_.firing_us[laser];
       const TimeNs t_ns = clock_.Of(turn.unit_ns + std::llround(1e3 * (turn.start_us + since_us)));
       revolution_.AddRay(t_ns);
       const UnitReturn last = ReturnOf(block.packet, block.number, k);

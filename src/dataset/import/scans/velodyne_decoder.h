@@ -1,28 +1,11 @@
 #pragma once
 
-#include <cstdint>
-#include <string_view>
-#include <vector>
+#include <memory>
 
 #include "dataset/import/scans/packet_decoder.h"
+#include "dataset/import/scans/velodyne_units.h"
 
 namespace tera {
-
-/// Data-sheet values of a Velodyne's lasers, in packet order.
-struct VelodyneUnit {
-  std::string_view name;
-  std::uint8_t factory_byte = 0;
-  double range_step_m = 0.002;
-  int sequences_per_block = 1;  ///< firings of all lasers
-  std::vector<double> elevation_deg, azimuth_offset_deg;
-  std::vector<double> origin_z_m;  ///< height of each beam above the sensor's origin
-  std::vector<double> firing_us;   ///< after the start of the sequence
-};
-
-/// Source  VLP-16 User Manual 63-9243, table 9-1 and section 9.4; VLP-32C User Manual 63-9325,
-///         tables 9-2 and 9-6 and figures 9-7 and 9-8.
-const VelodyneUnit& Vlp16();
-const VelodyneUnit& Vlp32c();
 
 /// Decoder for packets of a Velodyne.
 ///

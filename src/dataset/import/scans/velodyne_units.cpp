@@ -1,4 +1,4 @@
-#include "dataset/import/scans/velodyne_decoder.h"
+#include "dataset/import/scans/velodyne_units.h"
 
 namespace tera {
 namespace {

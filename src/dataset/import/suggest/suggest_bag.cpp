@@ -152,7 +152,7 @@ class BagGuess {
   /// The reason why a topic gives no channel; "-" for no remark.
   std::string Add(const SeenTopic& seen) {
     const std::string& type = seen.topic.type;
-    if (type == kPointCloudType || HoldsPackets(type)) return AddLidar(seen);
+    if (HoldsPoints(type) || HoldsPackets(type)) return AddLidar(seen);
     if (type == kImageType || type == kCompressedImageType) return AddCamera(seen);
     try {
       SchemaOf(seen.topic);
@@ -170,7 +170,7 @@ class BagGuess {
       return pose_ != nullptr ? "the pose is that of " + pose_->topic.name
                               : "a pose of a part, or one that cannot be read";
     }
-    if (type.ends_with("Scan") || type.ends_with("CustomMsg") || type.ends_with("Packets")) {
+    if (type.ends_with("Scan") || type.ends_with("Packets")) {
       return "scans of this type do not come in by a mapping: docs/reference/dataset.md, importing "
              "scans of lidars";
     }
@@ -184,7 +184,7 @@ class BagGuess {
     std::string rest;
     if (type == kVelodyneType) rest = ", unit: unknown}   # need vlp16 or vlp32c";
     if (type == kPandarType) rest = ", unit: qt64}   # guessed: the only one that is read";
-    if (type == kPointCloudType) rest = "}";
+    if (HoldsPoints(type)) rest = "}";
     if (rest.empty()) rest = ", metadata: unknown}   # need the JSON that the sensor itself gave";
     counts_from_epoch_ = counts_from_epoch_ || seen.first_ns > kEpoch_ns;
     lidars_ +=

@@ -6,11 +6,12 @@
 #include "core/error.h"
 #include "core/types/sample_rows.h"
 #include "dataset/format/csv_rows.h"
+#include "dataset/format/events_table.h"
 #include "dataset/format/row_scan.h"
 #include "dataset/lint/checks/stamps.h"
 #include "dataset/lint/lint_job.h"
 
-// Every row of every channel of any type.
+// Every row of every channel of numbers and frames.
 
 namespace tera {
 namespace {
@@ -103,7 +104,7 @@ void CheckRows(LintJob* job) {
                                                             : ChannelForm::kRows;
   };
   for (const ChannelDescription& channel : recording.channels()) {
-    if (job->IsLeftOut(channel.path)) continue;
+    if (job->IsLeftOut(channel.path) || channel.type == kEventsChannel) continue;
     for (const RuleId rule : {RuleId("rows.header"), RuleId("rows.fields"), RuleId("rows.finite"),
                               RuleId("stamps.increasing")}) {
       job->Applies(rule);

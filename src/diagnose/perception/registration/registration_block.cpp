@@ -161,48 +161,34 @@ double PriorSigmaOf(std::string_view unit) {
   return 0.05;
 }
 
-class Candidates {
- public:
-  Candidates(const std::string& sensor, EffectTarget kind, const Effects& present)
-      : kind_(kind), list_(sensor, kind, present, SensorMechanisms()) {}
-
-  /// Adds a mechanism, if the kind has it, with all parameters free in the ranges of the table.
-  void Add(std::string_view id, const std::vector<std::vector<double>>& starts) {
-    const auto mechanism =
-        std::find_if(SensorMechanisms().begin(), SensorMechanisms().end(),
-                     [&](const Mechanism& one) { return one.id == id && one.ActsOn(kind_); });
-    if (mechanism == SensorMechanisms().end()) return;
-    std::vector<FreeParameter> free;
-    for (std::size_t i = 0; i < mechanism->parameters.size(); ++i) {
-      const EffectParameter& parameter = mechanism->parameters[i];
-      free.push_back({.index = i,
-                      .lower = parameter.lower,
-                      .upper = parameter.upper,
-                      .prior_sigma = PriorSigmaOf(parameter.unit)});
-    }
-    list_.Add(id, std::move(free), starts);
-  }
-
-  std::vector<Candidate> Take() { return list_.Take(); }
-
- private:
-  EffectTarget kind_;
-  CandidateList list_;
-};
-
 }  // namespace
 
 std::vector<Candidate> CandidatesOf(EffectTarget kind, ComparedBy compared,
                                     const std::string& sensor, const Effects& present) {
-  Candidates candidates(sensor, kind, present);
-  candidates.Add("extrinsic", {{0, 0, 0, 0, 0, 0}});
+  CandidateList candidates(sensor, kind, present, SensorMechanisms());
+  // Mechanisms that the kind has, with all parameters free in the ranges of the table.
+  const auto add = [&](std::string_view id, const std::vector<std::vector<double>>& starts) {
+    const auto mechanism =
+        std::find_if(SensorMechanisms().begin(), SensorMechanisms().end(),
+                     [&](const Mechanism& one) { return one.id == id && one.ActsOn(kind); });
+    if (mechanism == SensorMechanisms().end()) return;
+    std::vector<FreeParameter> free;
+    for (const EffectParameter& parameter : mechanism->parameters) {
+      free.push_back({.index = free.size(),
+                      .lower = parameter.lower,
+                      .upper = parameter.upper,
+                      .prior_sigma = PriorSigmaOf(parameter.unit)});
+    }
+    candidates.Add(id, std::move(free), starts);
+  };
+  add("extrinsic", {{0, 0, 0, 0, 0, 0}});
   if (compared == ComparedBy::kRanges) {
-    candidates.Add("range_bias", {{0}});
-    candidates.Add("scale", {{1}});
+    add("range_bias", {{0}});
+    add("scale", {{1}});
   }
   std::vector<std::vector<double>> offsets = {{0}};
   for (const double offset_s : kClockOffsets_s) offsets.push_back({offset_s});
-  candidates.Add("clock_offset", offsets);
+  add("clock_offset", offsets);
   return candidates.Take();
 }
 

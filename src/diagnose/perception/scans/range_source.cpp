@@ -9,6 +9,24 @@
 
 namespace tera {
 
+std::vector<std::pair<double, double>> IntervalsOf(const RangeSource& source,
+                                                   const ScanSplit& split,
+                                                   const std::map<std::size_t, bool>& is_there) {
+  std::vector<std::pair<double, double>> intervals_s;
+  bool open = false, always = true;
+  for (std::size_t s = 0; s < source.scans.size(); ++s) {
+    const auto at = is_there.find(split.block[s]);
+    if (at == is_there.end()) continue;
+    always = always && at->second;
+    const double t_s = ToSeconds(source.scans[s].t_ns - source.start_ns);
+    if (at->second && !open) intervals_s.emplace_back(t_s, t_s);
+    if (at->second) intervals_s.back().second = t_s;
+    open = at->second;
+  }
+  if (always) intervals_s.clear();
+  return intervals_s;
+}
+
 double ReportedRange_m(const RangeSource& source, const Vec3& p_S_m) {
   return source.planar_depth ? p_S_m.x() : p_S_m.norm();
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -53,6 +54,12 @@ struct SceneDifference {
   double rmse_before_m = 0, rmse_after_m = 0;
   std::vector<std::pair<double, double>> intervals_s;  ///< when; empty: all the time
 };
+
+/// Times of the blocks in which a difference is there, among the blocks that tell; none if it
+/// always is.
+std::vector<std::pair<double, double>> IntervalsOf(const RangeSource& source,
+                                                   const ScanSplit& split,
+                                                   const std::map<std::size_t, bool>& is_there);
 
 /// The sensor's reported number for a point: range or depth.
 double ReportedRange_m(const RangeSource& source, const Vec3& p_S_m);

@@ -180,23 +180,6 @@ Window PresentIn(const Shares& seen, double least) {
   return present;
 }
 
-/// Times at which more than `least` of a block's rays ended in the cloud; none if that is always.
-void AddIntervals(const RangeSource& source, const ScanSplit& split, const CloudTally& tally,
-                  double least, DustCloud* cloud) {
-  bool open = false, always = true;
-  for (std::size_t s = 0; s < source.scans.size(); ++s) {
-    const auto at = tally.blocks.find(split.block[s]);
-    if (at == tally.blocks.end()) continue;
-    const bool is_there = at->second.share() > least;
-    always = always && is_there;
-    const double t_s = ToSeconds(source.scans[s].t_ns - source.start_ns);
-    if (is_there && !open) cloud->intervals_s.emplace_back(t_s, t_s);
-    if (is_there) cloud->intervals_s.back().second = t_s;
-    open = is_there;
-  }
-  if (always) cloud->intervals_s.clear();
-}
-
 /// Median over returns of the least standard deviation of those in their cubic metre.
 double ThicknessOf(const std::vector<const AirReturn*>& air_returns) {
   std::map<Voxel, std::vector<Vec3>> voxels;
@@ -252,7 +235,9 @@ DustCloud CloudOf(const RangeSource& source, const ScanSplit& split, const Cloud
     while_there.passed += count.passed;
   }
   cloud.stopped = while_there.share();
-  AddIntervals(source, split, tally, least, &cloud);
+  std::map<std::size_t, bool> is_there;
+  for (const auto& [block, count] : tally.blocks) is_there[block] = count.share() > least;
+  cloud.intervals_s = IntervalsOf(source, split, is_there);
   return cloud;
 }
 

@@ -43,9 +43,8 @@ double OneSidedP(ModeratedTTest::Mean of) {
 
 /// The height by which a cell of the measured ground differs from the simulated one.
 struct CellDifference {
-  double median_m, sigma_m;
+  double median_m;
   double p;  ///< of such a difference, either way, by chance
-  std::size_t blocks;
 };
 
 /// The difference of a cell in the blocks from `first` to before `last`; nothing where these or
@@ -59,8 +58,7 @@ std::optional<CellDifference> DifferenceOf(const Blocks& blocks, double first, d
     points += values.size();
   }
   if (medians.size() < kFewestBlocksOfCell || points < kFewestPoints) return std::nullopt;
-  const ModeratedTTest::Mean of = kHeightTest.MeanOf(medians);
-  return CellDifference{Median(medians), of.sigma, 2 * OneSidedP(of), medians.size()};
+  return CellDifference{Median(medians), 2 * OneSidedP(kHeightTest.MeanOf(medians))};
 }
 
 /// Whether at least half of the blocks show a wall in a cell.
@@ -100,6 +98,15 @@ std::map<CellIndex, CellDifference> Differing(const Cells& cells, double first, 
   return differing;
 }
 
+/// A cell and those up to `reach` cells away, row by row.
+std::vector<CellIndex> Around(const CellIndex& place, int reach) {
+  std::vector<CellIndex> cells;
+  for (int a = -reach; a <= reach; ++a) {
+    for (int b = -reach; b <= reach; ++b) cells.emplace_back(place.first + a, place.second + b);
+  }
+  return cells;
+}
+
 /// Connected cells of one sign.
 std::vector<std::vector<CellIndex>> Clusters(const std::map<CellIndex, CellDifference>& cells) {
   std::vector<std::vector<CellIndex>> clusters;
@@ -109,15 +116,12 @@ std::vector<std::vector<CellIndex>> Clusters(const std::map<CellIndex, CellDiffe
     std::vector<CellIndex> cluster = {start};
     taken.insert(start);
     for (std::size_t next = 0; next < cluster.size(); ++next) {
-      for (int a = -kReach; a <= kReach; ++a) {
-        for (int b = -kReach; b <= kReach; ++b) {
-          const CellIndex near = {cluster[next].first + a, cluster[next].second + b};
-          const auto at = cells.find(near);
-          if (at == cells.end() || taken.contains(near)) continue;
-          if ((at->second.median_m > 0) != (first.median_m > 0)) continue;
-          taken.insert(near);
-          cluster.push_back(near);
-        }
+      for (const CellIndex& near : Around(cluster[next], kReach)) {
+        const auto at = cells.find(near);
+        if (at == cells.end() || taken.contains(near)) continue;
+        if ((at->second.median_m > 0) != (first.median_m > 0)) continue;
+        taken.insert(near);
+        cluster.push_back(near);
       }
     }
     if (cluster.size() >= kFewestCells) clusters.push_back(std::move(cluster));
@@ -130,24 +134,19 @@ void FillGaps(GroundMap* map) {
   std::map<CellIndex, GroundCell> filled;
   for (const auto& [place, cell] : map->cells) {
     if (cell.region < 0) continue;
-    for (int a = -kReach; a <= kReach; ++a) {
-      for (int b = -kReach; b <= kReach; ++b) {
-        const CellIndex near = {place.first + a, place.second + b};
-        if (map->cells.contains(near) || filled.contains(near)) continue;
-        const GroundCell* nearest = nullptr;
-        int distance = std::numeric_limits<int>::max();
-        for (int c = -kReach; c <= kReach; ++c) {
-          for (int d = -kReach; d <= kReach; ++d) {
-            const auto at = map->cells.find({near.first + c, near.second + d});
-            if (at == map->cells.end() || c * c + d * d >= distance) continue;
-            distance = c * c + d * d;
-            nearest = &at->second;
-          }
-        }
-        if (nearest == nullptr || nearest->region < 0) continue;
-        filled[near] = *nearest;
-        filled[near].seen = false;
+    for (const CellIndex& near : Around(place, kReach)) {
+      if (map->cells.contains(near) || filled.contains(near)) continue;
+      const GroundCell* nearest = nullptr;
+      int distance = std::numeric_limits<int>::max();
+      for (const CellIndex& other : Around(near, kReach)) {
+        const auto at = map->cells.find(other);
+        const int a = other.first - near.first, b = other.second - near.second;
+        if (at == map->cells.end() || a * a + b * b >= distance) continue;
+        distance = a * a + b * b;
+        nearest = &at->second;
       }
+      if (nearest == nullptr || nearest->region < 0) continue;
+      filled[near] = *nearest;
     }
   }
   map->cells.insert(filled.begin(), filled.end());
@@ -183,13 +182,11 @@ bool IsObject(const GroundRegion& region) {
 }
 
 bool IsNearRegion(const GroundMap& map, const CellIndex& place) {
-  for (int a = -1; a <= 1; ++a) {
-    for (int b = -1; b <= 1; ++b) {
-      const auto at = map.cells.find({place.first + a, place.second + b});
-      if (at != map.cells.end() && at->second.region >= 0) return true;
-    }
-  }
-  return false;
+  const std::vector<CellIndex> near = Around(place, 1);
+  return std::any_of(near.begin(), near.end(), [&](const CellIndex& one) {
+    const auto at = map.cells.find(one);
+    return at != map.cells.end() && at->second.region >= 0;
+  });
 }
 
 /// Height differences within a region.
@@ -205,28 +202,16 @@ Blocks BlocksOf(const std::vector<HeightDifference>& differences, const ScanSpli
 }
 
 /// Times at which a region differs; none if that is always.
-void AddIntervals(const RangeSource& source, const ScanSplit& split, const Blocks& blocks,
-                  GroundRegion* region) {
-  std::vector<double> means;
-  for (const auto& [block, values] : blocks) means.push_back(Median(values));
-  const double full_m = region->mean_m > 0 ? Quantile(means, 0.9) : Quantile(means, 0.1);
-  std::map<std::size_t, std::pair<TimeNs, TimeNs>> times;
-  for (std::size_t s = 0; s < source.scans.size(); ++s) {
-    auto& time =
-        times.try_emplace(split.block[s], source.scans[s].t_ns, source.scans[s].t_ns).first->second;
-    time.second = source.scans[s].t_ns;
-  }
-  bool open = false, always = true;
+std::vector<std::pair<double, double>> TimesOf(const RangeSource& source, const ScanSplit& split,
+                                               const Blocks& blocks, const GroundRegion& region) {
+  std::vector<double> medians;
+  for (const auto& [block, values] : blocks) medians.push_back(Median(values));
+  const double full_m = Quantile(medians, region.mean_m > 0 ? 0.9 : 0.1);
+  std::map<std::size_t, bool> differs;
   for (const auto& [block, values] : blocks) {
-    const bool differs = Median(values) / full_m > kLeastAgain;
-    always = always && differs;
-    const double from_s = ToSeconds(times[block].first - source.start_ns);
-    const double to_s = ToSeconds(times[block].second - source.start_ns);
-    if (differs && !open) region->intervals_s.emplace_back(from_s, to_s);
-    if (differs) region->intervals_s.back().second = to_s;
-    open = differs;
+    differs[block] = Median(values) / full_m > kLeastAgain;
   }
-  if (always) region->intervals_s.clear();
+  return IntervalsOf(source, split, differs);
 }
 
 /// Sets a region's errors on FINAL, and the p-value of at least half its height there.
@@ -266,7 +251,7 @@ std::vector<GroundRegion> FindRegions(const Cells& cells, const ScanSplit& split
     const auto own = differing.find(place);
     const auto judged =
         own != differing.end() ? std::optional(own->second) : DifferenceOf(values, 0, blocks);
-    if (judged) map->cells[place] = {judged->median_m, judged->sigma_m, judged->blocks, -1, true};
+    if (judged) map->cells[place] = {judged->median_m};
   }
   std::vector<GroundRegion> found;
   for (const std::vector<CellIndex>& cluster : Clusters(differing)) {
@@ -307,7 +292,7 @@ GroundMap CompareGround(const RangeSource& source, const ScanSplit& split,
     Measure(map, index, &found[r]);
     found[r].upright = IsObject(found[r]);
     Confirm(held_out, split, map, index, &found[r]);
-    AddIntervals(source, split, BlocksOf(all, split, map, index), &found[r]);
+    found[r].intervals_s = TimesOf(source, split, BlocksOf(all, split, map, index), found[r]);
     const bool holds =
         found[r].p_confirmed <= kConfirmedRegionP / static_cast<double>(found.size());
     if (holds) kept_as[r] = static_cast<int>(map.regions.size());

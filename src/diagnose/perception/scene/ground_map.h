@@ -14,10 +14,7 @@ namespace tera {
 /// Measured minus simulated ground height in one cell of the site.
 struct GroundCell {
   double above_m = 0;  ///< median over blocks of time of the median of points
-  double sigma_m = 0;  ///< standard deviation of above_m
-  std::size_t blocks = 0;
-  int region = -1;   ///< index of its region; -1: none
-  bool seen = true;  ///< false: copied from the nearest seen cell
+  int region = -1;     ///< index of its region; -1: none
 };
 
 /// A region in which the measured ground height differs from the simulated one.

@@ -144,8 +144,7 @@ Json NotJudged(const Diagnosis& diagnosis) {
 Json Untestable(const Diagnosis& diagnosis) {
   Json list = Json::array();
   const auto add = [&](const Mechanism& mechanism, const std::string& target) {
-    list.push_back(
-        {{"mechanism", mechanism.id}, {"target", target}, {"smallest_detectable", nullptr}});
+    list.push_back({{"mechanism", mechanism.id}, {"target", target}});
   };
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     for (const Detectability& one : diagnosed.diagnosis.detectability) {
@@ -173,8 +172,6 @@ Json Next(const Diagnosis& diagnosis) {
   return {{"description", next.description},
           {"commands_csv", kNextManoeuvreFile},
           {"duration_s", JsonNumber(next.duration_s)},
-          {"discriminates",
-           ListOf(next.discriminated, [](const DiscriminatedSet& set) { return set.members; })},
           {"power", JsonNumber(next.power)},
           {"discriminated", ListOf(next.discriminated, SetJson)},
           {"not_discriminated", ListOf(next.not_discriminated, SetJson)},

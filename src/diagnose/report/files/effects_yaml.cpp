@@ -13,15 +13,11 @@
 #include "core/check.h"
 #include "diagnose/blocks/measured_poses.h"
 #include "diagnose/diagnosis.h"
-#include "diagnose/report/text/proposal_text.h"
 #include "diagnose/report/text/sentence.h"
 #include "diagnose/report/text/words.h"
 
 namespace tera {
 namespace {
-
-constexpr std::size_t kListWidth = 92;  ///< of a line of numbers
-constexpr char kNoCurve[] = "no formula and no curve over one variable explains a twentieth of it";
 
 /// The lines of one target, in the order of the findings' ranks.
 struct TargetLines {
@@ -100,46 +96,31 @@ TargetLines* LinesOf(const std::string& target, std::vector<TargetLines>* target
   return &*at;
 }
 
-/// "at: [...]", on as many lines as it takes.
-std::string ListLines(std::string_view key, const std::vector<double>& values) {
-  std::string text = fmt::format("  {}: [", key);
-  std::size_t width = text.size();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    TERA_CHECK(std::isfinite(values[i]), key);
-    const std::string item = fmt::format("{:.6g}{}", values[i], i + 1 < values.size() ? ", " : "]");
-    if (width + item.size() > kListWidth) {
-      text.pop_back();  // the blank before the item
-      text += "\n    ";
-      width = 4;
-    }
-    text += item;
-    width += item.size();
+std::string ListLine(std::string_view key, const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) {
+    TERA_CHECK(std::isfinite(value), key);
+    text += fmt::format("{}{:.6g}", text.empty() ? "" : ", ", value);
   }
-  return text;
+  return fmt::format("  {}: [{}]", key, text);
 }
 
 /// The lines of a learned effect, with how well it holds in a comment.
-std::vector<std::string> LearnedLines(const LearnedProposal& learned, const std::string& unit) {
+std::vector<std::string> LearnedLines(const Learned& learned, const std::string& unit) {
   const LearnedEffect& effect = learned.effect;
   const ReadableUnit readable = ReadableUnitOf(unit);
-  std::string text = fmt::format(
-      "learned:  # no name: what no mechanism explains. Held-out RMSE {} -> {} in the replay\n"
-      "  variable: {}\n  unit: {}\n  as: {}",
-      Significant(learned.rmse_before * readable.factor, 2), Readable(learned.rmse_after, readable),
-      Key(effect.variable.name), effect.variable.unit, effect.is_share ? "share" : "added");
-  for (const auto& [key, list] : {std::pair("at", &effect.at),
-                                  {"value", &effect.value},
-                                  {"low", &effect.low},
-                                  {"high", &effect.high}}) {
-    text += "\n" + ListLines(key, *list);
-  }
-  std::vector<std::string> lines;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    lines.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return lines;
+  return {
+      fmt::format(
+          "learned:  # no name: what no mechanism explains. Held-out RMSE {} -> {} in the replay",
+          Significant(learned.rmse_before * readable.factor, 2),
+          Readable(learned.rmse_after, readable)),
+      "  variable: " + Key(effect.variable.name),
+      "  unit: " + effect.variable.unit,
+      fmt::format("  as: {}", effect.is_share ? "share" : "added"),
+      ListLine("at", effect.at),
+      ListLine("value", effect.value),
+      ListLine("low", effect.low),
+      ListLine("high", effect.high)};
 }
 
 /// Comments on unexplained errors without a simulated effect, with the reason.
@@ -148,9 +129,11 @@ std::string NotLearnedText(const Diagnosis& diagnosis) {
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
     for (const Unexplained& left : diagnosed.diagnosis.unexplained) {
       const std::size_t channel = left.location.channel;
-      const Proposal* proposal = ProposalFor(diagnosed, channel);
-      if (proposal != nullptr && proposal->learned) continue;
-      const std::string reason = proposal != nullptr ? proposal->not_learned : kNoCurve;
+      if (LearnedOf(diagnosed, channel) != nullptr) continue;
+      const char* const reason =
+          diagnosed.block.learnable.empty()
+              ? "a simulation learns of joints, tracks and wheel sets alone, once each"
+              : "no function of one variable that a simulation knows explains a twentieth of it";
       text += fmt::format("# What is left of the {} is not here: {}.\n",
                           QuantityOf(diagnosed.block.channels[channel].name), reason);
     }
@@ -174,11 +157,10 @@ std::vector<TargetLines> LinesOf(const std::vector<const Finding*>& findings) {
 
 void AddLearned(const Diagnosis& diagnosis, std::vector<TargetLines>* targets) {
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
-    for (const Proposal& proposal : diagnosed.proposals) {
-      if (!proposal.learned) continue;
-      const std::string& unit = diagnosed.block.channels[proposal.channel].unit;
+    for (const Learned& learned : diagnosed.learned) {
+      const std::string& unit = diagnosed.block.channels[learned.channel].unit;
       TargetLines* at = LinesOf(diagnosed.block.name, targets);
-      for (std::string& line : LearnedLines(*proposal.learned, unit)) {
+      for (std::string& line : LearnedLines(learned, unit)) {
         at->lines.push_back(std::move(line));
       }
     }

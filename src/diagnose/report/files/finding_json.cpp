@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "diagnose/report/text/proposal_text.h"
-
 namespace tera {
 namespace {
 
@@ -116,19 +114,11 @@ Json EvidenceOf(const Finding& finding) {
           {"p_confirmed", JsonNumber(finding.held_out.p)}};
 }
 
-Json CurveOf(const ProposedCurve& proposed) {
-  return {{"variable", proposed.variable},
-          {"error", proposed.is_share ? "share of simulated" : "value"},
-          {"at", ListOf(proposed.at)},
-          {"mean", ListOf(proposed.mean)},
-          {"low", ListOf(proposed.low)},
-          {"high", ListOf(proposed.high)}};
-}
-
-/// The effect that a simulation runs, or why there is none.
-Json LearnedOf(const Proposal& proposal) {
-  if (!proposal.learned) return {{"not_simulated", proposal.not_learned}};
-  const LearnedEffect& effect = proposal.learned->effect;
+/// The effect that a simulation runs for an unexplained error.
+Json LearnedJson(const DiagnosedBlock& diagnosed, std::size_t channel) {
+  const Learned* learned = LearnedOf(diagnosed, channel);
+  if (learned == nullptr) return nullptr;
+  const LearnedEffect& effect = learned->effect;
   return {{"variable", effect.variable.name},
           {"unit", effect.variable.unit},
           {"as", effect.is_share ? "share" : "added"},
@@ -136,29 +126,8 @@ Json LearnedOf(const Proposal& proposal) {
           {"value", ListOf(effect.value)},
           {"low", ListOf(effect.low)},
           {"high", ListOf(effect.high)},
-          {"rmse_before", JsonNumber(proposal.learned->rmse_before)},
-          {"rmse_after", JsonNumber(proposal.learned->rmse_after)}};
-}
-
-/// The formula or curve for a channel's residual, if there is one.
-Json ProposalOf(const DiagnosedBlock& diagnosed, std::size_t channel) {
-  const Proposal* proposal = ProposalFor(diagnosed, channel);
-  if (proposal == nullptr) return nullptr;
-  Json terms = Json::array();
-  for (const ProposedTerm& term : proposal->terms) {
-    terms.push_back({{"term", TermText(diagnosed.block, term.factors)},
-                     {"coefficient", JsonNumber(term.coefficient)},
-                     {"sigma", JsonNumber(term.sigma)},
-                     {"unit", CoefficientUnit(diagnosed.block, channel, term.factors)},
-                     {"stability", JsonNumber(term.stability)}});
-  }
-  return {{"formula", FormulaText(diagnosed.block, *proposal)},
-          {"terms", std::move(terms)},
-          {"curve", proposal->curve ? CurveOf(*proposal->curve) : Json(nullptr)},
-          {"rmse_before", JsonNumber(proposal->rmse_before)},
-          {"rmse_after", JsonNumber(proposal->rmse_after)},
-          {"unit", diagnosed.block.channels[channel].unit},
-          {"learned", LearnedOf(*proposal)}};
+          {"rmse_before", JsonNumber(learned->rmse_before)},
+          {"rmse_after", JsonNumber(learned->rmse_after)}};
 }
 
 }  // namespace
@@ -228,7 +197,7 @@ Json UnexplainedJson(const DiagnosedBlock& diagnosed, const Unexplained& unexpla
   const std::string& unit = diagnosed.block.channels[unexplained.location.channel].unit;
   json["held_out"] = HeldOutJson(unexplained.rmse, unexplained.rmse, unit, 0);
   json["held_out"]["noise"] = JsonNumber(unexplained.noise);
-  json["proposal"] = ProposalOf(diagnosed, unexplained.location.channel);
+  json["learned"] = LearnedJson(diagnosed, unexplained.location.channel);
   return json;
 }
 

@@ -25,21 +25,20 @@ using Kind = CauseInRecording::Kind;
 /// Raised when a key changes its name or meaning.
 constexpr int kRecordingsFormat = 1;
 
-/// A recording's evidence on a cause: in recordings.json, in a table, and as the end of a sentence.
+/// A recording's evidence on a cause: in recordings.json, and as the end of a sentence.
 struct KindWords {
   Kind kind;
-  std::string_view name, cell, clause;
+  std::string_view name, clause;
 };
 
 constexpr KindWords kKinds[] = {
-    {Kind::kNamed, "named", "named", ""},
-    {Kind::kAsRival, "as_rival", "as well as what is named", "does as well as what is named there"},
-    {Kind::kWithinTolerance, "within_tolerance", "within tolerance", "within tolerance"},
-    {Kind::kAbsent, "absent", "not there", "not there, where one of this size would have shown"},
-    {Kind::kUnconfirmed, "unconfirmed", "chosen, not confirmed",
-     "chosen, and not confirmed on what was kept back"},
-    {Kind::kTooFaint, "too_faint", "would not show", "one of this size would not have shown"},
-    {Kind::kNotCompared, "not_compared", "not compared", "not compared, or hardly moved"}};
+    {Kind::kNamed, "named", ""},
+    {Kind::kAsRival, "as_rival", "does as well as what is named there"},
+    {Kind::kWithinTolerance, "within_tolerance", "within tolerance"},
+    {Kind::kAbsent, "absent", "not there, where one of this size would have shown"},
+    {Kind::kUnconfirmed, "unconfirmed", "chosen, and not confirmed on what was kept back"},
+    {Kind::kTooFaint, "too_faint", "one of this size would not have shown"},
+    {Kind::kNotCompared, "not_compared", "not compared, or hardly moved"}};
 
 const KindWords& WordsFor(Kind kind) {
   return *std::find_if(std::begin(kKinds), std::end(kKinds),
@@ -75,20 +74,6 @@ std::string PooledText(const SharedCause& cause) {
                         Readable(pooled.between, unit), ProbabilityText(pooled.p));
   }
   return text;
-}
-
-std::string CauseTable(const std::vector<SharedCause>& causes, std::size_t recordings) {
-  std::vector<std::string> headings{"Cause"};
-  for (std::size_t r = 0; r < recordings; ++r) headings.push_back(fmt::format("{}", r + 1));
-  Table table(headings);
-  for (const SharedCause& cause : causes) {
-    std::vector<std::string> cells{Escaped(HeadingOf(*cause.candidate, cause.rivals))};
-    for (const CauseInRecording& one : cause.recordings) {
-      cells.push_back(Escaped(CellOf(cause, one)));
-    }
-    table.Row(cells);
-  }
-  return table.Take();
 }
 
 /// The recordings, and how the findings of each do on the others.
@@ -196,20 +181,6 @@ void WriteTogether(const std::filesystem::path& directory,
 
 }  // namespace
 
-std::string CellOf(const SharedCause& cause, const CauseInRecording& one) {
-  std::string text(WordsFor(one.kind).cell), numbers;
-  if (one.finding == nullptr) return text;
-  for (const SharedNumber& number : cause.numbers) {
-    for (const ParameterEstimate& estimate : one.finding->parameters) {
-      if (estimate.name != number.name || !estimate.sigma) continue;
-      numbers += (numbers.empty() ? "" : ", ") +
-                 NumberText({estimate.value, *estimate.sigma}, ReadableUnitOf(estimate));
-    }
-  }
-  if (numbers.empty()) return text;
-  return one.kind == Kind::kNamed ? numbers : text + ": " + numbers;
-}
-
 std::string SentenceOf(const SharedCause& cause) {
   std::string named = RecordingsOf(cause, Kind::kNamed);
   if (cause.Found() == cause.recordings.size()) {
@@ -254,10 +225,9 @@ std::string RecordingsPage(const std::string& machine,
   for (const SharedCause& cause : causes) {
     html += fmt::format("<p class='plain'>{}</p>\n", Escaped(SentenceOf(cause)));
   }
-  return Page(
-      "Recordings of " + machine,
-      html + fmt::format("<section>\n<h2>Recordings</h2>\n<ol>\n{}</ol>\n{}</section>\n",
-                         ListOfRecordings(recordings), CauseTable(causes, recordings.size())));
+  return Page("Recordings of " + machine,
+              html + fmt::format("<section>\n<h2>Recordings</h2>\n<ol>\n{}</ol>\n</section>\n",
+                                 ListOfRecordings(recordings)));
 }
 
 std::vector<std::filesystem::path> WriteRecordingsReport(

@@ -12,10 +12,6 @@
 
 namespace tera {
 
-/// "0.121 ± 0.005" for each parameter that a recording determines, or the reason why there is none:
-/// "not there", "within tolerance: 0.01 ± 0.004".
-std::string CellOf(const SharedCause& cause, const CauseInRecording& one);
-
 /// "Boom: dead band in recordings 1 and 3, width 0.121 ± 0.003. Recording 2: not there, where one
 /// of this size would have shown."
 std::string SentenceOf(const SharedCause& cause);
@@ -30,7 +26,7 @@ struct RecordingOnPage {
 };
 
 /// The page of several recordings of one machine: shared causes first, the findings of each
-/// recording tested on the others, and a table of causes by recordings.
+/// recording tested on the others.
 std::string RecordingsPage(const std::string& machine,
                            const std::vector<RecordingOnPage>& recordings,
                            const std::vector<SharedCause>& causes);

@@ -90,17 +90,6 @@ SiteMap AsSiteMap(const GroundMap& ground) {
   return map;
 }
 
-/// The cells of a map as CSV: x_m, y_m of their centres, above_m, sigma_m, region (-1: none), seen.
-std::string GroundCsv(const GroundMap& map) {
-  std::string csv = "x_m,y_m,above_m,sigma_m,region,seen\n";
-  for (const auto& [place, cell] : map.cells) {
-    csv += fmt::format("{:g},{:g},{:.4f},{:.4f},{},{}\n", map.cell_m * (place.first + 0.5),
-                       map.cell_m * (place.second + 0.5), cell.above_m, cell.sigma_m, cell.region,
-                       cell.seen ? 1 : 0);
-  }
-  return csv;
-}
-
 /// Each channel that was judged, over time.
 void WriteSeries(const std::filesystem::path& directory, const Diagnosis& diagnosis) {
   for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
@@ -123,9 +112,8 @@ void WriteReport(const std::filesystem::path& directory, const Diagnosis& diagno
   WriteWholeFile(directory / "report.html", HtmlReport(diagnosis, recording));
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
     if (sensor.ground.cells.empty()) continue;
-    const std::string name = "ground_" + sensor.target;
-    WriteWholeFile(directory / (name + ".csv"), GroundCsv(sensor.ground));
-    WriteSiteMap(directory / (name + ".tif"), AsSiteMap(sensor.ground), diagnosis.origin);
+    WriteSiteMap(directory / ("ground_" + sensor.target + ".tif"), AsSiteMap(sensor.ground),
+                 diagnosis.origin);
   }
   WriteSeries(directory, diagnosis);
 }

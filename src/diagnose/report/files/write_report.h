@@ -11,7 +11,7 @@
 namespace tera {
 
 /// Writes diagnosis.json, effects.yaml, report.html and, if present, next_manoeuvre.csv and the
-/// ground map of each sensor, as CSV and GeoTIFF. Creates the folder if missing; that of a
+/// ground map of each sensor, as GeoTIFF. Creates the folder if missing; that of a
 /// WholeFolder appears when complete. `recording` is the recording's name in the files. Throws
 /// InputError.
 void WriteReport(const std::filesystem::path& directory, const Diagnosis& diagnosis,

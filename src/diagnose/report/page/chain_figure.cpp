@@ -14,7 +14,6 @@ namespace tera {
 namespace {
 
 using Chain = std::array<ChainStage, 6>;
-using Mark = ChainStage::Mark;
 
 enum Stage : std::size_t { kLever, kValve, kPump, kJoint, kGround, kSensor };
 
@@ -51,9 +50,10 @@ Stage StageOf(const ReplayBlock& block) {
   return has(kGround) ? kGround : has(kSensor) ? kSensor : kJoint;
 }
 
-void AddOnce(std::string name, std::vector<std::string>* names) {
-  if (std::find(names->begin(), names->end(), name) == names->end()) {
-    names->push_back(std::move(name));
+template <typename Item>
+void AddOnce(Item item, std::vector<Item>* items) {
+  if (std::find(items->begin(), items->end(), item) == items->end()) {
+    items->push_back(std::move(item));
   }
 }
 
@@ -79,14 +79,13 @@ void AddCompared(const Diagnosis& diagnosis, Chain* chain) {
   for (const PerceptionDiagnosis& sensor : diagnosis.perception) {
     if (!sensor.is_judged()) continue;
     AddOnce(Spaced(sensor.target), &(*chain)[kSensor].compared);
-    if (!sensor.ground.cells.empty()) AddOnce("ground and site", &(*chain)[kGround].compared);
+    if (!sensor.ground.cells.empty())
+      AddOnce<std::string>("ground and site", &(*chain)[kGround].compared);
   }
 }
 
-void AddEntry(Stage stage, Mark mark, std::string text, Chain* chain) {
-  const ChainStage::Entry entry{mark, std::move(text)};
-  auto& entries = (*chain)[stage].entries;
-  if (std::find(entries.begin(), entries.end(), entry) == entries.end()) entries.push_back(entry);
+void AddEntry(Stage stage, bool is_cause, std::string text, Chain* chain) {
+  AddOnce({is_cause, std::move(text)}, &(*chain)[stage].entries);
 }
 
 std::string TextOf(const Candidate& candidate) {
@@ -102,29 +101,29 @@ void AddCause(const Cause& cause, Chain* chain) {
   for (const Candidate* rival : RivalsOf(*cause.finding)) {
     const Stage of_rival = StageOf(rival->mechanism->slot);
     if (of_rival == stage) ++beside;
-    if (of_rival != stage) AddEntry(of_rival, Mark::kPossibleCause, TextOf(*rival), chain);
+    if (of_rival != stage) AddEntry(of_rival, false, TextOf(*rival), chain);
   }
   if (beside > 0) text += fmt::format(" or {} other{}", beside, beside == 1 ? "" : "s");
-  AddEntry(stage, Mark::kCause, std::move(text), chain);
+  AddEntry(stage, true, std::move(text), chain);
 }
 
 void AddEntries(const Diagnosis& diagnosis, Chain* chain) {
   for (const MissingInput& missing : diagnosis.missing_input) {
-    AddEntry(kLever, Mark::kMissingInput, Spaced(missing.axis) + ": input missing", chain);
+    AddEntry(kLever, false, Spaced(missing.axis) + ": input missing", chain);
   }
   if (diagnosis.encoder_lead_s) {
-    AddEntry(kSensor, Mark::kCause,
+    AddEntry(kSensor, true,
              fmt::format("encoders: clock {} s ahead", Significant(*diagnosis.encoder_lead_s, 2)),
              chain);
   }
   for (const Cause& cause : CausesOf(diagnosis)) AddCause(cause, chain);
   for (const auto& [diagnosed, left] : RankedUnexplained(diagnosis)) {
-    AddEntry(StageOf(diagnosed->block), Mark::kUnexplained,
+    AddEntry(StageOf(diagnosed->block), false,
              QuantityOf(diagnosed->block.channels[left->location.channel].name) + ": unexplained",
              chain);
   }
   for (const ChannelError* channel : UnexplainedOfSensors(diagnosis)) {
-    AddEntry(kSensor, Mark::kUnexplained, SensorOfChannel(channel->name) + ": unexplained", chain);
+    AddEntry(kSensor, false, SensorOfChannel(channel->name) + ": unexplained", chain);
   }
 }
 
@@ -135,12 +134,10 @@ std::string Sign(std::string_view css_class, std::string_view sign) {
   return fmt::format("<b class='sign {}'>{}</b>", css_class, sign);
 }
 
-std::string SignOf(Mark mark) {
-  return mark == Mark::kCause ? Sign("wrong", "!") : Sign("open", "?");
-}
-
 std::string Box(const ChainStage& stage) {
-  const bool is_wrong = stage.Has(Mark::kCause), was_compared = !stage.compared.empty();
+  const bool is_wrong = std::any_of(stage.entries.begin(), stage.entries.end(),
+                                    [](const ChainStage::Entry& one) { return one.is_cause; });
+  const bool was_compared = !stage.compared.empty();
   const char* const css_class = is_wrong                 ? "wrong"
                                 : !stage.entries.empty() ? "open"
                                 : was_compared           ? "fine"
@@ -148,7 +145,8 @@ std::string Box(const ChainStage& stage) {
   std::string html = fmt::format("<li class='{}'><b>{}</b>", css_class, stage.title);
   for (std::size_t e = 0; e < std::min(stage.entries.size(), kMostEntries); ++e) {
     const ChainStage::Entry& entry = stage.entries[e];
-    html += fmt::format("<p>{} {}</p>", SignOf(entry.mark), Escaped(entry.text));
+    html += fmt::format("<p>{} {}</p>", entry.is_cause ? Sign("wrong", "!") : Sign("open", "?"),
+                        Escaped(entry.text));
   }
   if (stage.entries.size() > kMostEntries) {
     html += fmt::format("<p>and {} more</p>", stage.entries.size() - kMostEntries);
@@ -168,11 +166,6 @@ constexpr std::string_view kKey =
     "idle'>&#8211;</b> not compared</span></p>\n";
 
 }  // namespace
-
-bool ChainStage::Has(Mark mark) const {
-  return std::any_of(entries.begin(), entries.end(),
-                     [&](const Entry& entry) { return entry.mark == mark; });
-}
 
 std::array<ChainStage, 6> ChainOf(const Diagnosis& diagnosis) {
   Chain chain = {{{"Lever", {}, {}},

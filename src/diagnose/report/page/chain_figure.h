@@ -11,10 +11,9 @@ namespace tera {
 
 /// A stage of the chain from a lever to a measurement, with its findings.
 struct ChainStage {
-  enum class Mark { kCause, kPossibleCause, kUnexplained, kMissingInput };
   /// "boom: dead band".
   struct Entry {
-    Mark mark = Mark::kCause;
+    bool is_cause = true;  ///< else a possible cause, an unexplained error or missing input
     std::string text;
 
     bool operator==(const Entry&) const = default;
@@ -23,8 +22,6 @@ struct ChainStage {
   std::string_view title;
   std::vector<std::string> compared;  ///< joints, pumps and sensors whose data were compared
   std::vector<Entry> entries;
-
-  bool Has(Mark mark) const;
 };
 
 /// The stages lever, valve, pump, joint, ground and sensor, each with its findings.

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "diagnose/report/page/svg_plot.h"
-#include "diagnose/report/text/proposal_text.h"
 #include "diagnose/report/text/sentence.h"
 #include "diagnose/report/text/words.h"
 
@@ -98,34 +97,6 @@ PlotAxis RangeOf(const std::vector<std::vector<PlotPoint>>& lines, double outlie
   return Widened(all[cut], all[all.size() - 1 - cut], std::move(label));
 }
 
-/// Mean and band of an error over a variable, in readable units.
-struct Curve {
-  std::vector<PlotPoint> mean, low, high;
-  ReadableUnit x_unit, y_unit;
-
-  void Add(double x, double at_mean, double at_low, double at_high) {
-    x *= x_unit.factor;
-    mean.push_back({x, y_unit.factor * at_mean});
-    low.push_back({x, y_unit.factor * at_low});
-    high.push_back({x, y_unit.factor * at_high});
-  }
-};
-
-/// A plot for a curve over the variable of a block, with zero in it.
-SvgPlot PlotOf(const Curve& curve, const std::string& variable, const ReplayBlock& block,
-               const std::string& y_label) {
-  return {"as a function of " + variable,
-          Widened(curve.mean.front().x, curve.mean.back().x,
-                  LabelWithUnit(VariableText(variable, block), curve.x_unit)),
-          RangeOf({curve.low, curve.high, {{0, 0}}}, 0, LabelWithUnit(y_label, curve.y_unit)), 480,
-          280};
-}
-
-void Draw(const Curve& curve, SvgPlot* plot) {
-  plot->Band(curve.low, curve.high, "band");
-  plot->Line(curve.mean, "line before");
-}
-
 }  // namespace
 
 std::string PredictionFigure(const DiagnosedBlock& diagnosed, const Location& location) {
@@ -180,60 +151,47 @@ std::string RegimeFigure(const DiagnosedBlock& diagnosed, const Location& locati
                          const Regime& regime, const std::string& error) {
   const Channel& channel = diagnosed.block.channels[location.channel];
   const RegimeCurve& bins = regime.curve;
-  Curve curve;
-  curve.x_unit = ReadableUnitOf(UnitOfVariable(regime.variable, channel.unit));
-  curve.y_unit = ReadableUnitOf(regime.is_share ? "1" : channel.unit);
-  std::vector<PlotPoint> counts;
+  const ReadableUnit x_unit = ReadableUnitOf(UnitOfVariable(regime.variable, channel.unit));
+  const ReadableUnit y_unit = ReadableUnitOf(regime.is_share ? "1" : channel.unit);
+  std::vector<PlotPoint> mean, low, high, counts;
   for (Eigen::Index b = 0; b < bins.at.size(); ++b) {
     if (bins.count[b] <= 0) continue;
-    curve.Add(bins.at[b], bins.mean[b], bins.low[b], bins.high[b]);
-    counts.push_back({curve.mean.back().x, bins.count[b]});
+    const double x = x_unit.factor * bins.at[b];
+    mean.push_back({x, y_unit.factor * bins.mean[b]});
+    low.push_back({x, y_unit.factor * bins.low[b]});
+    high.push_back({x, y_unit.factor * bins.high[b]});
+    counts.push_back({x, bins.count[b]});
   }
   if (counts.empty()) return "";
-  SvgPlot plot = PlotOf(curve, regime.variable, diagnosed.block,
-                        regime.is_share ? "error / simulated, less mean" : "error, less mean");
+  const std::string variable = VariableText(regime.variable, diagnosed.block);
+  const char* const error_name =
+      regime.is_share ? "error / simulated, less mean" : "error, less mean";
+  SvgPlot plot("as a function of " + regime.variable,
+               Widened(mean.front().x, mean.back().x, LabelWithUnit(variable, x_unit)),
+               RangeOf({low, high, {{0, 0}}}, 0, LabelWithUnit(error_name, y_unit)), 480, 280);
   const CurveShape& shape = regime.shape;
-  const double shape_low = curve.x_unit.factor * shape.low,
-               shape_high = curve.x_unit.factor * shape.high;
+  const double shape_low = x_unit.factor * shape.low, shape_high = x_unit.factor * shape.high;
   if (shape.outside) {
-    plot.Shade(curve.mean.front().x, shape_low);
-    plot.Shade(shape_high, curve.mean.back().x);
+    plot.Shade(mean.front().x, shape_low);
+    plot.Shade(shape_high, mean.back().x);
   } else if (shape.low < shape.high) {
     plot.Shade(shape_low, shape_high);
   }
   const bool has_width = bins.at.size() > 1;
-  plot.Visits(counts, has_width ? curve.x_unit.factor * (bins.at[1] - bins.at[0]) : 1);
+  plot.Visits(counts, has_width ? x_unit.factor * (bins.at[1] - bins.at[0]) : 1);
   plot.Horizontal(0, "zero");
   if (bins.discrete) {
-    for (std::size_t i = 0; i < curve.mean.size(); ++i) {
-      plot.Line({curve.low[i], curve.high[i]}, "line before");
-    }
-    plot.Dots(curve.mean, "dot");
+    for (std::size_t i = 0; i < mean.size(); ++i) plot.Line({low[i], high[i]}, "line before");
+    plot.Dots(mean, "dot");
   } else {
-    Draw(curve, &plot);
+    plot.Band(low, high, "band");
+    plot.Line(mean, "line before");
   }
   return Figure(plot.Take(), fmt::format("{} {} on {} ({}). ", Escaped(error),
                                          regime.is_share ? "as a share depends" : "depends",
                                          Escaped(RegimeText(regime, diagnosed, location.channel)),
                                          Escaped(ProbabilityText(regime.p))) +
                                  Key("band", "90 % band") + Key("visited", "how often visited"));
-}
-
-std::string LearnedFigure(const DiagnosedBlock& diagnosed, const Proposal& proposal) {
-  const LearnedEffect& effect = proposal.learned->effect;
-  Curve curve;
-  curve.x_unit = ReadableUnitOf(effect.variable.unit);
-  curve.y_unit =
-      ReadableUnitOf(effect.is_share ? "1" : diagnosed.block.channels[proposal.channel].unit);
-  for (std::size_t k = 0; k < effect.at.size(); ++k) {
-    curve.Add(effect.at[k], effect.value[k], effect.low[k], effect.high[k]);
-  }
-  SvgPlot plot = PlotOf(curve, effect.variable.name, diagnosed.block,
-                        effect.is_share ? "share of the rate" : "added to the rate");
-  plot.Horizontal(0, "zero");
-  Draw(curve, &plot);
-  return Figure(plot.Take(),
-                Escaped(LearnedText(diagnosed.block, proposal)) + " " + Key("band", "90 % band"));
 }
 
 std::string LeversFigure(const NextManoeuvre& next) {

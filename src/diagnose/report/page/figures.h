@@ -21,9 +21,6 @@ std::string ResidualFigure(const DiagnosedBlock& diagnosed, const Location& loca
 std::string RegimeFigure(const DiagnosedBlock& diagnosed, const Location& location,
                          const Regime& regime, const std::string& error);
 
-/// A channel's learned effect as a function of its variable, with its band.
-std::string LearnedFigure(const DiagnosedBlock& diagnosed, const Proposal& proposal);
-
 /// The levers that move, over time.
 std::string LeversFigure(const NextManoeuvre& next);
 

@@ -15,7 +15,6 @@
 #include "diagnose/report/text/cause_text.h"
 #include "diagnose/report/text/channel_lines.h"
 #include "diagnose/report/text/confirmation_text.h"
-#include "diagnose/report/text/proposal_text.h"
 #include "diagnose/report/text/sensor_text.h"
 #include "diagnose/report/text/sentence.h"
 #include "diagnose/report/text/sentences.h"
@@ -45,7 +44,7 @@ std::string Section(std::string_view css_class, const std::string& heading,
 
 std::string SectionOf(const Cause& cause, std::size_t number, const Diagnosis& diagnosis) {
   const std::string meaning = MeaningText(cause);
-  std::vector<std::string> sentences = {SentenceOf(cause), WhatToDriveText(cause, diagnosis)};
+  std::vector<std::string> sentences = {SentenceOf(cause)};
   if (cause.mechanism().id == "command_delay") {
     sentences.push_back(SentenceOfSharedDelay(diagnosis));
   }
@@ -58,35 +57,20 @@ std::string SectionOf(const Cause& cause, std::size_t number, const Diagnosis& d
       sentences);
 }
 
-/// Recording to make for an unexplained error.
-std::string DriveText(const DiagnosedBlock& diagnosed, const Location& at) {
-  if (at.regimes.empty() || at.regimes.front().variable == "time") {
-    return "Record more of the driving in which the error is.";
-  }
-  return fmt::format("Drive so that the {} takes all its values, again and again.",
-                     VariableText(at.regimes.front().variable, diagnosed.block));
-}
-
 std::string SectionOf(const UnexplainedInBlock& entry) {
   const auto& [diagnosed, left] = entry;
   const Location& at = left->location;
   const Channel& channel = diagnosed->block.channels[at.channel];
-  const std::string quantity = QuantityOf(channel.name);
   std::vector<std::string> sentences = {SentenceOf(*diagnosed, *left)};
-  if (const Proposal* proposal = ProposalFor(*diagnosed, at.channel)) {
-    sentences.push_back(SentenceOf(diagnosed->block, *proposal));
+  if (const Learned* learned = LearnedOf(*diagnosed, at.channel)) {
+    sentences.push_back(SentenceOf(diagnosed->block, *learned));
   }
   for (const Finding& proxy : diagnosed->diagnosis.proxies) {
     if (proxy.location.channel == at.channel) {
       sentences.push_back(SentenceOfProxy(*diagnosed, proxy));
     }
   }
-  sentences.push_back(DriveText(*diagnosed, at));
-  return Section("unexplained", Capitalised(quantity) + ": unexplained",
-                 fmt::format("The {} differs from the simulation, and nothing that is known "
-                             "explains it: {} are left, where noise makes {}.",
-                             quantity, Readable(left->rmse, channel.unit),
-                             Readable(left->noise, channel.unit)),
+  return Section("unexplained", Capitalised(QuantityOf(channel.name)) + ": unexplained", "",
                  PredictionFigure(*diagnosed, at), sentences);
 }
 
@@ -95,75 +79,16 @@ std::string SectionOf(const std::vector<const ChannelError*>& left) {
   return Section("unexplained", "Sensors that do not agree", SentenceOfUnexplained(left), "", {});
 }
 
-/// Undetectable mechanisms of each block.
-std::vector<std::string> UnseenTexts(const Diagnosis& diagnosis) {
-  std::vector<std::string> texts;
-  for (const DiagnosedBlock& diagnosed : diagnosis.blocks) {
-    const std::string name = Capitalised(Spaced(diagnosed.block.name));
-    if (!diagnosed.diagnosis.is_testable) {
-      texts.push_back(fmt::format(
-          "{}: anything at all, {}.", name,
-          diagnosed.diagnosis.out_of_time ? "for the time was over" : "for it was hardly driven"));
-      continue;
-    }
-    std::vector<std::string> labels;
-    for (const Detectability& one : diagnosed.diagnosis.detectability) {
-      if (one.smallest) continue;
-      labels.emplace_back(WordsOf(one.candidate->mechanism->id, one.candidate->target)->label);
-    }
-    if (!labels.empty()) texts.push_back(fmt::format("{}: {}.", name, Listed(labels)));
-  }
-  return texts;
-}
-
+/// The answer where no cause is named and no error is left.
 std::string NothingSection(const Diagnosis& diagnosis) {
-  std::string html = "<section class='cause none'>\n";
-  if (!diagnosis.blocks.empty()) {
-    html += fmt::format("<p class='plain'>{}</p>\n", Escaped(SentenceOfNothing(diagnosis)));
+  std::string html;
+  if (!diagnosis.blocks.empty() || diagnosis.perception.empty()) {
+    html += Paragraph("answer", SentenceOfNothing(diagnosis));
   }
   for (const std::string& text : PerceptionSentences(diagnosis.perception)) {
-    html += fmt::format("<p>{}</p>\n", Escaped(text));
+    html += Paragraph("answer", text);
   }
-  const std::vector<std::string> unseen = UnseenTexts(diagnosis);
-  if (!unseen.empty()) {
-    html += "<h3>What could not have been seen</h3>\n<ul>\n";
-    for (const std::string& text : unseen) html += fmt::format("<li>{}</li>\n", Escaped(text));
-    html += "</ul>\n";
-  }
-  if (diagnosis.next) {
-    html += fmt::format("<p>To see more of it, drive the levers in {}.</p>\n", kNextManoeuvreFile);
-  }
-  return html + "</section>\n";
-}
-
-bool IsAnythingJudged(const Diagnosis& diagnosis) {
-  const std::vector<Verdict> verdicts = VerdictsOf(diagnosis);
-  return std::any_of(verdicts.begin(), verdicts.end(),
-                     [](Verdict verdict) { return verdict != Verdict::kUntestable; });
-}
-
-/// "2 causes found.", or a sentence that there is none, or that nothing was judged.
-std::string AnswerText(const Diagnosis& diagnosis) {
-  const std::vector<Cause> all = CausesOf(diagnosis);
-  const std::size_t causes = all.size();
-  const auto open = std::count_if(
-      all.begin(), all.end(), [](const Cause& cause) { return !RivalsOf(*cause.finding).empty(); });
-  const std::size_t left =
-      RankedUnexplained(diagnosis).size() + UnexplainedOfSensors(diagnosis).size();
-  std::string text;
-  if (causes > 0) text = fmt::format("{} cause{} found.", causes, causes == 1 ? "" : "s");
-  if (open > 0) {
-    text += causes == 1 ? " This recording leaves several explanations of it."
-                        : fmt::format(" Of {} this recording leaves several explanations.", open);
-  }
-  if (left > 0) {
-    text += fmt::format("{}In {} quantit{} error is left that nothing explains.",
-                        text.empty() ? "" : " ", left, left == 1 ? "y" : "ies");
-  }
-  if (!text.empty()) return text;
-  if (!diagnosis.missing_input.empty()) return "Input is missing; beyond that nothing was found.";
-  return IsAnythingJudged(diagnosis) ? "Nothing is wrong that this recording could show."
-                                     : "Nothing could be judged by this recording.";
+  return html;
 }
 
 /// Prerequisites to mend first: missing input, clocks that differ.
@@ -179,8 +104,7 @@ std::string FirstThings(const Diagnosis& diagnosis) {
   return html;
 }
 
-/// A section for each cause, by descending size, and for each unexplained error. Without either:
-/// the channels that agree, and the undetectable mechanisms.
+/// A section for each cause, by descending size, and for each unexplained error.
 std::string CauseSections(const Diagnosis& diagnosis) {
   std::string html;
   const std::vector<Cause> causes = CausesOf(diagnosis);
@@ -238,8 +162,6 @@ std::string BlockSection(const DiagnosedBlock& diagnosed) {
   for (const Unexplained& unexplained : diagnosed.diagnosis.unexplained) {
     html +=
         LocationFigures(diagnosed, "Unexplained", "The error that is left", unexplained.location);
-    const Proposal* proposal = ProposalFor(diagnosed, unexplained.location.channel);
-    if (proposal != nullptr && proposal->learned) html += LearnedFigure(diagnosed, *proposal);
   }
   return html;
 }
@@ -305,6 +227,14 @@ std::string SmallestSizes(const Diagnosis& diagnosis) {
   return table.Take();
 }
 
+/// The levers that would answer what is open.
+std::string NextSection(const Diagnosis& diagnosis) {
+  if (!diagnosis.next) return "";
+  return "<section>\n<h2>What to record next</h2>\n" +
+         Paragraph("soft", SentenceOf(*diagnosis.next)) + LeversFigure(*diagnosis.next) +
+         "</section>\n";
+}
+
 /// All that stands below the first screen and the table of channels.
 std::string Details(const Diagnosis& diagnosis, const std::string& page) {
   std::string html;
@@ -318,11 +248,6 @@ std::string Details(const Diagnosis& diagnosis, const std::string& page) {
   }
   html +=
       Folded("What this recording can show, were noise the only trouble", SmallestSizes(diagnosis));
-  if (diagnosis.next) {
-    html += Folded("What to record next",
-                   fmt::format("<p>{}</p>\n{}", Escaped(SentenceOf(*diagnosis.next)),
-                               LeversFigure(*diagnosis.next)));
-  }
   return "<section>\n<h2>Details</h2>\n" +
          Folded("Everything else that is to be said", OtherSentences(diagnosis, page + html)) +
          html + "</section>\n";
@@ -334,10 +259,10 @@ std::string HtmlReport(const Diagnosis& diagnosis, const std::string& recording)
   const std::string first =
       fmt::format(
           "<h1>Simulation against recording: {}</h1>\n<p class='soft'>Recording {}; times from its "
-          "start.</p>\n<p class='answer'>{}</p>\n",
-          Escaped(diagnosis.machine), Code(recording), AnswerText(diagnosis)) +
-      FirstThings(diagnosis) + ChainFigure(diagnosis) + CauseSections(diagnosis) +
-      ChannelsSection(diagnosis);
+          "start.</p>\n",
+          Escaped(diagnosis.machine), Code(recording)) +
+      Paragraph("answer", SummaryOf(diagnosis)) + FirstThings(diagnosis) + ChainFigure(diagnosis) +
+      CauseSections(diagnosis) + NextSection(diagnosis) + ChannelsSection(diagnosis);
   return Page("Diagnosis of " + diagnosis.machine, first + Details(diagnosis, first));
 }
 

@@ -6,22 +6,17 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
 #include <vector>
 
 #include "core/check.h"
 #include "diagnose/diagnosis.h"
-#include "diagnose/report/text/confirmation_text.h"
-#include "diagnose/report/text/sensor_text.h"
 #include "diagnose/report/text/sentence.h"
 #include "diagnose/report/text/words.h"
 
 namespace tera {
 namespace {
 
-constexpr int kDigits = 2;  ///< of a number in a plain sentence
-/// Standard deviations by which one of several numbers must differ from none to be told.
-constexpr double kToldDeviations = 3;
+constexpr int kDigits = 2;        ///< of a number in a plain sentence
 constexpr double kSetAxis = 0.5;  ///< value from which on an axis of `axis_flip` is reversed
 
 std::string Number(const ParameterEstimate& estimate) {
@@ -77,33 +72,6 @@ std::string NumberAt(const Place& place, const ParameterEstimate& estimate) {
   }
 }
 
-/// Whether a number clearly differs from its value without the finding.
-bool IsClear(const Finding& finding, const FreeParameter& free) {
-  const ParameterEstimate& estimate = finding.parameters[free.index];
-  const Candidate& candidate = *finding.term.candidate;
-  if (free.expected &&
-      std::abs(estimate.value - free.expected->value) <= free.expected->half_width) {
-    return false;
-  }
-  const double without = candidate.present.empty()
-                             ? candidate.mechanism->parameters[free.index].otherwise.value_or(0)
-                             : candidate.present[free.index];
-  return std::abs(estimate.value - without) > kToldDeviations * estimate.sigma.value_or(0);
-}
-
-/// The fitted numbers of a finding by their names, without those in `told`. Only clear ones, but
-/// all if none is clear and `told` is empty.
-std::string NamedNumbers(const Finding& finding, const std::set<std::string_view>& told) {
-  std::vector<std::string> all, clear;
-  for (const FreeParameter& free : finding.term.candidate->free) {
-    const ParameterEstimate& estimate = finding.parameters[free.index];
-    if (finding.term.IsHeld(free.index) || told.contains(estimate.name)) continue;
-    all.push_back(WithoutUnit(estimate.name) + " " + Number(estimate));
-    if (IsClear(finding, free)) clear.push_back(all.back());
-  }
-  return Listed(clear.empty() && told.empty() ? all : clear);
-}
-
 std::string AxesText(const Finding& finding) {
   std::vector<std::string> axes;
   for (const ParameterEstimate& estimate : finding.parameters) {
@@ -118,19 +86,6 @@ const ParameterEstimate& EstimateAt(std::string_view name, const Finding& findin
                                   [&](const ParameterEstimate& one) { return one.name == name; });
   TERA_CHECK(found != finding.parameters.end(), name);
   return *found;
-}
-
-/// The mechanism's values in the scenario, as a sentence of its own.
-std::string PresentText(const Finding& finding) {
-  const Candidate& candidate = *finding.term.candidate;
-  std::vector<std::string> numbers;
-  for (const FreeParameter& free : candidate.free) {
-    if (candidate.present.empty() || finding.term.IsHeld(free.index)) continue;
-    const ParameterEstimate& estimate = finding.parameters[free.index];
-    numbers.push_back(WithoutUnit(estimate.name) + " " +
-                      Readable(candidate.present[free.index], ReadableUnitOf(estimate)));
-  }
-  return numbers.empty() ? "" : fmt::format(" The scenario has {} here.", Listed(numbers));
 }
 
 /// "valve curve", and on another target than what was found "delay of the stamps of the sensor
@@ -168,7 +123,6 @@ std::string TargetText(const Candidate& candidate) {
 
 std::string FilledIn(std::string_view meaning, const Finding& finding) {
   const std::string target = TargetText(*finding.term.candidate);
-  std::set<std::string_view> told;
   std::string text;
   while (!meaning.empty()) {
     const auto open = meaning.find('{');
@@ -177,20 +131,13 @@ std::string FilledIn(std::string_view meaning, const Finding& finding) {
     const auto close = meaning.find('}', open);
     const Place place = PlaceOf(meaning.substr(open + 1, close - open - 1));
     meaning.remove_prefix(close + 1);
-    if (place.name == "The" || place.name == "the") {
-      text += place.name == "The" ? Capitalised(target) : target;
-    } else if (place.name == "numbers" || place.name == "axes") {
-      text += place.name == "axes" ? AxesText(finding) : NamedNumbers(finding, told);
-      for (const ParameterEstimate& estimate : finding.parameters) told.insert(estimate.name);
-    } else {
-      const ParameterEstimate& estimate = EstimateAt(place.name, finding);
-      told.insert(estimate.name);
-      text += NumberAt(place, estimate);
-    }
+    text += place.name == "The"       ? Capitalised(target)
+            : place.name == "the"     ? target
+            : place.name == "axes"    ? AxesText(finding)
+            : place.name == "numbers" ? NumbersText(finding)
+                                      : NumberAt(place, EstimateAt(place.name, finding));
   }
-  const std::string others = NamedNumbers(finding, told);
-  if (!others.empty()) text += fmt::format(" Besides: {}.", others);
-  return text + PresentText(finding);
+  return text;
 }
 
 std::string MeaningText(const Cause& cause) {
@@ -226,22 +173,6 @@ std::string SurenessText(const Finding& finding) {
   return p <= kVerySure ? "Very sure." : p <= kSure ? "Sure." : "Fairly sure.";
 }
 
-/// Whether a set of the next manoeuvre is of a cause and its rivals.
-bool IsOf(const DiscriminatedSet& set, const Cause& cause) {
-  return set.is_class && set.target == cause.target() &&
-         std::find(set.members.begin(), set.members.end(), cause.mechanism().id) !=
-             set.members.end();
-}
-
-std::string LabelsOf(const DiscriminatedSet& set) {
-  std::vector<std::string> labels;
-  for (const std::string& member : set.members) {
-    const MechanismWords* words = WordsOf(member, set.target);
-    labels.push_back(words == nullptr ? Spaced(member) : std::string(words->label));
-  }
-  return Listed(labels);
-}
-
 }  // namespace
 
 std::string HowSureText(const Cause& cause) {
@@ -250,27 +181,6 @@ std::string HowSureText(const Cause& cause) {
     text += " Error is left beside it: do not trust the number yet.";
   }
   return text;
-}
-
-std::string WhatToDriveText(const Cause& cause, const Diagnosis& diagnosis) {
-  if (RivalsOf(*cause.finding).empty()) return "";
-  if (diagnosis.next) {
-    const NextManoeuvre& next = *diagnosis.next;
-    const auto told = std::find_if(next.discriminated.begin(), next.discriminated.end(),
-                                   [&](const DiscriminatedSet& set) { return IsOf(set, cause); });
-    if (told != next.discriminated.end()) {
-      return fmt::format(
-          "The levers in {} ({:.0f} s; {}) tell {} apart in {:.0f} of 100 recordings.",
-          kNextManoeuvreFile, next.duration_s, next.description, LabelsOf(*told),
-          100 * told->power);
-    }
-  }
-  if (cause.block != nullptr && HasLever(cause.block->block)) {
-    return "No levers were found that would tell these causes apart.";
-  }
-  return "Levers are worked out for joints, tracks and wheels alone. Record more driving with "
-         "other "
-         "headings, tilts and loads, or measure on the machine.";
 }
 
 }  // namespace tera

@@ -14,8 +14,7 @@ namespace tera {
 /// target.
 std::string TargetText(const Candidate& candidate);
 
-/// Fills the placeholders of MechanismWords::meaning from a finding. Adds parameters without a
-/// placeholder, and the mechanism's values in the scenario.
+/// Fills the placeholders of MechanismWords::meaning from a finding.
 std::string FilledIn(std::string_view meaning, const Finding& finding);
 
 /// "The boom does not move while its lever is within 12 % of neutral." Empty for a difference of
@@ -27,9 +26,5 @@ std::string HeadingOf(const Candidate& found, const std::vector<const Candidate*
 
 /// "Fairly sure.", "Sure that something is wrong here, not which of 2 causes it is."
 std::string HowSureText(const Cause& cause);
-
-/// "The levers in next_manoeuvre.csv (34 s; boom: steps of 0.15) tell dead band and valve curve
-/// apart in 90 of 100 recordings." Empty without rivals.
-std::string WhatToDriveText(const Cause& cause, const Diagnosis& diagnosis);
 
 }  // namespace tera

@@ -1,6 +1,7 @@
 #include "diagnose/report/text/channel_lines.h"
 
 #include <cmath>
+#include <numeric>
 
 #include "diagnose/diagnosis.h"
 #include "diagnose/report/text/sentence.h"
@@ -8,18 +9,15 @@
 namespace tera {
 namespace {
 
-/// Mean of the valid samples, or of their squares about `about`.
-double MeanOf(const Series& series, int power, double about = 0) {
-  double sum = 0, count = 0;
-  for (std::size_t k = 0; k < series.size(); ++k) {
-    if (!series.valid[k]) continue;
-    sum += std::pow(series.value[k] - about, power);
-    ++count;
-  }
-  return count > 0 ? sum / count : 0;
+/// RMS of the valid samples about their mean.
+double MotionOf(Series series) {
+  const std::vector<double> values = ValidValues(series);
+  const double mean = values.empty() ? 0
+                                     : std::accumulate(values.begin(), values.end(), 0.0) /
+                                           static_cast<double>(values.size());
+  for (double& value : series.value) value -= mean;
+  return Rms(series);
 }
-
-double RmsAbout(double mean, const Series& series) { return std::sqrt(MeanOf(series, 2, mean)); }
 
 std::string LeftOf(const DiagnosedBlock& diagnosed, std::size_t channel) {
   const BlockDiagnosis& diagnosis = diagnosed.diagnosis;
@@ -50,11 +48,11 @@ ChannelLine LineOf(const DiagnosedBlock& diagnosed, std::size_t c,
   ChannelLine line{.channel = channel.name, .unit = channel.unit};
   Series error_as_it_is = channel.measured;
   for (std::size_t k = 0; k < simulated.size(); ++k) error_as_it_is.value[k] -= simulated[k];
-  line.rmse = RmsAbout(0, error_as_it_is);
-  line.rms = RmsAbout(0, channel.measured);
-  line.motion = RmsAbout(MeanOf(channel.measured, 1), channel.measured);
+  line.rmse = Rms(error_as_it_is);
+  line.rms = Rms(channel.measured);
+  line.motion = MotionOf(channel.measured);
   const auto error = [&](const FittedStructure& fitted) {
-    return c < fitted.misfit.residual.size() ? RmsAbout(0, fitted.misfit.residual[c]) : 0.0;
+    return c < fitted.misfit.residual.size() ? Rms(fitted.misfit.residual[c]) : 0.0;
   };
   line.before = error(diagnosis.search.nothing);
   line.after = error(diagnosis.search.found);

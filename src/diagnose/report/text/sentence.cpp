@@ -9,6 +9,7 @@
 #include "diagnose/diagnosis.h"
 #include "diagnose/report/text/words.h"
 #include "diagnose/search/fit/steady_gain.h"
+#include "diagnose/search/fit/structure_fit.h"
 #include "diagnose/tolerances/within_tolerance.h"
 
 namespace tera {
@@ -36,7 +37,8 @@ std::string InsteadText(const Candidate& candidate, std::size_t index, const Rea
          WithUnit(Significant(candidate.present[index] * unit.factor, kPresentDigits), unit);
 }
 
-/// " 0.18 ± 0.02, asymmetry 0.1 ± 0.05"; empty where no number is reported.
+}  // namespace
+
 std::string NumbersText(const Finding& finding) {
   const Candidate& candidate = *finding.term.candidate;
   std::vector<std::string> numbers;
@@ -52,23 +54,24 @@ std::string NumbersText(const Finding& finding) {
                           ? number
                           : WithoutUnit(estimate.name) + " " + number);
   }
-  return numbers.empty() ? "" : fmt::format(" {}", fmt::join(numbers, ", "));
+  return fmt::format("{}", fmt::join(numbers, ", "));
 }
 
-}  // namespace
-
 std::string NameAndNumbers(const Finding& finding) {
-  return Spaced(finding.term.candidate->mechanism->id) + NumbersText(finding);
+  const std::string numbers = NumbersText(finding);
+  return Spaced(finding.term.candidate->mechanism->id) + (numbers.empty() ? "" : " ") + numbers;
 }
 
 std::string MechanismText(const DiagnosedBlock& diagnosed, const Finding& finding) {
   const Candidate& candidate = *finding.term.candidate;
   const std::string& channel = diagnosed.block.channels[finding.location.channel].name;
+  const std::string text = NameAndNumbers(finding);
   if (candidate.target == "base" || channel.find(candidate.target) != std::string::npos) {
-    return NameAndNumbers(finding);
+    return text;
   }
-  return fmt::format("{} of the {}{}", Spaced(candidate.mechanism->id), Spaced(candidate.target),
-                     NumbersText(finding));
+  const std::size_t name = candidate.mechanism->id.size();
+  return fmt::format("{} of the {}{}", text.substr(0, name), Spaced(candidate.target),
+                     text.substr(name));
 }
 
 std::string RivalText(const Candidate& rival, const Candidate& found) {
@@ -110,9 +113,7 @@ bool IsReported(const Finding& finding, const FreeParameter& free) {
   const Candidate& candidate = *finding.term.candidate;
   const ParameterEstimate& estimate = finding.parameters[free.index];
   if (candidate.free.size() <= kFewNumbers || !estimate.sigma) return true;
-  const double without = candidate.present.empty()
-                             ? candidate.mechanism->parameters[free.index].otherwise.value_or(0)
-                             : candidate.present[free.index];
+  const double without = DefaultOf(candidate, free.index).value_or(0);
   return std::abs(estimate.value - without) > kClearDeviations * *estimate.sigma;
 }
 
@@ -293,6 +294,15 @@ std::string SentenceOf(const DiagnosedBlock& diagnosed, const Unexplained& unexp
                                   ProbabilityText(*unexplained.p), PercentText(unexplained.share))
                     : std::string("nor does a flexible regressor"),
       left);
+}
+
+std::string SentenceOf(const ReplayBlock& block, const Learned& learned) {
+  const Channel& channel = block.channels[learned.channel];
+  return fmt::format(
+      "{}: effects.yaml has the unexplained error as learned, a function of {}: held-out RMSE {} "
+      "in the replay.",
+      Capitalised(QuantityOf(channel.name)), VariableText(learned.effect.variable.name, block),
+      Change(learned.rmse_before, learned.rmse_after, channel.unit));
 }
 
 std::string SentenceOfUnconfirmed(const DiagnosedBlock& diagnosed, const Finding& finding) {

@@ -13,7 +13,6 @@
 
 #include "diagnose/diagnosis.h"
 #include "diagnose/report/text/confirmation_text.h"
-#include "diagnose/report/text/proposal_text.h"
 #include "diagnose/report/text/sensor_text.h"
 #include "diagnose/report/text/sentence.h"
 #include "diagnose/report/text/words.h"
@@ -216,10 +215,8 @@ std::vector<std::string> SentencesOf(const Diagnosis& diagnosis) {
   }
   for (const auto& [diagnosed, unexplained] : RankedUnexplained(diagnosis)) {
     say(SentenceOf(*diagnosed, *unexplained));
-    for (const Proposal& proposal : diagnosed->proposals) {
-      if (proposal.channel != unexplained->location.channel) continue;
-      say(SentenceOf(diagnosed->block, proposal));
-    }
+    const Learned* learned = LearnedOf(*diagnosed, unexplained->location.channel);
+    if (learned != nullptr) say(SentenceOf(diagnosed->block, *learned));
   }
   say(SentenceOfSharedDelay(diagnosis));
   for (const SensorFound& found : diagnosis.sensors.findings) {

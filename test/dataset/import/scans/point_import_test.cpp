@@ -125,6 +125,49 @@ TEST_F(PointTopic, RaysWithoutAReturnLeaveNoPoint) {
   EXPECT_THAT(report.channels[0].remarks, Contains(HasSubstr("66.7 % of the rays")));
 }
 
+// Fields in the order of livox_ros_driver2/msg/CustomMsg and CustomPoint. CDR aligns each point to
+// four bytes, so that the second begins a byte after the first has ended.
+Cdr LivoxMessage(const std::string& frame, std::uint32_t declared) {
+  Cdr message;
+  message.Header(100, 0, frame).Add(std::uint64_t{100'000'000'000}).Add(std::uint32_t{2});
+  for (int k = 0; k < 4; ++k) message.Add(std::uint8_t{0});
+  message.Add(declared);
+  message.Add(std::uint32_t{0}).Add(3.0F).Add(4.0F).Add(0.0F);
+  message.Add(std::uint8_t{51}).Add(std::uint8_t{16}).Add(std::uint8_t{2});
+  message.Add(std::uint32_t{99'995'000}).Add(0.0F).Add(0.0F).Add(-2.0F);
+  return message.Add(std::uint8_t{255}).Add(std::uint8_t{0}).Add(std::uint8_t{3});
+}
+
+TEST_F(PointTopic, OfLivoxHasItsOwnMessage) {
+  // Names of each length shift the fields behind them.
+  for (const std::string frame : {"livox_frame", "l", "li", "liv", "livo"}) {
+    File("log.mcap",
+         TopicsMcap()
+             .Message("/points", "livox_ros_driver2/msg/CustomMsg", 7, LivoxMessage(frame, 2))
+             .bytes());
+    const ImportReport report = Import(kTopic, "zero: start\n");
+    EXPECT_EQ(report.zero_ns, 100 * kNsPerSecond);
+    const LidarScan scan = Scans()[0];
+    ASSERT_EQ(scan.points.size(), 2u) << frame;
+    ExpectPlace(scan.points[0], {3, 4, 0});
+    ExpectPlace(scan.points[1], {0, 0, -2});
+    EXPECT_FLOAT_EQ(scan.points[0].intensity, 0.2F);
+    EXPECT_EQ(scan.points[0].ring, 2);
+    EXPECT_EQ(scan.points[1].ring, 3);
+    EXPECT_EQ(scan.points[1].time_offset_ns, 99'995'000u);
+  }
+}
+
+TEST_F(PointTopic, OfLivoxIsRefusedWhereItDeclaresMoreThanItHas) {
+  for (const std::uint32_t declared : {3U, 4'000'000'000U}) {
+    File("log.mcap",
+         TopicsMcap()
+             .Message("/points", "livox_ros_driver2/msg/CustomMsg", 7, LivoxMessage("l", declared))
+             .bytes());
+    ExpectFault(kTopic, FaultKind::kMalformed, "log.mcap: /points message 1");
+  }
+}
+
 TEST_F(PointTopic, MessagesThatAreNoCloudsAreTold) {
   Cdr cut;
   cut.Header(100, 0).Add(std::uint32_t{1}).Add(std::uint32_t{500});

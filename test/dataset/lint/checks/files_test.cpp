@@ -93,9 +93,9 @@ TEST_F(FileRules, ASheetThatIsMissingOrOfAnotherType) {
 }
 
 TEST_F(FileRules, HashesAreHeldOnceTheyAreWritten) {
-  // Frames of 11 x 8 pictures with boxes and 21 scans, 5 sensors of two files, 3 tables, and 2
-  // descriptions.
-  EXPECT_EQ(WriteFrameHashes(run()), 88 + 21 + 10 + 3 + 2);
+  // Frames of 11 x 8 pictures with boxes and 21 scans, 5 sensors of two files, 3 tables, 1 of
+  // events, and 2 descriptions.
+  EXPECT_EQ(WriteFrameHashes(run()), 88 + 21 + 10 + 3 + 1 + 2);
   EXPECT_TRUE(Found().empty());
   // sha256sum reads the list, which has its format.
   const std::string check = "cd '" + run().string() + "' && sha256sum -c --quiet frames.sha256";

@@ -132,8 +132,7 @@ TEST(DiagnosisJson, HasItsStructureInFixedOrderAndDigits) {
   "untestable": [
     {
       "mechanism": "backlash",
-      "target": "boom",
-      "smallest_detectable": null
+      "target": "boom"
     }
   ],
   "not_judged": [],

@@ -89,16 +89,15 @@ TEST(EffectsYaml, OfARegisteredSensorHasWhatItsScansMovedClearOfThePriorAndNothi
                                  "0.4 cm.")));
 }
 
-/// The boom with an unexplained residual, and a proposal for it.
-DiagnosedBlock BoomWithUnexplained(Proposal proposal) {
+/// The boom with an unexplained residual, and what was learned of it.
+DiagnosedBlock BoomWithUnexplained(std::vector<Learned> learned) {
   DiagnosedBlock boom = BoomWithDeadBand();
   boom.diagnosis.unexplained = {GrowingBeyond12kNm()};
-  boom.proposals = {std::move(proposal)};
+  boom.learned = std::move(learned);
   return boom;
 }
 
 TEST(EffectsYaml, HasWhatHasNoNameAsATableThatGenerateReadsBack) {
-  Proposal proposal;
   LearnedEffect ripple{
       {"position/boom", "rad", LearnedVariable::Kind::kPosition, 0}, true, {}, {}, {}, {}};
   for (int k = 0; k < 40; ++k) {
@@ -107,8 +106,8 @@ TEST(EffectsYaml, HasWhatHasNoNameAsATableThatGenerateReadsBack) {
     ripple.low.push_back(ripple.value.back() - 0.05);
     ripple.high.push_back(ripple.value.back() + 0.05);
   }
-  proposal.learned = LearnedProposal{ripple, 3.1 * kDeg, 0.62 * kDeg};
-  const std::string text = EffectsYaml(Of(BoomWithUnexplained(proposal)), "run");
+  const std::string text =
+      EffectsYaml(Of(BoomWithUnexplained({{0, ripple, 3.1 * kDeg, 0.62 * kDeg}})), "run");
   EXPECT_THAT(text, HasSubstr("    boom:\n"
                               "      dead_band: {width: 0.1812}\n"
                               "      learned:  # no name: what no mechanism explains. Held-out "
@@ -133,16 +132,14 @@ TEST(EffectsYaml, HasWhatHasNoNameAsATableThatGenerateReadsBack) {
 }
 
 TEST(EffectsYaml, SaysWhyWhatHasNoNameIsNotInIt) {
-  Proposal proposal;
-  proposal.not_learned = "nothing that turns knows it";
-  const std::string text = EffectsYaml(Of(BoomWithUnexplained(proposal)), "run");
-  EXPECT_THAT(text, HasSubstr("\n# What is left of the boom rate is not here: nothing that turns "
-                              "knows it.\neffects:\n"));
+  const std::string text = EffectsYaml(Of(BoomWithUnexplained({})), "run");
+  EXPECT_THAT(text, HasSubstr("\n# What is left of the boom rate is not here: a simulation learns "
+                              "of joints, tracks and wheel sets alone, once each.\neffects:\n"));
   EXPECT_EQ(LearnedAt(Overlaid(text).machines[0].placement.model.effects, 0), nullptr);
   DiagnosedBlock without = BoomWithUnexplained({});
-  without.proposals.clear();
+  without.block.learnable.resize(1);
   EXPECT_THAT(EffectsYaml(Of(std::move(without)), "run"),
-              HasSubstr("not here: no formula and no curve over one variable"));
+              HasSubstr("not here: no function of one variable"));
 }
 
 TEST(EffectsYaml, LeavesOutWhatIsOfThePosesWhichNoSimulationHas) {

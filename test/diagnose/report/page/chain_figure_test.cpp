@@ -12,7 +12,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using Entry = ChainStage::Entry;
-using Mark = ChainStage::Mark;
 
 enum { kLever, kValve, kPump, kJoint, kGround, kSensor };
 
@@ -21,11 +20,9 @@ TEST(ChainFigure, ACauseStandsWhereItsMechanismActs) {
   diagnosis.perception.push_back(LidarWithRangeBias());
   AddRegion(&diagnosis.perception[0]);
   const auto chain = ChainOf(diagnosis);
-  EXPECT_THAT(chain[kValve].entries, ElementsAre(Entry{Mark::kCause, "boom: dead band"}));
-  EXPECT_THAT(chain[kGround].entries,
-              ElementsAre(Entry{Mark::kCause, "ground: height of the ground"}));
-  EXPECT_THAT(chain[kSensor].entries,
-              ElementsAre(Entry{Mark::kCause, "lidar roof: constant range error"}));
+  EXPECT_THAT(chain[kValve].entries, ElementsAre(Entry{true, "boom: dead band"}));
+  EXPECT_THAT(chain[kGround].entries, ElementsAre(Entry{true, "ground: height of the ground"}));
+  EXPECT_THAT(chain[kSensor].entries, ElementsAre(Entry{true, "lidar roof: constant range error"}));
   EXPECT_THAT(chain[kLever].entries, IsEmpty());
 }
 
@@ -36,9 +33,8 @@ TEST(ChainFigure, WhatIsNotToldApartStandsWhereItWouldAct) {
   std::vector<const Candidate*>& rivals = boom.diagnosis.findings[0].evidence.rivals;
   for (const int other : {1, 2}) rivals.push_back(&boom.block.candidates[other]);
   const auto chain = ChainOf(diagnosis);
-  EXPECT_THAT(chain[kValve].entries,
-              ElementsAre(Entry{Mark::kCause, "boom: dead band or 1 other"}));
-  EXPECT_THAT(chain[kJoint].entries, ElementsAre(Entry{Mark::kPossibleCause, "boom: backlash"}));
+  EXPECT_THAT(chain[kValve].entries, ElementsAre(Entry{true, "boom: dead band or 1 other"}));
+  EXPECT_THAT(chain[kJoint].entries, ElementsAre(Entry{false, "boom: backlash"}));
 }
 
 // The candidates of the made boom are a dead band, a valve curve and play.
@@ -59,11 +55,11 @@ TEST(ChainFigure, UnexplainedErrorStandsWhereItWasMeasured) {
   boom.diagnosis.unexplained = {GrowingBeyond12kNm()};
   Diagnosis diagnosis = Of(std::move(boom));
   EXPECT_THAT(ChainOf(diagnosis)[kJoint].entries,
-              ElementsAre(Entry{Mark::kUnexplained, "boom rate: unexplained"}));
+              ElementsAre(Entry{false, "boom rate: unexplained"}));
   diagnosis.blocks[0].block.candidates = {{&MechanismOf("track_scale"), "base", {}, {}}};
   diagnosis.blocks[0].diagnosis.findings.clear();
   EXPECT_THAT(ChainOf(diagnosis)[kGround].entries,
-              ElementsAre(Entry{Mark::kUnexplained, "boom rate: unexplained"}));
+              ElementsAre(Entry{false, "boom rate: unexplained"}));
 }
 
 TEST(ChainFigure, MissingInputStandsAtTheLeverAndAClockAtTheSensor) {
@@ -71,10 +67,8 @@ TEST(ChainFigure, MissingInputStandsAtTheLeverAndAClockAtTheSensor) {
   diagnosis.missing_input = {{"excavator1/encoders/left_arm_radps", "left_arm", 0.6, false}};
   diagnosis.encoder_lead_s = 0.104;
   const auto chain = ChainOf(diagnosis);
-  EXPECT_THAT(chain[kLever].entries,
-              ElementsAre(Entry{Mark::kMissingInput, "left arm: input missing"}));
-  EXPECT_THAT(chain[kSensor].entries,
-              ElementsAre(Entry{Mark::kCause, "encoders: clock 0.1 s ahead"}));
+  EXPECT_THAT(chain[kLever].entries, ElementsAre(Entry{false, "left arm: input missing"}));
+  EXPECT_THAT(chain[kSensor].entries, ElementsAre(Entry{true, "encoders: clock 0.1 s ahead"}));
 }
 
 TEST(ChainFigure, SaysByFrameAndSignWhatABoxIs) {

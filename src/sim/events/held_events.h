@@ -1,0 +1,53 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "dataset/format/events_table.h"
+
+namespace tera {
+
+/// What an event is of; see RecordedEvent.
+struct EventSubject {
+  std::string machine, part, other;
+
+  auto operator<=>(const EventSubject&) const = default;
+};
+
+/// Events of one kind that last as long as a condition holds.
+///
+/// Model   hysteresis in time: an event begins with its condition, goes on over pauses of at most
+///         `pause_ns`, and ends when the condition last held. Shorter and smaller events are
+///         dropped.
+class HeldEvents {
+ public:
+  struct Rule {
+    EventKind kind;
+    TimeNs pause_ns = 0;
+    bool keeps_least = false;  ///< the value is the least of all; otherwise the largest
+    TimeNs least_ns = 0;       ///< duration of the shortest event
+    double least_value = 0;
+  };
+  explicit HeldEvents(const Rule& rule) : rule_(rule) {}
+
+  /// The condition of `subject` holds from `begin_ns` to `end_ns`, adjacent to its last call or
+  /// not. Returns true if an event begins.
+  bool Hold(const EventSubject& subject, TimeNs begin_ns, TimeNs end_ns, double value);
+  /// Ends events whose condition has not held for longer than a pause.
+  void Close(TimeNs now_ns);
+
+  /// Ended events, and those that go on, as far as they have come.
+  std::vector<RecordedEvent> All() const;
+
+ private:
+  bool Counts(const RecordedEvent& event) const {
+    return event.end_ns - event.begin_ns >= rule_.least_ns && event.value >= rule_.least_value;
+  }
+
+  Rule rule_;
+  std::map<EventSubject, RecordedEvent> going_on_;
+  std::vector<RecordedEvent> ended_;
+};
+
+}  // namespace tera
