@@ -8,12 +8,12 @@ namespace tera {
 namespace {
 
 constexpr int kMostIterations = 60;
-constexpr double kPrecision = 1e-12;  ///< of the duality gap over the objective's own scale
-constexpr double kGradient = 1e-6;    ///< over the root of its own curvature
-constexpr double kStepShare = 0.995;  ///< of the way to the nearest bound
-constexpr double kLeastSlack = 1e-9;  ///< where bounds leave no room, over the number's own unit
+constexpr double kPrecision = 1e-12;  ///< duality gap, relative to the objective
+constexpr double kGradient = 1e-6;    ///< gradient, relative to the square root of the curvature
+constexpr double kStepShare = 0.995;  ///< share of the way to the nearest bound
+constexpr double kLeastSlack = 1e-9;  ///< smallest start slack, in units of the variable
 
-/// The longest step, 1 at most, along which `x` stays positive.
+/// The longest step, at most 1, along which `x` stays positive.
 double LongestStep(const Eigen::VectorXd& x, const Eigen::VectorXd& dx) {
   double step = 1;
   for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -28,7 +28,7 @@ Eigen::VectorXd SmallestWithin(const Eigen::MatrixXd& A, const Eigen::VectorXd& 
                                const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
   const Eigen::VectorXd free = A.llt().solve(b);
   if ((free.array() >= lower.array()).all() && (free.array() <= upper.array()).all()) return free;
-  // A number's own unit is that over which the objective changes by one half.
+  // The unit of a variable is the change that raises the objective by one half.
   const Eigen::VectorXd unit = A.diagonal().cwiseSqrt().cwiseInverse();
   // Each finite bound is a slack s = sign x - bound > 0 with a multiplier z > 0.
   std::vector<Eigen::Index> index;

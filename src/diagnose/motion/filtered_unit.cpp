@@ -6,7 +6,7 @@
 namespace tera {
 namespace {
 
-/// `steps` is a step over the time constant.
+/// `steps` is the step divided by the time constant.
 FilteredUnit::Rows LowPassOf(const FilteredUnit::Rows& x, double steps) {
   const double gone = -std::expm1(-steps), rising = 1 - gone / steps;
   FilteredUnit::Rows y = x;

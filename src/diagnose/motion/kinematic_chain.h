@@ -7,27 +7,29 @@
 
 namespace tera {
 
-/// The joints between the base and a link, those that do not move folded into the others.
+/// The moving joints between the base and a link. Fixed transforms between them are folded into the
+/// joints' frames.
 ///
-/// Frames  B base; of each joint P its parent (the child of the one before, at first B), J its own
-///         frame; L the link.
+/// Frames  B base; P parent frame of a joint (the child frame of the previous joint, B for the
+///         first); J frame of the joint; L the link.
 struct KinematicChain {
   struct Step {
     Pose X_PJ = Pose::Identity();
     Vec3 axis_J = Vec3::UnitZ();
     bool slides = false;
-    int joint = 0;  ///< its index in the model
-    int place = 0;  ///< among the joints with an estimated motion
+    int joint = 0;  ///< index in the machine model
+    int place = 0;  ///< index among the joints whose motion is estimated
   };
   std::vector<Step> steps;
-  Pose X_PL = Pose::Identity();  ///< of the link in the last joint's child, fixed
+  Pose X_PL = Pose::Identity();  ///< fixed pose of the link in the child frame of the last joint
 };
 
-/// More moving joints between the base and a link are not looked at.
+/// Longer chains are not supported.
 inline constexpr int kMostJointsOfChain = 6;
 
-/// The chain to a link; `places` has the place of each of the model's joints among those of which
-/// the motion is estimated, -1 where it rests as at first. None where it is too long.
+/// The chain to a link, or none where it has more than kMostJointsOfChain moving joints. `places`
+/// maps each joint of the model to its index among the estimated joints; -1 keeps the joint at its
+/// initial position.
 std::optional<KinematicChain> ChainTo(const MachineModel& model, int link,
                                       const std::vector<int>& places);
 

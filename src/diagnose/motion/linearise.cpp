@@ -10,15 +10,16 @@
 namespace tera {
 namespace {
 
-// Travel by running gear only keeps the motion determined where nothing else measures it.
+// Travel from running gear has a wide deviation: it determines the motion only where no other
+// sensor does.
 constexpr double kTravelShare = 0.3, kTravel_mps = 0.1, kTravel_radps = 0.1;
-// A machine that stands rocks as its arm moves, and turns less.
+// A standing machine rocks while its arm moves, but hardly turns.
 constexpr double kRocks_mps = 0.03, kRocks_radps = 0.05, kTurns_radps = 0.01;
 constexpr double kGround_m = 0.05, kGround_rad = 0.035;
-constexpr double kFilterShare = 0.2;  ///< steps of a filtered unit's measurements over the spline's
-constexpr double kLeastTimeConstant_s = 1e-3;  ///< shorter ones filter nothing
+constexpr double kFilterShare = 0.2;  ///< time step of a filtered unit, in knots of the spline
+constexpr double kLeastTimeConstant_s = 1e-3;  ///< shorter time constants filter nothing
 
-/// Adds the four numbers of a reflection; returns its error in W.
+/// Adds the four parameters of a reflection. Returns the position error in W.
 Vec3 AddReflection(const ReceiverChannel& receiver, const MotionAt& at) {
   if (receiver.reflection < 0) return Vec3::Zero();
   const Eigen::Matrix<double, 3, 4> by_number =
@@ -30,7 +31,7 @@ Vec3 AddReflection(const ReceiverChannel& receiver, const MotionAt& at) {
   return by_number * at.parameters.segment<4>(receiver.reflection);
 }
 
-// Derivatives of a receiver: angles (3), joints, place (3), the pair's yaw.
+// Layout of a receiver's derivatives: angles (3), joints, place (3), yaw of the pair.
 constexpr int kGnssJoints = 3, kGnssPlace = kGnssJoints + kMostJointsOfChain,
               kGnssYaw = kGnssPlace + 3, kGnssDerivatives = kGnssYaw + 1;
 
@@ -92,7 +93,7 @@ void LineariseAxis(const AxisChannel& axis, const MotionAt& at) {
 }
 
 void LinearisePose(const MapChannel& poses, const MotionAt& at) {
-  using T = ceres::Jet<double, 9>;  // place, angles, turn of the map
+  using T = ceres::Jet<double, 9>;  // position, angles, rotation of the map
   at.Begin(6, poses.noise);
   LinearisedObservation& out = *at.out;
   const Vec3 turned = at.Three(poses.turn), shift = at.Three(poses.shift);
@@ -184,7 +185,7 @@ Numbers NumbersAt(const SegmentMotion& motion, const SplineWeights& weights) {
          weights.by_derivative.leftCols(count).transpose();
 }
 
-/// These numbers with derivatives of 0 where the motion rests.
+/// Sets derivatives of coordinates that do not move significantly to 0.
 Numbers Resting(const SegmentMotion& motion, const SplineWeights& weights, Numbers numbers) {
   const auto block = std::min<Eigen::Index>((weights.first + 1) / 4, motion.moving.rows() - 1);
   numbers.rightCols<3>().array().colwise() *= motion.moving.row(block).transpose();

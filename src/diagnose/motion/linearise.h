@@ -8,24 +8,31 @@
 
 namespace tera {
 
-/// Linearises observations of one segment about its motion and parameters, which must outlive this.
+/// Linearises the observations of one segment about its motion and the parameters. Both must
+/// outlive this object.
 ///
-/// Model   an inertial unit: rates and forces of its true frame, averaged over the observation as
-///         the splines are (UniformSpline::MeanOver), filter, signs, scale, bias. A receiver: its
-///         antenna's place. All are as late as their parameter says. Accelerations count in
-///         inertial units with the gain of their number of the motion, which all units share.
-///         Derivatives by parameters are those of a motion that rests where it does not exceed its
-///         noise. Otherwise a motion that follows a sensor's noise would seem to excite its scale,
-///         place and delay, and the noise would bias these (errors in variables). A filtered unit
-///         says nothing of the motion, nor of gains of accelerations, which reach it from before
-///         the observation. Its derivatives by mount and place are unfiltered, and late instead.
+/// Model   An inertial unit measures turn rates and specific forces in its true frame, averaged
+///         over the observation (UniformSpline::MeanOver), then filter, signs, scale and bias. A
+///         receiver measures the position of its antenna. Each channel sees the motion later by its
+///         delay parameter. Accelerations enter inertial units with a gain for each coordinate of
+///         the motion, which all units share.
+///
+///         Derivatives by parameters use the motion with insignificant rates set to zero
+///         (SegmentMotion::moving). A motion that follows the noise of a sensor would seem to
+///         excite the scale, mount and delay of that sensor. The noise would then bias these
+///         parameters (errors in variables).
+///
+///         Rows of a filtered unit have zero derivatives by the motion and by the acceleration
+///         gains, because the filter mixes in motion from before the observation. Its derivatives
+///         by mount and place ignore the filter, but use a motion that is later by the time
+///         constant.
 /// Omits   products of motions that change within an observation; filters of receivers and
 ///         encoders, which count as delays.
 class SegmentLinearisation {
  public:
   SegmentLinearisation(const MotionProblem& problem, const UniformSpline& spline,
                        const SegmentMotion& motion, const Eigen::VectorXd& parameters);
-  /// Fills `out`; false where the motion does not cover the time of the observation.
+  /// Fills `out`. False where the spline does not cover the time of the observation.
   bool Of(const Observation& observation, LinearisedObservation* out) const;
 
  private:
@@ -36,7 +43,7 @@ class SegmentLinearisation {
   const UniformSpline& spline_;
   const SegmentMotion& motion_;
   const Eigen::VectorXd& parameters_;
-  std::vector<std::optional<FilteredUnit>> filtered_;  ///< by unit; none without a filter
+  std::vector<std::optional<FilteredUnit>> filtered_;  ///< by unit; empty without a filter
 };
 
 }  // namespace tera

@@ -10,8 +10,8 @@
 namespace tera {
 namespace {
 
-// Derivatives of an inertial unit by the motion: angles with their rates and accelerations (9),
-// acceleration (3), joints (3 each).
+// Layout of the derivatives by the motion: angles with rates and accelerations (9), acceleration of
+// the base (3), position, rate and acceleration of each joint (3 each).
 constexpr int kImuJoints = 12;
 
 template <typename T>
@@ -23,8 +23,8 @@ T Variable(double value, int derivative) {
   }
 }
 
-/// Measurement of an ideal unit in the frame of a unit's link for these numbers, with derivatives
-/// by the motion if the scalar has any.
+/// Measurement of an ideal unit in the frame of its link. A Jet scalar carries derivatives by the
+/// motion.
 template <typename T>
 Inertial<T> InLink(const UnitChannel& unit, const MotionAt& at, const Numbers& numbers) {
   std::array<Vector3<T>, 3> rpy;
@@ -48,8 +48,8 @@ Inertial<T> InLink(const UnitChannel& unit, const MotionAt& at, const Numbers& n
                            q[1].data(), q[2].data());
 }
 
-/// Measurement of an ideal unit whose motion rests where it is only noise, and its derivatives by
-/// the unit's mount and place.
+/// Measurement of an ideal unit for the motion with insignificant rates set to zero. `by_own` holds
+/// the derivatives by mount angles, then by place.
 struct AtRest {
   Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
   Eigen::Matrix<double, 6, 6> by_own = Eigen::Matrix<double, 6, 6>::Zero();
@@ -77,7 +77,7 @@ AtRest AtRestOf(const UnitChannel& unit, const MotionAt& at, const Vec3& turn, c
   return rest;
 }
 
-/// Adds the gains of the accelerations of the base and of each joint before the unit.
+/// Adds the acceleration gains of the base and of each joint in the chain.
 void AddAccelerationGains(const UnitChannel& unit, const MotionAt& at) {
   const auto add = [&](int number) {
     if (at.GainOf(number) < 0) return;
@@ -89,7 +89,8 @@ void AddAccelerationGains(const UnitChannel& unit, const MotionAt& at) {
   for (const auto& step : unit.chain.steps) add(kBaseNumbers + step.place);
 }
 
-/// Takes away what the unit's range clips; `resting` is measured of a motion that rests.
+/// Applies the clipping of the unit's range. `resting` is the measurement for the motion with
+/// insignificant rates set to zero.
 void Clip(const UnitChannel& unit, const MotionAt& at, const Eigen::Matrix<double, 6, 1>& resting) {
   if (unit.clipped < 0) return;
   LinearisedObservation& out = *at.out;
@@ -110,7 +111,7 @@ void Clip(const UnitChannel& unit, const MotionAt& at, const Eigen::Matrix<doubl
   }
 }
 
-/// With derivatives by the motion of chains of up to so many joints.
+/// `kJoints` is the longest chain for which derivatives are carried.
 template <int kJoints>
 void LineariseImu(const UnitChannel& unit, const MotionAt& at) {
   at.Begin(6, unit.noise);

@@ -4,10 +4,10 @@
 
 namespace tera {
 
-/// Fills the output with an inertial unit's residuals and derivatives (SegmentLinearisation).
+/// Fills `at.out` with the residuals and derivatives of an inertial unit (SegmentLinearisation).
 void LineariseUnit(const UnitChannel& unit, const MotionAt& at);
 
-/// Measurement of an ideal unit in its true frame: rates, then forces.
+/// Measurement of an ideal unit in its true frame: turn rates, then specific forces.
 Eigen::Matrix<double, 6, 1> IdealOf(const UnitChannel& unit, const MotionAt& at,
                                     const Numbers& numbers);
 

@@ -6,16 +6,16 @@
 
 namespace tera {
 
-/// An observation's residual (measured less predicted) about a motion and parameters.
+/// The residual (measured minus predicted) and derivatives of one observation.
 ///
-/// Rows are its numbers; columns of `by_state` the numbers of the motion, then their first, then
-/// their second derivatives.
+/// Rows are the measured numbers. Columns of `by_state` are the coordinates of the motion, then
+/// their first derivatives, then their second derivatives.
 struct LinearisedObservation {
   static constexpr int kMostParameters = 32;
 
   int rows = 0;
   Eigen::Matrix<double, 6, 1> residual, sigma;
-  int noise = kNoParameter;  ///< the first noise channel; without one `sigma` holds
+  int noise = kNoParameter;  ///< first noise channel; without one, `sigma` holds
   Eigen::Matrix<double, 6, Eigen::Dynamic> by_state;
   int parameters = 0;
   std::array<int, kMostParameters> parameter;
@@ -23,14 +23,14 @@ struct LinearisedObservation {
   SplineWeights weights;
 };
 
-/// The motion of one segment and the parameters as they are in it.
+/// The motion of one segment and the deviation of its parameters.
 struct SegmentMotion {
-  Eigen::MatrixXd coefficients;  ///< one row each, one column for each number
-  /// Which numbers move, as far as it stands out of their noise: a row for each four coefficients,
-  /// 1 where they do, else 0.
+  Eigen::MatrixXd coefficients;  ///< row: coefficient; column: coordinate
+  /// 1 where a coordinate moves significantly more than its noise, else 0. One row per four
+  /// coefficients, one column per coordinate.
   Eigen::ArrayXXd moving;
-  Eigen::VectorXd wandered;  ///< the parameters of the segment less those of all
-  double shift_s = 0;        ///< the spline at t + shift_s is the motion at t
+  Eigen::VectorXd wandered;  ///< parameters of this segment minus the shared parameters
+  double shift_s = 0;        ///< the motion at t is the spline at t + shift_s
 };
 
 }  // namespace tera

@@ -5,8 +5,8 @@
 #include "core/units.h"
 #include "diagnose/motion/kinematic_chain.h"
 
-/// Rigid kinematics from the base to a point of a link, over any scalar, so that derivatives can be
-/// carried along.
+/// Rigid kinematics from the base to a point of a link. The scalar is a template parameter, so that
+/// Jets carry derivatives.
 
 namespace tera {
 
@@ -15,7 +15,7 @@ using Vector3 = Eigen::Matrix<T, 3, 1>;
 template <typename T>
 using Matrix3 = Eigen::Matrix<T, 3, 3>;
 
-/// R = Rz(yaw) Ry(pitch) Rx(roll) of (roll, pitch, yaw).
+/// R = Rz(yaw) Ry(pitch) Rx(roll); the argument is (roll, pitch, yaw).
 template <typename T>
 Matrix3<T> RotationOfRpy(const Vector3<T>& rpy) {
   using std::cos, std::sin;
@@ -27,7 +27,6 @@ Matrix3<T> RotationOfRpy(const Vector3<T>& rpy) {
   return R;
 }
 
-/// Rotation by `angle` about a unit axis.
 template <typename T>
 Matrix3<T> RotationAbout(const Vec3& axis, const T& angle) {
   using std::cos, std::sin;
@@ -45,16 +44,16 @@ Matrix3<T> RotationAbout(const Vec3& axis, const T& angle) {
   return R;
 }
 
-/// Measurement of an ideal inertial unit in a frame.
+/// Measurement of an ideal inertial unit, all vectors in its own frame.
 template <typename T>
 struct Inertial {
-  Vector3<T> w;      ///< turn rate, in the frame
-  Vector3<T> alpha;  ///< its derivative, in the frame
-  Vector3<T> f;      ///< specific force at the frame's origin, in the frame
+  Vector3<T> w;      ///< turn rate
+  Vector3<T> alpha;  ///< derivative of the turn rate
+  Vector3<T> f;      ///< specific force at the origin of the frame
 };
 
-/// In the base, from its angles (roll, pitch, yaw) with their derivatives and its acceleration in
-/// W.
+/// Measurement in the base frame. `d` and `dd` are the derivatives of (roll, pitch, yaw); `a_W` is
+/// the acceleration of the base in W.
 template <typename T>
 Inertial<T> InertialOfBase(const Vector3<T>& rpy, const Vector3<T>& d, const Vector3<T>& dd,
                            const Vector3<T>& a_W) {
@@ -73,7 +72,8 @@ Inertial<T> InertialOfBase(const Vector3<T>& rpy, const Vector3<T>& d, const Vec
   return base;
 }
 
-/// In a frame fixed to that of `at`, with the rotation R_PC and the place r_P, over any scalar.
+/// Measurement in a frame C rigidly attached to the frame P of `at`. R_PC and r_P are rotation and
+/// origin of C in P.
 template <typename T, typename R>
 Inertial<T> InertialBeside(const Inertial<T>& at, const Mat3& R_PC, const Vector3<R>& r_P) {
   const Mat3 R_CP = R_PC.transpose();
@@ -81,7 +81,8 @@ Inertial<T> InertialBeside(const Inertial<T>& at, const Mat3& R_PC, const Vector
           R_CP * (at.f + at.alpha.cross(r_P) + at.w.cross(at.w.cross(r_P)))};
 }
 
-/// In a frame that is turned by an angle about a unit axis, of which these are cosine and sine.
+/// Measurement in a frame that is rotated about a unit axis by an angle with cosine `c` and sine
+/// `s`.
 template <typename T>
 Inertial<T> InertialTurned(const Inertial<T>& at, const Vec3& axis, const T& c, const T& s) {
   const auto turned = [&](const Vector3<T>& v) -> Vector3<T> {
@@ -90,8 +91,8 @@ Inertial<T> InertialTurned(const Inertial<T>& at, const Vec3& axis, const T& c, 
   return {turned(at.w), turned(at.alpha), turned(at.f)};
 }
 
-/// In the link of a chain, from that in the base and the position, rate and acceleration of each of
-/// its joints.
+/// Measurement in the link of a chain. `at` is the measurement in the base; `q`, `qd` and `qdd` are
+/// position, rate and acceleration of each joint of the chain.
 template <typename T>
 Inertial<T> InertialOfLink(const KinematicChain& chain, Inertial<T> at, const T* q, const T* qd,
                            const T* qdd) {
@@ -114,7 +115,7 @@ Inertial<T> InertialOfLink(const KinematicChain& chain, Inertial<T> at, const T*
   return InertialBeside<T, double>(at, chain.X_PL.linear(), chain.X_PL.translation());
 }
 
-/// The place in the base of a point of a chain's link.
+/// Position in the base of a point of the link.
 template <typename T>
 Vector3<T> PointInBase(const KinematicChain& chain, const Vector3<T>& p_L, const T* q) {
   Vector3<T> p = chain.X_PL.linear().cast<T>() * p_L + chain.X_PL.translation().cast<T>();

@@ -5,18 +5,18 @@
 
 namespace tera {
 
-/// Numbers of the motion at a time, by derivative, one column each.
+/// Row: coordinate of the motion; column: its value and first three derivatives at one time.
 using Numbers = Eigen::Matrix<double, Eigen::Dynamic, 4>;
 
-/// The time of an observation, with all that its linearisation needs.
+/// Everything that the linearisation of one observation needs.
 struct MotionAt {
   const MotionProblem& problem;
   const Eigen::VectorXd& parameters;
   const Observation& observation;
   const Numbers& numbers;
-  const Numbers& resting;        ///< the same, 0 where they are no more than noise
-  const FilteredUnit* filtered;  ///< of the observation's unit; null without a filter
-  double from_s, to_s;           ///< the time of the observation, in that of the motion
+  const Numbers& resting;        ///< `numbers` with insignificant derivatives set to 0
+  const FilteredUnit* filtered;  ///< of the observed unit; null without a filter
+  double from_s, to_s;           ///< time of the observation on the spline
   LinearisedObservation* out;
 
   int columns() const { return static_cast<int>(numbers.rows()); }
@@ -28,16 +28,16 @@ struct MotionAt {
     const auto n = static_cast<std::size_t>(number);
     return n < problem.acceleration_gains.size() ? problem.acceleration_gains[n] : kNoParameter;
   }
-  /// Inertial units have the acceleration of a number multiplied by this.
+  /// Factor on the acceleration of a coordinate in inertial units.
   double Share(int number) const { return 1 + Parameter(GainOf(number)); }
-  /// The column of a derivative of a number in `by_state`.
+  /// Column in `by_state` of a derivative of a coordinate.
   int Column(int number, int derivative) const { return derivative * columns() + number; }
   int AddParameter(int place) const {
     out->parameter[static_cast<std::size_t>(out->parameters)] = place;
     out->by_parameter.col(out->parameters).setZero();
     return out->parameters++;
   }
-  /// The derivative by a delay: the motion is that of a time before.
+  /// Adds the derivative by a delay: a later channel sees an earlier motion.
   void AddDelay(int place) const {
     if (place < 0) return;
     const int column = AddParameter(place);

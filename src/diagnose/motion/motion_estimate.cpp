@@ -11,24 +11,26 @@
 namespace tera {
 namespace {
 
-constexpr double kJerk_mps3 = 40, kJerk_radps3 = 60;  ///< of the base and of joints, 1 sigma
-/// How far from where it begins the motion may be, 1 sigma of each coefficient.
+constexpr double kJerk_mps3 = 40, kJerk_radps3 = 60;  ///< of base and joints, 1 sigma
+/// 1 sigma of the distance of each coefficient from its start.
 constexpr double kPlace_m = 50, kLean_rad = 0.5, kYaw_rad = 5, kJoint = 2;
 constexpr int kUnweightedIterations = 2;  ///< of a first estimate
-/// Power of a rate over that of its error, from which on it stands out.
+/// A coordinate moves where the power of its rate exceeds the error variance of the rate by this
+/// factor.
 constexpr double kStandsOut = 30;
-constexpr double kSettled = 0.02;  ///< change of parameters over what is small
-/// Factors of a delay's step where it turns back, and where it goes on.
+/// largest change of a parameter at convergence, over ParameterPrior::small
+constexpr double kSettled = 0.02;
+/// Factors on the step of a delay: where its sign changes, and where it stays.
 constexpr double kTurnsBack = 0.5, kGoesOn = 1.5;
 
-/// One segment linearised about a motion.
 struct LinearisedSegment {
-  ParameterQuadratic quadratic;  ///< over changes of the segment's own parameters
+  ParameterQuadratic quadratic;  ///< over changes of this segment's parameters
   NormalEquations equations;
-  std::vector<std::vector<double>> residuals;  ///< by noise channel, as of its noise alone
+  /// by noise channel, scaled to the noise without model error
+  std::vector<std::vector<double>> residuals;
 };
 
-/// Variance of one row's error: `inflation` of its noise, and what the model leaves out.
+/// Error variance of one row: inflated noise variance of the mean, plus squared model error.
 double VarianceOf(const Observation& observation, int row, double sigma, double inflation = 1) {
   return inflation * sigma * sigma / observation.share + std::pow(observation.model_error[row], 2);
 }
@@ -71,11 +73,12 @@ void AddMotionPriors(const MotionSegment& segment, const Eigen::MatrixXd& now,
   }
 }
 
-/// A quadratic that does not know whether all channels are late alike: the motion is late as well
-/// then. Linearised about a motion that follows noise it would seem to know.
+/// Removes a segment's information on the delay that all channels share. Such a delay is the same
+/// as a late motion. A linearisation about a motion that follows noise would wrongly seem to
+/// determine it.
 ///
-/// Model   at p the result is `q` at p - u w'p. u is 1 for each delay, and w is the share of each
-///         in the segment's information on delays. A delay without information keeps none.
+/// Model   the result at p is `q` at p - u w'p. u is 1 for each delay, and w is the share of each
+///         delay in the segment's information on delays.
 ParameterQuadratic WithoutCommonDelay(const ParameterQuadratic& q, const std::vector<int>& delays) {
   const auto count = q.score.size();
   Eigen::VectorXd common = Eigen::VectorXd::Zero(count), share = common;
@@ -116,8 +119,8 @@ LinearisedSegment LineariseSegment(const MotionProblem& problem, std::size_t s,
   return linear;
 }
 
-/// Which numbers move, by the power of their rates over three blocks. All their derivatives count
-/// there, since half of them would give no direction of descent.
+/// SegmentMotion::moving, from the power of each rate over three blocks. It applies to all
+/// derivatives of a coordinate together: a subset would not give a descent direction.
 Eigen::ArrayXXd MovingOf(const UniformSpline& spline, const Eigen::MatrixXd& coefficients,
                          const std::vector<Eigen::MatrixXd>& covariance) {
   const auto blocks = static_cast<Eigen::Index>(covariance.size());
@@ -142,7 +145,7 @@ Eigen::ArrayXXd MovingOf(const UniformSpline& spline, const Eigen::MatrixXd& coe
   return moving;
 }
 
-/// Parameters that wander between segments, of a segment's quadratic.
+/// Parameters whose values deviate from segment to segment.
 class Wandering {
  public:
   explicit Wandering(const Eigen::VectorXd& sigma) {
@@ -150,7 +153,7 @@ class Wandering {
       if (sigma[i] > 0) which_.push_back(i), precision_.push_back(1 / (sigma[i] * sigma[i]));
     }
   }
-  /// The best wandering where the parameters of all are `p`.
+  /// The deviations that minimise a segment's quadratic where the shared parameters are `p`.
   Eigen::VectorXd Best(const ParameterQuadratic& q, const Eigen::VectorXd& p) const {
     const Eigen::VectorXd pull = q.score - q.information * p;
     Eigen::VectorXd wandered = Eigen::VectorXd::Zero(p.size());
@@ -159,7 +162,7 @@ class Wandering {
     wandered(which_) = best;
     return wandered;
   }
-  /// The quadratic of the parameters of all.
+  /// The quadratic over the shared parameters, with the segment's deviations eliminated.
   ParameterQuadratic IntegrateOut(const ParameterQuadratic& q) const {
     if (which_.empty()) return q;
     const auto stiffness = Stiffness(q).llt();
@@ -183,7 +186,8 @@ class Wandering {
   std::vector<double> precision_;
 };
 
-/// The quadratics over parameters themselves, of those over changes of a segment's own.
+/// Converts quadratics over changes of a segment's parameters to quadratics over the parameters
+/// themselves.
 std::vector<ParameterQuadratic> Absolute(const std::vector<LinearisedSegment>& linear,
                                          const MotionEstimate& at) {
   std::vector<ParameterQuadratic> quadratics;
@@ -204,8 +208,8 @@ void GatherResiduals(const std::vector<LinearisedSegment>& linear, MotionEstimat
   }
 }
 
-/// Halves the step of a delay each time it turns back. Derivatives by delays are those of a motion
-/// that rests where it is noise, so that full steps oscillate.
+/// Halves the step of a delay each time its sign changes. Full steps oscillate, because derivatives
+/// by delays use the motion with insignificant rates set to zero.
 class DelaySteps {
  public:
   explicit DelaySteps(const std::vector<int>& delays)
@@ -225,14 +229,15 @@ class DelaySteps {
   std::vector<double> last_s_, share_;
 };
 
-/// By what most delays change, their median.
+/// Median change of the delays.
 double CommonChange_s(const std::vector<int>& delays, const Eigen::VectorXd& change) {
   std::vector<double> changes;
   for (const int i : delays) changes.push_back(change[i]);
   return changes.empty() ? 0 : Median(std::move(changes));
 }
 
-/// Moves to the least of the linearised problem; returns the largest change of a parameter.
+/// Moves to the minimum of the linearised problem. Returns the largest change of a parameter over
+/// ParameterPrior::small.
 double Move(const MotionProblem& problem, const std::vector<LinearisedSegment>& linear,
             const Wandering& wandering, const ParameterPrior& prior, bool gates,
             DelaySteps* damping, MotionEstimate* estimate) {

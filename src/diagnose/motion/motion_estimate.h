@@ -9,20 +9,20 @@
 
 namespace tera {
 
-/// Prior of the parameters: normal about `documented`, within bounds.
+/// Prior of the parameters: normal with mean `documented`, truncated to the bounds.
 struct ParameterPrior {
   Eigen::VectorXd documented, sigma, lower, upper;  ///< bounds may be infinite
-  Eigen::VectorXd small = sigma;                    ///< changes far below are none
+  Eigen::VectorXd small = sigma;                    ///< scale below which a change does not matter
 };
 
 struct MotionEstimate {
   std::vector<SegmentMotion> motion;
   Eigen::VectorXd parameters;
   std::vector<NoiseChannel> noise;
-  /// One quadratic for each segment, over the parameters of all, with its own wandering integrated
-  /// out.
+  /// One quadratic per segment over the shared parameters. The segment's own deviations of its
+  /// parameters are eliminated.
   std::vector<ParameterQuadratic> quadratics;
-  std::vector<ChannelResiduals> residuals;  ///< one for each noise channel
+  std::vector<ChannelResiduals> residuals;  ///< one per noise channel
   int iterations = 0;
   bool converged = false;
 };
@@ -33,27 +33,27 @@ struct EstimateOptions {
   int threads = 1;
 };
 
-/// The estimate with which a problem begins.
+/// The estimate that iterations start from: documented parameters and each segment's start.
 MotionEstimate StartingEstimate(const MotionProblem& problem, const ParameterPrior& prior);
 
-/// Gives an estimate other parameters. A change common to all delays shifts its motion in time,
-/// exactly. A late motion is indistinguishable from channels that are all late, and no linear step
-/// of splines follows such a shift.
+/// Replaces the parameters. The median change of the delays shifts the motion in time, exactly.
+/// Channels that are all late are indistinguishable from a late motion, and a linear step of spline
+/// coefficients cannot represent a time shift.
 void SetParameters(const std::vector<int>& delays, const Eigen::VectorXd& parameters,
                    MotionEstimate* estimate);
 
-/// Motion and parameters together, from `start` on.
+/// Estimates motion and parameters together, beginning at `start`.
 ///
-/// Model   Gauss-Newton; rows are weighted as Student's t has it, from the third iteration of a
-///         first estimate on, and by their channel's inflation. Each segment's motion is eliminated
-///         (NormalEquations), and its own wandering of the parameters integrated out. The sum of
-///         the remaining quadratics and the prior is minimised within the bounds. The prior alone
+/// Model   Gauss-Newton. Rows carry Student-t weights, divided by the variance inflation of their
+///         channel; the first two iterations of a first estimate are unweighted. Each segment's
+///         motion (NormalEquations) and its own deviations of parameters are eliminated. The sum of
+///         the remaining quadratics and the prior is minimised within the bounds. Only the prior
 ///         determines a delay common to all channels. A weak prior on the third derivatives of the
-///         motion carries it over lost rows. Another on its place holds unmeasured numbers.
+///         motion bridges lost rows. A weak prior on its coefficients holds unmeasured coordinates.
 MotionEstimate EstimateMotion(const MotionProblem& problem, const ParameterPrior& prior,
                               MotionEstimate start, const EstimateOptions& options = {});
 
-/// The parameters' quadratic of a prior.
+/// The prior as a quadratic, without the bounds.
 ParameterQuadratic QuadraticOf(const ParameterPrior& prior);
 
 }  // namespace tera

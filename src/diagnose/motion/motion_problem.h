@@ -10,50 +10,58 @@
 #include "diagnose/motion/raised_part.h"
 #include "diagnose/motion/uniform_spline.h"
 
-/// Input of the estimate of a machine's motion: channels with the places of their parameters, and
-/// observations cut into segments.
+/// Input of the motion estimate: the channels with the indices of their parameters, and the
+/// observations in segments.
+///
+/// A channel's `int` members that default to kNoParameter are indices into the parameter vector.
+/// Parameters with several components are consecutive; the index is that of the first.
 
 namespace tera {
 
-/// The place of parameters that a channel does not have.
+/// Index of a parameter that a channel does not have.
 inline constexpr int kNoParameter = -1;
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 struct UnitChannel {
   KinematicChain chain;
   Pose X_LS = Pose::Identity();
-  Eigen::Matrix<double, 6, 1> signs = Eigen::Matrix<double, 6, 1>::Ones();  ///< rates, then forces
-  int bias = kNoParameter, scale = kNoParameter;   ///< the first of six each: rates, then forces
-  int mount = kNoParameter, place = kNoParameter;  ///< of three each
+  /// turn rates, then specific forces
+  Eigen::Matrix<double, 6, 1> signs = Eigen::Matrix<double, 6, 1>::Ones();
+  /// six components each: turn rates, then specific forces
+  int bias = kNoParameter, scale = kNoParameter;
+  /// three components each: mount angles, position
+  int mount = kNoParameter, place = kNoParameter;
   int late = kNoParameter;
-  int low_pass = kNoParameter;  ///< the time constant of its filter
-  int noise = 0;                ///< the first of its noise channels
-  /// The first of two: the share of rates, then of forces, beyond `limit` that does not show.
+  int low_pass = kNoParameter;  ///< time constant of the filter
+  int noise = 0;                ///< first of six noise channels
+  /// Two components, for turn rates and for specific forces: the share of a measurement beyond
+  /// `limit` that the unit clips.
   int clipped = kNoParameter;
   std::array<double, 2> limit = {kNoLimit, kNoLimit};
 };
 
-/// An antenna; the two of a pair may be turned about the vertical through the middle between them.
+/// A positioning antenna. `pair_yaw` turns both antennas of a pair about the vertical of their link
+/// through `middle_L_m`, the midpoint between them.
 struct ReceiverChannel {
   KinematicChain chain;
   Vec3 p_LS_m = Vec3::Zero(), middle_L_m = Vec3::Zero();
   int place = kNoParameter, datum = kNoParameter, pair_yaw = kNoParameter, late = kNoParameter;
-  RaisedPart raised;              ///< what may reflect beside it
-  int reflection = kNoParameter;  ///< the first of four: RaisedPart
+  RaisedPart raised;              ///< part that may reflect signals to the antenna
+  int reflection = kNoParameter;  ///< four components (RaisedPart)
   int noise = 0;
 };
 
 /// An encoder of one joint: reads scale q + bias.
 struct AxisChannel {
-  int number = kBaseNumbers;  ///< which of the splines it reads
+  int number = kBaseNumbers;  ///< coordinate of the motion that it reads
   int bias = kNoParameter, scale = kNoParameter, late = kNoParameter;
   int noise = 0;
 };
 
-/// Recorded poses of the base: in a map that is shifted, and turned about a pivot.
+/// Recorded poses of the base, in a map that is shifted and turned about a pivot.
 ///
-/// Model   p_MB = pivot + R_ML (p_LB - pivot) + shift, R_MB = R_ML R_LB, R_ML the transpose of the
-///         rotation by the three angles `turn`.
+/// Model   p_MB = pivot + R_ML (p_LB - pivot) + shift, R_MB = R_ML R_LB. R_ML is the transpose of
+///         the rotation by the three angles `turn`.
 struct MapChannel {
   Vec3 pivot_m = Vec3::Zero();
   int shift = kNoParameter, turn = kNoParameter, late = kNoParameter;
@@ -62,45 +70,44 @@ struct MapChannel {
 
 enum class ObservationKind { kImu, kReceiver, kAxis, kPose, kTravel, kStill, kRest, kGround };
 
-/// Numbers that were measured over a time, in seconds of their segment's spline.
+/// Numbers measured over a time span, in seconds of the segment's spline. `value` holds, by kind:
 ///
-/// An inertial unit's are rates and forces; a receiver's a place; an encoder's one angle; a pose's
-/// place and roll, pitch, yaw. Travel is forward and yaw rate of running gear. Rest is that of the
-/// number `channel`, which no encoder measures. Ground is the height, roll and pitch of a base on
-/// it.
+/// kImu: turn rates and specific forces. kReceiver: a position. kAxis: one angle. kPose: position,
+/// then roll, pitch, yaw. kTravel: forward speed and yaw rate from the running gear. kStill:
+/// nothing; the base stands. kRest: nothing; coordinate `channel`, which no encoder measures,
+/// stands. kGround: height, roll and pitch of a base on the ground.
 struct Observation {
   ObservationKind kind = ObservationKind::kAxis;
   int channel = 0;
   double from_s = 0, to_s = 0;
   Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
-  double share = 1;  ///< samples of its mean over those of a whole window
-  /// 1 sigma of what the model leaves out of each number.
+  double share = 1;  ///< samples in this mean over samples of a full window
+  /// 1 sigma of the part of each number that the motion model cannot represent.
   Eigen::Matrix<double, 6, 1> model_error = Eigen::Matrix<double, 6, 1>::Zero();
 };
 
-/// Observations of a part of the recording, whose motion is estimated by itself.
+/// Observations of a part of the recording whose motion has its own spline.
 struct MotionSegment {
-  TimeNs start_ns = 0;  ///< of its spline
+  TimeNs start_ns = 0;  ///< time zero of the spline
   UniformSpline spline;
   std::vector<Observation> observations;
-  /// Coefficients, one row each, one column for each number, near enough to the motion to begin
-  /// with.
+  /// Initial coefficients of the spline. Row: coefficient; column: coordinate.
   Eigen::MatrixXd start;
 };
 
 /// The noise of one measured number.
 struct NoiseChannel {
   std::string name, unit;
-  double least = 0;      ///< by the data sheet
-  double at_first = 1;   ///< of residuals of a motion that is roughly known
+  double least = 0;      ///< lower limit of sigma, from the data sheet
+  double at_first = 1;   ///< sigma of the first, unweighted iterations
   double sigma = 1;      ///< scale of Student's t
   double inflation = 1;  ///< variance of a mean over that of independent errors
-  double motion = 0;     ///< standard deviation of what was measured
-  double tolerance = 0;  ///< of an error that stays as it is
+  double motion = 0;     ///< standard deviation of the measured signal
+  double tolerance = 0;  ///< tolerated constant error
 };
 
 struct MotionProblem {
-  std::vector<std::string> joints;  ///< of which the motion is estimated
+  std::vector<std::string> joints;  ///< joints whose motion is estimated
   std::vector<UnitChannel> imus;
   std::vector<ReceiverChannel> receivers;
   std::vector<AxisChannel> axes;
@@ -108,12 +115,12 @@ struct MotionProblem {
   std::vector<NoiseChannel> noise;
   std::vector<MotionSegment> segments;
   int parameters = 0;
-  int ground_height = kNoParameter;  ///< by how much the known ground is too high
-  /// For each number of the motion, the share by which inertial units see its acceleration larger
-  /// than the spline has it.
+  int ground_height = kNoParameter;  ///< index of the height by which the known ground is too high
+  /// For each coordinate, the index of its acceleration gain: the relative excess of the
+  /// acceleration in inertial units over that of the spline.
   std::vector<int> acceleration_gains;
-  std::vector<int> delays;  ///< the parameters that say how late channels are
-  Eigen::VectorXd wander;   ///< by how much each parameter differs from segment to segment, 1 sigma
+  std::vector<int> delays;  ///< indices of the delay parameters
+  Eigen::VectorXd wander;   ///< 1 sigma of each parameter's deviation from segment to segment
 
   int numbers() const { return kBaseNumbers + static_cast<int>(joints.size()); }
 };
