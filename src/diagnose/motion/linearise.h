@@ -23,9 +23,10 @@ namespace tera {
 ///         parameters (errors in variables).
 ///
 ///         Rows of a filtered unit have zero derivatives by the motion and by the acceleration
-///         gains, because the filter mixes in motion from before the observation. Its derivatives
-///         by mount and place ignore the filter, but use a motion that is later by the time
-///         constant.
+///         gains, because the filter mixes in motion from before the observation. Derivatives of a
+///         filtered unit by mount and place ignore the filter, but use the motion one time constant
+///         earlier.
+///
 /// Omits   products of motions that change within an observation; filters of receivers and
 ///         encoders, which count as delays.
 class SegmentLinearisation {

@@ -6,26 +6,25 @@
 
 namespace tera {
 
-/// Numbers whose motion splines describe: the base's place in W, its roll, pitch and yaw, then the
-/// joints with an estimated motion.
+/// Coordinates of the base: position in W, then roll, pitch, yaw. The estimated joints follow.
 inline constexpr int kBaseNumbers = 6;
 inline constexpr int kRoll = 3, kYaw = 5;
 
-/// A part that rises beside an antenna, as a boom.
+/// A part that rises beside an antenna, such as a boom, and reflects satellite signals.
 ///
-/// Its reflection shifts a place by (h cos a, h sin a, v cos a) r, a = A - azimuth. A is the part's
-/// azimuth and r the sine of its elevation. The shift is linear in (h cos azimuth, h sin azimuth, v
-/// cos azimuth, v sin azimuth) where r (cos A, sin A) is known.
+/// Model   the reflection shifts the measured position by (h cos a, h sin a, v cos a) r with a = A
+///         - azimuth. A is the azimuth of the part and r the sine of its elevation. For known r
+///         (cos A, sin A), the shift is linear in the four numbers (h cos azimuth, h sin azimuth, v
+///         cos azimuth, v sin azimuth).
 struct RaisedPart {
   KinematicChain chain;
-  Vec3 direction_L = Vec3::UnitX();  ///< from its foot to its tip
+  Vec3 direction_L = Vec3::UnitX();  ///< from foot to tip
 
-  /// r (cos A, sin A) in W with the numbers of a motion; zero for a part that hangs or stands
-  /// upright.
+  /// r (cos A, sin A) in W. Zero for a part that hangs down or stands upright.
   Eigen::Vector2d At(const Eigen::VectorXd& numbers) const;
 };
 
-/// The derivatives of a place in W by those four numbers.
+/// Derivatives of the position in W by the four numbers of RaisedPart.
 Eigen::Matrix<double, 3, 4> ByReflection(const Eigen::Vector2d& raised);
 
 }  // namespace tera

@@ -12,13 +12,14 @@ namespace tera {
 namespace {
 
 constexpr double kLargestStep = 1.5;  ///< between consecutive rows, in usual periods
-constexpr double kBlowShare = 0.25;   ///< of a second difference that a motion cannot follow
-constexpr double kUsualSecond = 3;    ///< robust deviations of second differences that noise has
+constexpr double kBlowShare = 0.25;   ///< factor on a second difference (WindowsOf)
+/// second differences within this many robust deviations count as noise
+constexpr double kUsualSecond = 3;
 constexpr double kTravelWindow_s = 0.1, kStillMargin_s = 0.3;
 constexpr double kLeastMove_rad = 0.004, kNoiseShare = 6;
-constexpr double kResolutionShare = 1.5;  ///< of a resolution: a step to either side, and rounding
+constexpr double kResolutionShare = 1.5;  ///< in resolutions: one step to either side, and rounding
 
-/// How far an angle may seem to move while it rests.
+/// The largest apparent movement of an angle at rest, to either side.
 double RestingMove_rad(const GearTrack& gear) {
   std::vector<double> second;
   for (std::size_t k = 2; k < gear.angle_rad.value.size(); ++k) {
@@ -45,7 +46,7 @@ bool IsStill(const std::vector<GearTrack>& gears, const std::vector<double>& res
   return true;
 }
 
-/// Whether nothing is missing between two windows.
+/// True where no rows are lost between two windows.
 bool Follows(const ImuWindow& one, const ImuWindow& next) {
   return next.from_ns - one.to_ns < (next.to_ns - next.from_ns) / 2;
 }

@@ -8,47 +8,50 @@
 
 namespace tera {
 
-/// The mean of consecutive samples of an inertial unit over their true time.
+/// The mean of consecutive samples of an inertial unit.
 struct ImuWindow {
   TimeNs from_ns = 0, to_ns = 0;
   Vec3 w_S_radps = Vec3::Zero(), f_S_mps2 = Vec3::Zero();
-  double share = 1;  ///< samples in it over those of a window without lost rows
-  /// 1 sigma of the part that splines with knots as far apart as windows leave out: of rates, then
-  /// forces.
+  double share = 1;  ///< samples in it over samples of a window without lost rows
+  /// 1 sigma of the part that a spline with one knot per window cannot represent: turn rates, then
+  /// specific forces.
   Eigen::Matrix<double, 6, 1> model_error = Eigen::Matrix<double, 6, 1>::Zero();
 };
 
-/// The usual time from sample to sample, 0 for fewer than two.
+/// Median time between samples; 0 for fewer than two.
 TimeNs UsualPeriod_ns(const std::vector<TimeNs>& t_ns);
 
-/// Reduces samples, each a mean over the usual period before its stamp, to windows of at most
-/// `longest_s`. A lost row, or a change of `segment_of`, ends a window.
+/// Averages samples over windows of at most `longest_s`. Each sample is a mean over the usual
+/// period before its stamp. A lost row or a change of `segment_of` ends a window.
 ///
-/// Model   model error is a quarter of the excess of the means' largest second difference around a
-///         window over three of its robust deviations. A blow of turning shows by half in the rates
-///         of two windows, but in the forces of one. Rates and forces then disagree by a quarter of
-///         the forces' second difference. Windows next to a lost row have none.
-/// Omits   the effect of jittering stamps on slopes.
+/// Model   model error = max(0, d - 3 s) / 4. d is the largest magnitude of the second difference
+///         of means around a window, and s is the robust deviation of all second differences.
+///         Second differences next to a lost row count as 0. Reason for the quarter: a short
+///         angular impulse changes the mean rate by halves in two windows, but its force appears in
+///         one window. Rates and forces then disagree by a quarter of the second difference of the
+///         forces.
+/// Omits   the effect of jitter of stamps on slopes.
 std::vector<ImuWindow> WindowsOf(const std::vector<ImuSample>& samples, double longest_s,
                                  const std::function<int(TimeNs)>& segment_of);
 
-/// Standard deviations of white noise, of rates, then forces, in means over a time of an inertial
-/// unit's samples (WhiteNoise).
+/// Standard deviation of white noise (WhiteNoise) in means of samples over `over_s`: turn rates,
+/// then specific forces.
 Eigen::Matrix<double, 6, 1> WhiteNoiseOf(const std::vector<ImuSample>& samples, double over_s);
 
-/// Sets `motion` of each inertial unit's noise channels: the deviation of their observations over
+/// Sets NoiseChannel::motion of each inertial unit: the standard deviation of its observations over
 /// all segments.
 void SetMotionOfUnits(MotionProblem* problem);
 
-/// One running gear's angle over time, and how far it moves the machine for one radian.
+/// The angle of one running gear over time.
 struct GearTrack {
   TimeSeries angle_rad;
-  double resolution_rad = 0;        ///< of the encoder
-  double radius_m = 0, left_m = 0;  ///< how far left of the base's middle it runs
+  double resolution_rad = 0;  ///< of the encoder
+  /// travel per radian; distance to the left of the base's centre
+  double radius_m = 0, left_m = 0;
 };
 
-/// Travel over times of 0.1 s at least. Gear is still where no angle moves by more than its noise
-/// and quantisation within 0.3 s before and after.
+/// Travel in windows of at least 0.1 s. The running gear stands where, from 0.3 s before to 0.3 s
+/// after a window, no angle moves by more than noise and quantisation.
 std::vector<TravelWindow> TravelOf(const std::vector<GearTrack>& gears);
 
 }  // namespace tera

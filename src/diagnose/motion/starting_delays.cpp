@@ -11,13 +11,13 @@ namespace tera {
 namespace {
 
 constexpr double kStep_s = 0.05;
-constexpr int kSteps = 10;  ///< to either side, half a second
+constexpr int kSteps = 10;  ///< to either side: 0.5 s
 constexpr double kLeastCorrelation = 0.7, kAlpha = 0.01;
-constexpr double kLeastShare = 0.5;     ///< by which a delay lessens the mean square
-constexpr std::size_t kMostRows = 600;  ///< of a unit, of which the mean square is taken
+constexpr double kLeastShare = 0.5;     ///< a new delay must reduce the mean square by this share
+constexpr std::size_t kMostRows = 600;  ///< of a unit for the mean square
 constexpr std::size_t kFewestRows = 20;
 
-/// Observations of one unit, evenly out of all, with their segments.
+/// An even subset of a unit's observations, each with the index of its segment.
 struct UnitRows {
   std::vector<std::pair<std::size_t, const Observation*>> rows;
 };
@@ -34,12 +34,12 @@ UnitRows RowsOf(const MotionProblem& problem, int unit) {
   return some;
 }
 
-/// A unit's measurements in one row, and those that the motion implies with a delay.
+/// One row of a unit: its measurements, and the predictions from the motion.
 struct BesideMotion {
   std::vector<double> measured, implied;
 };
 
-/// The comparison of each of a unit's six rows, as far as the motion covers them.
+/// Measurements and predictions of a unit's six rows where the motion covers them.
 std::array<BesideMotion, 6> Compared(const MotionProblem& problem, const MotionEstimate& at,
                                      const UnitRows& rows, const Eigen::VectorXd& parameters) {
   std::array<BesideMotion, 6> compared;
@@ -59,7 +59,7 @@ std::array<BesideMotion, 6> Compared(const MotionProblem& problem, const MotionE
   return compared;
 }
 
-/// Mean square of the unit's rates less those of the motion; infinite where it covers too few.
+/// Mean square of measured minus predicted turn rates. Infinite for too few observations.
 double MeanSquare(const std::array<BesideMotion, 6>& compared) {
   double square = 0;
   const std::size_t count = compared[0].measured.size();
@@ -72,7 +72,7 @@ double MeanSquare(const std::array<BesideMotion, 6>& compared) {
                              : square / static_cast<double>(count);
 }
 
-/// About zero: samples at rest add nothing.
+/// Uncentred correlation, so that samples at rest add nothing.
 double Correlation(const BesideMotion& row) {
   double both = 0, one = 0, two = 0;
   for (std::size_t k = 0; k < row.measured.size(); ++k) {
@@ -83,7 +83,6 @@ double Correlation(const BesideMotion& row) {
   return is_known ? both / std::sqrt(one * two) : 0;
 }
 
-/// The opposed axes of one unit.
 std::vector<OpposedAxis> OpposedOf(const MotionProblem& problem, const MotionEstimate& at,
                                    std::size_t unit) {
   const UnitRows rows = RowsOf(problem, static_cast<int>(unit));
@@ -110,7 +109,7 @@ std::vector<OpposedAxis> OpposedOf(const MotionProblem& problem, const MotionEst
   return opposed;
 }
 
-/// Whether these are two axes of both triads alike.
+/// True for the same two axes in both triads.
 bool IsHalfATurn(const std::vector<OpposedAxis>& opposed) {
   return opposed.size() == 4 && opposed[0].row + 3 == opposed[2].row &&
          opposed[1].row + 3 == opposed[3].row;

@@ -8,9 +8,9 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastBaseline_m = 0.2;  ///< between two antennas, that shows a heading
-constexpr double kLeastPath_m = 2;        ///< of which the direction tells a heading
-constexpr double kNear_s = 0.3;           ///< of the other antenna's samples
+constexpr double kLeastBaseline_m = 0.2;  ///< shorter baselines between antennas give no heading
+constexpr double kLeastPath_m = 2;        ///< shorter paths give no heading
+constexpr double kNear_s = 0.3;           ///< largest gap between samples of the other antenna
 constexpr double kHalfFootprint_m = 0.6;
 
 struct BaseAt {
@@ -28,7 +28,7 @@ std::vector<BaseAt> ByPoses(const RoughSources& sources) {
   return base;
 }
 
-/// By the direction from one antenna to another.
+/// Heading from the direction between two antennas.
 std::vector<BaseAt> ByPair(const RoughSources& sources) {
   std::vector<BaseAt> base;
   const AntennaTrack &a = sources.antennas[0], &b = sources.antennas[1];
@@ -84,7 +84,8 @@ std::array<TimeSeries, kBaseNumbers> SeriesOf(const std::vector<BaseAt>& base) {
   return series;
 }
 
-/// Turns and shifts travel so that it passes the places of an antenna, and moves it onto them.
+/// Rotates the travelled path to fit the positions of an antenna. Then moves each pose onto the
+/// antenna's position.
 std::vector<BaseAt> LaidOver(const RoughSources& sources, const std::vector<BaseAt>& travel) {
   const AntennaTrack& antenna = sources.antennas.front();
   const auto series = SeriesOf(travel);

@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// Values over time, linear between, constant beyond.
+/// A series with linear interpolation, constant beyond its ends.
 struct TimeSeries {
   std::vector<double> t_s, value;
 
@@ -17,14 +17,14 @@ struct TimeSeries {
   double At(double at_s) const;
 };
 
-/// Motion of running gear over a short time.
+/// Mean motion of the running gear over a short time.
 struct TravelWindow {
   double from_s = 0, to_s = 0;
   double forward_mps = 0, turning_radps = 0;
   bool is_still = false;
 };
 
-/// Positions of one antenna.
+/// Measured positions of one antenna.
 struct AntennaTrack {
   KinematicChain chain;
   Vec3 p_L_m = Vec3::Zero();
@@ -32,32 +32,32 @@ struct AntennaTrack {
   std::vector<Vec3> p_W_m;
 };
 
-/// The height of the ground at (x, y) in W.
+/// Height of the ground at (x, y) in W.
 using GroundHeight = std::function<double(double x_m, double y_m)>;
 
-/// Sources of a rough motion; times count from the same second.
+/// Sources of a rough motion. All times count from the same zero.
 struct RoughSources {
-  std::vector<TimeSeries> joints;  ///< one for each joint with an estimated motion
+  std::vector<TimeSeries> joints;  ///< one per joint whose motion is estimated
   std::vector<double> poses_t_s;
-  std::vector<Pose> poses;  ///< of the base, recorded
+  std::vector<Pose> poses;  ///< recorded poses of the base
   std::vector<AntennaTrack> antennas;
   std::vector<TravelWindow> travel;
-  std::optional<Pose> start;  ///< where the scenario has the base at first
-  GroundHeight ground;        ///< empty where it is not known
+  std::optional<Pose> start;  ///< initial pose of the base in the scenario
+  GroundHeight ground;        ///< empty where it is unknown
 };
 
-/// The motion of the base, one series for each number, near enough for an estimate to begin with.
-/// Its source is recorded poses, else two antennas, else running gear laid over one antenna's
-/// places, else running gear from the start.
+/// A rough motion of the base as the start of an estimate: one series per coordinate. The first
+/// available source is taken: recorded poses, two antennas, running gear aligned to the positions
+/// of one antenna, running gear from the initial pose.
 ///
-/// Omits   leaning where neither poses nor ground are known; delays.
+/// Omits   roll and pitch without poses and without known ground; delays.
 std::array<TimeSeries, kBaseNumbers> RoughBase(const RoughSources& sources);
 
-/// Where an antenna is in the base with the joints of a time.
+/// Position of an antenna in the base, with the joints at time `t_s`.
 Vec3 AntennaInBase(const AntennaTrack& antenna, const std::vector<TimeSeries>& joints, double t_s);
 
-/// Height, roll and pitch of a base at (x, y) with a heading on the ground, by the heights under
-/// its corners.
+/// Height, roll and pitch of a base on the ground at (x, y) with a heading, from the heights at
+/// four points around its centre.
 Vec3 OnGround(const GroundHeight& ground, double x_m, double y_m, double yaw_rad);
 
 }  // namespace tera
