@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kStep_s = 0.05;  ///< of the path, linear between
 
-/// The time that series have in common.
+/// The time that all series cover.
 struct Span {
   double from_s = std::numeric_limits<double>::lowest();
   double to_s = std::numeric_limits<double>::max();
@@ -22,7 +22,7 @@ struct Span {
   }
 };
 
-/// Angles or travel of a joint by the first encoder that reads it.
+/// Readings of a joint by its first encoder.
 TimeSeries ReadingsOf(const Measurements& measured, const std::string& joint, TimeNs zero_ns) {
   TimeSeries readings;
   for (const NamedEncoders& named : measured.encoders) {
@@ -37,8 +37,7 @@ TimeSeries ReadingsOf(const Measurements& measured, const std::string& joint, Ti
   return readings;
 }
 
-/// The joints before a link, as sources of its motion. False where one of them has a lever and no
-/// encoder.
+/// Adds the joints before a link. False where a joint with a lever has no encoder.
 bool AddJoints(const MachineModel& model, const Measurements& measured, int link, TimeNs zero_ns,
                RoughSources* sources, std::vector<int>* places, Span* span) {
   places->assign(model.joints.size(), -1);

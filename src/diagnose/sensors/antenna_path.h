@@ -7,15 +7,15 @@
 
 namespace tera {
 
-/// Path of a receiver's antenna by all sources with another clock than the receiver. It is in the
-/// plane, from the base's first place and heading; times in seconds since `zero_ns`.
+/// Path of a receiver's antenna in the plane, from sources that do not share the receiver's clock.
+/// Frame: initial position and heading of the base. Times: seconds since `zero_ns`.
 ///
-/// Model   the base by running gear, at rest where it is fixed, else by recorded poses; the antenna
-///         in it by the encoders of the joints before its link.
-/// Omits   slip and leaning of the base; inertial units.
+/// Model   base motion from running gear, a fixed base, or else recorded poses. The antenna's
+///         position in the base follows from encoders of the joints before its link.
+/// Omits   slip, roll and pitch of the base; inertial units.
 ///
-/// None where a joint before the link moves without an encoder, or no source shows the base's
-/// motion.
+///         None where a joint with a lever before the link has no encoder, or where no source shows
+///         the motion of the base.
 std::optional<PlanarPath> AntennaPath(const DiagnosisInput& input, const Measurements& measured,
                                       const SensorDescription& receiver, TimeNs zero_ns);
 

@@ -11,17 +11,18 @@
 namespace tera {
 namespace {
 
-/// RMS over the differences of successive residuals, from which on error is left.
+/// Smallest ratio of RMS error to deviation by successive differences that counts as remaining
+/// error.
 constexpr double kMostOfDifferences = 2;
-/// RMS error over the motion of a unit below which none of its axes is exchanged or reversed: such
-/// an axis errs by as much as it moves. Errors of too smooth splines are smaller.
+/// Largest ratio of RMS error to a unit's motion that excludes swapped or reversed axes. The error
+/// of such an axis is as large as its motion. Errors of a too smooth spline are smaller.
 constexpr double kMostOfMotion = 0.2;
-/// A named mechanism gains at least this share of its own gain plus all remaining gain. As for
-/// blocks, a smaller share is too little to be the cause.
+/// Smallest share of a cause's gain in the sum of its own gain and all remaining gain, as for
+/// blocks.
 constexpr double kLeastExcessOfCause = 1.0 / 3;
 constexpr std::string_view kClockMechanism = "clock_offset";
 
-/// The index of a parameter that the mechanism must have.
+/// Index of a parameter. Throws where the mechanism does not have it.
 std::size_t IndexOf(const Mechanism& mechanism, const std::string& name) {
   const auto& all = mechanism.parameters;
   const auto found = std::find_if(all.begin(), all.end(),
@@ -30,11 +31,11 @@ std::size_t IndexOf(const Mechanism& mechanism, const std::string& name) {
   return static_cast<std::size_t>(found - all.begin());
 }
 
-/// By how much of its noise the findings lessen a channel's error.
+/// Reduction of a channel's error by the findings, in units of its noise.
 double Lessened(const ChannelError& one) { return (one.rms_before - one.rms_after) / one.noise; }
 
-/// The channel whose name begins so and whose error the findings lessen most; none where there is
-/// none of that name.
+/// The channel with this name prefix whose error the findings reduce most; null without such a
+/// channel.
 const ChannelError* MostLessened(const SensorDiagnosis& estimate, const std::string& prefix) {
   const ChannelError* most = nullptr;
   for (const ChannelError& one : estimate.channels) {
@@ -44,14 +45,15 @@ const ChannelError* MostLessened(const SensorDiagnosis& estimate, const std::str
   return most;
 }
 
-/// The channel that shows best the effect of the findings about a target. It is one of its own,
-/// unless that is so exact that the motion follows its errors and others bear them.
+/// The channel that shows the findings of a target best: one of its own if the findings reduce its
+/// error, else any. A very precise sensor pulls the motion to its own errors, and other channels
+/// then show them.
 const ChannelError* ChannelThatShows(const SensorDiagnosis& estimate, const std::string& target) {
   const ChannelError* own = MostLessened(estimate, target);
   return own == nullptr || Lessened(*own) > 0 ? own : MostLessened(estimate, "");
 }
 
-/// Share of the mean square beyond noise that the findings remove of a channel.
+/// Share of a channel's mean square beyond noise that the findings remove.
 double ExcessRemoved(const ChannelError& channel) {
   const double excess = std::pow(channel.rms_before, 2) - std::pow(channel.noise, 2);
   const double removed = std::pow(channel.rms_before, 2) - std::pow(channel.rms_after, 2);
@@ -116,9 +118,8 @@ class Teller {
   DiagnosedSensors* out_;
 };
 
-/// The clock that the estimate finds for a receiver whose samples it had stamped anew, which is no
-/// finding beside the offset. It is taken from its findings, else the documented one with its known
-/// uncertainty.
+/// The remaining clock offset of a receiver with corrected stamps. It is removed from the findings,
+/// because the offset includes it. Without such a finding it is the documented offset.
 FoundNumber TakeRest(const OffsetReceiver& offset, DiagnosedSensors* sensors) {
   FoundNumber rest{.value = offset.documented_s, .sigma = offset.sigma_s};
   for (auto* list : {&sensors->findings, &sensors->unconfirmed, &sensors->within_tolerance}) {

@@ -9,54 +9,53 @@
 
 namespace tera {
 
-/// A finding of a sensor, and the channel in which it shows most.
+/// A sensor finding, and the channel whose error shows it best.
 struct SensorFound {
   Finding finding;
   std::string channel, unit;
 };
 
-/// The diagnosis of a machine's units, receivers, encoders and poses, with its findings in the form
-/// of all others. They point into its candidates: it is moved, not copied.
+/// The diagnosis of a machine's inertial units, receivers, encoders and poses, as Findings.
+/// Findings point into `candidates`; therefore the struct can be moved but not copied.
 struct DiagnosedSensors {
   DiagnosedSensors() = default;
   DiagnosedSensors(DiagnosedSensors&&) = default;
   DiagnosedSensors& operator=(DiagnosedSensors&&) = default;
 
   SensorDiagnosis estimate;
-  std::deque<Candidate> candidates;  ///< of the findings and of their rivals
+  std::deque<Candidate> candidates;  ///< of the findings and their rivals
   std::vector<SensorFound> findings, within_tolerance;
-  /// Mechanisms that were chosen and remove too little of the error to be its cause. Unconfirmed
-  /// ones also include those beyond tolerance without a steady gain.
+  /// Chosen mechanisms that gain too little to be the cause, and mechanisms beyond tolerance whose
+  /// gain is not steady.
   std::vector<SensorFound> unconfirmed;
 };
 
-/// The findings of a diagnosis of sensors of the machine `machine` of the recording.
+/// Converts the estimate of the sensors of machine `machine` to findings.
 DiagnosedSensors DiagnosedOf(SensorDiagnosis estimate, const std::string& machine);
 
-/// Adds the axes that counted backwards, as findings, but those of which the scenario says so.
+/// Adds a finding for each reversed axis that the scenario does not document.
 void TellReversed(const std::vector<ReversedAxis>& reversed, DiagnosedSensors* sensors);
 
-/// Adds the receivers whose samples were stamped anew, as findings: the offsets of their clocks,
-/// including the rest that the estimate finds.
+/// Adds a finding for each receiver with corrected stamps. Its clock offset is the correction plus
+/// the remaining offset that the estimate found.
 void TellOffset(const std::vector<OffsetReceiver>& offset, const std::string& machine,
                 DiagnosedSensors* sensors);
 
-/// Whether a channel's residual is no louder than twice its differences from one sample to the
-/// next: lasting error would be. Error that changes as fast as noise is not seen.
+/// True if the residual is at most twice its deviation by successive differences. Slow errors
+/// exceed this. Errors that change as fast as noise are not detected.
 bool IsNoise(const ChannelError& channel);
 
-/// Whether a channel's residual is noise, within the tolerance of a constant error, or below a
-/// fifth of a unit's motion: no sensor is wrong for it.
+/// True if the residual is noise, within the tolerance of a constant error, or below a fifth of an
+/// inertial unit's motion. Such a residual points to no sensor fault.
 bool IsExplained(const ChannelError& channel);
 
-/// The measurements without those of units and receivers that the estimate explains, or whose fault
-/// it names.
+/// Removes the samples of units and receivers that the estimate explains or names as faulty.
 Measurements WithoutExplained(const DiagnosisInput& input, const SensorDiagnosis& estimate,
                               Measurements measured);
 
-/// Leaves the blocks of inertial units only the mechanisms that the estimate does not have. The
-/// others were judged beside all sensors at once. A unit over measured poses and encoders would
-/// take their noise for a filter or a delay of its own.
+/// Removes from the blocks of inertial units those mechanisms that the estimate covers. The
+/// estimate judged them together with all sensors. A block alone compares its unit with measured
+/// poses and encoders, and would take their noise for a filter or delay of the unit.
 void RemoveEstimated(const DiagnosisInput& input, const SensorDiagnosis& estimate,
                      std::vector<ReplayBlock>* blocks);
 

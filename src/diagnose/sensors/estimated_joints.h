@@ -8,9 +8,9 @@
 
 namespace tera {
 
-/// The joints of the model whose motion is estimated with the sensors' errors. They lie between the
-/// base and an inertial unit or antenna with samples, are not fixed, and have a lever or an
-/// encoder. All others keep the model's initial position.
+/// Joints whose motion is estimated together with the sensors' errors. Such a joint lies between
+/// the base and an inertial unit or antenna with samples, is not fixed, and has a lever or an
+/// encoder. All other joints keep their initial position.
 std::vector<std::size_t> EstimatedJoints(const DiagnosisInput& input, const Measurements& measured);
 
 }  // namespace tera

@@ -11,7 +11,7 @@ constexpr TimeNs kEvery_ns = 100'000'000;
 
 using Numbers = Eigen::Matrix<double, kBaseNumbers, 1>;
 
-/// Half of the step to the next part where one ends and the next begins; 0 where they are apart.
+/// Half of the difference to the next part at a common border; 0 where a gap separates them.
 Numbers HalfStep(const EstimatedMotion& part, const EstimatedMotion& next) {
   if (part.end_ns != next.start_ns) return Numbers::Zero();
   Numbers step = next.BaseNumbersAt(next.start_ns) - part.BaseNumbersAt(part.end_ns);

@@ -7,8 +7,8 @@
 
 namespace tera {
 
-/// Travel by the encoders of running gear, times in seconds since `zero_ns`. Empty where not each
-/// gear has an encoder.
+/// Travel from the encoders of all running gears, in seconds since `zero_ns`. Empty where a gear
+/// has no encoder.
 std::vector<TravelWindow> GearTravel(const DiagnosisInput& input, const Measurements& measured,
                                      TimeNs zero_ns);
 

@@ -14,16 +14,16 @@
 namespace tera {
 namespace {
 
-constexpr double kInterval = 0.95;   ///< of a number, to lie beyond its tolerance wholly
-constexpr double kRangeEnd = 0.99;   ///< share of a range beyond which a value is at its end
-constexpr double kRivalShare = 0.5;  ///< of a gain, without which a group is no rival
-/// Odds of the posterior density, in logarithms: twenty times as likely.
+constexpr double kInterval = 0.95;   ///< probability of an interval that must lie beyond tolerance
+constexpr double kRangeEnd = 0.99;   ///< a value beyond this share of its range is at the end
+constexpr double kRivalShare = 0.5;  ///< a rival reaches at least this share of a gain
+/// Log odds of the posterior, about 20 : 1, beyond which a group is no rival.
 constexpr double kRivalOdds = 3;
-constexpr int kMostTried = 8;        ///< groups that are judged on held-out segments at each step
-constexpr double kCancels = 0.98;    ///< correlation of two numbers whose effects cancel
-constexpr double kWithinSigmas = 3;  ///< from the documented value, to be listed
+constexpr int kMostTried = 8;        ///< groups that are cross-fitted in each step
+constexpr double kCancels = 0.98;    ///< correlation above which effects cancel
+constexpr double kWithinSigmas = 3;  ///< from the documented value, for a group to be listed
 constexpr std::size_t kFewestJudgedSegments = 3;
-constexpr std::size_t kMostParts = 12;  ///< of a recording, that are judged apart
+constexpr std::size_t kMostParts = 12;  ///< number of parts for the tests
 
 using Set = std::vector<int>;
 
@@ -41,8 +41,8 @@ bool Has(const Set& set, int group) {
   return std::find(set.begin(), set.end(), group) != set.end();
 }
 
-/// Sums of consecutive segments, in as many parts as may be. Errors that outlast a segment, such as
-/// slow ones of receivers, would otherwise make segments confirm each other.
+/// Sums of consecutive segments, in at most kMostParts parts. Errors that outlast a segment, such
+/// as slow errors of receivers, would otherwise make segments confirm each other.
 std::vector<ParameterQuadratic> PartsOf(const std::vector<ParameterQuadratic>& segments) {
   const std::size_t count = std::min(segments.size(), kMostParts);
   std::vector<ParameterQuadratic> parts;
@@ -77,7 +77,7 @@ class Judge {
   int groups() const { return static_cast<int>(table_.groups.size()); }
   const ParameterGroup& group(int g) const { return table_.groups[static_cast<std::size_t>(g)]; }
 
-  /// The best parameters with a set free, on all segments but `without`.
+  /// The best parameters with a set of groups free, without segment `without` if it is not -1.
   Eigen::VectorXd Fit(const Set& free, int without = -1) const {
     const ParameterPrior prior = table_.PriorWith(free);
     ParameterQuadratic q = QuadraticOf(prior);
@@ -102,7 +102,7 @@ class Judge {
     }
     return fits;
   }
-  /// The gains of one set of cross-fits over another, by segment.
+  /// Gains of the fits `after` over the fits `before` on the segment that each left out.
   std::vector<ManoeuvreGain> Gains(const std::vector<Eigen::VectorXd>& before,
                                    const std::vector<Eigen::VectorXd>& after) const {
     std::vector<ManoeuvreGain> gains;
@@ -119,9 +119,8 @@ class Judge {
     return total;
   }
   double FitOf(const Eigen::VectorXd& parameters) const { return -sum_.At(parameters); }
-  /// The logarithm of the largest posterior density with a set free, whatever its numbers are. It
-  /// is that of all segments, less the cost of stretching all other numbers within their
-  /// tolerances.
+  /// Logarithm of the largest posterior density with a set free. The prior covers only parameters
+  /// that are not free.
   double LogPosterior(const Set& free) const {
     const Eigen::VectorXd best = Fit(free);
     const ParameterPrior prior = table_.PriorWith(free);
@@ -146,7 +145,8 @@ class Judge {
   ParameterQuadratic sum_;
 };
 
-/// By the cross-fits of the set as well.
+/// Estimates of group `g`, with standard deviations from the posterior and from the jackknife over
+/// `left_out`.
 std::vector<JudgedParameter> Judge::Posterior(const Set& free, int g,
                                               const std::vector<Eigen::VectorXd>& left_out) const {
   const Eigen::VectorXd best = Fit(free);
@@ -192,7 +192,7 @@ bool Judge::IsAdmissible(const NamedGroup& tried) const {
   return is_beyond;
 }
 
-/// The candidates that gain most on all segments, in that order.
+/// The candidates with the largest gains on all segments, best first.
 std::vector<int> Judge::MostPromising(const Set& named, const Set& candidates, int most) const {
   const double before = FitOf(Fit(named));
   std::vector<std::pair<double, int>> gains;
@@ -208,7 +208,7 @@ std::vector<int> Judge::MostPromising(const Set& named, const Set& candidates, i
   return promising;
 }
 
-/// Adds the admissible group with which the recording is most likely; false if there is none.
+/// Adds the admissible group with the largest posterior. False if there is none.
 bool Judge::Grow(Set* set) const {
   Set candidates;
   for (int g = 0; g < groups(); ++g) {
@@ -232,7 +232,7 @@ bool Judge::Grow(Set* set) const {
   return true;
 }
 
-/// Judges each member beside all others; those that are not needed leave, one at a time.
+/// Judges each member against all others. Inadmissible members leave, one at a time.
 void Judge::DropInadmissible(Set* set, GroupJudgement* judgement) const {
   for (bool dropped = true; dropped;) {
     dropped = false;
@@ -270,7 +270,8 @@ std::vector<int> Judge::RivalsOf(const Set& set, int g) const {
   return rivals;
 }
 
-/// Two named numbers whose effects nearly cancel, and whose sum is within tolerance, prove neither.
+/// Sets aside pairs of named groups whose effects nearly cancel and whose sum is within tolerance:
+/// neither is proven.
 void Judge::SetAsideCancelling(Set* set, GroupJudgement* judgement) const {
   const Eigen::VectorXd best = Fit(*set);
   const Eigen::MatrixXd precision = QuadraticOf(table_.PriorWith(*set)).information;
@@ -306,7 +307,7 @@ void Judge::SetAsideCancelling(Set* set, GroupJudgement* judgement) const {
   }
 }
 
-/// Lists the unnamed groups by the recording's evidence on them.
+/// Fills the lists of groups that are not named.
 void Judge::ListOthers(const Set& named, GroupJudgement* judgement) const {
   const auto before = CrossFits(named);
   for (int g = 0; g < groups(); ++g) {

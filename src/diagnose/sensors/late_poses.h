@@ -4,9 +4,9 @@
 
 namespace tera {
 
-/// Stamps recorded poses when they were measured, where the estimate names their clock as late (or
-/// early) without a rival cause. A base replayed over late poses would otherwise report the same
-/// cause again. Returns whether any stamp has changed.
+/// Corrects the stamps of recorded poses where the estimate names their clock offset without a
+/// rival. Otherwise the replay of the base would report the same cause again. Returns true if any
+/// stamp changed.
 bool StampPosesAnew(const SensorDiagnosis& estimate, Measurements* measured);
 
 }  // namespace tera

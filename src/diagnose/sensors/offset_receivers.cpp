@@ -13,15 +13,15 @@
 namespace tera {
 namespace {
 
-constexpr double kEstimated_s = 0.5;  ///< up to which the estimate finds delays by itself
+constexpr double kEstimated_s = 0.5;  ///< the motion estimate finds delays up to this
 constexpr double kAlpha = 0.01;       ///< for all receivers together
-/// Motion of the fixes over that of gear and joints: tracks slip, and a wheel's radius is worn.
+/// Bounds of the motion of the fixes over that of the path: tracks slip, and wheels wear.
 constexpr double kLeastLagShare = 0.5, kMostLagShare = 1.5;
 constexpr const char* kClock = "clock_offset";
 constexpr const char* kOffset = "offset_s";
 
-/// Fixes as good as documented, at the times that documented stamps say; empty where samples come
-/// in bursts.
+/// Fixes as good as documented, at their stamps minus the documented delay. Empty where samples
+/// come in bursts.
 std::vector<PlanarFix> FixesOf(const SensorDescription& receiver,
                                const std::vector<GnssSample>& samples, TimeNs zero_ns) {
   const double late_s = DocumentedDelay_s(receiver.effects);

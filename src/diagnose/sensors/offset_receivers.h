@@ -7,30 +7,30 @@
 
 namespace tera {
 
-/// Lag of a receiver's fixes beside running gear and joints.
+/// The lag of a receiver's fixes behind running gear and joints.
 struct ReceiverLag {
-  std::size_t sensor = 0;   ///< its place among the scenario's sensors
-  PathLag lag;              ///< beyond the documented lag of its stamps
-  double documented_s = 0;  ///< offset of its clock
-  double near_s = 0;        ///< lags that are as expected, or that the estimate finds itself
+  std::size_t sensor = 0;   ///< index among the scenario's sensors
+  PathLag lag;              ///< beyond the documented delay of its stamps
+  double documented_s = 0;  ///< clock offset
+  double near_s = 0;  ///< lags up to this are within tolerance, or found by the motion estimate
 };
 
-/// The lag of each receiver with data to compare.
+/// The lag of each receiver with enough data.
 std::vector<ReceiverLag> ReceiverLags(const DiagnosisInput& input, const Measurements& measured);
 
-/// The receivers whose stamps are late or early by more than the estimate of the motion finds.
+/// Receivers whose stamps are off by more than the motion estimate can find.
 ///
-/// Model   a receiver's stamps are wrong if its antenna follows running gear and joints
-///         (AntennaPath) at another time (LagBehind). Recorded poses replace them where no gear was
-///         read. The lag exceeds half a second and its tolerance with 95 %. It is better than any
-///         other lag with p of 0.01 over all receivers. The fixes move by about as much as gear and
-///         joints say.
+/// Model   the fixes of the receiver match the path of its antenna from running gear and joints
+///         (AntennaPath) at another time (LagBehind). Recorded poses replace running gear without
+///         encoders. Three conditions hold. The lag exceeds 0.5 s and its tolerance with 95 %
+///         confidence. It is better than any other lag, with p at most 0.01 over all receivers. The
+///         fixes move 0.5 to 1.5 times as far as the path.
 /// Omits   early encoders or poses beside receivers that are all right; receivers without their
 ///         documented fix.
 std::vector<OffsetReceiver> OffsetReceiversOf(const DiagnosisInput& input,
                                               const Measurements& measured);
 
-/// Stamps the samples of these receivers as documented clocks would.
+/// Shifts the samples' stamps by the found lag.
 void StampAnew(const std::vector<OffsetReceiver>& offset, Measurements* measured);
 
 }  // namespace tera

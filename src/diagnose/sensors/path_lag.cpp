@@ -12,29 +12,29 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double kFurthestLag_s = 60, kLag_s = 0.1;
-constexpr double kApart_s = 1;    ///< from which on lags are others
-constexpr double kMean_s = 1;     ///< over which fixes are averaged
-constexpr double kPeriods = 2;    ///< of fixes that come seldom, over which they are averaged
-constexpr int kStepsOfBlock = 5;  ///< with one turn
-constexpr std::size_t kMostPathParts = 24;  ///< of a recording that count as independent evidence
-constexpr double kApartSigmas = 4;          ///< from which on lags are others, where that is more
+constexpr double kApart_s = 1;              ///< from the found lag, for a lag to count as another
+constexpr double kMean_s = 1;               ///< over which fixes are averaged
+constexpr double kPeriods = 2;              ///< fixes averaged at low rates
+constexpr int kStepsOfBlock = 5;            ///< with one turn
+constexpr std::size_t kMostPathParts = 24;  ///< independent parts of a recording
+constexpr double kApartSigmas = 4;  ///< likewise in standard deviations; the larger distance holds
 constexpr std::size_t kFewestSteps = 10;
-/// Power of the first difference of white noise where it is largest, over its variance.
+/// Largest power of the first difference of white noise, over its variance.
 constexpr double kLoudest = 2;
-constexpr double kLeastNoise_m = 1e-3;  ///< of a step: rounding of fixes
+constexpr double kLeastNoise_m = 1e-3;  ///< of a step, by rounding of fixes
 
-/// Steps of means over a second, from one to the next.
+/// Steps between means over consecutive seconds.
 struct Steps {
   std::vector<Complex> moved_m;
   std::vector<char> is_known;
 };
 
-/// How well steps of a path explain those of fixes, by blocks.
+/// How well steps of a path explain steps of the fixes, by block.
 struct Fit {
   double share = 0, power_m2 = 0;
-  std::vector<Complex> turn;       ///< of each block
-  std::vector<double> left_m2;     ///< sum of squares, of each block
-  std::vector<std::size_t> steps;  ///< of each block
+  std::vector<Complex> turn;       ///< by block
+  std::vector<double> left_m2;     ///< residual sum of squares, by block
+  std::vector<std::size_t> steps;  ///< by block
 
   double Left_m2() const {
     double sum = 0;
@@ -78,7 +78,8 @@ class Comparison {
   bool IsThere(const Steps& steps, std::size_t k) const {
     return measured_.is_known[k] && steps.is_known[k];
   }
-  /// The fit of a path's steps on those of a mask; where the path is not known it rests.
+  /// Fits the path's steps to the fixes on the masked seconds. Unknown steps of the path count as
+  /// 0.
   Fit FitOf(const Steps& steps, const std::vector<char>& mask) const;
   std::vector<char> MaskOf(const Steps& a, const Steps& b) const {
     std::vector<char> mask(size());
@@ -100,7 +101,8 @@ class Comparison {
   std::size_t blocks_ = 0;
 };
 
-/// Means over the seconds of `place` at each fix; none where one fix has no place.
+/// Means of `place` over the fixes of each second. A second is unknown where `place` fails for one
+/// of its fixes.
 template <typename Place>
 Steps Comparison::StepsOf(const Place& place) const {
   const double start_s = fixes_.front().t_s;
@@ -187,7 +189,7 @@ std::vector<ManoeuvreGain> Comparison::GainsOf(const Steps& better, const Steps&
   return parts;
 }
 
-/// The lags that are looked at.
+/// All tried lags.
 std::vector<double> Lags() {
   std::vector<double> lags_s;
   const int most = static_cast<int>(std::lround(kFurthestLag_s / kLag_s));
@@ -195,8 +197,8 @@ std::vector<double> Lags() {
   return lags_s;
 }
 
-/// Moves the lag to where the sum of squares is least by its course over neighbouring lags, and
-/// sets its deviation.
+/// Moves the lag to the vertex of a parabola through the sums of squares of neighbouring lags. Also
+/// sets its standard deviation.
 void Refine(const Comparison& comparison, PathLag* found) {
   const Steps early = comparison.PathWith(found->lag_s - kLag_s),
               here = comparison.PathWith(found->lag_s),

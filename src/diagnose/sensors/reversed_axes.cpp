@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-constexpr double kOver_s = 0.2;  ///< differences of positions
+constexpr double kOver_s = 0.2;  ///< span of a difference of positions
 constexpr double kFurthest_s = 0.5, kReversedLag_s = 0.05;
 constexpr double kLeastCorrelation = 0.7;
 constexpr std::size_t kFewestRates = 50;
@@ -31,8 +31,7 @@ TimeSeries RatesOf(const EncoderRecording& recording, std::size_t axis) {
   return rates;
 }
 
-/// Turning of a unit about an axis of its link, as means over the time of a difference of
-/// positions.
+/// Turn rate of a unit about an axis of its link, averaged over spans of kOver_s.
 TimeSeries TurnsAbout(const SensorDescription& unit, const std::vector<ImuSample>& samples,
                       const Vec3& axis_L) {
   const Vec3 axis_S = unit.X_BS.linear().transpose() * axis_L;
@@ -50,7 +49,7 @@ TimeSeries TurnsAbout(const SensorDescription& unit, const std::vector<ImuSample
   return turns;
 }
 
-/// The unit of a link that has samples.
+/// Index of the first unit with samples on a link.
 std::optional<std::size_t> UnitOf(const DiagnosisInput& input, const Measurements& measured,
                                   int link) {
   for (std::size_t s = 0; s < input.sensors.size(); ++s) {
@@ -60,7 +59,7 @@ std::optional<std::size_t> UnitOf(const DiagnosisInput& input, const Measurement
   return std::nullopt;
 }
 
-/// Turning of the hinge by the units behind and before it.
+/// Turn rate of a hinge, from the units behind and before it.
 TimeSeries TurnsOfHinge(const DiagnosisInput& input, const Measurements& measured, int joint) {
   const Joint& hinge = input.model->joints[static_cast<std::size_t>(joint)];
   const auto behind = UnitOf(input, measured, hinge.child),
@@ -90,7 +89,7 @@ TimeSeries LeverOf(const DiagnosisInput& input, int joint) {
   return lever;
 }
 
-/// Uncentred: samples at rest add nothing.
+/// Uncentred, so that samples at rest add nothing.
 double CorrelationAt(const TimeSeries& rates, const TimeSeries& other, double late_s) {
   double both = 0, one = 0, two = 0;
   for (std::size_t k = 0; k < rates.t_s.size(); ++k) {
@@ -102,10 +101,10 @@ double CorrelationAt(const TimeSeries& rates, const TimeSeries& other, double la
 
 struct Likeness {
   double correlation = 0;
-  double p = 1;  ///< of going against each other as steadily by chance
+  double p = 1;  ///< p-value of the opposition
 };
 
-/// The correlation of largest magnitude over delays, its p over as many tries.
+/// The correlation of largest magnitude over delays. p is corrected for the number of delays.
 Likeness MostAlike(const TimeSeries& rates, const TimeSeries& other) {
   Likeness most;
   if (other.empty()) return most;

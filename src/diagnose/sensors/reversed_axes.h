@@ -6,20 +6,20 @@
 
 namespace tera {
 
-/// The hinge axes that count against both their levers and the turning that inertial units measure
-/// about them. Against one alone, the unit or the lever may be reversed.
+/// Encoder axes of hinges that oppose both their lever and the turn rate from inertial units.
+/// Opposition to only one of them may come from a reversed unit or lever.
 ///
-/// Model   a hinge turns by the turning of the unit behind it about its axis, minus that of the
-///         unit before it. This needs no angle. Rates are differences of positions over a fifth of
-///         a second. They are correlated with units and levers at the most similar delay, up to
-///         half a second. An axis counts backwards about zero or about the middle of the joint's
-///         travel, whichever brings the first reading nearer to the scenario's position.
-///         p is that of opposing the units, or the lever if that is larger, as steadily by chance
-///         (OppositionP), over as many tries as there are delays.
-/// Omits   joints that slide, running gear, hinges without units on both sides.
+/// Model   the turn rate of a hinge is that of the unit behind it about its axis, minus that of the
+///         unit before it. No angle is needed. Encoder rates are differences of positions over 0.2
+///         s. They are correlated with units and lever at the delay within 0.5 s that gives the
+///         largest magnitude. The corrected angle is mirrored about zero or about the middle of the
+///         joint's travel, whichever brings the first reading nearer to the scenario's initial
+///         position. p is the larger of the p-values against units and against the lever
+///         (OppositionP), corrected for the number of delays.
+/// Omits   sliding joints, running gear, hinges without units on both sides.
 std::vector<ReversedAxis> ReversedAxesOf(const DiagnosisInput& input, const Measurements& measured);
 
-/// Lets these axes count forwards.
+/// Mirrors the readings of these axes.
 void CountForwards(const std::vector<ReversedAxis>& reversed, Measurements* measured);
 
 }  // namespace tera

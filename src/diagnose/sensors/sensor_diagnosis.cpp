@@ -17,11 +17,11 @@ namespace tera {
 namespace {
 
 constexpr int kIterationsAgain = 8;
-constexpr int kRounds = 3;  ///< of linearising with what was named free
-/// Motions no further apart than splines reach beyond their segments meet in the middle.
+constexpr int kRounds = 3;  ///< of linearisation with the named groups free
+/// Parts separated by at most the splines' margin meet in the middle.
 constexpr double kJoined_s = 0.5;
 
-/// The numbers of `multipath` of the four that are linear.
+/// Numbers of `multipath` from the four linear numbers.
 std::vector<FoundNumber> NumbersOfReflection(const std::vector<FoundNumber>& linear) {
   Eigen::Vector4d value, documented, sigma;
   for (int i = 0; i < 4; ++i) {
@@ -72,7 +72,8 @@ std::vector<int> NamedOf(const GroupJudgement& judgement) {
   return named;
 }
 
-/// Without the largest hundredth: a blow on a stop leaves a few that are a hundred times as large.
+/// RMS without the largest hundredth: an impact at a stop leaves a few residuals that are a hundred
+/// times larger.
 double RmsOf(const ChannelResiduals& residuals) {
   std::vector<double> squares;
   for (const auto& segment : residuals.by_segment) {
@@ -86,7 +87,7 @@ double RmsOf(const ChannelResiduals& residuals) {
                    static_cast<double>(most - squares.begin()));
 }
 
-/// Turns about the axes that go against a motion; whether there are any.
+/// Reverses the axes that oppose a motion. Returns true if there are any.
 bool TurnAbout(const MotionEstimate& implied, MotionProblem* motion,
                std::vector<OpposedAxis>* opposed) {
   const std::vector<OpposedAxis> more = OpposedAxes(*motion, implied);
@@ -95,8 +96,8 @@ bool TurnAbout(const MotionEstimate& implied, MotionProblem* motion,
   return !more.empty();
 }
 
-/// Fits all parameters, from documented delays. Also fits them from the delays of most similar
-/// rates, where these differ, and keeps that fit if it explains more.
+/// Fits all parameters, starting from the documented delays. Where SetStartingDelays gives other
+/// delays, a second fit starts from them. The fit with the smaller LogScale is returned.
 MotionEstimate WithAnyDelays(const MotionProblem& motion, const ParameterPrior& wide,
                              MotionEstimate start, const EstimateOptions& options) {
   MotionEstimate best = EstimateMotion(motion, wide, start, options);
@@ -106,8 +107,8 @@ MotionEstimate WithAnyDelays(const MotionProblem& motion, const ParameterPrior& 
   return LogScale(other) < LogScale(best) ? other : best;
 }
 
-/// All that can be fitted, with axes turned about that go against a first motion, or against the
-/// estimated one.
+/// The fit under the wide prior. Axes that oppose the starting motion or the estimated motion are
+/// reversed.
 MotionEstimate FlexibleEstimate(const ParameterPrior& wide, const EstimateOptions& options,
                                 MotionProblem* motion, std::vector<OpposedAxis>* opposed) {
   const MotionEstimate start = StartingEstimate(*motion, wide);
@@ -116,8 +117,7 @@ MotionEstimate FlexibleEstimate(const ParameterPrior& wide, const EstimateOption
   return TurnAbout(first, motion, opposed) ? WithAnyDelays(*motion, wide, start, options) : first;
 }
 
-/// The axes that were turned about, one finding for each unit; one axis of both triads is told as
-/// one.
+/// Reversed axes as one finding per unit. An axis reversed in both triads is one number.
 std::vector<SensorFinding> ReversedOf(const SensorProblem& problem, const MotionEstimate& estimate,
                                       const std::vector<OpposedAxis>& opposed) {
   std::vector<SensorFinding> reversed;
@@ -129,7 +129,7 @@ std::vector<SensorFinding> ReversedOf(const SensorProblem& problem, const Motion
       if (one.unit != u) continue;
       is_reversed[static_cast<std::size_t>(one.row)] = true;
       finding.p = std::max(finding.p, one.p);
-      // Twice its motion is what it would be off by.
+      // A reversed axis has an error of twice its motion.
       const auto c = static_cast<std::size_t>(unit.noise + one.row);
       const double ratio = 2 * estimate.noise[c].motion / estimate.noise[c].sigma;
       for (const auto& segment : estimate.residuals[c].by_segment) {
@@ -151,7 +151,7 @@ std::vector<SensorFinding> ReversedOf(const SensorProblem& problem, const Motion
   return reversed;
 }
 
-/// Parameters to linearise about with some groups free: of the others the documented ones.
+/// Parameters to linearise about: fitted values for free groups, documented values for the others.
 Eigen::VectorXd StartOf(const ParameterTable& table, const std::vector<int>& free,
                         Eigen::VectorXd fitted) {
   for (std::size_t g = 0; g < table.groups.size(); ++g) {

@@ -12,74 +12,74 @@ namespace tera {
 
 struct SensorDiagnosisOptions {
   KnownPlace place;
-  std::optional<CandidateLibrary> library;  ///< limits what is named
+  std::optional<CandidateLibrary> library;  ///< restricts which mechanisms can be named
   JudgeOptions judge;
   int threads = 1;
 };
 
-/// A number of a mechanism in the mechanism's own unit.
+/// A number of a mechanism, in the mechanism's unit.
 struct FoundNumber {
   std::string name, unit;
   double value = 0, sigma = 0, documented = 0, tolerance = 0;
   bool is_beyond = false;
 };
 
-/// One mechanism of one target with its numbers.
+/// One mechanism of one target with its estimated numbers.
 struct SensorFinding : TargetMechanism {
   std::vector<FoundNumber> numbers;
   double gain = 0, p = 1;
-  std::vector<TargetMechanism> rivals;  ///< not told apart from it
+  std::vector<TargetMechanism> rivals;  ///< mechanisms that explain the recording about as well
 };
 
-/// One measured number over the whole recording. Its residuals count over the scale that noise and
-/// the motion's model error have together, times the noise: a blow weighs little.
+/// Error of one measured number over the recording. Residuals are scaled by noise / (noise and
+/// model error together), so that an impact weighs little.
 struct ChannelError {
   std::string name, unit;
   double noise = 0, inflation = 1;
-  double differences = 0;  ///< differences of successive residuals, as white noise would have
-  double motion = 0;       ///< of an inertial unit: standard deviation of its measurements
-  double tolerance = 0;    ///< of an error that stays as it is
-  double rms_before = 0, rms_after = 0;  ///< with nothing free, with what was named free
+  double differences = 0;                ///< noise deviation by successive differences of residuals
+  double motion = 0;                     ///< inertial units: standard deviation of the measurements
+  double tolerance = 0;                  ///< of a constant error
+  double rms_before = 0, rms_after = 0;  ///< with no group free; with the named groups free
 };
 
-/// The motion of a part of the recording.
+/// The estimated motion of a part of the recording.
 struct EstimatedMotion {
-  TimeNs start_ns = 0, end_ns = 0;  ///< of what was observed
+  TimeNs start_ns = 0, end_ns = 0;  ///< of the observed time
   TimeNs spline_start_ns = 0;
   UniformSpline spline;
   Eigen::MatrixXd coefficients;
 
   Pose BaseAt(TimeNs t_ns) const;
-  /// Place, roll, pitch and yaw of the base.
+  /// Position, roll, pitch and yaw of the base.
   Eigen::Matrix<double, kBaseNumbers, 1> BaseNumbersAt(TimeNs t_ns) const;
 };
 
-/// Diagnosis of a machine's sensors, which are compared with each other and with the motion that
-/// they all imply.
+/// Diagnosis of a machine's sensors. They are compared with each other through the motion that all
+/// of them imply.
 struct SensorDiagnosis {
   std::vector<SensorFinding> findings;
   std::vector<SensorFinding> within_tolerance, untestable;
-  std::vector<SensorFinding> unproven;  ///< GroupJudgement
+  std::vector<SensorFinding> unproven;  ///< as in GroupJudgement
   std::vector<std::vector<TargetMechanism>> not_told_apart;
-  double left_to_gain = 0;                 ///< GroupJudgement
-  std::vector<TargetMechanism> estimated;  ///< all that was free somewhere
-  std::size_t candidates = 0;              ///< mechanisms of targets that might have been named
+  double left_to_gain = 0;                 ///< as in GroupJudgement
+  std::vector<TargetMechanism> estimated;  ///< every mechanism and target that was estimated
+  std::size_t candidates = 0;              ///< number of mechanisms of targets that can be named
   std::vector<ChannelError> channels;
-  std::vector<EstimatedMotion> motion;  ///< in the order of time
-  /// Whether receivers and inertial units tell the base's place and heading.
+  std::vector<EstimatedMotion> motion;  ///< ordered by time
+  /// True if receivers and inertial units determine position and heading of the base.
   bool knows_base = false;
   std::vector<std::string> not_compared;
   int iterations = 0;
 };
 
-/// Estimates motion and parameters of all sensors together, and judges which of them lie beyond
+/// Estimates motion and parameters of all sensors together, and decides which sensors lie beyond
 /// their tolerances.
 ///
-/// Model   first everything is fitted under a wide prior. This gives the noise, under a model no
-///         narrower than any judged, and the point of linearisation. Axes of units that oppose the
-///         motion are turned about and reported (OpposedAxes). Groups are judged there
-///         (JudgeGroups). Everything is linearised again with the named groups free, and judged
-///         once more.
+/// Model   all parameters are fitted under a wide prior. This fit gives the noise and the point of
+///         linearisation. No judged model is more flexible, so the noise of a wrong model does not
+///         hide errors. Axes of units that oppose the motion are reversed and reported
+///         (OpposedAxes). Groups are judged at this point (JudgeGroups). With the named groups
+///         free, the problem is linearised and judged again.
 SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements& measured,
                                 const SensorDiagnosisOptions& options, StageClock* clock);
 
