@@ -76,10 +76,10 @@ struct SensorDiagnosis {
 /// their tolerances.
 ///
 /// Model   all parameters are fitted under a wide prior. This fit gives the noise and the point of
-///         linearisation. No judged model is more flexible, so the noise of a wrong model does not
-///         hide errors. Axes of units that oppose the motion are reversed and reported
-///         (OpposedAxes). Groups are judged at this point (JudgeGroups). With the named groups
-///         free, the problem is linearised and judged again.
+///         linearisation. No judged model is more flexible, so its noise contains no error that a
+///         judged mechanism could explain. Axes of units that oppose the motion are reversed and
+///         reported (OpposedAxes). Groups are judged at this point (JudgeGroups). With the named
+///         groups free, the problem is linearised and judged again.
 SensorDiagnosis DiagnoseSensors(const DiagnosisInput& input, const Measurements& measured,
                                 const SensorDiagnosisOptions& options, StageClock* clock);
 

@@ -17,24 +17,27 @@
 namespace tera {
 namespace {
 
-constexpr double kPriorShare = 0.5;   ///< sigma of a prior over the tolerance
-constexpr double kFlexibleShare = 1;  ///< of the flexible prior
-/// Ten times as wide for delays: far from the true ones their effect is not linear.
+constexpr double kPriorShare = 0.5;   ///< prior sigma over tolerance
+constexpr double kFlexibleShare = 1;  ///< the same for the flexible prior
+/// Further factor for delays in the flexible prior: far from the true delay their effect is not
+/// linear.
 constexpr double kFlexibleDelays = 10;
-constexpr double kFreeShare = 100;    ///< of a group that is free, over the default tolerance
-constexpr double kLeastShare = 0.01;  ///< of the default: uncertainty of numbers stated as exact
-/// Differences between segments over the tolerance, of biases and of all else. The latter stands
-/// for the models' omissions.
+constexpr double kFreeShare = 100;  ///< prior sigma of a free group over the default tolerance
+/// smallest tolerance over the default: numbers stated as exact keep some uncertainty
+constexpr double kLeastShare = 0.01;
+/// 1 sigma between segments over the tolerance: of biases, and of all other parameters. The latter
+/// stands for effects that the models omit.
 constexpr double kBiasWander = 0.25, kWander = 0.06;
 constexpr double kMostDelay_s = 3;
-/// Tolerance of an acceleration's gain. A joint with time constant T under steps dt accelerates 1 +
-/// dt / 2T times as much at a step's beginning as in its mean; 0.1 holds for T = 5 dt.
+/// Tolerance of an acceleration gain. At the beginning of a step dt, a joint with time constant T
+/// accelerates 1 + dt / 2T times the step's mean; 0.1 holds for T = 5 dt.
 constexpr double kAccelerationGain = 0.1;
-/// Poses and the ground have numbers of mechanisms of these.
+/// Poses and the ground borrow the numbers of these mechanisms.
 constexpr EffectTarget kImu = EffectTarget::kImu, kGnss = EffectTarget::kGnss;
-/// A unit loses at least so much of what is beyond its range.
+/// A clipping unit loses at least this share of a measurement beyond its range.
 constexpr double kClippedShare = 0.5;
-constexpr const char* kDelay = "clock_offset";  ///< stands for latency and filter as well
+/// stands for clock offset, latency and filter together
+constexpr const char* kDelay = "clock_offset";
 constexpr const char* kLowPass = "filter_delay";
 
 double UsualHalfWidth(const std::string& target, const std::string& mechanism,
@@ -44,7 +47,7 @@ double UsualHalfWidth(const std::string& target, const std::string& mechanism,
   return usual->half_width;
 }
 
-/// Adds one group's numbers, with the tolerance that is stated of each.
+/// Adds a group and its parameters with their tolerances.
 class GroupOf {
  public:
   GroupOf(ParameterTable* table, const std::string& target, EffectTarget kind,
@@ -53,8 +56,8 @@ class GroupOf {
     const int first = static_cast<int>(table->parameters.size());
     table->groups.push_back({{target, &SensorMechanism(mechanism, kind)}, first});
   }
-  /// `documented_si` is in SI units; one of the unit has `si_per_unit` of them. The search covers
-  /// `range` to both sides of the documented number, in its own unit.
+  /// `documented_si` is in SI units; `si_per_unit` converts from the mechanism's unit. The
+  /// parameter may differ from the documented value by `range`, in the mechanism's unit.
   GroupOf& Number(const std::string& name, const std::string& unit, double si_per_unit,
                   double documented_si, double range, double wander_share) {
     const ParameterGroup& group = table_->groups.back();
@@ -179,7 +182,7 @@ void ParameterTable::LimitTo(const CandidateLibrary& library) {
           if (mechanism->parameters[range.index].name != one.name || one.of_share) continue;
           one.lower = one.si_per_unit * range.lower;
           one.upper = one.si_per_unit * range.upper;
-          // The linear numbers of a reflection have either sign, whatever its azimuth.
+          // Linear numbers of a reflection have either sign, depending on its azimuth.
           if (group.mechanism->id == kMultipath) one.lower = -one.upper;
         }
       }
@@ -232,7 +235,7 @@ void AddLowPass(const SensorDescription& unit, ParameterTable* table, UnitChanne
                           .first();
   SensorParameter& one = table->parameters.back();
   one.lower = one.least = 0;
-  one.taken = (1 - kLeastShare) * one.tolerance;  // by the unit's delay
+  one.taken = (1 - kLeastShare) * one.tolerance;  // all but kLeastShare goes to the unit's delay
 }
 
 std::array<double, 2> DocumentedLimits(const SensorDescription& unit) {
@@ -267,9 +270,9 @@ void AddReceiverParameters(const SensorDescription& receiver, const Vec3& part_m
   const auto& model = std::get<GnssModel>(receiver.model);
   const Effects& effects = receiver.effects;
   channel->place = AddShift(receiver.name, kGnss, "gnss_lever_arm", effects, part_m, table);
-  // Slow errors of a fix are another datum in each segment, which correlates with the one before.
-  // As independent ones they get more weight, so that their mean has the error of a first-order
-  // Gauss-Markov process's mean.
+  // Slow errors of a fix act as another datum in each segment, correlated with the previous
+  // segment. The estimate treats segments as independent. A larger deviation makes up for it: the
+  // mean has the error of the mean of a first-order Gauss-Markov process.
   const double rho = std::exp(-segment_s / model.correlation_time_s);
   const double slowness = std::sqrt((1 + rho) / (1 - rho));
   const double east_m = table->HalfWidthOf(receiver.name, "position_datum", "east_m");

@@ -13,103 +13,105 @@
 
 namespace tera {
 
-/// One number of a mechanism of one target, in SI units.
+/// One parameter of a mechanism of one target, in SI units.
 struct SensorParameter {
-  std::string name, unit;  ///< as the mechanism has them, "yaw_deg", "deg"
+  std::string name, unit;  ///< of the mechanism: "yaw_deg", "deg"
   double si_per_unit = 1;
   double documented = 0, tolerance = 0;
-  double free_sigma = 0;  ///< of its prior where it is free
-  double wander = 0;      ///< 1 sigma of the difference between segments
+  double free_sigma = 0;  ///< prior deviation where its group is free
+  double wander = 0;      ///< 1 sigma of its deviation from segment to segment
   double lower = 0, upper = 0;
-  double least = -std::numeric_limits<double>::infinity();  ///< of any physical value
-  double taken = 0;  ///< of its tolerance, by numbers with the same effect
-  /// The number, in `unit`, that a share of one stands for. Only shares have it.
+  double least = -std::numeric_limits<double>::infinity();  ///< smallest physical value
+  double taken = 0;  ///< part of the tolerance that goes to parameters with the same effect
+  /// The mechanism's number, in `unit`, for which a share of 1 stands. Only shares have it.
   struct Told {
     double value = 0, sigma = 0, documented = 0;
   };
   std::optional<Told> of_share;
 };
 
-/// A mechanism, one of the table of all, and its target. Numbers of the motion's own model have
-/// none.
+/// A mechanism of the table and its target. `mechanism` is null for parameters of the motion model
+/// itself.
 struct TargetMechanism {
   std::string target;
   const Mechanism* mechanism = nullptr;
 
   bool operator==(const TargetMechanism&) const = default;
-  /// "imu_boom/bias", for reports.
+  /// For reports: "imu_boom/bias".
   std::string Name() const { return target + "/" + std::string(mechanism->id); }
 };
 
-/// A mechanism of one target, with all its numbers, which is named, or not, as a whole.
+/// All parameters of a mechanism of one target. They are named together.
 struct ParameterGroup : TargetMechanism {
-  int first = 0, count = 0;  ///< its parameters
+  int first = 0, count = 0;  ///< range of its parameters
   bool may_be_named = true;
 };
 
-/// The numbers of all sensors that mechanisms can change.
+/// All parameters of the sensors.
 struct ParameterTable {
-  Tolerances stated;  ///< by the owner; of other numbers the defaults hold
+  Tolerances stated;  ///< by the owner; otherwise the defaults hold
   std::vector<SensorParameter> parameters;
   std::vector<ParameterGroup> groups;
 
-  /// The tolerance of a number, in its own unit.
+  /// The tolerance of a number, in the mechanism's unit.
   double HalfWidthOf(const std::string& target, const std::string& mechanism,
                      const std::string& parameter) const;
-  /// The parameters' prior where some groups are free within the range of their mechanism. Others
-  /// are normal with half their tolerance as sigma, and within it.
+  /// The prior with some groups free within the range of their mechanism. The others are normal
+  /// about the documented value with half their tolerance as sigma, truncated to the tolerance.
   ParameterPrior PriorWith(const std::vector<int>& free_groups) const;
-  /// A wide prior without bounds, under which nearly all that can be fitted is.
+  /// A wide prior without bounds, with nearly everything free.
   ParameterPrior FlexiblePrior() const;
   Eigen::VectorXd Wander() const;
-  /// The places of all delays.
+  /// Indices of all delays.
   std::vector<int> Delays() const;
-  /// Lets only mechanisms of a library be named, with numbers in its ranges.
+  /// Restricts naming to the mechanisms of a library, with numbers within its ranges.
   void LimitTo(const CandidateLibrary& library);
 };
 
-/// By how much the scenario has a sensor's stamps late: its clock, its latency and its filter.
+/// Documented delay of a sensor's stamps: clock offset plus latency plus filter.
 double DocumentedDelay_s(const Effects& effects);
 
-/// Adds the parameters of one sensor and sets their places in its channel. It is off its place by
-/// no more than the extent of the part that it is bolted to.
+/// Adds the parameters of one unit and sets their indices in its channel. `part_m`, the extent of
+/// its link, bounds the shift of the unit.
 void AddImuParameters(const SensorDescription& unit, const Vec3& part_m, ParameterTable* table,
                       UnitChannel* channel);
-/// The time constant of a unit's low pass, which its documented delay no longer stands for.
+/// Adds the time constant of a unit's low pass. The documented delay of the unit then excludes it.
 void AddLowPass(const SensorDescription& unit, ParameterTable* table, UnitChannel* channel);
-/// The range of a unit's rates and forces by its effects; infinite where it is not documented.
+/// Documented range of turn rates (rad/s) and specific forces (m/s^2); infinite where it is not
+/// documented.
 std::array<double, 2> DocumentedLimits(const SensorDescription& unit);
-/// The shares of a unit's rates and forces beyond its channel's limits that do not show. `sigma` is
-/// that of the limits, SI. Documented limits clip all, and are not named.
+/// Adds the shares of rates and forces beyond the channel's limits that the unit clips. `sigma` is
+/// the standard deviation of the limits in SI units. Documented limits clip everything and are not
+/// named.
 void AddClipping(const SensorDescription& unit, const std::array<double, 2>& sigma,
                  ParameterTable* table, UnitChannel* channel);
 void AddReceiverParameters(const SensorDescription& receiver, const Vec3& part_m, double segment_s,
                            ParameterTable* table, ReceiverChannel* channel);
-/// The numbers of a part's reflection beside a receiver that has such a part.
+/// Adds the linear numbers of the reflection from the part beside a receiver (RaisedPart).
 void AddReflectionParameters(const SensorDescription& receiver, ParameterTable* table,
                              ReceiverChannel* channel);
-/// The yaw of two antennas of one link, which belongs to the first of them. Its tolerance is that
-/// of the whole heading, less `by_places_rad`, by which the antennas' own places may turn it.
+/// Adds the yaw of two antennas on one link, as a parameter of the first receiver. Its tolerance is
+/// that of the heading minus `by_places_rad`, the turn that the antennas' own shifts allow.
 int AddPairYaw(const SensorDescription& receiver, double by_places_rad, ParameterTable* table);
-/// One axis of a set of encoders. `effects` are those of the axis, `target` its name
-/// "encoders/boom", `swing` the standard deviation of its positions, rad or m. Its scale cannot be
-/// named if even the widest scale changes positions by less than the zero's tolerance. A joint at
-/// rest does not distinguish the two.
+/// Adds the parameters of one encoder axis with its `effects`. `target` is for example
+/// "encoders/boom"; `swing` is the standard deviation of positions, in rad or m. The scale cannot
+/// be named if even its widest value shifts positions by less than the tolerance of the zero: a
+/// joint at rest does not distinguish the two.
 void AddAxisParameters(const std::string& target, const Effects& effects, bool slides, double swing,
                        ParameterTable* table, AxisChannel* channel);
-/// The delay of a set of encoders, for all its axes.
+/// Adds the delay that all axes of a set of encoders share.
 int AddEncoderDelay(const std::string& target, const Effects& effects, ParameterTable* table);
-/// The gain of the acceleration of a joint or of the base's yaw, which is never named; returns its
-/// place.
+/// Adds the acceleration gain of a joint or of the base's yaw, which is never named. Returns its
+/// index.
 ///
-/// Model   every inertial unit behind a joint feels the same gain, so that a scale common to all of
-///         them is none of theirs. A spline has too little of accelerations shorter than its knots.
-///         A recorder or simulator with discrete steps has accelerations that differ from its
-///         rates'.
+/// Model   every inertial unit behind a joint sees the same gain. A scale error that all of them
+///         share is therefore not attributed to a unit. Two causes: a spline smooths accelerations
+///         shorter than its knots, and a recorder or simulator with discrete steps has
+///         accelerations that differ from the derivative of its rates.
 int AddAccelerationGain(const std::string& number, ParameterTable* table);
-/// By how much the known ground is too high, which is never named; returns its place.
+/// Adds the height by which the known ground is too high, which is never named. Returns its index.
 int AddGroundHeight(ParameterTable* table);
-/// Parameters of recorded poses. Poses of a simulation are true, and at most late.
+/// Adds the parameters of recorded poses. Simulated poses are exact apart from a delay.
 void AddPoseParameters(bool were_measured, ParameterTable* table, MapChannel* channel);
 
 }  // namespace tera

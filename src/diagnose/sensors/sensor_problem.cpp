@@ -19,18 +19,18 @@
 namespace tera {
 namespace {
 
-constexpr double kSplineStep_s = 0.05;  ///< of the splines
-constexpr double kMargin_s = 0.5;       ///< of a segment's spline, for what is late or early
+constexpr double kSplineStep_s = 0.05;  ///< between knots
+constexpr double kMargin_s = 0.5;       ///< of a segment's spline at either end, for delays
 constexpr double kSegment_s = 10, kShortestSegment_s = 4;
 constexpr double kFewestSegments = 8;
 constexpr double kImuWindow_s = kSplineStep_s;
-constexpr double kLeastBaseline_m = 0.05;  ///< of two antennas with a yaw
-constexpr double kGroundEvery_m = 0.5;     ///< on the way; elsewhere the ground errs otherwise
+constexpr double kLeastBaseline_m = 0.05;  ///< of two antennas, for a yaw
+/// spacing of ground observations along the path, for independent errors
+constexpr double kGroundEvery_m = 0.5;
 
 double RoundingSigma(double step) { return step / std::sqrt(12.0); }
 
-/// Whether samples are stamped when they were measured: not in bursts, of which the blocks say
-/// more.
+/// True for evenly stamped samples. Samples that come in bursts are left to the replay blocks.
 template <typename Sample>
 bool AreUsable(const std::vector<Sample>& samples) {
   std::vector<TimeNs> t_ns;
@@ -49,8 +49,8 @@ double SwingOf(const EncoderRecording& recording, std::size_t axis) {
   return std::sqrt(square);
 }
 
-/// The extent of a link along its axes. It is that of the box with its mass and inertia, or of its
-/// frame, joints and centre of mass where these are further apart.
+/// Extent of a link along its axes: the larger of the box with the link's mass and inertia, and the
+/// box around its frame, joints and centre of mass.
 Vec3 ExtentOf_m(const MachineModel& model, int index) {
   const Link& link = model.links[static_cast<std::size_t>(index)];
   Vec3 least_m = link.com_B_m.cwiseMin(0), most_m = link.com_B_m.cwiseMax(0);
@@ -63,14 +63,13 @@ Vec3 ExtentOf_m(const MachineModel& model, int index) {
   if (link.mass_kg <= 0) return extent_m;
   const Vec3 about_kgm2 = link.inertia_B_kgm2.diagonal();
   for (int i = 0; i < 3; ++i) {
-    // A box of mass m and edge l has m l^2 / 12 along that edge.
+    // Length l along an axis from the second moment of the box about its centre, m l^2 / 12.
     const double along_kgm2 = std::max(0.0, about_kgm2.sum() / 2 - about_kgm2[i]);
     extent_m[i] = std::max(extent_m[i], std::sqrt(12 * along_kgm2 / link.mass_kg));
   }
   return extent_m;
 }
 
-/// Puts channels, parameters and observations together.
 class Builder {
  public:
   Builder(const DiagnosisInput& input, const Measurements& measured, const KnownPlace& place)
@@ -103,7 +102,7 @@ class Builder {
   void AddAxis(const NamedEncoders& named, const SensorDescription* sensor, std::size_t axis,
                std::size_t joint, int late);
   void AddUnits();
-  /// By how much a specific force may be off: gravity, under a mount or a scale that is.
+  /// Tolerated error of a specific force, by gravity under the tolerances of mount and scale.
   double ToleratedOfGravity(const UnitChannel& unit) const;
   void AddAccelerationGains();
   void AddReceivers();
@@ -125,14 +124,15 @@ class Builder {
                ? -1
                : static_cast<int>(at);
   }
-  /// Adds an observation to the segment of its end; null where there is none.
+  /// Adds an observation to the segment that contains its end. Null where no segment does.
   Observation* Observe(ObservationKind kind, std::size_t channel, TimeNs from_ns, TimeNs to_ns,
                        const Eigen::Matrix<double, 6, 1>& value);
   int AddNoise(const std::string& name, const std::string& unit, double least, double at_first) {
     motion().noise.push_back({name, unit, least, at_first, at_first});
     return static_cast<int>(motion().noise.size()) - 1;
   }
-  /// Gives noise channels from `noise` on the tolerances of parameters from `first` on.
+  /// Copies the tolerances of `count` parameters, from index `first` on, to noise channels from
+  /// `noise` on.
   void SetTolerances(int noise, int first, int count) {
     for (int i = 0; first >= 0 && i < count; ++i) {
       motion().noise[static_cast<std::size_t>(noise + i)].tolerance =
@@ -146,7 +146,7 @@ class Builder {
   const KnownPlace& place_;
   SensorProblem problem_;
   double segment_s_ = kSegment_s;
-  std::vector<int> places_;  ///< of the model's joints among the estimated ones
+  std::vector<int> places_;  ///< by joint of the model: index among the estimated joints, or -1
   std::vector<std::size_t> joints_;
   RoughSources rough_;
 };
@@ -364,8 +364,8 @@ void Builder::AddReceiver(std::size_t sensor, const KinematicChain& chain) {
 }
 
 /// Adds the reflection of a raised part next to an antenna. All joints of that part must have
-/// encoders, and an inertial unit or poses must give its direction: with antennas alone, their
-/// noise would pass for a reflection.
+/// encoders. An inertial unit or poses must also show the motion: with antennas alone, their noise
+/// would look like a reflection.
 void Builder::AddReflection(const SensorDescription& receiver, ReceiverChannel* channel) {
   if (motion().imus.empty() && measured_.poses.empty()) return;
   const auto part = RaisedPartOf(model(), model().LinkIndex(receiver.link), places_);
@@ -385,7 +385,7 @@ void Builder::SharePairYaw() {
     if (measured_.gnss[s].size() >= 2) pair.push_back(&input_.sensors[s]);
   }
   if (pair.size() != 2 || motion().receivers.size() != 2 || pair[0]->link != pair[1]->link) return;
-  // Places that are off across the line between the antennas turn it.
+  // Shifts of the antennas across their baseline also turn it.
   const Vec2 between_m = (pair[1]->X_BS.translation() - pair[0]->X_BS.translation()).head<2>();
   if (between_m.norm() < kLeastBaseline_m) return;
   const Vec2 across = Vec2(-between_m.y(), between_m.x()).normalized().cwiseAbs();
@@ -409,8 +409,8 @@ void Builder::AddPoses() {
   const std::string name = input_.machine + "/" + std::string(kPoses) + "/";
   for (int i = 0; i < 6; ++i) {
     const bool is_place = i < 3;
-    // Differences between parts of a map also occur within a part, but smoothly, so that residuals
-    // do not show them.
+    // `wander` of a map describes differences between segments. They also occur smoothly within a
+    // segment, where residuals do not show them. Therefore they bound the noise from below.
     const int off = is_place ? channel.shift : channel.turn;
     const double smooth =
         off < 0 ? 0 : problem_.table.parameters[static_cast<std::size_t>(off + i % 3)].wander;
@@ -434,7 +434,8 @@ void Builder::AddPoses() {
 void Builder::AddTravel() {
   const auto at_ns = [&](double t_s) { return problem_.start_ns + FromSeconds(t_s); };
   rough_.travel = GearTravel(input_, measured_, problem_.start_ns);
-  // Where nothing measures the base it would take up what the units err by.
+  // Standstill by levers is used only where nothing measures the base. The base would otherwise
+  // absorb errors of the units.
   const bool is_measured = !motion().receivers.empty() || !motion().poses.empty();
   if (rough_.travel.empty() && !is_measured) {
     rough_.travel = StandingByLevers(input_, measured_, problem_.start_ns);
@@ -456,8 +457,8 @@ void Builder::AddTravel() {
   }
 }
 
-/// Rest of a joint without an encoder that its lever leaves where it is. Otherwise the joint would
-/// absorb the errors of the units before and behind it.
+/// Adds standstill of joints without encoder, from their lever. Otherwise such a joint would absorb
+/// errors of the units before and behind it.
 void Builder::AddRests() {
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     if (!rough_.joints[j].empty()) continue;
@@ -493,7 +494,8 @@ void Builder::SetStart() {
   if (place_.ground) AddGround(base);
 }
 
-/// The ground of a place counts once: a machine that stands does not measure it again.
+/// Adds ground observations along the path. A standing machine adds only one, because it does not
+/// measure the ground again.
 void Builder::AddGround(const std::array<TimeSeries, kBaseNumbers>& base) {
   motion().ground_height = AddGroundHeight(&problem_.table);
   std::optional<Vec2> last_m;

@@ -10,26 +10,27 @@
 
 namespace tera {
 
-/// Knowledge of a machine's place beside its measurements.
+/// What is known about a machine's location besides its measurements.
 struct KnownPlace {
-  std::optional<Pose> start;  ///< of the base at first
-  GroundHeight ground;        ///< empty where it is not known
+  std::optional<Pose> start;  ///< initial pose of the base
+  GroundHeight ground;        ///< empty where it is unknown
 };
 
-/// The problem of a machine's motion and its sensors' parameters.
+/// The motion problem of a machine, and the table of its sensors' parameters.
 struct SensorProblem {
   MotionProblem motion;
   ParameterTable table;
-  TimeNs start_ns = 0;                    ///< of the first segment
-  std::vector<std::string> not_compared;  ///< sensors that are not in it, and why
+  TimeNs start_ns = 0;                    ///< start of the first segment
+  std::vector<std::string> not_compared;  ///< sensors left out, with the reason
 };
 
-/// The problem of the measurements.
+/// Builds the problem from measurements.
 ///
-/// Model   inertial units, receivers with their documented fix, encoders of joints on the way to
-///         these, recorded poses, travel and stillness of running gear, known ground. Segments of
-///         about ten seconds, at least eight where the recording is long enough.
-/// Omits   rates of encoders; fixes worse than documented; joints beyond all units and antennas.
+/// Model   observations come from inertial units, receivers with their documented fix, encoders of
+///         joints before these sensors, recorded poses, travel and standstill of running gear, and
+///         known ground. Segments are about 10 s long; a recording is cut into at least eight, as
+///         long as each lasts at least 4 s.
+/// Omits   rates of encoders; fixes worse than documented; joints behind all units and antennas.
 SensorProblem MakeSensorProblem(const DiagnosisInput& input, const Measurements& measured,
                                 const KnownPlace& place);
 

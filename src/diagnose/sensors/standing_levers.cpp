@@ -9,13 +9,13 @@ namespace tera {
 namespace {
 
 constexpr double kWindow_s = 0.1;
-constexpr double kNeutral = 0.02;          ///< lever that rests: the expected dead band
-constexpr double kLongestEffect_s = 2;     ///< of a lever, after it came to rest
-constexpr double kStampedLate_s = 0.5;     ///< by which a lever may be stamped late, at most
-constexpr double kTurnsOver_s = 1;         ///< time over which turning is asked about
+constexpr double kNeutral = 0.02;          ///< expected dead band of a lever
+constexpr double kLongestEffect_s = 2;     ///< of a lever after its return to neutral
+constexpr double kStampedLate_s = 0.5;     ///< largest delay of lever stamps
+constexpr double kTurnsOver_s = 1;         ///< span of the mean turn rate
 constexpr double kLeastTurn_radps = 0.15;  ///< three times the rocking of a base
 
-/// The column of the lever for which `moves_it` holds; none where it was not recorded.
+/// The column of the first lever that satisfies `moves_it`. None where it was not recorded.
 template <typename Predicate>
 std::optional<std::size_t> ColumnOf(const DiagnosisInput& input, const Predicate& moves_it) {
   const std::vector<Lever>& levers = input.model->levers;
@@ -27,7 +27,7 @@ std::optional<std::size_t> ColumnOf(const DiagnosisInput& input, const Predicate
   return static_cast<std::size_t>(name - names.begin());
 }
 
-/// Columns of the levers of all running gears; none where one is missing, or there is no gear.
+/// Columns of the levers of all running gears. Empty where one is missing.
 std::vector<std::size_t> GearColumns(const DiagnosisInput& input) {
   std::vector<std::size_t> columns;
   for (std::size_t g = 0; g < input.model->ground_tools.gears.size(); ++g) {
@@ -39,7 +39,7 @@ std::vector<std::size_t> GearColumns(const DiagnosisInput& input) {
   return columns;
 }
 
-/// Times at which something turns that no encoder measures, by a unit and the encoders before it.
+/// Detects turning that no encoder measures, from inertial units and the encoders before them.
 class UnmeasuredTurning {
  public:
   UnmeasuredTurning(const DiagnosisInput& input, const Measurements& measured) {
@@ -51,7 +51,8 @@ class UnmeasuredTurning {
     }
   }
 
-  /// Whether it is seen within a time about `at_ns`.
+  /// True if a unit turns faster than its encoders explain, averaged over kTurnsOver_s about
+  /// `at_ns`.
   bool IsSeen(TimeNs at_ns) const {
     const TimeNs from_ns = at_ns - FromSeconds(kTurnsOver_s / 2),
                  to_ns = at_ns + FromSeconds(kTurnsOver_s / 2);
@@ -73,7 +74,7 @@ class UnmeasuredTurning {
     std::vector<Angle> angles;
   };
 
-  /// The encoders of the joints that turn between the base and a link, of those that have one.
+  /// Encoders of the rotary joints between the base and a link, as far as they exist.
   static std::vector<Angle> AnglesTo(const MachineModel& model, const Measurements& measured,
                                      int link) {
     std::vector<Angle> angles;
@@ -109,7 +110,7 @@ class UnmeasuredTurning {
     return count > 0 ? sum / count : 0;
   }
 
-  /// The way of an angle to and fro.
+  /// Total variation of an angle.
   static double WayOf_rad(const Angle& angle, TimeNs from_ns, TimeNs to_ns) {
     double way = 0;
     std::optional<double> last;
@@ -128,7 +129,7 @@ struct Rest {
   double from_s = 0, to_s = 0;
 };
 
-/// The times over which all levers of some columns rest; a lever is held from its row to the next.
+/// Times in which the levers of all `columns` rest. Each row holds until the next.
 std::vector<Rest> RestsOf(const TableRecording& levers, const std::vector<std::size_t>& columns,
                           TimeNs zero_ns) {
   std::vector<Rest> rests;

@@ -6,24 +6,24 @@
 #include "diagnose/diagnosis_input.h"
 #include "diagnose/motion/starting_motion.h"
 
-/// Windows of 0.1 s in which a part stands still by its lever, in seconds from `zero_ns`.
+/// Windows of 0.1 s in which a lever keeps a part at rest, in seconds since `zero_ns`.
 ///
-/// Model   a part with a recorded lever rests where the lever has been within 0.02 of neutral for 2
-///         s. 0.02 is the expected dead band; 2 s is longer than a drive follows its lever. The
-///         lever stays there until half a second after the window, since the oil is then shut in.
-///         Windows in which an unmeasured part turns do not count. There a unit's mean rate over a
-///         second about the window exceeds the encoders' rates of all joints before it by 0.15
-///         rad/s. A base rocks with 0.05 rad/s.
-/// Omits   a machine that slides or is pushed along, and one that drives straight ahead by levers
-///         that were left at zero in a recording.
+/// Model   a part rests where its recorded lever has stayed within 0.02 of neutral for 2 s, and
+///         stays there for another 0.5 s. 0.02 is the expected dead band. 2 s is longer than a
+///         drive follows its lever. 0.5 s allows for late stamps of levers. Windows in which an
+///         unmeasured part turns are left out: the mean turn rate of a unit over one second about
+///         the window exceeds the encoder rates of all joints before it by 0.15 rad/s. A base rocks
+///         with 0.05 rad/s.
+/// Omits   a machine that slides or is pushed; a machine that drives straight ahead while the
+///         recorded levers stay at zero.
 
 namespace tera {
 
-/// When the base stands: the levers of all running gears rest. Empty where one was not recorded.
+/// Standstill of the base: the levers of all running gears rest. Empty where one was not recorded.
 std::vector<TravelWindow> StandingByLevers(const DiagnosisInput& input,
                                            const Measurements& measured, TimeNs zero_ns);
 
-/// When a joint rests. Empty where it has no lever that was recorded.
+/// Standstill of a joint. Empty where its lever was not recorded.
 std::vector<TravelWindow> RestingByLever(const DiagnosisInput& input, const Measurements& measured,
                                          std::size_t joint, TimeNs zero_ns);
 

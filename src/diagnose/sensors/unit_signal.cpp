@@ -10,9 +10,9 @@
 namespace tera {
 namespace {
 
-constexpr double kLikelier = 3.0;  ///< log of twenty: the odds from which on a range is tried
+constexpr double kLikelier = 3.0;  ///< log odds, twenty to one, from which a range is tried
 
-/// By how much each delay is larger than documented, apart from what is common to all.
+/// Excess of each delay over its documented value, minus the median excess.
 std::vector<double> ExcessDelays_s(const SensorProblem& problem, const Eigen::VectorXd& fitted) {
   std::vector<double> excess_s;
   for (const int i : problem.motion.delays) {
@@ -24,10 +24,10 @@ std::vector<double> ExcessDelays_s(const SensorProblem& problem, const Eigen::Ve
   return excess_s;
 }
 
-/// A triad's measurements beside those that the motion implies.
+/// Measurements of a triad and their predictions from the motion.
 struct BesideMotion {
-  double largest = 0;                       ///< of what was measured
-  std::vector<std::array<double, 3>> rows;  ///< measured, implied, variance
+  double largest = 0;                       ///< largest measured magnitude
+  std::vector<std::array<double, 3>> rows;  ///< measured, predicted, error variance
 };
 
 std::array<BesideMotion, 2> BesideMotionOf(const MotionProblem& problem, std::size_t unit,
@@ -59,7 +59,7 @@ struct Limit {
   double value = kNoLimit, sigma = 0;
 };
 
-/// The limit that a triad seems to have.
+/// The apparent limit of a triad; kNoLimit where it gains too little.
 Limit LimitOf(const BesideMotion& triad) {
   double gain = 0, variance = 0;
   std::vector<double> there;
@@ -89,8 +89,8 @@ void Grow(SensorProblem* problem, MotionEstimate* start) {
   for (SegmentMotion& motion : start->motion) grow(&motion.wandered);
 }
 
-/// The problem with a low pass in a unit; `start` becomes one that is not late but filtered, for
-/// `excess_s` longer than documented.
+/// The problem with a low pass in unit `u`. `start` replaces the unit's excess delay by a filter
+/// with a time constant `excess_s` above the documented one.
 SensorProblem WithLowPass(const SensorDescription& unit, std::size_t u, double excess_s,
                           SensorProblem problem, MotionEstimate* start) {
   UnitChannel& channel = problem.motion.imus[u];

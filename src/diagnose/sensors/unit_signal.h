@@ -2,31 +2,32 @@
 
 #include "diagnose/sensors/sensor_problem.h"
 
-/// Low passes and ranges of inertial units. Near documented numbers they change nothing, or what a
-/// delay changes. An estimate has to begin from a unit that has one.
+/// Low passes and limited ranges of inertial units. Linearised at the documented values, a range
+/// has no effect and a low pass has the effect of a delay. An estimate must therefore start from a
+/// unit that has one.
 
 namespace tera {
 
-/// The name of the sensor of a problem's inertial unit.
+/// Sensor name of a problem's inertial unit.
 const std::string& UnitOf(const SensorProblem& problem, std::size_t unit);
 
-/// The sum of logarithms of the scales of all residuals: the likelihood's, but for what is the same
-/// of all estimates.
+/// Sum over all residuals of the logarithm of their noise scale: the negative log-likelihood up to
+/// a constant.
 double LogScale(const MotionEstimate& estimate);
 
-/// The estimate with a low pass in each unit that is late, where that explains more than a delay
-/// does and its time constant is beyond tolerance. Near documented numbers both look the same.
+/// Tries a low pass in each unit whose delay exceeds its tolerance. It stays where it explains more
+/// than the delay and its time constant is beyond tolerance.
 MotionEstimate WithLowPasses(const DiagnosisInput& input, const EstimateOptions& options,
                              MotionEstimate best, SensorProblem* problem);
 
-/// The estimate with a range of each gyro and accelerometer that the motion exceeds, where that
-/// explains more.
+/// Tries a limited range in each gyro and accelerometer whose range the motion exceeds. It stays
+/// where it explains more.
 ///
-/// Model   a triad's limit is the median of its measurements where the motion is beyond all of
-///         them. It is tried where it makes the recording twenty times as likely.
-///         A documented range holds in its place, and is not named.
-/// Omits   limits of single axes or directions; ranges that the motion hardly exceeds; spikes
-///         beyond a range, which hide it.
+/// Model   the limit of a triad is the median of its measurements at times when the motion exceeds
+///         the largest measurement. It is tried where the recording becomes twenty times as likely.
+///         A documented range replaces it, and is not named.
+/// Omits   limits of single axes or directions; ranges that the motion hardly exceeds; ranges
+///         hidden by a spike beyond them.
 MotionEstimate WithClipping(const DiagnosisInput& input, const EstimateOptions& options,
                             MotionEstimate best, SensorProblem* problem);
 

@@ -4,7 +4,7 @@
 
 namespace tera {
 
-/// Whether a fix is as good as documented.
+/// True if a fix is at least as good as documented.
 inline bool IsAsDocumented(GnssFix fix, GnssFix documented) {
   const auto rank = [](GnssFix one) {
     return one == GnssFix::kRtkFixed ? 4 : one == GnssFix::kRtkFloat ? 3 : static_cast<int>(one);
