@@ -46,7 +46,7 @@ Eigen::VectorXd ResidualOf(const Channel& channel, const std::vector<double>& pr
   return VectorOf(channel.measured.value) - VectorOf(predicted);
 }
 
-/// Residual of all rows after a least-squares fit to some of them.
+/// Residual of all rows after a least-squares fit of the columns to `rows`.
 Eigen::VectorXd LessColumns(const Eigen::VectorXd& y, const Eigen::MatrixXd& columns,
                             const Rows& rows) {
   if (rows.empty()) return y;
@@ -73,7 +73,7 @@ Eigen::VectorXd Tuned(const Channel& channel, const std::vector<double>& predict
   return LessColumns(ResidualOf(channel, predicted), columns, parts.seen);
 }
 
-/// Functions of the regime variables as columns of unit standard deviation, without constants.
+/// Functions of the regime variables as centred columns of unit standard deviation.
 Eigen::MatrixXd LibraryOf(const Channel& channel) {
   std::vector<Eigen::VectorXd> columns, plain;
   for (const RegimeVariable& variable : channel.variables) {
@@ -120,7 +120,7 @@ std::optional<Eigen::Index> NextColumn(const Eigen::MatrixXd& library, const Eig
   return best;
 }
 
-/// Residual of the matching pursuit; sets `terms` to the number of its columns.
+/// Residual of the matching pursuit. `terms` counts its columns.
 Eigen::VectorXd Pursued(const Channel& channel, const Eigen::VectorXd& error, const Parts& parts,
                         std::size_t* terms) {
   const Eigen::VectorXd residual =

@@ -4,7 +4,8 @@
 
 namespace tera {
 
-/// RMS difference of two misfits over the channel's RMS, the largest over channels.
+/// RMS difference between two misfits' residuals over the RMS of the measurement; the largest over
+/// channels.
 double EffectOf(const ReplayBlock& block, const Misfit& with, const Misfit& without);
 
 }  // namespace tera

@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-/// The parameter confined to its tolerance; none if that lies outside its range.
+/// The parameter restricted to its tolerance. None if the tolerance lies outside its range.
 std::optional<FreeParameter> WithinExpected(FreeParameter free) {
   const double range = free.upper - free.lower;
   free.lower = std::max(free.lower, free.expected->value - free.expected->half_width);

@@ -7,19 +7,20 @@
 
 namespace tera {
 
-/// Whether a term is within tolerance: all its parameters with a stated tolerance are, and there is
-/// at least one.
+/// True if at least one parameter has a stated tolerance, and all such parameters lie within
+/// theirs.
 bool IsAsExpected(const Term& term);
 
-/// The mechanism confined to its tolerances. Parameters with a tolerance move within it, the others
-/// stay at their defaults. Without free parameters if none is stated.
+/// The candidate restricted to its tolerances: free parameters are those with a stated tolerance,
+/// and they stay within it. The others keep their defaults. Without stated tolerances, no parameter
+/// is free.
 Candidate HeldToExpected(Candidate candidate);
 
-/// Whether a mechanism acts on a target in a structure, whichever candidate represents it.
+/// True if a structure contains the candidate's mechanism on the candidate's target.
 bool ActsIn(const Structure& terms, const Candidate& candidate);
 
-/// Mechanisms of a target that have a stated tolerance and do not act in a structure, each confined
-/// to its tolerances.
+/// Candidates of a target that have a stated tolerance and do not act in the structure, each
+/// restricted to its tolerances.
 std::vector<Candidate> ExpectedBeside(const ReplayBlock& block, const Structure& terms,
                                       const std::string& target);
 

@@ -9,7 +9,7 @@ namespace tera {
 namespace {
 
 constexpr double kCommanded_s = 60;  ///< of commanded manoeuvres in a prefix
-/// Largest ratio of a prefix's length to the whole; a longer one would save too little.
+/// Largest ratio of prefix to whole; longer prefixes save too little.
 constexpr double kMostPrefixShare = 2.0 / 3;
 
 Series First(const Series& series, std::size_t samples) {

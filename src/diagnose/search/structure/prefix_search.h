@@ -7,25 +7,25 @@
 #include "diagnose/search/structure/structure_search.h"
 #include "diagnose/statistics/series/manoeuvres.h"
 
-// A prefix of a long recording, to which most of a search is restricted. Persistent effects show
-// there too, at a fraction of the cost if the replay can stop early, as an axis's can.
+// Most of the search in a long recording uses a prefix of it. Persistent effects show there too.
+// The replay of an axis can stop at the end of the prefix, which saves time.
 
 namespace tera {
 
-/// Samples of the shortest prefix with 60 s of commanded manoeuvres. The whole recording if a
-/// prefix would save less than a third. There must be at least one manoeuvre.
+/// Samples of the shortest prefix with 60 s of commanded manoeuvres, or of the whole recording
+/// where the prefix would save less than a third. `manoeuvres` must not be empty.
 std::size_t PrefixLength(const std::vector<Manoeuvre>& manoeuvres, double period_s);
 
-/// The first samples of a block as a block of its own, predicted by the whole block, which must
-/// outlive it.
+/// The first samples of a block as a block. Its replay calls that of `block`, which must outlive
+/// it.
 ReplayBlock PrefixOf(const ReplayBlock& block, std::size_t samples);
 
-/// The manoeuvres within the first samples.
+/// The manoeuvres that end within the first samples.
 std::vector<Manoeuvre> Within(std::vector<Manoeuvre> manoeuvres, std::size_t samples);
 
-/// Transfers a prefix's search to the whole block: terms and rivals refer to the whole block's
-/// candidates, which are the same in the same order. Held parameters with a default become free
-/// again, at their starting values. The misfits of `search` keep the prefix's length.
+/// Transfers the search of a prefix to the whole block. Terms and rivals refer to the candidates of
+/// `whole`, which has the same candidates in the same order. Held parameters with a default become
+/// free again at their starting values. Misfits keep the length of the prefix.
 SearchResult CarryToWhole(SearchResult search, const ReplayBlock& prefix, const ReplayBlock& whole);
 
 }  // namespace tera

@@ -11,8 +11,8 @@
 namespace tera {
 namespace {
 
-/// Largest smaller structure that is also fitted from distant starts. With more terms, each is held
-/// in place by the others.
+/// Structures up to this size are also fitted from distant starts. In larger ones, the other terms
+/// hold each term in place.
 constexpr std::size_t kMostTermsFittedAnew = 3;
 
 }  // namespace
@@ -50,7 +50,7 @@ double Pruning::FlexibleGain(const Misfit& misfit) const {
   return gain;
 }
 
-/// Joint evidence for the terms of `with` that `without` lacks.
+/// Joint evidence for the terms that `with` has and `without` lacks.
 TermEvidence Pruning::EvidenceOf(const Scored& with, const Scored& without,
                                  const Misfit& crossed_with, const Misfit& crossed_without) const {
   TermEvidence evidence;
@@ -76,7 +76,7 @@ bool Pruning::IsNeeded(const TermEvidence& evidence) const {
          evidence.effect >= kLeastTermEffect;
 }
 
-/// p-value, by steady gain, of the two terms together that `rest` lacks.
+/// p-value, by SteadyGainP, of the two terms together that `rest` lacks.
 double Pruning::JointP(const Scored& kept, const Misfit& crossed_kept,
                        const PrunedStructure& rest) const {
   return EvidenceOf(kept, rest.structure, crossed_kept, rest.crossed).steady_p;

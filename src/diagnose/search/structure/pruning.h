@@ -11,27 +11,27 @@
 
 namespace tera {
 
-/// A structure whose terms are all needed.
+/// A structure in which every term is needed.
 struct PrunedStructure {
   Scored structure;
-  Misfit crossed;                      ///< cross-fitted (cross_fit.h)
-  std::vector<TermEvidence> evidence;  ///< one for each term, without rivals
+  Misfit crossed;                      ///< cross-fitted misfit (cross_fit.h)
+  std::vector<TermEvidence> evidence;  ///< by term, without rivals
 };
 
-/// Removes the terms that a structure does not need.
+/// Removes terms that a structure does not need.
 ///
-/// Model   backward elimination of the least needed term until all are needed (criteria in
-///         StructureSearch). Exception: if exactly one term would be removed, and its removal makes
-///         one other removable, both are tested together against the rest. The p-value is then
-///         corrected twice for the number of tests. An example is play in a joint that pulls harder
-///         than it pushes: it is needed only with the asymmetry.
-/// Omits   selection of the pair by the same manoeuvres, beyond the number of tests; pairs of terms
-///         that are both unneeded alone. FINAL judges each of the two separately.
+/// Model   backward elimination: the least needed term leaves until all are needed (criteria in
+///         StructureSearch). One exception concerns pairs of terms that are needed only together,
+///         for example play in a joint that pulls harder than it pushes. If exactly one term would
+///         leave, and exactly one other would then leave too, both are tested together against the
+///         rest. The p-value is corrected for the number of pairs of candidates.
+/// Omits   selection of the pair by the same manoeuvres, beyond the number of tests; pairs of which
+///         both terms alone seem unneeded. FINAL judges each of the two terms separately.
 class Pruning {
  public:
-  /// `likelihood`, `fitter` and `fits` are of TRAIN. All must outlive it. `of_prefix`: the
-  /// structure comes from a prefix of the block, and fits of smaller structures start from its
-  /// values only.
+  /// `likelihood`, `fitter` and `fits` use TRAIN. All references must outlive this object.
+  /// `of_prefix`: the structure comes from a prefix of the block; fits of smaller structures then
+  /// start only from its values.
   Pruning(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
           const std::vector<Manoeuvre>& manoeuvres, const Likelihood& likelihood,
           const StructureFitter& fitter, const ScoredFits& fits, const SearchOptions& options,
@@ -39,11 +39,10 @@ class Pruning {
   Pruning(const Pruning&) = delete;
   Pruning& operator=(const Pruning&) = delete;
 
-  /// The structure without unneeded terms.
   PrunedStructure Prune(Scored kept) const;
-  /// Cross-fitted misfits of structures.
+  /// Cross-fitted misfits.
   std::vector<Misfit> Evaluate(const std::vector<Structure>& structures) const;
-  /// Gains between two misfits in pieces of TRAIN and SELECT.
+  /// Gains of `after` over `before` in pieces of TRAIN and SELECT.
   std::vector<ManoeuvreGain> GainsOnSeen(const Misfit& before, const Misfit& after) const;
   /// The empty structure.
   const Scored& nothing() const { return nothing_; }

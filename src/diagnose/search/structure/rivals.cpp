@@ -10,9 +10,8 @@
 namespace tera {
 namespace {
 
-/// Whether a swap is within tolerance: the new term is, and all other terms that were within
-/// tolerance still are. A swap that pushes another term out of tolerance explains nothing by
-/// expected deviations.
+/// True if a swap explains the data within tolerances: the new term is within tolerance, and all
+/// terms that were within tolerance stay there.
 bool IsExpectedExchange(const Structure& found, const Structure& swapped) {
   return IsAsExpected(swapped.back()) &&
          std::none_of(swapped.begin(), swapped.end() - 1, [&](const Term& now) {
@@ -32,8 +31,8 @@ bool IsRejected(const Rival& rival) { return rival.p <= kRivalP && rival.lead >=
 
 }  // namespace
 
-/// The rival at the end of `swapped`, by the gain of the structure's misfit `crossed` over that of
-/// the swapped one, `left`.
+/// The rival at the end of `swapped`, with the gain of `crossed` over the swapped structure's
+/// misfit `left`.
 Rival RivalTests::CompareWith(const Structure& swapped, const Misfit& left,
                               const Misfit& crossed) const {
   const auto gains = pruning_.GainsOnSeen(left, crossed);
@@ -42,9 +41,9 @@ Rival RivalTests::CompareWith(const Structure& swapped, const Misfit& left,
   return rival;
 }
 
-/// CompareWith, with the timing or actuator mechanism within tolerance that is likeliest with the
-/// rival added to both. A rival is not worse for lacking a deviation that the machine may have
-/// anyway.
+/// CompareWith, with a timing or actuator mechanism within tolerance added to both structures: the
+/// one that is likeliest with the rival. A rival must not lose merely because it lacks a deviation
+/// that the machine may have anyway.
 Rival RivalTests::CompareWithExpectedBeside(const Structure& found, const Structure& swapped,
                                             const Misfit& crossed) const {
   const Candidate* rival = swapped.back().candidate;
@@ -54,7 +53,7 @@ Rival RivalTests::CompareWithExpectedBeside(const Structure& found, const Struct
   for (const Candidate& one : expected) {
     const Slot slot = one.mechanism->slot;
     if (slot != Slot::kCommandTiming && slot != Slot::kActuator) continue;
-    if (HasSlot(swapped, slot)) continue;  // this slot's expected deviation is already in it
+    if (HasSlot(swapped, slot)) continue;  // a mechanism of this slot is already in the structure
     FittedStructure fitted = fitter_.FitNear(With(swapped, one, one.starts.front()));
     if (fitted.log_likelihood > best.log_likelihood) best = std::move(fitted);
   }

@@ -8,21 +8,22 @@
 
 namespace tera {
 
-/// Compares a structure with its rivals, in which another candidate replaces one of its terms.
+/// Compares a structure with its rivals: structures in which another candidate replaces one of its
+/// terms.
 ///
-/// Model   a rival is rejected if the manoeuvres of TRAIN and SELECT, cross-fitted, gain from the
-///         term with p at most kRivalP and at least kRivalGain. The same must hold when the
-///         likeliest timing or actuator mechanism within tolerance joins both structures
-///         (expected_beside.h).
+/// Model   a rival is rejected if cross-fitted manoeuvres of TRAIN and SELECT gain from the term in
+///         its place: p is at most kRivalP and the gain at least kRivalGain. The comparison is
+///         repeated with one more mechanism in both structures: the likeliest timing or actuator
+///         mechanism within tolerance (expected_beside.h). The rival must be rejected in both.
 class RivalTests {
  public:
-  /// All arguments must outlive it.
+  /// All arguments must outlive this object.
   RivalTests(const ReplayBlock& block, const StructureFitter& fitter, const Pruning& pruning)
       : block_(block), fitter_(fitter), pruning_(pruning) {}
 
-  /// Each of the `swapped` structures ends with the candidate that replaces the term. Adds these
-  /// candidates to the term's rivals or to its rejected ones. `crossed` is the cross-fitted misfit
-  /// of the found structure.
+  /// Each structure of `swapped` ends with the candidate that replaces the term. Adds that
+  /// candidate to the term's rivals or to its rejected rivals. `crossed` is the cross-fitted misfit
+  /// of `found`.
   void Discriminate(const Structure& found, const Misfit& crossed,
                     const std::vector<Structure>& swapped, TermEvidence* evidence) const;
 

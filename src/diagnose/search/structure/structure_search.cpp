@@ -14,7 +14,7 @@
 namespace tera {
 namespace {
 
-/// Least gain in log-likelihood for a single candidate to be screened.
+/// Smallest gain in log-likelihood of a screened candidate that stands for its slot.
 constexpr double kScreenedGain = 6;
 constexpr std::size_t kMostScreened = 8;  ///< candidates in pairs and swaps
 constexpr std::size_t kFullyFittedPairs = 8;
@@ -22,9 +22,9 @@ constexpr std::size_t kFullyFittedSteps = 4;  ///< swaps and additions fitted in
 constexpr std::size_t kFullyFittedRivals = 5;
 /// Largest number of terms that the forward search reaches.
 constexpr std::size_t kMostForwardTerms = 4;
-/// Difference of the criterion, in log-likelihood, up to which structures count as equally likely.
+/// Structures whose criteria differ by at most this, in log-likelihood, count as equally good.
 constexpr double kEquallyLikely = 0.5;
-/// Ratio of the sums of effects below which a structure has less cancellation and is preferred.
+/// A structure with less than this share of another one's sum of effects has less cancellation.
 constexpr double kLessCancellation = 0.8;
 
 void SortByCriterion(std::vector<Scored>* scored) {
@@ -90,9 +90,9 @@ class Search {
   ScoredFits fits_;
   const Pruning pruning_;
   const Scored nothing_;
-  std::vector<Scored> singles_;        ///< one a candidate, fitted alone
+  std::vector<Scored> singles_;        ///< by candidate, fitted alone
   std::vector<std::size_t> screened_;  ///< indices of candidates
-  PrunedStructure pruned_;             ///< the last structure of Find
+  PrunedStructure pruned_;             ///< pruned structure of the last Find
 };
 
 void Search::FitSingles() {
@@ -103,8 +103,8 @@ void Search::FitSingles() {
   singles_ = fits_.All(structures, [&](const Structure& one) { return fitter_.FitValues(one); });
 }
 
-/// Keeps single candidates as fitted earlier. If nothing was found, the likeliest are fitted anew,
-/// since one of them may be the whole cause.
+/// Takes single candidates as fitted earlier. If nothing was found, the likeliest are refitted: one
+/// of them may be the whole cause.
 void Search::ReuseSingles() {
   std::vector<Structure> structures;
   for (const SingleEvidence& single : earlier_.result->singles) {
@@ -145,8 +145,8 @@ Scored Search::BestOf(const std::vector<Scored>& structures) const {
   return best;
 }
 
-/// The chain of some readings: the structure found under earlier noise, plus the readings'
-/// candidates, within their bounds.
+/// The structure found under earlier noise, plus the candidates of some readings, clamped to their
+/// bounds.
 Structure Search::WholeOf(const std::vector<Reading>& readings) const {
   Structure whole;
   if (earlier_.result != nullptr) whole = earlier_.result->found.terms;
@@ -166,8 +166,7 @@ Structure Search::WholeOf(const std::vector<Reading>& readings) const {
   return whole;
 }
 
-/// Backward search from the whole chain: all readings are fitted together, then terms are removed
-/// and added one by one. None if the block reads no chain.
+/// Backward search from the whole chain. None if the block has no readings.
 std::optional<Scored> Search::SearchFromWhole() {
   if (!block_.read_whole) return std::nullopt;
   std::vector<Structure> wholes;
@@ -178,7 +177,7 @@ std::optional<Scored> Search::SearchFromWhole() {
   return Grow(Shrink(fits_.Score(fitter_.FitLikeliest(wholes))));
 }
 
-/// Removes terms one by one while the criterion rises.
+/// Removes terms one by one while the criterion improves.
 Scored Search::Shrink(Scored best) {
   while (!best.terms.empty()) {
     std::vector<Structure> smaller;
@@ -192,7 +191,7 @@ Scored Search::Shrink(Scored best) {
   return fits_.Score(fitter_.FitFrom(best.terms));
 }
 
-/// The likeliest pairs of screened candidates; none if no candidate gains alone.
+/// The likeliest pairs of screened candidates. None where no candidate gains alone.
 std::vector<Scored> Search::Pairs() {
   std::vector<Structure> pairs;
   const bool any = std::any_of(singles_.begin(), singles_.end(), [&](const Scored& single) {
@@ -212,9 +211,10 @@ std::vector<Scored> Search::Pairs() {
 }
 
 /// Searches backward from the whole chain, then forward. The forward search starts from the best
-/// single candidate, or from the structure found under earlier noise. It is skipped if the backward
-/// result is better than its start and has more terms than it may reach. Without a chain it also
-/// starts from the best pair, which need not contain the best single candidate.
+/// single candidate, or from the structure found under earlier noise. Without a chain it also
+/// starts from the best pair, which need not contain the best single candidate. It is skipped where
+/// the backward result is better than its start and has more terms than the forward search may
+/// reach.
 Scored Search::SearchFromScratch() {
   std::vector<Scored> grown;
   if (auto whole = SearchFromWhole()) grown.push_back(*std::move(whole));
@@ -235,7 +235,7 @@ Scored Search::SearchFromScratch() {
   return ReduceCancellation(BestOf(grown));
 }
 
-/// The prefix's structure, extended by effects that only the whole block shows.
+/// Extends the prefix's structure by effects that only the whole block shows.
 Scored Search::ExtendEarlier() {
   const Structure& found = earlier_.result->found.terms;
   if (!found.empty()) return Grow(fits_.Score(fitter_.FitFrom(found)));
@@ -248,13 +248,13 @@ Scored Search::ExtendEarlier() {
   return is_any ? Grow(std::move(*first)) : nothing_;
 }
 
-/// Whether a change is large enough for Prune to keep it.
+/// True if a change is large enough to survive pruning.
 bool Search::ChangesEnough(const Structure& with, const Structure& without) const {
   const Misfit misfit = fitter_.AsGiven(with).misfit;
   return EffectOf(block_, misfit, fitter_.AsGiven(without).misfit) >= kLeastTermEffect;
 }
 
-/// Adds terms one by one while the criterion rises.
+/// Adds terms one by one while the criterion improves.
 Scored Search::Grow(Scored best, std::size_t most) {
   while (!best.terms.empty() && best.terms.size() < most) {
     std::vector<Structure> larger;
@@ -275,7 +275,7 @@ Scored Search::Grow(Scored best, std::size_t most) {
   return best;
 }
 
-/// The best structure after swapping one term for a screened candidate, if any is better.
+/// The best structure after at most one swap of a term for a screened candidate.
 Scored Search::Swap(Scored best) {
   std::vector<Structure> swapped;
   for (std::size_t t = 0; t < best.terms.size(); ++t) {
@@ -291,7 +291,7 @@ Scored Search::Swap(Scored best) {
   return best;
 }
 
-/// Sum of the effects of all terms: large if terms cancel each other.
+/// Sum of the effects of all terms. It is large where terms cancel each other.
 double Search::SumOfEffects(const Structure& terms) const {
   const Misfit all = fitter_.AsGiven(terms).misfit;
   double sum = 0;
@@ -301,8 +301,8 @@ double Search::SumOfEffects(const Structure& terms) const {
   return sum;
 }
 
-/// Among equally likely structures, prefers that with less cancellation: an offset with friction in
-/// one direction equals friction in both.
+/// Replaces the structure by an equally good one with less cancellation. Example: an offset with
+/// friction in one direction equals friction in both.
 Scored Search::ReduceCancellation(Scored found) {
   for (std::size_t t = 0; found.terms.size() > 1 && t < found.terms.size(); ++t) {
     for (const Structure& other : NearestRivals(found, t)) {
@@ -316,8 +316,7 @@ Scored Search::ReduceCancellation(Scored found) {
   return found;
 }
 
-/// The structure with each refining parameter held at its default, if that changes less than a
-/// needed term.
+/// Holds each refining parameter at its default where that changes less than kLeastTermEffect.
 FittedStructure Search::Simplest(FittedStructure fitted) const {
   for (std::size_t t = 0; t < fitted.terms.size(); ++t) {
     for (const FreeParameter& free : fitted.terms[t].Free()) {
@@ -335,8 +334,8 @@ FittedStructure Search::Simplest(FittedStructure fitted) const {
   return fitted;
 }
 
-/// The pruned structure fitted to TRAIN and SELECT together, without terms that this fit reveals to
-/// be another mechanism in disguise.
+/// The pruned structure fitted to TRAIN and SELECT together. Terms that turn out to be another
+/// mechanism in disguise are removed.
 FittedStructure Search::FitToSeen() {
   while (!pruned_.structure.terms.empty()) {
     const Structure& found = pruned_.structure.terms;
@@ -350,7 +349,7 @@ FittedStructure Search::FitToSeen() {
   return on_seen_.AsGiven({});
 }
 
-/// The evidence for a term in the prefix; null if it was not found there.
+/// The prefix's evidence for a term; null if the prefix did not find it.
 const TermEvidence* Search::EarlierEvidenceOf(const Candidate& candidate) const {
   if (!earlier_.of_prefix) return nullptr;
   const Structure& found = earlier_.result->found.terms;
