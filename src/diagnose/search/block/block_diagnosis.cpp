@@ -15,23 +15,23 @@
 namespace tera {
 namespace {
 
-/// Level of p at which a term counts as surely chosen, and the laxer level at which FINAL then
-/// confirms it. Together they are rarer than a choice at 1 % and a confirmation at 5 % (Fisher's
-/// sum of logarithms).
+/// p of choice up to which a term is surely chosen, and the level at which FINAL then confirms it.
+/// By Fisher's sum of logarithms, both together are rarer than a choice at 1 % and a confirmation
+/// at 5 %.
 constexpr double kSurelyChosenP = 1e-5, kConfirmedPOfSurelyChosen = 0.2;
-/// Largest ratio of FINAL's RMSE with a finding to that without it: a single manoeuvre of eight may
-/// differ by so much.
+/// Largest ratio of FINAL's RMSE with a finding to that without it. A single one of eight
+/// manoeuvres can cause such a difference.
 constexpr double kMostRmseRatio = 1.125;
-/// Share of FINAL's excess variance whose removal leaves little but noise.
+/// Share of FINAL's excess variance whose removal leaves little more than noise.
 constexpr double kNearlyAllExcess = 0.9;
-/// Largest class of rivals that names a cause in a channel where error remains.
+/// A finding with more rivals, itself included, names no cause where error remains.
 constexpr std::size_t kLargestNamingClass = 3;
-/// Share of the excess that a larger class must remove to name a cause.
+/// Such a finding does name a cause if it removes this share of the excess.
 constexpr double kExcessOfLargeClass = 0.75;
-/// Least share of the excess that the cause of a channel's error removes.
+/// Smallest share of the excess that the cause of a channel's error removes.
 constexpr double kLeastExcessOfCause = 1.0 / 3;
-/// Ratio of the RMS that the flexible regressor leaves in place of a finding to that with the
-/// finding. A finding is a proxy below it.
+/// Ratio of the RMS that the flexible regressor leaves in place of a finding to the RMS with the
+/// finding. Below it, the finding is a proxy.
 constexpr double kMostFlexibleRmsRatio = 0.5;
 
 /// Diagnoses one block under given noise models.
@@ -72,12 +72,12 @@ class BlockDiagnoser {
 
 bool IsNearer(const HeldOutError& error) { return error.rmse_after < error.rmse_before; }
 
-/// Whether a finding worsens FINAL by more than a few different manoeuvres could.
+/// True if a finding worsens FINAL by more than one unusual manoeuvre could.
 bool IsMuchFurther(const HeldOutError& error) {
   return error.rmse_after > kMostRmseRatio * error.rmse_before;
 }
 
-/// The level of p at which a steady gain on FINAL confirms a finding.
+/// The largest p at which a steady gain on FINAL confirms a finding.
 double SteadyLevelOf(const Finding& finding) {
   const HeldOutError& error = finding.held_out;
   const bool is_surely_chosen =
@@ -102,8 +102,8 @@ HeldOutError BlockDiagnoser::Compare(const FittedStructure& before, const Fitted
   return error;
 }
 
-/// The channel whose residual on TRAIN and SELECT falls most, relative to its noise variance. FINAL
-/// must not choose the channel that it judges.
+/// The channel whose mean square on TRAIN and SELECT falls most relative to its noise variance.
+/// FINAL must not choose the channel that it judges.
 std::size_t BlockDiagnoser::MostImproved(const FittedStructure& before,
                                          const FittedStructure& after) const {
   std::size_t best = 0;
@@ -150,7 +150,7 @@ void BlockDiagnoser::DescribeAll(BlockDiagnosis* out) const {
                                       [&](std::size_t t) { return Describe(out->search, t); });
 }
 
-/// Moves some findings to another list and fits the others anew.
+/// Moves some findings to another list and refits the others.
 void BlockDiagnoser::MoveOut(const std::vector<bool>& is_out, std::vector<Finding>* moved,
                              BlockDiagnosis* out) const {
   Structure kept;
@@ -166,11 +166,11 @@ void BlockDiagnoser::MoveOut(const std::vector<bool>& is_out, std::vector<Findin
   }
   out->search.found = fitter_.Determine(fitter_.FitFrom(kept));
   out->search.evidence = std::move(evidence);
-  out->search.found_gain.reset();  // it belongs to all terms together
+  out->search.found_gain.reset();  // the gain of all terms together
   DescribeAll(out);
 }
 
-/// Moves out the findings that FINAL does not confirm, until FINAL confirms all that remain.
+/// Moves out findings that FINAL does not confirm, until all remaining ones are confirmed.
 void BlockDiagnoser::Confirm(BlockDiagnosis* out) const {
   while (true) {
     std::vector<bool> is_out;
@@ -193,11 +193,11 @@ const Unexplained* UnexplainedIn(const BlockDiagnosis& out, std::size_t channel)
   return left != out.unexplained.end() ? &*left : nullptr;
 }
 
-/// Adds the loss of commands to the findings if it explains error that nothing else explains.
+/// Adds the loss of commands to the findings where it explains error that nothing else explains.
 void BlockDiagnoser::FindLostCommands(BlockDiagnosis* out) const {
   if (context_.block.of_chance.empty()) return;
   const Unexplained* left = UnexplainedIn(*out, 0);
-  if (left != nullptr && left->p) return;  // an error that repeats is not random
+  if (left != nullptr && left->p) return;  // an error that depends on a variable is not random
   const auto lost = LostCommandsOf(context_, out->search, out->residual_verdicts[0].noise.rms(),
                                    tolerated_.rms[0]);
   if (!lost) return;
@@ -246,8 +246,7 @@ ErrorAsExpected BlockDiagnoser::AsExpected(const Misfit& found, const Misfit& in
           std::sqrt(variance) / std::max(count, 1.0)};
 }
 
-/// Sets what is tolerated in the findings' channels. Findings whose parameters all lack a stated
-/// tolerance, or that have a rival within tolerance, also get the best error within tolerance.
+/// Sets `tolerated` of all findings, and `as_expected` where it applies (Finding).
 void BlockDiagnoser::CompareWithExpected(BlockDiagnosis* out) const {
   const Structure& found = out->search.found.terms;
   for (std::size_t t = 0; t < out->findings.size(); ++t) {
@@ -261,7 +260,7 @@ void BlockDiagnoser::CompareWithExpected(BlockDiagnosis* out) const {
   }
 }
 
-/// Compares the findings with a plain map, and moves all of them out if the map is better.
+/// Compares the findings with the plain map. If the map is better, all findings become unconfirmed.
 void BlockDiagnoser::CompareWithPlainMap(BlockDiagnosis* out) const {
   const ReplayBlock& block = context_.block;
   if (block.channels.size() != 1 || !block.read_whole) return;
@@ -281,13 +280,13 @@ void BlockDiagnoser::CompareWithPlainMap(BlockDiagnosis* out) const {
   FindUnexplained(out);
 }
 
-/// Whether a finding removes too little of FINAL's excess to be its cause.
+/// True if a finding removes too little of FINAL's excess to be its cause.
 bool RemovesLittle(const HeldOutError& error) {
   return error.excess_removed != 0 &&
          error.excess_removed < kLeastExcessOfCause;  // 0: FINAL has no excess
 }
 
-/// Whether the channel's unexplained error shows that a finding is a proxy (DiagnoseBlock).
+/// True if the unexplained error of its channel makes a finding a proxy (DiagnoseBlock).
 bool BlockDiagnoser::IsProxy(const BlockDiagnosis& out, std::size_t term) const {
   const Finding& finding = out.findings[term];
   const std::size_t channel = finding.held_out.channel;
@@ -307,8 +306,8 @@ bool BlockDiagnoser::IsProxy(const BlockDiagnosis& out, std::size_t term) const 
          kMostFlexibleRmsRatio * kMostFlexibleRmsRatio * MeanSquare(found, context_.final_mask);
 }
 
-/// Moves proxies out of the findings one by one, the least explaining first. A finding stays if its
-/// removal leaves nothing unexplained.
+/// Moves proxies out of the findings one by one, the one with the smallest share first. A finding
+/// stays if its channel would otherwise be explained.
 void BlockDiagnoser::MoveProxies(BlockDiagnosis* out) const {
   std::vector<const Candidate*> stay;
   while (true) {
@@ -335,16 +334,16 @@ void BlockDiagnoser::MoveProxies(BlockDiagnosis* out) const {
   }
 }
 
-/// Whether a candidate is a rate factor, whose neutral value is 1. The difference between tracks is
-/// a factor of each.
+/// True for a rate factor, whose neutral value is 1. The asymmetry of tracks is a factor of each
+/// track.
 bool IsRateFactor(const Candidate& candidate) {
   const auto& free = candidate.free;
   return !free.empty() && free.front().expected &&
          (free.front().expected->neutral == 1 || candidate.mechanism->id == "track_asymmetry");
 }
 
-/// The candidate alone, with its first parameter of stated tolerance at the end of that tolerance
-/// that is farther from neutral; none if no tolerance is stated.
+/// The candidate with its first parameter that has a tolerance, at the end of the tolerance farther
+/// from neutral. None without a stated tolerance.
 std::optional<Term> AtTolerance(const Candidate& candidate) {
   const Candidate held = HeldToExpected(candidate);
   if (held.free.empty()) return std::nullopt;

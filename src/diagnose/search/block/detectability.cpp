@@ -10,14 +10,13 @@
 namespace tera {
 namespace {
 
-/// Least noiseless gain in log-likelihood of a visible effect: the criterion's penalty on TRAIN,
-/// and as much on SELECT.
+/// Smallest noiseless gain in log-likelihood of a visible effect: the penalty of the criterion on
+/// TRAIN, and the same on SELECT.
 constexpr double kLeastGain = 20;
 constexpr std::uint64_t kDraws = 20;  ///< of noise; three quarters of them must show the candidate
 
-/// Whether a difference between two predictions passes the tests of TRAIN with SELECT and of FINAL
-/// in most noise draws. The gain in log-likelihood of a draw is normal, with the possible gain as
-/// mean and twice that as variance.
+/// True if a difference between two predictions passes the tests in most noise draws. The gain in
+/// log-likelihood of a draw is normal: its mean is the possible gain, its variance twice that.
 bool WouldBeSeen(const EvaluationContext& context, const Misfit& difference) {
   Misfit none = difference;
   for (Eigen::VectorXd& innovation : none.innovation) innovation.setZero();

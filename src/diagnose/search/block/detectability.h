@@ -7,15 +7,14 @@
 
 namespace tera {
 
-/// Smallest size at which a candidate would have been found, limited by noise alone.
+/// Smallest size of a candidate that the diagnosis would find if noise were its only limit.
 struct Detectability {
   const Candidate* candidate = nullptr;
-  std::optional<double> smallest;  ///< of its main parameter; none if no start would be found
+  std::optional<double> smallest;  ///< of its main parameter; none if it would find no start
 };
 
-/// Tests the candidate's starts from faint to strong, with their numbers assumed known. Returns the
-/// first that passes the tests of TRAIN with SELECT and of FINAL in three quarters of twenty noise
-/// draws.
+/// Tests the candidate's starts from faint to strong, with known parameters. Returns the first that
+/// passes the tests of TRAIN with SELECT and of FINAL in three quarters of twenty noise draws.
 Detectability DetectabilityOf(const EvaluationContext& context, const Candidate& candidate);
 
 }  // namespace tera

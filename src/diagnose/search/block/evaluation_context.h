@@ -9,8 +9,7 @@
 
 namespace tera {
 
-/// Inputs shared by all steps of a block's diagnosis: the block, one noise model for each channel,
-/// and the manoeuvres by part. All of its sources must outlive it unchanged.
+/// Inputs that all steps of a block's diagnosis share. All references must outlive it unchanged.
 struct EvaluationContext {
   EvaluationContext(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
                     const std::vector<Manoeuvre>& manoeuvres, const std::vector<NoiseModel>& noise);
@@ -19,7 +18,7 @@ struct EvaluationContext {
   const SearchOptions& options;
   const Stream& stream;
   const std::vector<Manoeuvre>& manoeuvres;
-  /// Samples of each part, in pieces (PiecesOf). `seen` is TRAIN and SELECT.
+  /// Samples of each part, cut into pieces (PiecesOf). `seen` is TRAIN and SELECT.
   const std::vector<Segment> select, seen, final;
   const Mask final_mask, seen_mask;
   const Likelihood likelihood;  ///< of TRAIN and SELECT

@@ -6,19 +6,18 @@
 
 namespace tera {
 
-/// The misfit where parameters within tolerance (delays, lags, bands, gains of its target) replace
-/// one term of a structure.
+/// The misfit where mechanisms within tolerance replace one term of a structure.
 ///
 /// Model   forward selection of at most three other mechanisms of the term's target that have a
-///         stated tolerance. Their parameters stay within tolerance, or at their defaults where
-///         none is stated. The rest of the structure is fitted anew. A mechanism is added while the
-///         log-likelihood rises by more than one for each parameter.
+///         stated tolerance. Parameters with a stated tolerance stay within it; the others keep
+///         their defaults. The rest of the structure is refitted. A mechanism is added while the
+///         log-likelihood rises by more than 1 per parameter.
 /// Omits   that several parameters at the ends of their tolerances are less likely together than
 ///         one.
 Misfit MisfitOfExpectedInstead(const ReplayBlock& block, const StructureFitter& fitter,
                                const Structure& found, std::size_t term);
 
-/// MisfitOfExpectedInstead with all terms kept. Candidates are the mechanisms of every target.
+/// Like MisfitOfExpectedInstead, but all terms stay, and mechanisms of every target are added.
 Misfit MisfitOfExpectedBeside(const ReplayBlock& block, const StructureFitter& fitter,
                               const FittedStructure& found);
 

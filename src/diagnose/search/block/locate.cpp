@@ -12,21 +12,23 @@
 namespace tera {
 namespace {
 
-/// Least share of a residual's energy for a variable to be named.
+/// Smallest share of a residual's energy for a variable to be named.
 constexpr double kLeastExplainedShare = 0.02;
-constexpr double kAlpha = 0.01;           ///< probability of any interval in noise alone
-constexpr double kLeastDeviation = 1e-6;  ///< of a residual without any noise
-/// Ratio of residual to noise RMS above which regimes are tested against white noise.
+constexpr double kAlpha = 0.01;  ///< probability of any interval under noise alone
+/// smallest noise deviation, for a residual without noise
+constexpr double kLeastDeviation = 1e-6;
+/// Ratio of residual to noise RMS above which variables are tested against white noise.
 constexpr double kLeastRatioToNoise = 3;
-/// The same bound for a recording without rest, in which slow noise is unknown.
+/// The same without rest, where slow noise is unknown.
 constexpr double kLeastRatioToNoiseWithoutRest = 10;
-/// Largest ratio of the deviation of long means to the noise's RMS at rest: that of AR(1) with 0.8.
+/// Largest ratio of the deviation of long means to the noise at rest: that of AR(1) with
+/// coefficient 0.8.
 constexpr double kMostLongRunRatio = 3;
-/// The same bound relative to third differences, for a recording without rest.
+/// The same relative to third differences, without rest.
 constexpr double kMostLongRunRatioWithoutRest = 10;
-/// Share relative to the largest, above which variables count as explaining equally much.
+/// Variables above this share of the largest explain equally much.
 constexpr double kLeastShareOfLargest = 0.95;
-/// Ratio of criteria above which a variable without significance precedes the best significant one.
+/// Ratio of criteria above which an insignificant variable precedes the best significant one.
 constexpr double kLeastCriterionRatio = 1.3;
 
 /// A variable that explains part of a residual.
@@ -35,8 +37,8 @@ struct Regressor {
   double p, share;
 };
 
-/// The variable that by itself explains most of the residual, and more than `least`. Among those
-/// that explain nearly as much, the smallest p wins.
+/// The variable that alone explains most of the residual, and more than `least`. Among equals, the
+/// smallest p wins.
 Regressor BestRegressor(const std::vector<RegimeTestResult>& tests, double least) {
   const auto explains = [&](const RegimeTestResult& test) {
     return test.criterion > kLeastExplainedShare && test.whole_criterion > least;
@@ -58,8 +60,8 @@ Regressor BestRegressor(const std::vector<RegimeTestResult>& tests, double least
 }
 
 /// Variables in the order of the forward selection. A variable that explains much more than the
-/// first comes before it, even if it moves too slowly for a valid p, as time does. If the selection
-/// is empty, only that variable is returned.
+/// first precedes it, even if it moves too slowly for a valid p, as time does. If the selection is
+/// empty, only that variable is returned.
 std::vector<Regressor> RankedRegressors(const Partialling& found) {
   std::vector<Regressor> ranked;
   double least = kLeastExplainedShare;
@@ -78,7 +80,7 @@ std::vector<Regressor> RankedRegressors(const Partialling& found) {
   return ranked;
 }
 
-/// Union of two lists of intervals, in order; intervals that touch are joined.
+/// Sorted union of two lists of intervals. Intervals that touch are joined.
 std::vector<Segment> Union(std::vector<Segment> a, const std::vector<Segment>& b) {
   a.insert(a.end(), b.begin(), b.end());
   std::sort(a.begin(), a.end(),
@@ -94,17 +96,17 @@ std::vector<Segment> Union(std::vector<Segment> a, const std::vector<Segment>& b
   return joined;
 }
 
-/// Standard deviation of the noise, of single samples or of long means, whichever is larger. A
-/// noise model takes errors that the flexible regressor does not follow for noise with long memory.
-/// The noise at rest, or third differences, bound that.
+/// Deviation of the noise, of single samples or of long means, whichever is larger. A noise model
+/// takes errors that the flexible regressor cannot follow for noise with long memory. The noise at
+/// rest, or third differences, therefore limit it.
 double LongRunDeviation(const NoiseModel& noise, const NoiseLevel& level) {
   const double deviation = std::sqrt(std::max(VarianceOf(noise), LongRunVarianceOf(noise)));
   return std::min(deviation,
                   (level.at_rest ? kMostLongRunRatio : kMostLongRunRatioWithoutRest) * level.rms());
 }
 
-/// Intervals in which a residual exceeds noise: by innovations, which show where it begins and
-/// ends, and by its level, which shows where it persists.
+/// Intervals in which a residual exceeds noise. Innovations show where an error begins and ends;
+/// the level shows where it persists.
 std::vector<Segment> Mismatch(const Series& residual, const NoiseModel& noise,
                               const NoiseLevel& level) {
   const std::vector<Segment> by_innovations =
@@ -119,14 +121,15 @@ std::vector<Segment> Mismatch(const Series& residual, const NoiseModel& noise,
       FindChangePoints(by_level, noise.dof, {.alpha = kAlpha / 2, .guarded = false}).mismatch);
 }
 
-/// The noise that regimes are tested against.
+/// The noise for tests over variables.
 struct RegimeNoise {
   NoiseModel noise;
-  double repeats = 1;  ///< samples after which the residual carries new information
+  double repeats = 1;  ///< samples between independent errors
 };
 
-/// The channel's noise. For a much louder residual, white noise of the residual's size: model error
-/// then outweighs measurement noise, and levels count as much as differences between samples.
+/// The channel's noise, or white noise of the residual's size for a much larger residual. There,
+/// model error outweighs measurement noise, and levels count as much as differences between
+/// samples.
 RegimeNoise NoiseForRegimes(const Series& residual, const NoiseModel& noise,
                             const NoiseLevel& level) {
   const double rms = Rms(residual);
@@ -136,12 +139,12 @@ RegimeNoise NoiseForRegimes(const Series& residual, const NoiseModel& noise,
 }
 
 /// Columns held fixed while a variable's curve is fitted: those of earlier regressors, and the
-/// curve's factor.
+/// factor of the curve.
 Eigen::MatrixXd KnownBefore(const Eigen::MatrixXd& known, const RegimeAxis& axis) {
   return axis.has_times() ? WithColumns(known, axis.times()) : known;
 }
 
-/// The interval in which the squared residual exceeds noise the most.
+/// The interval in which the squared residual exceeds noise most.
 std::size_t WorstOf(const std::vector<Segment>& intervals, const Series& residual,
                     double noise_variance) {
   std::size_t worst = 0;
@@ -158,7 +161,7 @@ std::size_t WorstOf(const std::vector<Segment>& intervals, const Series& residua
   return worst;
 }
 
-/// The ranked regressors, with the leading variable first.
+/// The ranked regressors with the leading variable first.
 std::vector<Regressor> LedBy(const std::optional<LeadingVariable>& leading,
                              const std::vector<RegimeTestResult>& tests,
                              std::vector<Regressor> ranked) {

@@ -10,23 +10,22 @@
 namespace tera {
 namespace {
 
-/// Shorter holds may be a delay within tolerance, longer ones a broken line.
+/// Shorter holds can be a delay within tolerance, longer ones a broken connection.
 constexpr double kShortest_s = 0.08, kLongest_s = 5;
 constexpr double kDof = 5;
-constexpr double kClear = 5;  ///< gain in log-likelihood beyond that of the choice among all
-                              ///< intervals
+constexpr double kClear = 5;  ///< gain in log-likelihood beyond the choice among all intervals
 
 constexpr std::size_t kFewestHolds = 3;
 constexpr double kLeastOverEarly = 2, kLeastUnfollowed = 0.5, kLeastBesideOne = 0.5;
-constexpr double kMostAtReversals = 0.9;  ///< share of holds; by chance it is a half to two thirds
-constexpr double kVisible = 3;  ///< deviation of a held rate, in standard deviations of noise, that
-                                ///< shows a loss
+constexpr double kMostAtReversals = 0.9;  ///< share of holds; the share by chance is 1/2 to 2/3
+/// deviation from a held rate that shows a loss, in noise deviations
+constexpr double kVisible = 3;
 
 double Deviance(double error, double noise) {
   return 0.5 * (kDof + 1) * std::log1p(error * error / (kDof * noise * noise));
 }
 
-/// Noise of a residual; robust against bursts.
+/// Noise of a residual, robust against bursts.
 HoldNoise NoiseOf(const Series& residual, double rms) {
   std::vector<NoiseChannel> channel(1);
   channel[0].least = channel[0].sigma = rms;
@@ -75,8 +74,8 @@ double DevianceIn(const std::vector<Hold>& holds, const Series& residual, double
   return sum;
 }
 
-/// Share of lost commands in the time in which a loss is visible: where the prediction differs by
-/// `least` from that of `length` samples earlier.
+/// Share of lost commands at times when a loss is visible: the prediction differs by `least` from
+/// that of `length` samples earlier.
 double ShareLost(const std::vector<Hold>& holds, const std::vector<double>& predicted, double least,
                  std::size_t length) {
   std::size_t seen = 0, would_be_seen = 0;
@@ -93,8 +92,8 @@ double ShareLost(const std::vector<Hold>& holds, const std::vector<double>& pred
              : std::min(1.0, static_cast<double>(seen) / static_cast<double>(would_be_seen));
 }
 
-/// Whether the prediction reverses where a hold begins: it moves by more than `least` in one
-/// direction before it, and in the other direction within it.
+/// True if the prediction reverses where a hold begins: it moves by more than `least` in one
+/// direction before, and in the other direction within the hold.
 bool BeginsAtReversal(const Hold& hold, const std::vector<double>& predicted, double least) {
   const double held = predicted[hold.samples.begin];
   std::size_t before = hold.samples.begin;
@@ -106,7 +105,7 @@ bool BeginsAtReversal(const Hold& hold, const std::vector<double>& predicted, do
   return (held - predicted[before]) * furthest < 0;
 }
 
-/// The interval with the largest gain that begins, or with `early` ends, at a sample. Empty if none
+/// The interval with the largest gain that begins (with `early`: ends) at a sample. Empty if none
 /// gains.
 Hold BestAt(const Series& residual, const std::vector<double>& predicted, const HoldNoise& noise,
             bool early, std::size_t at, const Lengths& lengths) {
@@ -127,8 +126,8 @@ Hold BestAt(const Series& residual, const std::vector<double>& predicted, const 
   return best;
 }
 
-/// Least gain of the holds that remain when a single mechanism of the library joins the findings,
-/// as fitted alone. Only mechanisms that gain on TRAIN and on SELECT count.
+/// Smallest gain of the holds that remains when a single mechanism joins the findings as fitted
+/// alone. Only mechanisms that gain on TRAIN and on SELECT count.
 double LeastGainBesideOne(const EvaluationContext& context, const SearchResult& search,
                           const HoldNoise& noise) {
   const Series& measured = context.block.channels.front().measured;

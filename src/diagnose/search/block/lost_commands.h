@@ -9,7 +9,7 @@
 
 namespace tera {
 
-/// An interval in which a rate keeps the value predicted for its beginning.
+/// An interval in which a rate keeps the value that was predicted for its beginning.
 struct Hold {
   Segment samples;
   double gain = 0;  ///< in log-likelihood, of the held over the predicted rate
@@ -18,45 +18,47 @@ struct Hold {
 /// Noise of a rate.
 struct HoldNoise {
   double scale = 0;
-  double inflation = 1;  ///< variance of a mean, relative to that of independent errors
+  double inflation = 1;  ///< variance of a mean over that of independent errors
 };
 
-/// Intervals in which a measured rate holds the predicted value while the prediction moves on. A
-/// drive that no message reaches keeps its last command.
+/// Intervals in which a measured rate stays constant while the prediction changes. A drive that
+/// receives no message keeps its last command.
 ///
 /// Model   disjoint intervals of 0.08 to 5 s with the largest gains. Errors are Student-t with 5
-///         degrees of freedom and the noise's scale. Correlated errors count less, by `inflation`.
-///         A hold must gain more than the logarithm of the number of intervals tried, plus 5.
-/// Omits   how the drive follows its command: the rate jumps at once at the end of a hold.
+///         degrees of freedom and the scale of the noise. Correlated errors weigh less, by
+///         `inflation`. A hold must gain more than 5 plus the logarithm of the number of tried
+///         intervals.
+/// Omits   the drive's response at the end of a hold: the rate jumps at once.
 ///
-/// `residual` is measured minus `predicted`. With `early`, the intervals hold the value predicted
-/// for their end. No physical effect does so, hence these count how often model errors look like
-/// holds.
+///         `residual` is measured minus `predicted`. With `early`, intervals hold the value
+///         predicted for their end. No physical effect does this. Early holds therefore count how
+///         often model errors look like holds.
 std::vector<Hold> HoldsOf(const Series& residual, const std::vector<double>& predicted,
                           const HoldNoise& noise, bool early = false);
 
-/// The residual where the prediction is held.
+/// The residual with the prediction held in `holds`.
 Series WithHolds(Series residual, const std::vector<double>& predicted,
                  const std::vector<Hold>& holds);
 
 /// Commands lost at random, which no replay can predict.
 struct LostCommands {
-  std::vector<Hold> holds;  ///< by time
-  double p = 1;             ///< p-value of such a gain
-  double period_s = 0;      ///< median length of the holds
-  double probability = 0;   ///< share of lost commands, in the time in which a loss is visible
-  double rmse_before = 0, rmse_after = 0;  ///< over all samples, without and with the holds
+  std::vector<Hold> holds;                 ///< by time
+  double p = 1;                            ///< of the gain of the holds
+  double period_s = 0;                     ///< median length of a hold
+  double probability = 0;                  ///< share of commands lost while a loss would be visible
+  double rmse_before = 0, rmse_after = 0;  ///< over all samples, without and with holds
 };
 
-/// Commands that a drive lost and that no other finding explains. Returns nullopt if the rate shows
-/// no loss.
+/// Lost commands that no other finding explains. None if the rate shows no loss.
 ///
-/// Model   at least three holds of the residual (HoldsOf). They must gain twice as much as `early`
-///         holds, and reduce the mean square by at least the square of `tolerated`.
-///         Play and dead bands also hold, but repeat with the lever's motion. Hence at most nine of
-///         ten holds may begin at a reversal. The cross-fitted flexible regressor must explain none
-///         of the error in the holds, or leave at least half of their gain. Each single mechanism
-///         that gains on TRAIN and SELECT, added as fitted alone, must leave at least half of it.
+/// Model   There are at least three holds of the residual (HoldsOf). They gain twice as much as
+///         `early` holds, and reduce the mean square by at least `tolerated` squared.
+///
+///         Play and dead bands also hold the rate, but repeat with the motion of the lever. Three
+///         conditions exclude them. At most nine of ten holds begin at a reversal. The cross-fitted
+///         flexible regressor explains none of the error in the holds, or leaves at least half of
+///         their gain. Each single mechanism that gains on TRAIN and SELECT leaves at least half of
+///         their gain when added as fitted alone.
 /// Omits   losses while the lever rests.
 std::optional<LostCommands> LostCommandsOf(const EvaluationContext& context,
                                            const SearchResult& search, double noise_rms,

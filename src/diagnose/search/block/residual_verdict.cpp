@@ -14,28 +14,28 @@
 namespace tera {
 namespace {
 
-/// Least share of its first gain that the flexible regressor must still have in an unexplained
-/// channel.
+/// Smallest gain of the flexible regressor in an unexplained channel, over its gain without any
+/// term.
 constexpr double kLeastUnexplainedShare = 0.05;
-/// Ratio of residual to noise RMS up to which a residual passes for noise.
+/// Ratio of residual to noise RMS up to which a residual is noise.
 constexpr double kLargestNoiseRatio = 2;
-/// The same bound for a recording without rest, in which slow noise is unknown.
+/// The same without rest, where slow noise is unknown.
 constexpr double kLargestNoiseRatioWithoutRest = 10;
 /// Ratio of RMSE to noise above which few loud manoeuvres of the whole recording are error.
 constexpr double kMuchLouder = 5;
-constexpr std::size_t kFewestLoud = 3;  ///< loud manoeuvres of the whole recording for that
+constexpr std::size_t kFewestLoud = 3;  ///< number of such loud manoeuvres
 /// Share of a channel's RMS that errors of nominal numbers may leave.
 constexpr double kNominalShare = 0.03;
-/// Share of the excess variance that errors of a mechanism's form in the library may leave.
+/// Share of the excess variance that an imperfect form of a mechanism may leave.
 constexpr double kFormShare = 0.02;
 
-/// Mean square up to which a residual passes for noise, errors of nominal numbers, and errors of a
-/// mechanism's form in the library.
+/// Mean square up to which a residual counts as noise, including errors of nominal numbers and of a
+/// mechanism's form.
 double QuietMeanSquare(const EvaluationContext& context, const SearchResult& search,
                        const ResidualVerdict& verdict, double loud) {
   const std::size_t c = verdict.channel;
   const double noise = verdict.noise.rms() * verdict.noise.rms();
-  double signal = 0;  // over the axes of one quantity, since nominal directions are uncertain too
+  double signal = 0;  // over the axes of one quantity, because nominal directions are uncertain too
   for (const Channel& channel : context.block.channels) {
     if (channel.unit != context.block.channels[c].unit) continue;
     signal = std::max(signal, MeanSquare(channel.measured, context.final_mask));
@@ -78,10 +78,10 @@ double SumOf(const std::vector<ManoeuvreGain>& gains) {
   return sum;
 }
 
-/// p-value of the flexible regressor's steady gain on a channel's residual; none if it has none.
-/// `cross_fitted` gives the residual after fits to other manoeuvres. It serves a second test over
-/// all manoeuvres if the residual is loud in few of them or may be slow noise. Its p-value is
-/// doubled.
+/// p-value of the flexible regressor's steady gain on a channel's residual; none without
+/// significance. `cross_fitted` gives the residual after fits to other manoeuvres, for a second
+/// test over all manoeuvres with a doubled p-value. It runs if few manoeuvres are loud or the
+/// residual may be slow noise.
 std::optional<double> FollowedP(const EvaluationContext& context, const Misfit& misfit,
                                 const Misfit& beyond,
                                 const std::function<const Misfit&()>& cross_fitted,
@@ -105,7 +105,7 @@ std::optional<double> FollowedP(const EvaluationContext& context, const Misfit& 
   return p <= context.options.alpha ? std::optional(p) : std::nullopt;
 }
 
-/// Energies of series in each manoeuvre, each sample weighted by the square of what a curve
+/// Energy of a series in each manoeuvre. Each sample is weighted by the square of what a curve
 /// removes.
 class WeightedEnergies {
  public:
@@ -142,8 +142,8 @@ class WeightedEnergies {
   std::vector<double> weight_;
 };
 
-/// Whether the error that `beyond` removes from `misfit` is surely larger, where it acts, than
-/// mechanisms within tolerance, nominal numbers and forms may leave.
+/// True if the error that `beyond` removes from `misfit` is significantly larger, where it acts,
+/// than mechanisms within tolerance, nominal numbers and mechanisms' forms may leave.
 bool IsLargeWhereItActs(const EvaluationContext& context, const SearchResult& search,
                         const Tolerated& tolerated, const ResidualVerdict& verdict,
                         const Misfit& misfit, const Misfit& beyond) {
@@ -167,7 +167,7 @@ bool IsLargeWhereItActs(const EvaluationContext& context, const SearchResult& se
   return more.sum() > kOneSided95 * more.norm();
 }
 
-/// The variable over which a channel's residual has most structure; none if over none.
+/// The variable over which a channel's residual has most structure. None without structure.
 std::optional<LeadingVariable> StructureOf(const EvaluationContext& context,
                                            const SearchResult& search, const Tolerated& tolerated,
                                            const ResidualVerdict& verdict, const Misfit& misfit) {

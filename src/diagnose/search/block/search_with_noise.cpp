@@ -13,8 +13,7 @@ namespace tera {
 namespace {
 
 constexpr int kMostPasses = 3;
-/// Ratios of noise variance and of innovation scale, new to old, below which another search is
-/// worth its time.
+/// Ratios of new to old noise variance and innovation scale below which the search is repeated.
 constexpr double kMuchQuieterVariance = 0.5, kMuchQuieterInnovations = 0.7;
 
 /// Inputs of a search under one noise model.
@@ -33,7 +32,7 @@ struct Pass {
   const StructureFitter fitter;  ///< fitted to TRAIN and SELECT
 };
 
-/// Whether any channel's noise is much less than in the previous estimate.
+/// True if the noise of any channel is much smaller than in the previous estimate.
 bool IsMuchQuieter(const std::vector<NoiseModel>& now, const std::vector<NoiseModel>& before) {
   for (std::size_t c = 0; c < now.size(); ++c) {
     if (VarianceOf(now[c]) < kMuchQuieterVariance * VarianceOf(before[c])) return true;
@@ -63,8 +62,8 @@ SearchedBlock SearchInTurn(const ReplayBlock& block, const SearchOptions& option
   }
 }
 
-/// Searches the whole block, starting from its prefix's result. The noise is estimated with the
-/// prefix's fullest structure.
+/// Searches the whole block, starting from the result of its prefix. The noise is estimated with
+/// the fullest structure of the prefix.
 SearchedBlock SearchWhole(const ReplayBlock& block, const SearchOptions& options,
                           const Stream& stream, const std::vector<Manoeuvre>& manoeuvres,
                           const SearchResult& prefix_result) {

@@ -17,10 +17,11 @@ struct SearchedBlock {
 
 /// Searches a testable block (testable.h) for the mechanisms that explain it.
 ///
-/// Model   noise estimation and search alternate, at most three times, while any channel's noise
-///         variance halves or the scale of its innovations falls below 0.7 of the previous one. An
-///         unexplained error can pass for noise at first. A long block is searched by its prefix
-///         first (prefix_search.h), then from the prefix's result under noise estimated with it.
+/// Model   an unexplained error can pass for noise at first. Noise estimation and search therefore
+///         alternate, at most three times. They repeat while the noise variance of any channel
+///         falls below half, or the scale of its innovations below 0.7, of the previous value. A
+///         long block is searched on its prefix first (prefix_search.h). The search of the whole
+///         block starts from that result, under noise estimated with it.
 SearchedBlock SearchBlock(const ReplayBlock& block, const SearchOptions& options,
                           const Stream& stream, const std::vector<Manoeuvre>& manoeuvres);
 

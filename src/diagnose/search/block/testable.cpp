@@ -5,10 +5,9 @@
 namespace tera {
 namespace {
 
-/// Least number of commanded manoeuvres in TRAIN and SELECT: twice that of FINAL, by their shares.
+/// Commanded manoeuvres in TRAIN and SELECT: twice as many as in FINAL, by their shares.
 constexpr std::size_t kFewestSeen = 6;
-/// Least number of commanded manoeuvres in FINAL: with fewer, Student's t cannot confirm
-/// (steady_gain.h).
+/// Commanded manoeuvres in FINAL: with fewer, Student's t cannot confirm (steady_gain.h).
 constexpr std::size_t kFewestFinal = 3;
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace tera {
 
-/// Whether the commanded manoeuvres suffice to choose and confirm findings: six in TRAIN and
+/// True if there are enough commanded manoeuvres to choose and confirm findings: six in TRAIN and
 /// SELECT, three in FINAL.
 bool IsTestable(const std::vector<Manoeuvre>& manoeuvres);
 
