@@ -57,8 +57,8 @@ struct Unexplained {
 ///         among channels of the same unit, and 2 % of the variance beyond noise without any term.
 ///
 ///         A manoeuvre whose residual exceeds this is loud. The residual is error if at least half
-///         of FINAL's manoeuvres are loud. It is also error if one of FINAL and three of the whole
-///         recording are loud and the RMSE is five times the noise.
+///         of FINAL's manoeuvres are loud. It is also error if its RMSE is five times the noise, at
+///         least one manoeuvre of FINAL is loud, and at least three of the whole recording are.
 std::vector<ResidualVerdict> ResidualVerdictsOf(const EvaluationContext& context,
                                                 const SearchResult& search);
 

@@ -10,24 +10,25 @@
 
 namespace tera {
 
-/// Cross-fitted misfits: each manoeuvre of TRAIN and SELECT is judged by a fit to the others.
+/// Cross-fitted misfits: each manoeuvre of TRAIN and SELECT is judged by a fit to the other
+/// manoeuvres.
 ///
 /// Model   the moving manoeuvres are dealt to five folds in order, and so are those at rest. A
 ///         structure is fitted five times, each time to four folds, and evaluated on the fifth.
-///         Thus every manoeuvre counts. A single held-out part has too few to distinguish a steady
-///         gain from luck.
-/// Omits   that the fits share most of their manoeuvres. Each fit starts from numbers that may
-///         depend on all manoeuvres and goes three steps, in which parameters with kinks hardly
-///         move.
+///         Thus every manoeuvre counts. A single held-out part has too few manoeuvres to
+///         distinguish a steady gain from chance.
+/// Omits   the dependence between fits that share most of their manoeuvres. Each fit starts from
+///         values that may depend on all manoeuvres. It makes three steps, in which parameters with
+///         kinks hardly move.
 /// Source  Stone 1974, "Cross-validatory choice and assessment of statistical predictions".
 class CrossFit {
  public:
-  /// All arguments must outlive it.
+  /// All arguments must outlive this object.
   CrossFit(const ReplayBlock& block, const std::vector<NoiseModel>& noise,
            const std::vector<Manoeuvre>& manoeuvres);
 
-  /// Misfits of structures. Samples of TRAIN and SELECT come from the fits without them, other
-  /// samples from the first fit. Fits start from the structures' values and go a few steps.
+  /// Misfits of structures. A sample of TRAIN or SELECT comes from the fit that left its fold out;
+  /// all other samples come from the first fit.
   std::vector<Misfit> Evaluate(const std::vector<Structure>& structures, int threads) const;
 
  private:

@@ -7,7 +7,7 @@
 namespace tera {
 namespace {
 
-/// Turns the channel's lagging samples into gaps; returns their share of the valid samples.
+/// Turns the channel's lagging samples into gaps. Returns their share of the valid samples.
 double ExcludeLaggingSamplesOf(Channel* channel) {
   Mask& valid = channel->measured.valid;
   TERA_CHECK(channel->is_lagging.size() == valid.size(), channel->name);

@@ -13,8 +13,8 @@ struct ExcludedSamples {
   double share = 0;  ///< share of the valid samples
 };
 
-/// Turns samples that lag behind by inertia absent from the replay (Channel::is_lagging) into gaps,
-/// and clears the flags. Returns the channels concerned.
+/// Turns samples that lag because of inertia missing in the replay (Channel::is_lagging) into gaps,
+/// and clears the flags. Returns the channels that lost samples.
 std::vector<ExcludedSamples> ExcludeLaggingSamples(std::vector<ReplayBlock>* blocks);
 
 }  // namespace tera

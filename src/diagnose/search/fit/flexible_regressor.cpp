@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kClip =
     3;  ///< robust scales; Huber's function leaves 99 % of normal errors unchanged
-/// Ridge of the fit for the noise: small, since that fit need not predict.
+/// Ridge of the fit for the noise. It is small, because this fit need not predict.
 constexpr double kNoiseRidge = 1e-6;
 /// Candidate ridges, relative to each column's energy. The last suppresses a column almost
 /// entirely.
@@ -22,15 +22,16 @@ constexpr std::array kRidges = {1e-4, 1e-2, 0.1, 1.0, 10.0, 100.0, 1000.0};
 constexpr std::size_t kRegressorFolds = 5;
 constexpr int kHuberReweightings = 3;      ///< of Huber's regression
 constexpr std::size_t kHighestOrder = 10;  ///< of the noise's autoregression
-/// Least degrees of freedom of the innovations. A machine that rests half the time leaves residuals
-/// of two scales. Heavier tails would treat its motion as outliers, and only rest would count.
+/// Smallest degrees of freedom of the innovations. A machine that rests half the time leaves
+/// residuals of two scales. Heavier tails would treat its motion as outliers, and only rest would
+/// count.
 constexpr double kLeastDof = 4;
-/// Least ratio of the innovations' scale to the channel's RMS: no replay is better.
+/// Smallest ratio of the innovations' scale to the channel's RMS: no replay is better.
 constexpr double kLeastScaleOfRms = 2e-3;
 constexpr double kLeastScale = 1e-6;  ///< of innovations, in rad/s or m/s; smaller values are
                                       ///< rounding
 
-/// Weighted products of the columns with themselves and with the dependent variable.
+/// Weighted normal equations of a regression.
 struct Products {
   Eigen::MatrixXd information;
   Eigen::VectorXd pull;
@@ -47,7 +48,7 @@ struct Products {
     energy -= other.energy;
     return *this;
   }
-  /// Weighted sum of squares of the residual.
+  /// Weighted sum of squared residuals.
   double Left(const Eigen::VectorXd& beta) const {
     return energy - 2 * pull.dot(beta) + beta.dot(information * beta);
   }
@@ -59,7 +60,7 @@ Eigen::VectorXd Solve(Eigen::MatrixXd information, const Eigen::VectorXd& pull, 
   return information.ldlt().solve(pull);
 }
 
-/// Rows of x and y of a regression.
+/// Rows of a regression.
 struct Problem {
   Eigen::MatrixXd x;
   Eigen::VectorXd y;
@@ -84,7 +85,7 @@ Eigen::VectorXd Regress(const Problem& problem, double ridge) {
   return beta;
 }
 
-/// The ridge that best predicts the folds outside its fit; none if zero predicts them as well.
+/// The ridge that predicts folds outside its fit best. None if zero predicts them as well.
 std::optional<double> BestRidge(const Problem& problem) {
   const Eigen::VectorXd weight =
       HuberWeights(problem.y - problem.x * Regress(problem, kRidges.front()));
@@ -115,7 +116,7 @@ Eigen::MatrixXd WithConstant(const Eigen::MatrixXd& columns, Eigen::Index rows) 
   return out;
 }
 
-/// The fold of each sample of TRAIN, whose manoeuvres are dealt to the folds in turn.
+/// The fold of each TRAIN sample. Manoeuvres are dealt to the folds in turn.
 std::vector<std::size_t> FoldOfSamples(const std::vector<Manoeuvre>& manoeuvres,
                                        std::size_t samples) {
   std::vector<std::size_t> fold(samples, 0);
@@ -130,7 +131,7 @@ std::vector<std::size_t> FoldOfSamples(const std::vector<Manoeuvre>& manoeuvres,
   return fold;
 }
 
-/// Columns with a constant one, raw and whitened by the noise model.
+/// Columns and a constant column, raw and whitened by the noise model.
 class WhitenedColumns {
  public:
   WhitenedColumns(const Eigen::MatrixXd& columns, std::size_t samples,
@@ -142,7 +143,7 @@ class WhitenedColumns {
       white_.col(c) = filter.Apply(columns_.col(c));
   }
 
-  /// The regression over the samples of `fit_on`; none if they are too few.
+  /// The regression over the samples of `fit_on`. None if they are too few.
   std::optional<Problem> Over(const Mask& fit_on, const std::vector<std::size_t>& fold,
                               const Series& residual) const {
     std::vector<Eigen::Index> rows;
@@ -188,7 +189,7 @@ NoiseModel NoiseOf(const Channel& channel, const std::vector<double>& predicted,
   }
   const WhiteningFilter as_it_is({}, residual.valid);
   const WhitenedColumns columns(channel.flexible_regressor, residual.size(), as_it_is);
-  double freedom_share = 0;  // degrees of freedom of the columns, relative to the rows
+  double freedom_share = 0;  // degrees of freedom of the columns over the number of rows
   if (const auto problem =
           columns.Over(fit_on, std::vector<std::size_t>(residual.size(), 0), residual)) {
     residual = columns.Less(Regress(*problem, kNoiseRidge), std::move(residual));
@@ -203,7 +204,7 @@ NoiseModel NoiseOf(const Channel& channel, const std::vector<double>& predicted,
   return noise;
 }
 
-/// Subtracts from a channel's residual what columns, fitted to TRAIN, predict.
+/// Subtracts the prediction of columns, fitted to TRAIN, from a channel's residual.
 void SubtractColumns(const Eigen::MatrixXd& columns, const NoiseModel& noise,
                      const std::vector<Manoeuvre>& manoeuvres, Series* residual,
                      Eigen::VectorXd* innovation) {

@@ -13,7 +13,7 @@ constexpr int kReweightings = 2;  ///< of the Student-t regression of nuisances
 /// Bound of a nuisance, in standard deviations.
 constexpr double kMostDeviations = 2;
 
-/// Central differences; the ends repeat their neighbours' values.
+/// Central differences. The ends repeat their neighbours.
 std::vector<double> Slope(const std::vector<double>& y, double period_s) {
   std::vector<double> slope(y.size(), 0.0);
   for (std::size_t k = 1; k + 1 < y.size(); ++k) slope[k] = (y[k + 1] - y[k - 1]) / (2 * period_s);
@@ -40,7 +40,7 @@ Eigen::MatrixXd ColumnsOf(const Channel& channel, const std::vector<double>& pre
 }
 
 /// Minimum of beta' information beta / 2 - pull' beta within the bound on each coefficient. Active
-/// set: while any coefficient exceeds the bound, the one furthest beyond is fixed at it.
+/// set: while coefficients exceed the bound, the one furthest beyond is fixed at it.
 Eigen::VectorXd SolveBounded(const Eigen::MatrixXd& information, Eigen::VectorXd pull) {
   Eigen::VectorXd beta = Eigen::VectorXd::Zero(pull.size());
   std::vector<Eigen::Index> open;
@@ -61,7 +61,7 @@ Eigen::VectorXd SolveBounded(const Eigen::MatrixXd& information, Eigen::VectorXd
   return beta;
 }
 
-/// Rows that fit into the processor's first-level cache while products of columns are summed.
+/// Rows that fit into the processor's first-level cache.
 constexpr Eigen::Index kCachedRows = 256;
 
 /// Normal equations of a weighted regression.

@@ -12,29 +12,27 @@ namespace tera {
 
 /// Misfit of a prediction to the measured channels.
 struct Misfit {
-  /// Innovations over the noise's scale, one list for each channel, one entry for each sample; 0
-  /// where there is none.
+  /// By channel and sample: innovation over the scale of the noise; 0 where there is none.
   std::vector<Eigen::VectorXd> innovation;
-  /// Offset, gain - 1, delay (s) and nominal numbers of each channel, over their standard
-  /// deviations.
+  /// By channel: offset, gain - 1, delay (s) and nominal numbers, in standard deviations.
   std::vector<Eigen::VectorXd> nuisances;
   std::vector<Series> residual;  ///< measured minus predicted, nuisances included in the prediction
 };
 
-/// Likelihood of a block's measurements, given predictions of its channels.
+/// Likelihood of a block's measurements for given predictions of its channels.
 ///
 /// Model   measured = (1 + g) predicted + b - d d(predicted)/dt + N n + noise. The noise of each
 ///         channel is autoregressive with Student-t innovations (noise_model.h). The nuisances b, g
-///         and d are normal about 0 with the channel's standard deviations; n, the factors of its
-///         nominal columns N, with 1. All are bounded at two standard deviations, beyond which an
-///         error is no nuisance. They are fitted to the samples of a mask by iteratively reweighted
-///         least squares on whitened columns. Samples with less memory since the last gap than the
-///         noise model needs are ignored.
+///         and d are normal about 0 with the channel's standard deviations. The factors n of its
+///         nominal columns N are standard normal. All are bounded at two standard deviations: a
+///         larger error is no nuisance. They are fitted to the samples of a mask by iteratively
+///         reweighted least squares on whitened columns. Samples that follow a gap more closely
+///         than the memory of the noise model are ignored.
 /// Omits   noise common to several channels.
 class Likelihood {
  public:
-  /// `noise` has one model for each channel. Nuisances are fitted to the samples of `fit_on`. The
-  /// block must outlive it.
+  /// `noise` has one model per channel. Nuisances are fitted to the samples of `fit_on`. The block
+  /// must outlive this object.
   Likelihood(const ReplayBlock& block, std::vector<NoiseModel> noise, const Mask& fit_on);
 
   const std::vector<NoiseModel>& noise() const { return noise_; }
@@ -43,28 +41,28 @@ class Likelihood {
 
   /// The misfit of a prediction to the block's measurements.
   Misfit Evaluate(const std::vector<std::vector<double>>& predicted) const;
-  /// The misfit of a prediction to other measurements.
+  /// The misfit to other measurements.
   Misfit EvaluateAgainst(const std::vector<std::vector<double>>& measured,
                          const std::vector<std::vector<double>>& predicted) const;
   /// Residuals of the least-squares problem: signed square roots of the deviances of the fitted
-  /// samples' innovations. Channel by channel, each channel's nuisances last.
+  /// samples' innovations. Channel by channel, with the nuisances of a channel after its samples.
   std::vector<double> Deviances(const std::vector<std::vector<double>>& predicted) const;
-  /// Minus half the sum of squares of Deviances: log-likelihood of the fitted samples relative to
-  /// innovations of 0, minus half the square of each nuisance.
+  /// Minus half the sum of squares of Deviances: the log-likelihood of the fitted samples relative
+  /// to innovations of 0, minus half the square of each nuisance.
   double LogLikelihood(const std::vector<std::vector<double>>& predicted) const;
-  /// Log-likelihood of an unchanged misfit from Evaluate.
+  /// Log-likelihood of a misfit that Evaluate returned.
   double LogLikelihood(const Misfit& judged) const;
-  /// The samples of one channel's deviances, in order.
+  /// Sample indices of one channel's deviances, in order.
   const std::vector<std::size_t>& fitted_samples(std::size_t channel) const {
     return parts_[channel].samples;
   }
 
-  /// Log-likelihood of `truth` over `predicted`, if `truth` were measured without noise, beyond
-  /// nuisances. An upper bound of what a recording can tell about the two.
+  /// Log-likelihood of `truth` over `predicted` if `truth` were measured without noise, beyond
+  /// nuisances. It is the upper bound of what a recording can say about the two.
   double NoiselessGain(const std::vector<std::vector<double>>& predicted,
                        const std::vector<std::vector<double>>& truth) const;
 
-  /// Log-likelihood of a segment over all channels or one, relative to innovations of 0.
+  /// Log-likelihood of a segment relative to innovations of 0, over all channels or one.
   double Sum(const Misfit& misfit, const Segment& samples,
              std::optional<std::size_t> channel = {}) const;
 

@@ -12,7 +12,7 @@ constexpr double kMostRestCommand = 0.02;  ///< |command| up to this is rest
 constexpr double kDecay_s = 1.5;           ///< from the last command to rest
 constexpr double kLeastRest_s = 2;         ///< shorter rest does not determine the noise
 
-/// Samples after the motion of the last command has decayed.
+/// Samples at rest, after the motion of the last command has decayed.
 Mask AtRest(const ReplayBlock& block) {
   Mask mask(block.samples(), 0);
   const auto decay = static_cast<std::size_t>(std::lround(kDecay_s / block.period_s()));

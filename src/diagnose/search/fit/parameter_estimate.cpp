@@ -7,15 +7,15 @@
 namespace tera {
 namespace {
 
-/// Ratio to the largest eigenvalue of the information below which a direction is undetermined.
+/// A direction with a smaller ratio to the largest eigenvalue of the information is undetermined.
 constexpr double kLeastEigenvalueRatio = 1e-10;
-/// Distance from an end of a parameter's range, over the range, that counts as at the bound.
+/// Share of its range within which an estimate is at the bound.
 constexpr double kBoundDistance = 1e-3;
-/// Standard deviation of a mechanism's parameter over its value, due to errors of nominal numbers
-/// and of the library's form.
+/// Relative standard deviation of a mechanism's parameter, by errors of nominal numbers and of the
+/// mechanism's form.
 constexpr double kFormSigma = 0.05;
 
-/// Inverse of an information matrix, and the parameters that it determines.
+/// Inverse of an information matrix, and which parameters it determines.
 struct Covariance {
   Eigen::MatrixXd matrix;
   std::vector<bool> is_determined;
@@ -47,8 +47,7 @@ Covariance CovarianceOf(const Eigen::MatrixXd& information) {
 }
 
 /// Standard deviations of the free parameters: the larger of that for independent samples and that
-/// by the scatter of scores over manoeuvres. None for a parameter in the null space of the
-/// information.
+/// by the scatter of scores over manoeuvres. None in the null space of the information.
 /// Source  Huber 1967, White 1982 (scores).
 std::vector<std::optional<double>> SigmasOf(const FittedStructure& fitted) {
   const Covariance covariance = CovarianceOf(fitted.information);
@@ -70,13 +69,13 @@ bool IsAtBound(const FreeParameter& free, double value) {
   return place < kBoundDistance || place > 1 - kBoundDistance;
 }
 
-/// Standard deviation of a parameter, or of its effect, by errors of the library's form. 0 for
+/// Standard deviation of a parameter or of its effect, by errors of the mechanism's form. 0 for
 /// sensors, whose forms are exact.
 double FormDeviation(const Mechanism& mechanism, double value) {
   return mechanism.slot < Slot::kSensorGeometry ? kFormSigma * std::abs(value) : 0;
 }
 
-/// Unit of a prismatic joint's parameter: radians are metres, and newton metres newtons.
+/// Unit of a prismatic joint's parameter: rad reads as m, and N m as N.
 std::string UnitOfSliding(std::string_view unit) {
   if (unit == "rad") return "m";
   if (unit == "rad/s") return "m/s";

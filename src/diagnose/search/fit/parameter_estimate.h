@@ -13,20 +13,21 @@ namespace tera {
 struct ParameterEstimate {
   std::string name, unit;
   double value = 0;
-  std::optional<double> sigma;  ///< none if it was held, or the data do not determine it
-  /// Standard deviation of the parameter's distance from its neutral value: the library's form errs
-  /// in proportion to the effect. For a factor, that is its distance from 1. None where `sigma` is.
+  std::optional<double> sigma;  ///< none if it was held or the data do not determine it
+  /// Standard deviation of the distance from the neutral value. The form of a mechanism errs in
+  /// proportion to its effect, and the effect of a factor is its distance from 1. None where
+  /// `sigma` is.
   std::optional<double> effect_sigma = {};
 };
 
-/// Estimates of one term's parameters. No standard deviation where it would exceed the parameter's
-/// range, or where the estimate is at an end of its range. `slides`: the term acts on a prismatic
-/// joint, whose radians are metres.
+/// Estimates of a term's parameters. `sigma` is none where it would exceed the parameter's range,
+/// or where the estimate is at an end of the range. `slides`: the term acts on a prismatic joint,
+/// where rad reads as m.
 ///
-/// Model   standard deviations are the larger of that for independent samples and that by the
-///         scatter of scores over manoeuvres. For machines and ground, five per cent of the
-///         parameter are added in quadrature for errors of the library's form and of nominal
-///         numbers. `effect_sigma` gets five per cent of the effect instead.
+/// Model   the standard deviation is the larger of two: for independent samples, and by the scatter
+///         of scores over manoeuvres. Mechanisms of machines and ground have an imperfect form and
+///         nominal numbers: 5 % of the parameter are added in quadrature, in `effect_sigma` 5 % of
+///         the effect.
 /// Source  Huber 1967, White 1982 (scores).
 std::vector<ParameterEstimate> EstimatesOf(const FittedStructure& found, std::size_t term,
                                            bool slides);

@@ -11,11 +11,11 @@ namespace {
 constexpr double kLongestDeadTime_s = 0.8;  ///< the longest delay that is looked for
 constexpr double kDeadTimeStep_s = 0.02;
 constexpr std::size_t kMostRows = 4000;  ///< enough to determine forty numbers
-/// Weight of second differences over a hat's mean energy, and a ridge that keeps the solution
+/// Weight of second differences over the mean energy of a hat, and a ridge that keeps the solution
 /// finite.
 constexpr double kBend = 1e-1, kRidge = 1e-9;
 
-/// Adds the penalty on second differences of each direction's map, which begins at zero.
+/// Adds the penalty on second differences of each direction's map, which starts at zero.
 void Straighten(double weight, Eigen::MatrixXd* information) {
   for (Eigen::Index first = 0; first < 2 * kMapKnots; first += kMapKnots) {
     for (Eigen::Index k = 0; k + 1 < kMapKnots; ++k) {

@@ -8,40 +8,41 @@
 
 namespace tera {
 
-/// Knots of a static map between neutral and full lever, in each direction.
+/// Knots of a static map in each direction, between neutral and full lever.
 inline constexpr Eigen::Index kMapKnots = 20;
 
 /// Hat functions of a lever about each knot, after a first-order lag. Rows: samples. Columns:
-/// kMapKnots of positive levers, then as many of negative ones. Their combinations are the
+/// kMapKnots of positive levers, then as many of negative ones. Linear combinations are
 /// piecewise-linear maps through the origin.
 Eigen::MatrixXd HatsOf(const Series& lever, double lag_s);
 
-/// Normal equations of a measurement on hats of its lever, delayed by some samples.
+/// Normal equations of a measurement on delayed hats of its lever.
 struct MapProducts {
   Eigen::MatrixXd information;
   Eigen::VectorXd pull;
   double energy = 0;  ///< of the measurement
 };
 
-/// Over some rows, with each row of the hats scaled by its weight.
+/// Normal equations over some rows. `late` delays the lever by samples; `weight` scales the rows of
+/// the hats.
 MapProducts ProductsOf(const Eigen::MatrixXd& hats, const Series& measured,
                        const std::vector<Eigen::Index>& rows, Eigen::Index late,
                        const Eigen::VectorXd& weight);
 
-/// The valid samples of a mask, evenly thinned to at most `most`.
+/// The valid samples of a mask, thinned evenly to at most `most`.
 std::vector<Eigen::Index> RowsOf(const Series& measured, const Mask& mask, std::size_t most);
 
-/// The rate that a dead time and a static map predict from a lever.
+/// The rate predicted from a lever by a dead time and a static map.
 struct PlainMap {
   double dead_time_s = 0;
   std::vector<double> predicted;
 };
 
-/// Least-squares fit of a dead time and a static map of the lever to the samples of a mask. This is
-/// an engineer's first fit, and every better model must beat it.
+/// Least-squares fit of a dead time and a static map of the lever to the samples of a mask. An
+/// engineer would fit this first; every better model must beat it.
 ///
 /// Model   dead times up to 0.8 s, each with its best map. A faint penalty on second differences of
-///         the map interpolates knots that no lever reached.
+///         the map interpolates knots that the lever never reaches.
 PlainMap FitPlainMap(const Series& lever, const Series& measured, const Mask& seen);
 
 }  // namespace tera

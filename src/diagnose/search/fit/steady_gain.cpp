@@ -8,12 +8,12 @@ namespace tera {
 namespace {
 
 constexpr double kLeastPossible = 2;  ///< gain in log-likelihood below which a piece is ignored
-/// Possible gain in log-likelihood far above which the scatter of noise is negligible.
+/// Possible gain in log-likelihood at which noise and effect scatter equally.
 constexpr double kNoiseGain = 20;
-constexpr std::size_t kFewest = 3;       ///< pieces, for a t statistic
-constexpr double kMostGainOfBet = 2.25;  ///< in log-likelihood, the largest factor of a bet by one
-                                         ///< piece
-/// Level of p at which a bet confirms: three clear gains, 2 exp(-3 * 2.25), are below.
+constexpr std::size_t kFewest = 3;  ///< pieces, for a t statistic
+/// log of the largest factor by which one piece multiplies a bet
+constexpr double kMostGainOfBet = 2.25;
+/// p up to which a bet confirms. Three clear gains reach 2 exp(-3 * 2.25), which is smaller.
 constexpr double kConfirmingBetP = 0.01;
 constexpr double kShortestPiece_s = 1;
 constexpr std::size_t kFewestPieceSamples = 5;

@@ -13,19 +13,19 @@
 namespace tera {
 namespace {
 
-constexpr double kStep = 0.002;  ///< of difference quotients, over a parameter's range
-/// Ratio of the difference quotient's step to the distance of the likelihood's kinks.
+constexpr double kStep = 0.002;  ///< of difference quotients, in the parameter's range
+/// Step of difference quotients over the distance of the likelihood's kinks.
 constexpr double kStepOfKink = 0.5;
-constexpr double kFinestStep = 0.002;  ///< of the search over kinks, over a parameter's range
+constexpr double kFinestStep = 0.002;  ///< of the search over kinks, in the parameter's range
 constexpr int kMostMoves = 30;         ///< of one parameter in the search over kinks
 constexpr int kMostIterations = 12;    ///< of Levenberg-Marquardt, for a full fit
 constexpr int kFewIterations = 3;      ///< of Levenberg-Marquardt, for a fit of a few steps
-/// Mean squared innovation of the empty structure above which fits also start under a smooth
-/// likelihood.
+/// Mean squared innovation of the empty structure above which a second fit starts under white
+/// noise.
 constexpr double kBadFit = 2;
-/// Least component of a held parameter in an undetermined unit direction.
+/// Smallest component of a held parameter in an undetermined unit direction.
 constexpr double kLeastComponent = 0.3;
-constexpr double kConvergedGain = 0.005;  ///< in log-likelihood, of the last step
+constexpr double kConvergedGain = 0.005;  ///< in log-likelihood, by the last step
 
 std::vector<double> PlacesOf(const Structure& terms) {
   std::vector<double> places;
@@ -37,7 +37,7 @@ std::vector<double> PlacesOf(const Structure& terms) {
   return places;
 }
 
-/// Step of each parameter's difference quotient, over its range.
+/// Step of each parameter's difference quotient, as a share of its range.
 std::vector<double> StepsOf(const Structure& terms) {
   std::vector<double> steps;
   for (const Term& term : terms) {
@@ -57,7 +57,8 @@ Structure AtPlaces(Structure terms, const double* places) {
   return terms;
 }
 
-/// Deviances of a likelihood as a cost function of the free parameters, relative to their ranges.
+/// Signed square roots of the deviances as a function of the free parameters' positions in their
+/// ranges.
 class Deviance final : public ceres::CostFunction {
  public:
   Deviance(const ReplayBlock& block, const Likelihood& likelihood, const Structure& terms,
@@ -101,7 +102,7 @@ class Deviance final : public ceres::CostFunction {
     return true;
   }
 
-  /// The step from a point; reversed where it would exceed the upper end of the range.
+  /// The step of the difference quotient; negative where it would leave the range at its upper end.
   double StepFrom(const std::vector<double>& at, std::size_t p) const {
     return at[p] + steps_[p] <= 1 ? steps_[p] : -steps_[p];
   }
@@ -120,7 +121,7 @@ class Deviance final : public ceres::CostFunction {
   double cost_at_start_ = 0;
 };
 
-/// Derivative of each free parameter by its relative position in its range.
+/// Derivative of each free parameter by its position in its range.
 Eigen::VectorXd RangesAt(const Structure& terms) {
   std::vector<double> ranges;
   for (const Term& term : terms) {
@@ -138,7 +139,7 @@ struct Freedom {
   Term* term = nullptr;
   std::size_t index = 0;
   double range = 1;
-  bool is_stated = false;  ///< whether a tolerance is stated for it
+  bool is_stated = false;  ///< true if a tolerance is stated for it
 };
 
 std::vector<Freedom> FreedomsOf(Structure* terms) {
@@ -153,9 +154,10 @@ std::vector<Freedom> FreedomsOf(Structure* terms) {
   return freedoms;
 }
 
-/// Takes the least determined direction of the information. If its standard deviation exceeds the
-/// parameters' ranges, holds the parameter with the largest component at its default. If none has a
-/// default, holds one without a stated tolerance at its value. Returns whether it held one.
+/// Examines the least determined direction of the information. If its standard deviation exceeds
+/// the parameters' ranges, the parameter with the largest component is held at its default. If none
+/// has a default, one without a stated tolerance is held at its value. Returns true if one was
+/// held.
 bool HoldUndetermined(const Eigen::MatrixXd& information, Structure* terms) {
   const std::vector<Freedom> freedoms = FreedomsOf(terms);
   if (freedoms.empty()) return false;
@@ -188,7 +190,8 @@ bool HoldUndetermined(const Eigen::MatrixXd& information, Structure* terms) {
   return true;
 }
 
-/// Likelihood under white noise of the empty structure's misfit; none if that fits well.
+/// Likelihood under white noise with the size of the empty structure's misfit. None if that
+/// structure fits well.
 std::optional<Likelihood> SmoothLikelihood(const ReplayBlock& block, const Likelihood& likelihood) {
   const Misfit misfit = likelihood.Evaluate(block.predict({}));
   std::vector<NoiseModel> noise;
@@ -293,8 +296,8 @@ Structure StructureFitter::RefineSmooth(const Structure& terms, const Likelihood
   return AtPlaces(terms, places.data());
 }
 
-/// Coordinate search over the parameters with kinks: each moves by a step in either direction while
-/// the likelihood rises, then by half of the step.
+/// Coordinate search over the parameters with kinks. Each moves by a step in either direction while
+/// the likelihood rises, then by half the step.
 Structure StructureFitter::SearchKinks(Structure terms, const Likelihood& likelihood) const {
   double most = likelihood.LogLikelihood(block_.predict(terms));
   for (std::size_t t = 0; t < terms.size(); ++t) {
@@ -371,8 +374,8 @@ FittedStructure StructureFitter::Determine(FittedStructure fitted) const {
   return fitted;
 }
 
-/// Adds the information, J' J in the parameters' own units, and the scores, J' times the rows of
-/// each manoeuvre.
+/// Adds the information J' J, in the parameters' units, and the scores: J' times the rows of each
+/// manoeuvre.
 void StructureFitter::AddInformation(FittedStructure* fitted) const {
   std::vector<double> places = PlacesOf(fitted->terms);
   const auto count = static_cast<Eigen::Index>(places.size());

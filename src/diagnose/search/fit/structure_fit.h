@@ -13,61 +13,62 @@ namespace tera {
 struct FittedStructure {
   Structure terms;
   double log_likelihood = 0;    ///< on the fitted samples, with the penalty of nuisances
-  Misfit misfit;                ///< with nuisances from the same samples
+  Misfit misfit;                ///< nuisances fitted to the same samples
   Eigen::MatrixXd information;  ///< of the free parameters, in the order of terms and their `free`
-  Eigen::MatrixXd scores;       ///< of the same parameters, a column for each fitted manoeuvre
+  Eigen::MatrixXd scores;       ///< rows as in `information`; one column per fitted manoeuvre
 };
 
-/// Default of a parameter: the model's present value, or the mechanism's own. None if it must be
-/// given.
+/// Default of a parameter: its value in the model, or else that of the mechanism. None for
+/// parameters without one.
 std::optional<double> DefaultOf(const Candidate& candidate, std::size_t index);
-/// A free parameter's relative position in its range, 0 to 1.
+/// Position of a value in the parameter's range, 0 to 1.
 double PlaceOf(const FreeParameter& free, double value);
-/// The inverse of PlaceOf.
+/// Inverse of PlaceOf.
 double ValueAt(const FreeParameter& free, double place);
 
-/// Effort of a fit: to convergence, or a few steps. These suffice to rank structures, and for
+/// A fit runs to convergence or a few steps. Few steps suffice to rank structures, and for
 /// parameters that are nearly right.
 enum class Effort { kFull, kFewSteps };
 
 /// Fits the free parameters of a structure.
 ///
-/// Model   maximum likelihood within the parameters' bounds, by Levenberg–Marquardt on signed
-///         square roots of the Student-t deviance. Difference quotients use a five-hundredth of
-///         each range, or half the distance of the likelihood's kinks. Parameters with kinks are
-///         then searched individually, by that distance and successively halved steps. Every
-///         evaluation fits the nuisances anew.
-///         Starts: the values of `terms` as given, and with the last term's replaced by each start
-///         of its candidate. The most likely one is refined. The empty structure fits badly if its
-///         innovations have more than twice the noise's variance. A second fit then first uses
-///         white noise of that misfit's size, whose likelihood is smooth far from the truth. The
-///         likelier of both fits counts.
+/// Model   maximum likelihood within bounds, by Levenberg–Marquardt on signed square roots of the
+///         Student-t deviance. Difference quotients use 1/500 of each range, or half the distance
+///         of the likelihood's kinks. Parameters with kinks are then searched one by one, in steps
+///         of that distance that are halved repeatedly. Every evaluation refits the nuisances.
+///
+///         Starts: the values of `terms`, and the same with the last term at each start of its
+///         candidate. The likeliest start is refined. The empty structure fits badly if its
+///         innovations have more than twice the variance of the noise. In that case, a second fit
+///         begins under white noise of that misfit's size, whose likelihood is smooth far from the
+///         truth. The likelier of both fits is returned.
 /// Source  Ceres Solver (trust region with bounds); Golub and Pereyra 1973 (variable projection).
 class StructureFitter {
  public:
-  /// Fits to the likelihood's samples, all of them in `manoeuvres`, in order, which also structure
-  /// the scores. Block and likelihood must outlive it.
+  /// `manoeuvres` contain all fitted samples, in order; each is a column of the scores. Block and
+  /// likelihood must outlive this object.
   StructureFitter(const ReplayBlock& block, const Likelihood& likelihood,
                   std::vector<Segment> manoeuvres, int threads = 1);
 
-  /// Fitted values only, without information, scores and held parameters.
+  /// Fitted values without information and scores; undetermined parameters are not held.
   FittedStructure FitValues(const Structure& terms, Effort effort = Effort::kFull) const;
-  /// The likeliest fit of several structures, at least one, each refined by a few steps.
+  /// The likeliest fit of several structures (at least one), each refined by a few steps.
   FittedStructure FitLikeliest(const std::vector<Structure>& starts) const;
-  /// FitValues without the smooth likelihood, for structures whose other terms are already fitted.
+  /// FitValues without the second fit under white noise. For structures whose other terms are
+  /// already fitted.
   FittedStructure FitNear(const Structure& terms, Effort effort = Effort::kFull) const;
   /// FitValues from the given values only.
   FittedStructure FitFrom(const Structure& terms, Effort effort = Effort::kFull) const;
   /// Adds information and scores to fitted values. A direction of the information is undetermined
   /// if its standard deviation exceeds the parameters' ranges. One of its parameters is then held
-  /// at its default, and the others are fitted anew. Without a default, a parameter without a
-  /// stated tolerance is held where it is.
+  /// at its default, and the others are refitted. Without a default, a parameter without a stated
+  /// tolerance is held at its value.
   FittedStructure Determine(FittedStructure fitted) const;
-  /// The structure with the given values, evaluated without a fit.
+  /// The structure with the given values, without a fit.
   FittedStructure AsGiven(Structure terms) const;
 
  private:
-  /// Starting values of a fit and the prediction there.
+  /// Starting values of a fit, and their prediction.
   struct Start {
     Structure terms;
     std::vector<std::vector<double>> predicted;
