@@ -8,7 +8,7 @@ namespace tera {
 namespace {
 
 constexpr double kLeastPossible = 2;  ///< gain in log-likelihood below which a piece is ignored
-/// Possible gain in log-likelihood at which noise and effect scatter equally.
+/// Far above this possible gain in log-likelihood, the scatter by noise is negligible.
 constexpr double kNoiseGain = 20;
 constexpr std::size_t kFewest = 3;  ///< pieces, for a t statistic
 /// log of the largest factor by which one piece multiplies a bet

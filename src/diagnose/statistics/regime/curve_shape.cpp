@@ -12,7 +12,7 @@ using Function = std::function<double(double)>;
 
 double Sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
-/// Gain of the best combination of columns over a constant, and its coefficients.
+/// Gain over a constant of the best combination of functions, and its coefficients.
 struct Gain {
   double value = 0;
   Eigen::VectorXd coefficient;
@@ -169,7 +169,7 @@ CurveParity ParityOf(const RegimeCurve& curve, const Visited& all, double price)
   return CurveParity::kNeither;
 }
 
-/// The shortest interval of bins with nine tenths of the energy, the sum of count mean^2.
+/// The shortest interval of bins with nine tenths of the energy: the sum of count mean^2.
 Visited EnergyInterval(const RegimeCurve& curve) {
   const Eigen::VectorXd energy = curve.count.cwiseProduct(curve.mean.cwiseAbs2());
   const double wanted = 0.9 * energy.sum();
@@ -192,7 +192,7 @@ void TryFree(const RegimeCurve& curve, const Visited& all, Contest* contest, Cur
       2 * curve.pull.dot(curve.mean) - curve.mean.dot(curve.information * curve.mean);
   const double worth = free_gain - contest->price() * curve.effective_freedom;
   *shape = contest->best();
-  // A form that explains nearly as much as a free curve is kept, regardless of the number of data.
+  // A form that explains 95 % of a free curve's gain is kept, regardless of the number of rows.
   const bool needed = worth > contest->worth() && contest->best().gain < 0.95 * free_gain;
   if (needed) {
     const Visited interval = curve.angle ? all : EnergyInterval(curve);

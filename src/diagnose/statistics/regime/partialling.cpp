@@ -36,7 +36,7 @@ class Tester {
   }
 
  private:
-  /// The design that also knows an axis's factor.
+  /// The design that also knows the factor of an axis.
   const RegimeDesign* WithTimes(const RegimeAxis& axis) const {
     for (const auto& [times, design] : with_times_) {
       if (times == axis.times()) return &design;

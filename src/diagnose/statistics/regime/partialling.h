@@ -10,42 +10,42 @@ namespace tera {
 
 struct PartiallingOptions {
   RegimeTestOptions test;
-  double alpha = 0.01;  ///< family-wise, for each step
+  double alpha = 0.01;  ///< family-wise, in each step
   std::size_t most = 4;
   int threads = 2;
 };
 
-/// One step: the selected variable, and the preceding tests of all variables.
+/// One selected variable, and the tests of all variables from which it was selected.
 struct PartiallingStep {
   std::size_t variable = 0;
   double p_adjusted = 1;
   double share = 0;
-  std::vector<RegimeTestResult> tests;  ///< of all variables, in order
+  std::vector<RegimeTestResult> tests;  ///< by variable
 };
 
 struct Partialling {
   std::vector<PartiallingStep> steps;
-  std::vector<RegimeTestResult> left;  ///< of all variables, given the selected ones
+  std::vector<RegimeTestResult> left;  ///< by variable, given the selected ones
 };
 
-/// Selects the variables that explain a residual, each given the ones selected before it.
+/// Selects the variables that explain a residual, each given those selected before.
 ///
 /// Model   forward selection. Each step tests every remaining variable given the selected ones
-///         (regime_test.h), and adjusts p_tail by Holm over them. Among those at or below alpha it
-///         selects the one with the best criterion, the largest share of whitened energy for its
-///         size, with twenty splines. Variables with a factor are tested given that factor: a
-///         constant share is no dependence on the variable.
+///         (regime_test.h), and corrects p_tail over them (Holm). Of those with p up to alpha, the
+///         one with the best criterion is selected: the largest share of whitened energy, penalised
+///         for its number of columns, with twenty splines. A variable with a factor is tested given
+///         that factor, because a constant share does not depend on the variable.
 /// Omits   products of variables; removal of a variable that a later one makes superfluous.
 ///
-/// All series have the residual's length.
+///         All series have the residual's length.
 Partialling SelectRegimes(const Series& residual, const NoiseModel& noise,
                           const std::vector<RegimeVariable>& variables,
                           const PartiallingOptions& options, const Stream& stream);
 
-/// Splines of a variable, sample by sample, as known columns of a design.
+/// Splines of a variable at each sample, as known columns of a design.
 Eigen::MatrixXd KnownColumns(const RegimeAxis& axis);
 
-/// Columns side by side; `known` may have none.
+/// Columns side by side. `known` may be empty.
 Eigen::MatrixXd WithColumns(const Eigen::MatrixXd& known, const Eigen::MatrixXd& columns);
 
 }  // namespace tera

@@ -46,8 +46,8 @@ struct Smoother {
   double Freedom() const { return Solver(1).solve(information).trace(); }
 };
 
-/// Chooses the penalty of a ladder by generalised cross-validation: least (energy left) /
-/// (rows - freedom)^2.
+/// Chooses the penalty by generalised cross-validation: smallest (energy left) / (rows -
+/// freedom)^2.
 void ChoosePenalty(const Eigen::VectorXd& score, double energy, double rows, Smoother* smoother) {
   const double unit = smoother->information.trace() / std::max(smoother->roughness.trace(), 1e-300);
   double least = INFINITY, best = unit;
@@ -89,7 +89,7 @@ Eigen::MatrixXd BlockScores(const RegimeDesign& design, const RegimeAxis& axis,
   return out;
 }
 
-/// The matrix that subtracts from a curve its mean over the samples.
+/// The matrix that subtracts the mean over the samples from a curve.
 Eigen::MatrixXd Centring(const Eigen::VectorXd& count) {
   Eigen::MatrixXd out = Eigen::MatrixXd::Identity(count.size(), count.size());
   out.rowwise() -= (count / count.sum()).transpose();

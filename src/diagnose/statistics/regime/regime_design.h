@@ -12,31 +12,31 @@ namespace tera {
 /// Regression of a residual y on known columns Z, prepared for score tests of further columns.
 ///
 /// Model   generalised least squares under the noise model with Huber's function. e = A (y - Z g),
-///         with A the whitening filter and g such that (A Z)' psi(e) = 0. psi(e) is e clipped at
-///         `clip` robust scales, at least the noise's. score = A' psi(e). A function of a variable
-///         with bins B has the score vector B' score. Its information is B' A' A B beyond Z.
+///         with the whitening filter A and g such that (A Z)' psi(e) = 0. psi(e) is e clipped at
+///         `clip` robust scales; the scale is at least that of the noise. score = A' psi(e). A
+///         function of a variable with bins B has the score vector B' score. Its information is B'
+///         A' A B, minus the part that Z explains.
 /// Source  Huber 1981, "Robust statistics", chapter 7 (modified residuals); Rao's score test.
 class RegimeDesign {
  public:
-  /// `known` has one row for each sample; a constant is always added. Gaps of `residual` are
-  /// ignored.
+  /// `known` has one row per sample; a constant is added. Gaps of `residual` are ignored.
   RegimeDesign(const Series& residual, const NoiseModel& noise, const Eigen::MatrixXd& known,
                double clip = 3);
 
   const WhiteningFilter& filter() const { return filter_; }
   const Eigen::VectorXd& psi() const { return psi_; }
   const Eigen::VectorXd& score() const { return score_; }
-  /// Mean of psi^2 over the rows, and the share of rows that are not clipped.
+  /// Mean of psi^2 over the rows, and the share of rows without clipping.
   double psi_variance() const { return psi_variance_; }
   double unclipped() const { return unclipped_; }
   /// A Z.
   const Eigen::MatrixXd& whitened_known() const { return whitened_known_; }
 
-  /// A' A Z summed by bin: bins x known.
+  /// A' A Z, summed by bin. Rows: bins; columns: known columns.
   Eigen::MatrixXd CrossByBin(const RegimeAxis& axis) const;
-  /// The x that solves (A Z)' A Z x = right.
+  /// Solution x of (A Z)' A Z x = right.
   Eigen::MatrixXd SolveKnown(const Eigen::MatrixXd& right) const;
-  /// The information of an axis beyond the known columns: the Schur complement of `gram`
+  /// Information of an axis that the known columns leave: the Schur complement of `gram`
   /// (WhitenedGram).
   Eigen::MatrixXd InformationBeyondKnown(const RegimeAxis& axis, const Eigen::MatrixXd& gram) const;
 
@@ -50,7 +50,7 @@ class RegimeDesign {
   double psi_variance_ = 0, unclipped_ = 1;
 };
 
-/// B' A' A B for the bins B of an axis, times the axis's factor.
+/// B' A' A B for the bins B of an axis, times the factor of the axis.
 Eigen::MatrixXd WhitenedGram(const RegimeAxis& axis, const WhiteningFilter& filter);
 
 }  // namespace tera

@@ -11,13 +11,13 @@ namespace {
 
 constexpr Eigen::Index kTestSplines = 10;
 constexpr double kEffectiveFreedom = 5;
-/// Least ratio of a direction's information to that of the best known one.
+/// Smallest information of a direction, over that of the best known direction.
 constexpr double kLeastInformation = 2e-3;
 constexpr double kRounding = 1e-9;  ///< relative to the information of the mean
-/// Share of a direction's information that the known columns must leave.
+/// Smallest share of a direction's information that the known columns leave.
 constexpr double kLeastShareBeyondKnown = 0.05;
 
-/// Weights 1 / (1 + lambda roughness) whose sum is kEffectiveFreedom.
+/// Weights 1 / (1 + lambda roughness) with sum kEffectiveFreedom.
 Eigen::VectorXd ShrinkingWeights(const Eigen::VectorXd& roughness) {
   const auto weights = [&](double lambda) -> Eigen::VectorXd {
     return (1 + lambda * roughness.array().max(0)).inverse().matrix();
@@ -31,8 +31,8 @@ Eigen::VectorXd ShrinkingWeights(const Eigen::VectorXd& roughness) {
   return weights(std::exp(low));
 }
 
-/// The tested directions: eigenvectors Q, with eigenvalues mu, of the information of a probe's
-/// directions beyond the design's known columns.
+/// The tested directions: eigenvectors Q with eigenvalues mu of the information that the known
+/// columns leave.
 struct JudgedDirections {
   Eigen::MatrixXd project;    ///< Q Q'
   Eigen::MatrixXd normalise;  ///< Q mu^-1/2 Q', which gives scores unit variance
@@ -54,12 +54,12 @@ JudgedDirections JudgedDirectionsOf(const Eigen::MatrixXd& information) {
   return out;
 }
 
-/// Sums of a score by the bins of a variable that is shifted circularly by `offset` samples.
+/// Sums of a score over the bins of a variable that is shifted circularly by `offset` samples.
 Eigen::VectorXd ShiftedSumByBin(const RegimeAxis& axis, const Eigen::VectorXd& score,
                                 std::size_t offset) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(axis.bins());
   const std::uint8_t* bin = axis.bin().data();
-  const std::size_t seam = axis.samples() - offset;  // the sample that comes to the beginning
+  const std::size_t seam = axis.samples() - offset;  // index that wraps to the first sample
   for (std::size_t i = 0; i < seam; ++i) sum[bin[i]] += score.data()[offset + i];
   for (std::size_t i = seam; i < axis.samples(); ++i) sum[bin[i]] += score.data()[i - seam];
   return sum;
@@ -83,7 +83,7 @@ RegimeProbe::RegimeProbe(const RegimeVariable& variable, const WhiteningFilter& 
   const Eigen::Index kept = (known.array() > least).count();
   directions_.resize(axis_.bins(), kept);
   weights_.resize(kept);
-  if (kept == 0) return;  // the variable does not move; Eigen decomposes no empty matrix
+  if (kept == 0) return;  // the variable is constant, and Eigen cannot decompose an empty matrix
   const Eigen::MatrixXd unit = information.eigenvectors().rightCols(kept) *
                                known.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> rough(unit.transpose() *

@@ -12,14 +12,14 @@ namespace tera {
 
 struct RegimeTestOptions {
   std::size_t shifts = 200;
-  double repeats = 1;  ///< correlation length of the residual beyond the noise model, in samples
+  double repeats = 1;  ///< samples between independent errors, beyond the noise model
 };
 
-/// A variable, prepared to be tested repeatedly under one noise model.
+/// A variable, prepared for repeated tests under one noise model.
 ///
-/// Model   ten B-splines, weighted to five effective degrees of freedom. In their basis, both
-///         information under the noise and roughness are diagonal (Demmler and Reinsch). A
-///         constant, times the axis's factor, is projected out.
+/// Model   ten B-splines, weighted to five effective degrees of freedom. In their basis, the
+///         information under the noise and the roughness are both diagonal (Demmler and Reinsch). A
+///         constant times the factor is projected out.
 class RegimeProbe {
  public:
   RegimeProbe(const RegimeVariable& variable, const WhiteningFilter& filter);
@@ -27,7 +27,7 @@ class RegimeProbe {
   const std::string& name() const { return name_; }
   const RegimeAxis& axis() const { return axis_; }
   const Eigen::MatrixXd& gram() const { return gram_; }
-  /// bins x directions, each of unit information.
+  /// Rows: bins. Columns: directions of unit information.
   const Eigen::MatrixXd& directions() const { return directions_; }
   const Eigen::VectorXd& weights() const { return weights_; }
 
@@ -40,21 +40,21 @@ class RegimeProbe {
 
 struct RegimeTestResult {
   std::string name;
-  ShiftComparison comparison;  ///< of the weighted score
+  ShiftComparison comparison;  ///< of the weighted score statistic
   /// Share of the whitened residual's energy that the variable explains beyond chance.
   double share = 0;
-  /// The share minus a penalty of at least log(rows) for each direction (Schwarz 1978).
+  /// The share minus a penalty of at least log(rows) per direction (Schwarz 1978).
   double criterion = 0;
-  /// The criterion of the variable together with a constant times the axis's factor.
+  /// The criterion of the variable together with a constant times its factor.
   double whole_criterion = 0;
 };
 
-/// Tests whether E[residual | variable], given the design's known columns, is not constant. The
-/// design must know the factor of a variable that has one.
+/// Tests whether E[residual | variable], given the design's known columns, is constant. A
+/// variable's factor must be among the known columns.
 ///
-/// Model   score statistic; the reference is the statistic with the variable shifted circularly
-///         against the residual. Directions that keep less than 5 % of their information beyond the
-///         known columns are not tested.
+/// Model   score statistic, compared with its values under circular shifts of the variable against
+///         the residual. Directions that keep less than 5 % of their information beyond the known
+///         columns are not tested.
 /// Source  Freedman and Lane 1983, "A nonstochastic interpretation of reported significance
 ///         levels".
 RegimeTestResult TestRegime(const RegimeDesign& design, const RegimeProbe& probe,

@@ -19,9 +19,9 @@ using Commands = std::vector<std::vector<double>>;
 constexpr double kRestLevel = 0.02;  ///< |command| up to this is rest
 constexpr double kShortest_s = 0.5;  ///< shorter runs are joined to the one before
 constexpr double kLongest_s = 3;     ///< longer runs are cut into equal pieces
-constexpr double kTail_s = 1;        ///< of the rest after a manoeuvre, which belongs to it
-constexpr std::size_t kFewest = 10;  ///< with fewer manoeuvres the recording is cut into blocks
-constexpr double kBlock_s = 5;       ///< of these
+constexpr double kTail_s = 1;        ///< rest after a manoeuvre that belongs to it
+constexpr std::size_t kFewest = 10;  ///< with fewer manoeuvres, blocks replace them
+constexpr double kBlock_s = 5;       ///< length of such blocks
 constexpr std::array<double, 3> kShareOfPart = {0.4, 0.3, 0.3};  ///< TRAIN, SELECT, FINAL
 
 /// The active commands, and the negative ones among them.
@@ -40,7 +40,7 @@ Activity ActivityAt(const Commands& commands, std::size_t k) {
   return activity;
 }
 
-/// Runs of one activity; runs that are too short belong to the one before.
+/// Runs with the same active commands. Short runs are joined to the previous one.
 std::vector<Manoeuvre> RunsOfActivity(const Commands& commands, std::size_t shortest) {
   std::vector<Manoeuvre> runs;
   const std::size_t size = commands.front().size();
@@ -61,7 +61,7 @@ std::vector<Manoeuvre> RunsOfActivity(const Commands& commands, std::size_t shor
   return runs;
 }
 
-/// Gives every manoeuvre the first `tail` samples of the rest after it.
+/// Moves the first `tail` samples of each rest to the manoeuvre before it.
 std::vector<Manoeuvre> WithTails(std::vector<Manoeuvre> runs, std::size_t tail) {
   std::vector<Manoeuvre> out;
   for (Manoeuvre& run : runs) {
@@ -114,7 +114,7 @@ void SetAmplitudes(const Commands& commands, std::vector<Manoeuvre>* manoeuvres)
   }
 }
 
-/// Indices of the manoeuvres by axes and directions, each list halved at its median amplitude.
+/// Indices of the manoeuvres by commands and directions, each list halved at its median amplitude.
 std::vector<std::vector<std::size_t>> Strata(const std::vector<Manoeuvre>& manoeuvres) {
   std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<std::size_t>> by_activity;
   for (std::size_t m = 0; m < manoeuvres.size(); ++m) {
@@ -137,13 +137,13 @@ std::vector<std::vector<std::size_t>> Strata(const std::vector<Manoeuvre>& manoe
 /// The number of manoeuvres of each part.
 using Filling = std::array<double, 3>;
 
-/// Number of manoeuvres that a part would lack of its share after the next one.
+/// Number of manoeuvres that a part lacks when one more is assigned.
 double Lack(const Filling& filled, std::size_t part) {
   const double total = filled[0] + filled[1] + filled[2] + 1;
   return kShareOfPart[part] * total - filled[part];
 }
 
-/// Assigns manoeuvres to parts by number, since tests count manoeuvres.
+/// Assigns manoeuvres to parts by number, because tests count manoeuvres.
 void ShareOut(std::vector<Manoeuvre>* manoeuvres, const Stream& stream) {
   Filling resting{}, moving{};
   for (std::vector<std::size_t>& stratum : Strata(*manoeuvres)) {

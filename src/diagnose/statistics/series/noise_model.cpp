@@ -15,7 +15,7 @@ constexpr std::size_t kLongestResponse = 2000;  ///< of an impulse, in samples
 
 constexpr double kLowestDof = 1.5, kHighestDof = 200;
 
-/// The samples that have `order` valid ones right before them.
+/// Samples with `order` valid samples directly before them.
 std::vector<std::size_t> RowsWithMemory(const Mask& valid, std::size_t order) {
   std::vector<std::size_t> rows;
   for (const Segment& segment : SegmentsOf(valid, order + 1)) {
@@ -37,7 +37,7 @@ Eigen::MatrixXd LagProducts(const std::vector<double>& x, const std::vector<std:
   return sum.selfadjointView<Eigen::Lower>();
 }
 
-/// Least-squares coefficients of the given order from the products of a higher one.
+/// Least-squares coefficients of one order from the products of a higher order.
 Eigen::VectorXd Coefficients(const Eigen::MatrixXd& products, Eigen::Index order) {
   Eigen::MatrixXd normal = products.block(1, 1, order, order);
   normal.diagonal().array() += 1e-12 * (products(0, 0) + 1e-300);
@@ -72,7 +72,7 @@ std::vector<double> Errors(const std::vector<double>& x, const std::vector<std::
   return error;
 }
 
-/// The scale that maximises the likelihood at a given dof, by a few EM steps from `scale`.
+/// The scale that maximises the likelihood for a given dof, by EM steps from `scale`.
 double ScaleAt(const std::vector<double>& error, double dof, double scale) {
   for (int step = 0; step < 12; ++step) {
     double sum = 0;
@@ -110,7 +110,8 @@ double DofOf(const std::vector<double>& error, double scale) {
   return 2 / (low + high);
 }
 
-/// Reflection coefficients of a predictor; each |.| < 1 exactly if it is stationary.
+/// Reflection coefficients of a predictor. It is stationary if and only if all magnitudes are below
+/// 1.
 std::vector<double> ReflectionsOf(std::vector<double> ar) {
   std::vector<double> reflection(ar.size());
   for (std::size_t order = ar.size(); order > 0; --order) {
@@ -134,7 +135,7 @@ std::vector<double> Longer(const std::vector<double>& ar, double reflection) {
   return longer;
 }
 
-/// The highest order that leaves at least ten rows for each coefficient.
+/// The highest order with at least ten rows per coefficient.
 std::size_t UsableOrder(const Mask& valid, std::size_t wanted) {
   while (wanted > 0 && RowsWithMemory(valid, wanted).size() < 10 * (wanted + 1)) --wanted;
   return wanted;
@@ -163,7 +164,7 @@ double LongRunVarianceOf(const NoiseModel& noise) {
 }
 
 double StudentLogDensity(double x, double dof) {
-  // std::lgamma keeps the sign in a variable of the whole process, which threads share.
+  // std::lgamma stores the sign in a global variable, which threads share.
   int sign = 1;
   return lgamma_r((dof + 1) / 2, &sign) - lgamma_r(dof / 2, &sign) - 0.5 * std::log(dof * kPi) -
          (dof + 1) / 2 * std::log1p(x * x / dof);

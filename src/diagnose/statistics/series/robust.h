@@ -8,22 +8,21 @@
 
 namespace tera {
 
-/// The 95 % quantile of the standard normal distribution, one-sided.
+/// One-sided 95 % quantile of the standard normal distribution.
 inline constexpr double kOneSided95 = 1.645;
 
-/// The largest magnitude of the values; 0 where there are none.
+/// Largest magnitude; 0 for no values.
 double LargestMagnitude(std::span<const double> values);
 
-/// Standard deviation of a normal distribution by its median absolute deviation:
-/// 1.4826 median |x - median x|.
+/// Standard deviation from the median absolute deviation: 1.4826 median |x - median x|.
 double RobustScale(const std::vector<double>& values);
 
-/// Standard deviation of white noise with the third differences of some series, each in the order
-/// of its times: slower signals hardly count. 0 where there are none.
+/// Standard deviation of white noise from third differences, to which slow signals hardly
+/// contribute. Each series is ordered by time. 0 without any third difference.
 double WhiteNoise(const std::vector<std::vector<double>>& series);
 
-/// First lag, in samples, at which the autocorrelation falls below `level`; at most a quarter of
-/// the length. 1 for a constant.
+/// First lag, in samples, at which the autocorrelation falls below `level`. At most a quarter of
+/// the length; 1 for constant values.
 std::size_t CorrelationLength(std::span<const double> values, double level = 0.2);
 
 }  // namespace tera

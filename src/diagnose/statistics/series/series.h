@@ -6,12 +6,13 @@
 
 namespace tera {
 
-/// One entry for each sample: 1 where the sample can be used.
+/// 1 where a sample can be used, else 0.
 using Mask = std::vector<std::uint8_t>;
 
-/// Uniformly sampled quantity with gaps.
+/// A uniformly sampled quantity with gaps.
 ///
-/// Model   sample k at k * period_s. Where `valid` is 0 there is no measurement, and `value` is 0.
+/// Model   sample k is at k * period_s. Where `valid` is 0 there is no measurement, and `value` is
+///         0.
 struct Series {
   double period_s = 0.01;
   std::vector<double> value;
@@ -27,30 +28,30 @@ struct Segment {
   bool operator==(const Segment&) const = default;
 };
 
-/// Runs of valid samples at least `shortest` long, in order.
+/// Runs of at least `shortest` valid samples, in order.
 std::vector<Segment> SegmentsOf(const Mask& valid, std::size_t shortest = 1);
 
 std::size_t CountValid(const Mask& valid);
 
-/// The mask that is valid where both are.
+/// Valid where both are.
 Mask Both(const Mask& a, const Mask& b);
 
-/// The series with everything outside `kept` made a gap.
+/// The series with gaps outside `kept`.
 Series Restricted(const Series& series, const Mask& kept);
 
 /// The values of the valid samples, in order.
 std::vector<double> ValidValues(const Series& series);
 
-/// Root mean square of the valid samples; 0 where there are none.
+/// Root mean square of the valid samples; 0 without any.
 double Rms(const Series& series);
 
-/// Mean square of the valid samples in a mask; 0 where there are none.
+/// Mean square of the valid samples in a mask; 0 without any.
 double MeanSquare(const Series& series, const Mask& mask);
-/// Mean square of the valid samples of a segment; 0 where there are none.
+/// Mean square of the valid samples of a segment; 0 without any.
 double MeanSquare(const Series& series, const Segment& samples);
 
-/// Values with gaps interpolated linearly and the ends held, for an input whose gaps are short. All
-/// 0 where there is no valid sample.
+/// Values with gaps interpolated linearly and the ends held, for inputs with short gaps. All 0
+/// without a valid sample.
 std::vector<double> BridgedValues(const Series& series);
 
 }  // namespace tera

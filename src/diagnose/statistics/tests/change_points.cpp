@@ -9,10 +9,10 @@
 namespace tera {
 namespace {
 
-constexpr double kCell_s = 0.2;             ///< over which samples are averaged
+constexpr double kCell_s = 0.2;             ///< length of a cell, over which scores are summed
 constexpr std::size_t kShortest_cells = 2;  ///< of a segment
 
-/// Sums of both scores in one cell, in units of their standard deviation a sample.
+/// Sums of both scores over one cell, in units of their standard deviation per sample.
 struct Cell {
   double count = 0, location = 0, scale = 0;
 };
@@ -35,9 +35,9 @@ std::vector<Cell> GatherCells(const Series& innovations, double dof, std::size_t
   return cells;
 }
 
-/// Standard deviation of a score per sample, estimated from differences of neighbouring cells; at
-/// least 1, and 1 with fewer than ten differences. Slightly correlated innovations must not look
-/// like changes.
+/// Standard deviation of a score per sample, from differences of neighbouring cells. At least 1,
+/// and 1 with fewer than ten differences. Slightly correlated innovations must not look like
+/// changes.
 double Inflation(const std::vector<Cell>& cells, double Cell::*score) {
   std::vector<double> difference;
   const Cell* before = nullptr;
@@ -52,7 +52,7 @@ double Inflation(const std::vector<Cell>& cells, double Cell::*score) {
   return difference.size() < 10 ? 1 : std::max(1.0, RobustScale(difference));
 }
 
-/// Cumulative sums, from which the cost of any segment of cells follows.
+/// Cumulative sums that give the cost of any segment of cells.
 class Costs {
  public:
   explicit Costs(const std::vector<Cell>& cells) : sum_(cells.size() + 1) {
@@ -77,7 +77,7 @@ class Costs {
   std::vector<Cell> sum_;
 };
 
-/// The ends of the segments with the least cost; the last one is `count`.
+/// Ends of the segments with the smallest cost; the last end is `count`.
 std::vector<std::size_t> BestSegmentation(const Costs& costs, std::size_t count, double penalty,
                                           std::size_t shortest) {
   std::vector<double> least(count + 1, INFINITY);

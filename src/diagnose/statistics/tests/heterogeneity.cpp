@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-/// Mean of values, weighted by the inverse of their variance plus the common variance `between`^2.
+/// Weighted mean. Weights are the inverse of sigma^2 + `between`^2.
 PooledNumber WeightedMean(const std::vector<UncertainNumber>& values, double between) {
   double sum = 0, weights = 0;
   for (const UncertainNumber& one : values) {

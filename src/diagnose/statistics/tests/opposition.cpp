@@ -10,10 +10,10 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kLengths = 2;         ///< of correlation, in a block
-constexpr std::size_t kFewestSamples = 10;  ///< of a block
+constexpr std::size_t kLengths = 2;         ///< length of a block in correlation lengths
+constexpr std::size_t kFewestSamples = 10;  ///< smallest length of a block
 constexpr std::size_t kFewestBlocks = 3;
-constexpr double kLeastPower = 0.1;  ///< of a block, over that of the whole
+constexpr double kLeastPower = 0.1;  ///< smallest power of a block, over the mean power
 
 double Product(std::span<const double> a, std::span<const double> b) {
   double sum = 0;
@@ -21,7 +21,7 @@ double Product(std::span<const double> a, std::span<const double> b) {
   return sum;
 }
 
-/// Correlations about zero of the blocks in which both series are loud enough.
+/// Uncentred correlations of the blocks in which both series have enough power.
 std::vector<double> CorrelationsOf(std::span<const double> a, std::span<const double> b) {
   const std::size_t size =
       std::max(kFewestSamples, kLengths * std::max(CorrelationLength(a), CorrelationLength(b)));
