@@ -19,10 +19,10 @@
 namespace tera {
 namespace {
 
-/// Places in a new range at which a search for its number starts, from faint to strong.
+/// Positions in a new range at which fits start, from faint to strong.
 constexpr double kLadder[] = {0.1, 0.3, 0.6, 0.9};
 
-constexpr const char* kFormerKey = "suspects";  ///< of "candidates"
+constexpr const char* kFormerKey = "suspects";  ///< synonym of "candidates"
 
 std::vector<const Mechanism*> AllMechanisms() {
   std::vector<const Mechanism*> all;
@@ -64,7 +64,7 @@ std::vector<std::string> ReadIdentifiers(const ConfigMap& config, std::string_vi
   return names;
 }
 
-/// The range of one number, where the mapping has it.
+/// The range of one parameter, if the mapping has it.
 std::optional<NumberRange> ReadRange(const ConfigMap& config, const EffectParameter& parameter,
                                      std::size_t index) {
   if (!config.Has(parameter.name)) return std::nullopt;
@@ -84,7 +84,8 @@ std::optional<NumberRange> ReadRange(const ConfigMap& config, const EffectParame
   return NumberRange{index, ends[0], ends[1]};
 }
 
-/// Mechanisms of one name may differ by what they act on; each gets the ranges of its numbers.
+/// Several mechanisms may share an identifier and differ by target. Each gets the ranges of its
+/// parameters.
 void ReadRanges(const ConfigMap& config, const std::string& id, CandidateLibrary* library) {
   for (const Mechanism* mechanism : AllMechanisms()) {
     if (mechanism->id != id) continue;
@@ -102,19 +103,18 @@ bool Holds(const std::vector<std::string>& names, std::string_view id) {
   return std::find(names.begin(), names.end(), id) != names.end();
 }
 
-/// Length of a range, as a difference, or as the logarithm of the ratio for a logarithmic
-/// parameter.
+/// Length of a range: a difference, or the logarithm of the ratio for a logarithmic parameter.
 double SpanOf(const FreeParameter& free) {
   return free.logarithmic ? std::log(free.upper / free.lower) : free.upper - free.lower;
 }
 
-/// Limits a candidate's parameter to a range, or holds it if the range is a single value.
+/// Restricts a candidate's parameter to a range, or holds it if the range is a single value.
 void Limit(const NumberRange& range, Candidate* candidate) {
   FreeParameter limited = {.index = range.index, .lower = range.lower, .upper = range.upper};
   std::erase_if(candidate->free, [&](const FreeParameter& free) {
     if (free.index != range.index) return false;
     limited.logarithmic = free.logarithmic && range.lower > 0;
-    // The absolute distance of the likelihood's kinks stays.
+    // `kink` is relative to the range, so that it grows as the range shrinks.
     limited.kink = std::min(1.0, free.kink * SpanOf(free) / SpanOf(limited));
     return true;
   });
@@ -131,7 +131,7 @@ void Limit(const NumberRange& range, Candidate* candidate) {
   candidate->starts = std::move(starts);
 }
 
-/// A candidate outside the block's own. Its starts are spread over the first range.
+/// A candidate that the block does not have. Its starts are spread over the first range.
 Candidate NewCandidate(const Mechanism& mechanism, const std::vector<NumberRange>& ranges,
                        const std::string& target, const std::string& file) {
   std::vector<std::optional<NumberRange>> by_number(mechanism.parameters.size());
@@ -166,7 +166,7 @@ Candidate NewCandidate(const Mechanism& mechanism, const std::vector<NumberRange
   return candidate;
 }
 
-/// Whether all candidates of a block act on receivers.
+/// True if all candidates of a block act on receivers.
 bool IsOfReceivers(const ReplayBlock& block) {
   if (block.candidates.empty()) return false;
   return std::all_of(
@@ -174,7 +174,7 @@ bool IsOfReceivers(const ReplayBlock& block) {
       [](const Candidate& candidate) { return candidate.mechanism->ActsOn(EffectTarget::kGnss); });
 }
 
-/// The kind of a target; none for measured poses, which have candidates of their own alone.
+/// The kind of a target. None for measured poses, which only have candidates of their own.
 std::optional<EffectTarget> KindOf(const MachineModel& model, const ReplayBlock& block,
                                    const std::string& target) {
   if (target == kPoses) return std::nullopt;
@@ -189,7 +189,7 @@ std::optional<EffectTarget> KindOf(const MachineModel& model, const ReplayBlock&
   return IsOfReceivers(block) ? EffectTarget::kGnss : EffectTarget::kImu;
 }
 
-/// The targets that the candidates of a block act on; the block itself where it has none.
+/// Targets of a block's candidates; the block itself if it has none.
 std::vector<std::string> TargetsOf(const ReplayBlock& block) {
   if (block.candidates.empty()) return {block.name};
   std::vector<std::string> targets;

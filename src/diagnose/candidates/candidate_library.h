@@ -11,19 +11,20 @@
 
 namespace tera {
 
-/// Search range of a mechanism's parameter; fixed where both ends are equal.
+/// Search range of a mechanism's parameter. Equal ends hold it fixed.
 struct NumberRange {
-  std::size_t index = 0;  ///< among the mechanism's parameters
+  std::size_t index = 0;  ///< in the mechanism's parameters
   double lower = 0, upper = 0;
 };
 
-/// A user's choice of candidate mechanisms, which restricts or extends each block's own candidates.
+/// The user's choice of candidate mechanisms, which restricts or extends the candidates of each
+/// block.
 struct CandidateLibrary {
   std::string file;
-  std::vector<std::string> only;     ///< if not empty, the only admitted mechanisms
-  std::vector<std::string> without;  ///< excluded mechanisms
-  /// Mechanisms with ranges of their own. A mechanism outside a block's own candidates becomes a
-  /// candidate wherever it can act.
+  std::vector<std::string> only;     ///< if not empty, only these mechanisms are candidates
+  std::vector<std::string> without;  ///< these mechanisms are not candidates
+  /// Mechanisms with the user's ranges. A mechanism that is not a candidate of a block becomes one
+  /// wherever it can act.
   std::vector<std::pair<const Mechanism*, std::vector<NumberRange>>> ranges;
 };
 
@@ -34,19 +35,19 @@ struct CandidateLibrary {
 ///     candidates:
 ///       dead_band: {width: [0.02, 0.3], asymmetry: 0}
 ///
-/// `suspects`, the former name of `candidates`, is read as well. Throws InputError with every
-/// fault: an unknown identifier or number, a range that is empty or beyond the mechanism's own.
+/// The key `suspects` is a synonym of `candidates`. Throws InputError with all faults: an unknown
+/// identifier or number, a range that is empty or exceeds that of the mechanism.
 CandidateLibrary ReadCandidateLibrary(const std::filesystem::path& file);
 
 bool Admits(const CandidateLibrary& library, std::string_view mechanism);
 
-/// Sets the candidates of all blocks by a library, and moves their starts into the ranges. Throws
-/// InputError for a mechanism outside a block's own candidates that lacks a range for a parameter
-/// without default.
+/// Applies a library to the candidates of all blocks, and moves their starts into the ranges.
+/// Throws InputError for a new candidate that has neither a range nor a default for one of its
+/// parameters.
 void ApplyLibrary(const CandidateLibrary& library, const MachineModel& model,
                   std::vector<ReplayBlock>* blocks);
 
-/// Throws InputError where a library leaves no block any candidate.
+/// Throws InputError if no block has a candidate.
 void RequireCandidates(const CandidateLibrary& library, const std::vector<ReplayBlock>& blocks);
 
 }  // namespace tera

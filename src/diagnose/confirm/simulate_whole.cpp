@@ -19,20 +19,20 @@
 namespace tera {
 namespace {
 
-constexpr double kLongest_s = 600;   ///< of the unchanged scenario's simulation
-constexpr double kCompared_s = 120;  ///< of the simulation with the findings
-/// Latest first sample of a recording for which the simulation starts at the recording's zero.
+constexpr double kLongest_s = 600;   ///< longest simulation of the unchanged scenario
+constexpr double kCompared_s = 120;  ///< longest simulation with the findings
+/// Latest first sample of a recording whose time zero is that of the simulation.
 constexpr double kMostLateStart_s = 1;
-constexpr double kLead_s = 5;         ///< of the comparison before the first lever moves
-constexpr double kLeverMoves = 0.05;  ///< of full lever, relative to its first value
+constexpr double kLead_s = 5;         ///< start of the comparison before the first lever moves
+constexpr double kLeverMoves = 0.05;  ///< in full levers, from the lever's first value
 constexpr double kPathStep_s = 0.5;
-constexpr double kLeastPath_m = 0.5;  ///< of a base that moves
+constexpr double kLeastPath_m = 0.5;  ///< shortest path of a base that moves
 
-/// The time in the recording at which the simulation starts.
+/// The recording's time at which the simulation starts.
 TimeNs ZeroOf(TimeNs start_ns) { return ToSeconds(start_ns) > kMostLateStart_s ? start_ns : 0; }
 
-/// Start of the comparison with the recording. Motion while all levers rest has another cause, and
-/// would use up the compared time.
+/// Start of the comparison. Motion while all levers rest has another cause, and would use up the
+/// compared time.
 TimeNs ComparedFrom(TimeNs zero_ns, const TableRecording& levers) {
   for (std::size_t k = 0; k < levers.rows.size(); ++k) {
     for (std::size_t c = 0; c < levers.rows[k].size(); ++c) {
@@ -43,7 +43,7 @@ TimeNs ComparedFrom(TimeNs zero_ns, const TableRecording& levers) {
   return zero_ns;
 }
 
-/// Time of the last sample of the machine's encoders; none without samples.
+/// Time of the machine's last encoder sample.
 std::optional<TimeNs> LastOf(const Measurements& measured) {
   std::optional<TimeNs> last_ns;
   for (const NamedEncoders& named : measured.encoders) {
@@ -53,7 +53,7 @@ std::optional<TimeNs> LastOf(const Measurements& measured) {
   return last_ns;
 }
 
-/// Length of the path along poses that are `kPathStep_s` apart.
+/// Length of the path along poses at intervals of kPathStep_s.
 double PathLength_m(const std::vector<TruthPose>& poses) {
   double length_m = 0;
   const TruthPose* last = nullptr;
@@ -82,7 +82,7 @@ class Comparison {
                       const SimulateMachine& simulate) const;
 
  private:
-  /// Length of the comparison.
+  /// End of the comparison, in seconds.
   double Until_s() const;
   void AddBlock(const DiagnosedBlock& diagnosed, const SimulatedCourse& before,
                 const SimulatedCourse& after, WholeSimulation* out) const;
@@ -91,7 +91,7 @@ class Comparison {
   std::vector<std::vector<double>> OfBase(const DiagnosedBlock& diagnosed,
                                           const SimulatedCourse& course) const;
   std::vector<TruthPose> PosesOf(const SimulatedCourse& course, double until_s) const;
-  /// The simulation's time at a place of a block's grid.
+  /// Time in the simulation of a sample of the block's grid.
   double TimeOf_s(const ReplayBlock& block, std::size_t place) const {
     return block.time_s(place) + ToSeconds(start_ns_ - zero_ns_);
   }
@@ -111,7 +111,7 @@ double Comparison::Until_s() const {
   return std::min(until_s, kCompared_s);
 }
 
-/// The simulation's poses at the times of the measured ones.
+/// The simulation's poses at the times of the measured poses.
 std::vector<TruthPose> Comparison::PosesOf(const SimulatedCourse& course, double until_s) const {
   std::vector<TruthPose> poses = AsSimulated(course, BasePoses(measured_));
   std::erase_if(poses,
@@ -119,8 +119,8 @@ std::vector<TruthPose> Comparison::PosesOf(const SimulatedCourse& course, double
   return poses;
 }
 
-/// The base's channels in the simulation over the intervals of the measured poses; empty where it
-/// ends before any.
+/// The base's channels in the simulation, over the intervals of the measured poses. Empty where the
+/// simulation ends before any.
 std::vector<std::vector<double>> Comparison::OfBase(const DiagnosedBlock& diagnosed,
                                                     const SimulatedCourse& course) const {
   const ReplayBlock& block = diagnosed.block;
@@ -141,8 +141,7 @@ std::vector<std::vector<double>> Comparison::OfBase(const DiagnosedBlock& diagno
   return values;
 }
 
-/// A block's channels in the simulation, not a number beyond its end; empty where the simulation
-/// lacks them.
+/// A block's channels in the simulation, NaN beyond its end. Empty where the simulation lacks them.
 std::vector<std::vector<double>> Comparison::Simulated(const DiagnosedBlock& diagnosed,
                                                        const SimulatedCourse& course) const {
   const ReplayBlock& block = diagnosed.block;
@@ -160,7 +159,7 @@ std::vector<std::vector<double>> Comparison::Simulated(const DiagnosedBlock& dia
   return {values};
 }
 
-/// RMSE over the samples of FINAL that the simulation covers; not a number where there are none.
+/// RMSE over the samples of FINAL that the simulation covers. NaN where it covers none.
 double RmseOnFinal(const DiagnosedBlock& diagnosed, std::size_t channel,
                    const std::vector<double>& simulated) {
   const Series& measured = diagnosed.block.channels[channel].measured;

@@ -12,14 +12,14 @@
 namespace tera {
 namespace {
 
-/// Rebuilds the sensors' blocks over poses at their times of measurement instead of arrival.
+/// Rebuilds the sensors' blocks from poses at their times of measurement instead of arrival.
 void ReplaceSensorBlocks(const BlockOptions& options, HeldOutBlocks* held_out) {
   const DiagnosisInput& input = held_out->given.input;
-  std::vector<std::string> not_compared;  // the same as in the first recording
+  std::vector<std::string> not_compared;  // as in the first recording
   TakeSensorBlocks(input.machine, &held_out->blocks);
   for (ReplayBlock& block :
        SensorBlocksByArrivals(input, held_out->measured, options, &not_compared)) {
-    // Without a base's block, TakeSensorBlocks does not recognise them.
+    // Without a block of the base, TakeSensorBlocks does not recognise the sensors' blocks.
     std::erase_if(held_out->blocks,
                   [&](const ReplayBlock& stamped) { return stamped.name == block.name; });
     held_out->blocks.push_back(std::move(block));

@@ -14,13 +14,13 @@
 
 namespace tera {
 
-/// A held-out recording of the diagnosed machine, to which nothing is fitted.
+/// A held-out recording of the diagnosed machine.
 struct HeldOutCase {
   DiagnosisInput input;
   std::shared_ptr<const Recording> recording;
 };
 
-/// A held-out recording's measurements, simulated course (if requested), and blocks.
+/// The measurements and blocks of a held-out recording, and its simulation if requested.
 struct HeldOutBlocks {
   HeldOutCase given;
   Measurements measured;
@@ -28,18 +28,18 @@ struct HeldOutBlocks {
   std::vector<ReplayBlock> blocks;
 };
 
-/// Reads a held-out recording. Its blocks are corrected for the replay's discrepancy, unless
-/// `simulate` is empty. Throws InputError where it cannot be compared.
+/// Reads a held-out recording. Unless `simulate` is empty, its blocks are corrected for the
+/// replay's discrepancy. Throws InputError where it cannot be compared.
 HeldOutBlocks ReadHeldOut(const HeldOutCase& given, const SimulateMachine& simulate, int threads,
                           std::uint64_t seed);
 
-/// Moves stamps of poses and encoders of a held-out recording to their times of measurement, by
-/// StampPosesAnew and StampEncodersAnew. Applies only to clocks that the estimate of the first
-/// recording names. Then rebuilds its blocks.
+/// Corrects stamps of poses and encoders of a held-out recording (StampPosesAnew,
+/// StampEncodersAnew), for clocks that the estimate of the first recording names. Rebuilds its
+/// blocks.
 void StampAnew(const SensorDiagnosis& estimate, int threads, std::uint64_t seed,
                HeldOutBlocks* held_out);
 
-/// Validates a diagnosis on a held-out recording, with the same sensor comparison as in the first.
+/// Validates a diagnosis on a held-out recording. Sensors are compared as in the first recording.
 HeldOutRecording ValidateHeldOut(const std::vector<DiagnosedBlock>& diagnosed,
                                  const BlockOptions& options, std::uint64_t seed,
                                  HeldOutBlocks* held_out);

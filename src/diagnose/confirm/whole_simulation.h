@@ -6,11 +6,12 @@
 
 namespace tera {
 
-/// A channel of the whole simulation against the recording, without and with the findings.
+/// Errors of a channel of the whole simulation against the recording, without and with the
+/// findings.
 struct SimulatedChannel {
   std::string channel, unit;
   double rmse_before = 0, rmse_after = 0;
-  /// Whether the findings bring the whole simulation, as the replay, closer to the recording.
+  /// True if the findings bring the whole simulation closer to the recording.
   bool Follows() const { return rmse_after < rmse_before; }
 };
 
@@ -20,14 +21,14 @@ struct PathLengths {
 };
 
 /// The whole scenario simulated under the recorded levers, unchanged and with the findings, against
-/// the recording. It neither adds nor withdraws findings. It shows interactions between errors of
-/// joints and ground, and drifts that a replay lacks.
+/// the recording. It neither adds nor withdraws findings. It shows drifts, and interactions between
+/// errors of joints and ground, that a replay lacks.
 struct WholeSimulation {
   double from_s = 0, until_s = 0;          ///< compared interval of the recording
   std::vector<SimulatedChannel> channels;  ///< with findings or learned effects, on FINAL
-  std::optional<PathLengths> path;         ///< if both sides have poses and the base moves
+  std::optional<PathLengths> path;  ///< if recording and simulation have poses and the base moves
   std::vector<std::string> not_simulated;  ///< channels with findings that the simulation lacks
-  std::string obstacle;                    ///< reason if there is no simulation at all; else empty
+  std::string obstacle;                    ///< reason why there is no simulation; else empty
 };
 
 }  // namespace tera

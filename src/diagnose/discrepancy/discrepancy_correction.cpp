@@ -45,7 +45,7 @@ std::vector<TruthPose> AsSimulated(const SimulatedCourse& course,
 
 namespace {
 
-/// Standard deviation of the discrepancy's scale about 1: half to one and a half of it is no
+/// Standard deviation of the discrepancy's scale about 1. A scale between 0.5 and 1.5 is no
 /// finding.
 constexpr double kScaleSigma = 0.25;
 
@@ -64,8 +64,8 @@ void AddTo(const std::vector<std::vector<double>>& discrepancy,
   }
 }
 
-/// Adds `discrepancy` to the block's predictions, and its scale to the nuisances. An empty list
-/// leaves its channel unchanged.
+/// Adds `discrepancy` to the block's predictions, and its scale to the nuisances. A channel with an
+/// empty list is unchanged.
 void Extend(std::vector<std::vector<double>> discrepancy, ReplayBlock* block) {
   for (std::size_t c = 0; c < discrepancy.size(); ++c) {
     if (discrepancy[c].empty()) continue;

@@ -3,27 +3,27 @@
 namespace tera {
 namespace {
 
-constexpr double kRate = 0.06;       ///< a joint's rate at full lever, either way, at any angle
-constexpr double kBand = 0.02;       ///< dead band, of full lever
+constexpr double kRate = 0.06;       ///< rate at full lever, in either direction and at any angle
+constexpr double kBand = 0.02;       ///< dead band, as a share of full lever
 constexpr double kExponent = 0.085;  ///< changes the rate at half lever by kRate
 constexpr double kTravel = 0.02, kTracksDiffer = 0.005, kGauge = 0.05;
-constexpr double kPerSlope = 0.05;  ///< estimate: half a degree of slope is not known better
+constexpr double kPerSlope = 0.05;  ///< estimate: slopes are known to half a degree at best
 constexpr double kEncoderZero_deg = 0.17, kEncoderZero_rad = 0.003;
-constexpr double kEncoderScale = 0.01;  ///< estimate: linkages between a sensor and its joint
+constexpr double kEncoderScale = 0.01;  ///< estimate: linkages between sensor and joint
 constexpr double kGyroBias_degps = 0.115, kAccelBias_mps2 = 0.04;
 constexpr double kGyroScale = 0.02, kAccelScale = 0.01;  ///< estimates: without calibration
-constexpr double kWarming_k = 30;  ///< spreads a bias over the usual rise of temperature
+constexpr double kWarming_k = 30;  ///< usual rise of temperature, over which a bias drifts
 constexpr double kMount_deg = 0.46, kUnitPlace_m = 0.05, kAntennaPlace_m = 0.025;
 constexpr double kHeading_deg = 2.9, kDatum_m = 0.04;
 /// Estimate: half of the largest phase error by a reflection, which is a quarter of the carrier's
 /// wavelength (Georgiadou and Kleusberg 1988).
 constexpr double kReflected_m = 0.024;
-constexpr double kPoseTilt_deg = 1.15;   ///< estimate: of a map that was levelled by registration
-constexpr double kClockDrift_ppm = 100;  ///< estimate: a quartz without compensation
+constexpr double kPoseTilt_deg = 1.15;   ///< estimate: map levelled by registration
+constexpr double kClockDrift_ppm = 100;  ///< estimate: quartz without compensation
 
 constexpr DefaultTolerance kTable[] = {
     {"command_delay", "delay_s", 0, kStampTolerance_s},
-    {"input_hold", "period_s", 0, 2 * kStampTolerance_s},  // late by half a period in the mean
+    {"input_hold", "period_s", 0, 2 * kStampTolerance_s},  // the mean delay is half the period
     {"actuator_lag", "time_s", 0, kStampTolerance_s},
     {"drive_friction", "time_s", 0, kStampTolerance_s},
     {"dead_band", "width", 0, kBand},
@@ -60,7 +60,7 @@ constexpr DefaultTolerance kTable[] = {
     {"bias", "accel_y_mps2", 0, kAccelBias_mps2},
     {"bias", "accel_z_mps2", 0, kAccelBias_mps2},
     {"bias", "angle_deg", 0, kEncoderZero_deg},
-    {"bias", "travel_m", 0, kEncoderZero_rad},  // of one metre of lever
+    {"bias", "travel_m", 0, kEncoderZero_rad},  // per metre of lever
     {"temperature_drift", "gyro_x_degpspk", 0, kGyroBias_degps / kWarming_k},
     {"temperature_drift", "gyro_y_degpspk", 0, kGyroBias_degps / kWarming_k},
     {"temperature_drift", "gyro_z_degpspk", 0, kGyroBias_degps / kWarming_k},

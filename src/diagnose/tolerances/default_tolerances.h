@@ -5,30 +5,30 @@
 
 namespace tera {
 
-/// Expected deviation of one parameter of a mechanism, unless the owner states another.
+/// Expected deviation of a parameter of a mechanism where the owner states none.
 struct DefaultTolerance {
   std::string_view mechanism, parameter;
-  double neutral = 0;            ///< value at which the mechanism has no effect
+  double neutral = 0;            ///< value without effect
   double half_width = 0;         ///< 95 % bound of the expected deviation, in the parameter's unit
-  std::string_view target = {};  ///< the only target that it applies to; empty: all
+  std::string_view target = {};  ///< the only target to which it applies; empty: all
 };
 
-/// Dry friction of a drive, as a share of its rate at full lever: the tolerance of the loss.
+/// Tolerance of the rate lost to dry friction of a drive, as a share of the rate at full lever.
 inline constexpr double kFrictionTolerance = 0.02;
 
-/// All delays from a lever to a stamp together.
+/// Tolerance of the sum of all delays between a lever and a stamp.
 inline constexpr double kStampTolerance_s = 0.04;
 
-/// The defaults, by kind of sensor and slot. A parameter without an entry is expected only at the
-/// scenario's value.
+/// All defaults. A parameter without an entry has no tolerance: it is expected at the scenario's
+/// value.
 ///
 /// Source  Rates, bands, delays, tracks and mounts: deviations that the owner of a 4 t excavator
-///         would expect, and within which eleven faultless recordings were drawn. The others are
-///         estimates, each explained at its value.
+///         expects. Eleven faultless recordings were drawn within them. The others are estimates,
+///         each explained at its value.
 std::span<const DefaultTolerance> DefaultTolerances();
 
-/// The default of a parameter of a mechanism on a target. An entry for this target takes precedence
-/// over one for all; null without either.
+/// The default of a parameter of a mechanism on a target. An entry for this target precedes one for
+/// all targets. Null without an entry.
 const DefaultTolerance* DefaultToleranceOf(std::string_view target, std::string_view mechanism,
                                            std::string_view parameter);
 

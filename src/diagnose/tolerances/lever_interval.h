@@ -4,11 +4,10 @@
 
 namespace tera {
 
-/// Interval between rows of a lever log that polls; 0 for a log with a row at each change.
+/// Interval between rows of a lever log that polls. 0 for a log that writes a row at each change.
 ///
-/// Model   the median. A log polls if one row in twenty repeats the previous one in all columns.
-///         Changes between two rows are unknown, so the time of a change is known to half the
-///         interval.
+/// Model   the median interval. A log polls if at least one row in twenty repeats the previous one
+///         in all columns. The time of a change between two rows is known to half the interval.
 double LeverInterval_s(const TableRecording& levers);
 
 }  // namespace tera

@@ -10,9 +10,7 @@
 namespace tera {
 namespace {
 
-/// Standard deviations that leave 5 % of a normal distribution on one side.
-
-/// Expected deviation of a candidate's parameter; none if not stated.
+/// Expected deviation of a candidate's parameter. None without a stated or default tolerance.
 std::optional<Expected> ExpectedOf(const Tolerances& stated, const Candidate& candidate,
                                    const FreeParameter& free) {
   const std::size_t parameter = free.index;
@@ -33,8 +31,8 @@ std::optional<Expected> ExpectedOf(const Tolerances& stated, const Candidate& ca
   return expected;
 }
 
-/// Widening of a parameter's tolerance over the interval of the levers' log. 1 for a reader's
-/// period, 0.5 for delays and lags of commands, else 0.
+/// Factor on the interval of the lever log by which a tolerance widens: 1 for the period of an
+/// input reader, 0.5 for delays and lags of commands, else 0.
 double LateByLever(const Candidate& candidate, const FreeParameter& free) {
   const std::string_view id = candidate.mechanism->id;
   const std::string_view name = candidate.mechanism->parameters[free.index].name;
@@ -45,12 +43,12 @@ double LateByLever(const Candidate& candidate, const FreeParameter& free) {
   return is_delay ? 0.5 : 0;
 }
 
-/// Whether a finding is within tolerance regardless of its parameters.
+/// True if a finding is within tolerance regardless of its parameters.
 bool IsExpectedAnyhow(const Finding& finding) {
   return !IsOfPracticalSize(finding) || IsExplainedAsExpected(finding);
 }
 
-/// Removes rivals within tolerance from the class of a finding beyond tolerance.
+/// Removes rivals within tolerance from a finding beyond tolerance.
 void RejectExpectedRivals(TermEvidence* evidence) {
   const auto& expected = evidence->expected_rivals;
   std::erase_if(evidence->rivals, [&](const Candidate* rival) {

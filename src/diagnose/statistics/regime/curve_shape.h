@@ -25,12 +25,12 @@ enum class CurveParity { kNotTested, kOdd, kEven, kNeither };
 /// Form and parity of a regime curve.
 ///
 /// Model   each form is a family of one to three coefficients. Some have a bend, which is tried at
-///         up to 40 positions. gain = 2 log(L / L_constant) under the information of the curve. The
-///         form with the largest gain - (coefficients + bends) log(rows) wins. Parity compares odd
-///         and even piecewise-linear functions of |x|, if both signs occur. The curve differs from
-///         a constant in [low, high]: between the bends (saturating, local), beyond them
-///         (threshold: `outside`), about the jump (step), where nine tenths of its energy lie
-///         (free), else over the whole visited range.
+///         39 positions. gain = 2 log(L / L_constant) under the information of the curve. The form
+///         with the largest gain - (coefficients + bends) log(rows) wins. Parity compares odd and
+///         even piecewise-linear functions of |x|, if both signs occur. The curve differs from a
+///         constant in [low, high]: between the bends (saturating, local), beyond them (threshold:
+///         `outside`), about the jump (step), where nine tenths of its energy lie (free), else over
+///         the whole visited range.
 /// Source  Schwarz 1978.
 struct CurveShape {
   CurveForm form = CurveForm::kNone;
