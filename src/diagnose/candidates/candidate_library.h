@@ -13,7 +13,7 @@ namespace tera {
 
 /// Search range of a mechanism's parameter. Equal ends hold it fixed.
 struct NumberRange {
-  std::size_t index = 0;  ///< in the mechanism's parameters
+  std::size_t index = 0;  ///< index of the parameter in the mechanism
   double lower = 0, upper = 0;
 };
 

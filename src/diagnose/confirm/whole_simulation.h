@@ -24,8 +24,9 @@ struct PathLengths {
 /// the recording. It neither adds nor withdraws findings. It shows drifts, and interactions between
 /// errors of joints and ground, that a replay lacks.
 struct WholeSimulation {
-  double from_s = 0, until_s = 0;          ///< compared interval of the recording
-  std::vector<SimulatedChannel> channels;  ///< with findings or learned effects, on FINAL
+  double from_s = 0, until_s = 0;  ///< compared interval of the recording
+  /// errors on FINAL of channels with findings or learned effects
+  std::vector<SimulatedChannel> channels;
   std::optional<PathLengths> path;  ///< if recording and simulation have poses and the base moves
   std::vector<std::string> not_simulated;  ///< channels with findings that the simulation lacks
   std::string obstacle;                    ///< reason why there is no simulation; else empty

@@ -44,7 +44,7 @@ class SegmentLinearisation {
   const UniformSpline& spline_;
   const SegmentMotion& motion_;
   const Eigen::VectorXd& parameters_;
-  std::vector<std::optional<FilteredUnit>> filtered_;  ///< by unit; empty without a filter
+  std::vector<std::optional<FilteredUnit>> filtered_;  ///< one per unit; empty without a filter
 };
 
 }  // namespace tera

@@ -5,8 +5,8 @@
 #include "core/units.h"
 #include "diagnose/motion/kinematic_chain.h"
 
-/// Rigid kinematics from the base to a point of a link. The scalar is a template parameter, so that
-/// Jets carry derivatives.
+/// Rigid kinematics from the base to a point of a link. The scalar is a template parameter for
+/// automatic differentiation (ceres::Jet).
 
 namespace tera {
 

@@ -15,7 +15,7 @@ struct MotionAt {
   const Observation& observation;
   const Numbers& numbers;
   const Numbers& resting;        ///< `numbers` with insignificant derivatives set to 0
-  const FilteredUnit* filtered;  ///< of the observed unit; null without a filter
+  const FilteredUnit* filtered;  ///< filter of the observed unit; null without a filter
   double from_s, to_s;           ///< time of the observation on the spline
   LinearisedObservation* out;
 

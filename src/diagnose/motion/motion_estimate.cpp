@@ -11,10 +11,11 @@
 namespace tera {
 namespace {
 
-constexpr double kJerk_mps3 = 40, kJerk_radps3 = 60;  ///< of base and joints, 1 sigma
+/// 1 sigma of third derivatives of base and joints
+constexpr double kJerk_mps3 = 40, kJerk_radps3 = 60;
 /// 1 sigma of the distance of each coefficient from its start.
 constexpr double kPlace_m = 50, kLean_rad = 0.5, kYaw_rad = 5, kJoint = 2;
-constexpr int kUnweightedIterations = 2;  ///< of a first estimate
+constexpr int kUnweightedIterations = 2;  ///< unweighted iterations of a first estimate
 /// A coordinate moves where the power of its rate exceeds the error variance of the rate by this
 /// factor.
 constexpr double kStandsOut = 30;
@@ -24,7 +25,7 @@ constexpr double kSettled = 0.02;
 constexpr double kTurnsBack = 0.5, kGoesOn = 1.5;
 
 struct LinearisedSegment {
-  ParameterQuadratic quadratic;  ///< over changes of this segment's parameters
+  ParameterQuadratic quadratic;  ///< quadratic over changes of this segment's parameters
   NormalEquations equations;
   /// by noise channel, scaled to the noise without model error
   std::vector<std::vector<double>> residuals;

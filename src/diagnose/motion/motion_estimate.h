@@ -12,7 +12,7 @@ namespace tera {
 /// Prior of the parameters: normal with mean `documented`, truncated to the bounds.
 struct ParameterPrior {
   Eigen::VectorXd documented, sigma, lower, upper;  ///< bounds may be infinite
-  Eigen::VectorXd small = sigma;                    ///< scale below which a change does not matter
+  Eigen::VectorXd small = sigma;  ///< scale for convergence: changes far below it do not matter
 };
 
 struct MotionEstimate {

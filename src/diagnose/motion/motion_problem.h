@@ -70,12 +70,16 @@ struct MapChannel {
 
 enum class ObservationKind { kImu, kReceiver, kAxis, kPose, kTravel, kStill, kRest, kGround };
 
-/// Numbers measured over a time span, in seconds of the segment's spline. `value` holds, by kind:
+/// Numbers measured over a time span, in seconds of the segment's spline. Contents of `value`:
 ///
-/// kImu: turn rates and specific forces. kReceiver: a position. kAxis: one angle. kPose: position,
-/// then roll, pitch, yaw. kTravel: forward speed and yaw rate from the running gear. kStill:
-/// nothing; the base stands. kRest: nothing; coordinate `channel`, which no encoder measures,
-/// stands. kGround: height, roll and pitch of a base on the ground.
+///   kImu: turn rates and specific forces.
+///   kReceiver: position.
+///   kAxis: angle.
+///   kPose: position, then roll, pitch, yaw.
+///   kTravel: forward speed and yaw rate from the running gear.
+///   kStill: none; the base stands.
+///   kRest: none; the coordinate `channel`, which no encoder measures, stands.
+///   kGround: height, roll and pitch of a base on the ground.
 struct Observation {
   ObservationKind kind = ObservationKind::kAxis;
   int channel = 0;

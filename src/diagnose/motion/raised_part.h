@@ -10,15 +10,15 @@ namespace tera {
 inline constexpr int kBaseNumbers = 6;
 inline constexpr int kRoll = 3, kYaw = 5;
 
-/// A part that rises beside an antenna, such as a boom, and reflects satellite signals.
+/// A part that rises next to an antenna, such as a boom, and reflects satellite signals.
 ///
 /// Model   the reflection shifts the measured position by (h cos a, h sin a, v cos a) r with a = A
 ///         - azimuth. A is the azimuth of the part and r the sine of its elevation. For known r
-///         (cos A, sin A), the shift is linear in the four numbers (h cos azimuth, h sin azimuth, v
+///         (cos A, sin A), the shift is linear in four numbers: (h cos azimuth, h sin azimuth, v
 ///         cos azimuth, v sin azimuth).
 struct RaisedPart {
   KinematicChain chain;
-  Vec3 direction_L = Vec3::UnitX();  ///< from foot to tip
+  Vec3 direction_L = Vec3::UnitX();  ///< direction from foot to tip
 
   /// r (cos A, sin A) in W. Zero for a part that hangs down or stands upright.
   Eigen::Vector2d At(const Eigen::VectorXd& numbers) const;

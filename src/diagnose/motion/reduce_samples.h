@@ -45,7 +45,7 @@ void SetMotionOfUnits(MotionProblem* problem);
 /// The angle of one running gear over time.
 struct GearTrack {
   TimeSeries angle_rad;
-  double resolution_rad = 0;  ///< of the encoder
+  double resolution_rad = 0;  ///< resolution of the encoder
   /// travel per radian; distance to the left of the base's centre
   double radius_m = 0, left_m = 0;
 };

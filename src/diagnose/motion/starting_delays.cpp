@@ -11,10 +11,10 @@ namespace tera {
 namespace {
 
 constexpr double kStep_s = 0.05;
-constexpr int kSteps = 10;  ///< to either side: 0.5 s
+constexpr int kSteps = 10;  ///< number of steps to either side: 0.5 s
 constexpr double kLeastCorrelation = 0.7, kAlpha = 0.01;
 constexpr double kLeastShare = 0.5;     ///< a new delay must reduce the mean square by this share
-constexpr std::size_t kMostRows = 600;  ///< of a unit for the mean square
+constexpr std::size_t kMostRows = 600;  ///< largest number of a unit's rows in the mean square
 constexpr std::size_t kFewestRows = 20;
 
 /// An even subset of a unit's observations, each with the index of its segment.

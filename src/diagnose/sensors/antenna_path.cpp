@@ -10,7 +10,7 @@
 namespace tera {
 namespace {
 
-constexpr double kStep_s = 0.05;  ///< of the path, linear between
+constexpr double kStep_s = 0.05;  ///< time step of the path
 
 /// The time that all series cover.
 struct Span {

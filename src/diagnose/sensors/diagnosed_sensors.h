@@ -23,7 +23,7 @@ struct DiagnosedSensors {
   DiagnosedSensors& operator=(DiagnosedSensors&&) = default;
 
   SensorDiagnosis estimate;
-  std::deque<Candidate> candidates;  ///< of the findings and their rivals
+  std::deque<Candidate> candidates;  ///< candidates of the findings and their rivals
   std::vector<SensorFound> findings, within_tolerance;
   /// Chosen mechanisms that gain too little to be the cause, and mechanisms beyond tolerance whose
   /// gain is not steady.

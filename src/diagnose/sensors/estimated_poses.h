@@ -11,10 +11,10 @@ namespace tera {
 /// position or heading would rest on running gear alone: it takes two receivers, or one receiver
 /// and an inertial unit.
 ///
-/// Model   running gear has little weight beside receivers: its deviation is a third of its speed.
-///         Parts of the motion are estimated separately. At their border both move to the middle of
-///         the difference. Each part spreads its correction over its whole length, because a jump
-///         would look like a turn.
+/// Model   running gear has little weight where there are receivers: its deviation is a third of
+///         its speed. Parts of the motion are estimated separately. At their border both move to
+///         the middle of the difference. Each part spreads its correction over its whole length,
+///         because a jump would look like a turn.
 /// Omits   the uncertainty of the motion, which a comparison takes for noise; velocities, which
 ///         stay unset.
 std::vector<TruthPose> EstimatedPoses(const SensorDiagnosis& estimate);

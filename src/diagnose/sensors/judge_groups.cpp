@@ -19,9 +19,10 @@ constexpr double kRangeEnd = 0.99;   ///< a value beyond this share of its range
 constexpr double kRivalShare = 0.5;  ///< a rival reaches at least this share of a gain
 /// Log odds of the posterior, about 20 : 1, beyond which a group is no rival.
 constexpr double kRivalOdds = 3;
-constexpr int kMostTried = 8;        ///< groups that are cross-fitted in each step
-constexpr double kCancels = 0.98;    ///< correlation above which effects cancel
-constexpr double kWithinSigmas = 3;  ///< from the documented value, for a group to be listed
+constexpr int kMostTried = 8;      ///< groups that are cross-fitted in each step
+constexpr double kCancels = 0.98;  ///< correlation above which effects cancel
+/// deviation from the documented value from which a group is listed
+constexpr double kWithinSigmas = 3;
 constexpr std::size_t kFewestJudgedSegments = 3;
 constexpr std::size_t kMostParts = 12;  ///< number of parts for the tests
 

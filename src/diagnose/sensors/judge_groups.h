@@ -8,13 +8,13 @@
 namespace tera {
 
 struct JudgeOptions {
-  double alpha = 0.01;  ///< for all groups together, and for the rejection of each rival
+  double alpha = 0.01;  ///< level for all groups together, and for the rejection of each rival
   int most_named = 4;
 };
 
 /// A parameter, estimated with its group free.
 struct JudgedParameter {
-  double value = 0, sigma = 0;  ///< in SI units
+  double value = 0, sigma = 0;  ///< value and standard deviation in SI units
   bool is_beyond = false;       ///< the 95 % interval lies outside the tolerance
 };
 
@@ -22,7 +22,7 @@ struct JudgedParameter {
 struct NamedGroup {
   int group = 0;
   std::vector<JudgedParameter> parameters;
-  double gain = 0;          ///< of log-likelihood, on segments left out of the fit
+  double gain = 0;          ///< gain in log-likelihood on segments left out of the fit
   double p = 1;             ///< p-value of the steadiness of this gain
   std::vector<int> rivals;  ///< groups that explain the recording about as well instead
 };
@@ -39,7 +39,7 @@ struct GroupJudgement {
   /// each group freed in addition to the named ones
   std::vector<std::vector<JudgedParameter>> by_group;
   Eigen::VectorXd parameters;  ///< fitted with the named groups free
-  double left_to_gain = 0;     ///< of log-likelihood, if all groups were free
+  double left_to_gain = 0;     ///< gain in log-likelihood if all groups were free
 };
 
 /// Decides which groups lie beyond their tolerances.

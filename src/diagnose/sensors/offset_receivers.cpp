@@ -14,7 +14,7 @@ namespace tera {
 namespace {
 
 constexpr double kEstimated_s = 0.5;  ///< the motion estimate finds delays up to this
-constexpr double kAlpha = 0.01;       ///< for all receivers together
+constexpr double kAlpha = 0.01;       ///< level for all receivers together
 /// Bounds of the motion of the fixes over that of the path: tracks slip, and wheels wear.
 constexpr double kLeastLagShare = 0.5, kMostLagShare = 1.5;
 constexpr const char* kClock = "clock_offset";

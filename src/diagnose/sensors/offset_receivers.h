@@ -25,7 +25,7 @@ std::vector<ReceiverLag> ReceiverLags(const DiagnosisInput& input, const Measure
 ///         encoders. Three conditions hold. The lag exceeds 0.5 s and its tolerance with 95 %
 ///         confidence. It is better than any other lag, with p at most 0.01 over all receivers. The
 ///         fixes move 0.5 to 1.5 times as far as the path.
-/// Omits   early encoders or poses beside receivers that are all right; receivers without their
+/// Omits   early encoders or poses while the receivers are right; receivers without their
 ///         documented fix.
 std::vector<OffsetReceiver> OffsetReceiversOf(const DiagnosisInput& input,
                                               const Measurements& measured);

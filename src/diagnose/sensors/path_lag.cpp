@@ -12,16 +12,17 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double kFurthestLag_s = 60, kLag_s = 0.1;
-constexpr double kApart_s = 1;              ///< from the found lag, for a lag to count as another
-constexpr double kMean_s = 1;               ///< over which fixes are averaged
-constexpr double kPeriods = 2;              ///< fixes averaged at low rates
-constexpr int kStepsOfBlock = 5;            ///< with one turn
+constexpr double kApart_s = 1;    ///< distance from the found lag at which a lag counts as another
+constexpr double kMean_s = 1;     ///< time over which fixes are averaged
+constexpr double kPeriods = 2;    ///< fixes averaged at low rates
+constexpr int kStepsOfBlock = 5;  ///< steps in a block with one turn
 constexpr std::size_t kMostPathParts = 24;  ///< independent parts of a recording
-constexpr double kApartSigmas = 4;  ///< likewise in standard deviations; the larger distance holds
+/// the same distance in standard deviations; the larger one holds
+constexpr double kApartSigmas = 4;
 constexpr std::size_t kFewestSteps = 10;
 /// Largest power of the first difference of white noise, over its variance.
 constexpr double kLoudest = 2;
-constexpr double kLeastNoise_m = 1e-3;  ///< of a step, by rounding of fixes
+constexpr double kLeastNoise_m = 1e-3;  ///< smallest noise of a step, by rounding of fixes
 
 /// Steps between means over consecutive seconds.
 struct Steps {
@@ -29,12 +30,12 @@ struct Steps {
   std::vector<char> is_known;
 };
 
-/// How well steps of a path explain steps of the fixes, by block.
+/// Fit of the path's steps to the steps of the fixes.
 struct Fit {
   double share = 0, power_m2 = 0;
-  std::vector<Complex> turn;       ///< by block
+  std::vector<Complex> turn;       ///< turn of each block
   std::vector<double> left_m2;     ///< residual sum of squares, by block
-  std::vector<std::size_t> steps;  ///< by block
+  std::vector<std::size_t> steps;  ///< number of steps in each block
 
   double Left_m2() const {
     double sum = 0;

@@ -17,7 +17,7 @@ namespace tera {
 namespace {
 
 constexpr int kIterationsAgain = 8;
-constexpr int kRounds = 3;  ///< of linearisation with the named groups free
+constexpr int kRounds = 3;  ///< most rounds of linearisation with the named groups free
 /// Parts separated by at most the splines' margin meet in the middle.
 constexpr double kJoined_s = 0.5;
 

@@ -38,13 +38,13 @@ struct ChannelError {
   double noise = 0, inflation = 1;
   double differences = 0;                ///< noise deviation by successive differences of residuals
   double motion = 0;                     ///< inertial units: standard deviation of the measurements
-  double tolerance = 0;                  ///< of a constant error
-  double rms_before = 0, rms_after = 0;  ///< with no group free; with the named groups free
+  double tolerance = 0;                  ///< tolerance of a constant error
+  double rms_before = 0, rms_after = 0;  ///< RMS with no group free; with the named groups free
 };
 
 /// The estimated motion of a part of the recording.
 struct EstimatedMotion {
-  TimeNs start_ns = 0, end_ns = 0;  ///< of the observed time
+  TimeNs start_ns = 0, end_ns = 0;  ///< observed time
   TimeNs spline_start_ns = 0;
   UniformSpline spline;
   Eigen::MatrixXd coefficients;
@@ -59,9 +59,9 @@ struct EstimatedMotion {
 struct SensorDiagnosis {
   std::vector<SensorFinding> findings;
   std::vector<SensorFinding> within_tolerance, untestable;
-  std::vector<SensorFinding> unproven;  ///< as in GroupJudgement
+  std::vector<SensorFinding> unproven;  ///< GroupJudgement::unproven
   std::vector<std::vector<TargetMechanism>> not_told_apart;
-  double left_to_gain = 0;                 ///< as in GroupJudgement
+  double left_to_gain = 0;                 ///< GroupJudgement::left_to_gain
   std::vector<TargetMechanism> estimated;  ///< every mechanism and target that was estimated
   std::size_t candidates = 0;              ///< number of mechanisms of targets that can be named
   std::vector<ChannelError> channels;

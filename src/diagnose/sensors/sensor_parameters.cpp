@@ -18,7 +18,7 @@ namespace tera {
 namespace {
 
 constexpr double kPriorShare = 0.5;   ///< prior sigma over tolerance
-constexpr double kFlexibleShare = 1;  ///< the same for the flexible prior
+constexpr double kFlexibleShare = 1;  ///< sigma of the flexible prior over tolerance
 /// Further factor for delays in the flexible prior: far from the true delay their effect is not
 /// linear.
 constexpr double kFlexibleDelays = 10;

@@ -15,7 +15,7 @@ namespace tera {
 
 /// One parameter of a mechanism of one target, in SI units.
 struct SensorParameter {
-  std::string name, unit;  ///< of the mechanism: "yaw_deg", "deg"
+  std::string name, unit;  ///< the mechanism's: "yaw_deg", "deg"
   double si_per_unit = 1;
   double documented = 0, tolerance = 0;
   double free_sigma = 0;  ///< prior deviation where its group is free
@@ -49,7 +49,7 @@ struct ParameterGroup : TargetMechanism {
 
 /// All parameters of the sensors.
 struct ParameterTable {
-  Tolerances stated;  ///< by the owner; otherwise the defaults hold
+  Tolerances stated;  ///< tolerances that the owner states; otherwise the defaults hold
   std::vector<SensorParameter> parameters;
   std::vector<ParameterGroup> groups;
 
@@ -59,7 +59,7 @@ struct ParameterTable {
   /// The prior with some groups free within the range of their mechanism. The others are normal
   /// about the documented value with half their tolerance as sigma, truncated to the tolerance.
   ParameterPrior PriorWith(const std::vector<int>& free_groups) const;
-  /// A wide prior without bounds, with nearly everything free.
+  /// A wide prior without bounds. Its sigma is the tolerance, for delays ten times the tolerance.
   ParameterPrior FlexiblePrior() const;
   Eigen::VectorXd Wander() const;
   /// Indices of all delays.
@@ -87,7 +87,7 @@ void AddClipping(const SensorDescription& unit, const std::array<double, 2>& sig
                  ParameterTable* table, UnitChannel* channel);
 void AddReceiverParameters(const SensorDescription& receiver, const Vec3& part_m, double segment_s,
                            ParameterTable* table, ReceiverChannel* channel);
-/// Adds the linear numbers of the reflection from the part beside a receiver (RaisedPart).
+/// Adds the linear numbers of the reflection from the part next to a receiver (RaisedPart).
 void AddReflectionParameters(const SensorDescription& receiver, ParameterTable* table,
                              ReceiverChannel* channel);
 /// Adds the yaw of two antennas on one link, as a parameter of the first receiver. Its tolerance is
@@ -105,9 +105,9 @@ int AddEncoderDelay(const std::string& target, const Effects& effects, Parameter
 /// index.
 ///
 /// Model   every inertial unit behind a joint sees the same gain. A scale error that all of them
-///         share is therefore not attributed to a unit. Two causes: a spline smooths accelerations
-///         shorter than its knots, and a recorder or simulator with discrete steps has
-///         accelerations that differ from the derivative of its rates.
+///         share is therefore not attributed to a unit. Such an error has two causes. A spline
+///         smooths accelerations shorter than its knots. A recorder or simulator with discrete
+///         steps has accelerations that differ from the derivative of its rates.
 int AddAccelerationGain(const std::string& number, ParameterTable* table);
 /// Adds the height by which the known ground is too high, which is never named. Returns its index.
 int AddGroundHeight(ParameterTable* table);

@@ -19,12 +19,12 @@
 namespace tera {
 namespace {
 
-constexpr double kSplineStep_s = 0.05;  ///< between knots
-constexpr double kMargin_s = 0.5;       ///< of a segment's spline at either end, for delays
+constexpr double kSplineStep_s = 0.05;  ///< time between knots
+constexpr double kMargin_s = 0.5;       ///< margin of a segment's spline at either end, for delays
 constexpr double kSegment_s = 10, kShortestSegment_s = 4;
 constexpr double kFewestSegments = 8;
 constexpr double kImuWindow_s = kSplineStep_s;
-constexpr double kLeastBaseline_m = 0.05;  ///< of two antennas, for a yaw
+constexpr double kLeastBaseline_m = 0.05;  ///< shortest baseline of two antennas with a yaw
 /// spacing of ground observations along the path, for independent errors
 constexpr double kGroundEvery_m = 0.5;
 
@@ -146,7 +146,8 @@ class Builder {
   const KnownPlace& place_;
   SensorProblem problem_;
   double segment_s_ = kSegment_s;
-  std::vector<int> places_;  ///< by joint of the model: index among the estimated joints, or -1
+  /// for each joint of the model: index among the estimated joints, or -1
+  std::vector<int> places_;
   std::vector<std::size_t> joints_;
   RoughSources rough_;
 };

@@ -10,7 +10,7 @@
 
 namespace tera {
 
-/// What is known about a machine's location besides its measurements.
+/// Prior knowledge of a machine's location.
 struct KnownPlace {
   std::optional<Pose> start;  ///< initial pose of the base
   GroundHeight ground;        ///< empty where it is unknown
@@ -26,10 +26,10 @@ struct SensorProblem {
 
 /// Builds the problem from measurements.
 ///
-/// Model   observations come from inertial units, receivers with their documented fix, encoders of
-///         joints before these sensors, recorded poses, travel and standstill of running gear, and
-///         known ground. Segments are about 10 s long; a recording is cut into at least eight, as
-///         long as each lasts at least 4 s.
+/// Model   observations come from: inertial units; receivers with their documented fix; encoders of
+///         joints before these sensors; recorded poses; travel and standstill of running gear;
+///         known ground. Segments are about 10 s long. A recording is cut into at least eight
+///         segments, as long as each lasts at least 4 s.
 /// Omits   rates of encoders; fixes worse than documented; joints behind all units and antennas.
 SensorProblem MakeSensorProblem(const DiagnosisInput& input, const Measurements& measured,
                                 const KnownPlace& place);

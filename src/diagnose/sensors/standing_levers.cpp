@@ -9,10 +9,10 @@ namespace tera {
 namespace {
 
 constexpr double kWindow_s = 0.1;
-constexpr double kNeutral = 0.02;          ///< expected dead band of a lever
-constexpr double kLongestEffect_s = 2;     ///< of a lever after its return to neutral
-constexpr double kStampedLate_s = 0.5;     ///< largest delay of lever stamps
-constexpr double kTurnsOver_s = 1;         ///< span of the mean turn rate
+constexpr double kNeutral = 0.02;       ///< expected dead band of a lever
+constexpr double kLongestEffect_s = 2;  ///< longest effect of a lever after its return to neutral
+constexpr double kStampedLate_s = 0.5;  ///< largest delay of lever stamps
+constexpr double kTurnsOver_s = 1;      ///< span of the mean turn rate
 constexpr double kLeastTurn_radps = 0.15;  ///< three times the rocking of a base
 
 /// The column of the first lever that satisfies `moves_it`. None where it was not recorded.

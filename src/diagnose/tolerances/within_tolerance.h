@@ -25,8 +25,9 @@ bool IsOfPracticalSize(const Finding& finding);
 /// manoeuvres, gain in others, and still leave error.
 bool IsExplainedAsExpected(const Finding& finding);
 
-/// True if at least one parameter of a finding is significantly beyond tolerance, the finding is of
-/// practical size, and no hypothesis within tolerance explains the data as well.
+/// True if a finding is beyond tolerance. Three conditions hold: at least one parameter is
+/// significantly beyond tolerance, the finding is of practical size, and no hypothesis within
+/// tolerance explains the data as well.
 ///
 /// Model   a parameter is beyond tolerance if 95 % of its posterior lies beyond the nearer end. The
 ///         posterior is normal about the estimate; the tolerance is centred on the scenario's

@@ -39,7 +39,7 @@ struct Finding {
   Term term;
   std::vector<ParameterEstimate> parameters;
   TermEvidence evidence;
-  Location location;      ///< of the error that remains without this finding
+  Location location;      ///< where the error occurs that remains without this finding
   HeldOutError held_out;  ///< before: without this finding; after: with it
   /// Largest RMS change on FINAL, in the channel of `held_out`, by a rate factor at the end of its
   /// tolerance. 0 if the block has no rate factor.
@@ -75,9 +75,9 @@ struct BlockDiagnosis {
   /// Mechanisms that come nearest to an unexplained error, but are not its cause.
   std::vector<Finding> proxies;
   std::vector<Unexplained> unexplained;
-  std::vector<ResidualVerdict> residual_verdicts;  ///< by channel
-  std::vector<Detectability> detectability;        ///< by candidate
-  std::vector<HeldOutError> confirmed;  ///< by channel; before: no term; after: all findings
+  std::vector<ResidualVerdict> residual_verdicts;  ///< one per channel
+  std::vector<Detectability> detectability;        ///< one per candidate
+  std::vector<HeldOutError> confirmed;  ///< one per channel; before: no term; after: all findings
   /// For blocks with one channel and readings of its chain (ReplayBlock::read_whole). If the plain
   /// map is better, no finding is confirmed.
   std::optional<PlainComparison> plain;

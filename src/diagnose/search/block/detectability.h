@@ -10,7 +10,8 @@ namespace tera {
 /// Smallest size of a candidate that the diagnosis would find if noise were its only limit.
 struct Detectability {
   const Candidate* candidate = nullptr;
-  std::optional<double> smallest;  ///< of its main parameter; none if it would find no start
+  /// value of its main parameter; none if the diagnosis would find no start
+  std::optional<double> smallest;
 };
 
 /// Tests the candidate's starts from faint to strong, with known parameters. Returns the first that

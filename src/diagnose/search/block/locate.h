@@ -26,7 +26,7 @@ struct Regime {
 /// Where a channel's error occurs: in time, and over the channel's variables.
 struct Location {
   std::size_t channel = 0;
-  std::vector<Segment> intervals;  ///< in samples
+  std::vector<Segment> intervals;  ///< sample indices
   std::size_t worst = 0;           ///< index of the interval with most error beyond noise
   std::vector<Regime> regimes;     ///< best regressor first, each given the previous ones
 };
@@ -39,7 +39,7 @@ std::vector<RegimeVariable> VariablesAndShares(const Channel& channel, const Ser
 struct LeadingVariable {
   std::size_t index = 0;  ///< index in VariablesAndShares
   double p = 1;
-  double gain = 0;  ///< of its curve, in log-likelihood on SELECT
+  double gain = 0;  ///< gain of its curve in log-likelihood on SELECT
 };
 
 /// Locates the residual of a channel in time and over the channel's variables.

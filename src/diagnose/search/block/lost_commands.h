@@ -12,7 +12,7 @@ namespace tera {
 /// An interval in which a rate keeps the value that was predicted for its beginning.
 struct Hold {
   Segment samples;
-  double gain = 0;  ///< in log-likelihood, of the held over the predicted rate
+  double gain = 0;  ///< gain in log-likelihood, of the held over the predicted rate
 };
 
 /// Noise of a rate.
@@ -30,9 +30,9 @@ struct HoldNoise {
 ///         intervals.
 /// Omits   the drive's response at the end of a hold: the rate jumps at once.
 ///
-///         `residual` is measured minus `predicted`. With `early`, intervals hold the value
-///         predicted for their end. No physical effect does this. Early holds therefore count how
-///         often model errors look like holds.
+/// `residual` is measured minus `predicted`. With `early`, intervals hold the value predicted for
+/// their end. No physical effect does this. Early holds therefore count how often model errors look
+/// like holds.
 std::vector<Hold> HoldsOf(const Series& residual, const std::vector<double>& predicted,
                           const HoldNoise& noise, bool early = false);
 
@@ -42,11 +42,11 @@ Series WithHolds(Series residual, const std::vector<double>& predicted,
 
 /// Commands lost at random, which no replay can predict.
 struct LostCommands {
-  std::vector<Hold> holds;                 ///< by time
-  double p = 1;                            ///< of the gain of the holds
+  std::vector<Hold> holds;                 ///< ordered by time
+  double p = 1;                            ///< p-value of the gain of the holds
   double period_s = 0;                     ///< median length of a hold
   double probability = 0;                  ///< share of commands lost while a loss would be visible
-  double rmse_before = 0, rmse_after = 0;  ///< over all samples, without and with holds
+  double rmse_before = 0, rmse_after = 0;  ///< RMSE over all samples, without and with holds
 };
 
 /// Lost commands that no other finding explains. None if the rate shows no loss.

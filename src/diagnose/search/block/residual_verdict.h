@@ -20,7 +20,7 @@ struct ResidualVerdict {
   /// a remaining error.
   bool flexible_regressor_predicts = false;
   std::size_t manoeuvres = 0;  ///< number of commanded manoeuvres of FINAL
-  std::size_t loud = 0;        ///< of these, number with a residual above noise
+  std::size_t loud = 0;        ///< number of those whose residual exceeds noise
   enum class Kind {
     kNoise,    ///< noise, or errors of nominal numbers
     kUnknown,  ///< above noise by third differences; without rest, slow noise cannot be excluded
@@ -45,7 +45,7 @@ struct Unexplained {
   std::optional<double> p;
   /// larger gain of the two, over the flexible regressor's gain without any term
   double share = 0;
-  double rmse = 0;   ///< on FINAL
+  double rmse = 0;   ///< RMSE on FINAL
   double noise = 0;  ///< RMS of the channel's noise
 };
 
@@ -73,12 +73,12 @@ std::vector<ResidualVerdict> ResidualVerdictsOf(const EvaluationContext& context
 ///         weights, the energy that the curve removes must exceed accepted errors by 1.6 standard
 ///         deviations over manoeuvres. Accepted errors are the change by any mechanism at the end
 ///         of its tolerance, and errors of nominal numbers and of a mechanism's form. Both
-///         conditions must hold again beside the mechanisms within tolerance that explain most
+///         conditions must hold again after mechanisms within tolerance are added that explain most
 ///         (MisfitOfExpectedBeside). The variable with the largest gain leads the location.
 ///
 ///         Flexible regressor. It predicts a channel if its gain is steady over SELECT (Bonferroni
-///         over the diagnosis's channels) and over FINAL. If few manoeuvres are loud, or the
-///         residual may be slow noise, a second test uses all manoeuvres, each with a fit to the
+///         over the diagnosis's channels) and over FINAL. A second test runs if few manoeuvres are
+///         loud or the residual may be slow noise. It uses all manoeuvres, each with a fit to the
 ///         others, at half the level. A predicted error is reported only if it reduces FINAL's
 ///         error by at least what is tolerated.
 std::vector<Unexplained> UnexplainedOf(const EvaluationContext& context,

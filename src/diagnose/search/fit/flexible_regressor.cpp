@@ -20,16 +20,16 @@ constexpr double kNoiseRidge = 1e-6;
 /// entirely.
 constexpr std::array kRidges = {1e-4, 1e-2, 0.1, 1.0, 10.0, 100.0, 1000.0};
 constexpr std::size_t kRegressorFolds = 5;
-constexpr int kHuberReweightings = 3;      ///< of Huber's regression
-constexpr std::size_t kHighestOrder = 10;  ///< of the noise's autoregression
+constexpr int kHuberReweightings = 3;      ///< reweightings of Huber's regression
+constexpr std::size_t kHighestOrder = 10;  ///< highest order of the noise's autoregression
 /// Smallest degrees of freedom of the innovations. A machine that rests half the time leaves
 /// residuals of two scales. Heavier tails would treat its motion as outliers, and only rest would
 /// count.
 constexpr double kLeastDof = 4;
 /// Smallest ratio of the innovations' scale to the channel's RMS: no replay is better.
 constexpr double kLeastScaleOfRms = 2e-3;
-constexpr double kLeastScale = 1e-6;  ///< of innovations, in rad/s or m/s; smaller values are
-                                      ///< rounding
+/// smallest scale of innovations, in rad/s or m/s; smaller values are rounding
+constexpr double kLeastScale = 1e-6;
 
 /// Weighted normal equations of a regression.
 struct Products {
@@ -64,7 +64,7 @@ Eigen::VectorXd Solve(Eigen::MatrixXd information, const Eigen::VectorXd& pull, 
 struct Problem {
   Eigen::MatrixXd x;
   Eigen::VectorXd y;
-  std::vector<std::size_t> fold;  ///< of each row
+  std::vector<std::size_t> fold;  ///< fold of each row
 };
 
 Eigen::VectorXd HuberWeights(const Eigen::VectorXd& left) {

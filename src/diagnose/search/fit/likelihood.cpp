@@ -9,7 +9,7 @@
 namespace tera {
 namespace {
 
-constexpr int kReweightings = 2;  ///< of the Student-t regression of nuisances
+constexpr int kReweightings = 2;  ///< reweightings of the Student-t regression of nuisances
 /// Bound of a nuisance, in standard deviations.
 constexpr double kMostDeviations = 2;
 

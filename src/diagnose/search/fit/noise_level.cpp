@@ -9,7 +9,7 @@ namespace tera {
 namespace {
 
 constexpr double kMostRestCommand = 0.02;  ///< |command| up to this is rest
-constexpr double kDecay_s = 1.5;           ///< from the last command to rest
+constexpr double kDecay_s = 1.5;           ///< time from the last command to rest
 constexpr double kLeastRest_s = 2;         ///< shorter rest does not determine the noise
 
 /// Samples at rest, after the motion of the last command has decayed.

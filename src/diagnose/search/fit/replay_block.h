@@ -33,7 +33,7 @@ struct Expected {
 
 /// A parameter of a mechanism that fits may change.
 struct FreeParameter {
-  std::size_t index = 0;  ///< in the mechanism's parameters
+  std::size_t index = 0;  ///< index of the parameter in the mechanism
   double lower = 0, upper = 1;
   bool logarithmic = false;  ///< fits change it by ratios, not by differences
   /// Distance between kinks or steps of the likelihood along this parameter, over its range. They
@@ -51,7 +51,7 @@ struct FreeParameter {
 /// A mechanism that may act on a target, with ranges and starting values of its parameters.
 struct Candidate {
   const Mechanism* mechanism = nullptr;
-  std::string target;  ///< as in YAML: "boom", "base", "encoders/boom"
+  std::string target;  ///< name as in YAML: "boom", "base", "encoders/boom"
   std::vector<FreeParameter> free;
   /// Starting values of fits, at least one set, each with all of the mechanism's parameters, within
   /// the bounds of `free`. They are ordered from faint to strong effects, so that they also serve
@@ -149,7 +149,7 @@ inline Replay WholeReplay(
 struct ReplayBlock {
   std::string name;
   TimeNs first_ns = 0;            ///< start of the grid, since the recording's first sample
-  std::vector<Channel> channels;  ///< at least one, all on the same grid
+  std::vector<Channel> channels;  ///< at least one channel, all on the same grid
   bool slides = false;            ///< true for a prismatic joint: rad reads as m, and N m as N
   std::vector<Candidate> candidates;
   /// Loss of commands, which no replay can predict (LostCommandsOf). At most one.
@@ -157,7 +157,7 @@ struct ReplayBlock {
   /// Initial estimates of the whole chain from lever to measurement, from the first channel's
   /// samples in a mask. One list per coarse model. Empty if the block has none.
   std::function<std::vector<std::vector<Reading>>(const Channel&, const Mask&)> read_whole = {};
-  std::vector<Series> commands;  ///< on the grid; they delimit the manoeuvres
+  std::vector<Series> commands;  ///< commands on the grid; they delimit the manoeuvres
   /// True if the residual at rest shows the noise. False if measurements use the knowledge that the
   /// machine stands.
   bool rest_shows_noise = true;

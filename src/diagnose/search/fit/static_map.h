@@ -20,7 +20,7 @@ Eigen::MatrixXd HatsOf(const Series& lever, double lag_s);
 struct MapProducts {
   Eigen::MatrixXd information;
   Eigen::VectorXd pull;
-  double energy = 0;  ///< of the measurement
+  double energy = 0;  ///< sum of squares of the measurement
 };
 
 /// Normal equations over some rows. `late` delays the lever by samples; `weight` scales the rows of

@@ -13,19 +13,23 @@
 namespace tera {
 namespace {
 
-constexpr double kStep = 0.002;  ///< of difference quotients, in the parameter's range
+/// step of difference quotients, as a share of the parameter's range
+constexpr double kStep = 0.002;
 /// Step of difference quotients over the distance of the likelihood's kinks.
 constexpr double kStepOfKink = 0.5;
-constexpr double kFinestStep = 0.002;  ///< of the search over kinks, in the parameter's range
-constexpr int kMostMoves = 30;         ///< of one parameter in the search over kinks
-constexpr int kMostIterations = 12;    ///< of Levenberg-Marquardt, for a full fit
-constexpr int kFewIterations = 3;      ///< of Levenberg-Marquardt, for a fit of a few steps
+/// finest step of the search over kinks, as a share of the parameter's range
+constexpr double kFinestStep = 0.002;
+/// largest number of moves of one parameter in the search over kinks
+constexpr int kMostMoves = 30;
+constexpr int kMostIterations = 12;  ///< Levenberg-Marquardt iterations of a full fit
+constexpr int kFewIterations = 3;    ///< Levenberg-Marquardt iterations of a fit of few steps
 /// Mean squared innovation of the empty structure above which a second fit starts under white
 /// noise.
 constexpr double kBadFit = 2;
 /// Smallest component of a held parameter in an undetermined unit direction.
 constexpr double kLeastComponent = 0.3;
-constexpr double kConvergedGain = 0.005;  ///< in log-likelihood, by the last step
+/// gain in log-likelihood of the last step at convergence
+constexpr double kConvergedGain = 0.005;
 
 std::vector<double> PlacesOf(const Structure& terms) {
   std::vector<double> places;
@@ -117,7 +121,8 @@ class Deviance final : public ceres::CostFunction {
   const Structure& terms_;
   const int threads_;
   const std::vector<double> steps_;
-  mutable std::vector<double> last_places_, last_rows_;  ///< of the last evaluation
+  /// positions and rows of the last evaluation
+  mutable std::vector<double> last_places_, last_rows_;
   double cost_at_start_ = 0;
 };
 

@@ -12,10 +12,12 @@ namespace tera {
 /// A structure with its most likely parameters.
 struct FittedStructure {
   Structure terms;
-  double log_likelihood = 0;    ///< on the fitted samples, with the penalty of nuisances
-  Misfit misfit;                ///< nuisances fitted to the same samples
-  Eigen::MatrixXd information;  ///< of the free parameters, in the order of terms and their `free`
-  Eigen::MatrixXd scores;       ///< rows as in `information`; one column per fitted manoeuvre
+  /// log-likelihood of the fitted samples, with the penalty of nuisances
+  double log_likelihood = 0;
+  Misfit misfit;  ///< nuisances fitted to the same samples
+  /// information of the free parameters, in the order of terms and their `free`
+  Eigen::MatrixXd information;
+  Eigen::MatrixXd scores;  ///< rows as in `information`; one column per fitted manoeuvre
 };
 
 /// Default of a parameter: its value in the model, or else that of the mechanism. None for

@@ -19,8 +19,8 @@ struct BaselineAnswer {
   bool gives_findings = false;        ///< the method can report an error
   bool gives_names = false;           ///< the method can name a mechanism
   bool found = false;                 ///< the method reports an error
-  std::vector<NamedMechanism> names;  ///< in the order in which the method chose them
-  std::vector<double> rmse_final;     ///< on FINAL, by channel
+  std::vector<NamedMechanism> names;  ///< mechanisms in the order of the method's choice
+  std::vector<double> rmse_final;     ///< RMSE on FINAL, one per channel
 };
 
 /// RMSE on FINAL by channel, of the replay without candidates and without any fit.

@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-constexpr double kCommanded_s = 60;  ///< of commanded manoeuvres in a prefix
+constexpr double kCommanded_s = 60;  ///< length of the commanded manoeuvres in a prefix
 /// Largest ratio of prefix to whole; longer prefixes save too little.
 constexpr double kMostPrefixShare = 2.0 / 3;
 

@@ -15,7 +15,7 @@ namespace tera {
 struct PrunedStructure {
   Scored structure;
   Misfit crossed;                      ///< cross-fitted misfit (cross_fit.h)
-  std::vector<TermEvidence> evidence;  ///< by term, without rivals
+  std::vector<TermEvidence> evidence;  ///< one per term, without rivals
 };
 
 /// Removes terms that a structure does not need.
@@ -25,8 +25,8 @@ struct PrunedStructure {
 ///         for example play in a joint that pulls harder than it pushes. If exactly one term would
 ///         leave, and exactly one other would then leave too, both are tested together against the
 ///         rest. The p-value is corrected for the number of pairs of candidates.
-/// Omits   selection of the pair by the same manoeuvres, beyond the number of tests; pairs of which
-///         both terms alone seem unneeded. FINAL judges each of the two terms separately.
+/// Omits   selection of the pair by the same manoeuvres, beyond the number of tests; pairs whose
+///         two terms both seem unneeded alone. FINAL judges each of the two terms separately.
 class Pruning {
  public:
   /// `likelihood`, `fitter` and `fits` use TRAIN. All references must outlive this object.

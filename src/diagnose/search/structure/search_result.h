@@ -68,18 +68,18 @@ struct TermEvidence {
 struct SingleEvidence {
   const Candidate* candidate = nullptr;
   std::vector<double> values;
-  double gain = 0;           ///< in log-likelihood on TRAIN
-  double held_out_gain = 0;  ///< in log-likelihood on SELECT
+  double gain = 0;           ///< gain in log-likelihood on TRAIN
+  double held_out_gain = 0;  ///< gain in log-likelihood on SELECT
 };
 
 struct SearchResult {
   FittedStructure nothing, found;  ///< fitted to TRAIN and SELECT
   /// The structure before pruning, for the next estimate of the noise.
   Structure fullest;
-  std::vector<TermEvidence> evidence;  ///< by term of `found`
+  std::vector<TermEvidence> evidence;  ///< one per term of `found`
   std::vector<SingleEvidence> singles;
   double flexible_gain =
-      0;  ///< of the flexible regressor over the empty structure, in log-likelihood on SELECT
+      0;  ///< gain of the flexible regressor over the empty structure, in log-likelihood on SELECT
   /// Gain of all found terms over the empty structure, in log-likelihood on SELECT. None after a
   /// term was moved out.
   std::optional<double> found_gain;

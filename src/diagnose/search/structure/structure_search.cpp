@@ -85,12 +85,12 @@ class Search {
   const SearchOptions& options_;
   const EarlierSearch earlier_;
   const Mask seen_;               ///< TRAIN
-  const Likelihood likelihood_;   ///< of TRAIN
-  const StructureFitter fitter_;  ///< to TRAIN
+  const Likelihood likelihood_;   ///< likelihood of TRAIN
+  const StructureFitter fitter_;  ///< fits to TRAIN
   ScoredFits fits_;
   const Pruning pruning_;
   const Scored nothing_;
-  std::vector<Scored> singles_;        ///< by candidate, fitted alone
+  std::vector<Scored> singles_;        ///< one per candidate, fitted alone
   std::vector<std::size_t> screened_;  ///< indices of candidates
   PrunedStructure pruned_;             ///< pruned structure of the last Find
 };

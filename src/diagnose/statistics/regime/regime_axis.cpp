@@ -12,7 +12,7 @@ namespace tera {
 namespace {
 
 constexpr Eigen::Index kBins = 64;
-constexpr std::size_t kMostLevels = 12;  ///< of a discrete variable
+constexpr std::size_t kMostLevels = 12;  ///< largest number of values of a discrete variable
 
 /// The distinct values; none where they are too many.
 std::vector<double> LevelsOf(const Series& series) {

@@ -14,7 +14,7 @@ namespace tera {
 struct RegimeVariable {
   std::string name;
   Series series;
-  bool angle = false;  ///< in radians, periodic with 2 pi
+  bool angle = false;  ///< true: radians, periodic with 2 pi
   /// Factor on a function of the variable, by sample. With the simulated value as factor, the error
   /// may be a share of that value. Empty: no factor.
   std::vector<double> times = {};

@@ -11,9 +11,9 @@ namespace tera {
 namespace {
 
 constexpr Eigen::Index kSplines = 20;
-constexpr int kNewtonSteps = 6;  ///< of Huber's regression
+constexpr int kNewtonSteps = 6;  ///< Newton steps of Huber's regression
 constexpr std::size_t kReplicatesOfBand = 300;
-constexpr std::size_t kBlocksOfBand = 60;  ///< in a recording
+constexpr std::size_t kBlocksOfBand = 60;  ///< number of blocks in a recording
 constexpr double kConfidenceOfBand = 0.9;
 
 Series Less(const Series& residual, const RegimeAxis& axis, const Eigen::VectorXd& curve) {

@@ -19,11 +19,11 @@ namespace tera {
 /// Omits   the bias of smoothing; the offset, which a coloured residual hardly determines.
 /// Source  Eilers and Marx 1996; Craven and Wahba 1979; Künsch 1989.
 struct RegimeCurve {
-  Eigen::VectorXd at, mean, sigma, low, high;  ///< by bin
+  Eigen::VectorXd at, mean, sigma, low, high;  ///< one entry per bin
   Eigen::VectorXd count;                       ///< samples in each bin
   bool angle = false, discrete = false;
   double effective_freedom = 0;
-  double explained_share = 0;  ///< of the residual's variance, 1 - var(y - f) / var(y)
+  double explained_share = 0;  ///< share of the residual's variance, 1 - var(y - f) / var(y)
   /// For hypotheses about the curve: a function f of the bins has log-likelihood pull' f - f'
   /// information f / 2.
   Eigen::MatrixXd information;

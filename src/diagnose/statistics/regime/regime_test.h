@@ -40,7 +40,7 @@ class RegimeProbe {
 
 struct RegimeTestResult {
   std::string name;
-  ShiftComparison comparison;  ///< of the weighted score statistic
+  ShiftComparison comparison;  ///< p-values of the weighted score statistic
   /// Share of the whitened residual's energy that the variable explains beyond chance.
   double share = 0;
   /// The share minus a penalty of at least log(rows) per direction (Schwarz 1978).

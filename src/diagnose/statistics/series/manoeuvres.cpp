@@ -20,7 +20,7 @@ constexpr double kRestLevel = 0.02;  ///< |command| up to this is rest
 constexpr double kShortest_s = 0.5;  ///< shorter runs are joined to the one before
 constexpr double kLongest_s = 3;     ///< longer runs are cut into equal pieces
 constexpr double kTail_s = 1;        ///< rest after a manoeuvre that belongs to it
-constexpr std::size_t kFewest = 10;  ///< with fewer manoeuvres, blocks replace them
+constexpr std::size_t kFewest = 10;  ///< blocks replace fewer manoeuvres than this
 constexpr double kBlock_s = 5;       ///< length of such blocks
 constexpr std::array<double, 3> kShareOfPart = {0.4, 0.3, 0.3};  ///< TRAIN, SELECT, FINAL
 

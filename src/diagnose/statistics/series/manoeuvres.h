@@ -33,8 +33,7 @@ struct Manoeuvre {
 ///         resting, pieces.
 /// Omits   effects of a manoeuvre on the next one beyond the rest.
 ///
-///         Needs 1 to 64 commands of equal length without gaps. The pieces cover every sample, in
-///         order.
+/// Needs 1 to 64 commands of equal length without gaps. The pieces cover every sample, in order.
 std::vector<Manoeuvre> SplitByManoeuvre(const std::vector<Series>& commands, const Stream& stream);
 
 /// 1 for samples of `part`.

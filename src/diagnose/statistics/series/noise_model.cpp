@@ -11,7 +11,7 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kLongestResponse = 2000;  ///< of an impulse, in samples
+constexpr std::size_t kLongestResponse = 2000;  ///< longest impulse response, in samples
 
 constexpr double kLowestDof = 1.5, kHighestDof = 200;
 

@@ -39,7 +39,7 @@ struct NoiseFitOptions {
 /// Source  Lange, Little and Taylor 1989, "Robust statistical modeling using the t distribution";
 ///         Schwarz 1978.
 ///
-///         Needs 16 valid samples. The order falls if segments are too short for it.
+/// Needs 16 valid samples. The order falls if segments are too short for it.
 NoiseModel FitNoise(const Series& series, const NoiseFitOptions& options = {});
 
 /// Best linear predictors of order 0 to p of an AR(p) process, and their error variances over that

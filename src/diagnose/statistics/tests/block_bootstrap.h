@@ -11,7 +11,7 @@ namespace tera {
 /// [0, size) in blocks of `length`. The last block is up to half longer or shorter.
 std::vector<Segment> CutIntoBlocks(std::size_t size, std::size_t length);
 
-/// How often each of `blocks` blocks occurs in a bootstrap replicate: as many draws with
+/// Number of times that each of `blocks` blocks occurs in a bootstrap replicate: as many draws with
 /// replacement as there are blocks.
 ///
 /// Omits   dependence between blocks, which must be longer than the correlation.

@@ -10,7 +10,7 @@ namespace tera {
 namespace {
 
 constexpr double kCell_s = 0.2;             ///< length of a cell, over which scores are summed
-constexpr std::size_t kShortest_cells = 2;  ///< of a segment
+constexpr std::size_t kShortest_cells = 2;  ///< shortest segment
 
 /// Sums of both scores over one cell, in units of their standard deviation per sample.
 struct Cell {
