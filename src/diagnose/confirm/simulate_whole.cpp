@@ -24,7 +24,7 @@ constexpr double kCompared_s = 120;  ///< longest simulation with the findings
 /// Latest first sample of a recording whose time zero is that of the simulation.
 constexpr double kMostLateStart_s = 1;
 constexpr double kLead_s = 5;  ///< start of the comparison before the first lever moves
-/// a lever moves when it is this far from its first value, in full levers
+/// A lever moves when it is this far from its first value, in full levers.
 constexpr double kLeverMoves = 0.05;
 constexpr double kPathStep_s = 0.5;
 constexpr double kLeastPath_m = 0.5;  ///< shortest path of a base that moves

@@ -20,12 +20,12 @@ struct PathLengths {
   double recorded_m = 0, before_m = 0, after_m = 0;
 };
 
-/// The whole scenario simulated under the recorded levers, unchanged and with the findings, against
-/// the recording. It neither adds nor withdraws findings. It shows drifts, and interactions between
-/// errors of joints and ground, that a replay lacks.
+/// Comparison of the recording with simulations of the whole scenario under the recorded levers:
+/// unchanged, and with the findings. It neither adds nor withdraws findings. It shows drifts, and
+/// interactions between errors of joints and ground, that a replay lacks.
 struct WholeSimulation {
   double from_s = 0, until_s = 0;  ///< compared interval of the recording
-  /// errors on FINAL of channels with findings or learned effects
+  /// Errors on FINAL of channels with findings or learned effects.
   std::vector<SimulatedChannel> channels;
   std::optional<PathLengths> path;  ///< if recording and simulation have poses and the base moves
   std::vector<std::string> not_simulated;  ///< channels with findings that the simulation lacks

@@ -19,7 +19,7 @@ std::vector<NamedEncoders> AsSimulated(const MachineModel& model, const Simulate
 std::vector<TruthPose> AsSimulated(const SimulatedCourse& course,
                                    const std::vector<TruthPose>& measured);
 
-/// Channels of a block in a simulation of the whole scenario, minus the block's replay of that
+/// The channels of a block in a simulation of the whole scenario, minus the block's replay of that
 /// simulation. The difference contains effects of soil, other joints and inertia that the replay
 /// lacks.
 struct ReplayDiscrepancy {

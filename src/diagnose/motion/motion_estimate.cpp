@@ -19,7 +19,7 @@ constexpr int kUnweightedIterations = 2;  ///< unweighted iterations of a first 
 /// A coordinate moves where the power of its rate exceeds the error variance of the rate by this
 /// factor.
 constexpr double kStandsOut = 30;
-/// largest change of a parameter at convergence, over ParameterPrior::small
+/// Largest change of a parameter at convergence, over ParameterPrior::small.
 constexpr double kSettled = 0.02;
 /// Factors on the step of a delay: where its sign changes, and where it stays.
 constexpr double kTurnsBack = 0.5, kGoesOn = 1.5;
@@ -27,7 +27,7 @@ constexpr double kTurnsBack = 0.5, kGoesOn = 1.5;
 struct LinearisedSegment {
   ParameterQuadratic quadratic;  ///< quadratic over changes of this segment's parameters
   NormalEquations equations;
-  /// by noise channel, scaled to the noise without model error
+  /// By noise channel, scaled to the noise without model error.
   std::vector<std::vector<double>> residuals;
 };
 

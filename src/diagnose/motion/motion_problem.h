@@ -25,11 +25,11 @@ inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 struct UnitChannel {
   KinematicChain chain;
   Pose X_LS = Pose::Identity();
-  /// turn rates, then specific forces
+  /// Turn rates, then specific forces.
   Eigen::Matrix<double, 6, 1> signs = Eigen::Matrix<double, 6, 1>::Ones();
-  /// six components each: turn rates, then specific forces
+  /// Six components each: turn rates, then specific forces.
   int bias = kNoParameter, scale = kNoParameter;
-  /// three components each: mount angles, position
+  /// Three components each: mount angles; position.
   int mount = kNoParameter, place = kNoParameter;
   int late = kNoParameter;
   int low_pass = kNoParameter;  ///< time constant of the filter

@@ -45,7 +45,7 @@ class NormalEquations {
   std::vector<Eigen::MatrixXd> pair_;  ///< each block with the next one; empty after Reduce
   /// Lower Cholesky factor of each block, and the off-diagonal block below it.
   std::vector<Eigen::MatrixXd> factor_, below_;
-  /// coupling to the parameters, then the gradient; forward-eliminated by Reduce
+  /// Coupling to the parameters, then the gradient; forward-eliminated by Reduce.
   Eigen::MatrixXd right_;
   Eigen::MatrixXd information_;
   Eigen::VectorXd score_;

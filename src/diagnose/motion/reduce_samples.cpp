@@ -13,11 +13,11 @@ namespace {
 
 constexpr double kLargestStep = 1.5;  ///< largest step between consecutive rows, in usual periods
 constexpr double kBlowShare = 0.25;   ///< factor on a second difference (WindowsOf)
-/// second differences within this many robust deviations count as noise
+/// Second differences within this many robust deviations count as noise.
 constexpr double kUsualSecond = 3;
 constexpr double kTravelWindow_s = 0.1, kStillMargin_s = 0.3;
 constexpr double kLeastMove_rad = 0.004, kNoiseShare = 6;
-/// in resolutions: one step to either side, plus rounding
+/// In resolutions: one step to either side, plus rounding.
 constexpr double kResolutionShare = 1.5;
 
 /// The largest apparent movement of an angle at rest, to either side.

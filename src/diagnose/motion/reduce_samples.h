@@ -46,7 +46,7 @@ void SetMotionOfUnits(MotionProblem* problem);
 struct GearTrack {
   TimeSeries angle_rad;
   double resolution_rad = 0;  ///< resolution of the encoder
-  /// travel per radian; distance to the left of the base's centre
+  /// Travel per radian; distance to the left of the base's centre.
   double radius_m = 0, left_m = 0;
 };
 

@@ -26,7 +26,7 @@ SplineWeights UniformSpline::MeanOver(double from_s, double to_s) const {
   const SplineWeights middle = At((from_s + to_s) / 2);
   if (length_s <= 0 || length_s > step_s) return middle;
   const SplineWeights begin = At(from_s), end = At(to_s);
-  // a span of one step that touches three intervals by rounding
+  // A span of one step that touches three intervals by rounding.
   if (end.first > begin.first + 1) return middle;
   SplineWeights mean;
   mean.first = begin.first;

@@ -21,7 +21,7 @@ constexpr double kRivalShare = 0.5;  ///< a rival reaches at least this share of
 constexpr double kRivalOdds = 3;
 constexpr int kMostTried = 8;      ///< groups that are cross-fitted in each step
 constexpr double kCancels = 0.98;  ///< correlation above which effects cancel
-/// deviation from the documented value from which a group is listed
+/// Deviation from the documented value from which a group is listed.
 constexpr double kWithinSigmas = 3;
 constexpr std::size_t kFewestJudgedSegments = 3;
 constexpr std::size_t kMostParts = 12;  ///< number of parts for the tests
@@ -120,8 +120,8 @@ class Judge {
     return total;
   }
   double FitOf(const Eigen::VectorXd& parameters) const { return -sum_.At(parameters); }
-  /// Logarithm of the largest posterior density with a set free. The prior covers only parameters
-  /// that are not free.
+  /// Logarithm of the largest posterior density with the groups of a set free. The prior covers
+  /// only parameters that are not free.
   double LogPosterior(const Set& free) const {
     const Eigen::VectorXd best = Fit(free);
     const ParameterPrior prior = table_.PriorWith(free);

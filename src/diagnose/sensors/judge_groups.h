@@ -36,7 +36,7 @@ struct GroupJudgement {
   /// on held-out segments. The gain is not steady, or another group explains it.
   std::vector<NamedGroup> unproven;
   std::vector<int> untestable;  ///< standard deviation exceeds the tolerance
-  /// each group freed in addition to the named ones
+  /// Each group freed in addition to the named ones.
   std::vector<std::vector<JudgedParameter>> by_group;
   Eigen::VectorXd parameters;  ///< fitted with the named groups free
   double left_to_gain = 0;     ///< gain in log-likelihood if all groups were free

@@ -17,7 +17,7 @@ constexpr double kMean_s = 1;     ///< time over which fixes are averaged
 constexpr double kPeriods = 2;    ///< fixes averaged at low rates
 constexpr int kStepsOfBlock = 5;  ///< steps in a block with one turn
 constexpr std::size_t kMostPathParts = 24;  ///< independent parts of a recording
-/// the same distance in standard deviations; the larger one holds
+/// The same distance in standard deviations; the larger one holds.
 constexpr double kApartSigmas = 4;
 constexpr std::size_t kFewestSteps = 10;
 /// Largest power of the first difference of white noise, over its variance.

@@ -23,7 +23,7 @@ constexpr double kFlexibleShare = 1;  ///< sigma of the flexible prior over tole
 /// linear.
 constexpr double kFlexibleDelays = 10;
 constexpr double kFreeShare = 100;  ///< prior sigma of a free group over the default tolerance
-/// smallest tolerance over the default: numbers stated as exact keep some uncertainty
+/// Smallest tolerance over the default: numbers stated as exact keep some uncertainty.
 constexpr double kLeastShare = 0.01;
 /// 1 sigma between segments over the tolerance: of biases, and of all other parameters. The latter
 /// stands for effects that the models omit.
@@ -36,7 +36,7 @@ constexpr double kAccelerationGain = 0.1;
 constexpr EffectTarget kImu = EffectTarget::kImu, kGnss = EffectTarget::kGnss;
 /// A clipping unit loses at least this share of a measurement beyond its range.
 constexpr double kClippedShare = 0.5;
-/// stands for clock offset, latency and filter together
+/// Stands for clock offset, latency and filter together.
 constexpr const char* kDelay = "clock_offset";
 constexpr const char* kLowPass = "filter_delay";
 

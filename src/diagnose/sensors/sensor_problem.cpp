@@ -25,7 +25,7 @@ constexpr double kSegment_s = 10, kShortestSegment_s = 4;
 constexpr double kFewestSegments = 8;
 constexpr double kImuWindow_s = kSplineStep_s;
 constexpr double kLeastBaseline_m = 0.05;  ///< shortest baseline of two antennas with a yaw
-/// spacing of ground observations along the path, for independent errors
+/// Spacing of ground observations along the path, for independent errors.
 constexpr double kGroundEvery_m = 0.5;
 
 double RoundingSigma(double step) { return step / std::sqrt(12.0); }
@@ -146,7 +146,7 @@ class Builder {
   const KnownPlace& place_;
   SensorProblem problem_;
   double segment_s_ = kSegment_s;
-  /// for each joint of the model: index among the estimated joints, or -1
+  /// For each joint of the model: index among the estimated joints, or -1.
   std::vector<int> places_;
   std::vector<std::size_t> joints_;
   RoughSources rough_;

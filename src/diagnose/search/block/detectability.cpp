@@ -13,7 +13,7 @@ namespace {
 /// Smallest noiseless gain in log-likelihood of a visible effect: the penalty of the criterion on
 /// TRAIN, and the same on SELECT.
 constexpr double kLeastGain = 20;
-/// noise draws; three quarters of them must show the candidate
+/// Noise draws; three quarters of them must show the candidate.
 constexpr std::uint64_t kDraws = 20;
 
 /// True if a difference between two predictions passes the tests in most noise draws. The gain in

@@ -15,7 +15,7 @@ namespace {
 /// Smallest share of a residual's energy for a variable to be named.
 constexpr double kLeastExplainedShare = 0.02;
 constexpr double kAlpha = 0.01;  ///< probability of any interval under noise alone
-/// smallest noise deviation, for a residual without noise
+/// Smallest noise deviation, for a residual without noise.
 constexpr double kLeastDeviation = 1e-6;
 /// Ratio of residual to noise RMS above which variables are tested against white noise.
 constexpr double kLeastRatioToNoise = 3;

@@ -18,7 +18,7 @@ constexpr double kClear = 5;  ///< gain in log-likelihood beyond the choice amon
 constexpr std::size_t kFewestHolds = 3;
 constexpr double kLeastOverEarly = 2, kLeastUnfollowed = 0.5, kLeastBesideOne = 0.5;
 constexpr double kMostAtReversals = 0.9;  ///< share of holds; the share by chance is 1/2 to 2/3
-/// deviation from a held rate that shows a loss, in noise deviations
+/// Deviation from a held rate that shows a loss, in noise deviations.
 constexpr double kVisible = 3;
 
 double Deviance(double error, double noise) {
@@ -126,8 +126,8 @@ Hold BestAt(const Series& residual, const std::vector<double>& predicted, const 
   return best;
 }
 
-/// Smallest gain of the holds that remains when a single mechanism joins the findings as fitted
-/// alone. Only mechanisms that gain on TRAIN and on SELECT count.
+/// Gain of the holds after a single mechanism joins the findings, as fitted alone: the smallest
+/// over mechanisms that gain on TRAIN and on SELECT.
 double LeastGainBesideOne(const EvaluationContext& context, const SearchResult& search,
                           const HoldNoise& noise) {
   const Series& measured = context.block.channels.front().measured;

@@ -35,7 +35,7 @@ double QuietMeanSquare(const EvaluationContext& context, const SearchResult& sea
                        const ResidualVerdict& verdict, double loud) {
   const std::size_t c = verdict.channel;
   const double noise = verdict.noise.rms() * verdict.noise.rms();
-  // largest over the axes of one quantity, because nominal directions are uncertain too
+  // Largest over the axes of one quantity, because nominal directions are uncertain too.
   double signal = 0;
   for (const Channel& channel : context.block.channels) {
     if (channel.unit != context.block.channels[c].unit) continue;

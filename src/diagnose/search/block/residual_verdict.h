@@ -43,7 +43,7 @@ struct Unexplained {
   /// p-value of structure over a variable, or else of the flexible regressor's steady gain. None if
   /// neither is significant.
   std::optional<double> p;
-  /// larger gain of the two, over the flexible regressor's gain without any term
+  /// Larger gain of the two, over the flexible regressor's gain without any term.
   double share = 0;
   double rmse = 0;   ///< RMSE on FINAL
   double noise = 0;  ///< RMS of the channel's noise

@@ -28,7 +28,7 @@ constexpr std::size_t kHighestOrder = 10;  ///< highest order of the noise's aut
 constexpr double kLeastDof = 4;
 /// Smallest ratio of the innovations' scale to the channel's RMS: no replay is better.
 constexpr double kLeastScaleOfRms = 2e-3;
-/// smallest scale of innovations, in rad/s or m/s; smaller values are rounding
+/// Smallest scale of innovations, in rad/s or m/s; smaller values are rounding.
 constexpr double kLeastScale = 1e-6;
 
 /// Weighted normal equations of a regression.

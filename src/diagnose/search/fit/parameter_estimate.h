@@ -14,9 +14,9 @@ struct ParameterEstimate {
   std::string name, unit;
   double value = 0;
   std::optional<double> sigma;  ///< none if it was held or the data do not determine it
-  /// Standard deviation of the distance from the neutral value. The form of a mechanism errs in
-  /// proportion to its effect, and the effect of a factor is its distance from 1. None where
-  /// `sigma` is.
+  /// Standard deviation of the effect: the parameter's distance from its neutral value (1 for a
+  /// factor). The form of a mechanism errs in proportion to this effect. None where `sigma` is
+  /// none.
   std::optional<double> effect_sigma = {};
 };
 

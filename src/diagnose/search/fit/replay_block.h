@@ -37,7 +37,7 @@ struct FreeParameter {
   double lower = 0, upper = 1;
   bool logarithmic = false;  ///< fits change it by ratios, not by differences
   /// Distance between kinks or steps of the likelihood along this parameter, over its range. They
-  /// occur where the parameter moves instants across samples. 0: the likelihood is smooth.
+  /// occur where the parameter shifts an event across a sample. 0: the likelihood is smooth.
   double kink = 0;
   /// True if it refines another parameter. It keeps its default unless it changes the channel
   /// enough.

@@ -11,7 +11,7 @@ constexpr double kLeastPossible = 2;  ///< gain in log-likelihood below which a 
 /// Far above this possible gain in log-likelihood, the scatter by noise is negligible.
 constexpr double kNoiseGain = 20;
 constexpr std::size_t kFewest = 3;  ///< pieces, for a t statistic
-/// log of the largest factor by which one piece multiplies a bet
+/// Log of the largest factor by which one piece multiplies a bet.
 constexpr double kMostGainOfBet = 2.25;
 /// p up to which a bet confirms. Three clear gains reach 2 exp(-3 * 2.25), which is smaller.
 constexpr double kConfirmingBetP = 0.01;

@@ -13,13 +13,13 @@
 namespace tera {
 namespace {
 
-/// step of difference quotients, as a share of the parameter's range
+/// Step of difference quotients, as a share of the parameter's range.
 constexpr double kStep = 0.002;
 /// Step of difference quotients over the distance of the likelihood's kinks.
 constexpr double kStepOfKink = 0.5;
-/// finest step of the search over kinks, as a share of the parameter's range
+/// Finest step of the search over kinks, as a share of the parameter's range.
 constexpr double kFinestStep = 0.002;
-/// largest number of moves of one parameter in the search over kinks
+/// Largest number of moves of one parameter in the search over kinks.
 constexpr int kMostMoves = 30;
 constexpr int kMostIterations = 12;  ///< Levenberg-Marquardt iterations of a full fit
 constexpr int kFewIterations = 3;    ///< Levenberg-Marquardt iterations of a fit of few steps
@@ -28,7 +28,7 @@ constexpr int kFewIterations = 3;    ///< Levenberg-Marquardt iterations of a fi
 constexpr double kBadFit = 2;
 /// Smallest component of a held parameter in an undetermined unit direction.
 constexpr double kLeastComponent = 0.3;
-/// gain in log-likelihood of the last step at convergence
+/// Gain in log-likelihood of the last step at convergence.
 constexpr double kConvergedGain = 0.005;
 
 std::vector<double> PlacesOf(const Structure& terms) {
@@ -121,7 +121,7 @@ class Deviance final : public ceres::CostFunction {
   const Structure& terms_;
   const int threads_;
   const std::vector<double> steps_;
-  /// positions and rows of the last evaluation
+  /// Positions and rows of the last evaluation.
   mutable std::vector<double> last_places_, last_rows_;
   double cost_at_start_ = 0;
 };

@@ -12,10 +12,10 @@ namespace tera {
 /// A structure with its most likely parameters.
 struct FittedStructure {
   Structure terms;
-  /// log-likelihood of the fitted samples, with the penalty of nuisances
+  /// Log-likelihood of the fitted samples, with the penalty of nuisances.
   double log_likelihood = 0;
   Misfit misfit;  ///< nuisances fitted to the same samples
-  /// information of the free parameters, in the order of terms and their `free`
+  /// Information of the free parameters, in the order of terms and their `free`.
   Eigen::MatrixXd information;
   Eigen::MatrixXd scores;  ///< rows as in `information`; one column per fitted manoeuvre
 };

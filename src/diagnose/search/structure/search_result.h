@@ -78,8 +78,8 @@ struct SearchResult {
   Structure fullest;
   std::vector<TermEvidence> evidence;  ///< one per term of `found`
   std::vector<SingleEvidence> singles;
-  double flexible_gain =
-      0;  ///< gain of the flexible regressor over the empty structure, in log-likelihood on SELECT
+  /// Gain of the flexible regressor over the empty structure, in log-likelihood on SELECT.
+  double flexible_gain = 0;
   /// Gain of all found terms over the empty structure, in log-likelihood on SELECT. None after a
   /// term was moved out.
   std::optional<double> found_gain;
