@@ -11,7 +11,7 @@ namespace tera {
 
 static_assert(std::endian::native == std::endian::little, "packets of lidars are little-endian");
 
-/// Little-endian number at byte `at` of a packet; the caller ensures the length.
+/// Little-endian number at byte `at` of a packet. The caller must check the length.
 template <typename T>
 T PacketNumber(std::string_view bytes, std::size_t at) {
   TERA_CHECK(at + sizeof(T) <= bytes.size(), at, bytes.size());
@@ -20,7 +20,7 @@ T PacketNumber(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-/// Full scale of calibrated reflectivities in 8 bits.
+/// Largest calibrated reflectivity in 8 bits.
 inline constexpr float kFullReflectivity = 255.0F;
 
 }  // namespace tera

@@ -9,8 +9,8 @@ namespace tera {
 
 inline constexpr std::string_view kPointCloudType = "sensor_msgs/PointCloud2";
 
-/// The scan of one sensor_msgs/PointCloud2. Its stamp is the header's, or `log_ns` with
-/// `by_log_time`. Throws BadBytes where the message violates its type.
+/// Reads a sensor_msgs/PointCloud2. The scan's time is the header's stamp, or `log_ns` with
+/// `by_log_time`. Throws BadBytes if the message does not fit its type.
 UnitScan ReadPointCloudMessage(const BagTopic& topic, const BagMessage& message,
                                const std::string& place, const PointForm& form, bool by_log_time);
 
