@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kLongest_s = 600;   ///< longest simulation of the unchanged scenario
 constexpr double kCompared_s = 120;  ///< longest simulation with the findings
-/// Latest first sample of a recording whose time zero is that of the simulation.
+/// If the first sample of a recording is later than this, it is the simulation's time zero.
 constexpr double kMostLateStart_s = 1;
 constexpr double kLead_s = 5;  ///< start of the comparison before the first lever moves
 /// A lever moves when it is this far from its first value, in full levers.

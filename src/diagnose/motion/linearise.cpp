@@ -10,8 +10,8 @@
 namespace tera {
 namespace {
 
-// Travel from running gear has a wide deviation: it determines the motion only where no other
-// sensor does.
+// Deviations of travel by the running gear. They are wide, so that travel determines the motion
+// only where no other sensor does.
 constexpr double kTravelShare = 0.3, kTravel_mps = 0.1, kTravel_radps = 0.1;
 // A standing machine rocks while its arm moves, but hardly turns.
 constexpr double kRocks_mps = 0.03, kRocks_radps = 0.05, kTurns_radps = 0.01;

@@ -33,11 +33,11 @@ struct EstimateOptions {
   int threads = 1;
 };
 
-/// The estimate that iterations start from: documented parameters and each segment's start.
+/// The starting estimate: documented parameters, and MotionSegment::start of each segment.
 MotionEstimate StartingEstimate(const MotionProblem& problem, const ParameterPrior& prior);
 
 /// Replaces the parameters. The median change of the delays shifts the motion in time, exactly.
-/// Channels that are all late are indistinguishable from a late motion, and a linear step of spline
+/// Reason: a delay common to all channels is the same as a late motion, and a linear step of spline
 /// coefficients cannot represent a time shift.
 void SetParameters(const std::vector<int>& delays, const Eigen::VectorXd& parameters,
                    MotionEstimate* estimate);

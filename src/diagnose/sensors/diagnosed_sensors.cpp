@@ -11,14 +11,12 @@
 namespace tera {
 namespace {
 
-/// Smallest ratio of RMS error to deviation by successive differences that counts as remaining
-/// error.
+/// Ratio of RMS error to noise (by successive differences) above which error remains.
 constexpr double kMostOfDifferences = 2;
 /// Largest ratio of RMS error to a unit's motion that excludes swapped or reversed axes. The error
 /// of such an axis is as large as its motion. Errors of a too smooth spline are smaller.
 constexpr double kMostOfMotion = 0.2;
-/// Smallest share of a cause's gain in the sum of its own gain and all remaining gain, as for
-/// blocks.
+/// A cause has at least this share of the sum of its own gain and all remaining gain, as in blocks.
 constexpr double kLeastExcessOfCause = 1.0 / 3;
 constexpr std::string_view kClockMechanism = "clock_offset";
 

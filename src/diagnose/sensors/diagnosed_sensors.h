@@ -41,8 +41,8 @@ void TellReversed(const std::vector<ReversedAxis>& reversed, DiagnosedSensors* s
 void TellOffset(const std::vector<OffsetReceiver>& offset, const std::string& machine,
                 DiagnosedSensors* sensors);
 
-/// True if the residual is at most twice its deviation by successive differences. Slow errors
-/// exceed this. Errors that change as fast as noise are not detected.
+/// True if the residual is at most twice the noise that its successive differences show. A larger
+/// residual contains slow errors. Errors that change as fast as noise are not detected.
 bool IsNoise(const ChannelError& channel);
 
 /// True if the residual is noise, within the tolerance of a constant error, or below a fifth of an

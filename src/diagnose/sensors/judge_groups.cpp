@@ -271,8 +271,8 @@ std::vector<int> Judge::RivalsOf(const Set& set, int g) const {
   return rivals;
 }
 
-/// Sets aside pairs of named groups whose effects nearly cancel and whose sum is within tolerance:
-/// neither is proven.
+/// Sets aside pairs of named groups that prove neither cause: their effects nearly cancel, and the
+/// sum of both is within tolerance.
 void Judge::SetAsideCancelling(Set* set, GroupJudgement* judgement) const {
   const Eigen::VectorXd best = Fit(*set);
   const Eigen::MatrixXd precision = QuadraticOf(table_.PriorWith(*set)).information;

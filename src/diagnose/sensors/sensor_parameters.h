@@ -23,7 +23,7 @@ struct SensorParameter {
   double lower = 0, upper = 0;
   double least = -std::numeric_limits<double>::infinity();  ///< smallest physical value
   double taken = 0;  ///< part of the tolerance that goes to parameters with the same effect
-  /// The mechanism's number, in `unit`, for which a share of 1 stands. Only shares have it.
+  /// For a share: the mechanism's number, in `unit`, that a share of 1 means.
   struct Told {
     double value = 0, sigma = 0, documented = 0;
   };

@@ -19,10 +19,10 @@ void StateTolerances(const Tolerances& stated, std::vector<ReplayBlock>* blocks,
 /// counts from that error where it is smaller, minus 1.645 standard deviations by noise.
 bool IsOfPracticalSize(const Finding& finding);
 
-/// True if a hypothesis within tolerance explains the data as well as the finding. This takes two
-/// things. A rival within tolerance is not rejected. The finding's improvement over the best model
-/// within tolerance is not of practical size. The rival alone is no proof: it may lose much in some
-/// manoeuvres, gain in others, and still leave error.
+/// True if a hypothesis within tolerance explains the data as well as the finding. Two conditions
+/// hold: a rival within tolerance is not rejected, and the finding's improvement over the best
+/// model within tolerance is not of practical size. The rival alone is no proof: it may lose much
+/// in some manoeuvres, gain in others, and still leave error.
 bool IsExplainedAsExpected(const Finding& finding);
 
 /// True if a finding is beyond tolerance. Three conditions hold: at least one parameter is

@@ -15,18 +15,19 @@
 namespace tera {
 namespace {
 
-/// p of choice up to which a term is surely chosen, and the level at which FINAL then confirms it.
+/// Up to the first p of choice, a term is surely chosen. FINAL then confirms it up to the second p.
 /// By Fisher's sum of logarithms, both together are rarer than a choice at 1 % and a confirmation
 /// at 5 %.
 constexpr double kSurelyChosenP = 1e-5, kConfirmedPOfSurelyChosen = 0.2;
-/// Largest ratio of FINAL's RMSE with a finding to that without it. A single one of eight
-/// manoeuvres can cause such a difference.
+/// Largest ratio of FINAL's RMSE with a finding to that without it. One unusual manoeuvre of eight
+/// can cause such a difference.
 constexpr double kMostRmseRatio = 1.125;
 /// Share of FINAL's excess variance whose removal leaves little more than noise.
 constexpr double kNearlyAllExcess = 0.9;
-/// A finding with more rivals, itself included, names no cause where error remains.
+/// Largest number of rivals, the finding included, with which a finding names a cause where error
+/// remains.
 constexpr std::size_t kLargestNamingClass = 3;
-/// Such a finding does name a cause if it removes this share of the excess.
+/// A finding with more rivals must remove this share of the excess.
 constexpr double kExcessOfLargeClass = 0.75;
 /// Smallest share of the excess that the cause of a channel's error removes.
 constexpr double kLeastExcessOfCause = 1.0 / 3;

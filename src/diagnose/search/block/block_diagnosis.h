@@ -13,7 +13,7 @@
 
 namespace tera {
 
-/// Error of one channel on FINAL, before and after. FINAL serves neither fits nor choices.
+/// Error of one channel on FINAL, before and after. No fit and no choice uses FINAL.
 struct HeldOutError {
   std::size_t channel = 0;
   double rmse_before = 0, rmse_after = 0;

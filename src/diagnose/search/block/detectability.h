@@ -14,8 +14,9 @@ struct Detectability {
   std::optional<double> smallest;
 };
 
-/// Tests the candidate's starts from faint to strong, with known parameters. Returns the first that
-/// passes the tests of TRAIN with SELECT and of FINAL in three quarters of twenty noise draws.
+/// Tests the candidate's starts from faint to strong, with known parameters. Returns the first
+/// start that passes in three quarters of twenty noise draws: both the test on TRAIN and SELECT and
+/// the test on FINAL.
 Detectability DetectabilityOf(const EvaluationContext& context, const Candidate& candidate);
 
 }  // namespace tera

@@ -14,8 +14,8 @@
 namespace tera {
 namespace {
 
-/// Smallest gain of the flexible regressor in an unexplained channel, over its gain without any
-/// term.
+/// In an unexplained channel, the flexible regressor keeps at least this share of its gain without
+/// any term.
 constexpr double kLeastUnexplainedShare = 0.05;
 /// Ratio of residual to noise RMS up to which a residual is noise.
 constexpr double kLargestNoiseRatio = 2;

@@ -221,7 +221,8 @@ void SubtractColumns(const Eigen::MatrixXd& columns, const NoiseModel& noise,
                 noise.scale;
 }
 
-/// Judges each manoeuvre of a misfit by `beyond`, fitted to the manoeuvres of other folds.
+/// Cross-fits `beyond`: each manoeuvre of a misfit is judged by a fit to the manoeuvres of other
+/// folds.
 template <typename Beyond>
 Misfit CrossFitted(const Misfit& misfit, const std::vector<Manoeuvre>& manoeuvres, Beyond beyond) {
   Misfit out = misfit;

@@ -47,7 +47,7 @@ enum class Effort { kFull, kFewSteps };
 /// Source  Ceres Solver (trust region with bounds); Golub and Pereyra 1973 (variable projection).
 class StructureFitter {
  public:
-  /// `manoeuvres` contain all fitted samples, in order; each is a column of the scores. Block and
+  /// `manoeuvres` cover all fitted samples, in order. Each gives a column of the scores. Block and
   /// likelihood must outlive this object.
   StructureFitter(const ReplayBlock& block, const Likelihood& likelihood,
                   std::vector<Segment> manoeuvres, int threads = 1);

@@ -10,7 +10,8 @@
 
 namespace tera {
 
-/// Largest p and smallest gain in log-likelihood of a term over a rejected rival.
+/// A rival is rejected if the term gains at least kRivalGain of log-likelihood over it, with p up
+/// to kRivalP.
 inline constexpr double kRivalP = 0.05, kRivalGain = 3;
 
 inline constexpr std::size_t kMostStructureTerms = 8;

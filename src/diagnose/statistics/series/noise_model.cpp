@@ -37,7 +37,7 @@ Eigen::MatrixXd LagProducts(const std::vector<double>& x, const std::vector<std:
   return sum.selfadjointView<Eigen::Lower>();
 }
 
-/// Least-squares coefficients of one order from the products of a higher order.
+/// Least-squares coefficients of one order, from the products of a higher order.
 Eigen::VectorXd Coefficients(const Eigen::MatrixXd& products, Eigen::Index order) {
   Eigen::MatrixXd normal = products.block(1, 1, order, order);
   normal.diagonal().array() += 1e-12 * (products(0, 0) + 1e-300);
