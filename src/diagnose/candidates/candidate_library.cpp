@@ -33,7 +33,6 @@ std::vector<const Mechanism*> AllMechanisms() {
   return all;
 }
 
-/// The identifiers of all mechanisms, each once.
 std::vector<std::string> Identifiers() {
   std::vector<std::string> names;
   for (const Mechanism* mechanism : AllMechanisms()) names.emplace_back(mechanism->id);
@@ -166,7 +165,6 @@ Candidate NewCandidate(const Mechanism& mechanism, const std::vector<NumberRange
   return candidate;
 }
 
-/// True if all candidates of a block act on receivers.
 bool IsOfReceivers(const ReplayBlock& block) {
   if (block.candidates.empty()) return false;
   return std::all_of(

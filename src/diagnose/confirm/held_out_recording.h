@@ -16,7 +16,6 @@ struct HeldOutChannel {
   double p = 1;  ///< p-value of the steadiness of the gain
 };
 
-/// Validation of a diagnosis on a held-out recording.
 struct HeldOutRecording {
   std::string recording;  ///< its name in reports
   std::vector<HeldOutChannel> channels;

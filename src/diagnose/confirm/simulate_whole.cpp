@@ -54,7 +54,6 @@ std::optional<TimeNs> LastOf(const Measurements& measured) {
   return last_ns;
 }
 
-/// Length of the path along poses at intervals of kPathStep_s.
 double PathLength_m(const std::vector<TruthPose>& poses) {
   double length_m = 0;
   const TruthPose* last = nullptr;

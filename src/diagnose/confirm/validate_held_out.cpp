@@ -15,7 +15,7 @@ namespace {
 /// Rebuilds the sensors' blocks from poses at their times of measurement instead of arrival.
 void ReplaceSensorBlocks(const BlockOptions& options, HeldOutBlocks* held_out) {
   const DiagnosisInput& input = held_out->given.input;
-  std::vector<std::string> not_compared;  // unused: the same sensors as in the first recording
+  std::vector<std::string> not_compared;  // ignored: the same as in the first recording
   TakeSensorBlocks(input.machine, &held_out->blocks);
   for (ReplayBlock& block :
        SensorBlocksByArrivals(input, held_out->measured, options, &not_compared)) {

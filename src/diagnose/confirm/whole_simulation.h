@@ -15,7 +15,6 @@ struct SimulatedChannel {
   bool Follows() const { return rmse_after < rmse_before; }
 };
 
-/// Lengths of the base's path over the ground.
 struct PathLengths {
   double recorded_m = 0, before_m = 0, after_m = 0;
 };

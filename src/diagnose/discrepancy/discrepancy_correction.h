@@ -31,8 +31,8 @@ struct ReplayDiscrepancy {
 struct DiscrepancyCorrection {
   std::string channel, unit;
   bool is_simulated = false;  ///< false: the discrepancy is unknown
-  double rms = 0;             ///< RMS of the discrepancy
-  double gain = 0;            ///< gain in log-likelihood on TRAIN and SELECT, without any term
+  double rms = 0;
+  double gain = 0;  ///< gain in log-likelihood on TRAIN and SELECT, without any term
   bool is_applied() const { return gain > 0; }
 };
 

@@ -47,7 +47,7 @@ Matrix3<T> RotationAbout(const Vec3& axis, const T& angle) {
 /// Measurement of an ideal inertial unit, all vectors in its own frame.
 template <typename T>
 struct Inertial {
-  Vector3<T> w;      ///< turn rate
+  Vector3<T> w;
   Vector3<T> alpha;  ///< derivative of the turn rate
   Vector3<T> f;      ///< specific force at the origin of the frame
 };

@@ -99,7 +99,6 @@ struct MotionSegment {
   Eigen::MatrixXd start;
 };
 
-/// The noise of one measured number.
 struct NoiseChannel {
   std::string name, unit;
   double least = 0;      ///< lower limit of sigma, from the data sheet

@@ -42,10 +42,9 @@ Eigen::Matrix<double, 6, 1> WhiteNoiseOf(const std::vector<ImuSample>& samples, 
 /// all segments.
 void SetMotionOfUnits(MotionProblem* problem);
 
-/// The angle of one running gear over time.
 struct GearTrack {
   TimeSeries angle_rad;
-  double resolution_rad = 0;  ///< resolution of the encoder
+  double resolution_rad = 0;
   /// Travel per radian; distance to the left of the base's centre.
   double radius_m = 0, left_m = 0;
 };

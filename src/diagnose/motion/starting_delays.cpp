@@ -109,7 +109,6 @@ std::vector<OpposedAxis> OpposedOf(const MotionProblem& problem, const MotionEst
   return opposed;
 }
 
-/// True for the same two axes in both triads.
 bool IsHalfATurn(const std::vector<OpposedAxis>& opposed) {
   return opposed.size() == 4 && opposed[0].row + 3 == opposed[2].row &&
          opposed[1].row + 3 == opposed[3].row;

@@ -24,7 +24,6 @@ struct TravelWindow {
   bool is_still = false;
 };
 
-/// Measured positions of one antenna.
 struct AntennaTrack {
   KinematicChain chain;
   Vec3 p_L_m = Vec3::Zero();
@@ -32,7 +31,6 @@ struct AntennaTrack {
   std::vector<Vec3> p_W_m;
 };
 
-/// Height of the ground at (x, y) in W.
 using GroundHeight = std::function<double(double x_m, double y_m)>;
 
 /// Sources of a rough motion. All times count from the same zero.

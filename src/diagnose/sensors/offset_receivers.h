@@ -15,7 +15,6 @@ struct ReceiverLag {
   double near_s = 0;  ///< lags up to this are within tolerance, or found by the motion estimate
 };
 
-/// The lag of each receiver with enough data.
 std::vector<ReceiverLag> ReceiverLags(const DiagnosisInput& input, const Measurements& measured);
 
 /// Receivers whose stamps are off by more than the motion estimate can find.

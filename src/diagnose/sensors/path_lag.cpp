@@ -33,9 +33,9 @@ struct Steps {
 /// Fit of the path's steps to the steps of the fixes.
 struct Fit {
   double share = 0, power_m2 = 0;
-  std::vector<Complex> turn;       ///< turn of each block
-  std::vector<double> left_m2;     ///< residual sum of squares, by block
-  std::vector<std::size_t> steps;  ///< number of steps in each block
+  std::vector<Complex> turn;
+  std::vector<double> left_m2;  ///< residual sum of squares, by block
+  std::vector<std::size_t> steps;
 
   double Left_m2() const {
     double sum = 0;
@@ -190,7 +190,6 @@ std::vector<ManoeuvreGain> Comparison::GainsOf(const Steps& better, const Steps&
   return parts;
 }
 
-/// All tried lags.
 std::vector<double> Lags() {
   std::vector<double> lags_s;
   const int most = static_cast<int>(std::lround(kFurthestLag_s / kLag_s));

@@ -24,7 +24,6 @@ struct FoundNumber {
   bool is_beyond = false;
 };
 
-/// One mechanism of one target with its estimated numbers.
 struct SensorFinding : TargetMechanism {
   std::vector<FoundNumber> numbers;
   double gain = 0, p = 1;
@@ -44,7 +43,7 @@ struct ChannelError {
 
 /// The estimated motion of a part of the recording.
 struct EstimatedMotion {
-  TimeNs start_ns = 0, end_ns = 0;  ///< observed time
+  TimeNs start_ns = 0, end_ns = 0;
   TimeNs spline_start_ns = 0;
   UniformSpline spline;
   Eigen::MatrixXd coefficients;

@@ -47,7 +47,6 @@ double UsualHalfWidth(const std::string& target, const std::string& mechanism,
   return usual->half_width;
 }
 
-/// Adds a group and its parameters with their tolerances.
 class GroupOf {
  public:
   GroupOf(ParameterTable* table, const std::string& target, EffectTarget kind,

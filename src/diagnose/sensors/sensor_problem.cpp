@@ -38,7 +38,6 @@ bool AreUsable(const std::vector<Sample>& samples) {
   return t_ns.size() >= 2 && ComeEvenly(t_ns);
 }
 
-/// Standard deviation of an axis' positions.
 double SwingOf(const EncoderRecording& recording, std::size_t axis) {
   double mean = 0, square = 0;
   const auto n = static_cast<double>(std::max<std::size_t>(1, recording.samples.size()));

@@ -75,7 +75,6 @@ Limit LimitOf(const BesideMotion& triad) {
   return {Median(std::move(there)), std::sqrt(variance) / count};
 }
 
-/// Makes room for parameters that were added to the table.
 void Grow(SensorProblem* problem, MotionEstimate* start) {
   const auto before = start->parameters.size();
   problem->motion.parameters = static_cast<int>(problem->table.parameters.size());

@@ -48,7 +48,6 @@ bool IsExpectedAnyhow(const Finding& finding) {
   return !IsOfPracticalSize(finding) || IsExplainedAsExpected(finding);
 }
 
-/// Removes rivals within tolerance from a finding beyond tolerance.
 void RejectExpectedRivals(TermEvidence* evidence) {
   const auto& expected = evidence->expected_rivals;
   std::erase_if(evidence->rivals, [&](const Candidate* rival) {

@@ -35,7 +35,6 @@ constexpr double kLeastExcessOfCause = 1.0 / 3;
 /// finding. Below it, the finding is a proxy.
 constexpr double kMostFlexibleRmsRatio = 0.5;
 
-/// Diagnoses one block under given noise models.
 class BlockDiagnoser {
  public:
   BlockDiagnoser(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
@@ -78,7 +77,6 @@ bool IsMuchFurther(const HeldOutError& error) {
   return error.rmse_after > kMostRmseRatio * error.rmse_before;
 }
 
-/// The largest p at which a steady gain on FINAL confirms a finding.
 double SteadyLevelOf(const Finding& finding) {
   const HeldOutError& error = finding.held_out;
   const bool is_surely_chosen =
@@ -151,7 +149,6 @@ void BlockDiagnoser::DescribeAll(BlockDiagnosis* out) const {
                                       [&](std::size_t t) { return Describe(out->search, t); });
 }
 
-/// Moves some findings to another list and refits the others.
 void BlockDiagnoser::MoveOut(const std::vector<bool>& is_out, std::vector<Finding>* moved,
                              BlockDiagnosis* out) const {
   Structure kept;

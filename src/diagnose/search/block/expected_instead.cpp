@@ -13,7 +13,6 @@ namespace {
 
 constexpr int kMostInstead = 3;  ///< mechanisms within tolerance that are added
 
-/// Adds mechanisms within tolerance to a structure.
 Misfit MisfitWith(const std::vector<Candidate>& expected, const StructureFitter& fitter,
                   FittedStructure best) {
   for (int added = 0; added < kMostInstead; ++added) {

@@ -31,7 +31,6 @@ constexpr double kLeastShareOfLargest = 0.95;
 /// Ratio of criteria above which an insignificant variable precedes the best significant one.
 constexpr double kLeastCriterionRatio = 1.3;
 
-/// A variable that explains part of a residual.
 struct Regressor {
   std::size_t variable;
   double p, share;
@@ -121,7 +120,6 @@ std::vector<Segment> Mismatch(const Series& residual, const NoiseModel& noise,
       FindChangePoints(by_level, noise.dof, {.alpha = kAlpha / 2, .guarded = false}).mismatch);
 }
 
-/// The noise for tests over variables.
 struct RegimeNoise {
   NoiseModel noise;
   double repeats = 1;  ///< samples between independent errors
@@ -161,7 +159,6 @@ std::size_t WorstOf(const std::vector<Segment>& intervals, const Series& residua
   return worst;
 }
 
-/// The ranked regressors with the leading variable first.
 std::vector<Regressor> LedBy(const std::optional<LeadingVariable>& leading,
                              const std::vector<RegimeTestResult>& tests,
                              std::vector<Regressor> ranked) {

@@ -15,7 +15,6 @@ struct Hold {
   double gain = 0;  ///< gain in log-likelihood, of the held over the predicted rate
 };
 
-/// Noise of a rate.
 struct HoldNoise {
   double scale = 0;
   double inflation = 1;  ///< variance of a mean over that of independent errors

@@ -46,7 +46,6 @@ double QuietMeanSquare(const EvaluationContext& context, const SearchResult& sea
                                            kFormShare * std::max(0.0, excess));
 }
 
-/// Counts the loud manoeuvres and decides the verdict.
 void Decide(const EvaluationContext& context, const SearchResult& search,
             ResidualVerdict* verdict) {
   const Series& residual = search.found.misfit.residual[verdict->channel];

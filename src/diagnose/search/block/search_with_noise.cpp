@@ -16,7 +16,6 @@ constexpr int kMostPasses = 3;
 /// Ratios of new to old noise variance and innovation scale below which the search is repeated.
 constexpr double kMuchQuieterVariance = 0.5, kMuchQuieterInnovations = 0.7;
 
-/// Inputs of a search under one noise model.
 struct Pass {
   Pass(const ReplayBlock& block, const SearchOptions& options, const Stream& stream,
        const std::vector<Manoeuvre>& manoeuvres, const std::vector<NoiseModel>& noise)
@@ -41,7 +40,6 @@ bool IsMuchQuieter(const std::vector<NoiseModel>& now, const std::vector<NoiseMo
   return false;
 }
 
-/// Alternates noise estimation and search.
 SearchedBlock SearchInTurn(const ReplayBlock& block, const SearchOptions& options,
                            const Stream& stream, const std::vector<Manoeuvre>& manoeuvres) {
   EarlierSearch earlier;

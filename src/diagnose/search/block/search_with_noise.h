@@ -9,7 +9,6 @@
 
 namespace tera {
 
-/// A search, and the noise estimated together with its result.
 struct SearchedBlock {
   std::vector<NoiseModel> noise;
   SearchResult search;

@@ -7,7 +7,6 @@
 
 namespace tera {
 
-/// A channel with samples excluded from the comparison.
 struct ExcludedSamples {
   std::string channel;
   double share = 0;  ///< share of the valid samples

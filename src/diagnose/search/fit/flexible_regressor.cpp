@@ -31,7 +31,6 @@ constexpr double kLeastScaleOfRms = 2e-3;
 /// Smallest scale of innovations, in rad/s or m/s; smaller values are rounding.
 constexpr double kLeastScale = 1e-6;
 
-/// Weighted normal equations of a regression.
 struct Products {
   Eigen::MatrixXd information;
   Eigen::VectorXd pull;
@@ -48,7 +47,6 @@ struct Products {
     energy -= other.energy;
     return *this;
   }
-  /// Weighted sum of squared residuals.
   double Left(const Eigen::VectorXd& beta) const {
     return energy - 2 * pull.dot(beta) + beta.dot(information * beta);
   }
@@ -60,11 +58,10 @@ Eigen::VectorXd Solve(Eigen::MatrixXd information, const Eigen::VectorXd& pull, 
   return information.ldlt().solve(pull);
 }
 
-/// Rows of a regression.
 struct Problem {
   Eigen::MatrixXd x;
   Eigen::VectorXd y;
-  std::vector<std::size_t> fold;  ///< fold of each row
+  std::vector<std::size_t> fold;
 };
 
 Eigen::VectorXd HuberWeights(const Eigen::VectorXd& left) {

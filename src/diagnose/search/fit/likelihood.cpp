@@ -64,7 +64,6 @@ Eigen::VectorXd SolveBounded(const Eigen::MatrixXd& information, Eigen::VectorXd
 /// Rows that fit into the processor's first-level cache.
 constexpr Eigen::Index kCachedRows = 256;
 
-/// Normal equations of a weighted regression.
 struct NormalEquations {
   Eigen::MatrixXd information;  ///< lower half
   Eigen::VectorXd pull;

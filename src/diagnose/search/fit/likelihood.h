@@ -10,7 +10,6 @@
 
 namespace tera {
 
-/// Misfit of a prediction to the measured channels.
 struct Misfit {
   /// By channel and sample: innovation over the scale of the noise; 0 where there is none.
   std::vector<Eigen::VectorXd> innovation;
@@ -39,7 +38,6 @@ class Likelihood {
   /// Samples of a channel that have an innovation.
   const Mask& rows(std::size_t channel) const { return parts_[channel].filter.rows(); }
 
-  /// The misfit of a prediction to the block's measurements.
   Misfit Evaluate(const std::vector<std::vector<double>>& predicted) const;
   /// The misfit to other measurements.
   Misfit EvaluateAgainst(const std::vector<std::vector<double>>& measured,

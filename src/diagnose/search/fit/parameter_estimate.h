@@ -9,7 +9,6 @@
 
 namespace tera {
 
-/// Estimate of a parameter with its standard deviation.
 struct ParameterEstimate {
   std::string name, unit;
   double value = 0;

@@ -74,7 +74,6 @@ struct Term {
   bool IsHeld(std::size_t index) const {
     return std::find(held.begin(), held.end(), index) != held.end();
   }
-  /// The parameters that fits change.
   std::vector<FreeParameter> Free() const {
     std::vector<FreeParameter> free = candidate->free;
     std::erase_if(free, [&](const FreeParameter& one) { return IsHeld(one.index); });

@@ -15,7 +15,7 @@ namespace tera {
 /// A structure with the scores of its fit, without its large misfit.
 struct Scored {
   Structure terms;
-  double log_likelihood = 0;  ///< log-likelihood of the fitted samples
+  double log_likelihood = 0;
   /// Bayesian information criterion as log-likelihood minus penalty: larger is better. Minus
   /// infinity if a term is another mechanism in disguise (Candidate::is_itself).
   double criterion = 0;

@@ -11,7 +11,7 @@ namespace tera {
 
 /// Gain of a second prediction over a first one in a manoeuvre or piece of it.
 struct ManoeuvreGain {
-  double gain = 0;      ///< gain in log-likelihood
+  double gain = 0;
   double possible = 0;  ///< the gain if the second prediction were true and measured without noise
 };
 

@@ -41,7 +41,6 @@ std::vector<double> PlacesOf(const Structure& terms) {
   return places;
 }
 
-/// Step of each parameter's difference quotient, as a share of its range.
 std::vector<double> StepsOf(const Structure& terms) {
   std::vector<double> steps;
   for (const Term& term : terms) {

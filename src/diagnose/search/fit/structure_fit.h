@@ -9,7 +9,6 @@
 
 namespace tera {
 
-/// A structure with its most likely parameters.
 struct FittedStructure {
   Structure terms;
   /// Log-likelihood of the fitted samples, with the penalty of nuisances.

@@ -107,7 +107,6 @@ double Criterion(double rms, std::size_t rows, std::size_t terms) {
   return n * 2 * std::log(std::max(rms, 1e-300)) + static_cast<double>(terms) * std::log(n);
 }
 
-/// The column of the library with the largest correlation to the residual.
 std::optional<Eigen::Index> NextColumn(const Eigen::MatrixXd& library, const Eigen::VectorXd& left,
                                        const Rows& rows, const std::vector<Eigen::Index>& taken) {
   std::optional<Eigen::Index> best;

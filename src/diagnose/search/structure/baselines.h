@@ -8,7 +8,6 @@
 
 namespace tera {
 
-/// A mechanism and its target.
 struct NamedMechanism {
   std::string mechanism, target;
 };

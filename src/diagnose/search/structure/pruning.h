@@ -40,11 +40,9 @@ class Pruning {
   Pruning& operator=(const Pruning&) = delete;
 
   PrunedStructure Prune(Scored kept) const;
-  /// Cross-fitted misfits.
   std::vector<Misfit> Evaluate(const std::vector<Structure>& structures) const;
   /// Gains of `after` over `before` in pieces of TRAIN and SELECT.
   std::vector<ManoeuvreGain> GainsOnSeen(const Misfit& before, const Misfit& after) const;
-  /// The empty structure.
   const Scored& nothing() const { return nothing_; }
   /// Gain of the flexible regressor over the empty structure on SELECT.
   double flexible_gain() const { return flexible_gain_; }

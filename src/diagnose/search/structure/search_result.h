@@ -6,8 +6,6 @@
 
 #include "diagnose/search/fit/structure_fit.h"
 
-/// Options and results of a search for structures.
-
 namespace tera {
 
 /// A rival is rejected if the term gains at least kRivalGain of log-likelihood over it, with p up

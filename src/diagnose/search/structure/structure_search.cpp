@@ -136,7 +136,6 @@ void Search::Screen() {
   }
 }
 
-/// The best of some structures and the empty one.
 Scored Search::BestOf(const std::vector<Scored>& structures) const {
   Scored best = nothing_;
   for (const Scored& scored : structures) {
@@ -177,7 +176,6 @@ std::optional<Scored> Search::SearchFromWhole() {
   return Grow(Shrink(fits_.Score(fitter_.FitLikeliest(wholes))));
 }
 
-/// Removes terms one by one while the criterion improves.
 Scored Search::Shrink(Scored best) {
   while (!best.terms.empty()) {
     std::vector<Structure> smaller;
@@ -254,7 +252,6 @@ bool Search::ChangesEnough(const Structure& with, const Structure& without) cons
   return EffectOf(block_, misfit, fitter_.AsGiven(without).misfit) >= kLeastTermEffect;
 }
 
-/// Adds terms one by one while the criterion improves.
 Scored Search::Grow(Scored best, std::size_t most) {
   while (!best.terms.empty() && best.terms.size() < most) {
     std::vector<Structure> larger;

@@ -6,7 +6,6 @@
 
 namespace tera {
 
-/// The form of a regime curve.
 enum class CurveForm {
   kNone,        ///< no significant deviation from a constant
   kLinear,      ///< proportional to the variable

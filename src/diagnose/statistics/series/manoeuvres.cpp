@@ -134,7 +134,6 @@ std::vector<std::vector<std::size_t>> Strata(const std::vector<Manoeuvre>& manoe
   return strata;
 }
 
-/// The number of manoeuvres of each part.
 using Filling = std::array<double, 3>;
 
 /// Number of manoeuvres that a part lacks when one more is assigned.
