@@ -53,7 +53,8 @@ class BagVisitor {
 /// whole by zstd is read through `unpacked`, whatever its name.
 ///
 /// Throws InputError if `bag` is no bag, and BagDamage if its bytes violate the format. With
-/// `to_the_damage`, the bag is read as far as possible before BagDamage is thrown.
+/// `to_the_damage`, all readable content is passed on before BagDamage is thrown, including that of
+/// later files.
 void ReadBag(const std::filesystem::path& bag, UnpackedFiles* unpacked, BagVisitor* visitor,
              bool to_the_damage);
 
