@@ -6,14 +6,14 @@
 
 namespace tera {
 
-/// Meaning of a finding for a user of the dataset.
+/// How serious a finding is.
 enum class Severity {
-  kError,    ///< the dataset contradicts docs/reference/dataset.md or itself
-  kWarning,  ///< possibly right, but probably unintended
+  kError,    ///< the dataset violates docs/reference/dataset.md or contradicts itself
+  kWarning,  ///< valid, but probably unintended
   kNote      ///< worth knowing
 };
 
-/// The name of a severity, also used by SARIF: "error", "warning", "note".
+/// Name of a severity, as in SARIF: "error", "warning", "note".
 constexpr std::string_view NameOf(Severity severity) {
   switch (severity) {
     case Severity::kError:
@@ -26,12 +26,12 @@ constexpr std::string_view NameOf(Severity severity) {
   return "note";
 }
 
-/// One rule of `tera lint`. Ids are stable: programs and settings use them.
+/// A rule of `tera lint`. Its id never changes, because programs and settings refer to it.
 struct LintRule {
   std::string_view id;
   Severity severity;
-  std::string_view text;    ///< requirement
-  std::string_view remedy;  ///< advice if it does not hold
+  std::string_view text;    ///< the requirement
+  std::string_view remedy;  ///< advice if the requirement is violated
 };
 
 inline constexpr std::array kLintRules = std::to_array<LintRule>({
@@ -196,7 +196,7 @@ inline constexpr std::array kLintRules = std::to_array<LintRule>({
      "Check X_parent_sensor of both, units, and the clocks."},
 });
 
-/// A rule by its id; an unknown id does not compile.
+/// A rule, given by its id. An unknown id is a compile error.
 class RuleId {
  public:
   consteval RuleId(const char* id) : index_(Find(id)) {}  // NOLINT(google-explicit-constructor)

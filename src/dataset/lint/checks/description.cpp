@@ -4,7 +4,7 @@
 
 #include "dataset/lint/lint_job.h"
 
-// Semantic faults of a readable dataset.yaml.
+// Checks the content of a readable dataset.yaml.
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -59,8 +59,7 @@ void CheckInstances(LintJob* job) {
   }
 }
 
-/// Detects times in ms or us taken for ns, which give a date earlier than any recording of a
-/// machine.
+/// Detects an epoch in ms or us instead of ns, which gives a date before 1990.
 void CheckEpoch(LintJob* job) {
   constexpr TimeNs kYear1990_ns = 631'152'000 * kNsPerSecond;
   const std::optional<RecordingEpoch>& epoch = job->recording().info().epoch;

@@ -6,16 +6,16 @@
 #include "dataset/lint/checks/frames.h"
 #include "dataset/lint/lint_job.h"
 
-// Existing files, compared with the expected ones.
+// Compares the files on disk with the expected files.
 
 namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// Files outside all channels.
+/// Files that belong to no channel.
 const std::set<std::string> kFilesOfAll = {"dataset.yaml", "scenario.yaml", kFrameHashesName,
                                            "overview.png", "overview.mp4",  "truth/state.blocks"};
-/// Folder with arbitrary file names.
+/// Files in this folder may have any name.
 constexpr std::string_view kTerrainFolder = "truth/terrain";
 
 bool IsSensor(const LintJob& job, const std::string& channel) {
@@ -54,7 +54,7 @@ std::set<std::string> NamesIn(const fs::path& folder) {
   return names;
 }
 
-/// Compares one folder of frames with the list of them, both ways.
+/// Compares a folder of frames with its frame list, in both directions.
 void CompareFrames(LintJob* job, const std::string& channel, const FrameFolder& folder,
                    const std::vector<FrameRow>& frames) {
   std::error_code ignored;
@@ -85,7 +85,7 @@ void CheckFrames(LintJob* job, const std::string& channel,
   for (const FrameFolder& folder : folders) CompareFrames(job, channel, folder, frames);
 }
 
-/// Files and folders of the format.
+/// Files and folders that the format defines.
 class KnownFiles {
  public:
   explicit KnownFiles(const LintJob& job) : files_(kFilesOfAll) {
@@ -102,7 +102,7 @@ class KnownFiles {
 
   bool HasFile(const std::string& file) const { return files_.contains(file); }
   bool HasFolder(const std::string& folder) const { return folders_.contains(folder); }
-  /// Folders whose files another check examines.
+  /// True for folders whose files another check examines.
   bool IsHeldElsewhere(const std::string& folder) const { return frames_.contains(folder); }
 
  private:

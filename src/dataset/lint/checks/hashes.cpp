@@ -9,7 +9,7 @@
 #include "dataset/lint/checks/frames.h"
 #include "dataset/lint/lint_job.h"
 
-// frames.sha256: one line per file, "<64 hexadecimal digits>  <name>", in sha256sum's format.
+// Checks frames.sha256. Its lines are "<64 hexadecimal digits>  <name>", the format of sha256sum.
 
 namespace tera {
 namespace fs = std::filesystem;
@@ -18,8 +18,8 @@ namespace {
 constexpr std::size_t kDigits = 64;
 constexpr std::string_view kBetween = "  ";
 
-/// Files of channels, by name, and the descriptions. Excludes files that other programs may write
-/// (overview.png) and frames.sha256 itself.
+/// Files of channels and the descriptions, by name. Excludes frames.sha256 itself and files that
+/// other programs may rewrite, such as overview.png.
 std::set<std::string> HashedFiles(const LintJob& job) {
   std::set<std::string> files;
   const auto add = [&](const std::string& file) {

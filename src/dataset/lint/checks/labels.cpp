@@ -5,7 +5,7 @@
 
 #include "dataset/lint/checks/picture_set.h"
 
-// Classes and instances of pixels.
+// Checks classes and instances of pixels.
 
 namespace tera {
 namespace {
@@ -37,7 +37,7 @@ void CheckInstances(LintJob* job, const PictureSet& set) {
   }
 }
 
-/// Differences between the panoptic picture and the other two.
+/// Compares the panoptic image with the class and instance images.
 void CheckPanoptic(LintJob* job, const PictureSet& set) {
   const CameraFrame& frame = set.frame;
   if (frame.panoptic.empty()) return;
@@ -73,7 +73,7 @@ void CheckAgreement(LintJob* job, const PictureSet& set) {
   }
   for (const auto& [pair, count] : counts) {
     const DatasetInfo::Instance* listed = job->InstanceOf(pair.first);
-    if (listed == nullptr || !job->HasClass(pair.second)) continue;  // other rules report it
+    if (listed == nullptr || !job->HasClass(pair.second)) continue;  // reported by other rules
     const std::string name = job->ClassName(pair.second);
     if (name == listed->label) continue;
     job->Find(

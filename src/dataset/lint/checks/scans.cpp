@@ -10,13 +10,13 @@
 #include "dataset/lint/checks/frames.h"
 #include "dataset/lint/lint_job.h"
 
-// The scans of lidars, one in memory at a time.
+// Checks the scans of lidars. Memory holds one scan.
 
 namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// Place of findings in one scan.
+/// Reports findings in one scan.
 struct ScanPlace {
   LintJob* job;
   const std::string& lidar;
@@ -81,7 +81,7 @@ void Tell(DatasetStatistics* statistics, const std::vector<LidarPoint>& points) 
 void CheckScan(const ScanPlace& place, double rate_hz) {
   std::error_code ignored;
   const fs::path path = place.job->Path(place.file);
-  if (!fs::is_regular_file(path, ignored)) return;  // files.missing reports it
+  if (!fs::is_regular_file(path, ignored)) return;  // reported by files.missing
   place.job->Applies("scans.readable");
   std::vector<LidarPoint> points;
   try {

@@ -6,7 +6,7 @@
 #include "core/types/surface_normal.h"
 #include "dataset/lint/checks/picture_set.h"
 
-// Consistency of depth, normals and flow.
+// Checks the consistency of depth, normals and flow.
 
 namespace tera {
 namespace {
@@ -14,9 +14,9 @@ namespace {
 constexpr std::uint8_t kSky = static_cast<std::uint8_t>(SemanticClass::kSky);
 /// Depth and distance are rounded to whole millimetres.
 constexpr int kRounding_mm = 2;
-/// A depth camera's noise may put single pixels behind the surface, but not most of them.
+/// Noise of a depth camera may put some pixels behind the surface, but not most.
 constexpr double kMostBehind = 0.5;
-/// Half a step of 1/32767 on each of three axes is 2.6e-5; the shader computes in single precision.
+/// Rounding to 1/32767 on three axes causes 2.6e-5. The shader computes in single precision.
 constexpr double kNormalTolerance = 1e-4;
 constexpr std::uint16_t kLastFlowState = 3;
 
