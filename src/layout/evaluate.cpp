@@ -16,7 +16,7 @@
 namespace tera {
 namespace {
 
-/// The corners of a zone's shape from above, in its own frame.
+/// Corners of a zone's bounding shape from above, in Z.
 std::vector<Vec3> CornersOf(const Zone& zone) {
   std::vector<Vec3> corners;
   if (const auto* prism = std::get_if<ZonePrism>(&zone.shape)) {
@@ -32,7 +32,7 @@ std::vector<Vec3> CornersOf(const Zone& zone) {
   return corners;
 }
 
-/// A zone in W must have a part of the site below it.
+/// Throws unless a part of the site lies below a zone in W.
 void RequireOnSite(const Zone& zone, const TerrainGrid& site) {
   const Vec2 low_m = site.origin_W_m;
   const Vec2 high_m(site.x_m(site.nx - 1), site.y_m(site.ny - 1));

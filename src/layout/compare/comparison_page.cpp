@@ -48,7 +48,7 @@ std::string CsvCell(const std::string& text) {
 
 std::string Colour(std::size_t layout) { return kColours[layout % kColours.size()]; }
 
-/// A difference's magnitude and the bounds of its interval: shares in percentage points.
+/// Magnitude of a difference and the bounds of its interval. Shares are in percentage points.
 std::string SizeText(const Difference& d) {
   const double mean = std::abs(d.of_other - d.of_first);
   const double low = std::min(std::abs(d.low), std::abs(d.high));
@@ -67,7 +67,7 @@ std::string VerdictText(const Difference& d) {
   return (d.verdict() == Difference::Verdict::kBetter ? "better by " : "worse by ") + SizeText(d);
 }
 
-/// Quality of a layout in a main figure, 0 to 1.
+/// Quality of a layout in a main figure, from 0 (bad) to 1.
 double Goodness(const Figure& figure) {
   const double mean = std::clamp(MeanOf(figure), 0.0, 1.0);
   return IsMoreBetter(figure.id.measure) ? mean : 1 - mean;
@@ -101,7 +101,7 @@ std::string RadarAxes() {
   return svg;
 }
 
-/// A layout's main figures around the middle. Absent figures leave a gap.
+/// Polygon of a layout's main figures in the radar chart. Absent figures leave a gap.
 std::string RadarOutline(const LayoutReport& report, const std::string& colour) {
   std::array<const Figure*, kMain.size()> figures{};
   for (std::size_t axis = 0; axis < kMain.size(); ++axis) {
@@ -159,12 +159,12 @@ std::string Key(const std::vector<LayoutReport>& reports) {
   return html + "</p>\n";
 }
 
-/// The other's value minus the first's, as a share of the map's scale; nothing if either has none.
+/// Map of other minus first, as a share of the map's scale. No value where either has none.
 PolarMap DifferenceOf(const PolarMap& first, const PolarMap& other) {
   PolarMap map = other;
   map.low = 0;
   map.ticks.clear();
-  map.high = 2;  // so that no difference is in the middle of the colours, and nothing is negative
+  map.high = 2;  // zero difference is at the middle of the scale, and no value is negative
   const double scale = first.high - first.low;
   for (std::size_t i = 0; i < map.value.size(); ++i) {
     const bool known = first.value[i] >= 0 && other.value[i] >= 0;
@@ -229,13 +229,13 @@ std::string Expenses(const std::vector<LayoutReport>& reports) {
   return html + "</ul>\n";
 }
 
-/// The difference relative to the larger value.
+/// The difference as a share of the larger value.
 double RelativeSize(const Difference& d) {
   const double most = std::max(std::abs(d.of_first), std::abs(d.of_other));
   return most > 0 ? std::abs(d.of_other - d.of_first) / most : 0;
 }
 
-/// Counts of better and worse figures of the other layout, and its largest losses.
+/// Number of figures in which the other layout is better and worse, and its largest losses.
 std::string BalanceText(std::vector<Difference> differences) {
   std::stable_sort(
       differences.begin(), differences.end(),

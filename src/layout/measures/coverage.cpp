@@ -52,8 +52,8 @@ void ZoneCoverage::Add(const std::vector<Vec3>& in_air_W_m, const Layout& layout
   blind_m3_.push_back(air_m3 * (1 - share_[0].back()));
 }
 
-/// The cause of a blind place is shared equally between the viewers that look there, or is "out of
-/// view" if none does.
+/// Each blind place counts once. It is shared equally between the viewers that have it in view;
+/// their causes apply. If none has it in view, its cause is "out of view".
 void ZoneCoverage::CountCauses(const std::vector<Look>& looks, const Sighting& sighting) {
   std::vector<std::string> causes;
   for (const Look& look : looks) {

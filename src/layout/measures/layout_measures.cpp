@@ -12,7 +12,8 @@
 namespace tera {
 namespace {
 
-constexpr double kLeastSeen = 0.01;  ///< share of a viewer's field below which it gets a warning
+/// unoccluded share of a viewer's field below which it gets a warning
+constexpr double kLeastSeen = 0.01;
 
 Zone AroundMachine(const LayoutStudy& study, const MachineModel& model) {
   return {.name = kAroundZone,
@@ -85,7 +86,7 @@ std::string HiddenWarning(const std::string& viewer, const ZoneCoverage::FieldOf
       kPercent * most->second / (field.seen + field.hidden));
 }
 
-/// Whether any figure of the subject is requested; with `of`, a figure of that one.
+/// Whether a figure of this subject is requested. With `of`, only that subject's name counts.
 bool IsWanted(const WantedFigures& wanted, Subject subject, const std::string& of = "") {
   return !wanted || std::any_of(wanted->begin(), wanted->end(), [&](const FigureId& id) {
     return SubjectOf(id.measure) == subject && (of.empty() || id.of == of);

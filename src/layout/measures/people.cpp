@@ -125,7 +125,7 @@ std::vector<Figure> PersonRange::Figures() const {
     const auto figure = [&](Measure measure, double Reach::*number) {
       Figure f{{measure, posture_.name, q}, {}, {}};
       for (const Reach& reach : quarters_[q]) f.at.push_back(reach.*number);
-      // Each end lies between two tested distances.
+      // Each end lies somewhere between two tested distances.
       f.error.assign(f.at.size(), EvenSigma(kRangeStep_m));
       figures.push_back(std::move(f));
     };

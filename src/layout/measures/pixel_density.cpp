@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t kPurposeCount = PixelDensity::kPurposes.size();
 
-/// Pixels per metre at each counting place, on a surface that faces the camera with the highest
-/// density; 0 if no camera sees it.
+/// Pixels per metre of the camera with the highest density at each counted place, on a surface that
+/// faces it. 0 if no camera sees the place.
 std::vector<double> DensitiesAt(const PolarPlaces& places, const Layout& layout,
                                 const Sighting& sighting) {
   std::vector<Target> targets;
@@ -95,7 +95,7 @@ std::vector<Figure> PixelDensity::Figures() const {
           directions += 1;
         }
         figure.at.push_back(sum_m / directions);
-        // Each boundary lies somewhere within a cell.
+        // Each distance is uniform within a ring.
         figure.error.push_back(EvenSigma(PolarGrid::kRing_m) / std::sqrt(directions));
       }
       figures.push_back(std::move(figure));

@@ -13,7 +13,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-/// The rig that every layout has, with all references resolved; empty if there is none.
+/// YAML of the kept rig, with all references resolved. Empty without a kept rig.
 std::string KeptYaml(const LayoutSearch& search) {
   if (search.keep.empty()) return "";
   const Config config = Config::FromFile(search.keep);
@@ -57,7 +57,7 @@ std::string HypervolumeCsv(const std::vector<double>& hypervolume) {
 /// Labels of points in a picture, each next to its point without overlap.
 class Labels {
  public:
-  /// As SVG; nothing if there is no room.
+  /// The label as SVG. Empty if there is no room.
   std::string At(const Vec2& point, const std::string& text) {
     constexpr double kLetter = 7.5, kHeight = 13, kGap = 7;
     const double width = kLetter * static_cast<double>(text.size());
@@ -168,7 +168,7 @@ std::string LayoutCount(std::size_t count) {
 std::vector<double> ShownValues(const std::vector<double>& objectives,
                                 const std::vector<double>& signs) {
   std::vector<double> values;
-  // Removes the sign of zero.
+  // Turns -0 into 0.
   for (std::size_t i = 0; i < signs.size(); ++i) values.push_back(signs[i] * objectives[i] + 0.0);
   return values;
 }

@@ -30,12 +30,13 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr char kStateName[] = "search_state.json", kFrontName[] = "front.csv";
-constexpr int kGreedyTries = 24;       ///< placements of each slot in each round
-constexpr int kWorstOf = 10;           ///< random layouts per layout of a start with the worst ones
-constexpr double kNotAllowed = 1e9;    ///< above every objective of a permitted layout
-constexpr double kCornerBeyond = 0.1;  ///< share of the spread of the first layouts
-constexpr double kLeastSpread = 1e-6;  ///< for an objective that is equal in all of them
-// NSGA-II operators as its authors use them; mutation changes one or two genes.
+constexpr int kGreedyTries = 24;  ///< tested placements of each slot in each round
+constexpr int kWorstOf = 10;      ///< for SearchStart::kWorst: random layouts drawn per layout kept
+constexpr double kNotAllowed = 1e9;  ///< exceeds every objective of an allowed layout
+/// Margin of the reference point beyond the worst initial value, as a share of the spread.
+constexpr double kCornerBeyond = 0.1;
+constexpr double kLeastSpread = 1e-6;  ///< for an objective whose initial values are all equal
+// Parameters that NSGA-II's authors use. On average, mutation changes two genes.
 constexpr double kCrossover = 0.95, kCrossoverIndex = 10, kMutationIndex = 20;
 
 std::vector<double> FitnessOf(const Appraised& appraised) {
@@ -43,7 +44,7 @@ std::vector<double> FitnessOf(const Appraised& appraised) {
   return std::vector<double>(appraised.objectives.size(), kNotAllowed * (1 + appraised.beyond));
 }
 
-/// NSGA-II accepts no single objective, so a single one is doubled.
+/// NSGA-II needs at least two objectives, so a single one is doubled.
 std::vector<double> Several(std::vector<double> fitness) {
   if (fitness.size() == 1) fitness.push_back(fitness.front());
   return fitness;
@@ -123,7 +124,7 @@ void AddRandom(const LayoutSearch& search, const Appraisal& appraisal, int count
   }
 }
 
-/// Keeps the worst permitted layouts: those that most others dominate.
+/// Keeps the `count` worst allowed layouts: those that the most others dominate.
 void KeepWorst(std::size_t count, SearchState* state) {
   std::vector<std::pair<std::size_t, std::size_t>> by_better;
   for (std::size_t i = 0; i < state->genes.size(); ++i) {
@@ -187,7 +188,7 @@ void Evolve(const LayoutSearch& search, const Appraisal& appraisal, SearchState*
   state->hypervolume.push_back(HypervolumeOf(*state));
 }
 
-/// The undominated layouts of the population and of the greedy layout, if the search began with it.
+/// The non-dominated allowed layouts among the population and `greedy`, if given.
 std::vector<FoundLayout> FrontOf(const SearchState& state,
                                  const std::optional<FoundLayout>& greedy) {
   std::vector<FoundLayout> allowed;

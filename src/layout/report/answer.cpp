@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kPercent = 100;
 
-/// The cause with the largest share, and the second if it has a tenth or more.
+/// The most frequent cause, and the second if its share is at least a tenth.
 std::string MainCauses(const std::map<std::string, double>& causes) {
   std::vector<std::pair<double, std::string>> by_share;
   for (const auto& [name, share] : causes) by_share.emplace_back(share, name);

@@ -11,7 +11,7 @@ namespace tera {
 namespace {
 
 std::string PostureLine(const LayoutReport& report, const std::string& posture) {
-  // Indices in kQuarters, the hardest quarter to see first.
+  // Indices in kQuarters, from the quarter that is hardest to see.
   constexpr std::array<std::pair<std::size_t, const char*>, 4> kSides = {
       {{2, "behind"}, {1, "to the left"}, {3, "to the right"}, {0, "ahead"}}};
   std::vector<std::string> always, never;
@@ -34,7 +34,7 @@ std::string PostureLine(const LayoutReport& report, const std::string& posture) 
   return line + ".";
 }
 
-/// The posture with the fewest places of detection.
+/// The posture that is detected at the fewest places.
 std::string HardestPosture(const LayoutReport& report) {
   const Figure* hardest = nullptr;
   std::string name;

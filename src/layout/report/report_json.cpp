@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kFormat = 2;  ///< 1 counts people and elevations differently
+constexpr int kFormat = 2;  ///< format 1 counts people and elevations differently
 constexpr int kIndent = 1;
 
 json FigureJson(const Figure& f) {
@@ -134,7 +134,7 @@ std::string ReportJson(const LayoutReport& report) {
   for (const Figure& figure : report.figures) out["figures"].push_back(FigureJson(figure));
   for (const PolarMap& map : report.maps) out["maps"].push_back(MapJson(map));
   for (const PolarCurve& curve : report.curves) out["curves"].push_back(CurveJson(curve));
-  // File names may be in any encoding.
+  // File names may contain invalid UTF-8.
   return out.dump(kIndent, ' ', false, json::error_handler_t::replace) + "\n";
 }
 

@@ -17,7 +17,8 @@ namespace {
 
 constexpr double kPercentOfOne = 100;
 
-/// Texts of figures in the order of Measure: {0} is the subject, {1} the quarter.
+/// Descriptions of figures in the order of Measure. {0} is the subject, {1} the quarter, {2} the
+/// sensors.
 constexpr std::array<const char*, 28> kWords = {
     "{0} seen by 1 or more sensors",
     "{0} seen by 2 or more sensors",
@@ -51,7 +52,7 @@ constexpr std::array<const char*, 28> kWords = {
     "how well the {0} is known, 1 sigma, by {2}",
     "how well the {0} is known, 1 sigma, by {2}"};
 
-/// A figure's subject, for people.
+/// A figure's subject in words.
 std::string SubjectText(const FigureId& id) {
   switch (SubjectOf(id.measure)) {
     case Subject::kZone:

@@ -26,7 +26,8 @@ const Measures kProbabilities = {Measure::kProbabilityMap, Measure::kWorstProbab
 bool IsAnyOf(const FigureId& id, const Measures& measures) {
   return std::find(measures.begin(), measures.end(), id.measure) != measures.end();
 }
-constexpr double kLeastShown = 0.005;  ///< smallest share on the page; the tables have all
+/// smallest share that the page lists; the CSV tables list all
+constexpr double kLeastShown = 0.005;
 
 std::string FiguresCsv(const LayoutReport& report) {
   std::string csv = "figure,unit,more_is_better,mean,worst,sampling_error\n";
@@ -59,8 +60,8 @@ std::string BlindCsv(const LayoutReport& report) {
   return csv;
 }
 
-/// The maps of people, place by place: azimuths as in PolarMap, distances from the machine's
-/// outline.
+/// The maps of people as CSV, one row per place. Azimuths as in PolarMap; distances from the
+/// machine's outline.
 std::string PeopleCsv(const LayoutReport& report) {
   constexpr double kTurn_deg = 360;
   std::string csv = "map,azimuth_deg,distance_m,probability\n";
@@ -171,7 +172,7 @@ std::string FigureTable(const LayoutReport& report) {
   return html + "</table></div>\n";
 }
 
-/// Two levels of names with a share each.
+/// HTML table of shares under two levels of names.
 std::string ShareTable(const std::string& heading, const char* first, const char* second,
                        const std::map<std::string, std::map<std::string, double>>& shares) {
   std::string rows;
