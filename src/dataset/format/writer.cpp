@@ -314,9 +314,7 @@ DatasetWriter::~DatasetWriter() {
 
 bool DatasetWriter::FinishWhole(const fs::path& directory, const DatasetInfo& info) {
   const fs::path root = IncompleteOf(directory);
-  if (!Exists(root / kDescriptionName))
-    return false;  // dataset.yaml is written after all other
-                   // files
+  if (!Exists(root / kDescriptionName)) return false;  // dataset.yaml is written last
   const FolderLock lock(root);
   // If the note is already deleted, the scenario still identifies the run: it contains seed and
   // duration.

@@ -48,17 +48,18 @@ std::vector<InertialFinding> JudgeLogged(std::size_t count,
 /// Model   z down: the median direction of the specific force is within 25 deg of down, and nine
 ///         tenths of the directions are within 60 deg. A unit on an undercarriage, cab or boom
 ///         cannot cause this, because it pitches by at most 85 deg. Units on arms and buckets point
-///         down only for short times.
+///         down only for short times; a parked arm stays 30 deg away from down.
 ///
-/// Unit of rates: over spans of 2 s, compares the rotation by gyro rates across the specific force
-/// with the rotation of the specific force itself. The median ratio is 57 within a factor of 3 if
-/// deg/s were imported as rad/s; this uses rotations of 5 deg and more. It is 1 / 57 in the
-/// opposite case; this uses rotations of 20 deg and more. The ratio of a correct unit is at least
-/// 1; vibration raises it to 2 or 3. At least eight spans are needed. With fewer, rates are deg/s
-/// if a tenth of them exceeds the speed of any joint.
+///         Unit of rates: over spans of 2 s, compares the rotation by gyro rates across the
+///         specific force with the rotation of the specific force itself. The median ratio is 57
+///         within a factor of 3 if deg/s were imported as rad/s; this uses rotations of 5 deg and
+///         more. It is 1 / 57 in the opposite case; this uses rotations of 20 deg and more. The
+///         ratio of a correct unit is at least 1; vibration raises it to 2 or 3. At least eight
+///         spans are needed. With fewer, rates are deg/s if a tenth of them exceeds the speed of
+///         any joint.
 ///
-/// Gravity: missing if the median specific force is below a fifth of standard gravity. If the
-/// magnitude is always about 1, the unit is g and no other check is made.
+///         Gravity: missing if the median specific force is below a fifth of standard gravity. If
+///         the magnitude is always about 1, the unit is g and no other check is made.
 /// Omits   rotations about the vertical, which do not change the gravity direction.
 std::vector<InertialFinding> JudgeInertial(std::size_t count,
                                            const std::function<ImuSample(std::size_t row)>& sample,
