@@ -28,7 +28,8 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kSearchLine_s = 30;  ///< between progress lines without a terminal
+constexpr double kSearchLine_s = 30;  ///< interval between progress lines if the output is no
+                                      ///< terminal
 
 struct EvaluateArguments {
   fs::path cycle, study, out;
@@ -93,14 +94,14 @@ struct CompareArguments {
   fs::path out;
 };
 
-/// Folder of a report; `report` may also be its layout.json.
+/// Folder of a report. `report` is the folder or its layout.json.
 fs::path FolderOf(const fs::path& report) {
   const fs::path plain = report.lexically_normal();
   const fs::path folder = plain.filename() == "layout.json" ? plain.parent_path() : plain;
   return folder.has_filename() ? folder : folder.parent_path();
 }
 
-/// Reads the reports. Reports of equal name get the names of their folders.
+/// Reads the reports. Reports with equal names are named after their folders.
 std::vector<LayoutReport> ReadReports(const std::vector<fs::path>& files) {
   std::vector<LayoutReport> reports;
   std::map<std::string, int> named;

@@ -3,7 +3,7 @@
 #include "app/commands.h"
 #include "core/error.h"
 
-// Commands of a build for the quickstart alone, without the libraries that they call.
+// Placeholders for commands whose libraries are missing in a quickstart build.
 
 namespace tera {
 namespace {

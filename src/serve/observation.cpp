@@ -15,11 +15,11 @@
 namespace tera {
 namespace {
 
-// Limits that detect mistyped sizes.
+// Limits that reject mistyped sizes.
 constexpr double kLargestPatch_m = 200.0;
 constexpr int kMostPatchVertices = 1024;
 
-/// Index of the item of `items` whose `name_of` equals `name`.
+/// Index of the item whose `name_of` equals `name`.
 template <typename Items, typename NameOf>
 std::size_t IndexOf(const Items& items, const NameOf& name_of, const std::string& name,
                     const std::string& what) {
@@ -62,9 +62,9 @@ PatchPlan PlanPatch(const v1::PatchSelection& patch, const Scenario& scenario) {
   return plan;
 }
 
-/// Upper bound of one sample's size in a message.
+/// Upper bound of the size of one sample in a message.
 double SampleBytes(const SensorDescription& sensor, const MachineModel& machine) {
-  constexpr double kSmall_bytes = 200;  // time stamps, tags
+  constexpr double kSmall_bytes = 200;  // time stamps and tags
   constexpr double kPoint_bytes = 3 * 4 + 4 + 4 + 2 + 1 + 2;
   const SensorKind& kind = KindOf(sensor);
   double bytes =
@@ -97,7 +97,7 @@ void CheckSize(double bytes, double duration_s) {
 }
 
 double PatchBytes(const PatchPlan& plan) {
-  constexpr double kHead_bytes = 100;  // centre, heading, resolution, tags
+  constexpr double kHead_bytes = 100;  // centre, heading, resolution and tags
   return kHead_bytes + sizeof(float) * static_cast<double>(plan.n) * static_cast<double>(plan.n);
 }
 
@@ -175,7 +175,7 @@ void PutMachine(const MachinePlacement& machine, const MachineState& state,
   }
 }
 
-/// A box in W.
+/// A box placed in W.
 struct PlacedBox {
   Pose X_WG;
   Vec3 half_m;
@@ -186,11 +186,13 @@ void PlaceBoxes(const std::vector<CollisionBox>& boxes, const Pose& X_WB,
   for (const CollisionBox& box : boxes) placed->push_back({X_WB * box.X_BG, 0.5 * box.size_m});
 }
 
-/// True if no plane lies more than `gap_m` between both boxes. By the separating axes: the normals
-/// of their faces and the cross products of their edges.
+/// True if no plane separates the boxes by more than `gap_m`. Tests the separating axes: the
+/// normals of faces and the cross products of edges.
+///
 /// Source  Gottschalk, Lin, Manocha 1996, "OBBTree", section 5.
 bool Touch(const PlacedBox& a, const PlacedBox& b, double gap_m) {
-  constexpr double kParallel = 1e-6;  // edges whose cross product is no direction
+  constexpr double kParallel = 1e-6;  // shorter cross products, of nearly parallel edges, have no
+                                      // direction
   const Vec3 apart_m = b.X_WG.translation() - a.X_WG.translation();
   const auto separates = [&](const Vec3& axis_W) {
     const double norm = axis_W.norm();
@@ -210,9 +212,11 @@ bool Touch(const PlacedBox& a, const PlacedBox& b, double gap_m) {
   return true;
 }
 
-/// Names each machine and obstacle of which a box touches one of another machine's.
+/// Lists each machine, and each obstacle, that touches another machine: a box of one touches a box
+/// of the other.
 void PutTouches(const WorldState& state, const Scenario& scenario, v1::Observation* observation) {
-  constexpr double kTouch_m = 0.02;  // boxes in contact are kept apart by Bullet's margin
+  constexpr double kTouch_m = 0.02;  // Bullet keeps bodies in contact apart by a margin of this
+                                     // order
   struct Thing {
     std::string name;
     std::vector<PlacedBox> boxes;
