@@ -23,7 +23,7 @@ struct Relief {
   }
 };
 
-/// Adds a dome with a slightly uneven outline on top of the present relief.
+/// Adds a dome with a slightly uneven outline on top of the relief so far.
 void AddStone(double u, double v, double radius, double squash, double tone, Relief* relief) {
   const int reach = static_cast<int>(radius * kSide * 1.3) + 1;
   const int ci = static_cast<int>(u * kSide), cj = static_cast<int>(v * kSide);

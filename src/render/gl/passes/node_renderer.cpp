@@ -271,7 +271,7 @@ void NodeRenderer::DrawNode(int node, Surface surface) const {
   }
 }
 
-/// Draws closed and open surfaces. `half_of_closed` culls the clockwise triangles of closed
+/// Draws the position-only triangles of a node. `half_of_closed` culls the back faces of closed
 /// surfaces.
 void NodeRenderer::DrawBare(int node, Surface surface, bool half_of_closed) const {
   const GpuMesh& mesh = MeshOf(model_.nodes[node]);
