@@ -9,7 +9,6 @@
 
 namespace tera {
 
-/// Inputs and output folder of a diagnosis.
 struct DiagnoseArguments {
   ScenarioOptions scenario;
   std::vector<std::filesystem::path> recordings;  ///< at least one

@@ -108,7 +108,6 @@ void RunExport(const ExportArguments& arguments) {
              report.absent.count, report.absent.first.string());
 }
 
-/// Adds options for bags.
 void AddBagOptions(CLI::App* command, ExportArguments* arguments) {
   ExportOptions* const options = &arguments->options;
   command->add_option("--storage", options->storage, "Of rosbag2: mcap (the default) or sqlite3")

@@ -23,7 +23,6 @@ class Stream {
   double Uniform(std::uint64_t index, std::uint32_t lane = 0) const;
   /// Standard normal, by Box–Muller from two uniforms with the same counter.
   double Gaussian(std::uint64_t index, std::uint32_t lane = 0) const;
-  /// Three independent standard normals.
   Vec3 Gaussian3(std::uint64_t index, std::uint32_t lane = 0) const;
 
  private:

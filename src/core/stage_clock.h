@@ -38,7 +38,7 @@ class StageClock {
     std::vector<std::pair<std::string, double>> parts;
   };
   std::vector<Stage> stages_;
-  std::vector<std::pair<std::string, double>> parts_;  ///< parts of the next stage
+  std::vector<std::pair<std::string, double>> parts_;
 };
 
 }  // namespace tera

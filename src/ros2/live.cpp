@@ -30,7 +30,6 @@ TimeNs EndOf(double duration_s) {
   return duration_s < ToSeconds(kNever_ns) ? FromSeconds(duration_s) : kNever_ns;
 }
 
-/// A run with its publishers and subscribers.
 class Session {
  public:
   Session(std::shared_ptr<const Scenario> scenario, const std::string& resolved_yaml,

@@ -57,9 +57,9 @@ class RealTime {
 /// whose stamp is the time in /clock. Every machine with a lever publisher must answer. Before the
 /// first step, waits for at least one publisher.
 ///
-/// Model   If a machine does not answer within the timeout, the simulation no longer waits for it,
-///         until a message with a later stamp arrives from it. While there is no machine to wait
-///         for, simulated time follows the wall clock.
+/// Model   If a machine does not answer within the timeout, the simulation stops waiting for it. It
+///         waits for the machine again after a message with a later stamp. While there is no
+///         machine to wait for, simulated time follows the wall clock.
 class Lockstep {
  public:
   /// Functions used while waiting.

@@ -53,13 +53,11 @@ class Participant {
   /// The type of `message` must be the advertised type. A message that cannot be sent at once is
   /// dropped and counted.
   void Publish(WriterId writer, const Message& message);
-  /// True if the topic has a subscriber.
   bool HasReaders(WriterId writer) const;
 
   using ReaderId = int;
   /// The subscription is best effort, so it matches publishers of any reliability.
   ReaderId SubscribeToLevers(const std::string& topic);
-  /// True if the topic has a publisher.
   bool HasLeverWriters(ReaderId reader) const;
   /// Messages since the last call, oldest first, at most the last 10.
   std::vector<DeltaCan> TakeLevers(ReaderId reader);

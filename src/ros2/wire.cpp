@@ -26,7 +26,6 @@ class FieldReader {
     is_whole_ = bytes.size() >= kEncodingBytes && bytes[0] == 0 && (bytes[1] & ~1) == 0;
     is_swapped_ = is_whole_ && bytes[1] == 0;
   }
-  /// True if all requested fields were present.
   bool is_whole() const { return is_whole_; }
 
   template <typename T>

@@ -34,7 +34,6 @@ constexpr double kLongestStep_s = 3600;
 /// commands.
 constexpr double kRepeat_s = 0.5 * RemoteOperator::kTimeout_s;
 
-/// Number of physics steps in a request.
 std::int64_t StepsOf(const v1::Step& step, double rate_hz) {
   double steps = step.physics_steps();
   if (step.has_duration_s()) {

@@ -175,7 +175,6 @@ void PutMachine(const MachinePlacement& machine, const MachineState& state,
   }
 }
 
-/// A box placed in W.
 struct PlacedBox {
   Pose X_WG;
   Vec3 half_m;

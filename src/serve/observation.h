@@ -33,8 +33,8 @@ struct ObservationPlan {
   double bytes = 0;  ///< upper bound of the message size due to samples and patches
 };
 
-/// Throws InputError if a machine, shovel or sensor does not exist or is repeated, if a patch has
-/// an invalid size, or if samples over `duration_s` may exceed kLargestSamples_bytes.
+/// Throws InputError if a machine, shovel or sensor does not exist or is repeated. Also throws if a
+/// patch has an invalid size, or if samples over `duration_s` may exceed kLargestSamples_bytes.
 ObservationPlan PlanObservation(const v1::Observe& observe, const Scenario& scenario,
                                 double duration_s);
 

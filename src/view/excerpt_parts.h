@@ -26,7 +26,6 @@ class FrameList {
   std::string Table(std::size_t n) const;
   /// Paths of the existing files of every n-th frame, relative to the folder.
   std::vector<std::string> Files(std::size_t n) const;
-  /// Total size of these files.
   std::uint64_t Bytes(std::size_t n) const;
 
  private:

@@ -25,7 +25,6 @@ struct StageMesh {
   std::vector<StagePart> parts;
 };
 
-/// A mesh attached to a body.
 struct StageNode {
   int mesh = 0, body = 0;
   Pose X_BG = Pose::Identity();

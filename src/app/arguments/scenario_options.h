@@ -32,7 +32,6 @@ struct HostOptions {
 /// the parsing. The same applies to the other Add functions.
 void AddScenarioOptions(CLI::App* command, ScenarioOptions* options);
 
-/// Adds --threads and --egl-device.
 void AddHostOptions(CLI::App* command, HostOptions* options);
 
 /// Loads the scenario. `overrides` rank above those of the options.

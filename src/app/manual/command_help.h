@@ -25,7 +25,6 @@ struct OptionHelp {
   bool TakesPath() const { return type == "TEXT" && need.empty(); }
 };
 
-/// The program or one of its commands.
 struct CommandHelp {
   std::vector<std::string> path;  ///< such as "tera", "layout", "evaluate"
   std::string description;

@@ -20,7 +20,6 @@ struct RunOptions {
 /// Adds --out, --resume and the host options. `options` must outlive the parsing.
 void AddRunOptions(CLI::App* command, RunOptions* options);
 
-/// A run that writes a dataset.
 using DatasetRun = std::function<GenerateReport(const GenerateOptions&)>;
 
 /// Executes a run. Shows its progress on standard error and prints its timing at the end.

@@ -33,8 +33,8 @@ constexpr double kFirstMemory_mb = 4000;  ///< used if a task ran out of memory 
 constexpr int kObstacles = 2;  ///< failed tasks that exclude a node; a single one may be due to the
                                ///< episode or a shared disk
 constexpr std::size_t kMostEpisodesAtOnce = 100'000;
-constexpr std::size_t kShareOfJobs = 2;  ///< one part of the job limit is used; the controller also
-                                         ///< keeps jobs of other users
+constexpr std::size_t kShareOfJobs = 2;  ///< only 1/kShareOfJobs of the job limit is used, because
+                                         ///< the controller keeps jobs of other users too
 constexpr std::size_t kLastOfLog_bytes = 1000;  ///< shown if no episode succeeds any more
 
 struct Answer {

@@ -7,7 +7,6 @@
 
 namespace tera {
 
-/// A key and its value in YAML.
 struct SetValue {
   std::string key, yaml;
 };

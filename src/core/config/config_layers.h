@@ -131,7 +131,6 @@ double Harmless(const Range& range);
 /// The shortest decimal text that parses to the same double.
 std::string NumberText(double value);
 
-/// Writes a value into the resolved document.
 void Record(ConfigNode& node, std::string_view key, const std::string& scalar);
 
 // Files.

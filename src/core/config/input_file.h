@@ -9,7 +9,7 @@ namespace tera {
 struct InputFile {
   std::string name;  ///< portable name (PortableName), as resolved documents and recordings store
                      ///< it
-  std::filesystem::path path;  ///< location of the file
+  std::filesystem::path path;
 };
 
 /// A file named `from`, or a file below it, is read at `to` instead.

@@ -48,7 +48,7 @@ struct LabelChannel {
   LabelSource source;
   int first_bit;  ///< offset in the label word
   LabelColours colours;
-  std::string_view caption;  ///< caption in the overview
+  std::string_view caption;
 };
 
 inline constexpr std::array<LabelChannel, 15> kLabelChannels = {{
@@ -100,7 +100,6 @@ inline LabelSet UsualLabels() {
   return usual;
 }
 
-/// Index of a channel in kLabelChannels.
 inline std::size_t IndexOf(const LabelChannel& channel) {
   return static_cast<std::size_t>(&channel - kLabelChannels.data());
 }

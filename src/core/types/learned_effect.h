@@ -24,10 +24,9 @@ struct LearnedVariable {
 /// one variable.
 ///
 /// Model   The correction c(x) is piecewise linear between knots. Beyond an end knot, c falls
-///         linearly to 0 over the length of the last interval and then stays 0, because the data do
-///         not reach that far. The simulated rate becomes rate + c, or rate (1 + c) if `is_share`
-///         is true. `low` and `high` bound the uncertainty of c for reports; the simulation ignores
-///         them.
+///         linearly to 0 over the length of the last interval and stays 0, because there are no
+///         data. The simulated rate becomes rate + c, or rate (1 + c) if `is_share` is true. `low`
+///         and `high` bound the uncertainty of c for reports; the simulation ignores them.
 struct LearnedEffect {
   LearnedVariable variable;
   bool is_share = false;

@@ -17,9 +17,9 @@ struct CloudDistances {
 /// same frame.
 ///
 /// Model   The local surface is the least-squares plane through the 32 nearest points of `other`.
-///         It is used only if the points do not form a line (second principal deviation at least a
-///         fifth of the first) and are flat (third at most a tenth of the second). If there are
-///         more than 10 000 points, every n-th is used.
+///         It is used only if the points form no line: the second principal deviation is at least a
+///         fifth of the first. They must also be flat: the third is at most a tenth of the second.
+///         If there are more than 10 000 points, every n-th is used.
 /// Omits   surfaces with sparse beams, such as distant ground: there the nearest points are on one
 ///         beam and form a line.
 /// Source  point to plane: Chen and Medioni 1992, "Object modelling by registration of multiple

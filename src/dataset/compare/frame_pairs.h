@@ -30,9 +30,9 @@ struct WorstFrame {
 
 /// Sensors of the form that have equal names and types on both machines.
 ///
-/// Model   A frame of `a` is paired with the nearest frame of `b` if that is at most half of a's
-///         median interval away (0.5 s if there is a single frame). One pair out of `every` is
-///         kept.
+/// Model   A frame of `a` is paired with the nearest frame of `b`. The distance must be at most
+///         half of a's median interval, or 0.5 s if `a` has a single frame. One pair out of `every`
+///         is kept.
 std::vector<SensorInBoth> SensorsInBoth(const RecordedMachine& a, const RecordedMachine& b,
                                         ChannelForm form, std::size_t every);
 

@@ -6,7 +6,6 @@
 
 namespace tera {
 
-/// A result of NearestPoints.
 struct FoundPoint {
   std::size_t index = 0;
   float distance_m = 0;

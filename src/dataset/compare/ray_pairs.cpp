@@ -19,7 +19,6 @@ constexpr std::size_t kMostLooked = 1000;  ///< number of rays from which the sp
 /// Largest angle between returns of one ray if times and rings do not identify rays, in rad.
 constexpr float kSameRay = 1e-4F;
 
-/// Rays of one scan.
 struct Rays {
   std::vector<std::size_t> first;           ///< indices of first returns
   std::vector<Eigen::Vector3f> directions;  ///< unit vectors

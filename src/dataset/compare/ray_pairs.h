@@ -22,11 +22,11 @@ std::vector<std::size_t> FirstReturns(const LidarScan& scan);
 /// Matches the rays of two scans by direction.
 ///
 /// Frames  The sensor frame of each scan. The sensors must have equal position and attitude.
-/// Model   A ray of `a` matches a ray of `b` with a return if the angle between them is at most
-///         three quarters of the ray spacing. The spacing is the median angle between neighbouring
-///         rays of the coarser scan. If both scans number their beams in the same order (from the
-///         top or from the bottom), a ray is matched only within its beam, by azimuth. Otherwise it
-///         is matched by its direction from the sensor origin.
+/// Model   A ray of `a` matches a ray of `b` if the angle between them is at most three quarters of
+///         the ray spacing. The spacing is the median angle between neighbouring rays of the
+///         coarser scan. If both scans number their beams in the same order, top to bottom or
+///         bottom to top, a ray is matched within its beam, by azimuth. Otherwise it is matched by
+///         its direction from the sensor origin.
 /// Omits   the offset of beam origins if beams are not numbered: 4 cm are half a degree at 5 m.
 RayPairs PairRays(const LidarScan& a, const LidarScan& b);
 

@@ -13,7 +13,8 @@ namespace tera {
 ///
 /// Model   Unit: the scale of Umeyama's similarity, if its residual is below a twentieth of the
 ///         size of a. Time scale: a shift between GPS time, UTC and TAI, if it reduces the error to
-///         less than a third and further than shifts that are one second longer or shorter.
+///         less than a third. Shifts that are one second longer or shorter must leave a larger
+///         error.
 std::vector<std::string> TrackDoubts(const Trajectory& a, const Trajectory& b, TimeNs max_gap_ns);
 
 }  // namespace tera

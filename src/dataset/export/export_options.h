@@ -40,7 +40,6 @@ struct ExportFormatName {
   std::string_view name;  ///< name on the command line
 };
 
-/// All formats in order of value.
 inline constexpr std::array<ExportFormatName, 14> kExportFormats = {
     {{ExportFormat::kTum, "tum"},
      {ExportFormat::kEuroc, "euroc"},

@@ -13,7 +13,6 @@
 
 namespace tera {
 
-/// A channel of the stream.
 struct StreamedChannel {
   std::string path;
   /// Delay from t_ns to t_available_ns. Records are ordered by t_available_ns.

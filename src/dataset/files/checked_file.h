@@ -43,7 +43,6 @@ class CheckedFile {
   std::int64_t bytes_ = 0;
 };
 
-/// Suffix of temporary names.
 inline constexpr std::string_view kPartSuffix = ".part";
 
 /// Writes a whole file through a temporary name.

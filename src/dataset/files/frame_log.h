@@ -32,7 +32,6 @@ class FrameLog {
   /// True if the frame was complete when this log was opened.
   bool WasWhole(const std::string& folder, TimeNs t_ns) const;
   void Append(const std::string& folder, TimeNs t_ns, const std::vector<File>& files);
-  /// Closes and deletes the log file.
   void Remove();
 
  private:

@@ -25,7 +25,6 @@ class FrameQueue {
   ~FrameQueue();
 
   void Push(std::function<void()> job);
-  /// Waits until all jobs have ended.
   void Drain();
 
  private:

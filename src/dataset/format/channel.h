@@ -18,7 +18,6 @@ inline constexpr std::string_view kImuChannel = "imu", kGnssChannel = "gnss",
 /// Which alternative of Measurement a channel carries.
 enum class ChannelForm { kRows, kPictures, kScans };
 
-/// Description of a channel.
 struct ChannelInfo {
   std::string path;  ///< folder of a sensor, such as "excavator1/imu_boom", or file of a table
   std::string type;  ///< as in dataset.yaml
@@ -27,7 +26,6 @@ struct ChannelInfo {
   std::vector<std::string> columns;        ///< columns of the rows, without t_ns
 };
 
-// Channels of sensors.
 ChannelInfo ImuChannel(const std::string& folder, const std::string& sensor_yaml);
 ChannelInfo GnssChannel(const std::string& folder, const std::string& sensor_yaml);
 ChannelInfo EncoderChannel(const std::string& folder, const std::string& sensor_yaml,

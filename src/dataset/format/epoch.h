@@ -9,7 +9,6 @@
 
 namespace tera {
 
-/// Time scale of a clock.
 enum class ClockScale {
   kUtc,     ///< Unix time: UTC without leap seconds
   kGps,     ///< GPS time written as a date. It is ahead of UTC by the leap seconds since 1980.

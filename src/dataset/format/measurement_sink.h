@@ -6,7 +6,6 @@
 
 namespace tera {
 
-/// Handle of one channel of a sink.
 using ChannelId = int;
 
 /// Receives the measurements of a run; a dataset writer is one example. All channels are added

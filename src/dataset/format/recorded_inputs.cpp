@@ -20,7 +20,6 @@ bool IsDigest(const std::string& text) {
   return text.size() == kDigits && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-/// Size and digest for messages.
 std::string Shown(std::int64_t bytes, const std::string& sha256) {
   constexpr std::size_t kShownDigits = 12;
   return fmt::format("{} bytes with SHA-256 {}...", bytes, sha256.substr(0, kShownDigits));

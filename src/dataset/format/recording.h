@@ -11,7 +11,6 @@
 
 namespace tera {
 
-/// Joint positions and rates over time.
 struct EncoderRecording {
   std::vector<EncoderAxis> axes;
   std::vector<EncoderSample> samples;
@@ -63,7 +62,6 @@ class Recording {
   /// Channels of SensorsOf(kRows) that are valid time series. GNSS receivers are excluded, because
   /// their values are invalid without a fix.
   std::vector<std::string> SeriesChannels() const;
-  /// The type of an existing channel.
   std::string_view TypeOf(const std::string& path) const;
   /// Names of machines: folders that hold channels, and names under truth/. In a simulated
   /// recording, a name under truth/ counts only if it has a table of commands; otherwise it is an
@@ -77,7 +75,6 @@ class Recording {
   TableRecording LoadRows(const std::string& folder) const;
   PoseRecording LoadPose(const std::string& file) const;
   TableRecording LoadTable(const std::string& file) const;
-  /// Times of a camera's or lidar's frames.
   std::vector<TimeNs> FrameTimes(const std::string& folder) const;
   /// Images absent on disk stay empty.
   CameraFrame LoadFrame(const std::string& folder, TimeNs t_ns) const;

@@ -12,7 +12,6 @@
 
 namespace tera {
 
-/// A valid row of a CSV file.
 struct ScannedRow {
   int line = 0;
   TimeNs t_ns = 0;

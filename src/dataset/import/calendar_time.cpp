@@ -43,7 +43,6 @@ class TextCursor {
     if (count < least || count > most) return std::nullopt;
     return TakeDigits(count);
   }
-  /// Takes exactly `count` digits.
   std::optional<int> TakeDigits(std::size_t count) {
     if (DigitCount() < count) return std::nullopt;
     int value = 0;

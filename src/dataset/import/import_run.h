@@ -17,7 +17,6 @@
 
 namespace tera {
 
-/// State of a running import.
 class ImportRun {
  public:
   ImportRun(const ImportOptions& options, DatasetWriter* writer, TimeNs zero_ns)

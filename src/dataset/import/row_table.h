@@ -10,7 +10,6 @@
 
 namespace tera {
 
-/// Place of a row.
 struct RowPlace {
   int line = 0;          ///< line of its file, or message of its topic, from 1
   std::size_t file = 0;  ///< index of the file among those concatenated

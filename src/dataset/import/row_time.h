@@ -34,7 +34,6 @@ struct RowTime {
   TimeNs ahead_ns = 0;   ///< local time minus UTC, for texts without a time zone
   TimeNs offset_ns = 0;  ///< added to all forms except kNumber, whose ColumnMapping has an offset
 
-  /// All columns that the time uses.
   std::vector<std::string> Columns() const;
 };
 
@@ -54,7 +53,6 @@ RowTime ReadRowTime(const ConfigMap& time, bool has_stamps);
 /// Such a mapping cannot be imported.
 bool IsTimeToFillIn(const ConfigMap& holder);
 
-/// Times of all rows of one table.
 class RowTimes {
  public:
   /// Only rows for which `counts` is true advance the count of days or counter periods; without

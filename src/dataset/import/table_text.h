@@ -31,7 +31,6 @@ std::string_view TrimmedText(std::string_view text);
 /// True for a comment: a trimmed record that begins with '#' or '%'.
 bool IsRemark(std::string_view record);
 
-/// Notation of numbers.
 struct NumberForm {
   char decimal = '.';
   char thousands = 0;  ///< thousands separator; 0: none

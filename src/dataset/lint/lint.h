@@ -22,7 +22,6 @@ struct LintOptions {
   std::function<double(const std::filesystem::path& raster)> lowest_m = {};
 };
 
-/// Place of a finding in a dataset.
 struct LintPlace {
   std::string file;  ///< path relative to the dataset
   int line = 0;      ///< 0 if the file has no lines, such as an image
@@ -32,8 +31,8 @@ struct LintPlace {
 /// All findings of one rule in one channel.
 struct LintFinding {
   const LintRule* rule = nullptr;
-  std::string channel;            ///< empty if the finding concerns the whole dataset
-  std::int64_t count = 0;         ///< number of places
+  std::string channel;  ///< empty if the finding concerns the whole dataset
+  std::int64_t count = 0;
   std::vector<LintPlace> places;  ///< the first places
 };
 
@@ -60,7 +59,6 @@ struct DatasetStatistics {
   std::int64_t pictures = 0, scans = 0, boxes = 0, points = 0;
 };
 
-/// Result of a lint.
 struct LintReport {
   std::filesystem::path dataset;
   std::string name;                             ///< from dataset.yaml

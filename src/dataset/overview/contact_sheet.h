@@ -7,7 +7,6 @@
 
 namespace tera {
 
-/// An image of a contact sheet.
 struct SheetTile {
   Picture picture;
   std::string title;

@@ -6,13 +6,11 @@
 
 namespace tera {
 
-/// One curve of a chart.
 struct Curve {
   std::string title;
   std::vector<double> x, y;
 };
 
-/// Axes with curves.
 struct Chart {
   std::string title, x_label, y_label;
   bool equal_axes = false;  ///< x and y have equal scales

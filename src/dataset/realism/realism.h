@@ -14,7 +14,6 @@ Realism MeasureRealism(const std::filesystem::path& dataset, int every_frame);
 
 /// Table of the results next to values of photographs from the literature, with sources.
 std::string RealismTable(const Realism& realism);
-/// The results as JSON.
 std::string RealismJson(const Realism& realism);
 
 }  // namespace tera

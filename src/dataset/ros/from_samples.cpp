@@ -57,7 +57,6 @@ void Put(std::uint8_t* point, std::uint32_t offset, T value) {
   std::memcpy(point + offset, &value, sizeof value);
 }
 
-/// Joint and quantity of a column.
 struct QuantityOfJoint {
   std::string joint;
   bool is_rate = false;

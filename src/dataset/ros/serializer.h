@@ -34,7 +34,6 @@ class Serializer {
   const std::string& bytes() const { return bytes_; }
   /// Moves the bytes of the last message out.
   std::string TakeBytes() { return std::move(bytes_); }
-  /// Starts a new message.
   void Clear() {
     bytes_.clear();
     if (form_ == WireForm::kCdr) bytes_.append(kLittleEndianCdr);

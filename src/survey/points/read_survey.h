@@ -24,7 +24,6 @@ struct Survey {
   std::vector<std::string> warnings;
 };
 
-/// Options for reading a survey.
 struct SurveyReading {
   std::string map;        ///< coordinate reference system if the file names none that can be read
   bool is_local = false;  ///< treat coordinates as local, even if the file names a reference system

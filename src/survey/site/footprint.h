@@ -6,7 +6,6 @@
 
 namespace tera {
 
-/// A rectangle on the ground.
 struct Footprint {
   Vec2 middle_m = Vec2::Zero();
   double yaw_rad = 0;  ///< angle from the x axis to the longer side, in (-pi/2, pi/2]

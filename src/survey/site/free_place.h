@@ -6,7 +6,6 @@
 
 namespace tera {
 
-/// Free space that a machine needs.
 struct PlaceNeed {
   double radius_m = 2.5;       ///< radius of the circle of level, measured ground
   double clearance_m = 4;      ///< distance from things and from the border of the survey

@@ -42,9 +42,9 @@ struct SurveySite {
 
 /// Converts a survey to a site, with outliers.h, ground_filter.h, terrain.h and things.h.
 ///
-/// Throws  InputError for a survey longer or wider than 2000 m, for one without a reference system
-///         that is more than 2000 m from its origin, if points are too sparse for the cells, or if
-///         no point is ground.
+/// Throws  InputError for a survey longer or wider than 2000 m. Also for one without a reference
+///         system that is more than 2000 m from its origin, and if points are too sparse for the
+///         cells or no point is ground.
 SurveySite MakeSurveySite(const std::filesystem::path& file, const SiteRequest& request);
 
 }  // namespace tera

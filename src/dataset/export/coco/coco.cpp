@@ -210,7 +210,6 @@ class CocoFiles {
     return {t_ns, camera, was_written, Objects(frame, instances), Segments(picture)};
   }
 
-  /// Adds the annotations of the next image.
   void Add(ImageAnnotations image) {
     ++image_;
     for (ObjectAnnotation& object : image.objects) {

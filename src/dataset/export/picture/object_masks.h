@@ -20,7 +20,6 @@ struct PixelBounds {
   void Include(int x_px, int y_first_px, int y_last_px);
 };
 
-/// Pixels of an object in an image.
 struct ObjectMask {
   RunLengths runs;
   PixelBounds bounds;

@@ -17,7 +17,6 @@ class RunLengths {
   /// Adds `count` inside pixels from index `first` on. `first` must not lie before the end of the
   /// last run.
   void Add(std::int64_t first, std::int64_t count);
-  /// Number of inside pixels.
   std::int64_t area_px() const { return area_px_; }
   /// Text of COCO's compressed run lengths for an image of `pixels` pixels. From the fourth run on,
   /// a run is stored as its difference from the run two before it. A number is split into groups of

@@ -42,7 +42,6 @@ class RosTopics {
   /// Keeps references to both arguments. Throws InputError if two topics have the same name.
   RosTopics(ExportJob* job, BagWriter* bag);
 
-  /// Writes all messages in order of time.
   void WriteAll();
   const std::vector<Topic>& topics() const { return topics_; }
   /// Sets a function that is called after each written message.
@@ -54,7 +53,6 @@ class RosTopics {
   /// Processes a record of one channel.
   using Take = std::function<void(const Record&)>;
   using TopicId = std::size_t;
-  /// A serialised message.
   struct WireMessage {
     TopicId topic = 0;
     TimeNs t_ns = 0;
@@ -97,7 +95,6 @@ class RosTopics {
   std::vector<WireMessage> RawPictures(const std::string& path, const Record& record,
                                        const std::vector<PictureTopic>& pictures,
                                        const std::string& frame_id) const;
-  /// Writes to the bag.
   void Put(const std::vector<WireMessage>& messages);
   void AddTake(const std::string& path, Take take);
   /// Publishes any row as a JointState, with the column names as joint names.

@@ -35,7 +35,6 @@ class Shards {
   /// True if a reused archive contains the sample at `t_ns`. Samples are added in order of time.
   bool Has(TimeNs t_ns) const { return last_ns_ && t_ns <= *last_ns_; }
   void Commit();
-  /// Archives committed so far.
   const SensorArchives& archives() const { return archives_; }
 
  private:

@@ -61,7 +61,6 @@ void ReadBag(const std::filesystem::path& bag, UnpackedFiles* unpacked, BagVisit
 /// File in a rosbag2 folder that lists its bag files.
 inline constexpr const char* kBagMetadata = "metadata.yaml";
 
-/// Files of a bag, in order.
 std::vector<std::filesystem::path> FilesOfBag(const std::filesystem::path& bag);
 
 /// True if the file is a bag, judged by its name or its first bytes. Names are .mcap, .db3 and

@@ -21,7 +21,6 @@ struct MessageReader::Element {
   std::unique_ptr<Node> below;  ///< requested parts of a nested message
 };
 
-/// Requested parts of a message.
 struct MessageReader::Node {
   std::vector<std::vector<Element>> fields;  ///< one list per field
   bool has_labels = false;

@@ -39,7 +39,6 @@ std::uint64_t MostBytes(const fs::path& packed, const fs::path& folder, std::uin
   return std::min(most, room - kLeftFree);
 }
 
-/// Creates an unnamed file, open for writing.
 int NamelessFile(const fs::path& folder) {
   std::string name = (folder / "tera_bag_XXXXXX").string();
   const int descriptor = ::mkostemp(name.data(), O_CLOEXEC);

@@ -28,10 +28,10 @@ struct ClockDifference {
 
 /// Compares two channels with different clocks.
 ///
-/// Model   Among pairs of series of one kind, selects the pair with the highest correlation at any
-///         lag within a minute, over ten minutes of the recording. A weighted straight line through
-///         the lags of short stretches gives offset and drift; the weight of a stretch is the
-///         sharpness of its correlation peak.
+/// Model   Selects two series of one kind, one from each channel, with the highest correlation. The
+///         search covers lags of up to a minute, over ten minutes of the recording. A weighted
+///         straight line through the lags of short stretches gives offset and drift; the weight of
+///         a stretch is the sharpness of its correlation peak.
 /// Omits   clocks that jump, and lags beyond a minute. Returns nullopt if no correlation reaches
 ///         0.85. Returns nullopt also if the peak is less than a sixth higher than correlations at
 ///         other lags, which happens for unrelated or periodic motions.

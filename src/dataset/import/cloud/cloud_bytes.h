@@ -22,7 +22,6 @@ PointCloud ParsePcd(const std::filesystem::path& file, std::string_view bytes);
 PointCloud ParsePly(const std::filesystem::path& file, std::string_view bytes);
 PointCloud ParseLas(const std::filesystem::path& file, std::string_view bytes);
 
-/// Throws InputError for an unusable file.
 [[noreturn]] inline void RefuseCloud(const std::filesystem::path& file,
                                      const std::string& finding) {
   throw InputError(fmt::format("{}: {}", file.string(), finding));

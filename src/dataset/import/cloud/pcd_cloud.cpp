@@ -124,7 +124,6 @@ class PcdHeaderReader {
   std::string_view bytes_;
 };
 
-/// The fields x, y and z.
 std::array<Field, 3> PlacesOf(const std::filesystem::path& file, const Header& header) {
   std::array<Field, 3> axes;
   for (int axis = 0; axis < 3; ++axis) {

@@ -29,7 +29,6 @@ struct PictureReading {
   std::int64_t pieces = 0;  ///< number of messages or files read, including faulty ones
 };
 
-/// A camera of the mapping.
 struct CameraPlan {
   std::string folder;
   ImportedSensor sensor;

@@ -13,7 +13,6 @@
 namespace tera {
 namespace {
 
-/// The fields of a sensor_msgs/CameraInfo.
 struct CameraInfoFields {
   std::uint32_t height_px = 0, width_px = 0, binning_x = 0, binning_y = 0;
   std::string model;
@@ -112,7 +111,6 @@ CameraLens LensOf(const CameraInfoFields& info, const std::string& place, bool i
                           lens.fx_px, lens.fy_px)});
 }
 
-/// Takes the first message of a topic.
 class FirstMessage : public BagVisitor {
  public:
   explicit FirstMessage(const BagTopic& topic) : topic_(topic) {}

@@ -14,7 +14,6 @@ inline constexpr std::string_view kImageType = "sensor_msgs/Image",
                                   kCompressedImageType = "sensor_msgs/CompressedImage",
                                   kCameraInfoType = "sensor_msgs/CameraInfo";
 
-/// An image and its time.
 struct StampedPicture {
   TimeNs t_ns = 0;
   ImportedPicture picture;

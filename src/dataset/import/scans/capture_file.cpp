@@ -124,7 +124,6 @@ class Fragments {
   std::map<std::string, Pending> pending_;
 };
 
-/// A UDP datagram and its destination port.
 struct Datagram {
   int port = 0;
   std::string_view bytes;

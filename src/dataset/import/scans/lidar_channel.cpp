@@ -18,7 +18,6 @@ namespace {
 constexpr double kWholeTurn = 0.95;  ///< fraction of a turn; a scan that covers less is counted as
                                      ///< incomplete
 
-/// A lidar of the mapping.
 struct LidarPlan {
   std::string folder;
   ImportedSensor sensor;

@@ -11,7 +11,6 @@
 
 namespace tera {
 
-/// A field of a point record.
 struct RecordField {
   std::string name;
   char type = 'F';  ///< F floating, U unsigned, I signed

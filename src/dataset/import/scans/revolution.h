@@ -25,7 +25,6 @@ using TakeScan = std::function<void(UnitScan scan)>;
 /// Which returns become points.
 enum class ReturnsKept { kStrongest, kAll };
 
-/// One return of a ray.
 struct UnitReturn {
   double range_m = 0;  ///< 0: no return
   std::uint8_t reflectivity = 0;

@@ -28,8 +28,8 @@ const VelodyneUnit& Vlp32c();
 ///
 /// Frames  S sensor frame: its x axis is the manual's y (forward), and its y axis is the manual's
 ///         -x (left).
-/// Model   For laser n of a block with azimuth A: alpha = A + dA t_n / T + offset_n. Here t_n is
-///         the firing time since the start of the block, T the duration of the block, and dA the
+/// Model   For laser n of a block with azimuth A: alpha = A + dA t_n / T + offset_n. t_n is the
+///         firing time since the start of the block. T is the duration of the block. dA is the
 ///         azimuth difference to the next block. With elevation w, the point is (r cos w cos alpha,
 ///         -r cos w sin alpha, r sin w + origin_z_n). In dual return mode, blocks come in pairs:
 ///         first the last return, then the strongest or second strongest. A scan begins at azimuth

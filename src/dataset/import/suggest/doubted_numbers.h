@@ -23,7 +23,6 @@ struct AngleGuess {
 AngleGuess GuessAngle(const NumbersOfColumn& angle,
                       const std::vector<const NumbersOfColumn*>& others = {});
 
-/// Column of a rate, and its unit.
 struct RateColumn {
   std::string column;
   UnitGuess unit;

@@ -95,7 +95,6 @@ class TakenNames {
 std::string ColumnYaml(std::string_view column, const UnitGuess& unit);
 /// Remark on an uncertain unit, for the end of a line; empty if certain.
 std::string DoubtRemark(const UnitGuess& unit);
-/// A YAML scalar, quoted if necessary.
 std::string YamlWord(std::string_view text);
 /// Words of a name in lower case, split at non-letters and before capitals: {"boom", "speed",
 /// "cmd"} for "boomSpeed_cmd2". Text in brackets is ignored.

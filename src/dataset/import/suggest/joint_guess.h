@@ -9,7 +9,6 @@
 
 namespace tera {
 
-/// Joints found in a table's columns.
 struct JointGuesses {
   /// The column of each joint's angle, or else of its rate, with the joint's line for the mapping.
   std::vector<std::pair<const NumbersOfColumn*, std::string>> joints;

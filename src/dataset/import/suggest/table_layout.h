@@ -20,7 +20,6 @@ struct GivenForm {
 /// Reads texts `csv.key=value`. Any other key is a fault.
 GivenForm GivenFormOf(const std::vector<std::string>& overrides);
 
-/// Syntax of a foreign table.
 struct TableLayout {
   CsvForm form;
   /// Texts in the line of units that follows the names, by column; empty without such a line.
@@ -35,7 +34,6 @@ struct TableLayout {
 /// in `given` are not searched. Returns nullopt if there is no such block.
 std::optional<TableLayout> FindTableLayout(std::string_view text, const GivenForm& given);
 
-/// Numbers of all columns in these rows.
 std::vector<NumbersOfColumn> NumbersOf(const CsvFile& csv, const TableLayout& layout,
                                        const std::vector<std::size_t>& rows);
 

@@ -155,7 +155,6 @@ std::string RepeatRemarks(const SeenTimes& seen) {
   return remarks;
 }
 
-/// A placeholder for `time`.
 TimeGuess ToFillIn(std::size_t row_count, const std::vector<NumbersOfColumn>& columns,
                    const std::vector<SeenCandidate>& candidates) {
   std::string seen;

@@ -10,7 +10,6 @@
 
 namespace tera {
 
-/// All valid rows of a table.
 struct ScannedTable {
   std::vector<std::string> columns;
   std::vector<ScannedRow> rows;
@@ -43,7 +42,6 @@ class ChangeVote {
   /// the window.
   void Add(int line, double first, double second, double difference);
   bool IsContradicted() const { return 2 * contradicted_ > counted_; }
-  /// Line of the first contradicted window.
   int line() const { return line_; }
   /// Text that describes the contradiction; `first` and `second` name the measurements.
   std::string Summary(std::string_view first, std::string_view second, std::string_view unit) const;

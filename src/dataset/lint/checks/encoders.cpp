@@ -24,7 +24,6 @@ constexpr double kMostSwing_radps = 1.5;
 /// A larger offset, 10 degrees or 10 cm, means that the zero position is wrong.
 constexpr double kTruthTolerance_rad = 10 * kDeg, kTruthTolerance_m = 0.1;
 
-/// A joint in an encoder table.
 struct Joint {
   std::string column;  ///< position column
   std::size_t position = 0, rate = 0;

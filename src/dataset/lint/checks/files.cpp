@@ -45,7 +45,6 @@ void CheckRowFile(LintJob* job, const std::string& channel) {
   job->LeaveOut(channel);
 }
 
-/// Names of the files in a folder.
 std::set<std::string> NamesIn(const fs::path& folder) {
   std::set<std::string> names;
   for (const auto& entry : fs::directory_iterator(folder)) {

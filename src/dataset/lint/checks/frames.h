@@ -8,7 +8,6 @@
 
 namespace tera {
 
-/// A row of a frame list.
 struct FrameRow {
   int line = 0;
   TimeNs t_ns = 0;

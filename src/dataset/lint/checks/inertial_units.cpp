@@ -25,7 +25,6 @@ constexpr double kMostRatio = 20, kRootTurn_rad = 0.05;
 /// less than a tenth of gravity; a wrong axis causes an error of the size of gravity.
 constexpr double kUpTolerance_mps2 = 1;
 
-/// Measurement of an IMU in one row.
 struct ImuRow {
   Vec3 w_S_radps, f_S_mps2;
 };

@@ -14,8 +14,8 @@ namespace tera {
 struct PictureSet {
   std::string camera;
   FrameRow row;
-  bool is_first = false;  ///< first frame of its camera
-  CameraFrame frame;      ///< without depth_m
+  bool is_first = false;
+  CameraFrame frame;  ///< without depth_m
   Image<std::uint16_t> depth_mm;
   bool has_boxes = false;  ///< frame.boxes holds the content of the boxes file
 

@@ -29,7 +29,6 @@ constexpr std::size_t kMostDepthPictures = 20;
 constexpr double kTolerance_m = 0.15, kDepthToleranceShare = 0.05, kLeastAgreeingPoints = 0.5;
 constexpr int kFewestPoints = 50;
 
-/// A camera and a lidar to compare.
 struct Pair {
   std::string camera, lidar;
   CameraLens lens;

@@ -14,7 +14,6 @@ struct PoseRow {
   TruthPose pose;
 };
 
-/// Readable rows of a pose channel.
 std::vector<PoseRow> ReadPoses(const LintJob& job, const std::string& channel);
 
 /// Interpolated pose. Returns nullopt outside the rows and in gaps longer than half a second.
