@@ -48,7 +48,7 @@ constexpr int kMostShardMb = 1'000'000;
 /// Default limit of threads. A thread holds two frames, about 50 MB for a large rig.
 constexpr unsigned kMostByItself = 8;
 
-/// Interval between progress lines if the output is no terminal.
+/// Interval between progress lines if the output is not a terminal.
 constexpr double kExportLine_s = 10;
 
 struct ExportArguments {

@@ -28,7 +28,7 @@ namespace tera {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kSearchLine_s = 30;  ///< interval between progress lines if the output is no
+constexpr double kSearchLine_s = 30;  ///< interval between progress lines if the output is not a
                                       ///< terminal
 
 struct EvaluateArguments {

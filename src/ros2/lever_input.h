@@ -26,7 +26,7 @@ ControlMessage ControlOf(const DeltaCan& message, const MachineModel& model);
 
 /// Which valid messages a machine obeys.
 enum class Obey {
-  kLast,    ///< the latest message, whatever its stamp
+  kLast,    ///< the latest message, with any stamp
   kAnswers  ///< lockstep: the first message whose stamp is the current simulated time
 };
 

@@ -30,7 +30,7 @@ Viewed OpenViewed(const std::filesystem::path& path);
 /// `times` explains it.
 std::string IndexJson(const std::vector<Viewed>& viewed, const std::string& excerpt = "");
 
-/// Most datasets that can be shown side by side.
+/// Largest number of datasets shown side by side.
 inline constexpr std::size_t kMostDatasets = 2;
 
 /// Throws InputError if `viewed` is empty or holds too many datasets.

@@ -46,7 +46,7 @@ StopMessage::~StopMessage() {
   std::signal(SIGTERM, SIG_DFL);
 }
 
-constexpr double kPipeLine_s = 10;  ///< interval between progress lines if the output is no
+constexpr double kPipeLine_s = 10;  ///< interval between progress lines if the output is not a
                                     ///< terminal
 constexpr double kShown_s = 0.005;  ///< shorter times would be shown as 0.00, for stages that the
                                     ///< run does not have

@@ -8,10 +8,10 @@
 namespace tera {
 
 /// Progress of a run on one terminal line: simulated time, real-time factor, frames and remaining
-/// time. If the output is no terminal, it prints a new line from time to time, or nothing.
+/// time. If the output is not a terminal, it prints a new line from time to time, or nothing.
 class ProgressBar {
  public:
-  /// `line_s` is the least interval between lines if the output is no terminal; 0: no lines.
+  /// `line_s` is the least interval between lines if the output is not a terminal; 0: no lines.
   explicit ProgressBar(double line_s = 0);
   ~ProgressBar();  ///< moves the cursor to a new line
   /// `counted` names what is counted: "frames" or "records".

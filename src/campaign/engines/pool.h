@@ -16,7 +16,7 @@ struct PoolProgress {
 
 struct PoolOptions {
   WorkerCommand worker;
-  int processes = 1;  ///< most processes at a time; fewer if memory is short
+  int processes = 1;  ///< largest number of processes at a time; fewer if memory is short
   std::function<void(const PoolProgress&)> progress;
 };
 

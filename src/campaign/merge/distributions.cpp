@@ -13,7 +13,7 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kMostCounted = 12;  ///< most different values in a row of counts
+constexpr std::size_t kMostCounted = 12;  ///< largest number of different values that a row lists
 
 /// Value below which the fraction `share` of sorted numbers lies.
 double AtShare(const std::vector<double>& sorted, double share) {

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostNamed = 30;  ///< most names in a message
+constexpr std::size_t kMostNamed = 30;  ///< largest number of names in a message
 
 /// A part of a path: a key, or the text within brackets.
 struct Part {

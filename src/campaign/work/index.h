@@ -25,8 +25,8 @@ struct CampaignState {
 /// deleted, because it is derived from the folder. Its table `episodes` has one row per complete or
 /// failed episode.
 ///
-/// Throws  InputError if the index or an episode belongs to another campaign, or if the file is no
-///         index.
+/// Throws  InputError if the index or an episode belongs to another campaign, or if the file is not
+///         an index.
 CampaignState RefreshIndex(const Plan& plan);
 
 /// Status report: counts, reasons of failures, and rejections by rule.

@@ -26,7 +26,7 @@ class Config {
 
   /// `overrides` are texts `key.path=value` as in --set; `a.b[2].c=1.5` addresses a list item. If a
   /// key is overridden twice, the last override wins. Overlays rank below overrides; a later
-  /// overlay ranks above an earlier one. Throws InputError if a file is unreadable or no YAML, or
+  /// overlay ranks above an earlier one. Throws InputError if a file is unreadable or not YAML, or
   /// if an override or overlay is malformed.
   static Config FromFile(const std::filesystem::path& file,
                          const std::vector<std::string>& overrides = {},

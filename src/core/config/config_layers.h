@@ -122,8 +122,8 @@ void AddMissing(ConfigNode& node, std::string_view key, const std::string& need)
 /// Text of the required range, for messages.
 std::string Need(const Range& range);
 std::optional<double> ParseNumber(const std::string& text);
-/// Reads the number at `found`. Reports a fault and returns nullopt if it is no number or out of
-/// range.
+/// Reads the number at `found`. Reports a fault and returns nullopt if it is not a number or is out
+/// of range.
 std::optional<double> NumberAt(ConfigNode& node, std::string_view key, const Found& found,
                                const Range& range);
 /// A value in range, with which reading continues after a fault.

@@ -21,7 +21,7 @@ RowSample RowOf(const GnssSample& sample);
 /// Throws an internal error unless the column `fix` holds a value that FixOfQuality accepts.
 GnssSample GnssSampleOf(const RowSample& row);
 
-/// Converts the quality field of an NMEA GGA sentence. Returns nullopt for a quality that is no
+/// Converts the quality field of an NMEA GGA sentence. Returns nullopt for a quality that is not a
 /// measurement, such as estimated or manual input.
 std::optional<GnssFix> FixOfQuality(double quality);
 

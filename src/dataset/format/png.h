@@ -28,7 +28,7 @@ Image<float> DepthMetres(const Image<std::uint16_t>& depth_mm);
 inline constexpr double kMaxDepth_m = 65.535;
 
 // Read PNG files of this kind. Throw InputError with the file name if the file is empty, truncated
-// or no PNG, or has another number of channels or bits.
+// or not a PNG, or has another number of channels or bits.
 Image<std::uint8_t> ReadRgbPng(const std::filesystem::path& file);
 Image<std::uint8_t> ReadGreyPng(const std::filesystem::path& file);
 Image<std::uint16_t> ReadGrey16Png(const std::filesystem::path& file);

@@ -21,7 +21,7 @@ struct ScannedRow {
 
 enum class RowFault {
   kCutOff,     ///< the last line has no line end
-  kFields,     ///< too few or too many fields, or a field that is no number
+  kFields,     ///< too few or too many fields, or a field that is not a number
   kNotFinite,  ///< NaN or infinity
   kStamp       ///< t_ns is not greater than in the previous row
 };

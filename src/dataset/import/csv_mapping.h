@@ -23,7 +23,7 @@ struct RowRule {
   Test test = Test::kAbove;
   double value = 0;      ///< in the unit of the file
   std::string text;      ///< for kEquals: text as written in the file
-  bool is_text = false;  ///< `text` is no number
+  bool is_text = false;  ///< `text` is not a number
 };
 
 /// Which rows of which file form a channel, and how their times are obtained.
@@ -43,12 +43,12 @@ struct RowSource {
   std::vector<RowRule> rules;
 };
 
-/// Reads the keys `file`, `topic`, `parent` and `child` (transforms), `form` and `times` (poses),
-/// `talker`, `csv`, `time` and `valid_if` of a channel. The keys `file`, `talker`, `csv` and `time`
-/// default to those of the mapping's top level. A topic and a log of known format have default
-/// times: the header's stamp or else the recording time, and the column `time`. If the channel
-/// names its own file of that kind, it does not inherit a text table's time from the top level.
-/// Looks up the topic in its bag.
+/// Reads the keys of a channel: `file`, `topic`, `parent` and `child` (transforms), `form` and
+/// `times` (poses), `talker`, `csv`, `time` and `valid_if`. The keys `file`, `talker`, `csv` and
+/// `time` default to those of the mapping's top level. The default time of a topic is the header's
+/// stamp, or else the recording time of the messages. The default time of a log with known format
+/// is its column `time`. A channel that names its own bag or log does not inherit a `time` that is
+/// meant for text tables. Looks up the topic in its bag.
 RowSource ReadRowSource(const ConfigMap& channel, const ConfigMap& top, UnpackedFiles* unpacked);
 
 /// The topic that `key` names. An unknown name and other faults are reported at `channel`.

@@ -150,7 +150,7 @@ void CountTooFast(const std::vector<JointColumns>& joints,
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const double rate_radps = std::abs(samples[i].qd_radps[j]);
       if (rate_radps <= kFastestJoint_radps) continue;
-      // A difference quotient across a jump is no rate.
+      // A difference quotient across a jump is not a rate.
       const bool is_of_jump =
           joints[j].rate < 0 && std::any_of(jumps.begin(), jumps.end(), [&](std::size_t jump) {
             return i <= jump + 1 && jump <= i + 1;

@@ -140,7 +140,8 @@ constexpr Magic kMagics[] = {
      "a program", "name a log"},
 };
 
-/// Binary formats that begin with letters, as text tables do. A byte that is no text must follow.
+/// Binary formats that begin with letters, as text tables do. A byte that cannot be text must
+/// follow.
 constexpr Magic kLetteredMagics[] = {
     {0, "LOGG", "a BLF log of a CAN bus by Vector", kDecodeCan},
     {0, "PAR1", "a Parquet table", kParquet},

@@ -27,7 +27,7 @@ StampedFiles ReadStampedFiles(const ConfigMap& channel,
                               std::initializer_list<std::string_view> endings, std::string_view of);
 
 /// Time in a file name. The number of digits decides between ns, us, ms and s since 1970. A dot
-/// marks seconds, as in "1403636579.763555". A name with fewer digits gives nullopt.
+/// marks seconds, as in "1403636579.763555". A name with too few digits gives nullopt.
 std::optional<TimeNs> StampOfName(const std::filesystem::path& file);
 
 }  // namespace tera

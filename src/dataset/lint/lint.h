@@ -74,7 +74,7 @@ struct LintReport {
 /// Checks a complete recording, simulated or real, against all rules. Does not write files. Memory
 /// use grows only with the number of frames.
 ///
-/// Throws  InputError if `dataset` is no recording or its dataset.yaml cannot be read.
+/// Throws  InputError if `dataset` is not a recording or its dataset.yaml cannot be read.
 LintReport Lint(const std::filesystem::path& dataset, const LintOptions& options = {});
 
 /// File with the SHA-256 of a dataset's files.

@@ -55,7 +55,7 @@ void AppendHeading(TimeNs t_ns, std::vector<Receiver>* receivers) {
     const Receiver& second = (*receivers)[first.second];
     if (!HasFixAt(first, t_ns) || !HasFixAt(second, t_ns)) continue;
     first.file->Append(Hdt(first.pair->Heading_rad(first.last, second.last)));
-    first.measured = false;  // the pair's heading is written once per time
+    first.measured = false;  // prevents a second heading for this time
   }
 }
 

@@ -33,8 +33,8 @@ struct KittiLabel {
   double rotation_y_rad = 0, alpha_rad = 0;
 };
 
-/// Labels of all objects that have pixels in `masks` and are no parts. Objects of `own_machine`,
-/// the machine that carries the camera, become regions.
+/// Labels of all objects that have pixels in `masks` and are not parts of other objects. Objects of
+/// `own_machine`, the machine that carries the camera, become regions.
 std::vector<KittiLabel> KittiLabels(const std::vector<ObjectBox>& boxes,
                                     const std::map<std::uint16_t, ObjectMask>& masks,
                                     const CameraLens& lens, const std::string& own_machine);

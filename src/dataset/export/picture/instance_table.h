@@ -16,7 +16,7 @@ class InstanceTable {
   struct Entry {
     std::string name;
     SemanticClass label = SemanticClass::kSky;
-    std::uint16_t parent = 0;  ///< 0 for an object that is no part
+    std::uint16_t parent = 0;  ///< 0 for an object that is not part of another
   };
 
   /// Throws InputError if an object has an unknown class or is contained in itself.

@@ -34,7 +34,7 @@ LabelledFrame LoadLabels(const Recording& recording, const std::string& camera, 
 struct PictureSize {
   int width_px = 0, height_px = 0;
 };
-/// Image size from the header of a PNG. Throws InputError if the file is no PNG.
+/// Image size from the header of a PNG. Throws InputError if the file is not a PNG.
 PictureSize SizeOfPng(const std::filesystem::path& file);
 
 /// Content of a PNG file. Throws InputError if it cannot be read or is truncated.

@@ -52,7 +52,7 @@ class BagVisitor {
 /// metadata.yaml. The files of a folder are read one after another. A file that is compressed as a
 /// whole by zstd is read through `unpacked`, whatever its name.
 ///
-/// Throws InputError if `bag` is no bag, and BagDamage if its bytes violate the format. With
+/// Throws InputError if `bag` is not a bag, and BagDamage if its bytes violate the format. With
 /// `to_the_damage`, all readable content is passed on before BagDamage is thrown, including that of
 /// later files.
 void ReadBag(const std::filesystem::path& bag, UnpackedFiles* unpacked, BagVisitor* visitor,

@@ -13,7 +13,7 @@
 
 namespace tera {
 
-/// Requested parts of one element of a field. A field that is no array has one element.
+/// Requested parts of one element of a field. A field that is not an array has one element.
 struct MessageReader::Element {
   std::optional<std::uint32_t> index;
   std::string label;  ///< selects the element by name instead of index; for a transform, its frames

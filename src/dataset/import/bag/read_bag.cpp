@@ -44,7 +44,7 @@ std::string FirstBytes(const fs::path& file) {
 
 using FileReader = bool (*)(const fs::path& file, BagVisitor* visitor, bool to_the_damage);
 
-/// Reader for a file with these first bytes; null if it is no bag.
+/// Reader for a file with these first bytes; null if it is not a bag.
 FileReader ReaderOf(std::string_view first) {
   if (first.starts_with("\x89MCAP")) {
     return

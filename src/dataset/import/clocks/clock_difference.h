@@ -33,7 +33,7 @@ struct ClockDifference {
 ///         straight line through the lags of short stretches gives offset and drift; the weight of
 ///         a stretch is the sharpness of its correlation peak.
 /// Omits   clocks that jump, and lags beyond a minute. Returns nullopt if no correlation reaches
-///         0.85. Returns nullopt also if the peak is less than a sixth higher than correlations at
+///         0.85. Also returns nullopt if the peak is less than a sixth higher than correlations at
 ///         other lags, which happens for unrelated or periodic motions.
 std::optional<ClockDifference> CompareClocks(const ChannelMotion& reference,
                                              const ChannelMotion& channel);

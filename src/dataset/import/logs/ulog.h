@@ -24,14 +24,14 @@ struct UlogTopic {
 
 /// All topics of a log, sorted by name. Reading stops at the first damage.
 ///
-/// Throws  InputError if the file is no ULog or has an unknown version.
+/// Throws  InputError if the file is not a ULog or has an unknown version.
 std::vector<UlogTopic> UlogTopics(const std::filesystem::path& file);
 
 /// Messages of a topic, one row each: the numbers at `paths` (a bool is 0 or 1) and `time`. `time`
 /// is the message's `timestamp`, in us since the start of the flight computer.
 ///
 /// Throws  InputError for an unknown topic or path, a message shorter than its fields, bytes that
-///         are no message, and a truncated file. With `left_out`, faults in the data are counted
+///         are not a message, and a truncated file. With `left_out`, faults in the data are counted
 ///         there instead, and the file is read up to the damage.
 /// Source  PX4 user guide, "ULog File Format", version 1.
 std::unique_ptr<const RowTable> ReadUlog(const std::filesystem::path& file,

@@ -17,8 +17,9 @@ using PortCounts = std::map<int, std::int64_t>;
 ///         loopback and raw IP, over IPv4 and IPv6. IPv4 fragments are joined; an incomplete
 ///         datagram is dropped, as an operating system does.
 /// Omits   fragments of IPv6, tunnels, checksums.
-/// Throws  InputError if the file is no such capture, or if no datagram has the port; the message
-///         lists the ports that occur. A file that ends within a packet is reported to `leave_out`.
+/// Throws  InputError if the file is not such a capture, or if no datagram has the port; the
+///         message lists the ports that occur. A file that ends within a packet is reported to
+///         `leave_out`.
 void ReadCapture(const std::filesystem::path& file, int port, const LeaveOut& leave_out,
                  const TakePacket& take);
 

@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 18> kCommandWords = {
     "cmd",       "command", "commanded", "ref",      "reference", "setpoint",
     "setpoints", "sp",      "target",    "desired",  "des",       "demand",
     "goal",      "request", "soll",      "sollwert", "consigne",  "vorgabe"};
-/// Words for quantities that have a unit and thus are no levers.
+/// Words for quantities that have a unit and thus are not levers.
 constexpr std::array<std::string_view, 22> kQuantityWords = {
     "speed", "vel", "velocity",        "rate",   "angle", "pos",   "position", "pressure",
     "flow",  "rpm", "force",           "torque", "omega", "yaw",   "heading",  "deg",

@@ -73,7 +73,7 @@ UnitGuess GuessAnyUnit(const NumbersOfColumn& column) {
   for (const std::string_view text : UnitTextsOf(column.name)) {
     const auto unit = UnitOfText(text, Dimension::kAny);
     if (!unit) continue;
-    // Without brackets, short endings are no units: "p_min" is a minimum, "valve_in" an inlet, and
+    // Without brackets, short endings are not units: "p_min" is a minimum, "valve_in" an inlet, and
     // a single last letter belongs to the name.
     const bool is_plain = text.size() >= 2 && text != "in" && text != "mg" &&
                           unit->unit->dimension != Dimension::kTime;

@@ -18,7 +18,7 @@ struct NumbersOfColumn {
   std::vector<double> values;  ///< values of the fields that hold a number
   std::string unit;            ///< unit written next to the name; empty if none
   std::size_t missing = 0;     ///< number of empty fields
-  std::size_t words = 0;       ///< number of non-empty fields that are no number
+  std::size_t words = 0;       ///< number of non-empty fields that are not numbers
   std::size_t gaps = 0;        ///< hash of the set of rows without a number; 0 if there are none
   double LargestSize() const;
   double Least() const;

@@ -84,7 +84,7 @@ std::string PosYaml(const fs::path& log, const RowTable& table) {
          "gnss:\n  - name: gnss\n" + rules.Yaml();
 }
 
-/// Rules that exclude rows without a fix, and rows whose fix is no measurement.
+/// Rules that exclude rows without a fix, and rows whose fix is not a measurement.
 RuleGuesses RulesOfNmea(const RowTable& table, const char* height) {
   std::int64_t without_fix = 0, not_measured = 0, without_height = 0;
   for (std::size_t row = 0; row < table.row_count(); ++row) {

@@ -111,7 +111,7 @@ void CheckRadians(LintJob* job, const std::string& channel, const ScannedTable& 
   if (start_rad > kMostFirstAngle_rad || (start_rad > 2 * kPi && !CanBeBeyondATurn(table, joint))) {
     find(first, joint.position, "rad at the first row, beyond a turn");
   }
-  // A difference quotient across a jump is no rate. The jump is reported by encoders.jump.
+  // A difference quotient across a jump is not a rate. The jump is reported by encoders.jump.
   const std::vector<std::size_t> jumps = JumpsOfJoint(table, joint);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const bool is_of_jump = std::any_of(jumps.begin(), jumps.end(), [&](std::size_t jump) {

@@ -16,7 +16,7 @@ namespace {
 /// Longest interval for interpolation.
 constexpr TimeNs kLongestGap_ns = kNsPerSecond / 2;
 
-/// The link that is no child of a joint; empty if scenario.yaml does not define it.
+/// The link that is not the child of a joint; empty if scenario.yaml does not define it.
 std::string RootOf(const LintJob& job, const std::string& machine) {
   try {
     const Config config = Config::FromFile(job.Path("scenario.yaml"));
