@@ -24,7 +24,7 @@ std::optional<std::string> FaultOf(const DeltaCan& message, const MachineModel& 
 /// does not have are ignored.
 ControlMessage ControlOf(const DeltaCan& message, const MachineModel& model);
 
-/// Which valid messages a machine obeys.
+/// Selection of the valid messages that a machine obeys.
 enum class Obey {
   kLast,    ///< the latest message, with any stamp
   kAnswers  ///< lockstep: the first message whose stamp is the current simulated time

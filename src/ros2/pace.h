@@ -14,7 +14,7 @@
 
 namespace tera::ros {
 
-/// How simulated time relates to wall time.
+/// Relation of simulated time to wall time.
 enum class Pace {
   kReal,     ///< wall time, or slower if the computer is too slow
   kFast,     ///< as fast as possible

@@ -8,8 +8,8 @@
 #include "sim/simulation.h"
 #include "tera/v1/simulation.pb.h"
 
-/// What a client wants to observe, checked against the scenario, and the conversion of states to
-/// messages.
+/// Observations that a client requests, checked against the scenario, and the conversion of states
+/// to messages.
 
 namespace tera {
 

@@ -55,7 +55,7 @@ class Pack {
   std::string bytes_;
 };
 
-/// What the page contains of one dataset or diagnosis.
+/// Content of one dataset or diagnosis in the page.
 struct Part {
   const Viewed* viewed;
   Json index;

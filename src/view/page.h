@@ -10,7 +10,7 @@ namespace tera {
 /// Placeholder in the page for embedded data.
 inline constexpr std::string_view kPackMark = "<!--pack-->";
 
-/// Where the built page may be: the installed data and the build folder.
+/// Possible locations of the built page: the installed data and the build folder.
 std::vector<std::filesystem::path> PagePlaces();
 
 /// Reads the first page that exists. If there is none, throws InputError that names what the build

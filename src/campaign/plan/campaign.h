@@ -56,8 +56,8 @@ struct AcceptanceRule {
   std::string place;  ///< place in the campaign file, for messages
 };
 
-/// How episodes are assigned to splits such as train and test. Episodes with equal values of `by`
-/// are in the same split.
+/// Assignment of episodes to splits such as train and test. Episodes with equal values of `by` are
+/// in the same split.
 struct Splits {
   std::vector<std::string> by;                         ///< keys of factors or of `randomise`
   std::vector<std::pair<std::string, double>> shares;  ///< {train, 0.8}, ...

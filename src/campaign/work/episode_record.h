@@ -24,8 +24,8 @@ struct EpisodeRecord {
   std::string host;
 };
 
-/// Why an episode has no dataset. `tera campaign retry` deletes failures for which a retry may
-/// succeed.
+/// Reason why an episode has no dataset. `tera campaign retry` deletes failures for which a retry
+/// may succeed.
 enum class FailureReason {
   kBadInput,  ///< the scenario with these values is invalid
   kRefused,   ///< every draw was rejected by the rules

@@ -15,7 +15,7 @@ namespace tera {
 /// when memory is exhausted.
 inline constexpr std::array kCrashSignals = {SIGILL, SIGABRT, SIGBUS, SIGFPE, SIGSEGV, SIGSYS};
 
-/// How an engine starts a worker: `program campaign run FOLDER --index N arguments`.
+/// Command with which an engine starts a worker: `program campaign run FOLDER --index N arguments`.
 struct WorkerCommand {
   std::filesystem::path program;  ///< path of `tera`, which must be the same on every host
   std::vector<std::string> arguments;

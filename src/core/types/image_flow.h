@@ -10,7 +10,7 @@
 
 namespace tera {
 
-/// Whether the point seen at a pixel is visible in the other image.
+/// Visibility in the other image of the point seen at a pixel.
 enum class FlowState : std::uint16_t {
   kUnknown = 0,  ///< its motion is unknown or exceeds the range of the encoding
   kSeen = 1,     ///< visible in the other image

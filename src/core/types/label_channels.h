@@ -16,7 +16,7 @@
 
 namespace tera {
 
-/// How a channel is produced.
+/// Source of a channel.
 enum class LabelSource {
   kLabelWord,      ///< a range of bits in a 32-bit word that a shader writes per pixel
   kSurfaceNormal,  ///< a shader writes RGBA16: n / 2 + 1/2 in W; all zero without a surface
@@ -25,7 +25,7 @@ enum class LabelSource {
   kOptics          ///< the camera computes it from its lens and the soiling of the glass
 };
 
-/// How overview images colour a channel.
+/// Colour scheme of a channel in overview images.
 enum class LabelColours {
   kClasses,     ///< colours of SemanticClass
   kPanoptic,    ///< colour by instance; by SemanticClass where a pixel has no instance

@@ -21,7 +21,7 @@ struct ChannelDifference {
 
 /// Trajectories of a machine or of one of its antennas, with their errors.
 struct TrackComparison {
-  /// Which part of the rotation is known.
+  /// Known part of the rotation.
   enum class Rotation { kAll, kHeading, kNone };
 
   std::string of;  ///< such as "poses" or "gnss_left"

@@ -52,7 +52,7 @@ Rays RaysOf(const LidarScan& scan) {
   return rays;
 }
 
-/// How the beams of a scan are numbered.
+/// Numbering of the beams of a scan.
 struct BeamOrder {
   std::uint16_t last = 0;
   bool is_downward = false;

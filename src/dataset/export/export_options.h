@@ -101,7 +101,7 @@ inline constexpr double kDefaultKeyFrames_hz = 2;
 inline constexpr std::int64_t kDefaultShardBytes = 256'000'000;
 
 enum class BagStorage { kMcap, kSqlite3 };
-/// Whether image messages contain raw pixels or the PNG files of the recording.
+/// Content of image messages: raw pixels, or the PNG files of the recording.
 enum class BagImages { kRaw, kCompressed };
 
 /// Images that a recording lists but lacks.

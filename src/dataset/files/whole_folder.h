@@ -14,7 +14,7 @@ std::filesystem::path IncompleteOf(const std::filesystem::path& directory);
 /// that cannot be resumed, such as a report, is deleted if it is not completed.
 class WholeFolder {
  public:
-  /// How files left by a stopped run are treated.
+  /// Treatment of files that a stopped run left.
   enum class Left {
     kIsRefused,
     kIsKept  ///< kept, to resume the run; the folder also stays if it is not completed

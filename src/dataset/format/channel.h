@@ -15,7 +15,7 @@ inline constexpr std::string_view kImuChannel = "imu", kGnssChannel = "gnss",
                                   kLidarChannel = "lidar", kTableChannel = "table",
                                   kPoseChannel = "pose";
 
-/// Which alternative of Measurement a channel carries.
+/// Alternative of Measurement that a channel carries.
 enum class ChannelForm { kRows, kPictures, kScans };
 
 struct ChannelInfo {

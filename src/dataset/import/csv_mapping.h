@@ -26,7 +26,7 @@ struct RowRule {
   bool is_text = false;  ///< `text` is not a number
 };
 
-/// Which rows of which file form a channel, and how their times are obtained.
+/// File and rows that form a channel, and the source of their times.
 struct RowSource {
   std::filesystem::path file;                ///< the first file if there are several
   std::vector<std::filesystem::path> files;  ///< text tables to concatenate, in this order

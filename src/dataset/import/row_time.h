@@ -15,7 +15,7 @@
 
 namespace tera {
 
-/// How the time of a row is obtained, from the key `time` of a mapping.
+/// Source of the row times, from the key `time` of a mapping.
 struct RowTime {
   enum class Form {
     kNumber,    ///< `number` is in seconds or is a column of stamps

@@ -53,7 +53,7 @@ ColumnMapping ReadFix(const ConfigMap& config) {
 /// Columns of a receiver, in this order.
 enum GnssColumn { kLat, kLon, kAlt, kFix, kVarE, kVarN, kVarU, kCovarianceType };
 
-/// How the fix column of a receiver is interpreted.
+/// Interpretation of the fix column of a receiver.
 struct FixReading {
   bool by_status = false;         ///< as the status of a NavSatFix; otherwise as a GGA quality
   bool needs_covariance = false;  ///< kCovarianceType 0 means that there are no variances

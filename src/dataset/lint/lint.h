@@ -44,7 +44,7 @@ struct ChannelStatistics {
   TimeNs median_interval_ns = 0, longest_interval_ns = 0;
 };
 
-/// How often a class occurs.
+/// Number of occurrences of a class.
 struct ClassStatistics {
   std::int64_t pixels = 0, boxes = 0, points = 0;
 };

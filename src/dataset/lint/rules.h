@@ -6,7 +6,7 @@
 
 namespace tera {
 
-/// How serious a finding is.
+/// Severity of a finding.
 enum class Severity {
   kError,    ///< the dataset violates docs/reference/dataset.md or contradicts itself
   kWarning,  ///< valid, but probably unintended

@@ -69,7 +69,7 @@ struct Registration {
   std::vector<std::string_view> open_axes;  ///< axes among x, y, z, roll, pitch, yaw along which
                                             ///< the open motions mainly point
 
-  /// Whether x, y, z and the rotations about x, y, z are determined at the point of B that lies at
+  /// For x, y, z and the rotations about x, y, z: true if determined at the point of B that lies at
   /// `at_A_m`. An axis is determined if no open motion has a component along it. Covariances
   /// exclude open motions, so they do not bound undetermined axes.
   std::array<bool, 6> ObservedAt(const Vec3& at_A_m) const;

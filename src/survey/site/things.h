@@ -16,7 +16,7 @@ struct SurveyThing {
   std::int64_t points = 0;
 };
 
-/// How points are grouped into things.
+/// Rule that groups points into things.
 struct ThingRule {
   double gap_m = 0.5;    ///< points closer than this belong to one thing
   double voxel_m = 0.1;  ///< cubes of this edge are counted instead of points, so that density has

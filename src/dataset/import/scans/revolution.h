@@ -22,7 +22,7 @@ struct UnitScan {
 };
 using TakeScan = std::function<void(UnitScan scan)>;
 
-/// Which returns become points.
+/// Selection of the returns that become points.
 enum class ReturnsKept { kStrongest, kAll };
 
 struct UnitReturn {

@@ -105,7 +105,7 @@ bool IsLever(const Named& named) {
   return IsJoint(named.rest) || (one_way && IsJoint(one_way->first));
 }
 
-/// How the values of a lever are encoded.
+/// Encoding of the values of a lever.
 struct LeverCoding {
   std::string keys;    ///< keys that follow the column
   std::string remark;  ///< empty for the usual encoding

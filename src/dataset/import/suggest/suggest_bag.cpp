@@ -53,7 +53,7 @@ std::string OneLine(std::string text) {
   return text;
 }
 
-/// How likely a topic of poses is the machine's pose; the lowest rank is the most likely. Returns
+/// Rank of a topic of poses as the pose of the machine. The lowest rank is the most likely. Returns
 /// nullopt for parts, sensors and goals.
 std::optional<int> RankOfPose(const SeenTopic& seen) {
   constexpr std::array<std::string_view, 5> kTypes = {

@@ -165,7 +165,7 @@ struct Reading {
     PreferRowsBelowNames(blocks);
   }
 
-  /// Adds the first row to the block if it is a row that holds a word instead of a number.
+  /// Extends the block upwards by rows that hold a word instead of a number.
   void TakeRowsWithWords() {
     while (first > 0 && end > first && HasValue(lines[first - 1])) {
       const SplitLine &above = lines[first - 1], &row = lines[first];

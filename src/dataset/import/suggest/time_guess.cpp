@@ -57,8 +57,7 @@ struct SeenCandidate : TimeCandidate {
   SeenTimes seen;
 };
 
-/// Rows at which the times restart: for some rows, or up to the end, later times stay below earlier
-/// ones.
+/// Rows at which the times restart: this row and the next two are earlier than the row before them.
 std::vector<std::size_t> StartsAnew(const SeenTimes& seen) {
   constexpr std::size_t kRowsOfStart = 3;
   std::vector<std::size_t> starts;
