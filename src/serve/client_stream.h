@@ -47,7 +47,7 @@ class ClientStream final : public grpc::ServerBidiReactor<grpc::ByteBuffer, grpc
   std::atomic<bool> cancelled_ = false;
   std::mutex mutex_;
   std::condition_variable changed_;
-  bool done_ = false, ok_ = false;  ///< whether the current read or write has ended, and its result
+  bool done_ = false, ok_ = false;  ///< state and result of the current read or write
   bool stopped_ = false;
 };
 

@@ -15,7 +15,7 @@ namespace tera {
 bool HasBelow(const ConfigMap& config, std::string_view key, std::string_view inner);
 
 /// Items of the list at a path of nested keys, each as one line of YAML. The items come from the
-/// first layer that has a list there; the result is empty if none has.
+/// first layer that has a list there; the result is empty if no layer has one.
 std::vector<std::string> ItemsAt(const ConfigMap& config, const std::vector<std::string>& path);
 
 }  // namespace tera

@@ -35,9 +35,9 @@ struct PlaneDeviation {
 /// Deviations of ranges from the flat surfaces of their own cloud, in the sensor frame.
 ///
 /// Model   Every n-th point is used, so that at most 500 are. The deviation is measured along the
-///         ray, from the least-squares plane through the 200 nearest points. Conditions: the patch
-///         is flat and no line, as in DistancesFrom, and the ray is within 60 deg of the plane's
-///         normal.
+///         ray, from the least-squares plane through the 200 nearest points. A patch counts only if
+///         it is flat and forms no line, as in DistancesFrom. The ray must be within 60 deg of the
+///         normal of the plane.
 /// Omits   Surface relief below a tenth of the patch counts as deviation. Patches with more noise
 ///         than that are skipped.
 std::vector<PlaneDeviation> DeviationsOnPlanes(const std::vector<LidarPoint>& points);

@@ -46,7 +46,7 @@ struct MachineComparison {
 /// Comparison of two recordings: `a` is the reference, `b` is evaluated.
 struct Comparison {
   std::string name_a, name_b;
-  std::string times;  ///< how times are aligned (TimeAlignment::told)
+  std::string times;  ///< description of the time alignment (TimeAlignment::told)
   std::vector<MachineComparison> machines;
 };
 

@@ -17,7 +17,7 @@ class JsonLists {
 
   /// Adds a member that fits into memory.
   void Put(const std::string& name, const OrderedJson& value);
-  /// Starts a list. A list that is open ends.
+  /// Starts a list. Ends the open list first, if there is one.
   void BeginList(const std::string& name);
   /// Appends an entry to the open list.
   void Add(const OrderedJson& entry);

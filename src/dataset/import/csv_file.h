@@ -32,7 +32,7 @@ struct CsvForm {
 std::unique_ptr<const RowTable> ReadTextTables(const std::vector<std::filesystem::path>& files,
                                                const CsvForm& form, LeftOutRows* left_out);
 
-/// A text table in memory. A fault throws InputError with file, line, the found and the required
+/// A text table in memory. A fault throws InputError with file, line, found content and required
 /// content.
 class CsvFile final : public RowTable {
  public:

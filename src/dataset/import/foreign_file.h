@@ -11,7 +11,7 @@ namespace tera {
 struct ForeignFile {
   std::string name;    ///< description that completes "it is ...", such as "a pcapng capture of a
                        ///< network"
-  std::string remedy;  ///< how to convert it to a readable format, with a command if there is one
+  std::string remedy;  ///< conversion to a readable format, with a command if there is one
 };
 
 /// Recognises the format of `file`: placeholders (Git LFS, git-annex), archives, documents, images,

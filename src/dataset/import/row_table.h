@@ -16,7 +16,7 @@ struct RowPlace {
 };
 
 /// Rows with named columns: lines of a text file or messages of a bag. A fault throws InputError
-/// with the place, the found and the required content.
+/// with place, found content and required content.
 class RowTable {
  public:
   virtual ~RowTable() = default;

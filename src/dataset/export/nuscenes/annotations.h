@@ -35,8 +35,8 @@ std::vector<AnnotatedObject> ObjectsAt(const Recording& recording, const NuScene
 /// Counts the points inside the box of each object.
 void CountPoints(const std::vector<Vec3>& points_W_m, std::vector<AnnotatedObject>* objects);
 
-/// Writes the tables `sample_annotation` and `instance` of a scene. A row refers to the next
-/// annotation of its object, so it is written once that one is known.
+/// Writes the tables `sample_annotation` and `instance` of a scene. A row names the next annotation
+/// of its object, so a row is written when the next annotation is known.
 class AnnotationWriter {
  public:
   AnnotationWriter(const NuTokens& tokens, std::size_t scene, NuTables* tables)
