@@ -11,7 +11,8 @@
 
 namespace tera {
 
-/// A thread pool for parallel loops too short to start threads for, such as the rows of an image.
+/// A thread pool for parallel loops that are too short to start new threads each time, such as the
+/// rows of an image.
 ///
 /// Model   Threads take consecutive index ranges of the loop. The result of a range must not depend
 ///         on other ranges; then the number of threads does not affect the result.

@@ -10,9 +10,9 @@
 namespace tera {
 namespace {
 
-constexpr float kReach = 0.75F;  ///< fraction of the spacing; above 1/2, the largest offset of two
-                                 ///< patterns with different phase, and below 1, the next ray of
-                                 ///< the same pattern
+constexpr float kReach = 0.75F;  ///< fraction of the ray spacing: more than 1/2, the largest offset
+                                 ///< of two patterns with different phase, and less than 1, the
+                                 ///< distance to the next ray
 constexpr double kLoneSpacing_rad = 0.2 * kDeg;  ///< assumed for a scan with a single ray
 constexpr std::size_t kMostLooked = 1000;  ///< number of rays from which the spacing is estimated
 

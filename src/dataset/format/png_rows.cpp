@@ -68,8 +68,8 @@ std::optional<PngRows> FormOf(std::string_view header) {
 }
 
 /// Undoes the filter of a row. The filter has subtracted a prediction from each byte. The
-/// prediction uses the previous pixel, the pixel above, and the pixel before the one above. `pixel`
-/// is the size of a pixel in bytes. The row above the first row is 0.
+/// prediction uses the pixels to the left, above, and above left. `pixel` is the size of a pixel in
+/// bytes. The row above the first row is 0.
 template <std::size_t pixel>
 bool Unfilter(std::uint8_t filter, const std::uint8_t* above, std::size_t count,
               std::uint8_t* row) {
