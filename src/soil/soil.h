@@ -21,7 +21,7 @@ namespace tera {
 ///         the degree of saturation.
 /// Source  van Genuchten 1980, Soil Sci. Soc. Am. J. 44.
 struct SoilWater {
-  double residual = 0;          ///< S_r
+  double residual = 0;          ///< S_r, residual degree of saturation
   double alpha_1pm = 0, n = 0;  ///< alpha for suction as a height of water
   double conductivity_mps = 0;  ///< saturated hydraulic conductivity
   bool holds() const { return alpha_1pm > 0; }
@@ -48,12 +48,12 @@ struct SoilType {
   // Pressure-sinkage (Bekker) and shear (Janosi-Hanamoto) under running gear, all from one
   // measurement. The shear strength under a plate differs from the internal strength of a cut or a
   // wall.
-  double k_c_npm_n1 = 0;    ///< N/m^(n+1)
-  double k_phi_npm_n2 = 0;  ///< N/m^(n+2)
+  double k_c_npm_n1 = 0;    ///< k_c in N/m^(n+1)
+  double k_phi_npm_n2 = 0;  ///< k_phi in N/m^(n+2)
   double sinkage_exponent = 1;
   double shear_friction_rad = 0;
   double shear_cohesion_pa = 0;
-  double shear_modulus_m = 0;       ///< K
+  double shear_modulus_m = 0;       ///< K, displacement that mobilises 63 % of the strength
   double compression_index = 0.05;  ///< C_c: loss of void ratio per tenfold pressure
   double moisture = 0;              ///< degree of saturation, 0..1
   /// Bank density and moisture without the water from weather. Density 0 means that weather brought

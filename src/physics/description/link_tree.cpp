@@ -166,7 +166,7 @@ constexpr double kInertiaTolerance = 1e-6;
 void CheckInertia(const LinkPart& part) {
   const Vec3 moments =
       Eigen::SelfAdjointEigenSolver<Mat3>(part.link.inertia_B_kgm2, Eigen::EigenvaluesOnly)
-          .eigenvalues();  // ascending
+          .eigenvalues();  // in ascending order
   const std::string shown = fmt::format("principal moments {:.4g}, {:.4g}, {:.4g} kg m2",
                                         moments[0], moments[1], moments[2]);
   if (moments[0] <= 0) {

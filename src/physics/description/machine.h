@@ -146,7 +146,7 @@ struct FourBar {
   std::string name;
   int joint = 0;
   Vec3 rocker_pin_P_m = Vec3::Zero(), coupler_pin_B_m = Vec3::Zero();
-  double rocker_m = 0, coupler_m = 0;  ///< pin to pin
+  double rocker_m = 0, coupler_m = 0;  ///< lengths from pin to pin
   /// Side of the knee relative to the line from the rocker's pin to the coupler's pin. +1 if a
   /// positive turn of the joint leads from the line towards the knee, otherwise -1.
   int branch = 1;
@@ -226,7 +226,7 @@ struct MachineModel {
   /// What the reader omitted or changed, one sentence each.
   std::vector<std::string> remarks;
 
-  int LinkIndex(std::string_view name) const;  ///< -1 if absent
+  int LinkIndex(std::string_view name) const;  ///< all three return -1 if the name is absent
   int JointIndex(std::string_view name) const;
   int LeverIndex(std::string_view name) const;
   double TotalMass_kg() const;
@@ -272,7 +272,7 @@ struct CylinderState {
   double length_m = 0;  ///< between the pins
   double stroke_m = 0;  ///< length minus the shortest length over the joint's travel
   double rate_mps = 0, force_n = 0;
-  double head_pressure_pa = 0, rod_pressure_pa = 0;  ///< relative to atmosphere
+  double head_pressure_pa = 0, rod_pressure_pa = 0;  ///< gauge pressure, above atmospheric
 };
 
 /// State of one machine after a step.

@@ -28,7 +28,7 @@ class MachineDynamics {
   /// `world` must outlive the machine.
   MachineDynamics(const MachinePlacement& placement, const WorldStart& start, bool meets_others,
                   btMultiBodyDynamicsWorld* world);
-  // Members refer to model_.
+  // Not copyable: members refer to model_.
   MachineDynamics(const MachineDynamics&) = delete;
   MachineDynamics& operator=(const MachineDynamics&) = delete;
 

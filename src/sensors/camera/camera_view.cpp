@@ -9,7 +9,7 @@ namespace {
 
 /// Distance from the centre of a pixel to its border.
 constexpr double kHalf_px = 0.5;
-constexpr double kColour_bytes = 3, kDepth_bytes = 2;  ///< per pixel
+constexpr double kColour_bytes = 3, kDepth_bytes = 2;  ///< bytes per pixel
 
 bool IsInPicture(const CameraIntrinsics& lens, const Vec2& pixel_px) {
   return pixel_px.x() >= -kHalf_px && pixel_px.y() >= -kHalf_px &&

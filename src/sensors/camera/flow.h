@@ -14,7 +14,7 @@ struct SeenSurfaces {
   Pose X_WC = Pose::Identity();
   std::vector<Pose> X_WB;
   Image<float> depth_m;       ///< CameraIntrinsics::DepthOf; 0 for infinity
-  Image<std::uint16_t> body;  ///< body_picture.h
+  Image<std::uint16_t> body;  ///< bodies, see body_picture.h
 };
 
 /// Optical flow from the pixels of `from` to `to`, encoded as in image_flow.h, and scene flow: the

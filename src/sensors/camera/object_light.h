@@ -9,8 +9,8 @@ namespace tera {
 /// Inputs of the light labels of objects: images on one pixel grid, at the time stamp.
 struct LitPicture {
   const SceneModel& model;
-  const Image<float>& depth_m;               ///< exact
-  const Image<std::uint16_t>& body;          ///< body_picture.h
+  const Image<float>& depth_m;               ///< exact depth
+  const Image<std::uint16_t>& body;          ///< bodies, see body_picture.h
   const Image<float>& luminance_cdpm2;       ///< in front of the lens
   const Image<float>& illuminance_lx_share;  ///< Rasterizer::Render's `light`
 };

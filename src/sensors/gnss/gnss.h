@@ -20,7 +20,7 @@ struct GnssModel {
   GnssFix fix = GnssFix::kRtkFixed;
 };
 
-/// Name of a fix in YAML: "none", "single", "rtk_fixed", "rtk_float".
+/// Name of a fix in YAML: "none", "single", "differential", "rtk_fixed", "rtk_float".
 std::string_view NameOf(GnssFix fix);
 
 void Serialize(ModelArchive* archive, GnssModel* model);

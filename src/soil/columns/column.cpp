@@ -19,7 +19,8 @@ constexpr double kFirmDepth_m = 0.3;
 Spoil Parcel(const SoilLayer& layer, double share, const SoilType& soil, double area_m2) {
   const double kgpm2 = layer.kgpm2 * share;
   const double volume_m = layer.loose ? layer.thickness_m * share
-                                      : kgpm2 / LooseDensity_kgpm3(soil);  // standing soil swells
+                                      // undisturbed and compacted soil swells
+                                      : kgpm2 / LooseDensity_kgpm3(soil);
   return {kgpm2 * area_m2, volume_m * area_m2, layer.soil, layer.moisture};
 }
 

@@ -108,7 +108,7 @@ std::string_view NameOf(GroundRaster raster) {
 }
 
 Eigen::Array3i CubesOf(const VoxelBox& box, double cell_m) {
-  constexpr double kRounding = 1e-6;  // in cubes
+  constexpr double kRounding = 1e-6;  // tolerance for rounding, in cubes
   const double edge_m = box.columns * cell_m;
   return ((box.high_W_m - box.low_W_m).array() / edge_m - kRounding).ceil().max(1).cast<int>();
 }

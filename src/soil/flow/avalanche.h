@@ -50,7 +50,7 @@ class Avalanche {
   /// become grains.
   void Flow(double dt_s, Columns* ground, Grains* grains);
   /// Puts all columns on a steel floor. `up` is the direction against gravity in their axes.
-  /// `is_open` means that the lower end of the floor has no wall.
+  /// `is_open` is true if the lower end of the floor has no wall.
   void StandOnSteel(const Vec3& up, bool is_open, Columns* ground);
   /// True if the soil slides on the steel floor.
   bool SlidesOnSteel(std::uint8_t soil) const {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kSlice_m = 0.1, kDeepest_m = 2;
 constexpr double kLongestStep_s = 60, kCourant = 0.25;
-constexpr double kFieldSuction_m = 3.37;  ///< 33 kPa
+constexpr double kFieldSuction_m = 3.37;  ///< suction at field capacity, 33 kPa
 constexpr double kFreely = 0.75;          ///< share of the field capacity
 constexpr double kOneStratum = 0.03;  ///< slices with a smaller difference in moisture are merged
 

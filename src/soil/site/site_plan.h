@@ -14,7 +14,7 @@ namespace tera {
 
 /// A cone of loose soil, or a berm: a ridge from one end to the other.
 struct PilePlan {
-  Vec2 xy_W_m = Vec2::Zero(), end_W_m = Vec2::Zero();  ///< equal for a cone
+  Vec2 xy_W_m = Vec2::Zero(), end_W_m = Vec2::Zero();  ///< both ends of the crest; equal for a cone
   double height_m = 0;
   std::uint8_t soil = 0;
 };

@@ -82,7 +82,8 @@ class Spirals {
     const Vec2 above = edge + in_.depth_m * Vec2::UnitY();
     const double side_m2 =
         std::max(0.0, sector_m2 + 0.5 * (CrossOf(end, above) + CrossOf(above, edge)));
-    const double at_rest = 1 - std::sin(in_.friction_rad);  // Jaky
+    // coefficient of earth pressure at rest (Jaky)
+    const double at_rest = 1 - std::sin(in_.friction_rad);
     const double normal_pa = at_rest * (weight_npm3_ * in_.depth_m / 3 + in_.overburden_pa);
     const double shear_n = side_m2 * (in_.cohesion_pa + normal_pa * tan_friction_) +
                            in_.flank_above_npm * std::max(0.0, end.x() - edge.x());

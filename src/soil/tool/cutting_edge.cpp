@@ -138,7 +138,8 @@ double CuttingEdge::DragInside_n(const ShovelShape& shape, const Mat3& R_WB, con
       carried.mass_kg * kStandardGravity_mps2 * std::max(0.0, inward_W.normalized().z());
   const double length_m = (shape.top_edge_B() - shape.edge_B()).norm();
   const double depth_m = carried.volume_m3 / (shovel_.width_m * length_m);
-  const double at_rest = 1 - std::sin(soil.friction_angle_rad);  // Jaky
+  // coefficient of earth pressure at rest (Jaky)
+  const double at_rest = 1 - std::sin(soil.friction_angle_rad);
   return std::tan(soil.soil_tool_friction_rad) * normal_n *
          (1 + at_rest * depth_m / shovel_.width_m);
 }

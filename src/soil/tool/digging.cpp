@@ -13,7 +13,7 @@
 namespace tera {
 namespace {
 
-// Shell on the ground.
+// Constants of the shell on the ground.
 constexpr double kElasticDepth_m = 0.01;  ///< indentation at which the bearing pressure is reached
 constexpr double kShellWidth_m = 0.10;    ///< width of the loaded strip for the bearing pressure
 constexpr double kLeastDownward = 0.35;  ///< a shell that faces down less than this carries nothing
@@ -23,7 +23,7 @@ constexpr double kShellDampingRatio = 0.2;
 constexpr double kSlideSpeed_mps = 0.10;  ///< shell friction is proportional to speed below it
 constexpr double kBeside_m = 0.1;  ///< distance at which the ground beside the shovel is sampled
 constexpr double kNear_m = 0.3;    ///< a shovel within this height above the ground blocks flow
-// Carried soil.
+// Constants of the carried soil.
 constexpr double kSpillTime_s = 0.25;   ///< time constant at which excess soil leaves
 constexpr double kStuckClod_m = 0.025;  ///< thickest layer that sticks to the shell (an estimate)
 constexpr double kBeforeLip_m = 0.1;  ///< distance at which the ground before the mouth is sampled

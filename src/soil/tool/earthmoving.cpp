@@ -30,10 +30,11 @@ class Wedges {
         tan_friction_(std::tan(in.friction_rad)),
         tan_slope_(std::tan(in.slope_rad)),
         rise_(1 + tan_slope_ * cot_rake_),
-        at_rest_(1 - std::sin(in.friction_rad)) {}  // Jaky
+        at_rest_(1 - std::sin(in.friction_rad)) {}  // coefficient of earth pressure at rest (Jaky)
 
   CuttingFactors FactorsAt(double tan_wedge) const {
-    const double slip = (1 - tan_wedge * tan_friction_) / (tan_wedge + tan_friction_);  // cotangent
+    // cotangent of the sum of wedge and friction angle
+    const double slip = (1 - tan_wedge * tan_friction_) / (tan_wedge + tan_friction_);
     const double D = cos_contact_ + sin_contact_ * slip;
     const double ahead = Ahead(tan_wedge);
     CuttingFactors n;

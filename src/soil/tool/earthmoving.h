@@ -27,7 +27,7 @@ struct CuttingFactors {
 };
 
 struct CuttingForce {
-  double total_n = 0;     ///< P
+  double total_n = 0;     ///< P of the equation
   double draft_n = 0;     ///< horizontal, against the travel of the tool
   double vertical_n = 0;  ///< vertical; positive pulls the tool in
   double wedge_rad = 0;

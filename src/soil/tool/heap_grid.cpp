@@ -12,7 +12,7 @@ namespace {
 /// offset from a corner of the shell, to sample both sides
 constexpr double kBesideCorner_m = 1e-7;
 constexpr double kStep_m = 1e-4;             ///< a greater height difference is a step of the shell
-constexpr double kMostTilt_rad = 75 * kDeg;  ///< sideways tilt
+constexpr double kMostTilt_rad = 75 * kDeg;  ///< limit of the sideways tilt
 constexpr double kMound = 0.3;               ///< slope of the bulge over the steepest slope
 constexpr double kRoundTop = 0.25;  ///< radius of the top of the bulge over the length of the mouth
 constexpr double kLeastNormal = 0.1;  ///< least upward component of the surface normal

@@ -32,7 +32,8 @@ class Above {
   }
   void Add(const CutLayer& layer, double thickness_m) {
     const double weight_pa = layer.density_kgpm3 * kStandardGravity_mps2 * thickness_m;
-    const double at_rest = 1 - std::sin(layer.friction_rad);  // Jaky
+    // coefficient of earth pressure at rest (Jaky)
+    const double at_rest = 1 - std::sin(layer.friction_rad);
     const double normal_pa = at_rest * (weight_pa_ + 0.5 * weight_pa);
     flank_npm_ += thickness_m * (layer.cohesion_pa + normal_pa * std::tan(layer.friction_rad));
     if (layer.is_loose && heap_m_ == depth_m_) {

@@ -9,11 +9,11 @@
 namespace tera {
 namespace {
 
-constexpr std::size_t kWidestWedge = 60;  ///< in columns
+constexpr std::size_t kWidestWedge = 60;  ///< greatest length of a moved row, in columns
 constexpr double kFan_rad = 25 * kDeg;    ///< to both sides of the direction of motion
 constexpr double kParcel_m = 0.001;       ///< least thickness of a parcel of spread soil
 constexpr double kThickest_m = 0.02;      ///< greatest thickness of a parcel
-constexpr int kLongestRoll = 60;          ///< in columns
+constexpr int kLongestRoll = 60;          ///< greatest distance of rolling, in columns
 /// Loose share of the pushed soil at which it starts to move as a heap, and at which all of it
 /// does.
 constexpr double kHalfLoose = 0.5, kNearlyLoose = 0.9;

@@ -91,7 +91,7 @@ class ShovelShape {
   const std::vector<Segment>& segments() const { return segments_; }
   /// Extent of the outline along the horizontal direction in B's x-z plane.
   struct LevelExtent {
-    Vec2 right, up;  ///< axes
+    Vec2 right, up;  ///< axes of the extent
     double from_m, to_m;
   };
   LevelExtent ExtentAcross(const Vec3& up_B) const;

@@ -46,7 +46,7 @@ class SlipAhead {
         mean_npm3_(in.density_kgpm3 * kStandardGravity_mps2),
         tan_friction_(std::max(std::tan(in.friction_rad), kLeastFrictionAhead)),
         cos_friction_(1 / std::sqrt(1 + tan_friction_ * tan_friction_)),
-        at_rest_(1 - tan_friction_ * cos_friction_),  // Jaky
+        at_rest_(1 - tan_friction_ * cos_friction_),  // earth pressure coefficient (Jaky)
         up_blade_(-std::cos(in.rake_rad), std::sin(in.rake_rad)),
         push_(std::sin(in.rake_rad + in.tool_friction_rad),
               std::cos(in.rake_rad + in.tool_friction_rad)) {

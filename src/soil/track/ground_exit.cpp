@@ -98,7 +98,7 @@ std::optional<GroundExit> FindGroundExit(const Columns& ground, const Vec3& p_W_
   const double u = gx - ci, v = gy - cj;
   const Triangle above = TrianglesOf(ground, ci, cj)[v > u];
   const Vec3 n = UpwardNormal(above);
-  const double depth_m = n.dot(above[0] - p_W_m) / n.z();  // straight up
+  const double depth_m = n.dot(above[0] - p_W_m) / n.z();  // length of the way straight up
   if (depth_m <= 0) return std::nullopt;
 
   Search search(ground, p_W_m);

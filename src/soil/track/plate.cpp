@@ -22,7 +22,7 @@ struct PowerBounds {
   float low, high;
 };
 PowerBounds RoughPower(float x, float n) {
-  constexpr float kOneBits = 1065353216.0f;  // bits of 1
+  constexpr float kOneBits = 1065353216.0f;  // bit pattern of 1.0f
   constexpr float kLeastBits = 1 << 23, kMostBits = 2139095039.0f;
   constexpr float kRoughLow = 0.94f, kRoughHigh = 0.064f;
   const float bits = kOneBits + n * (static_cast<float>(std::bit_cast<std::int32_t>(x)) - kOneBits);

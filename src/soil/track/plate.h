@@ -49,7 +49,7 @@ class Plate {
   double tan_friction_;
   PushedFace face_;
   double width_m_;
-  double rebound_papm_;  ///< k_e
+  double rebound_papm_;  ///< elastic stiffness k_e
   double heave_reach_m_;
   BearingLimit limit_;
   float modulus_npm_n2_, exponent_;

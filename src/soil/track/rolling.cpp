@@ -6,10 +6,11 @@
 namespace tera {
 namespace {
 
-constexpr double kPeakAtNoSlip = 0.40, kPeakWithSlip = 0.15;  ///< c1, c2
-constexpr double kDugBySlip = 1.3, kSlipToDig = 0.42;         ///< constants of g for slip
+/// c1 and c2 of the peak of the stress
+constexpr double kPeakAtNoSlip = 0.40, kPeakWithSlip = 0.15;
+constexpr double kDugBySlip = 1.3, kSlipToDig = 0.42;  ///< constants of g for slip
 constexpr double kDugBySkid = 3.5;
-constexpr double kDugOverBearing = 6;     ///< f over g
+constexpr double kDugOverBearing = 6;     ///< ratio f / g
 constexpr double kGrouserShare = 0.5;     ///< share of the grouser height that is added to K
 constexpr double kLeastEntry_rad = 1e-3;  ///< a smaller entry angle means rigid ground
 /// least share, for ground behind the axle of a rolling wheel

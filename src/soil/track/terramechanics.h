@@ -51,9 +51,9 @@ class PushedFace {
   explicit PushedFace(const SoilType& soil);
 
   double Resistance_npm(double depth_m) const;
-  /// Effective depth of a face `depth_m` below ground with `loose_m` of loose soil. The soil heaped
-  /// on the wedge is already in Resistance_npm, so loose soil of its mean height h / 2 cot X tan
-  /// phi does not count again.
+  /// Effective depth of a face `depth_m` below ground with `loose_m` of loose soil. Resistance_npm
+  /// already includes soil heaped on the wedge, h / 2 cot X tan phi high on average. So loose soil
+  /// up to that height does not add to the depth.
   double Depth_m(double depth_m, double loose_m) const;
   /// Length of the wedge in front of a face of depth `depth_m`.
   double Wedge_m(double depth_m) const { return depth_m * cot_; }

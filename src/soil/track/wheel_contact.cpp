@@ -20,7 +20,7 @@ constexpr double kSlowest_mps = 1e-6;
 
 /// A point of the rim in the ground.
 struct WheelContact::Sample {
-  double pen_m, sinkage_m;  ///< vertical
+  double pen_m, sinkage_m;  ///< vertical depth of the rim
   double firmness;
   std::size_t soil;
   Vec3 moving_W_mps;
@@ -31,7 +31,8 @@ struct WheelContact::Sample {
 struct WheelContact::Node {
   Rim::Point middle;
   double normal_n = 0, area_m2 = 0;
-  Vec3 moment_W = Vec3::Zero(), moving_W = Vec3::Zero();  ///< times the normal force
+  /// position and velocity of the ground, times the normal force
+  Vec3 moment_W = Vec3::Zero(), moving_W = Vec3::Zero();
   std::size_t soil = 0;
   double sinkage_m = 0;
 };

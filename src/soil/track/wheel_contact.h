@@ -20,7 +20,7 @@ namespace tera {
 struct GearSum {
   Wrench wrench;          ///< about the link's origin
   double traction_n = 0;  ///< shear along the machine's forward travel
-  double sinkage_m = 0;   ///< of the lowest part
+  double sinkage_m = 0;   ///< greatest sinkage of a part
   double grip_n = 0;      ///< shear strength of the ground below
   double weight_n = 0;    ///< sum of the normal forces
   double forward_w = 0;   ///< sum of normal force times forward speed
@@ -89,12 +89,12 @@ class WheelContact {
   bool shears_;
   std::span<const SoilType> soils_;
   std::vector<Plate> plates_;  ///< one for each soil
-  double step_rad_;            ///< between nodes
+  double step_rad_;            ///< angle between nodes
   std::vector<Vec2> j_m_;      ///< shear displacement at each node
   /// for each strip across, positive in the direction of rolling
   std::vector<double> entry_rad_, front_rad_;
   RollingMemory memory_;
-  Rolling rolling_;       ///< state of this step
+  Rolling rolling_;       ///< slip and skid in this step
   double pushed_m_ = 0;   ///< lateral displacement of its side into soil, to the left
   double contact_m_ = 0;  ///< length of the ground under the wheel
   double forward_mps_ = 0, aside_mps_ = 0;  ///< mean speed over the ground at the contact

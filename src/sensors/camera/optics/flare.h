@@ -28,9 +28,9 @@ class Flare {
 
  private:
   struct Ghost {
-    double place;   ///< m
+    double place;   ///< factor m of the position
     double radius;  ///< over the focal length
-    Vec3 tint;      ///< mean 1
+    Vec3 tint;      ///< colour, with mean 1
   };
 
   FlareModel model_;

@@ -45,7 +45,7 @@ class PictureGlare {
  private:
   GlareModel model_;
   int coarser_, width_, height_;           ///< size of the coarser image
-  int padded_width_, padded_height_;       ///< size for its transform
+  int padded_width_, padded_height_;       ///< size of its padded transform
   std::vector<float> spectrum_, covered_;  ///< spectrum of the kernel; its sum over the image
 };
 

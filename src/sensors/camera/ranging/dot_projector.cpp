@@ -53,7 +53,7 @@ DotPattern::DotPattern(const DotProjector& projector, const Stream& draw)
 }
 
 double DotPattern::At(const Vec2& tangent) const {
-  constexpr double kReach = 4;  // in standard deviations
+  constexpr double kReach = 4;  // reach of a dot, in standard deviations
   const Vec2 at = tangent / cell_ + Vec2::Constant(0.5 * side_);
   const int column = static_cast<int>(std::floor(at.x())),
             row = static_cast<int>(std::floor(at.y()));

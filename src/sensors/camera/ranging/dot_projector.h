@@ -34,11 +34,11 @@ class DotPattern {
   /// Intensity over the peak of a dot, in the direction (x, y, 1); zero beyond kWidest.
   double At(const Vec2& tangent) const;
 
-  static constexpr double kWidest = 1.5;  ///< tangent
+  static constexpr double kWidest = 1.5;  ///< greatest tangent of a direction
 
  private:
   double cell_, share_;
-  int side_;                ///< cells per axis
+  int side_;                ///< number of cells per axis
   std::vector<Vec2> dots_;  ///< one per cell, in units of cells
 };
 

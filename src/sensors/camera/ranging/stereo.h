@@ -18,7 +18,7 @@ struct StereoModel {
   int block_px = 5;                       ///< side of the matching window; odd
   int uniqueness_percent = 8;             ///< margin of the best match over the second best
   double noise_dn = 1;                    ///< 1 sigma of the grey level of each eye, in 0..255
-  std::optional<DotProjector> projector;  ///< none: passive
+  std::optional<DotProjector> projector;  ///< none for passive stereo
 };
 
 void Serialize(ModelArchive* archive, StereoModel* model);

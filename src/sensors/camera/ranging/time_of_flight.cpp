@@ -31,7 +31,7 @@ struct LitAir {
 LitAir LitAirOf(const Weather& weather, double frequency_hz) {
   // nearer, the beam of the lamp is outside the field of the eye
   constexpr double kNearest_m = 0.1;
-  constexpr double kGrowth = 1.02;  // of steps
+  constexpr double kGrowth = 1.02;  // growth factor of the steps
   constexpr double kFarthest_m = 50;
   const double fog_1pm = FogExtinction_1pm(weather.visibility_m);
   const double rain_1pm = Rain(weather.rain_mmph).Extinction_1pm();
