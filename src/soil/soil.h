@@ -134,7 +134,7 @@ class Soil {
   virtual void MoveObstacle(int handle, const BodyState& state) = 0;
 
   /// Advances the soil under machine `handle` by `dt_s` and returns the forces of the ground on it.
-  /// Its tools and tracks cut, carry, dump and press ruts in this time.
+  /// In this time, the tools and tracks of the machine cut, carry, dump and press ruts.
   virtual SoilReaction Act(int handle, const GroundToolsMotion& motion, double dt_s) = 0;
   /// Advances the flow of slopes that are steeper than the angle of repose.
   virtual void Flow(double dt_s) = 0;

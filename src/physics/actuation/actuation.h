@@ -37,8 +37,8 @@ struct AxisParameters {
 };
 
 /// Simulated or measured state of an axis at the start of a step. The load is the effort of a
-/// steady rate without the friction of the axis. It excludes the effort that accelerates masses,
-/// those of the axis or (for tracks) of the machine.
+/// steady rate without the friction of the axis. It excludes the effort that accelerates the masses
+/// of the axis and, for tracks, of the whole machine.
 struct AxisMotion {
   double position_rad = 0, rate_radps = 0, load_nm = 0;
 };

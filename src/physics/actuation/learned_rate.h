@@ -55,8 +55,8 @@ class LearnedRate {
 };
 
 /// Variables that a learned effect of an axis (joints first, then gears) may depend on. Both
-/// simulation and replay know them. They are the levers of all axes and their directions, and the
-/// axis's own position, load and rate. The last one is the time since the start of the scenario.
+/// simulation and replay know them. They are the levers of all axes and their directions, the
+/// axis's own position, load and rate, and the time since the start of the scenario.
 std::vector<LearnedVariable> LearnedVariablesOf(const MachineModel& model, std::size_t axis);
 
 /// The learned effect of an axis, or nullptr.

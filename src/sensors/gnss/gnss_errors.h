@@ -21,8 +21,8 @@ struct RaisedBoom {
 /// Frames  W east-north-up.
 /// Model   e = max(0, sin(elevation)) (h cos a, h sin a, v cos a), where a = azimuth -
 ///         `azimuth_deg`. Elevation and azimuth are those of the boom; azimuth is from east to
-///         north. The error grows with the boom's elevation. Over a turn of the machine it is a
-///         first harmonic.
+///         north. The error grows with the boom's elevation. Over a full turn of the boom's
+///         azimuth, the error is a first harmonic.
 /// Omits   Satellites, and hence changes over minutes; higher harmonics; a vertical boom, whose
 ///         azimuth is undefined.
 /// Source  Low-order form of this project. Sizes: Georgiadou and Kleusberg 1988, "On carrier signal

@@ -130,8 +130,8 @@ void ReachDown(const ColumnMaterial& m, double influence_m, Column* c) {
   }
 }
 
-/// Compresses all layers by the same factor. Removes soil in excess of the density that belongs to
-/// the pressure, or of the present density where that is higher.
+/// Compresses all layers by the same factor. Removes soil above the density that the pressure
+/// reaches, or above the present density if that is higher.
 void Compact(const ColumnMaterial& m, double ds_m, double pressure_pa, Column* c,
              SpoilMix* beside) {
   const double share = 1 - ds_m / Layers_m(*c);

@@ -73,8 +73,8 @@ struct Pressing {
 };
 
 /// Presses the surface down. Loose soil at the surface settles first, until it reaches bank density
-/// and counts as standing soil. Then all soil within the influence depth becomes denser. Soil in
-/// excess of the density that belongs to the pressure is removed and added to `beside`.
+/// and counts as standing soil. Then all soil within the influence depth becomes denser. Soil above
+/// the density that this pressure reaches (PressedDensity_kgpm3) is removed and added to `beside`.
 void PressColumn(const ColumnMaterial& material, const Pressing& pressing, Column* column,
                  SpoilMix* beside);
 

@@ -15,8 +15,8 @@ namespace tera {
 ///
 /// Model   Every ten seconds the water of each profile seeps on (Seepage). Every minute the columns
 ///         take it over. The visible surface has the moisture of the uppermost slice. Under rain,
-///         it is at least that of the uppermost 2 mm, which fill up to the moisture at which the
-///         rain passes through.
+///         it has at least the moisture of the uppermost 2 mm. These fill up to the moisture at
+///         which the rain passes through.
 /// Omits   Water that runs or stands on the surface; frost. Profiles with the same soil at the
 ///         surface look like the first of them.
 class GroundWeather {

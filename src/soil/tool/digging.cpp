@@ -190,7 +190,8 @@ bool Digging::PressShell(const BodyState& body, const Swept& swept, double dt_s,
   const double overlap_m = ground->at(k).top_m - swept.crossing.low_m;
   const Vec3 p_W(ground->x_m(swept.i), ground->y_m(swept.j), swept.crossing.low_m);
   const Vec3 v_W = body.v_WB_mps + body.w_WB_radps.cross(p_W - body.X_WB.translation());
-  // Advance of the shell into the column in this step. A larger overlap comes from ahead.
+  // Advance of the shell into the column in this step. With a larger overlap, the shell has met the
+  // soil from ahead and does not rest on it.
   const double v_in_mps = v_W.dot(n_W);
   const double advance_m = std::max(0.0, v_in_mps) / -n_W.z() * dt_s;
   const bool comes_from_ahead = may_enter || v_in_mps < 0;

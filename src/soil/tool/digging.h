@@ -16,15 +16,15 @@ namespace tera {
 /// A shovel that cuts, carries, spills and dumps soil, and the forces on it.
 ///
 /// Frames  W; B frame of the shovel's link.
-/// Model   Geometry: in each column, no soil remains between the lowest point of the shovel's
-///         cross-section and the surface. A bucket carries the soil that enters through its mouth
-///         until it is heaped full. Further soil goes outside in the direction of motion. So does
-///         soil in front of a blade, the back or the shell. Soil over a buried bucket falls down
-///         behind it. Soil put outside is spread over the columns that move with the shovel and
-///         rolls from there down to repose. A loose heap in front of the edge moves along as a
-///         whole. Firm soil moves as a passive wedge that rises at 45 deg - phi/2 from the lowest
-///         point and fans out. Soil in front of a blade flows over it once it reaches the slope at
-///         repose from its top edge.
+/// Model   Geometry: in each column, the shovel removes all soil above the lowest point of its
+///         cross-section. A bucket carries the soil that enters through its mouth until it is
+///         heaped full. Further soil goes outside, in the direction of motion. Soil in front of a
+///         blade, of a bucket's back or of its shell goes outside too. Soil over a buried bucket
+///         falls down behind it. Soil put outside is spread over the columns that move with the
+///         shovel and rolls from there down to repose. A loose heap in front of the edge moves
+///         along as a whole. Firm soil moves as a passive wedge that rises at 45 deg - phi/2 from
+///         the lowest point and fans out. Soil in front of a blade flows over it once it reaches
+///         the slope at repose from its top edge.
 ///         Load: carried soil above the heap at repose leaves over the lower lip at a finite rate.
 ///         Repose refers to apparent gravity. The soil falls as clods; at the cutting edge it falls
 ///         between the teeth. A layer sticks to the shell. Its thickness balances weight and
@@ -33,9 +33,9 @@ namespace tera {
 ///         Forces: CuttingEdge, ShovelWalls, and the underside of the shell on the ground. The
 ///         underside is elastic up to the bearing pressure; then it displaces the ground. Coulomb
 ///         friction acts along it. Soil above the ground, up to the lowest surface on the four
-///         sides, adds surcharge. Soil in a full bucket with its mouth down does too. The shell
-///         counts as one cell thick towards its back, so that no soil slips between two columns. A
-///         column is also cut where the edge passed over it within the step.
+///         sides, adds surcharge. Soil in a full bucket with its mouth down adds surcharge too. The
+///         shell counts as one cell thick towards its back, so that no soil slips between two
+///         columns. A column is also cut where the edge passed over it within the step.
 /// Omits   Layers inside the bucket, sliding time of the load, sticky soil that is shaken off.
 /// Source  Rankine 1857 (passive wedge); Terzaghi 1943 (bearing).
 class Digging {

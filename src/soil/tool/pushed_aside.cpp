@@ -53,8 +53,8 @@ Vec2 Digging::WayOutFrom(const Swept& swept, const Vec2& direction) const {
   return at;
 }
 
-/// Share in which soil above a part of the shovel moves as a heap: 0 if half of it is firm, 1 if
-/// nearly all is loose.
+/// Share of the soil above a part of the shovel that moves as a heap: 0 if half of the soil is
+/// firm, 1 if nearly all is loose.
 double Digging::SlidesAsHeap(const Place& at, const Swept& swept, const Columns& ground) const {
   const ColumnId k = ground.IdAt(at.i, at.j);
   if (k == Columns::kNone) return 0;

@@ -47,8 +47,8 @@ struct SoilAhead {
 ///           firm soil, as far as this takes less force than Rankine's wedge through it.
 ///         Weight, cohesion of the firm soil and shear on the flanks are summed over vertical
 ///         slices between slip surface and ground. Soil on the blade counts over the length of the
-///         blade. So a heap takes no more force than sliding it, and a short slope no more than its
-///         own soil.
+///         blade. So a heap needs at most the force that slides it as a whole. A short slope needs
+///         at most the force for its own soil.
 /// Omits   Slopes across the travel. Several strata of firm soil, which count by their mean
 ///         (CutLayers).
 /// Source  Coulomb 1776 (trial wedges); Terzaghi 1943, ch. 7 (spirals); NAVFAC DM 7.01, 1986, ch. 7

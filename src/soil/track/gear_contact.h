@@ -17,9 +17,9 @@ namespace tera {
 /// Frames  W; patches as in ContactPatch, in the frame B of the gear's link.
 /// Model   Normal force: points on each patch bear elastically with p = s k_e pen, where pen is the
 ///         penetration. The pressure is at most Bekker's at the sinkage of the point. The factor s
-///         has peaks under road wheels and the mean 1. Rut models the rut below. Damping is a
-///         fraction of critical for the mass that the pressure supports. It acts against motion
-///         along the vertical of the machine; the ground never pulls.
+///         has peaks under road wheels and the mean 1. Rut models the plastic sinkage below.
+///         Damping is a fraction of critical for the mass that the pressure supports. It acts
+///         against motion along the vertical of the machine; the ground never pulls.
 ///         Shear: each patch has a shear displacement j that moves with the shoes: dj/dt = v_slip -
 ///         v_shoe (j - j_upstream) / length. It is zero where a shoe first meets the ground. Slip
 ///         is relative to the soil, which yields under a descending shoe. The soil yields in the

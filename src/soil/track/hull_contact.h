@@ -13,10 +13,9 @@ namespace tera {
 ///         the wall of a pit pushes a point sideways. A second spring acts across the way and
 ///         yields at the limit of Coulomb friction. The ground only pushes. The first spring is
 ///         compressed by the motion of the point into the ground, at most to the length of the way.
-///         So soil heaped over a point does not lift it. Springs change only by motion against
-///         their force, or become shorter. So the ground returns at most the work that it received,
-///         even if the way turns. If a low obstacle is deeper than the ground, it bears the point
-///         instead.
+///         So soil heaped over a point does not lift it. A spring becomes longer only by motion
+///         against its force. So the ground returns at most the work that it received, even if the
+///         way turns. If a low obstacle is deeper than the ground, it bears the point instead.
 ///         Loose soil yields at its bearing capacity under a square footing. The footing is as wide
 ///         as a 1:1 cone at the depth of the point. So a ridge is ploughed, and a fill bears after
 ///         some centimetres. Stiffness and damping scale with the mass of the machine, and the

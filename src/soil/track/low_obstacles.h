@@ -12,11 +12,11 @@ namespace tera {
 /// Rigid obstacles on the ground, as running gear meets them.
 ///
 /// Frames  W.
-/// Model   From above, an obstacle is the height of the upper faces of its boxes; a tilted box is a
-///         ramp. Beside a box the height falls at 45 deg to the foot of the box. The round end of a
-///         sprocket overhangs an edge about as far before it touches. For a point inside a box, the
-///         way out is the shortest one through any face except the lowest. Queries ignore obstacles
-///         that rise higher than the given climb height.
+/// Model   From above, an obstacle counts as a surface: the upper faces of its boxes. A tilted box
+///         is a ramp. Beside a box the height falls at 45 deg to the foot of the box. The round end
+///         of a sprocket overhangs an edge about as far before it touches. For a point inside a
+///         box, the way out is the shortest one through any face except the lowest. Queries ignore
+///         obstacles that rise higher than the given climb height.
 /// Omits   Obstacles that sink, tilt or slip under running gear.
 class LowObstacles {
  public:

@@ -132,7 +132,7 @@ Rut::Beside Rut::BesideOf(const Under& column, const Plate& plate, double cell_m
 }
 
 /// Width of a patch over the total width of the columns in a row below it. It makes the work of a
-/// row independent of the number of its columns: 7 or 8 cells of 4 cm under 0.3 m.
+/// row independent of its number of columns, for example 7 or 8 cells of 4 cm under 0.3 m.
 double Rut::RowShare(const Under& column, double cell_m) {
   const double from_middle_m = column.across_m() - column.middle_m;
   const double to_left = (0.5 * column.width_m - from_middle_m) / cell_m;

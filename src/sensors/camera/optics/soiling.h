@@ -24,8 +24,8 @@ namespace tera {
 ///         It shows the scene small and upside down.
 ///         Positions, sizes (log-normal) and shapes are drawn from the camera's random stream and
 ///         stay constant.
-/// Omits   Colours of dirt; dispersion and reflections of drops; running drops; rays whose
-///         deflection exceeds the range of the thin-prism form.
+/// Omits   Colours of dirt; dispersion and reflections of drops; running drops; stronger deflection
+///         than that of a thin prism.
 /// Source  Disc of the pupil, attenuation plus scattered light: Gu, Ramamoorthi, Belhumeur, Nayar
 ///         2009, "Removing image artifacts due to dirty camera lenses and thin occluders";
 ///         refraction by a thin prism: any textbook of optics.
