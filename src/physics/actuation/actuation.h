@@ -43,7 +43,7 @@ struct AxisMotion {
   double position_rad = 0, rate_radps = 0, load_nm = 0;
 };
 
-/// What the chain demands of an axis over a step, with friction and offset.
+/// Demand of the chain on an axis over a step, with friction and offset.
 struct AxisDrive {
   double rate_radps = 0;
   AxisFriction friction;

@@ -223,7 +223,7 @@ struct MachineModel {
   std::vector<WheelVisual> wheel_visuals;
   std::vector<NamedFrame> frames;
   double gauge_m = 0;  ///< distance between left and right gear centres; 0 if undefined
-  /// What the reader omitted or changed, one sentence each.
+  /// Remarks of the reader on omitted or changed input, one sentence each.
   std::vector<std::string> remarks;
 
   int LinkIndex(std::string_view name) const;  ///< all three return -1 if the name is absent

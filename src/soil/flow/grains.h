@@ -73,7 +73,7 @@ class Grains {
     /// acceleration while it slides with its bank
     Eigen::Vector3f slide_W_mps2 = Eigen::Vector3f::Zero();
     float way_m = 0, of_way_m = 0;  ///< remaining and total way with the bank
-    bool is_free = true;            ///< no longer slides with the bank
+    bool is_free = true;            ///< moves on its own, not with the bank
   };
   /// Releases soil between two points. All other properties of a clod are those of `like`.
   void Pour(const SpoilMix& spoil, const Vec3& from_W_m, const Vec3& to_W_m, double each_m3,

@@ -255,7 +255,7 @@ std::optional<StandingWalls::Failure> StandingWalls::FailureOfLayers(ColumnId k,
   };
   ForFalls(k, bank.top_m, least_tan_stand_, ground,
            [&](const Direction&, int m, double step_m, double fall_m, double edge_fall_m) {
-             // Of two banks of equal height, the flatter one is safer.
+             // A flatter bank of equal height is safer.
              if (m == 1) seen_m = 0;
              if (fall_m <= std::max(bank.thickness_m, seen_m + kDeeper_m)) return;
              seen_m = fall_m;
