@@ -11,23 +11,22 @@
 
 namespace tera {
 
-/// Everything that moves, except the ground, at one instant. Cheap to copy.
+/// All moving bodies at one instant, without the ground. Cheap to copy.
 struct Instant {
   TimeNs t_ns = 0;
   std::vector<MachineState> machines;
   std::vector<BodyState> obstacles;
-  std::vector<BedLoad> beds;  ///< one for each obstacle; nothing without a bed
+  std::vector<BedLoad> beds;  ///< one per obstacle; no soil for an obstacle without a bed
 };
 
-/// One step of a world as sensors see it: the moving bodies at both ends, the ground at the later
-/// end.
+/// One step of a world as sensors see it: bodies at both ends, the ground at the end.
 struct WorldStep {
   const Instant& before;
   const Instant& after;
   const TerrainSurface& ground;
 };
 
-/// The current world: the moving bodies, and the single ground, which is never copied.
+/// The current world: the moving bodies and the ground. The ground is not copied.
 class WorldState : public Instant {
  public:
   explicit WorldState(std::unique_ptr<Soil> ground) : ground_(std::move(ground)) {}

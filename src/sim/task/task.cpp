@@ -13,11 +13,11 @@ namespace tera {
 namespace {
 
 constexpr double kDeepest_m = 20, kWidest_m = 50;
-constexpr double kFlattest_deg = 10;  ///< a flatter side is a floor
+constexpr double kFlattest_deg = 10;  ///< flatter sides are rejected
 constexpr double kUpright_deg = 90;
-constexpr double kFinest_m = 0.005, kCoarsest_m = 1;  ///< tolerances
+constexpr double kFinest_m = 0.005, kCoarsest_m = 1;  ///< range of tolerances
 constexpr double kLeastArea_m2 = 0.01;
-constexpr double kRounding_m = 1e-6;  ///< of places of columns
+constexpr double kRounding_m = 1e-6;  ///< for positions of columns
 constexpr double kNarrowest = 3;      ///< cells; a wider floor has columns, however it lies
 constexpr double kRise = 2;  ///< depth below the highest ground over that at the floor's edge
 
