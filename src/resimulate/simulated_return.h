@@ -46,7 +46,7 @@ struct Beam {
 struct SimulatedPicture {
   Image<float> grey;     ///< in [0, 1], sRGB-encoded
   Image<float> depth_m;  ///< along the optical axis; 0 without a surface, as in the sky
-  /// values of Surface; kMachine is taken to move with the camera's link
+  /// Values of Surface; kMachine is taken to move with the camera's link.
   Image<std::uint8_t> surface;
 };
 

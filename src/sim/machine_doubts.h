@@ -14,9 +14,9 @@ namespace tera {
 struct LinkSize {
   std::string name;
   double mass_kg = 0;
-  /// Bounding box of its visuals, collision shapes, tools and running gear, in the link's axes;.
+  /// Bounding box of its visuals, collision shapes, tools and running gear, in the link's axes.
+  /// Zero if it has none of these.
   Vec3 size_m = Vec3::Zero();
-  ///< zero if it has none of these
 };
 
 /// One entry per link, in the order of the model. `scene` provides the link meshes.

@@ -23,7 +23,8 @@ constexpr char kUndecided[] = "no difference that this cycle can show";
 /// A figure of the page's summary.
 struct MainFigure {
   Measure measure;
-  const char *of, *words;  ///< `of` null: the digging shovel; empty: the only subject
+  /// `of` is the subject's name; null: the digging shovel; empty: the measure has no named subject.
+  const char *of, *words;
 };
 constexpr std::array<MainFigure, 7> kMain = {
     {{Measure::kSeenBy1, kAroundZone, "space seen"},

@@ -62,8 +62,9 @@ class ZoneCoverage {
 
   Zone zone_;
   std::vector<Vec3> places_Z_m_;
-  std::vector<std::vector<double>> share_;  ///< [moment][n - 1]: share seen by at least n = 1, 2, 3
-  /// [n - 1][moment]: share of places that at least n = 1, 2, 3 viewers see
+  /// [n - 1][moment]: share of places that at least n = 1, 2, 3 viewers see.
+  std::vector<std::vector<double>> share_;
+  /// Number of places in the air, one per moment.
   std::vector<std::size_t> in_air_;
   std::vector<double> blind_m3_;
   std::map<std::string, double> causes_;

@@ -69,7 +69,7 @@ ClosedLine RectangleAround(const std::vector<double>& hull_m, double margin_m) {
   return Rectangle(low_m - Vec2::Constant(margin_m), high_m + Vec2::Constant(margin_m));
 }
 
-/// The scene at one moment, from both lights.
+/// Inputs of a test of places at one moment.
 struct Moment {
   const EyeStudy& eye;
   const Pose& X_WH;

@@ -18,7 +18,7 @@ constexpr double kLeastSigma = 1e-6;  ///< lower bound on a measurement's noise,
 /// Size of the figure's unit in SI units.
 double UnitSize(const FigureId& id) { return id.measure == Measure::kAngleSigma ? kDeg : 1; }
 constexpr double kOtherRate = 0.2;  ///< for joints without a maximum rate, rad/s or m/s
-/// share of the prior deviation below which a quantity counts as observed
+/// Share of the prior deviation below which a quantity counts as observed.
 constexpr double kKnown = 0.9;
 
 /// Number of samples after `from_ns` and up to `to_ns` of a sensor that samples periodically.

@@ -12,7 +12,7 @@
 namespace tera {
 namespace {
 
-/// unoccluded share of a viewer's field below which it gets a warning
+/// Unoccluded share of a viewer's field below which it gets a warning.
 constexpr double kLeastSeen = 0.01;
 
 Zone AroundMachine(const LayoutStudy& study, const MachineModel& model) {

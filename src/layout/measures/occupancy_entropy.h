@@ -55,7 +55,7 @@ class OccupancyEntropy {
 
  private:
   struct Covered {
-    /// whether each voxel is covered: ignoring occlusion, and with it
+    /// Whether each voxel is covered: ignoring occlusion, and with it.
     std::vector<bool> through, in_sight;
   };
   /// Counts the voxels that hold a part of an occupant.

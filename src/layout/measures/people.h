@@ -82,7 +82,7 @@ class PersonRange {
   /// [direction][moment].
   std::vector<std::vector<Reach>> directions_ = std::vector<std::vector<Reach>>(kSectors);
   std::vector<std::vector<Reach>> quarters_;  ///< [quarter][moment], in the order of kQuarters
-  /// number of moments for each place, by sector and step
+  /// Number of moments for each place, by sector and step.
   std::vector<double> had_place_, had_enough_;
   std::vector<double> within_12m_;
   std::vector<std::size_t> tried_;

@@ -53,7 +53,7 @@ class PerceptionEntropy {
   InformationStudy information_;
   double reflectance_;
   std::vector<BodyPatch> patches_;
-  /// mean over the places and its sampling error, one per moment
+  /// Mean over the places and its sampling error, one per moment.
   std::vector<double> mean_nat_, error_nat_;
 };
 

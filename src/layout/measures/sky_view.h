@@ -68,7 +68,7 @@ class SkyView {
     int link = 0;
     Vec3 p_BS_m = Vec3::Zero();
     std::vector<double> by_machine = {}, by_site = {};  ///< one per moment
-    /// for each cell, the number of moments when it is hidden
+    /// For each cell, the number of moments when it is hidden.
     std::vector<double> hidden_moments = {};
   };
 

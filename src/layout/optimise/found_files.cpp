@@ -81,7 +81,7 @@ class Labels {
   std::vector<std::pair<Vec2, Vec2>> boxes_;
 };
 
-/// The first two objectives of all layouts of the front against each other.
+/// Scatter plot of the first two objectives of the layouts on the front.
 std::string Scatter(const LayoutSearch& search, const OptimiseResult& result) {
   if (search.objectives.size() < 2) return "";
   std::vector<Vec2> points;

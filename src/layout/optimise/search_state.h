@@ -17,7 +17,7 @@ struct SearchState {
   std::vector<std::vector<double>> fitness;
   Genes greedy;
   std::vector<double> corner;  ///< reference point of the hypervolumes
-  /// after each generation; the first entry is the initial population
+  /// After each generation; the first entry is the initial population.
   std::vector<double> hypervolume;
 };
 

@@ -26,7 +26,7 @@ const Measures kProbabilities = {Measure::kProbabilityMap, Measure::kWorstProbab
 bool IsAnyOf(const FigureId& id, const Measures& measures) {
   return std::find(measures.begin(), measures.end(), id.measure) != measures.end();
 }
-/// smallest share that the page lists; the CSV tables list all
+/// Smallest share that the page lists; the CSV tables list all.
 constexpr double kLeastShown = 0.005;
 
 std::string FiguresCsv(const LayoutReport& report) {

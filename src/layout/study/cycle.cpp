@@ -84,7 +84,7 @@ void Cycle::ForEachMoment(double rate_hz, const Visit& visit, const Visit& on_st
   std::int64_t next = 0;
   ForEachStep([&](const Instant& now, const TerrainSurface& ground) {
     if (on_step) on_step(now, ground);
-    const TimeNs until_ns = now.t_ns + half_step_ns;  // from there on the next step is nearer
+    const TimeNs until_ns = now.t_ns + half_step_ns;  // at later times the next step is nearer
     if (until_ns < clock.Due(next)) return;
     visit(now, ground);
     while (clock.Due(next) <= until_ns) ++next;

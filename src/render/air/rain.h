@@ -30,13 +30,13 @@ class FallingParticles {
 
 /// Falling rain.
 ///
-/// Model   N0 = 8000 / (m^3 mm), L = 4.1 R^-0.21 / mm with R in mm/h, s = 1. The fall speed is 9.65
-///         - 10.3 exp(-0.6 D / mm) m/s.
+/// Model   N0 = 8000 / (m^3 mm), L = 4.1 R^-0.21 / mm with R in mm/h, s = 1. The fall speed in m/s
+///         is 9.65 - 10.3 exp(-0.6 D / mm).
 /// Omits   drops below 0.1 mm, oblate drops, gusts.
 ///         The lidar ratio excludes the glory, the back-scatter peak within 1 mrad of the backward
-///         direction, which only round drops have. It rests on Mie theory of water spheres of 0.3
-///         to 3 mm at 905 nm, averaged over sizes: 80 to 190 sr at 5 to 20 mrad from the backward
-///         direction.
+///         direction, because only round drops have it. The chosen ratio follows Mie theory of
+///         water spheres of 0.3 to 3 mm at 905 nm, averaged over sizes: 80 to 190 sr at 5 to 20
+///         mrad from the backward direction.
 /// Source  Marshall and Palmer 1948, "The distribution of raindrops with size"; Atlas, Srivastava
 ///         and Sekhon 1973, Rev. Geophys. 11, eq. 8, a fit to Gunn and Kinzer 1949.
 class Rain : public FallingParticles {

@@ -39,8 +39,8 @@ struct Weather {
   double puddle_depth_m = 0;  ///< maximum depth of water in hollows
   double snow_depth_m = 0;    ///< depth of snow on the ground
 
-  /// Extinction of visible light by fog, rain and falling snow together. Fog without a visibility
-  /// counts as 0.
+  /// Extinction of visible light by fog, rain and falling snow together. Without a visibility, fog
+  /// adds nothing.
   double Extinction_1pm() const;
 };
 

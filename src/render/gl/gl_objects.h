@@ -14,7 +14,7 @@
 
 namespace tera {
 
-/// Owner of one OpenGL name.
+/// Owns an OpenGL object, which its name (id) identifies.
 class GlObject {
  public:
   using Deleter = void (*)(unsigned id);

@@ -12,7 +12,7 @@ View::View(const CameraIntrinsics& pinhole, const Pose& X_WC)
       cx_px(pinhole.cx_px),
       cy_px(pinhole.cy_px),
       near_m(pinhole.near_m) {
-  // distances of the image's left and top edge from the principal point
+  // Distances of the image's left and top edge from the principal point.
   const double left = cx_px + 0.5, top = cy_px + 0.5;
   const double right = width_px - left, bottom = height_px - top;
   const std::array<Vec3, 5> normals_C = {Vec3(fx_px, 0, left), Vec3(-fx_px, 0, right),

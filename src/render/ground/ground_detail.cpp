@@ -11,7 +11,8 @@ namespace {
 
 constexpr int kSide = GroundDetail::kSide;
 constexpr int kStones = 2600;
-constexpr double kSmallestStone = 0.0035, kLargestStone = 0.03;  // radius, in tiles
+// Radius, as a fraction of the tile's side.
+constexpr double kSmallestStone = 0.0035, kLargestStone = 0.03;
 
 struct Relief {
   std::vector<float> height = std::vector<float>(static_cast<std::size_t>(kSide) * kSide);

@@ -8,7 +8,7 @@
 namespace tera {
 namespace {
 
-// shadow depth below the ground at the border towards the sun
+// Shadow depth below the ground at the border towards the sun.
 constexpr float kNoShadowDepth_m = 100.0f;
 constexpr int kLargestTexture = 4096;  // texels along a side
 

@@ -198,7 +198,7 @@ void GroundTextures::Paint(const std::vector<TexelWindow>& windows, Workers* wor
 void GroundTextures::Update(const TerrainSurface& terrain, const std::vector<TileIndex>& changed,
                             Workers* workers) {
   if (changed.empty()) return;
-  // at least 1, because the normal uses adjacent texels
+  // At least 1, because the normal uses adjacent texels.
   const int reach = std::max(sky_view_.reach_texels(), 1);
   const int halo = reach * heights_.texel_cells() / kCells + 1;  // in tiles
   std::vector<TexelWindow> dirty(terrain.tile_count());

@@ -20,7 +20,7 @@ constexpr double kHills_m = 9.0;   // greatest height of the far hills
 constexpr double kHillsBegin_m = 60.0, kHillsFull_m = 500.0;
 constexpr double kTrees_m = 11.0;  // height of the tree belt
 constexpr double kTreesAt_m = 320.0, kTreesWidth_m = 60.0;
-// forest in the meadows: from no to full density
+// Forest in the meadows: from no to full density.
 constexpr double kForestBegin_m = 150.0, kForestFull_m = 320.0;
 constexpr double kMeadowBegin_m = 2.0, kMeadowFull_m = 16.0;  // transition from soil to grass
 constexpr double kMeadowFringe_m = 14.0;                      // width of the uneven transition

@@ -27,7 +27,7 @@ DustMass Times(const DustMass& mass, double factor) {
   return product;
 }
 
-/// The trailing end of a running gear on the ground: of the patches that face down, the last one in
+/// The trailing end of a running gear on the ground: of the patches that face down, the rearmost in
 /// the driving direction.
 Vec3 TrailingEnd(const RunningGear& gear, double rate_radps) {
   Vec3 end_B_m = gear.patches.front().p_B_m;

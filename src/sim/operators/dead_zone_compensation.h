@@ -5,8 +5,8 @@
 namespace tera {
 
 /// Parameters for learning the width of a dead zone. The defaults suit continuous motion. A joint
-/// that must stop at a target needs smaller rates. "Ratio" is the joint's rate over the rate that
-/// an ideal joint (without a dead zone) has at the commanded lever.
+/// that must stop at a target needs more cautious values. "Ratio" is the joint's rate over the rate
+/// that an ideal joint (without a dead zone) has at the commanded lever.
 struct DeadZoneAdaptation {
   /// Below this ideal lever, only a proportional part of the width is added.
   double transition = 0.05;

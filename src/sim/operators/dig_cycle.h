@@ -32,7 +32,7 @@ struct DigPlan {
   /// Deceleration with which the slew approaches its target; 0: unlimited.
   double slew_braking_radps2 = 0;
   double patience_s = 4.0;  ///< the operator ends a phase after this time
-  int cycles = 0;           ///< 0: endless
+  int cycles = 0;           ///< number of cycles; 0: endless
   bool to_design = false;   ///< dig the trench of the scenario's task instead of one place
   // The members below apply only with `to_design`.
   SkidSteerLevers tracks;
@@ -50,8 +50,8 @@ struct DigPlan {
 ///         Levers pass through DeadZoneCompensation and are limited to the rate of a human hand.
 ///         The slew rate is at most sqrt(2 a e), so that the deceleration a stops it within the
 ///         remaining angle e.
-///         When the machine turns or slides, the dump place stays fixed in W. Of the dig place the
-///         azimuth stays fixed in W, while its radius moves along.
+///         When the machine turns or slides, the dump place stays fixed in W. The dig place keeps
+///         its azimuth in W and its radius from the slew axis.
 ///
 ///         With a trench, TrenchWork chooses cuts and stands. A cut never goes below the design.
 ///         The slew keeps the bucket on the trench's line. The bucket is lifted upright out of the

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kShortestStride_m = 0.1, kLongestStride_m = 10, kHighest_m = 1;
 constexpr double kFurthest_deg = 180;
-constexpr std::size_t kMostMoments = 1000;  // samples of a stride
+constexpr std::size_t kMostMoments = 1000;  // maximum number of samples of a stride
 
 /// Interpolates samples of a stride linearly at the phase of `travel_m`.
 double At(const std::vector<double>& row, double stride_m, double travel_m) {

@@ -74,7 +74,7 @@ std::vector<Vec2> RoadOutline(const HaulRoad& road, double stray_m, const ShareR
   const std::vector<Vec2> straight = StraightOutline(road);
   if (stray_m <= 0) return straight;
   constexpr double kStep_m = 1, kFine_m = 1, kCoarse_m = 6, kPastEnds_m = 12;
-  constexpr std::uint32_t kRow = 2000;  // numbers reserved for each noise
+  constexpr std::uint32_t kRow = 2000;  // random numbers reserved for each noise
   const std::vector<Station> stations = StationsOf(road, kPastEnds_m, kStep_m, road.width_m);
   std::vector<Vec2> left, right;
   for (const Station& s : stations) {

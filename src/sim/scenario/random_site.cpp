@@ -256,7 +256,8 @@ double SitePlanner::DressRoad(const ConfigMap& config, const HaulRoad& road,
     const double aside_m = std::max(0.5 * (road.width_m - gauge_m - rut_m), 0.0);
     for (int n = 1; n <= count; ++n) {
       const ShareRow share = shares(fmt::format("ruts/{}", n));
-      constexpr std::uint32_t kDepth = 5000;  // follows the numbers of the path
+      // Index of the random number for the depth, beyond those of the path.
+      constexpr std::uint32_t kDepth = 5000;
       ruts_.push_back(fmt::format("{{path_m: {}, gauge_m: {}, width_m: {}, depth_m: {:.4f}}}",
                                   OutlineText(PathAlong(road, aside_m, share)), gauge_m, rut_m,
                                   depth_m.At(share(kDepth))));

@@ -45,7 +45,7 @@ struct SiteMesh {
 
 /// Reads the keys `file`, `xyz_m`, `rpy_deg`, `scale`, `parts` and `ground`. After a fault, which
 /// goes to `config`, the result is null. `size_m` of `terrain` is the size of the site. By default
-/// the site is centred on the origin of W and just contains the mesh.
+/// the site is the largest rectangle around the origin of W that the mesh covers.
 std::shared_ptr<const SiteMesh> ReadSiteMesh(const ConfigMap& config, const ConfigMap& terrain);
 
 }  // namespace tera

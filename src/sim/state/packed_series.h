@@ -28,7 +28,7 @@ class PackedSeries {
   /// `*stream` past them. Returns false if the streams do not contain that many rows.
   bool Unpack(const Block& block, std::size_t rows, std::size_t* stream, std::vector<double>* out);
 
-  /// The degrees, then the bytes from one position each.
+  /// one for the degrees, and one per byte position
   static constexpr std::size_t kStreams = 1 + sizeof(double);
 
  private:
@@ -53,8 +53,8 @@ constexpr std::int64_t FromZigZag(std::uint64_t n) {
   return static_cast<std::int64_t>(n >> 1) ^ -static_cast<std::int64_t>(n & 1);
 }
 
-/// Extrapolates the last values by a polynomial of degree 0 to 2. Overflow wraps around, which the
-/// residual undoes.
+/// Extrapolates the last values by a polynomial of degree 0 to 2. Overflow wraps around, as it does
+/// in the residual.
 std::int64_t Extrapolate(const std::int64_t* newest_first, int degree);
 
 }  // namespace tera

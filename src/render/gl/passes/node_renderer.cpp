@@ -15,8 +15,8 @@ namespace {
 struct Vertex {
   float position_m[3];
   std::int16_t normal[4];
-  std::uint8_t albedo_opacity[4];      // square roots of the albedo match the eye's resolution
-  std::uint8_t roughness_metallic[4];  // the last two are unused
+  std::uint8_t albedo_opacity[4];      // square roots: the steps of a byte then suit the eye
+  std::uint8_t roughness_metallic[4];  // only the first two bytes are used
   float uv[2];
 };
 

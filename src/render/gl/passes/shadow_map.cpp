@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kNearSide_px = 1536, kFarSide_px = 1024;
 constexpr double kNearRadius_m = 9.0;
-// grid of the fine image's centre; few camera motions thus require a redraw
+// Grid of the fine image's centre; few camera motions thus require a redraw.
 constexpr double kSnap_m = 4.0;
 constexpr double kMargin_m = 0.5;
 constexpr std::size_t kKept = 6;  ///< number of cached shadows; a rig has cameras at few places
@@ -131,10 +131,9 @@ void ShadowMap::Draw(const GlObject& framebuffer, const NodeRenderer& nodes, boo
   const auto is_wanted = [&](const SceneNode& node) {
     return standing == (node.shape < 0 && !has_moved_[static_cast<std::size_t>(node.body)]);
   };
-  // Seen from the sun, a shadow lies exactly behind its node. The coarse image therefore omits
-  // nodes that lie completely within the fine image. Nodes outside the fine image cast no shadow
-  // within it.
-  // distance from the fine image's border, positive inside
+  // Distance of a point from the fine image's border, positive inside. Seen from the sun, a shadow
+  // lies exactly behind its node. The coarse image therefore omits nodes that lie completely within
+  // the fine image. Nodes outside the fine image cast no shadow within it.
   const auto gap_m = [&](const Vec3& centre_W_m) {
     const Vec2 p_L = (R_LW_ * centre_W_m).head<2>();
     const Vec2 low = p_L - near_.box_L_m.min().head<2>(),

@@ -23,13 +23,13 @@ constexpr float kCloudCover = 0.5f;     // noise above this value is cloud
 constexpr float kCloudEdge = 0.25f;     // noise range from clear to full opacity
 constexpr float kCloudOpacity = 0.75f;  // opacity of the densest cloud
 constexpr double kCloudScale = 0.16;    // noise periods per tangent of the zenith angle
-// added to the sine of elevation: limits the compression of the noise near the horizon
+// Added to the sine of elevation: limits the compression of the noise near the horizon.
 constexpr double kCloudHorizon = 0.12;
 constexpr double kCloudStretch = 0.6;  // along y
 constexpr double kCloudFade = 6;  // clouds fade in over the sine of elevation from 0 to 1 / this
 const Vec2 kCloudOffset(0.31, 0.67);  // selects a suitable part of the noise
 constexpr float kCloudSun = 0.22f;    // radiance of clouds: this fraction of the sun's illuminance
-// radiance of clouds: plus this fraction of the zenith's radiance
+// Radiance of clouds: plus this fraction of the zenith's radiance.
 constexpr float kCloudZenith = 0.5f;
 // Clouds of a given cover:
 constexpr float kGivenEdge = 0.08f;           // noise range from clear to full opacity

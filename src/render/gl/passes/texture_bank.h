@@ -13,7 +13,8 @@ namespace tera {
 /// Material textures on the GPU, with mipmaps. Materials with equal images share a texture.
 class TextureBank {
  public:
-  /// Adds a material and returns its index, or kPlain if it has neither textures nor emission.
+  /// Adds a material and returns its index. A material with neither textures nor emission has the
+  /// index kPlain.
   static constexpr int kPlain = -1;
   int Add(const Material& material);
 

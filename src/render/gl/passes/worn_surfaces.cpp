@@ -10,7 +10,7 @@ namespace {
 
 constexpr unsigned kNoiseUnit = 9;  // materials use the texture units above
 constexpr double kMudSaturation = 0.35;
-// share of grey in the colour of fine dust; the rest is the soil's colour
+// Share of grey in the colour of fine dust; the rest is the soil's colour.
 constexpr double kGreyDust = 0.35;
 
 GlObject NoiseTexture() {
@@ -37,7 +37,7 @@ Eigen::Vector3f Root(const Vec3& albedo) {
 
 /// Offset of a body's marks in the noise, so that equal parts look different.
 Eigen::Vector3f PlaceInNoise(int body) {
-  // irrational steps: no two bodies coincide
+  // Irrational steps: no two bodies coincide.
   const Vec3 steps(0.7548776662, 0.5698402909, 0.3819660113);
   const Vec3 at = (body + 1) * steps;
   return (at - Vec3(at.array().floor())).cast<float>();
