@@ -93,7 +93,7 @@ struct Environment {
 /// Constant part of the scene.
 struct SceneModel {
   std::vector<Mesh> meshes;
-  Textures textures;  ///< textures of the meshes
+  Textures textures;
   std::vector<SceneNode> nodes;
   std::vector<SceneInstance> instances;  ///< instances[0] is "none"
   std::vector<SceneKeypoint> keypoints;

@@ -17,7 +17,7 @@ namespace {
 constexpr int kCellsAcross = 36;     ///< across a shovel's width
 constexpr double kLeastLoad = 1e-4;  ///< share of the capacity; a smaller load is not shown
 constexpr double kSkirt_m = 0.006;   ///< the skirt's distance from the shell
-constexpr double kRoughness = 0.95;  ///< material roughness
+constexpr double kRoughness = 0.95;
 constexpr double kToneRange = 0.30;  ///< range of brightness between grains
 /// Share of the colour that comes from the point's own soil; the rest is the mean.
 constexpr double kUnmixed = 0.25;

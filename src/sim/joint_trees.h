@@ -9,7 +9,6 @@
 
 namespace tera {
 
-/// Joint trees of a scenario's machines.
 std::vector<JointTree> JointTreesOf(const Scenario& scenario);
 
 /// Joint trees of a simulated recording, from its scenario. Empty for a real recording. `moved` as

@@ -10,7 +10,6 @@
 
 namespace tera {
 
-/// Mass and size of a link.
 struct LinkSize {
   std::string name;
   double mass_kg = 0;
@@ -28,14 +27,14 @@ std::vector<LinkSize> SizesOf(const ScenarioMachine& machine, const SceneModel& 
 /// Model   the expectations are:
 ///         - A machine with a free base has running gear or hull points; otherwise it would fall.
 ///         - No link is longer than 100 m. If one is, the checks below are skipped.
-///         - A body's largest radius of gyration about its centre of mass is at most half the
-///         diagonal of its bounding box, and at least a hundredth of that. Links that are fixed
-///         together count as one body.
+///         - Consider a body's largest radius of gyration about its centre of mass. It is at most
+///           half the diagonal of the body's bounding box, and at least a hundredth of that. Links
+///           that are fixed together count as one body.
 ///         - The centre of mass is within a diagonal of the bounding box.
 ///         - No body and no link with visuals is denser than 25 t/m3 in its box. The machine is
-///         heavier than the air in its box.
+///           heavier than the air in its box.
 ///         - Limits of a revolute joint are within one turn either way. A joint with equal limits
-///         has effort and velocity.
+///           has effort and velocity.
 std::vector<std::string> DoubtsOf(const ScenarioMachine& machine, const SceneModel& scene);
 
 /// Warnings about a machine's drives; a part of DoubtsOf.

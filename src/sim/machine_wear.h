@@ -12,10 +12,10 @@ namespace tera {
 
 /// Wear of each link of a machine.
 ///
-/// Model   shovels are in the soil and have a cutting edge. On the link that carries a shovel (the
-///         arm), a point's distance from the soil is its distance from the shovel's joint, measured
-///         along the line from the link's own joint. On all other links it is the height above the
-///         ground with all joints at zero.
+/// Model   shovels are in the soil and have a cutting edge. The link that carries a shovel (the
+///         arm) touches the soil at the shovel's joint. The distance of its points from the soil
+///         grows linearly from there to the link's own joint. On all other links the distance is
+///         the height above the ground with all joints at zero.
 /// Omits   arms that reach into a pit, and the machine's actual work.
 std::vector<NodeWear> WearOfLinks(const MachineModel& machine, const Wear& wear,
                                   const Vec3& soil_albedo);

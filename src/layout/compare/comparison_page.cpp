@@ -20,7 +20,6 @@ namespace {
 constexpr std::array<const char*, 5> kColours = {"a", "b", "c", "d", "e"};
 constexpr char kUndecided[] = "no difference that this cycle can show";
 
-/// A figure of the page's summary.
 struct MainFigure {
   Measure measure;
   /// `of` is the subject's name; null: the digging shovel; empty: the measure has no named subject.

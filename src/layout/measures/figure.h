@@ -16,7 +16,6 @@ struct Figure {
 };
 
 double MeanOf(const Figure& figure);
-/// The value at the worst moment.
 double WorstOf(const Figure& figure);
 /// Index of the worst moment; the first in a tie.
 std::size_t WorstMomentOf(const Figure& figure);

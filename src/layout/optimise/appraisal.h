@@ -30,14 +30,14 @@ class Appraisal {
  public:
   /// Runs through the cycle once. Keeps references to all arguments.
   ///
-  /// Throws  InputError if an objective is no figure, a mount names no link of the machine, a
-  ///         sensor has the name of a kept one, or a zone has no place in the air. Also if the kept
-  ///         sensors alone, or every layout with at least one lidar or camera, violate the limits.
-  ///         Also if the scenes of the moments need more than `most_bytes`; and as Cycle does.
+  /// Throws  InputError if an objective is no figure, if a mount names no link of the machine, or
+  ///         if a sensor has the name of a kept one. Also if a zone has no place in the air. Also
+  ///         if the kept sensors alone, or every layout with at least one lidar or camera, violate
+  ///         the limits. Also if the scenes of the moments need more than `most_bytes`; and as
+  ///         Cycle does.
   Appraisal(const LayoutSearch& search, const LayoutStudy& study, const Cycle& cycle, int threads,
             std::int64_t most_bytes = HalfOfMemory());
 
-  /// Half of this computer's memory.
   static std::int64_t HalfOfMemory();
 
   Appraised Of(const Genes& genes) const { return Of(Laid(genes)); }

@@ -14,7 +14,6 @@ struct FoundLayout {
   std::vector<double> objectives;  ///< as in Appraised
 };
 
-/// Result of a search.
 struct OptimiseResult {
   std::vector<FoundLayout> front;     ///< sorted by the first objective
   std::optional<FoundLayout> greedy;  ///< empty if it violates the limits

@@ -45,12 +45,12 @@ struct Look {
 /// Model   a target is seen if it passes four tests:
 ///         1. In view: the viewer has samples in its direction, and its surface faces the viewer.
 ///         2. In reach: its distance is within the viewer's limits for the target's reflectance
-///         times the cosine of incidence. If distances are required, the measuring limits apply
-///         too. Distances follow the sensor's convention (ViewField::DistanceOf).
+///            times the cosine of incidence. If distances are required, the measuring limits apply
+///            too. Distances follow the sensor's convention (ViewField::DistanceOf).
 ///         3. Dense enough: samples per steradian times cosine over squared range reach
-///         `least_per_m2`.
+///            `least_per_m2`.
 ///         4. Free line of sight. Glass does not block it if distances are not required and the
-///         viewer sees through glass.
+///            viewer sees through glass.
 /// Omits   the target's size: the samples at its centre hold for the whole target, which is seen
 ///         completely or not at all.
 std::vector<Look> LookFrom(const Viewer& viewer, std::span<const Target> targets,

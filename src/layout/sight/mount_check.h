@@ -18,10 +18,10 @@ struct BuriedMount {
 /// Finds viewers that are mounted inside the machine that carries them.
 ///
 /// Model   rays leave the mount in 100 directions, uniform over the sphere. For each part, the
-///         exits and the entries along a ray are counted. They differ if the ray starts inside a
-///         closed surface, or inside a union of closed surfaces. A mount is inside a part if they
-///         differ in more than half of the directions and the mount is at least 1 cm from the
-///         part's surface. A mount on the surface thus does not count.
+///         exits and the entries along a ray are counted. The two numbers differ if the ray starts
+///         inside a closed surface, or inside a union of closed surfaces. A mount is inside a part
+///         if they differ in more than half of the directions. The mount must also be at least 1 cm
+///         from the part's surface, so that a mount on the surface does not count.
 /// Omits   the sensor's own body: it may cut the machine although the mount is outside. Parts with
 ///         open surfaces, which have no inside. A cab counts as hollow.
 class MountCheck {

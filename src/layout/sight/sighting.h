@@ -44,7 +44,6 @@ class Sighting {
 
   void Show(const Instant& now, const TerrainSurface& ground);
 
-  /// A line of sight.
   struct Line {
     Vec3 from_W_m, to_W_m;
     bool through_glass = false;

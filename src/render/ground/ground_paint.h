@@ -12,8 +12,8 @@ namespace tera {
 /// Frames  W. Vertex (i, j) lies at low_W_m + cell_m (i, j). Outside the grid the values of its
 ///         border apply.
 /// Model   initial albedo and height, bilinear between vertices. Undisturbed ground has the colour
-///         of the image. It blends into the soil's own colour as the ground loosens, and as its
-///         height departs from the initial height by 2 cm (no blend) to 6 cm (full blend).
+///         of the image. It blends into the soil's own colour as the ground loosens. It also blends
+///         as the height departs from the initial height: not at all at 2 cm, completely at 6 cm.
 /// Omits   the reflectance for lidars, which remains that of the soil.
 struct GroundPaint {
   Vec2 low_W_m = Vec2::Zero();

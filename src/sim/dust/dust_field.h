@@ -60,7 +60,7 @@ class DustField {
 
   /// Adds dust within a ball around a point.
   void Emit(const Vec3& centre_W_m, double radius_m, const DustMass& mass_kg);
-  /// Advances by `dt_s`. `gust_W_mps` adds to the wind of all layers.
+  /// `gust_W_mps` adds to the wind of all layers.
   void Advance(double dt_s, const Vec2& gust_W_mps = Vec2::Zero());
 
   const DustGrid& grid() const { return grid_; }

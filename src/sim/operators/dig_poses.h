@@ -8,9 +8,9 @@ namespace tera::dig {
 
 // Height above the ground before lowering, in bucket lengths.
 inline constexpr double kClearance = 0.58;
-// Radius of the carried load is smaller than that of the dump place by this.
+// the carried load is nearer to the slew axis than the dump place, by this
 inline constexpr double kCarryInside_m = 1.6;
-// Height of the carried load is greater than that of the dump by this.
+// the carried load is higher than the dump place, by this
 inline constexpr double kCarryAbove_m = 0.2;
 // Pitch of the direction from the bucket's pin to its tip.
 inline constexpr double kEntryPitch_rad = -75 * kDeg;
@@ -18,7 +18,7 @@ inline constexpr double kCutEndPitch_rad = -112 * kDeg;
 inline constexpr double kCarryPitch_rad = -188 * kDeg;
 inline constexpr double kDumpPitch_rad = -60 * kDeg;
 
-/// Length of motion that a cut in a trench spends on sinking to its depth, in place.
+/// Travel that a cut in a trench spends on sinking to its depth before it moves inwards.
 inline constexpr double kPlunge_m = 0.25;
 
 inline double Mix(double a, double b, double s) { return a + (b - a) * s; }

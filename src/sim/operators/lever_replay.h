@@ -26,7 +26,6 @@ struct LeverReplayPlan {
   std::vector<int> lever_of_column;  ///< lever index of each column
 };
 
-/// Replays recorded lever positions.
 class LeverReplay : public Operator {
  public:
   explicit LeverReplay(LeverReplayPlan plan) : plan_(std::move(plan)) {}

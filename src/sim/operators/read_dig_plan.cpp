@@ -13,7 +13,7 @@ namespace {
 constexpr double kMostCycles = 1e6;
 constexpr double kLayer_m = 0.12;  ///< depth of a compact machine's pull along a trench
 constexpr double kPull_mps =
-    0.5;  ///< slow enough for the tip to follow the design within centimetres
+    0.5;  ///< speed of a pull, at which the tip follows the design within centimetres
 constexpr double kClearOfHeap_deg =
     35;  ///< angle from the centre of a heap to its foot, seen from the slew axis
 constexpr double kLeastArm_m = 1e-3;  ///< smallest distance between two pins of the arm

@@ -42,8 +42,8 @@ struct ControlMessage {
 };
 
 /// Describes the fault of a message for this machine; empty if it has none. Faults: a wrong number
-/// of entries, a lever beyond +-1, a number that is not finite, a position beyond the joint's
-/// limits, an unknown frame, an implausibly far target.
+/// of entries; a lever beyond +-1; a number that is not finite; a position beyond the joint's
+/// limits; an unknown frame; an implausibly far target.
 std::optional<std::string> FaultOf(const ControlMessage& message, const MachineModel& model);
 
 /// Operator that an external controller can take over. The scenario's own operator acts until the

@@ -14,7 +14,7 @@ namespace tera {
 struct TrenchPlan {
   Task task;  ///< its trench is set
   SkidSteerLevers tracks;
-  double bucket_m = 0;           ///< width of the bucket
+  double bucket_m = 0;
   double near_m = 0, far_m = 0;  ///< smallest and largest digging radius from the slew axis
 };
 

@@ -10,9 +10,6 @@
 
 namespace tera {
 
-/// Parameters of a drive through waypoints.
-///
-/// Frames  waypoints in W.
 struct WaypointPlan {
   std::vector<Vec2> waypoints_W_m;
   double speed_mps = 0.8;

@@ -115,7 +115,7 @@ struct LiveRun::Impl {
   }
 
   /// Advances by one step. Once per second it flushes the recording, together with the first levers
-  /// of the next step, so that a killed run can be replayed up to that time.
+  /// of the next step. A killed run can thus be replayed up to that time.
   void Step() {
     run->Step();
     if (terrain) terrain->Write(run->simulation().state().t_ns);

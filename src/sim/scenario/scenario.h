@@ -32,10 +32,9 @@ struct ScenarioMachine {
   OperatorPlan driver;
   std::vector<SensorDescription> sensors;
   Tolerances tolerances;  ///< the owner's tolerances, in addition to the built-in ones
-  Wear wear;              ///< of all its parts
+  Wear wear;
 };
 
-/// A point of a moving obstacle's path.
 struct PathPoint {
   double t_s = 0;
   Vec2 xy_W_m = Vec2::Zero();
@@ -81,8 +80,8 @@ struct ScenarioObstacle {
   SemanticClass label = SemanticClass::kRock;
   Visual visual;
   std::vector<CollisionBox> collision;
-  std::optional<SoilBed> bed;           ///< container into which soil can be dumped
-  TippingBed tipping;                   ///< of the bed
+  std::optional<SoilBed> bed;  ///< container into which soil can be dumped
+  TippingBed tipping;
   std::optional<ObstacleMass> dynamic;  ///< empty: no force moves the obstacle
   Vec2 xy_W_m = Vec2::Zero();
   double yaw_rad = 0;

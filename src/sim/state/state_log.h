@@ -45,7 +45,7 @@ class StateLog {
   BlockFileWriter file_;
   PackedSeries series_;
   std::vector<double> rows_;
-  std::size_t count_ = 0;  ///< number of rows
+  std::size_t count_ = 0;
   TerrainTracker tracker_;
   TerrainPacker terrain_;
 };

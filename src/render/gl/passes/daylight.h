@@ -30,7 +30,7 @@ class Daylight {
  private:
   Sky sky_;
   float scene_exposure_;
-  float exposure_;  ///< in 1 / (cd/m^2)
+  float exposure_;
   float extinction_1pm_;
   GlObject texture_;
 };
