@@ -69,7 +69,7 @@ std::optional<std::string> DoubtOfLever(const MachineModel& model, const Lever& 
   if (lever.joint >= 0) {
     const Joint& joint = model.joints[static_cast<std::size_t>(lever.joint)];
     if (joint.lower_rad == joint.upper_rad && joint.type != JointType::kContinuous) {
-      return std::nullopt;  // DoubtOfLimits already reports its limits
+      return std::nullopt;  // DoubtOfLimits already reports this joint
     }
     rate = std::max(joint.max_rate_positive_radps, joint.max_rate_negative_radps);
     effort = joint.max_effort_nm;

@@ -43,13 +43,13 @@ std::vector<std::string> DoubtsOf(const ScenarioMachine& machine, const SceneMod
 ///         - A revolute joint needs more than a fifth of a second for its whole range.
 ///         - A joint can hold its load against gravity at the start.
 ///         - A driven joint without limits and with a horizontal axis turns less than half of the
-///         mass. (A slew axis in the wrong direction would turn more.)
+///           mass. (A slew axis in the wrong direction would turn more.)
 ///         - The joint or running gear of a lever has a rate and an effort.
 ///         - Running gear reaches at most 30 m/s and extends below the boxes of its link. Gear
-///         named "left" is on the left. The gears are about the gauge apart.
+///           named "left" is on the left. The gears are about the gauge apart.
 ///         - A shovel's capacity is at most ten times the volume that its profile and width
-///         enclose. The profile of a bucket begins at the end far from the pin, that of a blade at
-///         the lower end.
+///           enclose. The profile of a bucket begins at the end far from the pin, that of a blade
+///           at the lower end.
 std::vector<std::string> DrivesInDoubt(const MachinePlacement& placement);
 
 /// Warnings about positions: machines or obstacles off the site; a machine that overlaps another

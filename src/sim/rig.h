@@ -37,7 +37,7 @@ class Rig {
   /// Takes all samples that fall due in the step, its end included.
   void Sample(const WorldStep& step);
   /// Writes pending pictures and inertial samples of the last step. `step` is the step that
-  /// follows; no other sensor samples it.
+  /// follows; nothing else is sampled in it.
   void Finish(const WorldStep& step);
 
   /// Wall-clock time for which the run waited for pictures.

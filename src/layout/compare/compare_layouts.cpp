@@ -91,15 +91,14 @@ Difference::Verdict Difference::verdict() const {
 std::vector<Difference> Compare(const LayoutReport& first, const LayoutReport& other,
                                 double block_s) {
   if (first.cycle == other.cycle && first.asked_sha256 != other.asked_sha256) {
-    throw InputError(fmt::format(
-        "'{}' and '{}' were asked other things of {}, or it was another scenario then; evaluate "
-        "both with one study over one cycle",
-        first.name, other.name, first.cycle));
+    throw InputError(
+        fmt::format("'{}' and '{}' have different studies or scenarios of {}; evaluate both with "
+                    "one study over one cycle",
+                    first.name, other.name, first.cycle));
   }
   if (first.cycle != other.cycle || first.t_s != other.t_s) {
     throw InputError(fmt::format(
-        "'{}' and '{}' were not looked at over the same moments of one cycle ({} and {}); evaluate "
-        "both over one",
+        "'{}' and '{}' cover different moments or cycles ({} and {}); evaluate both over one cycle",
         first.name, other.name, first.cycle, other.cycle));
   }
   const std::size_t n = first.t_s.size();

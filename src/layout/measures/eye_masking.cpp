@@ -265,8 +265,8 @@ std::vector<std::string> EyeMasking::Warnings() const {
     if (!eye_.most_masking_m || worst == widest_m.end() || *worst <= *eye_.most_masking_m) return;
     const Masking& masking = *WidestOf(record.maskings[worst - widest_m.begin()]);
     warnings.push_back(fmt::format(
-        "eye: on the {}, {} mask{} {:.2f} m at azimuth {:.0f} deg; the study allows {:g} m "
-        "(most_masking_m): move the eye or what masks, or let a sensor look there",
+        "eye: on the {}, {} mask{} {:.2f} m at azimuth {:.0f} deg, more than the study allows "
+        "({:g} m, most_masking_m); move the eye or the masking part, or point a sensor there",
         name, fmt::join(masking.by, ", "), masking.by.size() == 1 ? "s" : "", masking.width_m,
         masking.azimuth_rad / kDeg, *eye_.most_masking_m));
   };

@@ -350,8 +350,8 @@ std::vector<std::string> JointInformation::Warnings() const {
   }
   if (unknown.empty()) return {};
   return {
-      fmt::format("state/: no inertial unit, encoder or antenna observes {}; in brackets the "
-                  "deviation of something anywhere in its travel",
+      fmt::format("state/: no inertial unit, encoder or antenna observes {}; the brackets give the "
+                  "deviation of a uniform distribution over the travel",
                   fmt::join(unknown, ", "))};
 }
 

@@ -108,14 +108,13 @@ std::vector<PolarCurve> PixelDensity::Curves() const {
   std::vector<PolarCurve> curves;
   for (std::size_t purpose = 0; purpose < kPurposeCount; ++purpose) {
     const auto& [name, px_per_m] = kPurposes[purpose];
-    PolarCurve curve{
-        .id = {Measure::kPixelCurve, name},
-        .title =
-            fmt::format("Farthest place at which cameras {} a person, nearer or not, in m: {} px/m",
-                        name, px_per_m),
-        .most = PolarGrid::kRings * PolarGrid::kRing_m,
-        .mean = {},
-        .worst = {}};
+    PolarCurve curve{.id = {Measure::kPixelCurve, name},
+                     .title = fmt::format("Farthest place at which cameras {} a person, in m, at "
+                                          "{} px/m; gaps before it are possible",
+                                          name, px_per_m),
+                     .most = PolarGrid::kRings * PolarGrid::kRing_m,
+                     .mean = {},
+                     .worst = {}};
     for (const std::vector<double>& at_m : farthest_m_[purpose]) {
       const double sum_m = std::accumulate(at_m.begin(), at_m.end(), 0.0);
       curve.mean.push_back(sum_m / static_cast<double>(at_m.size()));

@@ -120,11 +120,11 @@ void Appraisal::RequireRoom(std::int64_t most_bytes) const {
   throw InputError(
       PlaceOr(search_.place, "moments"),
       {FaultKind::kOutOfRange,
-       fmt::format(
-           "{} of this cycle take {:.2g} GB of memory, of which {:.2g} GB may be used; need "
-           "about {:.0f}, or a smaller site",
-           search_.moments, all_bytes / kBytesPerGB, static_cast<double>(most_bytes) / kBytesPerGB,
-           std::floor(static_cast<double>(most_bytes) / all_bytes * search_.moments))});
+       fmt::format("{} moments of this cycle take {:.2g} GB of memory, but {:.2g} GB may be used; "
+                   "need about {:.0f} moments, or a smaller site",
+                   search_.moments, all_bytes / kBytesPerGB,
+                   static_cast<double>(most_bytes) / kBytesPerGB,
+                   std::floor(static_cast<double>(most_bytes) / all_bytes * search_.moments))});
 }
 
 void Appraisal::RequirePlaces() const {
@@ -134,7 +134,7 @@ void Appraisal::RequirePlaces() const {
       throw InputError(
           PlaceOr(slot.place, "sensors"),
           {FaultKind::kRepeated,
-           fmt::format("'{}' is the name of a sensor that is kept; need another", slot.name)});
+           fmt::format("'{}' is already the name of a kept sensor; need another name", slot.name)});
     }
     for (const MountBounds& mount : slot.mounts) {
       if (model().LinkIndex(mount.link) >= 0) continue;
@@ -143,7 +143,7 @@ void Appraisal::RequirePlaces() const {
       throw InputError(
           PlaceOr(mount.place, "sensors"),
           {FaultKind::kNoSuchName,
-           fmt::format("'{}' is mounted on '{}', which the machine has not; its links are {}",
+           fmt::format("'{}' is mounted on the unknown link '{}'; the machine's links are {}",
                        slot.name, mount.link, fmt::join(links, ", "))});
     }
   }
@@ -160,11 +160,11 @@ void Appraisal::RequireFigures() {
     std::string found = fmt::format("there is no figure '{}'{}", objective.figure,
                                     DidYouMean(objective.figure, names));
     if (id && SubjectOf(id->measure) == Subject::kEye) {
-      found = fmt::format("'{}' is what the machine hides from an eye, which no layout changes",
+      found = fmt::format("'{}' measures masking of the operator's eye, which no layout changes",
                           objective.figure);
     } else if (id && SubjectOf(id->measure) == Subject::kState) {
       found = fmt::format(
-          "'{}' is what inertial units, encoders and antennas tell, which no search places",
+          "'{}' depends on inertial units, encoders and antennas, which no search places",
           objective.figure);
     }
     throw InputError(PlaceOr(objective.place, "objectives"),
@@ -174,9 +174,8 @@ void Appraisal::RequireFigures() {
 
 void Appraisal::RequireWithinLimits() const {
   if (Beyond(LayoutOfSensors(kept_, model())) <= 0) return;
-  throw InputError(
-      PlaceOr(search_.limits.place, "limits"),
-      "the sensors that are kept are beyond them already; raise a limit or keep fewer");
+  throw InputError(PlaceOr(search_.limits.place, "limits"),
+                   "the kept sensors already exceed them; raise a limit or keep fewer sensors");
 }
 
 /// Smallest possible `name` of a layout that has all mandatory sensors and at least one lidar or
@@ -208,12 +207,10 @@ void Appraisal::RequireReachable() const {
   for (const char* name : kTaken) {
     const std::optional<double> most = MostOf(search_.limits, name);
     if (!most || LeastTaken(name) <= *most) continue;
-    throw InputError(
-        PlaceOr(search_.limits.place, "limits"),
-        fmt::format(
-            "{} {:.6g}: no layout is within it: with all sensors that are not optional, and one at "
-            "least that sees, it takes {:.6g}; raise it, or let sensors be optional",
-            name, *most, LeastTaken(name)));
+    throw InputError(PlaceOr(search_.limits.place, "limits"),
+                     fmt::format("{} {:.6g} is too low: the mandatory sensors with at least one "
+                                 "lidar or camera need {:.6g}; raise it, or make sensors optional",
+                                 name, *most, LeastTaken(name)));
   }
 }
 
@@ -260,9 +257,8 @@ std::vector<std::string> Appraisal::Warnings() const {
       const std::optional<std::string> part = PartAround(slot, mount);
       if (!part) continue;
       warnings.push_back(
-          fmt::format("{}: a mount of '{}' lies inside {} wherever within its bounds it is put, "
-                      "and sees nothing "
-                      "but that; need bounds in the air",
+          fmt::format("{}: a mount of '{}' lies inside {} everywhere within its bounds and sees "
+                      "nothing else; need bounds in free air",
                       PlaceOr(mount.place, "sensors"), slot.name, *part));
     }
   }

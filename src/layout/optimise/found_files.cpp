@@ -123,14 +123,12 @@ std::string Scatter(const LayoutSearch& search, const OptimiseResult& result) {
 }
 
 std::string SearchPage(const LayoutSearch& search, const OptimiseResult& result) {
-  std::string html =
-      PageBegin("Sensor layouts found") + "<h1>Which layouts are worth having?</h1>\n";
+  std::string html = PageBegin("Sensor layouts found") + "<h1>Layouts on the Pareto front</h1>\n";
   html += fmt::format(
-      "<p class=\"answer\">{} of which no other is better in everything that was asked.</p>\n"
-      "<p class=\"soft\">Each is a rig file in front/, which tera generate and tera layout "
-      "evaluate "
-      "take as it is. Objectives are over the {} moments of the search; evaluate a layout for more "
-      "moments, places and errors.</p>\n",
+      "<p class=\"answer\">{} on the front: no other layout is better in every objective.</p>\n<p "
+      "class=\"soft\">Each layout is a rig file in front/ for tera generate and tera layout "
+      "evaluate. Objectives cover the {} moments of the search. Evaluate a layout for more "
+      "moments, more places and sampling errors.</p>\n",
       LayoutCount(result.front.size()), search.moments);
   for (const std::string& warning : result.warnings) {
     html += fmt::format("<p class=\"warning\">{}</p>\n", Escaped(warning));
@@ -176,7 +174,7 @@ std::vector<double> ShownValues(const std::vector<double>& objectives,
 void WriteFound(const LayoutSearch& search, const std::vector<double>& signs,
                 const OptimiseResult& found, const std::vector<double>& hypervolume,
                 const fs::path& folder) {
-  OptimiseResult result = found;  // with objectives as figure values
+  OptimiseResult result = found;  // a copy whose objectives are values of figures
   for (FoundLayout& layout : result.front)
     layout.objectives = ShownValues(layout.objectives, signs);
   if (result.greedy) {

@@ -35,7 +35,7 @@ constexpr int kWorstOf = 10;      ///< for SearchStart::kWorst: random layouts d
 constexpr double kNotAllowed = 1e9;  ///< exceeds every objective of an allowed layout
 /// Margin of the reference point beyond the worst initial value, as a share of the spread.
 constexpr double kCornerBeyond = 0.1;
-constexpr double kLeastSpread = 1e-6;  ///< for an objective whose initial values are all equal
+constexpr double kLeastSpread = 1e-6;  ///< lower bound on the spread, for equal initial values
 // Parameters that NSGA-II's authors use. On average, mutation changes two genes.
 constexpr double kCrossover = 0.95, kCrossoverIndex = 10, kMutationIndex = 20;
 
@@ -161,8 +161,8 @@ SearchState Begin(const LayoutSearch& search, const Appraisal& appraisal, std::s
   if (is_worst) KeepWorst(static_cast<std::size_t>(count), &state);
   if (std::none_of(state.fitness.begin(), state.fitness.end(), IsAllowed)) {
     throw InputError("limits",
-                     "none of the layouts that were tried at first is within them; raise them, let "
-                     "sensors be optional, or try more: a larger population");
+                     "no layout of the first population keeps them; raise them, make sensors "
+                     "optional, or choose a larger population");
   }
   state.corner = CornerOf(state.fitness);
   state.hypervolume.push_back(HypervolumeOf(state));
@@ -235,18 +235,18 @@ std::string DigestOf(const LayoutSearch& search, const std::string& search_text,
 void RequireRoom(const fs::path& out, bool resume) {
   std::error_code ignored;
   if (resume && fs::exists(out / kFrontName, ignored)) {
-    throw InputError(out.string(),
-                     {FaultKind::kUnwritable,
-                      fmt::format("holds a search that came to its end: there is nothing to go on "
-                                  "with; look at {}, or choose another place for another search",
-                                  (out / "search.html").string())});
+    throw InputError(out.string(), {FaultKind::kUnwritable,
+                                    fmt::format("holds a finished search, which cannot be resumed; "
+                                                "look at {}, or choose another folder",
+                                                (out / "search.html").string())});
   }
   RequireNothingAt(out);
   const fs::path beside = IncompleteOf(out);
   if (resume || !HoldsSomething(beside)) return;
-  throw InputError(beside.string(), {FaultKind::kUnwritable,
-                                     "holds a search that was stopped; go on with it by the same "
-                                     "command and --resume, or delete it"});
+  throw InputError(
+      beside.string(),
+      {FaultKind::kUnwritable,
+       "holds an interrupted search; resume it by the same command with --resume, or delete it"});
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TypeChoice ReadType(const ConfigMap& config) {
                               power_w = config.OptionalNumber("power_w", AtLeast(0, "W"));
   if (type.preset.empty()) return type;  // File has reported the fault
   if (!IsOfWhatSees(type.preset)) {
-    config.Fault("preset", "is no sensor that sees; need a lidar or camera");
+    config.Fault("preset", "is neither a lidar nor a camera; need one of them");
     return type;
   }
   Config sensor = Config::FromText(
@@ -58,8 +58,8 @@ TypeChoice ReadType(const ConfigMap& config) {
   sensor.Finish();
   if (ViewOf(type.sensor)->is_flat) {
     config.Fault("preset",
-                 "is a lidar whose beams have one elevation, of which no figure knows "
-                 "what it sees; need beams at several");
+                 "is a lidar whose beams all have one elevation, which no figure evaluates; need "
+                 "beams at several elevations");
   }
   if (cost) type.sensor.cost = *cost;
   if (power_w) type.sensor.power_w = *power_w;

@@ -78,10 +78,10 @@ void MountCheck::Keep(const BuriedMount& found) {
 std::vector<std::string> MountCheck::Warnings() const {
   std::vector<std::string> warnings;
   for (const BuriedMount& mount : buried_) {
-    warnings.push_back(fmt::format(
-        "{}: its mount lies {:.2f} m inside {}, and it sees nothing but that; need a place in the "
-        "air: move the sensor's xyz_m, or mend the mesh",
-        mount.viewer, mount.depth_m, mount.part));
+    warnings.push_back(
+        fmt::format("{}: its mount lies {:.2f} m inside {}, and it sees nothing else; move its "
+                    "xyz_m into free air, or correct the mesh",
+                    mount.viewer, mount.depth_m, mount.part));
   }
   return warnings;
 }

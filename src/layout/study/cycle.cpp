@@ -29,8 +29,8 @@ Cycle::Cycle(const fs::path& dataset_or_scenario, std::vector<std::string> moved
   if (!fs::exists(dataset_or_scenario, ignored)) {
     throw InputError(dataset_or_scenario.string(),
                      {FaultKind::kNoSuchName,
-                      "there is no such dataset or scenario; need the folder of a dataset that "
-                      "`tera generate --keep-state` wrote, or a scenario's file (YAML)"});
+                      "no such dataset or scenario; need the folder of a dataset that `tera "
+                      "generate --keep-state` wrote, or a scenario file (YAML)"});
   }
   if (!fs::is_directory(dataset_or_scenario, ignored)) {
     scenario_file_ = dataset_or_scenario;
@@ -47,7 +47,7 @@ void RequireRigFile(const fs::path& file) {
   if (fs::is_regular_file(file, ignored)) return;
   throw InputError(file.string(),
                    {FaultKind::kUnreadable,
-                    fmt::format("{}; need a rig's file (YAML)",
+                    fmt::format("{}; need a rig file (YAML)",
                                 fs::is_directory(file, ignored) ? "is a folder" : "no such file")});
 }
 

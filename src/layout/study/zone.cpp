@@ -41,8 +41,8 @@ std::string OutlineFault(const std::vector<Vec2>& corners_m) {
     return "its corners lie on one line and enclose nothing; need corners around a region";
   }
   return fmt::format(
-      "its corners enclose next to nothing: {:.2g} m2, {:.2g} % of the rectangle around them; need "
-      "{:g} % of that at least",
+      "its corners enclose too little: {:.2g} m2, {:.2g} % of the rectangle around them; need at "
+      "least {:g} %",
       area_m2, kPercent * area_m2 / around_m2, kPercent * kLeastFilled);
 }
 

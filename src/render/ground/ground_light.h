@@ -57,7 +57,7 @@ class HeightTexels {
   std::vector<float> height_m_;
 };
 
-/// Distance from a texel within which ground occludes its sky.
+/// Radius around a texel within which ground occludes the sky.
 inline constexpr double kOcclusionReach_m = 1.0;
 
 /// Fraction of the sky's light that the surrounding ground leaves at a texel, in [0, 1].

@@ -157,7 +157,8 @@ std::optional<TrenchCut> TrenchWork::NextCut(const TerrainSurface& ground, doubl
       const double station_m = axis_station_m - r_m;
       above_m.push_back(GroundAt(ground, station_m, offset_m) - DesignAt(station_m, offset_m));
     }
-    // Soil nearer than this is cut at the end of a pull, or from the next stand if there is one.
+    // No pull starts within kLeastCut_m of the smallest radius if there is a next stand. The soil
+    // there is cut at the end of a longer pull, or from that stand.
     const auto least = static_cast<std::size_t>(kLeastCut_m / kStep_m);
     const std::size_t nearest = above_m.size() - std::min(above_m.size(), least);
     const std::size_t ends = NextStand(axis_station_m) ? nearest : above_m.size();

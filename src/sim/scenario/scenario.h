@@ -104,7 +104,7 @@ struct Scenario {
   SiteOrigin origin;
   Environment environment;
   std::shared_ptr<const Site> site;  ///< includes ground that effects of the machines raise
-  std::shared_ptr<const SiteMesh> site_mesh;  ///< may be null
+  std::shared_ptr<const SiteMesh> site_mesh;  ///< null without the key `environment.mesh`
   std::vector<ScenarioMachine> machines;
   std::vector<ScenarioObstacle> obstacles;
   std::vector<Sling> slings;

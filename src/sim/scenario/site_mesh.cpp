@@ -32,7 +32,8 @@ void Place(const Placement& X_WG, Mesh* mesh) {
   }
 }
 
-/// A node of the file in W; the whole file if no node is named. Nothing after a fault at `key`.
+/// Loads a node of the file, in W; the whole file if no node is named. Returns nothing after a
+/// fault at `key`.
 std::optional<Mesh> Load(const ConfigMap& config, std::string_view key,
                          const std::filesystem::path& file, const std::string& node,
                          const Placement& X_WG, SiteMesh* site) {

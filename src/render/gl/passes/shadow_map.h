@@ -28,7 +28,7 @@ class ShadowMap {
     int left_px, side_px;         ///< square of this image in the texture
     Eigen::AlignedBox3d box_L_m;  ///< volume that the image shows
   };
-  /// Cached shadows of the static nodes, for images of these two boxes.
+  /// Cached shadows of the static nodes, for a fine and a coarse image of these volumes.
   struct Standing {
     Eigen::AlignedBox3d near_box_L_m, far_box_L_m;
     GlObject texture, framebuffer;
