@@ -26,7 +26,9 @@ void AddCampaignCommand(CLI::App* app) {
 void AddDiagnoseCommand(CLI::App* app) {
   AddLeftOut("diagnose", "Find why a recording differs from its simulation", app);
 }
-void AddLayoutCommand(CLI::App* app) { AddLeftOut("layout", "Where should the sensors go?", app); }
+void AddLayoutCommand(CLI::App* app) {
+  AddLeftOut("layout", "Evaluate, compare and search sensor layouts", app);
+}
 void AddRegisterCommand(CLI::App* app) { AddLeftOut("register", "Align two clouds", app); }
 void AddResenseCommand(CLI::App* app) {
   AddLeftOut("resense", "Measure a recorded scene with another rig", app);
