@@ -59,10 +59,10 @@ void CheckInstance(LintJob* job, const PictureSet& set, const ObjectBox& box, bo
   const auto find = [&](const std::string& what) {
     job->Find("boxes.instance", set.camera, set.In(kFolder, NameOfBox(box) + " " + what));
   };
-  if (!is_new) find("is there twice");
+  if (!is_new) find("appears twice");
   const DatasetInfo::Instance* listed = job->InstanceOf(box.instance);
   if (listed == nullptr) {
-    find("is of no instance that dataset.yaml lists");
+    find("has no instance in dataset.yaml");
     return;
   }
   if (box.name != listed->name) find(fmt::format("should be of '{}'", listed->name));

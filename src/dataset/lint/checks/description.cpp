@@ -46,16 +46,16 @@ void CheckInstances(LintJob* job) {
         {kDescription, 0, fmt::format("instance {} ({}) {}", instance.id, instance.name, what)});
   };
   for (const DatasetInfo::Instance& instance : instances) {
-    if (instance.id == 0) find(instance, "has the id that means none");
-    if (!seen.insert(instance.id).second) find(instance, "has the id of another");
+    if (instance.id == 0) find(instance, "has the id 0, which means no instance");
+    if (!seen.insert(instance.id).second) find(instance, "has the id of another instance");
     if (!classes.contains(instance.label)) {
-      find(instance, fmt::format("is of class '{}', which is not listed", instance.label));
+      find(instance, fmt::format("has the class '{}', which is not listed", instance.label));
     }
     const bool has_parent = instance.parent == 0 || (instance.parent != instance.id &&
                                                      job->InstanceOf(instance.parent) != nullptr);
     if (!has_parent)
       find(instance,
-           fmt::format("is part of {}, which is not another of the list", instance.parent));
+           fmt::format("has the parent {}, which is not another listed instance", instance.parent));
   }
 }
 
@@ -66,10 +66,10 @@ void CheckEpoch(LintJob* job) {
   if (!epoch) return;
   job->Applies("dataset.epoch");
   if (epoch->since_1970_ns >= kYear1990_ns) return;
-  job->Find("dataset.epoch", "",
-            {kDescription, 0,
-             fmt::format("the epoch is {:.0f} s after the beginning of 1970",
-                         ToSeconds(epoch->since_1970_ns))});
+  job->Find(
+      "dataset.epoch", "",
+      {kDescription, 0,
+       fmt::format("the epoch is {:.0f} s after 1970-01-01", ToSeconds(epoch->since_1970_ns))});
 }
 
 }  // namespace

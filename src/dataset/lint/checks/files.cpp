@@ -41,7 +41,7 @@ void CheckRowFile(LintJob* job, const std::string& channel) {
   const std::string file = job->RowsOf(channel);
   std::error_code ignored;
   if (fs::is_regular_file(job->Path(file), ignored)) return;
-  job->Find("files.missing", channel, {file, 0, "is not there, though dataset.yaml lists it"});
+  job->Find("files.missing", channel, {file, 0, "is missing, but dataset.yaml lists it"});
   job->LeaveOut(channel);
 }
 
@@ -70,7 +70,7 @@ void CompareFrames(LintJob* job, const std::string& channel, const FrameFolder& 
   for (const std::string& name : left) {
     job->Find("files.extra", channel,
               {fmt::format("{}/{}/{}", channel, folder.name, name), 0,
-               "is of no frame that data.csv names"});
+               "belongs to no frame that data.csv lists"});
   }
 }
 
@@ -134,10 +134,11 @@ void CheckUnknown(LintJob* job) {
     const std::string name = entry->path().lexically_relative(root).generic_string();
     if (!entry->is_directory()) {
       const std::string folder = fs::path(name).parent_path().string();
-      if (!known.HasFile(name) && folder != kTerrainFolder) find(name, "is no file of the format");
+      if (!known.HasFile(name) && folder != kTerrainFolder)
+        find(name, "is not a file of the format");
       continue;
     }
-    if (!known.HasFolder(name)) find(name, "is no folder of the format or of a listed channel");
+    if (!known.HasFolder(name)) find(name, "is not a folder of the format or of a listed channel");
     if (!known.HasFolder(name) || known.IsHeldElsewhere(name) || name == kTerrainFolder) {
       entry.disable_recursion_pending();
     }

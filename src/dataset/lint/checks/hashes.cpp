@@ -54,14 +54,14 @@ void CheckLine(LintJob* job, const std::string& text, int line, std::set<std::st
   const bool has_form = text.size() > kDigits + kBetween.size() &&
                         text.compare(kDigits, kBetween.size(), kBetween) == 0;
   if (!has_form) {
-    find(kFrameHashesName, line, "is no line of digest and name");
+    find(kFrameHashesName, line, "is not a line of digest and name");
     return;
   }
   const std::string file = text.substr(kDigits + kBetween.size());
   unlisted->erase(file);
   std::error_code ignored;
   if (!fs::is_regular_file(job->Path(file), ignored)) {
-    find(kFrameHashesName, line, fmt::format("{} is not there", file));
+    find(kFrameHashesName, line, fmt::format("{} is missing", file));
     return;
   }
   const std::string found = DigestOf(job->Path(file)).sha256;

@@ -129,7 +129,8 @@ void CheckTurns(LintJob* job, const std::string& channel, const ScannedTable& ta
   if (ratio < kMostRatio && ratio > 1 / kMostRatio) return;
   job->Find(
       "imu.rates", channel,
-      {file, 0, fmt::format("turns {:.4g} times as far as its machine, in the median", ratio)});
+      {file, 0,
+       fmt::format("the unit turns {:.4g} times as far as its machine, in the median", ratio)});
 }
 
 double MostSpeed(const std::vector<PoseRow>& poses) {

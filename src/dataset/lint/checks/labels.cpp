@@ -54,9 +54,8 @@ void CheckPanoptic(LintJob* job, const PictureSet& set) {
   const std::int64_t instances = std::max(count(1, frame.instance, 0), count(2, frame.instance, 8));
   const auto find = [&](std::int64_t differing, std::string_view of) {
     if (differing == 0) return;
-    job->Find(
-        "pictures.agree", set.camera,
-        set.In("panoptic", fmt::format("{} pixels have not the number of {}/", differing, of)));
+    job->Find("pictures.agree", set.camera,
+              set.In("panoptic", fmt::format("{} pixels differ from {}/", differing, of)));
   };
   find(classes, "semantic");
   find(instances, "instance");
@@ -78,7 +77,7 @@ void CheckAgreement(LintJob* job, const PictureSet& set) {
     if (name == listed->label) continue;
     job->Find(
         "pictures.agree", set.camera,
-        set.In("semantic", fmt::format("{} pixels are {} and of instance {} ({}), which is {}",
+        set.In("semantic", fmt::format("{} pixels have class {} but instance {} ({}) of class {}",
                                        count, name, listed->id, listed->name, listed->label)));
   }
 }

@@ -130,7 +130,7 @@ void CheckGround(LintJob* job, const std::string& channel, const ScannedTable& t
   }
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     if (!IsFall(table.rows, i)) continue;
-    find(table.rows[i], fmt::format("falls freely for {} s from here on", ToSeconds(kFall_ns)));
+    find(table.rows[i], fmt::format("falls freely for {} s from this row", ToSeconds(kFall_ns)));
     return;
   }
 }

@@ -80,8 +80,8 @@ void CheckPlace(LintJob* job, const std::string& channel, const ScannedTable& ta
   if (median_m <= 0) return;
   job->Find("gnss.pose", channel,
             {job->RowsOf(channel), 0,
-             fmt::format("lies {:.4g} m beyond what its noise and the machine's reach explain, in "
-                         "the median",
+             fmt::format("the distance from the pose exceeds noise and the machine's reach by "
+                         "{:.4g} m, in the median",
                          median_m)});
 }
 

@@ -40,7 +40,7 @@ void CheckValues(const ScanPlace& place, const std::vector<LidarPoint>& points, 
   };
   find(endless, "have coordinates that are not finite");
   find(bright, "have intensities beyond 0 to 1");
-  find(late, "are later than the revolution lasts");
+  find(late, "have times after the end of the revolution");
 }
 
 void CheckPointLabels(const ScanPlace& place, const std::vector<LidarPoint>& points) {
@@ -62,7 +62,7 @@ void CheckPointLabels(const ScanPlace& place, const std::vector<LidarPoint>& poi
     place.Find("scans.instances",
                listed == nullptr
                    ? fmt::format("{} points of instance {}", count, instance)
-                   : fmt::format("{} points are {} and of instance {} ({}), which is {}", count,
+                   : fmt::format("{} points have class {} but instance {} ({}) of class {}", count,
                                  name, instance, listed->name, listed->label));
   }
 }

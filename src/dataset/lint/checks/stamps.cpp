@@ -47,7 +47,7 @@ bool CheckRate(LintJob* job, const std::string& channel, double rate_hz, TimeNs 
   if (std::abs(found_hz - rate_hz) <= kRateTolerance * rate_hz) return true;
   job->Find("stamps.rate", channel,
             {job->RowsOf(channel), 0,
-             fmt::format("the median interval is that of {:.4g} Hz, sensor.yaml says {:.4g} Hz",
+             fmt::format("the median interval gives {:.4g} Hz, sensor.yaml gives {:.4g} Hz",
                          found_hz, rate_hz)});
   return false;
 }

@@ -30,7 +30,7 @@ void CheckSky(LintJob* job, const PictureSet& set, std::string_view folder,
   }
   if (wrong == 0) return;
   job->Find("pictures.depth", set.camera,
-            set.In(folder, fmt::format("{} pixels of the sky are somewhere", wrong)));
+            set.In(folder, fmt::format("{} sky pixels have a depth or distance", wrong)));
 }
 
 void CheckDistance(LintJob* job, const PictureSet& set) {
@@ -44,9 +44,9 @@ void CheckDistance(LintJob* job, const PictureSet& set) {
     behind += depth > distance + kRounding_mm ? 1 : 0;
   }
   if (static_cast<double>(behind) <= kMostBehind * static_cast<double>(both)) return;
-  job->Find("pictures.depth", set.camera,
-            set.In("depth",
-                   fmt::format("{} of {} pixels are deeper than they are distant", behind, both)));
+  job->Find(
+      "pictures.depth", set.camera,
+      set.In("depth", fmt::format("{} of {} pixels have more depth than distance", behind, both)));
 }
 
 void CheckNormals(LintJob* job, const PictureSet& set) {
@@ -72,7 +72,7 @@ void CheckFlow(LintJob* job, const PictureSet& set, std::string_view folder,
   const auto moves = [](std::uint16_t value) { return value != 0; };
   if (set.is_first && std::any_of(flow.data.begin(), flow.data.end(), moves)) {
     job->Find("pictures.flow", set.camera,
-              set.In(folder, "the first picture has flow, though none is before it"));
+              set.In(folder, "the first picture has flow, but no picture precedes it"));
   }
   if (!has_states) return;
   std::int64_t wrong = 0;
@@ -80,7 +80,7 @@ void CheckFlow(LintJob* job, const PictureSet& set, std::string_view folder,
   if (wrong == 0) return;
   job->Find(
       "pictures.flow", set.camera,
-      set.In(folder, fmt::format("{} pixels have a third value beyond {}", wrong, kLastFlowState)));
+      set.In(folder, fmt::format("{} pixels have a third value above {}", wrong, kLastFlowState)));
 }
 
 }  // namespace

@@ -61,8 +61,7 @@ std::string LintTable(const LintReport& report) {
 }
 
 std::string LintRulesTable() {
-  std::string text =
-      "| rule | severity | what must hold | where it does not |\n| --- | --- | --- | --- |\n";
+  std::string text = "| rule | severity | requirement | remedy |\n| --- | --- | --- | --- |\n";
   for (const LintRule& rule : kLintRules) {
     fmt::format_to(std::back_inserter(text), "| `{}` | {} | {} | {} |\n", rule.id,
                    NameOf(rule.severity), rule.text, rule.remedy);
