@@ -13,8 +13,8 @@ namespace tera {
 /// to skip checks on values of a faulty part.
 std::size_t FaultCount(const ConfigMap& config);
 
-/// A Choice whose value determines the other keys of the mapping. If the choice is faulty, missing
-/// and unknown keys of the mapping are not reported.
+/// A Choice whose value determines the other keys of the mapping. If the choice is faulty, the keys
+/// that the mapping lacks and its unknown keys are not reported.
 std::string ChoiceOfKeys(const ConfigMap& config, std::string_view key,
                          std::initializer_list<std::string_view> allowed);
 /// True if the mapping is unreadable or its ChoiceOfKeys was faulty.

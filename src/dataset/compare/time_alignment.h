@@ -27,9 +27,9 @@ struct TimeAlignment {
 
 /// Aligns the times of `other` to those of `one`.
 ///
-/// Model   Epochs are used if both recordings have one and then have time in common. Otherwise, for
-///         example for drives on different days, time 0 of one recording is aligned with time 0 of
-///         the other.
+/// Model   Epochs align the times if both recordings have an epoch and then overlap in time.
+///         Otherwise, for example for drives on different days, time 0 of one recording is aligned
+///         with time 0 of the other.
 TimeAlignment AlignTimes(const Recording& one, const Recording& other);
 
 /// Common time span in the time of `one`. Returns nullopt if there is none or if the epochs are

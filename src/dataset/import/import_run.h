@@ -80,7 +80,7 @@ std::string ReadPath(const ConfigMap& config, const std::string& ending, Mapping
 class ColumnKeys {
  public:
   /// `makes` is a message type that can form this kind of channel. Standard fields are used only if
-  /// that type has one for `key`.
+  /// this message type has a standard field for `key`.
   ColumnKeys(const ConfigMap& channel, const RowSource& source, std::string_view makes,
              std::string_view key);
 

@@ -23,8 +23,8 @@ struct CandidateLibrary {
   std::string file;
   std::vector<std::string> only;  ///< if not empty, only these mechanisms are candidates
   std::vector<std::string> without;
-  /// Mechanisms with the user's ranges. A mechanism that is not a candidate of a block becomes one
-  /// wherever it can act.
+  /// Mechanisms with the user's ranges. Such a mechanism becomes a candidate of each block in which
+  /// it can act.
   std::vector<std::pair<const Mechanism*, std::vector<NumberRange>>> ranges;
 };
 

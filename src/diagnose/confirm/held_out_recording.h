@@ -25,9 +25,9 @@ struct HeldOutRecording {
 /// Validates findings on one block of a held-out recording. The block is replayed without terms,
 /// and with all findings of the block of the same name.
 ///
-/// Model   nuisances (likelihood.h) are fitted to the held-out recording in both cases, so that
-///         their gain cancels. The noise is estimated with the flexible regressor. RMSE is over all
-///         samples.
+/// Model   nuisance parameters (likelihood.h) are fitted to the held-out recording in both cases,
+///         so that their gain cancels. The noise is estimated with the flexible regressor. RMSE is
+///         over all samples.
 std::vector<HeldOutChannel> ValidateOnBlock(const ReplayBlock& further, const Structure& found,
                                             const Stream& stream);
 

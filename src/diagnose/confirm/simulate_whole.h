@@ -28,8 +28,8 @@ struct SimulatedFindings {
 };
 
 /// Contents of `effects.yaml` for some blocks: named and learned effects. Findings within tolerance
-/// and unconfirmed ones are left out. So are effects of recorded poses, which a simulation does not
-/// have.
+/// and unconfirmed ones are left out. Effects on recorded poses are left out too, because a
+/// simulation has no recorded poses.
 SimulatedFindings FindingsToSimulate(const std::vector<DiagnosedBlock>& blocks);
 
 /// Simulates the scenario under recorded levers, with the findings of its machine. Without findings

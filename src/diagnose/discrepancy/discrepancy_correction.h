@@ -43,8 +43,8 @@ struct DiscrepancyCorrection {
 ///         likelihood of TRAIN and SELECT, without any term in either case. The scale a is a
 ///         nuisance (likelihood.h) with mean 1 and standard deviation 0.25, because a mechanism
 ///         that slows the machine also reduces the discrepancy.
-/// Omits   changes of the discrepancy's course over time by mechanisms: it is that of the
-///         simulation without them.
+/// Omits   the influence of mechanisms on the discrepancy: the discrepancy comes from a simulation
+///         without them.
 /// Source  Kennedy and O'Hagan 2001, "Bayesian calibration of computer models" (the discrepancy
 ///         term; here it is computed, not estimated).
 std::vector<DiscrepancyCorrection> CorrectDiscrepancy(const ReplayDiscrepancy& discrepancy,

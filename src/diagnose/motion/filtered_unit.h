@@ -17,7 +17,8 @@ struct FilteredUnit {
   Rows by_delay;  ///< derivative of `resting` by the delay, -y'
   Rows by_time_constant;  ///< derivative of `resting` by T
 
-  /// `moved` and `rests` are unfiltered measurements of the two motions. T must be positive.
+  /// `moved` and `rests` are the unfiltered measurements for `value` and for `resting`. T must be
+  /// positive.
   FilteredUnit(double every_s, double time_constant_s, const Rows& moved, const Rows& rests);
   /// Mean over a time span by Simpson's rule. Outside the instants the nearest column counts.
   Eigen::Matrix<double, 6, 1> MeanOver(const Rows& rows, double from_s, double to_s) const;

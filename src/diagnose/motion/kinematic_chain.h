@@ -27,8 +27,8 @@ struct KinematicChain {
 /// Longer chains are not supported.
 inline constexpr int kMostJointsOfChain = 6;
 
-/// The chain to a link, or none where it has more than kMostJointsOfChain moving joints. `places`
-/// maps each joint of the model to its index among the estimated joints; -1 keeps the joint at its
+/// The chain to a link. Empty if it has more than kMostJointsOfChain moving joints. `places` maps
+/// each joint of the model to its index among the estimated joints; -1 keeps the joint at its
 /// initial position.
 std::optional<KinematicChain> ChainTo(const MachineModel& model, int link,
                                       const std::vector<int>& places);

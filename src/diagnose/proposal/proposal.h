@@ -80,8 +80,8 @@ struct Proposal {
   std::size_t channel = 0;
   std::vector<ProposedTerm> terms;  ///< of a formula, by descending weight
   std::optional<ProposedCurve> curve;
-  // RMSE of a formula include refitted offset, gain, delay and nominal numbers; those of a curve do
-  // not.
+  // For a formula, offset, gain, delay and nominal numbers are refitted before the RMSE is
+  // computed. For a curve they are not.
   double rmse_select = 0;                  ///< on SELECT, fitted to TRAIN alone
   double rmse_before = 0, rmse_after = 0;  ///< on FINAL, which no fit used
   std::optional<LearnedProposal> learned = {};
@@ -91,7 +91,7 @@ struct Proposal {
 /// RMS of the valid samples of a mask.
 double RmsOver(const Series& series, const Mask& mask);
 
-/// Whether a proposal removes a twentieth of FINAL's RMSE.
+/// True if a proposal reduces the RMSE on FINAL by at least a twentieth.
 bool Holds(double rmse_before, double rmse_after);
 
 }  // namespace tera

@@ -7,9 +7,10 @@
 
 namespace tera {
 
-/// The proposal for a channel's residual, if one generalises: a formula, unless a curve's RMSE on
-/// SELECT is below nine tenths of the formula's. Includes the effect that a simulation can run, or
-/// the reason why there is none (learn.h).
+/// Proposes a correction for a channel's residual: a formula or a curve. The curve is taken if its
+/// RMSE on SELECT is below nine tenths of that of the formula. The proposal also holds the effect
+/// that a simulation can run, or the reason why there is none (learn.h). Empty if neither formula
+/// nor curve holds on manoeuvres outside its fit.
 std::optional<Proposal> Propose(const ReplayBlock& block, const BlockDiagnosis& diagnosis,
                                 std::size_t channel, const Stream& stream);
 

@@ -22,7 +22,7 @@ struct Ray {
 struct RayHit {
   bool hit = false;
   float range_m = 0;
-  /// Unit vector, on the side of the ray's origin.
+  /// Unit normal of the surface; it points to the side from which the ray comes.
   Eigen::Vector3f normal_W = Eigen::Vector3f::Zero();
   float reflectance = 0;  ///< diffuse reflectance of the surface, 0..1
   float opacity = 1;      ///< opacity of the surface's material; below 1: glass

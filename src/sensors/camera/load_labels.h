@@ -9,8 +9,8 @@ namespace tera {
 
 /// Load and release rate of each shovel in the scene.
 ///
-/// Model   True volume and mass. `released_kgps` is the mass lost since the previous image over the
-///         time between; it is negative while the shovel fills.
+/// Model   True volume and mass. `released_kgps` is the mass lost since the previous image, divided
+///         by the time since then. It is negative while the shovel fills.
 /// Omits   Simultaneous inflow and outflow: only the difference counts. A fill below 1e-4 of a
 ///         shovel counts as empty.
 class LoadLabels {

@@ -6,7 +6,8 @@
 
 namespace tera {
 
-/// Inputs of the light labels of objects: images on one pixel grid, at the time stamp.
+/// Images from which brightness, illuminance and motion blur of objects are computed. All have one
+/// pixel grid and show the instant of the time stamp.
 struct LitPicture {
   const SceneModel& model;
   const Image<float>& depth_m;               ///< exact depth

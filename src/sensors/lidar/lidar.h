@@ -37,16 +37,17 @@ void Serialize(ModelArchive* archive, LidarModel* model);
 ///
 /// Frames  W world; S sensor, x forward, y left, z up. Ray k leaves p_WS(t_k) along R_WS(t_k)
 ///         d_S,k. A revolution starts at -x, so that its seam lies behind.
-/// Model   each pulse has its own time and pose. Power and threshold are RangeEquation's, and
-///         the air is that of AirEchoes. A thin ray reports its strongest echo. A beam has a
-///         Gaussian profile and is sampled by seven rays. Its axis has half of the energy, six
-///         others a twelfth each. These lie at the angle w = D / sqrt(2 ln 2) of 1/e^2 of the
-///         intensity, with D the full angle at half power. This is exact for fields up to the fifth
-///         degree across the beam. Its echoes add up (FindPeaks); peaks above the threshold are
-///         returns, in the order of `pick`. Range is r + N(0, s0^2 + s1^2 P_least / P), with the
-///         deviations s0 of strong and s1 of barely detected returns. Pulse i of revolution k draws
-///         at index k * pulses + i, its second return in the next lane. Intensity is rho cos(theta)
-///         exp(-2 tau) of what a peak shows.
+/// Model   each pulse has its own time and pose. Power and threshold are RangeEquation's, and the
+///         air is that of AirEchoes. A thin ray reports its strongest echo. A beam has a Gaussian
+///         profile and is sampled by seven rays. The ray on the axis has half of the energy. The
+///         six other rays have a twelfth each and lie at the angle w = D / sqrt(2 ln 2) from the
+///         axis, where the intensity is 1/e^2; D is the full angle at half power. This quadrature
+///         is exact for polynomials up to the fifth degree across the beam. The echoes of the seven
+///         rays add up (FindPeaks); peaks above the threshold are returns, in the order of `pick`.
+///         Range is r + N(0, s0^2 + s1^2 P_least / P), with the deviations s0 of strong and s1 of
+///         barely detected returns. Pulse i of revolution k draws at index k * pulses + i, its
+///         second return in the next lane. Intensity is the rho cos(theta) exp(-2 tau) that
+///         corresponds to the power of the peak.
 /// Omits   retroreflectors, mirrors, crosstalk, detections of noise alone, elliptical beams; points
 ///         for pulses without a return.
 /// Source  quadrature: Stroud 1971, "Approximate calculation of multiple integrals", E_2^{r^2} 5-1;
@@ -72,8 +73,8 @@ class Lidar {
   struct Return;
   struct Block;
   void Aim(std::int64_t k, int begin, int end, const PoseTrack& X_WS, Block* block) const;
-  /// Returns of pulse i of a block, of the number `number`, in the order in which they are
-  /// reported.
+  /// Computes the returns of pulse i of a block, in the order in which the lidar reports them.
+  /// `number` is the number of the pulse in its random streams.
   void Receive(std::size_t i, std::uint64_t number, const AirEchoes& air, Block* block) const;
   static void Pick(const std::optional<LidarBeam>& beam, std::vector<Return>* returns);
   double RangeSigma_m(double range_m, double reflectance) const;

@@ -10,19 +10,20 @@ namespace tera {
 /// Model   beams at elevations e_i and n columns yield 1 / ((sin e+ - sin e-) 2 pi / n) points per
 ///         steradian per revolution; e- and e+ are the midpoints to the neighbouring beams. A
 ///         surface that returns the fraction q of the light is visible up to
-///         RangeEquation::Reach_m(q), r10 sqrt(q / 0.1) of a thin ray, in clear air. Glass returns
-///         points and hides the surfaces behind it (RayScene). Beams of a single elevation span no
-///         solid angle: such a field is flat.
+///         RangeEquation::Reach_m(q), in clear air; for a thin ray this is r10 sqrt(q / 0.1). Glass
+///         returns points and hides the surfaces behind it (RayScene). Beams of a single elevation
+///         span no solid angle: such a field is flat.
 /// Omits   azimuth offsets of single beams, which shift points without a change in density.
 /// Source  radar equation as in Lidar.
 ViewField ViewOf(const LidarModel& model, double rate_hz);
 
-/// Range up to which the usual pulse returns a surface through fog, rain or falling snow.
+/// Range up to which a pulse returns a surface through fog, rain or falling snow.
 ///
 /// Model   `returned` exp(-2 a r) reaches RangeEquation::LeastSurface(r), with the extinction a of
-///         AirEchoes. Where fog itself is detected at the nearest range, half a pulse beyond
-///         `min_range_m`, a beam that reports one return reports the surface only if that is
-///         stronger, with `pick: first` never, with `last` always. More returns hold both.
+///         AirEchoes. Dense fog can itself be detected at the nearest range, half a pulse beyond
+///         `min_range_m`. A beam with one return then reports the surface only if its echo is
+///         stronger than that of the fog; with `pick: first` it never does, with `last` always. A
+///         beam with more returns reports both.
 /// Omits   dust, drops and flakes that return in place of the surface, noise of the fog's echo.
 /// Source  as Lidar and AirEchoes.
 double ReachInAir_m(const LidarModel& model, const SensedAir& air, double returned);

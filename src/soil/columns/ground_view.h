@@ -28,7 +28,7 @@ void ForPieces(const Column& column, const GroundProfile& profile, double low_m,
     visit(SoilPiece{top_m, bottom_m, layer.kgpm2, layer.soil, layer.moisture, layer.loose});
     top_m = bottom_m;
   }
-  // from here on, depths below the undisturbed surface
+  // depth_m, end_m and below_m are depths below the undisturbed surface
   const double end_m = column.ground_m - low_m;
   for (double depth_m = column.ground_m - column.bank_m; depth_m < end_m;) {
     const Stratum& stratum = profile.Below(depth_m);

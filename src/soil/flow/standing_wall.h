@@ -45,7 +45,7 @@ class StandingWalls {
   };
 
   explicit StandingWalls(const std::vector<SoilType>& soils);
-  /// The failure of the bank whose edge is a column; empty if it stands.
+  /// Failure of the bank whose upper edge is at column `k`; empty if the bank is stable.
   std::optional<Failure> FailureAt(ColumnId k, const Columns& ground) const;
   /// Calls visit(k) for columns near running gear that has moved since the last call. Their banks
   /// may fail without any other change.

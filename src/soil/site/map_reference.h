@@ -32,8 +32,9 @@ MapReference LocalMapReference(const SiteOrigin& origin);
 /// known area pass. `place` names the input in messages.
 void RequireOnMap(const std::string& place, const MapReference& map, const Vec2& at_m);
 
-/// Converts positions of a map to W of a site with this origin: east and north in metres, in the
-/// plane of ElevationGrid (geotiff.h). Throws InputError if there is no conversion.
+/// Converts map coordinates to x (east) and y (north) in metres, in the frame W of a site with this
+/// origin (the tangent plane of ElevationGrid, geotiff.h). Throws InputError if there is no
+/// conversion.
 std::vector<Vec2> PlacesInW(const MapReference& map, const SiteOrigin& origin,
                             const std::vector<Vec2>& places_m);
 

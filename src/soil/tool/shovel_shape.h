@@ -48,8 +48,9 @@ class ShovelShape {
   /// x-z plane. Empty if the line misses the shell.
   std::optional<double> LowestOfShell(const Upright& line, const Vec2& behind_B) const;
 
-  /// z in W at which the edge crossed a line on its way of `came_B` in B's x-z plane. Empty if it
-  /// did not.
+  /// Height (z in W) at which the cutting edge crossed the line within the last step. `came_B` is
+  /// the displacement of the edge in this step, in B's x-z plane. Empty if the edge did not cross
+  /// the line.
   std::optional<double> HeightOfPassedEdge(const Upright& line, const Vec2& came_B) const;
 
   /// Soil that the shovel holds for a direction `up_B` against gravity.
@@ -57,11 +58,12 @@ class ShovelShape {
     double volume_m3 = 0;         ///< greatest volume, heaped at `repose_rad`
     Vec3 com_B_m = Vec3::Zero();  ///< centre of the requested volume
   };
-  /// The greatest volume that the shovel holds, and the centre of `volume_m3` (at most the
-  /// greatest) below a plane with this normal.
+  /// Computes the greatest volume that the shovel holds, and the centre of a load of `volume_m3`
+  /// (at most the greatest volume). The surface of this load is a plane with the normal
+  /// `surface_up_B`.
   Hold HoldFor(const Vec3& up_B, double repose_rad, double volume_m3,
                const Vec3& surface_up_B) const;
-  /// The same with a horizontal plane.
+  /// The same with a surface perpendicular to `up_B`.
   Hold HoldFor(const Vec3& up_B, double repose_rad, double volume_m3) const {
     return HoldFor(up_B, repose_rad, volume_m3, up_B);
   }

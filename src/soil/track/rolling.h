@@ -33,8 +33,8 @@ struct Rolling {
   double rolled = 0;  ///< distance rolled over contact length, -1 to 1, positive forwards
   double aside = 0;   ///< sideways share of the way, -1 to 1, positive to the left
 
-  /// Share of the sinkage that still bears after digging. `deep_m` is the sinkage of the lowest
-  /// point of the wheel.
+  /// Factor on the share of the sinkage, for soil that slip and skid have dug away. It is 1 without
+  /// slip and skid. `deep_m` is the sinkage of the lowest point of the wheel.
   double BearingShare(const SoilType& soil, double grouser_m, double deep_m) const;
   /// A point on the rim, `pen_m` deep in ground with the plastic sinkage `pressed_m`.
   struct Place {
@@ -42,7 +42,7 @@ struct Rolling {
     double across;     ///< -1 to 1, from the right edge to the left edge
     double pressed_m, pen_m;
   };
-  /// Share of the sinkage that bears at a point of the rim.
+  /// Share of the sinkage that bears load at a point of the rim.
   double ShareAt(const Place& place, double entry_rad, double bearing_share) const;
 };
 

@@ -50,9 +50,10 @@ class Rut {
 
   /// Starts a step in which the shoes move by `shoe_m`. Call it before the patches.
   void Begin(double shoe_m, Columns* ground);
-  /// Presses the columns under patch `k` that cannot bear it and carry no low obstacle. `touching`
-  /// is the share of a side face that touches, see SideFaces. Returns the work on the rut that
-  /// forward motion does instead of the pressure of the sinking patch.
+  /// Presses those columns under patch `k` that yield under its pressure. A column below a low
+  /// obstacle is skipped. `touching` is the share of a side face that touches, see SideFaces.
+  /// Returns the part of the work on the rut that comes from forward motion. The sinking of the
+  /// patch does the rest.
   double Press(std::size_t k, const Footprint& foot, double touching, const BodyState& body,
                double dt_s, const LowObstacles& obstacles, Columns* ground);
   /// Marks a column below the gear, which stands above `low_m`.

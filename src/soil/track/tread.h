@@ -15,8 +15,8 @@ namespace tera {
 ///         shoes: at slip i, prints are (1 - i) pitches apart on the ground. A column of width c
 ///         shows the mean of the wave, a factor of sin(pi c / pitch) / (pi c / pitch). Columns
 ///         wider than half a pitch show a smooth rut.
-/// Omits   The shape of the grousers. Prints beside the track while the ground half a pitch further
-///         out is still under it.
+/// Omits   The shape of the grousers. The shape of the grousers. A trough whose outer neighbour,
+///         half a pitch away, is still under the track: it gets no print.
 class Tread {
  public:
   explicit Tread(const RunningGear& gear);

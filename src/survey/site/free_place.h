@@ -17,7 +17,7 @@ struct PlaceNeed {
 std::optional<Vec2> FindFreePlace(const SurveySite& site, const PlaceNeed& need);
 
 /// A place for a mast: the point of measured ground that is farthest from the centre of the site
-/// and clear of things.
+/// and clear of objects.
 Vec2 FindOverlook(const SurveySite& site);
 
 }  // namespace tera

@@ -6,12 +6,12 @@
 
 namespace tera {
 
-/// Rule that separates the ground from things on it.
+/// Rule that separates the ground from objects on it.
 ///
 /// Model   1. PCL's progressive morphological filter runs over the lowest point of each grid
-///         square. Its windows grow up to the largest thing. It removes points that are above the
-///         opened surface by more than `clearance_m` plus a slope of `opening_slope_rad`. This also
-///         removes heaps of soil.
+///         square. Its windows grow up to the size of the largest object. It removes points that
+///         are above the opened surface by more than `clearance_m` plus a slope of
+///         `opening_slope_rad`. This also removes heaps of soil.
 ///
 ///         2. The ground grows back from square to square: the lowest point of the next square may
 ///         be higher by `clearance_m` plus a slope of `steepest_rad`. The ground thus grows up a
@@ -19,9 +19,9 @@ namespace tera {
 ///
 ///         3. A point is ground if it is at most `least_height_m` above the highest ground of its
 ///         square and the eight neighbours.
-/// Omits   overhangs: a bridge is removed, or is ground if it is broad. Things lower than about 0.5
-///         m remain in the terrain. A block of ground between trenches counts as a thing if it is
-///         surrounded by walls and narrower than the largest thing.
+/// Omits   overhangs: a bridge is removed, or is ground if it is broad. Objects lower than about
+///         0.5 m remain in the terrain. A block of ground between trenches counts as an object if
+///         it is surrounded by walls and narrower than the largest object.
 /// Source  Zhang et al. 2003, "A progressive morphological filter for removing nonground
 ///         measurements from airborne LIDAR data".
 struct GroundRule {

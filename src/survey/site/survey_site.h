@@ -24,7 +24,7 @@ struct SiteRequest {
   double gap_m = 0.5;          ///< least distance between two things
 };
 
-/// A site made from a survey: its ground and the things on it.
+/// A site made from a survey: its ground and the objects on it.
 ///
 /// Frames  Map coordinates with the heights of the survey. Without a reference system: the frame of
 ///         the survey minus `middle_m`, with SiteRequest::origin as its origin and its height

@@ -24,12 +24,12 @@ struct ThingRule {
   int least_voxels = 8;
 };
 
-/// Things of a survey, largest first.
+/// Objects of a survey, largest first.
 ///
 /// Model   Points above the ground are clustered by distance (PCL's EuclideanClusterExtraction). A
 ///         cluster becomes an upright box over its rectangle of least area.
-/// Omits   separation of things closer than the gap, which become one thing. A tree is the box of
-///         its crown.
+/// Omits   separation of objects closer than the gap: they become one object. A tree becomes the
+///         box of its crown.
 std::vector<SurveyThing> FindThings(const std::vector<Vec3>& p_m, const std::vector<float>& above_m,
                                     const SurveyTerrain& terrain, const ThingRule& rule);
 

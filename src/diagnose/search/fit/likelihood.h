@@ -23,10 +23,10 @@ struct Misfit {
 /// Model   measured = (1 + g) predicted + b - d d(predicted)/dt + N n + noise. The noise of each
 ///         channel is autoregressive with Student-t innovations (noise_model.h). The nuisances b, g
 ///         and d are normal about 0 with the channel's standard deviations. The factors n of its
-///         nominal columns N are standard normal. All are bounded at two standard deviations: a
-///         larger error is no nuisance. They are fitted to the samples of a mask by iteratively
-///         reweighted least squares on whitened columns. Samples that follow a gap more closely
-///         than the memory of the noise model are ignored.
+///         nominal columns N are standard normal. All are bounded at two standard deviations,
+///         because a larger error must be found as a mechanism. They are fitted to the samples of a
+///         mask by iteratively reweighted least squares on whitened columns. Samples that follow a
+///         gap more closely than the memory of the noise model are ignored.
 /// Omits   noise common to several channels.
 class Likelihood {
  public:
@@ -55,8 +55,8 @@ class Likelihood {
     return parts_[channel].samples;
   }
 
-  /// Log-likelihood of `truth` over `predicted` if `truth` were measured without noise, beyond
-  /// nuisances. It is the upper bound of what a recording can say about the two.
+  /// Log-likelihood ratio of `truth` to `predicted` for a noise-free measurement of `truth`, with
+  /// fitted nuisance parameters. No recording can distinguish the two predictions better.
   double NoiselessGain(const std::vector<std::vector<double>>& predicted,
                        const std::vector<std::vector<double>>& truth) const;
 
@@ -73,7 +73,7 @@ class Likelihood {
     Eigen::VectorXd measured, offset;  ///< whitened, over the noise's scale
     Eigen::MatrixXd nominal;           ///< whitened, over the noise's scale
   };
-  /// One channel's fitted nuisances, and the innovations of the fitted samples.
+  /// The fitted nuisance parameters of one channel, and the innovations of the fitted samples.
   struct ChannelFit {
     Eigen::VectorXd innovation;
     Eigen::VectorXd nuisances;

@@ -59,7 +59,7 @@ struct Candidate {
   std::vector<std::vector<double>> starts;
   /// The mechanism's values in the model; empty if the model lacks it.
   std::vector<double> present;
-  /// False for values that make the mechanism another one in disguise. Empty: always true.
+  /// False for values at which the mechanism acts like another mechanism. Empty: always true.
   std::function<bool(const std::vector<double>& values)> is_itself = {};
 };
 

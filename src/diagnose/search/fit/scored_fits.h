@@ -17,7 +17,7 @@ struct Scored {
   Structure terms;
   double log_likelihood = 0;
   /// Bayesian information criterion as log-likelihood minus penalty: larger is better. Minus
-  /// infinity if a term is another mechanism in disguise (Candidate::is_itself).
+  /// infinity if a term acts like another mechanism (Candidate::is_itself).
   double criterion = 0;
   std::vector<double> held_out;  ///< log-likelihood of each manoeuvre of SELECT
 

@@ -63,7 +63,7 @@ double SteadyEffectP(const std::vector<ManoeuvreGain>& gains);
 /// Source  Shafer 2021, "Testing by betting"; Vovk and Wang 2021, "E-values".
 double GainP(const std::vector<ManoeuvreGain>& gains);
 
-/// p up to which a steady gain on held-out manoeuvres confirms.
+/// Largest p at which a steady gain on held-out manoeuvres confirms a finding.
 inline constexpr double kConfirmedP = 0.05;
 
 /// True if held-out manoeuvres confirm a gain: steady with p up to `steady_level`, or clear in

@@ -47,18 +47,18 @@ struct TermEvidence {
   /// p-value of this term together with another, where each is needed only with the other
   /// (pruning.h).
   std::optional<double> joint_p;
-  /// Gain of the term on SELECT over that of the whole structure or of the flexible regressor,
-  /// whichever is larger. Both are relative to the empty structure.
+  /// Gain of the term on SELECT, divided by the larger of two gains over the empty structure: that
+  /// of the whole structure and that of the flexible regressor.
   double share = 0;
-  /// Gain of the term on SELECT over that of the flexible regressor, both relative to the structure
-  /// without the term.
+  /// Gain of the term on SELECT, divided by the gain of the flexible regressor. Both gains are
+  /// relative to the structure without the term.
   double share_of_rest = 0;
   double effect = 0;  ///< RMS change by the term over the channel's RMS; the largest over channels
-  /// The term's own candidate, then the candidates that explain the data about as well in its
-  /// place.
+  /// The term's own candidate, then the candidates that explain the data about as well if they
+  /// replace the term.
   std::vector<const Candidate*> rivals;
-  /// Rivals that are within tolerance, and in whose structure all terms that were within tolerance
-  /// stay there.
+  /// Rivals within tolerance. All terms that were within tolerance must also be so in the rival's
+  /// structure.
   std::vector<const Candidate*> expected_rivals;
   std::vector<Rival> rejected;  ///< nearest first
 };

@@ -32,7 +32,7 @@ namespace tera {
 ///         it is steady on cross-fitted manoeuvres of TRAIN and SELECT (cross_fit.h,
 ///         steady_gain.h). Its p-value carries a Bonferroni correction over all tests of the
 ///         diagnosis. Its share, its share of the rest and its effect must reach the smallest
-///         values of search_result.h. A term that is another mechanism in disguise is removed too
+///         values of search_result.h. A term that acts like another mechanism is removed too
 ///         (Candidate::is_itself). A refining parameter returns to its default if that changes less
 ///         than kLeastTermEffect.
 ///
