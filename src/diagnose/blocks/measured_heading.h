@@ -4,13 +4,13 @@
 
 namespace tera {
 
-/// Allows a constant heading error of a base whose motion is measured, due to antennas or maps. A
-/// machine that drives straight then seems to drift sideways.
+/// Adds a constant heading error to the base's block, as a nominal number. Antennas or maps cause
+/// such an error. A machine that drives straight then appears to move sideways.
 ///
-/// Model   a nominal number of the sideways speed: -heading times measured forward speed, for small
-///         angles. Half of `tolerance_rad` is one standard deviation, so that the bound is the
-///         tolerance (Likelihood). `base` is the block of MakeBaseBlock.
-/// Omits   its effect on the forward speed, a thousandth of it.
+/// Model   The change of the sideways speed is -heading times measured forward speed, for small
+///         angles. Half of `tolerance_rad` is one standard deviation, because Likelihood bounds
+///         nuisances at two. `base` is the block of MakeBaseBlock.
+/// Omits   The effect on the forward speed, about a thousandth of it.
 void LetHeadingErr(double tolerance_rad, ReplayBlock* base);
 
 }  // namespace tera
